@@ -1,0 +1,34 @@
+# The verbs of the project. A fresh machine needs Python 3.11+ with pip, and make.
+PYTHON ?= python3
+BIN := .venv/bin
+DEMO := build/demo
+
+.PHONY: demo test check bench lock
+
+demo: .venv/installed      ## the main job on the shipped example; the last line printed is the path of the report
+	rm -rf $(DEMO)
+	$(BIN)/assess new $(DEMO) --example casa_grande
+	$(BIN)/assess run $(DEMO) -o $(DEMO)/results || test $$? -eq 1
+	@echo $(DEMO)/results/report.pdf
+
+test: .venv/installed      ## every test but the benchmarks
+	$(BIN)/python -m pytest
+
+check: .venv/installed     ## style, types, direction of imports
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/mypy
+	$(BIN)/lint-imports
+
+bench: .venv/installed     ## speed, as ratios measured in one run
+	$(BIN)/python tests/benchmarks/bench_dynamics.py
+
+lock:                      ## for developers, with uv: pin every dependency with its hashes
+	uv pip compile pyproject.toml --group dev --universal --python-version 3.11 --generate-hashes --quiet --output-file requirements.lock
+
+.venv/installed: requirements.lock pyproject.toml
+	@$(PYTHON) -c 'import sys; sys.exit(0 if sys.version_info >= (3, 11) else "Python 3.11 or newer is needed; say which with: make PYTHON=python3.12 …")'
+	$(PYTHON) -m venv .venv
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes --requirement requirements.lock
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation --editable .
+	@touch $@

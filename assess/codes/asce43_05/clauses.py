@@ -1,0 +1,81 @@
+"""ASCE/SEI 43-05, Appendix A.2: rocking of an unanchored rigid body by an equivalent linear oscillator.
+
+Written for any rocking oscillator: E(phi) is the work stored, B0 and I0 excitation and inertia at rest. For a
+block of half-width b and centroid height h, a = b/h, these give the clause's own quantities:
+h = B0/M, C1 = I0/(M h^2), f1 = E/(M g h) = cos(theta) + a sin(theta) - 1.
+
+Not checked against the printed standard: the equations were seen in excerpts and re-derived from energy. The
+clause's limit of rotation was not seen; half the overturning rotation is used, the limit of the response-history
+method of the same standard. One function for each formula.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.constants import g
+
+from assess.codes.relation import PgaRelation, relation
+from assess.oscillator import Branch, FloatArray, energy, equivalent_block
+from spectra.spectrum import Spectrum
+
+EDITION = "ASCE/SEI 43-05"
+CAVEAT = "Appendix A.2 was not checked against the printed standard: its equations were re-derived from energy"
+
+
+@dataclass(frozen=True)
+class Options:
+    """allowable_ratio: allowable rotation over the rigid overturning rotation [-]."""
+
+    allowable_ratio: float = 0.5
+
+
+def vertical_factor(a: float, ratio: float) -> float:
+    """F_V = sqrt(1 + (a S_aV/S_aH)^2): vertical motion combined probabilistically (Eq. A-5(b))."""
+    return float(np.hypot(1.0, a * ratio))
+
+
+def stored_work(branch: Branch, rotation: FloatArray) -> FloatArray:
+    """f1(theta) = E(theta) / (g B0); for a block cos(theta) + a sin(theta) - 1 (Eq. A-5(a)) [-]."""
+    return energy(branch, rotation) / float(g * branch.excitation[0])
+
+
+def capacity_acceleration(branch: Branch, rotation: FloatArray, *, f_v: float) -> FloatArray:
+    """SA_H,CAP = 2 g f1 / (F_V F_H theta) [m/s2] (Eq. A-5); F_H = 1, for B0 counts every mass that shakes."""
+    return 2 * g * stored_work(branch, rotation) / (f_v * rotation)
+
+
+def effective_frequency(branch: Branch, rotation: FloatArray) -> FloatArray:
+    """f_e [Hz] of the linear oscillator with the same work: omega_e^2 = 2 E / (I0 theta^2) (A.2, step 2)."""
+    omega = np.sqrt(2 * energy(branch, rotation) / float(branch.inertia[0])) / rotation
+    return np.asarray(omega / (2 * np.pi))
+
+
+def effective_damping(restitution: float) -> float:
+    """beta_e = gamma / sqrt(4 pi^2 + gamma^2) with gamma = -2 ln C_R, two impacts in a cycle (A.2, step 2) [-]."""
+    if restitution == 0.0:
+        return 1.0
+    gamma = -2 * np.log(restitution)
+    return float(gamma / np.hypot(2 * np.pi, gamma))
+
+
+def thesis_limit_ratio(branch: Branch, *, mass: float) -> float:
+    """theta_lim / alpha = k alpha / sin(2 alpha), k = I_O / (M R^2) = g / (p^2 R) [-].
+
+    Empirical: no derivation is known; it fits the thesis' Table 8.5 within rounding for all eight walls.
+    """
+    block = equivalent_block(branch, mass=mass)
+    k = block.inertia / (mass * block.radius**2)
+    return float(k * block.slenderness / np.sin(2 * block.slenderness))
+
+
+def pga_relation(branch: Branch, spectrum: Spectrum, *, damping: float, f_v: float) -> PgaRelation:
+    """PGA(theta): where SA_H,CAP equals the spectrum's ordinate at f_e and `damping`, scaled with its PGA."""
+
+    def pga_of(rotation: FloatArray) -> FloatArray:
+        period = 1 / effective_frequency(branch, rotation)
+        amplified = spectrum.acceleration(period, damping=damping) / spectrum.pga
+        return capacity_acceleration(branch, rotation, f_v=f_v) / amplified
+
+    return relation(pga_of, overturning=branch.overturning)

@@ -1,0 +1,255 @@
+"""The spectrum method of A.2 in two readings: the clause's, and the thesis' that reproduces its Tables 8.5-8.6."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.constants import g
+
+from assess.codes.asce43_05.clauses import (
+    CAVEAT,
+    EDITION,
+    Options,
+    capacity_acceleration,
+    effective_damping,
+    effective_frequency,
+    pga_relation,
+    stored_work,
+    thesis_limit_ratio,
+    vertical_factor,
+)
+from assess.codes.check import BranchName, Check, Role, Step
+from assess.codes.context import Context
+from assess.codes.governing import governing
+from assess.codes.relation import as_curve, capacity, demand
+from assess.oscillator import Branch, Oscillator, multiplier
+
+
+@dataclass(frozen=True)
+class Reading:
+    """How the clause is read for one branch, each choice with its source.
+
+    damping of the demand [-]; allowable_ratio: rotation / phi_ov [-]; starts_at: PGA below which nothing rocks [m/s2].
+    """
+
+    procedure: str
+    role: Role
+    damping: float
+    damping_formula: str
+    damping_numbers: str
+    allowable_ratio: float
+    allowable_source: str
+    allowable_formula: str
+    starts_at: float
+
+
+def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tuple[Check, ...]:
+    """A.2 with the demand at f_e and beta_e, from true uplift on; one check for each level, on the worse branch."""
+
+    def reading(branch: Branch) -> Reading:
+        gamma = "β_e = γ / √(4π² + γ²), γ = −2 ln C_R"
+        return Reading(
+            procedure="asce43-05-spectrum",
+            role="code",
+            damping=effective_damping(branch.restitution),
+            damping_formula=gamma,
+            damping_numbers=f"C_R = {branch.restitution:.4g}",
+            allowable_ratio=options.allowable_ratio,
+            allowable_source="limit of the response-history method; the limit of A.2 itself was not seen",
+            allowable_formula="θ_lim = ratio · φ_ov",
+            starts_at=float(multiplier(branch)[0]) * g,
+        )
+
+    return _checks(oscillator, context, reading)
+
+
+def assess_thesis(oscillator: Oscillator, context: Context, *, options: Options) -> tuple[Check, ...]:
+    """The thesis' reading (8.3.2): 5 % damping, limit k alpha / sin 2 alpha, no threshold of uplift; informative."""
+
+    def reading(branch: Branch) -> Reading:
+        return Reading(
+            procedure="asce43-05-spectrum-thesis",
+            role="informative",
+            damping=context.spectrum.damping,
+            damping_formula="the spectrum's own damping",
+            damping_numbers="thesis 8.3.2",
+            allowable_ratio=thesis_limit_ratio(branch, mass=oscillator.mass),
+            allowable_source="empirical: fits the thesis' Table 8.5, no derivation known",
+            allowable_formula="θ_lim = φ_ov · k α / sin 2α, k = I_O / (M R²)",
+            starts_at=0.0,
+        )
+
+    return _checks(oscillator, context, reading)
+
+
+def _checks(oscillator: Oscillator, context: Context, reading_of: Callable[[Branch], Reading]) -> tuple[Check, ...]:
+    def one(branch: Branch, name: BranchName, level: float) -> Check:
+        return _check(oscillator, branch, name, context, reading_of(branch), level)
+
+    return governing(oscillator, context.levels, one)
+
+
+def _check(
+    oscillator: Oscillator, branch: Branch, name: BranchName, context: Context, reading: Reading, level: float
+) -> Check:
+    f_v = vertical_factor(float(multiplier(branch)[0]), context.vertical_ratio)
+    curve = pga_relation(branch, context.spectrum, damping=reading.damping, f_v=f_v)
+    allowable = reading.allowable_ratio * branch.overturning
+    rotation = 0.0 if level <= reading.starts_at else demand(curve, level)
+    passes = rotation is not None and rotation <= allowable
+    return Check(
+        procedure=reading.procedure,
+        edition=EDITION,
+        role=reading.role,
+        branch=name,
+        limit_state="no overturning",
+        level_pga_g=level / g,
+        input_at="ground",
+        damping=reading.damping,
+        damping_rule=context.spectrum.damping_rule if reading.damping != context.spectrum.damping else "",
+        quantity="rotation",
+        unit="rad",
+        demand=rotation,
+        capacity=allowable,
+        ratio=None if rotation is None else rotation / allowable,
+        verdict="pass" if passes else "fail",
+        reason=_reason(rotation, allowable),
+        capacity_pga_g=capacity(curve, allowable, uplift=reading.starts_at) / g,
+        uplift_pga_g=float(multiplier(branch)[0]),
+        capacity_rotation_ratio=reading.allowable_ratio,
+        rotation_ratio=None if rotation is None else rotation / branch.overturning,
+        pga_curve=as_curve(curve, branch),
+        steps=_steps(oscillator, branch, context, reading, level=level, f_v=f_v, rotation=rotation),
+        caveat=CAVEAT,
+    )
+
+
+def _reason(rotation: float | None, allowable: float) -> str:
+    if rotation is None:
+        return "overturns: no rotation holds this demand"
+    if rotation == 0.0:
+        return "no rocking: the demand does not lift the body off its base"
+    return "rotation within the allowable" if rotation <= allowable else "rotation beyond the allowable"
+
+
+def _steps(
+    oscillator: Oscillator,
+    branch: Branch,
+    context: Context,
+    reading: Reading,
+    *,
+    level: float,
+    f_v: float,
+    rotation: float | None,
+) -> tuple[Step, ...]:
+    """The calculation sheet; the spectral values stand at the demand, or at the allowable where nothing rocks."""
+    a, mass, I0 = float(multiplier(branch)[0]), oscillator.mass, float(branch.inertia[0])
+    h = float(branch.excitation[0]) / mass
+    C1 = I0 / (mass * h**2)
+    allowable = reading.allowable_ratio * branch.overturning
+    at = rotation if rotation else allowable
+    where = "at the demand" if rotation else "at the allowable rotation"
+    theta = np.array([at])
+    f1 = float(stored_work(branch, theta)[0])
+    cap = float(capacity_acceleration(branch, theta, f_v=f_v)[0])
+    f_e = float(effective_frequency(branch, theta)[0])
+    period = 1 / f_e
+    ordinate = float(context.spectrum.acceleration(period, damping=reading.damping)) / context.spectrum.pga
+    A2 = "ASCE 43-05 A.2"
+    return (
+        Step(
+            "h",
+            "height of the centroid above the hinge",
+            A2,
+            "B0 / M",
+            f"{branch.excitation[0]:.5g} / {mass:.5g}",
+            h,
+            "m",
+        ),
+        Step(
+            "a",
+            "tan α = multiplier at rest; true uplift at a g",
+            A2,
+            "V'(0) / (g B0)",
+            f"{branch.restoring[0]:.5g} / (9.80665 · {branch.excitation[0]:.5g})",
+            a,
+            "-",
+        ),
+        Step("C1", "inertia ratio", A2, "I_O / (M h²)", f"{I0:.5g} / ({mass:.5g} · {h:.5g}²)", C1, "-"),
+        Step(
+            "F_V",
+            "vertical ground motion",
+            "Eq. A-5(b)",
+            "√(1 + (a S_aV/S_aH)²)",
+            f"√(1 + ({a:.5g} · {context.vertical_ratio:.3g})²)",
+            f_v,
+            "-",
+        ),
+        Step("F_H", "horizontal inertia beyond the body's mass", "Eq. A-5(c)", "counted in B0", "1", 1.0, "-"),
+        Step(
+            "β_e",
+            "effective damping",
+            A2,
+            reading.damping_formula,
+            reading.damping_numbers,
+            reading.damping,
+            "-",
+        ),
+        Step(
+            "θ_lim",
+            reading.allowable_source,
+            A2,
+            reading.allowable_formula,
+            f"{reading.allowable_ratio:.4g} · {branch.overturning:.5g}",
+            allowable,
+            "rad",
+        ),
+        Step("θ", where, A2, "SA_H,DEM(θ) = SA_H,CAP(θ)", f"PGA = {level / g:.4g} g", at, "rad"),
+        Step(
+            "f1",
+            "work stored over M g h",
+            "Eq. A-5(a)",
+            "E(θ) / (M g h); block: cos θ + a sin θ − 1",
+            f"θ = {at:.5g}",
+            f1,
+            "-",
+        ),
+        Step(
+            "SA_H,CAP",
+            "spectral acceleration capacity",
+            "Eq. A-5",
+            "2 g f1 / (F_V F_H θ)",
+            f"2 · 9.80665 · {f1:.5g} / ({f_v:.5g} · 1 · {at:.5g})",
+            cap,
+            "m/s2",
+        ),
+        Step(
+            "f_e",
+            "effective frequency",
+            A2,
+            "√(2 f1 g / (C1 h θ²)) / 2π",
+            f"√(2 · {f1:.5g} · 9.80665 / ({C1:.5g} · {h:.5g} · {at:.5g}²)) / 2π",
+            f_e,
+            "Hz",
+        ),
+        Step(
+            "S_a/PGA",
+            "spectrum at f_e and β_e over PGA",
+            context.spectrum.clause,
+            "S_a(1/f_e, β_e) / PGA",
+            f"T = {period:.5g} s, β = {reading.damping:.4g}",
+            ordinate,
+            "-",
+        ),
+        Step(
+            "PGA(θ)",
+            f"PGA that takes the body to θ, {where}",
+            A2,
+            "SA_H,CAP / (S_a/PGA)",
+            f"{cap:.5g} / {ordinate:.5g}",
+            cap / ordinate,
+            "m/s2",
+        ),
+    )

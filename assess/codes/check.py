@@ -1,0 +1,70 @@
+"""One answer of one code procedure: demand beside capacity, and every step between."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+Role = Literal["code", "informative"]
+Verdict = Literal["pass", "fail", "not-applicable"]
+BranchName = Literal["positive", "negative"]
+InputAt = Literal["ground", "mechanism base"]
+
+
+@dataclass(frozen=True)
+class Step:
+    """One line of a calculation sheet: the formula, the numbers put into it, and what came out."""
+
+    symbol: str
+    description: str
+    clause: str
+    formula: str
+    substituted: str
+    value: float | None
+    unit: str
+
+
+@dataclass(frozen=True)
+class PgaCurve:
+    """Peak ground acceleration that takes the mechanism to each rotation, by one procedure.
+
+    rotation_ratio [n]: rotation / rigid overturning rotation; pga_g [n]: in g.
+    """
+
+    rotation_ratio: tuple[float, ...]
+    pga_g: tuple[float, ...]
+
+
+@dataclass(frozen=True)
+class Check:
+    """Demand, capacity, ratio and verdict of one procedure at one level, with the steps that led there.
+
+    `demand`, `capacity` are in `unit` and measure `quantity`; None where there is no finite value (a body that
+    overturns has no largest rotation). `caveat` says what could not be compared with the printed standard.
+    `rotation_ratio` and `allowable_ratio` put the same answer as rotation /
+    rigid overturning rotation of the branch, None where the procedure knows no rotation or the body overturned.
+    """
+
+    procedure: str
+    edition: str
+    role: Role
+    branch: BranchName
+    limit_state: str
+    level_pga_g: float
+    input_at: InputAt
+    damping: float | None
+    damping_rule: str
+    quantity: str
+    unit: str
+    demand: float | None
+    capacity: float | None
+    ratio: float | None
+    verdict: Verdict
+    reason: str
+    capacity_pga_g: float | None
+    uplift_pga_g: float | None
+    capacity_rotation_ratio: float | None
+    rotation_ratio: float | None
+    pga_curve: PgaCurve
+    steps: tuple[Step, ...]
+    caveat: str = ""

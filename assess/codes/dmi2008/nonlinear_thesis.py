@@ -1,0 +1,154 @@
+"""The thesis' reading of the non-linear procedure (8.3.2): it reproduces Tables 8.6 and 8.7; informative.
+
+Its period has d_u under the root where the clause has d_s, on the linearised rigid curve.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from scipy.constants import g
+
+from assess.codes.check import BranchName, Check, Step
+from assess.codes.context import Context
+from assess.codes.dmi2008.clauses import CAVEAT, EDITION, ULTIMATE, Options
+from assess.codes.governing import governing
+from assess.codes.relation import PgaRelation, as_curve, capacity, demand, relation
+from assess.oscillator import Branch, FloatArray, Oscillator, displacement, linearise, multiplier
+
+
+def thesis_relation(branch: Branch, context: Context, *, mass: float) -> PgaRelation:
+    """PGA(phi) of the thesis' reading: a_s = lambda g (1 - 0.4 x) at d_s = 0.4 d_u, T = 2 pi sqrt(d_u / a_s).
+
+    x = phi / phi_ov, d_u = x d0, lambda and the curve linearised, rigid. The clause has d_s, not d_u, under the root; with d_u
+    the eight walls of Table 8.6 come out within rounding (the letter is higher by about 1.6).
+    """
+    d0 = float(displacement(branch, np.array(branch.overturning), mass=mass))
+    linear = linearise(branch)
+
+    def pga_of(rotation: FloatArray) -> FloatArray:
+        x = rotation / branch.overturning
+        a_s = linear.multiplier * g * (1 - ULTIMATE * x)
+        period = 2 * np.pi * np.sqrt(x * d0 / a_s)
+        return a_s * context.spectrum.pga / context.spectrum.acceleration(period)
+
+    return relation(pga_of, overturning=branch.overturning)
+
+
+def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tuple[Check, ...]:
+    """The thesis' reading (8.3.2), at the ground, FC = 1, no threshold of uplift; informative."""
+
+    def one(branch: Branch, name: BranchName, level: float) -> Check:
+        curve = thesis_relation(branch, context, mass=oscillator.mass)
+        allowable = ULTIMATE * branch.overturning
+        rotation = demand(curve, level)
+        at_collapse = capacity(curve, allowable, uplift=0.0)
+        passes = rotation is not None and rotation <= allowable
+        return Check(
+            procedure="dmi2008-nonlinear-thesis",
+            edition=EDITION,
+            role="informative",
+            branch=name,
+            limit_state="SLV",
+            level_pga_g=level / g,
+            input_at="ground",
+            damping=context.spectrum.damping,
+            damping_rule="",
+            quantity="rotation",
+            unit="rad",
+            demand=rotation,
+            capacity=allowable,
+            ratio=None if rotation is None else rotation / allowable,
+            verdict="pass" if passes else "fail",
+            reason="the thesis' reading: T_s with d_u where the clause has d_s",
+            capacity_pga_g=at_collapse / g,
+            uplift_pga_g=float(multiplier(branch)[0]),
+            capacity_rotation_ratio=ULTIMATE,
+            rotation_ratio=None if rotation is None else rotation / branch.overturning,
+            pga_curve=as_curve(curve, branch),
+            steps=_steps(oscillator, branch, context, level=level, rotation=rotation, at_collapse=at_collapse),
+            caveat=CAVEAT,
+        )
+
+    return governing(oscillator, context.levels, one)
+
+
+def _steps(
+    oscillator: Oscillator,
+    branch: Branch,
+    context: Context,
+    *,
+    level: float,
+    rotation: float | None,
+    at_collapse: float,
+) -> tuple[Step, ...]:
+    linear = linearise(branch)
+    d0 = float(displacement(branch, np.array(branch.overturning), mass=oscillator.mass))
+    a_s = linear.multiplier * g * (1 - ULTIMATE**2)
+    period = float(2 * np.pi * np.sqrt(ULTIMATE * d0 / a_s))
+    ordinate = float(context.spectrum.acceleration(period)) / context.spectrum.pga
+    source = "thesis 8.3.2"
+    return (
+        Step(
+            "λ",
+            "multiplier of the linearised mechanism",
+            "thesis 3.11",
+            "(K φ_cr − M) / (g B)",
+            f"φ_cr = {linear.critical:.5g} rad",
+            linear.multiplier,
+            "-",
+        ),
+        Step(
+            "d0",
+            "displacement of the centroid at overturning",
+            source,
+            "∫ B dφ / M",
+            f"φ_ov = {branch.overturning:.5g} rad",
+            d0,
+            "m",
+        ),
+        Step(
+            "a_s",
+            "acceleration at 0.4 d_u, d_u = 0.4 d0",
+            source,
+            "λ g (1 − 0.4 · 0.4)",
+            f"{linear.multiplier:.5g} · 9.80665 · 0.84",
+            a_s,
+            "m/s2",
+        ),
+        Step(
+            "T",
+            "period, with d_u (the clause: d_s)",
+            source,
+            "2π √(d_u / a_s)",
+            f"2π √({ULTIMATE * d0:.5g} / {a_s:.5g})",
+            period,
+            "s",
+        ),
+        Step(
+            "S_a/PGA",
+            "spectrum over PGA",
+            context.spectrum.clause,
+            "S_a(T) / PGA",
+            f"T = {period:.5g} s",
+            ordinate,
+            "-",
+        ),
+        Step(
+            "PGA_c",
+            "PGA at φ = 0.4 φ_ov",
+            source,
+            "a_s / (S_a/PGA)",
+            f"{a_s:.5g} / {ordinate:.5g}",
+            at_collapse / g,
+            "g",
+        ),
+        Step(
+            "φ/φ_ov",
+            "rotation at the level",
+            source,
+            "PGA(φ) = level",
+            f"level {level / g:.4g} g",
+            None if rotation is None else rotation / branch.overturning,
+            "-",
+        ),
+    )

@@ -1,0 +1,32 @@
+"""Every procedure runs on both branches at every level; the worse branch is the answer."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from math import inf
+
+from assess.codes.check import BranchName, Check
+from assess.oscillator import Branch, Oscillator
+
+OneCheck = Callable[[Branch, BranchName, float], Check]
+NAMES: tuple[BranchName, BranchName] = ("positive", "negative")
+
+
+def governing(oscillator: Oscillator, levels: Sequence[float], one: OneCheck) -> tuple[Check, ...]:
+    """For each PGA of `levels` [m/s2] the worse of `one(branch, name, level)` over the oscillator's branches."""
+    named = tuple(zip(oscillator.branches, NAMES, strict=False))
+    return tuple(worse([one(branch, name, level) for branch, name in named]) for level in levels)
+
+
+def worse(checks: Sequence[Check]) -> Check:
+    """The check that fails, then the one with the larger demand/capacity, then the smaller PGA at collapse.
+
+    The first of equals (the positive branch) stands.
+    """
+
+    def severity(check: Check) -> tuple[bool, float, float]:
+        ratio = inf if check.ratio is None else check.ratio
+        at_collapse = inf if check.capacity_pga_g is None else check.capacity_pga_g
+        return check.verdict == "fail", ratio, -at_collapse
+
+    return max(checks, key=severity)

@@ -1,0 +1,36 @@
+"""The exceptions, drawn as a tree.
+
+AssessError                what a user can mend; the command line prints its one line and ends with exit code 2
+├── ProjectError           the project file: missing, unreadable, unknown key, wrong unit or value
+├── GeometryError          a body or mesh: open, inverted, degenerate
+├── MechanismError         a mechanism that cannot rock: no base, already falling, impossible hinges
+├── ProcedureError         a code procedure asked outside its range
+└── ResultsError           a results file that cannot be read
+
+`records.errors.RecordError` and `spectra.errors.SpectrumError` stand beside them, because imports run one way.
+Anything else that reaches the command line is a bug (exit code 70).
+"""
+
+
+class AssessError(ValueError):
+    """Something the user can mend: the text says what, where, the value and the remedy."""
+
+
+class ProjectError(AssessError):
+    """The project file is missing, unreadable or holds an unknown key, a wrong unit or a wrong value."""
+
+
+class GeometryError(AssessError):
+    """A body has no usable volume: open or inverted mesh, self-intersecting profile, no size."""
+
+
+class MechanismError(AssessError):
+    """A mechanism cannot rock as described: no base, already falling, impossible hinges."""
+
+
+class ProcedureError(AssessError):
+    """A code procedure was asked something outside its range, or with an option it does not know."""
+
+
+class ResultsError(AssessError):
+    """A results file cannot be read."""

@@ -1,0 +1,44 @@
+"""A single block known by its rocking parameters alone, so that published tables can be assessed too."""
+
+from __future__ import annotations
+
+from math import cos, sin
+
+from scipy.constants import g
+
+from assess.mechanisms.chain import Block, Chain, Point
+from assess.mechanisms.mechanism import Mechanism, Sides
+from assess.mechanisms.single_block import RestitutionChoice, assembled
+
+
+def equivalent_block(
+    name: str,
+    *,
+    p: float,
+    uplift: float,
+    radius: float,
+    mass: float = 1.0,
+    label: str = "",
+    sides: Sides = "two",
+    elevation: float = 0.0,
+    restitution: tuple[RestitutionChoice, RestitutionChoice] = ("thesis", "thesis"),
+) -> Mechanism:
+    """An exact single block of frequency parameter `p` [1/s], slenderness `uplift` [rad] and `radius` [m].
+
+    Its inertia about the hinge is M g R / p^2. It is symmetric and stands with its base centred on the origin;
+    drawn as the rectangle with the same slenderness and radius.
+    """
+    half, height = radius * sin(uplift), radius * cos(uplift)
+    block = Block(mass, (0.0, elevation + height), mass * g * radius / p**2 - mass * radius**2)
+    chain = Chain((block,), ((half, elevation),))
+    top = elevation + 2 * height
+    outline: tuple[Point, ...] = ((-half, elevation), (half, elevation), (half, top), (-half, top))
+    return assembled(
+        name,
+        "equivalent-block",
+        chain,
+        chain if sides == "two" else None,
+        label=label,
+        restitution=restitution,
+        outlines=(outline,),
+    )

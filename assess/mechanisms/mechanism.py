@@ -1,0 +1,39 @@
+"""A collapse mechanism: a chain for each direction of rotation, what its impacts keep, and how it is drawn."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from assess.mechanisms.chain import Chain, Point
+
+Sides = Literal["one", "two"]
+
+
+@dataclass(frozen=True)
+class Mechanism:
+    """One way in which masonry can collapse.
+
+    Attributes
+    ----------
+    name, label, kind : as in the project file
+    sides : "one" (positive rotation only) or "two"
+    positive, negative : the chain of each branch in that branch's own mirrored sign; negative None if one-sided
+    restitution : what the impact that ends the positive and the negative branch leaves of the velocity [-]
+    restitution_source : the formula it comes from, or "given"
+    elevation : of the base hinge above the origin of the project [m]
+    outlines : closed polygons of the blocks in the plane of motion [m], not mirrored
+    notices : sentences the engineer must read (a rule that did not hold)
+    """
+
+    name: str
+    label: str
+    kind: str
+    sides: Sides
+    positive: Chain
+    negative: Chain | None
+    restitution: tuple[float, float]
+    restitution_source: str
+    elevation: float
+    outlines: tuple[tuple[Point, ...], ...]
+    notices: tuple[str, ...] = ()

@@ -1,0 +1,112 @@
+"""One block rocking about the edges of its base (thesis 3.2.1), and what both kinds of single block share."""
+
+from __future__ import annotations
+
+from math import atan2, hypot
+from typing import Literal
+
+from assess.errors import MechanismError
+from assess.geometry.planar import PlanarBody
+from assess.mechanisms.chain import Block, Chain, Point, mirrored, mirrored_blocks, require_stable
+from assess.mechanisms.mechanism import Mechanism, Sides
+from assess.oscillator import SingleBlock
+from assess.restitution import Restitution, one_sided, two_sided
+
+RestitutionChoice = float | Literal["thesis", "housner", "sorrentino", "momentum"]
+
+
+def single_block(
+    name: str,
+    body: PlanarBody,
+    *,
+    label: str = "",
+    sides: Sides = "two",
+    hinge: Point | None = None,
+    hinge_negative: Point | None = None,
+    restitution: tuple[RestitutionChoice, RestitutionChoice] = ("thesis", "thesis"),
+) -> Mechanism:
+    """The mechanism of `body` turning about `hinge` (positive) and `hinge_negative`, default the edges of its base.
+
+    Raises MechanismError without a base, for a base of no width and for a block that is already falling.
+    """
+    block = Block(body.mass, body.centroid, body.inertia)
+    positive = Chain((block,), (hinge or _edge(body, "positive", name=name),))
+    require_stable(positive, name=name, towards="positive")
+    negative = None
+    if sides == "two":
+        other = hinge_negative or _edge(body, "negative", name=name)
+        negative = Chain(mirrored_blocks((block,)), (mirrored(other),))
+        require_stable(negative, name=name, towards="negative")
+    return assembled(
+        name,
+        "single-block",
+        positive,
+        negative,
+        label=label,
+        restitution=restitution,
+        outlines=body.outline,
+    )
+
+
+def _edge(body: PlanarBody, towards: Literal["positive", "negative"], *, name: str) -> Point:
+    if body.base is None:
+        raise MechanismError(
+            f'mechanism "{name}": its body has no geometry, so its base is not known; '
+            "give hinges = { A = [x, z] } and, for two-sided rocking, hinges_negative = { A = [x, z] }"
+        )
+    low, high, elevation = body.base
+    if high - low <= 1e-6 * hypot(body.centroid[0] - low, body.centroid[1] - elevation):
+        raise MechanismError(
+            f'mechanism "{name}": the body touches the ground on an edge or a point (width {high - low:.3g} m), '
+            "so it has no base to rock on; give hinges, or mend the geometry"
+        )
+    return (high if towards == "positive" else low, elevation)
+
+
+def assembled(
+    name: str,
+    kind: str,
+    positive: Chain,
+    negative: Chain | None,
+    *,
+    label: str,
+    restitution: tuple[RestitutionChoice, RestitutionChoice],
+    outlines: tuple[tuple[Point, ...], ...],
+) -> Mechanism:
+    """The mechanism of one block's chains with its coefficients of restitution resolved."""
+    first, second = plain_block(positive), None if negative is None else plain_block(negative)
+    kept = impact(restitution[0], ending=first, starting=second, name=name)
+    kept_negative = kept if second is None else impact(restitution[1], ending=second, starting=first, name=name)
+    return Mechanism(
+        name=name,
+        label=label or name,
+        kind=kind,
+        sides="one" if negative is None else "two",
+        positive=positive,
+        negative=negative,
+        restitution=(kept.value, kept_negative.value),
+        restitution_source=kept.source,
+        elevation=positive.hinges[0][1],
+        outlines=outlines,
+        notices=tuple(sorted({kept.notice, kept_negative.notice} - {""})),
+    )
+
+
+def plain_block(chain: Chain) -> SingleBlock:
+    """Mass, radius, slenderness and inertia about the hinge of a chain of one block."""
+    (block,), (hinge,) = chain.blocks, chain.hinges
+    behind, height = hinge[0] - block.centroid[0], block.centroid[1] - hinge[1]
+    radius = hypot(behind, height)
+    return SingleBlock(block.mass, radius, atan2(behind, height), block.inertia + block.mass * radius**2)
+
+
+def impact(choice: RestitutionChoice, *, ending: SingleBlock, starting: SingleBlock | None, name: str) -> Restitution:
+    """The coefficient chosen for the impact that ends one branch; `starting` is None for one-sided rocking.
+
+    "thesis" is Housner's for two-sided and Sorrentino's for one-sided rocking.
+    """
+    if not isinstance(choice, str):
+        return Restitution(choice, "given")
+    if starting is None:
+        return one_sided("sorrentino" if choice == "thesis" else choice, block=ending, name=name)
+    return two_sided("housner" if choice == "thesis" else choice, ending=ending, starting=starting, name=name)

@@ -1,0 +1,179 @@
+"""The waist of the program: every mechanism is one rocking oscillator of one degree of freedom.
+
+    I(phi) phi'' + 1/2 I'(phi) phi'^2 + restoring(phi) = -B(phi) u_g''          restoring = dV/dphi - M(phi)
+
+phi [rad] is the rotation of the leading block. A `Branch` tabulates one direction of rotation in its own mirrored
+sign (rotation >= 0, restoring > 0 resists, excitation > 0); an `Oscillator` is one or two of them. What stands
+above knows nothing of codes, what stands below nothing of blocks or meshes.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.constants import g
+from scipy.interpolate import CubicSpline, PPoly
+
+FloatArray = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Branch:
+    """One direction of rocking, tabulated over rotation; between nodes the table is a cubic spline.
+
+    Attributes
+    ----------
+    rotation : phi, from 0, not decreasing; a jump is two nodes at one rotation [n] [rad]
+    inertia : I = sum m (x'^2 + z'^2) + J theta'^2 [n] [kg m2]
+    restoring : dV/dphi - M [n] [N m]
+    excitation : B = sum m x' over all masses that shake [n] [kg m]
+    participation : sum m x'^2 [n] [kg m2]
+    lift : C = sum m z' [n] [kg m]
+    restitution : |velocity after| / |velocity before| of the impact that ends this branch [-]
+    overturning : phi_ov, rigid: the first rotation > 0 where restoring goes from + to - [rad]
+    critical : phi_cr, where the linearised equation is made: dV/dphi = 0 [rad]
+    """
+
+    rotation: FloatArray
+    inertia: FloatArray
+    restoring: FloatArray
+    excitation: FloatArray
+    participation: FloatArray
+    lift: FloatArray
+    restitution: float
+    overturning: float
+    critical: float
+
+
+@dataclass(frozen=True)
+class Oscillator:
+    """A mechanism as the dynamics and the codes see it.
+
+    positive, negative : the branches; negative is None for one-sided rocking
+    mass : total moved mass, bearing or not [kg]
+    """
+
+    positive: Branch
+    negative: Branch | None
+    mass: float
+
+    @property
+    def branches(self) -> tuple[Branch, ...]:
+        """The branches there are, positive first."""
+        return (self.positive,) if self.negative is None else (self.positive, self.negative)
+
+
+@dataclass(frozen=True)
+class Linearised:
+    """The branch linearised about phi_cr (thesis 3.3-3.12): phi'' = p^2 (phi - overturning) - (B / I) u_g''.
+
+    inertia I [kg m2], stiffness K [N m/rad], excitation B [kg m], moment M [N m] of the given forces,
+    critical phi_cr [rad], restitution [-].
+    """
+
+    inertia: float
+    stiffness: float
+    excitation: float
+    moment: float
+    critical: float
+    restitution: float
+
+    @property
+    def p(self) -> float:
+        """Frequency parameter p_eq = sqrt(K / I) [1/s] (thesis 3.10)."""
+        return float(np.sqrt(self.stiffness / self.inertia))
+
+    @property
+    def overturning(self) -> float:
+        """phi_ov = phi_cr - M / K [rad] (thesis 3.12)."""
+        return self.critical - self.moment / self.stiffness
+
+    @property
+    def multiplier(self) -> float:
+        """lambda = (K phi_cr - M) / (g B), the acceleration in g that starts the linearised motion (thesis 3.11)."""
+        return self.stiffness * self.overturning / (g * self.excitation)
+
+
+@dataclass(frozen=True)
+class SingleBlock:
+    """The plain block that is like the mechanism at rest.
+
+    mass M [kg], radius R [m], slenderness alpha [rad], inertia I_O about the hinge [kg m2].
+    """
+
+    mass: float
+    radius: float
+    slenderness: float
+    inertia: float
+
+
+def interpolant(rotation: FloatArray, values: FloatArray) -> PPoly:
+    """The piecewise cubic through `values` [n] over `rotation` [n]: one not-a-knot spline between jumps.
+
+    A piece of two nodes is a line, of three a parabola. Jumps (two nodes at one rotation) keep an empty interval,
+    so interval i of the result always lies between nodes i and i + 1.
+    """
+    coefficients = np.zeros((4, rotation.size - 1))
+    ends = [0, *(np.flatnonzero(np.diff(rotation) == 0.0) + 1).tolist(), rotation.size]
+    for first, last in pairwise(ends):
+        if last - first > 1:
+            coefficients[:, first : last - 1] = CubicSpline(rotation[first:last], values[first:last]).c
+    return PPoly.construct_fast(coefficients, rotation)
+
+
+def restoring(branch: Branch, rotation: FloatArray) -> FloatArray:
+    """Restoring moment [N m] at `rotation` [rad] (same shape)."""
+    return np.asarray(interpolant(branch.rotation, branch.restoring)(rotation), dtype=np.float64)
+
+
+def energy(branch: Branch, rotation: FloatArray) -> FloatArray:
+    """Work stored from rest to `rotation` [rad] (same shape): the integral of the restoring moment [J]."""
+    return np.asarray(interpolant(branch.rotation, branch.restoring).antiderivative()(rotation), dtype=np.float64)
+
+
+def displacement(branch: Branch, rotation: FloatArray, *, mass: float) -> FloatArray:
+    """Displacement of the control point, the centre of all participating masses: (integral of B dphi) / mass [m]."""
+    integral = interpolant(branch.rotation, branch.excitation).antiderivative()
+    return np.asarray(integral(rotation), dtype=np.float64) / mass
+
+
+def multiplier(branch: Branch) -> FloatArray:
+    """lambda(phi) = restoring / (g B) at the nodes [n]: horizontal acceleration in g that holds the mechanism there."""
+    return branch.restoring / (g * branch.excitation)
+
+
+def participating_mass(branch: Branch) -> FloatArray:
+    """M* = B^2 / sum m x'^2 at the nodes [n] [kg]."""
+    return branch.excitation**2 / branch.participation
+
+
+def participation_ratio(branch: Branch, *, mass: float) -> float:
+    """e* = M* / mass at rest [-]; 1 for a plain block."""
+    return float(participating_mass(branch)[0] / mass)
+
+
+def equivalent_block(branch: Branch, *, mass: float) -> SingleBlock:
+    """The single block with the mechanism's mass, restoring moment, excitation and inertia at rest."""
+    height, half_width = branch.excitation[0] / mass, branch.restoring[0] / (mass * g)
+    radius, slenderness = float(np.hypot(height, half_width)), float(np.arctan2(half_width, height))
+    return SingleBlock(mass, radius, slenderness, float(branch.inertia[0]))
+
+
+def linearise(branch: Branch) -> Linearised:
+    """The branch linearised about phi_cr, the unstable equilibrium of the weights (thesis 3.3-3.7).
+
+    At phi_cr dV/dphi = 0, so there restoring = -M, and K = M' - V'' = -restoring'.
+    """
+    at = branch.critical
+    moment = interpolant(branch.rotation, branch.restoring)
+    return Linearised(
+        inertia=float(interpolant(branch.rotation, branch.inertia)(at)),
+        stiffness=-float(moment(at, 1)),
+        excitation=float(interpolant(branch.rotation, branch.excitation)(at)),
+        moment=-float(moment(at)),
+        critical=at,
+        restitution=branch.restitution,
+    )

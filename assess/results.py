@@ -1,0 +1,253 @@
+"""What a run found, as one frozen tree: the content of results.json, field by field.
+
+Units stand in the names. The tree is pure data: no clock, no job counts, so the same input gives the same bytes.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Literal
+
+from assess.codes.check import Check
+
+SCHEMA_VERSION = 1
+Floats = tuple[float, ...]
+Point = tuple[float, float]
+
+
+@dataclass(frozen=True)
+class Program:
+    """The program that made the results."""
+
+    name: str
+    version: str
+
+
+@dataclass(frozen=True)
+class Input:
+    """One file that was read: path relative to the project file, and its SHA-256."""
+
+    path: str
+    sha256: str
+
+
+@dataclass(frozen=True)
+class Notice:
+    """Something the engineer should know: a short code, where, and a sentence."""
+
+    code: str
+    where: str
+    text: str
+
+
+@dataclass(frozen=True)
+class SpectrumResult:
+    """The site's elastic spectrum."""
+
+    code: str
+    parameters: dict[str, float | str]
+    damping: float
+    damping_rule: str
+    clause: str
+    pga_g: float
+    period_s: Floats
+    acceleration_g: Floats
+
+
+@dataclass(frozen=True)
+class RecordSpectrum:
+    """Elastic response spectrum of a record after scaling, 5 % damping."""
+
+    period_s: Floats
+    acceleration_g: Floats
+
+
+@dataclass(frozen=True)
+class RecordResult:
+    """A record as used: after scaling to the site's spectrum, before the factor of a level.
+
+    mse: mean squared natural-log misfit to the target after scaling. trail: what was done to it, in order.
+    """
+
+    id: str
+    path: str
+    event: str
+    station: str
+    component: str
+    dt_s: float
+    npts: int
+    pga_g: float
+    scale_factor: float
+    mse: float
+    trail: tuple[str, ...]
+    spectrum: RecordSpectrum
+
+
+@dataclass(frozen=True)
+class NamedPoint:
+    """A hinge or another named place in the plane of motion: distance along the direction, elevation [m]."""
+
+    name: str
+    at: Point
+
+
+@dataclass(frozen=True)
+class Drawing:
+    """The mechanism in its plane of motion, to scale [m]: closed outlines of the blocks, hinges, loads, centroid."""
+
+    blocks: tuple[tuple[Point, ...], ...]
+    hinges: tuple[NamedPoint, ...]
+    loads: tuple[NamedPoint, ...]
+    centroid: Point
+
+
+@dataclass(frozen=True)
+class OscillatorResult:
+    """Rocking parameters of one branch."""
+
+    mass_kg: float
+    inertia_kg_m2: float
+    radius_m: float
+    slenderness_rad: float
+    p_eq_per_s: float
+    uplift_multiplier: float | None
+    overturning_rad: float
+    overturning_flexible_rad: float | None
+    critical_rad: float
+    equilibrium_rad: float
+    restitution: float
+
+
+@dataclass(frozen=True)
+class BranchCurve:
+    """The capacity curve of one branch, all positive."""
+
+    rotation_rad: Floats
+    inertia_kg_m2: Floats
+    restoring_n_m: Floats
+    excitation_kg_m: Floats
+    participating_mass_kg: Floats
+    displacement_m: Floats
+
+
+@dataclass(frozen=True)
+class Curve:
+    """Both branches of the capacity curve."""
+
+    positive: BranchCurve
+    negative: BranchCurve | None
+
+
+@dataclass(frozen=True)
+class Factor:
+    """What a record was multiplied by for its way up the building."""
+
+    record: str
+    factor: float
+
+
+@dataclass(frozen=True)
+class AmplificationResult:
+    """How the motion was carried from the ground to the mechanism."""
+
+    method: str
+    factors: tuple[Factor, ...]
+
+
+@dataclass(frozen=True)
+class Trace:
+    """A rocking history at the record's steps: signed rotation, and the ground acceleration that drove it."""
+
+    time_s: Floats
+    rotation_rad: Floats
+    ground_acceleration_g: Floats
+
+
+@dataclass(frozen=True)
+class HistoryResult:
+    """Largest rocking response to one record at one level, in the worse polarity.
+
+    max_rotation_rad is signed; it, its ratio and its time are None where the record overturned the mechanism.
+    overturning_time_s: when the rotation passed phi_ov for the last time.
+    """
+
+    record: str
+    polarity: int
+    level_pga_g: float
+    scale_factor: float
+    amplification: float
+    max_rotation_rad: float | None
+    max_rotation_ratio: float | None
+    time_of_max_s: float | None
+    impacts: int
+    overturned: bool
+    overturning_time_s: float | None
+    trace: Trace | None
+
+
+@dataclass(frozen=True)
+class SuiteResult:
+    """All records at one level; mean_ratio is None where a record overturned, max_ratio is over those that stood."""
+
+    level_pga_g: float
+    n: int
+    overturned: int
+    mean_ratio: float | None
+    max_ratio: float | None
+
+
+@dataclass(frozen=True)
+class MechanismResult:
+    """Everything about one mechanism."""
+
+    name: str
+    label: str
+    kind: str
+    sides: Literal["one", "two"]
+    equation: Literal["exact", "linearised"]
+    drawing: Drawing
+    oscillator: OscillatorResult
+    oscillator_negative: OscillatorResult | None
+    curve: Curve
+    interfaces: tuple[dict[str, Any], ...]
+    amplification: AmplificationResult
+    checks: tuple[Check, ...]
+    histories: tuple[HistoryResult, ...]
+    suites: tuple[SuiteResult, ...]
+    envelope: dict[str, Any] | None
+
+
+@dataclass(frozen=True)
+class ComparisonRow:
+    """One line of the comparison; rotation_ratio is None where the mechanism overturned or rotation is not known."""
+
+    mechanism: str
+    level_pga_g: float
+    procedure: str
+    rotation_ratio: float | None
+    allowable_ratio: float | None
+    demand_capacity: float | None
+
+
+@dataclass(frozen=True)
+class Resolved:
+    """One value of the project as it was used: in SI, and whether the user gave it or it is a default."""
+
+    value: Any
+    given: bool
+
+
+@dataclass(frozen=True)
+class Results:
+    """One run, whole. `project` maps each key, written with dots, to its resolved value."""
+
+    schema_version: int
+    program: Program
+    inputs: tuple[Input, ...]
+    warnings: tuple[Notice, ...]
+    project: dict[str, Resolved]
+    spectrum: SpectrumResult | None
+    records: tuple[RecordResult, ...]
+    mechanisms: tuple[MechanismResult, ...]
+    critical: dict[str, Any] | None
+    comparison: tuple[ComparisonRow, ...]

@@ -8,7 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, Literal
 
-from assess.codes.check import Check
+from assess.codes.check import BranchName, Check
 
 SCHEMA_VERSION = 1
 Floats = tuple[float, ...]
@@ -168,7 +168,7 @@ class HistoryResult:
     """Largest rocking response to one record at one level, in the worse polarity.
 
     max_rotation_rad is signed; it, its ratio and its time are None where the record overturned the mechanism.
-    overturning_time_s: when the rotation passed phi_ov for the last time.
+    overturning_time_s: when the rotation passed phi_ov for the last time. branch: where the largest rotation was.
     """
 
     record: str
@@ -183,6 +183,7 @@ class HistoryResult:
     overturned: bool
     overturning_time_s: float | None
     trace: Trace | None
+    branch: BranchName = "positive"
 
 
 @dataclass(frozen=True)
@@ -215,6 +216,7 @@ class MechanismResult:
     histories: tuple[HistoryResult, ...]
     suites: tuple[SuiteResult, ...]
     envelope: dict[str, Any] | None
+    restitution_source: str = ""
 
 
 @dataclass(frozen=True)

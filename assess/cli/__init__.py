@@ -1,0 +1,69 @@
+"""The command line: one file per command, no logic. `main` is the entry point and turns every failure into one line.
+
+Exit codes: 0 done, all checks pass; 1 done, some check fails; 2 the input is wrong; 70 a bug in the program.
+"""
+
+from __future__ import annotations
+
+import sys
+from typing import NoReturn
+
+from assess.errors import AssessError
+from records.errors import RecordError
+from spectra.errors import SpectrumError
+
+INPUT_IS_WRONG = 2
+INTERRUPTED = 130
+BUG = 70
+
+
+def main(arguments: list[str] | None = None) -> NoReturn:
+    """Run one command with `arguments`, those of the process if None, and end the process."""
+    _interrupt_when_terminated()
+    try:
+        from assess.cli.app import app
+
+        app(args=arguments, prog_name="assess")
+    except (AssessError, RecordError, SpectrumError) as error:
+        _end(f"error: {error}", INPUT_IS_WRONG)
+    except OSError as error:
+        _end(f"error: {_file_trouble(error)}", INPUT_IS_WRONG)
+    except KeyboardInterrupt:
+        _end("interrupted", INTERRUPTED)
+    except Exception as error:
+        _end(f"internal error: {type(error).__name__}: {error} (log: {_log()})", BUG)
+    sys.exit(0)
+
+
+def _end(line: str, code: int) -> NoReturn:
+    """Print one line on stderr, whatever the text holds, and end."""
+    text = "".join(c if c.isprintable() else " " for c in line)
+    print(f"assess: {text}", file=sys.stderr)
+    sys.exit(code)
+
+
+def _file_trouble(error: OSError) -> str:
+    where = f"{error.filename}: " if error.filename else ""
+    return f"{where}{error.strerror or error}; check the path, its permissions and the space on the disk"
+
+
+def _log() -> str:
+    """The traceback in a new file of the system's folder for temporary files; its path."""
+    import tempfile
+    import traceback
+
+    try:
+        with tempfile.NamedTemporaryFile("w", prefix="assess-", suffix=".log", delete=False, encoding="utf-8") as log:
+            log.write(traceback.format_exc())
+    except OSError as error:
+        return f"not written, {error.strerror}"
+    return log.name
+
+
+def _interrupt_when_terminated() -> None:
+    """A polite kill stops the run like Ctrl-C does, so that no half-written output is left."""
+    import signal
+    import threading
+
+    if threading.current_thread() is threading.main_thread():
+        signal.signal(signal.SIGTERM, signal.default_int_handler)

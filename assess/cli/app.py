@@ -1,0 +1,42 @@
+"""The commands under one name. What is heavy is imported inside the commands, so that --help answers at once."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+from assess.cli.check import check
+from assess.cli.new import new
+from assess.cli.parameters import parameters
+from assess.cli.report import report
+from assess.cli.run import run
+from assess.cli.schema import schema
+
+app = typer.Typer(
+    help="Seismic safety of masonry walls: rocking dynamics beside the code checks, in a report to sign.",
+    no_args_is_help=True,
+    add_completion=False,
+    rich_markup_mode=None,
+    pretty_exceptions_enable=False,
+    context_settings={"help_option_names": ["-h", "--help"]},
+)
+for command in (new, check, run, parameters, report, schema):
+    app.command()(command)
+
+
+def _print_version(wanted: bool) -> None:
+    if wanted:
+        from importlib.metadata import version
+
+        print(f"assess {version('rocking-assess')}")
+        raise typer.Exit
+
+
+@app.callback()
+def _assess(
+    version: Annotated[
+        bool, typer.Option("--version", callback=_print_version, is_eager=True, help="Print the version and end.")
+    ] = False,
+) -> None:
+    pass

@@ -1,0 +1,19 @@
+"""`assess check`: read and validate a project, without analysis."""
+
+from __future__ import annotations
+
+from assess.cli.arguments import ProjectPath
+
+
+def check(project: ProjectPath) -> None:
+    """Read a project, validate it, and print each mechanism; no analysis.
+
+    Shows what the program understood: hinges, loads, interfaces and the rocking parameters.
+    """
+    from assess.cli.description import description
+    from assess.project.build import build
+    from assess.project.run import parameters
+    from assess.project.schema import load
+
+    loaded = load(project)
+    print(description(loaded, parameters(build(loaded))), end="")

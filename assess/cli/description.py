@@ -1,0 +1,49 @@
+"""What `assess check` prints: the project as the program understood it."""
+
+from __future__ import annotations
+
+from assess.cli.parameter_table import table_text
+from assess.project.messages import printable
+from assess.project.schema import Project
+from assess.results import MechanismResult, NamedPoint
+
+
+def description(project: Project, mechanisms: tuple[MechanismResult, ...]) -> str:
+    """The site, each mechanism with its geometry, loads and interfaces, and the table of rocking parameters."""
+    title = printable(project.content.title) or "no title"
+    lines = [f"{project.path}: {title}", _site(project), _motions(project), ""]
+    for mechanism in mechanisms:
+        lines += [*_mechanism(mechanism), ""]
+    return "\n".join(lines) + "\n" + table_text(mechanisms)
+
+
+def _site(project: Project) -> str:
+    site = project.content.site
+    return "site: none; `assess run` needs one" if site is None else f"site: spectrum {site.spectrum.code}"
+
+
+def _motions(project: Project) -> str:
+    records = project.content.records
+    artificial = 0 if records.synthetic is None else records.synthetic.count
+    return f"records: {len(records.files)} from files, {artificial} artificial"
+
+
+def _mechanism(m: MechanismResult) -> list[str]:
+    label = f" ({printable(m.label)})" if m.label and m.label != m.name else ""
+    sides = "two-sided" if m.sides == "two" else "one-sided"
+    interface = ", ".join(str(i["model"]) for i in m.interfaces) or "rigid"
+    return [
+        f"{printable(m.name)}{label}: {m.kind}, {sides}, {m.equation} equation",
+        f"  hinges      {_points(m.drawing.hinges)}",
+        f"  centroid    {_at(m.drawing.centroid)}",
+        f"  loads       {_points(m.drawing.loads)}",
+        f"  interface   {interface}",
+    ]
+
+
+def _points(points: tuple[NamedPoint, ...]) -> str:
+    return "; ".join(f"{printable(point.name)} at {_at(point.at)}" for point in points) or "none"
+
+
+def _at(point: tuple[float, float]) -> str:
+    return f"x = {point[0]:.4g} m, z = {point[1]:.4g} m"

@@ -1,0 +1,54 @@
+"""The rocking parameters of mechanisms as a table for the terminal, and as CSV."""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Iterator
+from dataclasses import fields
+
+from assess.cli.text_table import text_table
+from assess.results import MechanismResult, OscillatorResult
+
+_SHORT = (
+    "mechanism",
+    "branch",
+    "p [1/s]",
+    "lambda [-]",
+    "R [m]",
+    "alpha [rad]",
+    "phi_ov [rad]",
+    "restitution",
+    "mass [kg]",
+)
+
+
+def table_text(mechanisms: tuple[MechanismResult, ...]) -> str:
+    """The main parameters of each branch, rounded for reading."""
+    return text_table(
+        _SHORT, [_short(mechanism.name, *pair) for mechanism in mechanisms for pair in _branches(mechanism)]
+    )
+
+
+def csv_text(mechanisms: tuple[MechanismResult, ...]) -> str:
+    """All parameters of each branch at full precision, under their names of results.json."""
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    names = [field.name for field in fields(OscillatorResult)]
+    writer.writerow(["name", "label", "kind", "sides", "branch", *names])
+    for m in mechanisms:
+        for branch, parameters in _branches(m):
+            writer.writerow([m.name, m.label, m.kind, m.sides, branch, *(getattr(parameters, name) for name in names)])
+    return text.getvalue()
+
+
+def _branches(mechanism: MechanismResult) -> Iterator[tuple[str, OscillatorResult]]:
+    yield "positive", mechanism.oscillator
+    if mechanism.oscillator_negative is not None:
+        yield "negative", mechanism.oscillator_negative
+
+
+def _short(name: str, branch: str, o: OscillatorResult) -> list[str]:
+    uplift = "-" if o.uplift_multiplier is None else f"{o.uplift_multiplier:.4f}"
+    numbers = (f"{o.slenderness_rad:.4f}", f"{o.overturning_rad:.4f}", f"{o.restitution:.3f}", f"{o.mass_kg:.6g}")
+    return [name, branch, f"{o.p_eq_per_s:.4f}", uplift, f"{o.radius_m:.4f}", *numbers]

@@ -1,0 +1,27 @@
+"""`assess parameters`: the rocking parameters of each mechanism."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+from assess.cli.arguments import ProjectPath
+
+
+def parameters(
+    project: ProjectPath,
+    as_json: Annotated[bool, typer.Option("--json", help="Print the mechanisms as in results.json.")] = False,
+    as_csv: Annotated[bool, typer.Option("--csv", help="Print the table as CSV, at full precision.")] = False,
+) -> None:
+    """Print the rocking parameters of each mechanism; no analysis."""
+    if as_json and as_csv:
+        raise typer.BadParameter("--json and --csv exclude each other")
+    from assess.cli.parameter_table import csv_text, table_text
+    from assess.project.build import build
+    from assess.project.run import parameters as of_study
+    from assess.project.schema import load
+    from assess.results_io import dumps_mechanisms
+
+    text = dumps_mechanisms if as_json else csv_text if as_csv else table_text
+    print(text(of_study(build(load(project)))), end="")

@@ -1,0 +1,57 @@
+"""Progress on stderr: a bar on a terminal, nothing elsewhere."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Protocol
+
+
+class Progress(Protocol):
+    """What a long command reports to."""
+
+    def count(self, stage: str, done: int, total: int) -> None:
+        """`done` of `total` things of a stage."""
+
+    def step(self, stage: str) -> None:
+        """A stage without parts has begun."""
+
+
+class _Silent:
+    def count(self, stage: str, done: int, total: int) -> None:
+        pass
+
+    def step(self, stage: str) -> None:
+        pass
+
+
+@contextmanager
+def progress() -> Iterator[Progress]:
+    """A progress display while the block runs."""
+    if not sys.stderr.isatty():
+        yield _Silent()
+        return
+    with _bar() as bar:
+        yield bar
+
+
+@contextmanager
+def _bar() -> Iterator[Progress]:
+    from rich.console import Console
+    from rich.markup import escape
+    from rich.progress import BarColumn, MofNCompleteColumn, TextColumn, TimeElapsedColumn
+    from rich.progress import Progress as Display
+
+    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
+    with Display(*columns, console=Console(stderr=True), transient=True) as display:
+        task = display.add_task("reading", total=None)
+
+        class Bar:
+            def count(self, stage: str, done: int, total: int) -> None:
+                display.update(task, description=escape(stage), completed=done, total=total)
+
+            def step(self, stage: str) -> None:
+                display.update(task, description=escape(stage), completed=0, total=None)
+
+        yield Bar()

@@ -1,0 +1,34 @@
+"""`assess report`: the report again from results.json."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+
+def report(
+    results: Annotated[Path, typer.Argument(metavar="RESULTS.json", help="The results.json of an earlier run.")],
+    output: Annotated[
+        Path | None,
+        typer.Option("-o", "--output", metavar="DIR", help="Where to write; beside RESULTS.json if absent."),
+    ] = None,
+) -> None:
+    """Write the report again from results.json, without analysis."""
+    from assess.cli.outputs import RESULTS, staged
+    from assess.cli.progress import progress
+    from assess.results_io import read
+    from reports.writing import write_all
+
+    found = read(results)
+    folder = output or results.parent
+    with staged(folder) as stage, progress() as said:
+        pdf = write_all(found, stage, progress=said.step)
+        if not _same_folder(folder, results.parent):
+            (stage / RESULTS).write_bytes(results.read_bytes())
+    print(folder / pdf.relative_to(stage))
+
+
+def _same_folder(one: Path, other: Path) -> bool:
+    return one.resolve() == other.resolve()

@@ -1,0 +1,568 @@
+"""The rocking equation marched through jobs (oscillator, motion, scale), compiled.
+
+One branch at a time, in its own mirrored sign s = +1 or -1, with y = phi / phi_ov and the ground acceleration a(t)
+linear between samples:
+
+    exact        I(y) y'' + 1/2 I'(y) y'^2 + R(y) = -s B(y) a(t)      I, R, B: the cubics of the branch's table
+    linearised   y'' = p^2 (y - 1 - s a(t) / threshold)               threshold = g lambda
+
+Both equations share one march and one treatment of events; what differs is handed over as three functions:
+
+    stride        over one whole record interval, as fast as it can; says when it cannot vouch for its answer
+    advance       over any part of an interval
+    acceleration  y'' of a state
+
+The linearised ones are the closed solution. The exact ones are Dormand and Prince's pair 5(4), whose steps end at
+samples, where a(t) has its kinks, and at jumps of the table. Whether something can happen in an interval (impact,
+passage of phi_ov, a new largest rotation) is decided by `calm`; only where it can, `through` divides the interval
+into pieces over which the velocity, then the rotation, is monotone, so that no event can hide between two samples,
+and locates each event by stepping again from the start of the piece.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import Any, TypeVar, cast
+
+import numba
+import numpy as np
+from numpy.typing import NDArray
+
+FloatArray = NDArray[np.float64]
+IntArray = NDArray[np.int64]
+State = tuple[float, float, float]  # y [-], y' [1/s], y'' [1/s2]
+Ground = tuple[float, float]  # acceleration [m/s2] and its rate [m/s3]
+Stride = Callable[..., tuple[bool, float, float, float]]
+Advance = Callable[..., State]
+Acceleration = Callable[..., float]
+March = Callable[..., int]
+F = TypeVar("F", bound=Callable[..., Any])
+
+REST = 1e-4
+"""After an impact slower than REST times the velocity that reaches phi_ov (p phi_ov, linearised), with the ground
+below uplift, the body is at rest. Without such a rule a bouncing body has infinitely many impacts in finite time."""
+NO_BOUNCE = 1e-12
+"""Below this fraction of the same velocity there is no flight at all, whatever the ground does."""
+TAIL_PIECE = 0.5
+TAIL_PIECES = 120
+"""Free motion after the record goes in at most TAIL_PIECES pieces of TAIL_PIECE / p, p of the quicker branch."""
+
+SMALLEST_STEP = 1e-6
+"""Least step of the exact equation as a fraction of the interval: its error there is beyond rounding for a smooth
+table, and a body that rattles about a jump of its table still moves on."""
+
+# columns of `branch` [2, 7], one row for each side
+OVERTURNING, THRESHOLD, BOUNCE, PARTNER, RATE, LIMIT, TAIL_LIMIT = range(7)
+# columns of `found` [jobs, 7]
+RATIO, SIDE, TIME, IMPACTS, OVERTURNED, PASSED, UPLIFTED = range(7)
+# columns of `events` [capacity + 1, 3], whose first entry counts: time [s], kind, rotation of a peak [rad] or velocity
+# before an impact [rad/s], signed
+PEAK, IMPACT, UPLIFT = range(3)
+# what may divide an interval, named by the component of the state that vanishes; a passage is y = 1
+LANDING, TURNING, INFLECTION, PASSAGE = range(4)
+# columns of `table` [segments, 14]: ends of the segment, then the cubics of R, B and I, highest power first
+LEFT, RIGHT, R3, R2, R1, R0, B3, B2, B1, B0, I3, I2, I1, I0 = range(14)
+# columns of `flow` of the linearised equation [2, 8]
+P2, INVERSE, Y_K, Y_V, Y_A, V_K, V_V, V_A = range(8)
+
+
+def compiled(function: F) -> F:
+    """Compiled inside the two entry points, which are what numba caches."""
+    return cast(F, numba.njit(nogil=True, error_model="numpy")(function))
+
+
+def entry(function: F) -> F:
+    """An entry point: compiled, cached on disk, free of the interpreter's lock."""
+    return cast(F, numba.njit(cache=True, nogil=True, error_model="numpy")(function))
+
+
+# ---------------------------------------------------------------------------------------------------- events, shared
+
+
+@compiled
+def calm(start: State, end: State, h: float, top: float) -> bool:
+    """Whether nothing happens between two states h [s] apart: no impact, no passage of y = 1, no peak above `top`.
+
+    Between samples |y''| is largest at an end (where y'' > 0 it is convex, where y'' < 0 concave), so a velocity
+    beyond h max|y''| keeps its sign; without inflection the velocity is monotone and turns once at most.
+    """
+    y, v, k = start
+    y1, v1, k1 = end
+    if y1 <= 0.0 or (y < 1.0) != (y1 < 1.0):
+        return False
+    if abs(v) > h * max(abs(k), abs(k1)):
+        return True
+    if k * k1 <= 0.0:
+        return False
+    if v * v1 > 0.0:
+        return True
+    return y + v * h > 0.0 if v < 0.0 else y + v * h < min(top, 1.0)
+
+
+@compiled
+def uplift(branch: FloatArray, a: float, slope: float, h: float) -> tuple[int, float]:
+    """Side that lifts within h, and when; side -1 where none does. a, slope: ground acceleration now and its rate."""
+    for side in range(2):
+        s = 1.0 - 2.0 * side
+        excess, rise = -s * a - branch[side, THRESHOLD], -s * slope
+        if excess > 0.0:
+            return side, 0.0
+        if rise * h > -excess:
+            return side, min(-excess / rise, h)
+    return -1, h
+
+
+@compiled
+def lifted(branch: FloatArray, a: float) -> bool:
+    """Whether a body at rest would start under ground acceleration a."""
+    return bool(-a > branch[0, THRESHOLD] or a > branch[1, THRESHOLD])
+
+
+@compiled
+def note(events: FloatArray, time: float, kind: int, value: float) -> None:
+    """Append an event where there is room for it."""
+    n = int(events[0, 0]) + 1
+    if n < events.shape[0]:
+        events[n, 0], events[n, 1], events[n, 2] = time, kind, value
+        events[0, 0] = n
+
+
+@compiled
+def largest(found: FloatArray, y: float, side: int, time: float) -> None:
+    """Keep the largest ratio."""
+    if y > found[RATIO]:
+        found[RATIO], found[SIDE], found[TIME] = y, side, time
+
+
+def marching(stride: Stride, advance: Advance, acceleration: Acceleration) -> March:
+    """The march of one job by the equation that the three functions stand for."""
+
+    @compiled
+    def locate(flow: Any, side: int, start: State, ground: Ground, end: float, last: State, component: int,
+               level: float) -> tuple[float, State]:  # fmt: skip
+        """Time in (0, end) at which a component of the state passes `level`, and the state there.
+
+        Newton's method (secant for y'', whose derivative is not at hand) within a bracket that only shrinks.
+        """
+        f_start, before, f_before = start[component] - level, end, last[component] - level
+        low, high, x, state = 0.0, end, end * f_start / (f_start - f_before), last
+        for _ in range(60):
+            state = advance(flow, side, start, ground, x)
+            f = state[component] - level
+            if (f > 0.0) == (f_start > 0.0):
+                low = x
+            else:
+                high = x
+            slope = state[component + 1] if component < 2 else (f - f_before) / (x - before)
+            new = x - f / slope if slope != 0.0 else low
+            if not low <= new <= high:
+                new = 0.5 * (low + high)
+            if abs(new - x) <= 1e-15 * end:
+                break
+            before, f_before, x = x, f, new
+        return x, state
+
+    @compiled
+    def through(flow: Any, branch: FloatArray, found: FloatArray, events: FloatArray, column: int, side: int,
+                y: float, v: float, time: float, a0: float, slope: float,
+                h: float) -> tuple[int, float, float, int]:  # fmt: skip
+        """Through h [s] from `time` with all events: side (-1 at rest), y, y' at the end, and the sides that peaked.
+
+        a0, slope: ground acceleration at `time` and its rate. column: of `branch`, the limit that means overturned.
+        Each turn of the loop moves on in time, or stops the velocity, or puts the body to rest.
+        """
+        x, peaked = 0.0, 0
+        while x < h:
+            a, left = a0 + slope * x, h - x
+            if side < 0:
+                side, wait = uplift(branch, a, slope, left)
+                if side < 0:
+                    break
+                x, y, v = x + wait, 0.0, 0.0
+                found[UPLIFTED] = 1.0
+                note(events, time + x, UPLIFT, 0.0)
+                continue
+            k = acceleration(flow, side, y, v, a)
+            if y == 0.0 and v == 0.0:
+                k = max(k, 0.0)  # just lifted: not falling by a rounding error
+            start, piece, peak, landed = (y, v, k), left, False, False
+            end = advance(flow, side, start, (a, slope), left)
+            # An inflection ends the piece: up to it the velocity is monotone. So does a turning point: up to it the
+            # rotation is monotone. So does landing; a passage of phi_ov does not.
+            for kind in (INFLECTION, TURNING, LANDING, PASSAGE):
+                component, level = (LANDING, 1.0) if kind == PASSAGE else (kind, 0.0)
+                before, after = start[component] - level, end[component] - level
+                if kind == LANDING:
+                    landed = after < 0.0
+                crosses = before < 0.0 <= after if kind == PASSAGE else before * after < 0.0
+                if not crosses:
+                    continue
+                root, state = locate(flow, side, start, (a, slope), piece, end, component, level)
+                if kind == PASSAGE:
+                    found[PASSED] = time + x + root
+                elif kind != INFLECTION or x + root > x:
+                    piece, end = root, state
+                if kind == TURNING:
+                    peak = v > 0.0
+                    end = (max(end[0], y) if peak else end[0], 0.0, end[2])
+            if landed:
+                if y > 0.0:
+                    x, v = x + piece, min(end[1], 0.0)
+                elif v == 0.0:
+                    return -1, 0.0, 0.0, peaked  # neither flight nor speed: rest, for what is left of the interval
+                found[IMPACTS] += 1.0
+                sign, slow = 1.0 - 2.0 * side, REST * branch[side, RATE]
+                note(events, time + x, IMPACT, sign * v * branch[side, OVERTURNING])
+                v, y, side = -v * branch[side, BOUNCE], 0.0, int(branch[side, PARTNER])
+                if v < slow and (v < slow * (NO_BOUNCE / REST) or not lifted(branch, a0 + slope * x)):
+                    side, v = -1, 0.0
+                continue
+            x, y, v = (h if piece == left else x + piece), end[0], end[1]
+            if peak:
+                peaked |= 1 << side
+                largest(found, y, side, time + x)
+                note(events, time + x, PEAK, (1.0 - 2.0 * side) * y * branch[side, OVERTURNING])
+            if y >= branch[side, column] and v >= 0.0:
+                found[OVERTURNED] = 1.0
+                largest(found, y, side, time + x)
+                break
+        return side, y, v, peaked
+
+    @compiled
+    def march(flow: Any, branch: FloatArray, ground: FloatArray, dt: float, scale: float, release: float,
+              found: FloatArray, path: FloatArray, events: FloatArray) -> int:  # fmt: skip
+        """One job: the motion `ground` [n] at step dt, times `scale`. Returns the number of samples passed.
+
+        release: initial phi / phi_ov of the positive branch, 0 for rest. found [7]: filled. path [n or 0, 2]: rotation
+        [rad] and velocity [rad/s] at samples, signed, where wanted; events [capacity + 1, 3]: likewise.
+
+        After the record the motion is free, and is followed until no later peak can be larger: until each side has
+        peaked, or rest, or overturning. Who still balances after the last piece, which takes a distance from the
+        threshold below the rounding error, has overturned if beyond phi_ov.
+        """
+        found[:] = 0.0
+        found[PASSED] = math.nan
+        side, y, v, k, a = -1, 0.0, 0.0, 0.0, scale * ground[0]
+        if release > 0.0:
+            side, y = 0, release
+            k = acceleration(flow, side, y, v, a)
+            largest(found, y, side, 0.0)
+        traced, top = path.shape[0] > 0, -1.0 if events.shape[0] > 1 else found[RATIO]
+        if traced:
+            path[0, 0], path[0, 1] = y * branch[0, OVERTURNING], 0.0
+        lowest, highest, limit = -branch[0, THRESHOLD], branch[1, THRESHOLD], branch[0, LIMIT]
+        last, tail, everything = ground.shape[0] - 1, TAIL_PIECE / max(branch[0, RATE], branch[1, RATE]), 3
+        if branch[0, PARTNER] == 0.0:
+            everything = 1
+        samples, peaked, column, h = last + 1, 0, LIMIT, dt
+        for i in range(last + TAIL_PIECES):
+            if i < last:
+                a0, a, time = a, scale * ground[i + 1], i * dt
+            elif side < 0 or peaked == everything:
+                break
+            else:
+                a0, a, h, time, column = 0.0, 0.0, tail, last * dt + (i - last) * tail, TAIL_LIMIT
+            quiet, y1, v1, k1 = False, y, v, k
+            if side < 0:
+                quiet = lowest <= a0 <= highest and lowest <= a <= highest
+            elif i < last:
+                quiet, y1, v1, k1 = stride(flow, side, y, v, k, a0, a, dt)
+                quiet = quiet and calm((y, v, k), (y1, v1, k1), dt, top)
+            if quiet:
+                y, v, k = y1, v1, k1
+            else:
+                side, y, v, more = through(
+                    flow, branch, found, events, column, side, y, v, time, a0, (a - a0) / h, h
+                )  # fmt: skip
+                if column == TAIL_LIMIT:
+                    peaked |= more
+                if side >= 0:
+                    k, limit = acceleration(flow, side, y, v, a), branch[side, column]
+                if top >= 0.0:
+                    top = found[RATIO]
+            if traced and i < last:
+                turn = (1.0 - 2.0 * side) * branch[side, OVERTURNING] if side >= 0 else 0.0
+                path[i + 1, 0], path[i + 1, 1] = turn * y, turn * v
+            if found[OVERTURNED] > 0.0 or (side >= 0 and y >= limit and v >= 0.0):
+                found[OVERTURNED], samples = 1.0, min(samples, i + 2)
+                break
+        if side >= 0 and peaked != everything and y >= 1.0:
+            found[OVERTURNED] = 1.0  # or balances beyond phi_ov for ever
+        if found[OVERTURNED] > 0.0:
+            largest(found, y, side, time + h)
+            if math.isnan(found[PASSED]):
+                found[PASSED] = time + h  # never below phi_ov, or a table that ends before it
+        return samples
+
+    return march
+
+
+# --------------------------------------------------------------------------------------------------- the linearised
+
+
+@compiled
+def growth(x: float) -> tuple[float, float, float]:
+    """sinh x, cosh x - 1 and sinh x - x, each without cancellation."""
+    half = math.sinh(0.5 * x)
+    sinh = math.sinh(x)
+    if x > 0.5:
+        return sinh, 2.0 * half * half, sinh - x
+    q = x * x
+    series = 1.0 + q / 20.0 * (1.0 + q / 42.0 * (1.0 + q / 72.0 * (1.0 + q / 110.0 * (1.0 + q / 156.0))))
+    return sinh, 2.0 * half * half, x * q / 6.0 * series
+
+
+@compiled
+def linearised_flow(branch: FloatArray, dt: float) -> FloatArray:
+    """What the closed solution over one interval is made of, for each side [2, 8]; zeros for a side that is not there."""
+    flow = np.zeros((2, 8))
+    for side in range(2):
+        p = branch[side, RATE]
+        if p > 0.0:
+            sinh, cosh_1, sinh_x = growth(p * dt)
+            inverse = (1.0 - 2.0 * side) / branch[side, THRESHOLD]
+            flow[side, P2], flow[side, INVERSE] = p * p, inverse
+            flow[side, Y_K], flow[side, Y_V], flow[side, Y_A] = cosh_1 / p**2, sinh / p, -inverse * sinh_x / (p * dt)
+            flow[side, V_K], flow[side, V_V], flow[side, V_A] = sinh / p, cosh_1, -inverse * cosh_1 / dt
+    return flow
+
+
+@compiled
+def linearised_acceleration(flow: FloatArray, side: int, y: float, v: float, a: float) -> float:
+    """y'' = p^2 (y - 1 - s a / threshold)."""
+    return float(flow[side, P2] * (y - 1.0 - flow[side, INVERSE] * a))
+
+
+@compiled
+def linearised_stride(flow: FloatArray, side: int, y: float, v: float, k: float, a0: float, a1: float,
+                      dt: float) -> tuple[bool, float, float, float]:  # fmt: skip
+    """One whole interval: y1 = y + y'' (cosh - 1) / p^2 + y' sinh / p - (a1 - a0) (...), in increments."""
+    rise = a1 - a0
+    y1 = y + (k * flow[side, Y_K] + v * flow[side, Y_V] + rise * flow[side, Y_A])
+    v1 = v + (k * flow[side, V_K] + v * flow[side, V_V] + rise * flow[side, V_A])
+    return True, y1, v1, flow[side, P2] * (y1 - 1.0 - flow[side, INVERSE] * a1)
+
+
+@compiled
+def linearised_advance(flow: FloatArray, side: int, start: State, ground: Ground, x: float) -> State:
+    """The same over any time x [s]; ground: acceleration at the start and its rate."""
+    y, v, k = start
+    p2, inverse = flow[side, P2], flow[side, INVERSE]
+    p = math.sqrt(p2)
+    sinh, cosh_1, sinh_x = growth(p * x)
+    rate = inverse * ground[1]
+    y1 = y + (k * cosh_1 / p2 + (v * sinh - rate * sinh_x) / p)
+    v1 = v + (k * sinh / p + (v - rate) * cosh_1)
+    return y1, v1, p2 * (y1 - 1.0 - inverse * (ground[0] + ground[1] * x))
+
+
+march_linearised = marching(linearised_stride, linearised_advance, linearised_acceleration)
+
+
+@entry
+def rock_linearised(branches: FloatArray, ground: FloatArray, offset: IntArray, dt: FloatArray, peak: FloatArray,
+                    oscillator: IntArray, motion: IntArray, scale: FloatArray, release: float, found: FloatArray,
+                    path: FloatArray, events: FloatArray) -> int:  # fmt: skip
+    """All jobs by the linearised equation; fills found [jobs, 7], returns the samples passed by the last job.
+
+    branches [oscillators, 2, 7]; ground: all motions end to end, motion m from offset[m] to offset[m + 1]; dt, peak
+    (largest |a|) of each motion; oscillator, motion, scale of each job. Beyond y = 1 + peak / threshold with y' >= 0
+    the acceleration stays positive while the motion lasts, beyond 1 in free motion: overturned.
+    """
+    samples = 0
+    branch = np.empty((2, 7))
+    for j in range(oscillator.shape[0]):
+        m = motion[j]
+        branch[:, :] = branches[oscillator[j]]
+        for side in range(2):
+            branch[side, LIMIT] = 1.0 + abs(scale[j]) * peak[m] / branch[side, THRESHOLD]
+        flow = linearised_flow(branch, dt[m])
+        samples = march_linearised(
+            flow, branch, ground[offset[m] : offset[m + 1]], dt[m], scale[j], release, found[j], path, events,
+        )  # fmt: skip
+    return samples
+
+
+# --------------------------------------------------------------------------------------------------------- the exact
+
+
+@compiled
+def segment(table: FloatArray, y: float, v: float, j: int, first: int, last: int) -> int:
+    """The segment of `table` in which a body at y moving with v is about to move, looked for from segment j on."""
+    while j < last and (y > table[j, RIGHT] or (y == table[j, RIGHT] and v >= 0.0)):
+        j += 1
+    while j > first and (y < table[j, LEFT] or (y == table[j, LEFT] and v < 0.0)):
+        j -= 1
+    return j
+
+
+@compiled
+def nearby(table: FloatArray, y: float, j: int, first: int, last: int) -> int:
+    """The segment that holds y, looked for from segment j on; the first or last one beyond the ends."""
+    while y > table[j, RIGHT] and j < last:
+        j += 1
+    while y < table[j, LEFT] and j > first:
+        j -= 1
+    return j
+
+
+@compiled
+def table_acceleration(table: FloatArray, j: int, y: float, v: float, sa: float) -> float:
+    """y'' by segment j; sa: ground acceleration in the branch's sign."""
+    d = y - table[j, LEFT]
+    restoring = ((table[j, R3] * d + table[j, R2]) * d + table[j, R1]) * d + table[j, R0]
+    excitation = ((table[j, B3] * d + table[j, B2]) * d + table[j, B1]) * d + table[j, B0]
+    inertia = ((table[j, I3] * d + table[j, I2]) * d + table[j, I1]) * d + table[j, I0]
+    half_slope = (1.5 * table[j, I3] * d + table[j, I2]) * d + 0.5 * table[j, I1]
+    return float(-(restoring + excitation * sa + half_slope * v * v) / inertia)
+
+
+@compiled
+def dormand_prince(table: FloatArray, j: int, first: int, last: int, y: float, v: float, k1: float, sa: float,
+                   slope: float, h: float) -> tuple[float, float, float, float, float]:  # fmt: skip
+    """One step of the pair 5(4) (Dormand and Prince 1980, Table 2): y, y', y'' at its end, and the errors of y, y'.
+
+    All stages stay on segments first to last, which hold no jump. sa, slope: ground acceleration at the start and its
+    rate, in the branch's sign.
+    """
+    w1 = v
+    w2 = v + h * (k1 * (1 / 5))
+    z = y + h * (w1 * (1 / 5))
+    j = nearby(table, z, j, first, last)
+    k2 = table_acceleration(table, j, z, w2, sa + slope * (h * (1 / 5)))
+    w3 = v + h * (k1 * (3 / 40) + k2 * (9 / 40))
+    z = y + h * (w1 * (3 / 40) + w2 * (9 / 40))
+    j = nearby(table, z, j, first, last)
+    k3 = table_acceleration(table, j, z, w3, sa + slope * (h * (3 / 10)))
+    w4 = v + h * (k1 * (44 / 45) - k2 * (56 / 15) + k3 * (32 / 9))
+    z = y + h * (w1 * (44 / 45) - w2 * (56 / 15) + w3 * (32 / 9))
+    j = nearby(table, z, j, first, last)
+    k4 = table_acceleration(table, j, z, w4, sa + slope * (h * (4 / 5)))
+    w5 = v + h * (k1 * (19372 / 6561) - k2 * (25360 / 2187) + k3 * (64448 / 6561) - k4 * (212 / 729))
+    z = y + h * (w1 * (19372 / 6561) - w2 * (25360 / 2187) + w3 * (64448 / 6561) - w4 * (212 / 729))
+    j = nearby(table, z, j, first, last)
+    k5 = table_acceleration(table, j, z, w5, sa + slope * (h * (8 / 9)))
+    w6 = v + h * (k1 * (9017 / 3168) - k2 * (355 / 33) + k3 * (46732 / 5247) + k4 * (49 / 176) - k5 * (5103 / 18656))
+    z = y + h * (w1 * (9017 / 3168) - w2 * (355 / 33) + w3 * (46732 / 5247) + w4 * (49 / 176) - w5 * (5103 / 18656))
+    j = nearby(table, z, j, first, last)
+    k6 = table_acceleration(table, j, z, w6, sa + slope * h)
+    v1 = v + h * (k1 * (35 / 384) + k3 * (500 / 1113) + k4 * (125 / 192) - k5 * (2187 / 6784) + k6 * (11 / 84))
+    y1 = y + h * (w1 * (35 / 384) + w3 * (500 / 1113) + w4 * (125 / 192) - w5 * (2187 / 6784) + w6 * (11 / 84))
+    j = nearby(table, y1, j, first, last)
+    k7 = table_acceleration(table, j, y1, v1, sa + slope * h)
+    error_v = k1 * (71 / 57600) - k3 * (71 / 16695) + k4 * (71 / 1920) - k5 * (17253 / 339200) + k6 * (22 / 525) - k7 / 40
+    error_y = w1 * (71 / 57600) - w3 * (71 / 16695) + w4 * (71 / 1920) - w5 * (17253 / 339200) + w6 * (22 / 525) - v1 / 40
+    return y1, v1, k7, abs(h * error_y), abs(h * error_v)
+
+
+@compiled
+def exact_acceleration(flow: Any, side: int, y: float, v: float, a: float) -> float:
+    """y'' of a state on its branch."""
+    table, _, span, hint, _, _ = flow
+    j = segment(table, y, v, hint[side], span[side, 0], span[side, 1])
+    hint[side] = j
+    return table_acceleration(table, j, y, v, (1.0 - 2.0 * side) * a)
+
+
+@compiled
+def exact_stride(flow: Any, side: int, y: float, v: float, k: float, a0: float, a1: float,
+                 dt: float) -> tuple[bool, float, float, float]:  # fmt: skip
+    """One whole interval in one step; not vouched for where the error is too large or a jump was passed."""
+    table, smooth, span, hint, tolerance, rate = flow
+    s = 1.0 - 2.0 * side
+    j = segment(table, y, v, hint[side], span[side, 0], span[side, 1])
+    hint[side] = j
+    first, last = smooth[j, 0], smooth[j, 1]
+    y1, v1, k1, error_y, error_v = dormand_prince(table, j, first, last, y, v, k, s * a0, s * (a1 - a0) / dt, dt)
+    good = error_y <= tolerance and error_v <= tolerance * rate[side]
+    inside = (y1 <= table[last, RIGHT] or last == span[side, 1]) and (y1 >= table[first, LEFT] or first == span[side, 0])
+    return good and inside, y1, v1, k1
+
+
+@compiled
+def step_to(table: FloatArray, j: int, first: int, last: int, start: State, sa: float, slope: float, h: float,
+            level: float, upward: bool) -> tuple[float, float]:  # fmt: skip
+    """Step from `start` that ends on y = level, which a step of h passes: its length, and y'. Newton's method, bracketed."""
+    y, v, k = start
+    low, high, x, y1, v1 = 0.0, h, 0.5 * h, y, v
+    for _ in range(60):
+        y1, v1, _, _, _ = dormand_prince(table, j, first, last, y, v, k, sa, slope, x)
+        if (y1 < level) == upward:
+            low = x
+        else:
+            high = x
+        new = x - (y1 - level) / v1 if v1 != 0.0 else low
+        if not low <= new <= high:
+            new = 0.5 * (low + high)
+        if abs(new - x) <= 1e-15 * h:
+            break
+        x = new
+    return x, v1
+
+
+@compiled
+def exact_advance(flow: Any, side: int, start: State, ground: Ground, x: float) -> State:
+    """Over any time x [s] in steps of controlled error, landing on jumps of the table and leaving them on the far side.
+
+    Stops early, at the end of a step, where the body is below rest or beyond the table.
+    """
+    table, smooth, span, hint, tolerance, rate = flow
+    s = 1.0 - 2.0 * side
+    y, v, k = start
+    slope, bottom, end = s * ground[1], span[side, 0], span[side, 1]
+    time, h, smallest = 0.0, x, SMALLEST_STEP * x
+    while time < x and 0.0 <= y <= table[end, RIGHT]:
+        sa = s * ground[0] + slope * time
+        j = segment(table, y, v, hint[side], bottom, end)
+        hint[side] = j
+        first, last = smooth[j, 0], smooth[j, 1]
+        h = min(h, x - time)
+        y1, v1, k1, error_y, error_v = dormand_prince(table, j, first, last, y, v, k, sa, slope, h)
+        error = max(error_y, error_v / rate[side]) / tolerance
+        if error > 1.0 and h > smallest:
+            h = max(h * max(0.2, 0.9 * error**-0.2), smallest)
+            continue
+        up, down = y1 > table[last, RIGHT] and last < end, y1 < table[first, LEFT] and first > bottom
+        if (up or down) and h > smallest:
+            level = table[last, RIGHT] if up else table[first, LEFT]
+            h, v1 = step_to(table, j, first, last, (y, v, k), sa, slope, h, level, up)
+            if h < smallest:  # rattling about the jump: the least step, whatever it passes
+                h = smallest
+                continue
+            y1 = level
+        y, v, k = y1, v1, k1
+        if up or down:
+            k = exact_acceleration(flow, side, y, v, ground[0] + ground[1] * (time + h))
+        time = x if h >= x - time else time + h
+        h *= 5.0 if up or down else min(5.0, 0.9 * max(error, 1e-8) ** -0.2)
+    return y, v, k
+
+
+march_exact = marching(exact_stride, exact_advance, exact_acceleration)
+
+
+@entry
+def rock_exact(branches: FloatArray, table: FloatArray, smooth: IntArray, spans: IntArray, tolerance: float,
+               ground: FloatArray, offset: IntArray, dt: FloatArray, oscillator: IntArray, motion: IntArray,
+               scale: FloatArray, release: float, found: FloatArray, path: FloatArray,
+               events: FloatArray) -> int:  # fmt: skip
+    """All jobs by the exact equation; fills found [jobs, 7], returns the samples passed by the last job.
+
+    table [segments, 14]: the cubics of all branches; smooth [segments, 2]: first and last segment without a jump
+    between; spans [oscillators, 2, 2]: first and last segment of each branch; tolerance: error allowed to a step, of
+    y [-] and y' / rate. Other arguments as for `rock_linearised`. The end of the table is overturned.
+    """
+    samples = 0
+    hint = np.empty(2, dtype=np.int64)
+    rate = np.empty(2)
+    for j in range(oscillator.shape[0]):
+        m, o = motion[j], oscillator[j]
+        branch, span = branches[o], spans[o]
+        hint[:] = span[:, 0]
+        rate[:] = branch[:, RATE]
+        flow = (table, smooth, span, hint, tolerance, rate)
+        samples = march_exact(
+            flow, branch, ground[offset[m] : offset[m + 1]], dt[m], scale[j], release, found[j], path, events,
+        )  # fmt: skip
+    return samples

@@ -1,0 +1,84 @@
+"""The outline of a body seen from the side: the border of its projection on a plane."""
+
+from __future__ import annotations
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+
+FloatArray = NDArray[np.float64]
+IntArray = NDArray[np.int64]
+BoolArray = NDArray[np.bool_]
+Point = tuple[float, float]
+Outline = tuple[tuple[Point, ...], ...]
+
+FLAT = 1e-12  # of the body's size squared: triangles smaller than this in projection are seen edge-on
+STRAIGHT = 1e-9  # of the body's size: corners flatter than this are no corners
+PER_CELL = 4  # triangles in a cell of the grid that finds the rim
+
+
+def outline(points: FloatArray, triangles: IntArray) -> Outline:
+    """Outer borders of the projection of closed surfaces: of the union of all triangles that face the viewer.
+
+    A scan has hundreds of thousands of triangles, nearly all of them far from the border. So the rim is united
+    first, its holes are filled, and only triangles that still stand out are added. The result is exact however the
+    rim was chosen, because every triangle is either in a union or was found covered by one.
+
+    Parameters
+    ----------
+    points : vertices projected on the plane [n, 2] [m]
+    triangles : of closed surfaces, anticlockwise where they face the viewer [m, 3]
+
+    Returns
+    -------
+    closed rings of (x, z) [m], anticlockwise from the leftmost point, the first point repeated at the end, rings from
+    left to right; holes are not listed; straight lines have no intermediate points
+    """
+    middle = (points.min(axis=0) + points.max(axis=0)) / 2.0
+    size = float(np.ptp(points, axis=0).max())
+    corners = _facing(points - middle, triangles, smallest=FLAT * size**2)
+    polygons = np.atleast_1d(shapely.polygons(corners))
+    rim = _rim(corners.mean(axis=1), size=size)
+    body = _filled(polygons[rim])
+    shapely.prepare(body)
+    others = polygons[~rim]
+    whole = _filled(np.append(others[~shapely.covers(body, others)], body))
+    rings = [_ring(part, straight=STRAIGHT * size) + middle for part in shapely.get_parts(whole)]
+    return tuple(sorted(tuple((float(x), float(z)) for x, z in ring) for ring in rings))
+
+
+def _facing(points: FloatArray, triangles: IntArray, *, smallest: float) -> FloatArray:
+    """Corners [k, 3, 2] of the triangles that run anticlockwise and have more than the smallest area [m2]."""
+    corners = points[triangles]
+    (ax, az), (bx, bz) = (corners[:, 1] - corners[:, 0]).T, (corners[:, 2] - corners[:, 0]).T
+    return np.asarray(corners[ax * bz - az * bx > 2.0 * smallest], dtype=np.float64)
+
+
+def _rim(centres: FloatArray, *, size: float) -> BoolArray:
+    """Which of the triangles, by their centres [k, 2], lie in a cell of a square grid beside an empty cell [k]."""
+    cells = max(1, int(np.sqrt(len(centres) / PER_CELL)))
+    column, row = (centres * (cells / size) + cells / 2.0).astype(np.int64).T + 2
+    occupied = np.zeros((cells + 5, cells + 5), dtype=np.bool_)
+    occupied[column, row] = True
+    return np.asarray(_spread(~occupied)[column, row], dtype=np.bool_)
+
+
+def _spread(cells: BoolArray) -> BoolArray:
+    """The cells and their eight neighbours."""
+    wide = cells | np.roll(cells, 1, axis=0) | np.roll(cells, -1, axis=0)
+    return np.asarray(wide | np.roll(wide, 1, axis=1) | np.roll(wide, -1, axis=1), dtype=np.bool_)
+
+
+def _filled(polygons: NDArray[np.object_]) -> shapely.Geometry:
+    """The union of polygons, without its holes."""
+    parts = shapely.get_parts(shapely.union_all(polygons))
+    return shapely.union_all(shapely.polygons(shapely.get_exterior_ring(parts)))
+
+
+def _ring(polygon: shapely.Geometry, *, straight: float) -> FloatArray:
+    """The outer ring [k, 2], anticlockwise from its leftmost (then lowest) point, no points on straight lines."""
+    ring = shapely.get_coordinates(shapely.get_exterior_ring(shapely.orient_polygons(polygon)))[:-1]
+    start = np.lexsort((ring[:, 1], ring[:, 0]))[0]  # an extreme point: a true corner, which may stay
+    turned = np.roll(ring, -start, axis=0)
+    closed = shapely.linestrings(np.concatenate([turned, turned[:1]]))
+    return np.asarray(shapely.get_coordinates(shapely.simplify(closed, straight)), dtype=np.float64)

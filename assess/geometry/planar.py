@@ -1,0 +1,130 @@
+"""A body as a mechanism sees it: in the vertical plane of its motion.
+
+The plane's coordinates are x, the distance along the direction of motion from the origin, and z, the elevation.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from assess.errors import GeometryError
+from assess.geometry.outline import Outline, Point, outline
+from assess.geometry.solid import Solid
+
+FloatArray = NDArray[np.float64]
+
+BASE_TOLERANCE = 1e-6  # of the body's size: vertices this near the lowest belong to the base
+
+
+@dataclass(frozen=True)
+class PlanarBody:
+    """Mass, centroid, inertia and shape in the plane of motion.
+
+    Attributes
+    ----------
+    name : of the body or block
+    mass : [kg]
+    centroid : x, z [m]
+    inertia : J about the horizontal axis across the direction, through the centroid [kg m2]
+    outline : closed rings of (x, z) [m]; empty where the body has no geometry
+    base : x of the two extreme lines of the lowest face, and its z [m]; equal x where the body stands on a point or
+        an edge; None where the body has no geometry
+    """
+
+    name: str
+    mass: float
+    centroid: Point
+    inertia: float
+    outline: Outline
+    base: tuple[float, float, float] | None
+
+
+def planar(solid: Solid, *, direction: Sequence[float]) -> PlanarBody:
+    """The solid seen in the vertical plane of `direction` [3], a horizontal vector of any length.
+
+    Raises
+    ------
+    GeometryError : the direction is zero, not horizontal or not finite
+    """
+    along = _horizontal(direction)
+    across = np.array([-along[1], along[0], 0.0])
+    points = np.column_stack([solid.vertices @ along, solid.vertices[:, 2]])
+    return PlanarBody(
+        name=solid.name,
+        mass=solid.mass,
+        centroid=(float(solid.centroid @ along), float(solid.centroid[2])),
+        inertia=float(across @ solid.inertia @ across),
+        outline=outline(points, solid.triangles[:, ::-1]),  # x to z turns away from a viewer who looks along `across`
+        base=_base(points, size=float(np.ptp(solid.vertices, axis=0).max())),
+    )
+
+
+def planar_direct(*, mass: float, centroid: Point, inertia: float, name: str) -> PlanarBody:
+    """A body given by its values alone: mass [kg], centroid x, z [m], inertia about the centroid [kg m2]; no geometry.
+
+    Raises
+    ------
+    GeometryError : mass is not positive, inertia negative, or a number not finite
+    """
+    if not (np.isfinite(mass) and mass > 0.0):
+        raise GeometryError(f'body "{name}": mass is {mass:g} kg; give a positive finite number')
+    if not (np.isfinite(inertia) and inertia >= 0.0):
+        raise GeometryError(f'body "{name}": inertia is {inertia:g} kg m2; give a finite number, zero or more')
+    if len(centroid) != 2 or not np.isfinite(centroid).all():
+        raise GeometryError(f'body "{name}": centroid is {centroid!r}; give two finite numbers x, z')
+    return PlanarBody(name, float(mass), (float(centroid[0]), float(centroid[1])), float(inertia), (), None)
+
+
+def planar_joined(bodies: Sequence[PlanarBody], *, name: str) -> PlanarBody:
+    """Several planar bodies that move as one block, with or without geometry: the parallel-axis theorem in the plane.
+
+    The base is that of the lowest body; bodies that stand equally low share one.
+
+    Raises
+    ------
+    GeometryError : there is nothing to join
+    """
+    if not bodies:
+        raise GeometryError(f'block "{name}": it joins no bodies; name at least one')
+    m = np.array([body.mass for body in bodies])
+    at = np.array([body.centroid for body in bodies])
+    centre = at[0] + m @ (at - at[0]) / m.sum()
+    J = float(sum(body.inertia for body in bodies) + m @ np.sum((at - centre) ** 2, axis=1))
+    rings = tuple(sorted(ring for body in bodies for ring in body.outline))
+    corners = [point for ring in rings for point in ring]
+    size = float(np.ptp(corners, axis=0).max()) if corners else 0.0
+    bases = [body.base for body in bodies if body.base is not None]
+    return PlanarBody(name, float(m.sum()), (float(centre[0]), float(centre[1])), J, rings, _lowest(bases, size))
+
+
+def _horizontal(direction: Sequence[float]) -> FloatArray:
+    """The unit vector [3] of a horizontal direction, or raise."""
+    vector = np.asarray(direction, dtype=np.float64)
+    wanted = "give a horizontal vector such as [1, 0, 0]"
+    if vector.shape != (3,) or not np.isfinite(vector).all():
+        raise GeometryError(f"direction is {list(direction)}, not three finite numbers; {wanted}")
+    vector = vector / (np.abs(vector).max() or 1.0)  # first, so that neither tiny nor huge numbers lose the norm
+    length = float(np.linalg.norm(vector))
+    if length == 0.0 or abs(vector[2]) > 1e-9 * length:
+        raise GeometryError(f"direction is {list(direction)}, which is not horizontal; {wanted}")
+    vector[2] = 0.0
+    return np.asarray(vector / np.linalg.norm(vector), dtype=np.float64)
+
+
+def _base(points: FloatArray, *, size: float) -> tuple[float, float, float]:
+    """Extreme x and the z of the lowest points among [n, 2] [m]."""
+    lowest = float(points[:, 1].min())
+    foot = points[points[:, 1] <= lowest + BASE_TOLERANCE * size, 0]
+    return float(foot.min()), float(foot.max()), lowest
+
+
+def _lowest(bases: Sequence[tuple[float, float, float]], size: float) -> tuple[float, float, float] | None:
+    """The base of the bodies that stand lowest, None where no body has one."""
+    if not bases:
+        return None
+    ends = np.array([[(left, z), (right, z)] for left, right, z in bases]).reshape(-1, 2)
+    return _base(ends, size=size)

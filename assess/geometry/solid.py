@@ -1,0 +1,272 @@
+"""A solid body of masonry: mass, centroid, inertia, and the closed triangle surface it is drawn with.
+
+Axes are the project's: x, y horizontal, z up. The inertia tensor is the standard one about the centroid,
+
+    [[ int (y2 + z2) dm,  -int x y dm,        -int x z dm       ],
+     [-int x y dm,         int (x2 + z2) dm,  -int y z dm       ],
+     [-int x z dm,        -int y z dm,         int (x2 + y2) dm ]]
+
+products with their minus sign inside, so the inertia about an axis of unit vector a is a . I . a (thesis 3.20, whose
+products are the positive integrals).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import shapely
+from numpy.typing import ArrayLike, NDArray
+
+from assess.errors import GeometryError
+
+FloatArray = NDArray[np.float64]
+IntArray = NDArray[np.int64]
+
+THINNEST = 1e-12  # volume / (size of the body)^3, area / size^2: below this a body is rounding, not masonry
+
+
+@dataclass(frozen=True)
+class Solid:
+    """A body with its mass properties and its surface.
+
+    Attributes
+    ----------
+    name : the body's name in the project
+    mass : [kg]
+    centroid : x, y, z [3] [m]
+    inertia : tensor about the centroid, products with their minus sign [3, 3] [kg m2]
+    vertices : of the surface [n, 3] [m]
+    triangles : vertex indices, anticlockwise seen from outside [m, 3]
+    """
+
+    name: str
+    mass: float
+    centroid: FloatArray
+    inertia: FloatArray
+    vertices: FloatArray
+    triangles: IntArray
+
+
+def box(*, thickness: float, length: float, height: float, base: Sequence[float], density: float, name: str) -> Solid:
+    """A rectangular box: thickness along x, length along y, height along z [m]; density [kg/m3].
+
+    base : centre of the base face, x, y, z [3] [m].
+
+    Raises
+    ------
+    GeometryError : a size or the density is not a positive finite number, or base is not three finite numbers
+    """
+    sizes = {"thickness": thickness, "length": length, "height": height}
+    for quantity, value in sizes.items():
+        _positive(value, quantity=quantity, unit="m", name=name)
+    _positive(density, quantity="density", unit="kg/m3", name=name)
+    foot = _finite(base, shape=(3,), quantity="base", wanted="three finite numbers x, y, z", name=name)
+    mass = density * thickness * length * height
+    x2, y2, z2 = (mass * size**2 / 12.0 for size in sizes.values())
+    half = thickness / 2.0
+    footprint = np.array([[-half, 0.0], [half, 0.0], [half, height], [-half, height]])
+    vertices, triangles = _extruded(footprint, np.array([[0, 1, 2], [0, 2, 3]]), length=length)
+    return _solid(
+        name,
+        mass,
+        foot + np.array([0.0, 0.0, height / 2.0]),
+        np.diag([y2 + z2, x2 + z2, x2 + y2]),
+        vertices + foot,
+        triangles,
+    )
+
+
+def profile(points: ArrayLike, *, length: float, density: float, name: str) -> Solid:
+    """A polygon in the x-z plane extruded along y, centred on y = 0.
+
+    Parameters
+    ----------
+    points : corners x, z of the polygon, either way round, the first repeated at the end or not [n, 2] [m]
+    length : of the extrusion [m]
+    density : [kg/m3]
+
+    Raises
+    ------
+    GeometryError : the polygon crosses or touches itself, has no area, fewer than three corners, or a number is
+        not finite; length or density is not positive
+    """
+    _positive(length, quantity="length", unit="m", name=name)
+    _positive(density, quantity="density", unit="kg/m3", name=name)
+    corners = _corners(points, name=name)
+    area, centre, (xx, zz, xz) = _polygon_moments(corners)
+    mass = density * length * area
+    yy = mass * length**2 / 12.0
+    xx, zz, xz = (density * length * moment for moment in (xx, zz, xz))
+    inertia = np.array([[yy + zz, 0.0, -xz], [0.0, xx + zz, 0.0], [-xz, 0.0, xx + yy]])
+    vertices, triangles = _extruded(corners, _triangulated(corners), length=length)
+    return _solid(name, mass, np.array([centre[0], 0.0, centre[1]]), inertia, vertices, triangles)
+
+
+def polyhedron(vertices: ArrayLike, triangles: ArrayLike, *, density: float, name: str) -> Solid:
+    """The solid inside a closed surface of triangles, anticlockwise seen from outside.
+
+    The volume integrals are sums over the tetrahedra from one point to each triangle, exact for polyhedra; the point
+    is the middle of the body, so that coordinates far from the origin cost no digits. Over a tetrahedron of corners
+    0, a, b, c, with s = a + b + c and D = a . (b x c): volume D/6, int x dV = D s / 24,
+    int x x^T dV = D (a a^T + b b^T + c c^T + s s^T) / 120 (Tonon 2004, J. Math. Stat. 1(1)).
+
+    Parameters
+    ----------
+    vertices : [n, 3] [m]
+    triangles : indices into vertices [m, 3]; that the surface is closed is the caller's business
+    density : [kg/m3]
+
+    Raises
+    ------
+    GeometryError : no volume, a negative one (the triangles face inwards), or density is not positive
+    """
+    _positive(density, quantity="density", unit="kg/m3", name=name)
+    at, faces = np.asarray(vertices, dtype=np.float64), np.asarray(triangles, dtype=np.int64)
+    low, high = at.min(axis=0), at.max(axis=0)
+    middle = (low + high) / 2.0
+    volume, first, second = _tetrahedra((at - middle)[faces])
+    size = float(np.linalg.norm(high - low))
+    rounding = THINNEST * size**3 + 4.0 * np.finfo(np.float64).eps * float(np.abs(at).max()) * size**2
+    _refuse_volume(volume, rounding=rounding, name=name)
+    centre = first / volume
+    second = second - volume * np.outer(centre, centre)
+    inertia = density * (np.trace(second) * np.eye(3) - second)
+    return _solid(name, density * volume, middle + centre, inertia, at, faces)
+
+
+def joined(solids: Sequence[Solid], *, name: str) -> Solid:
+    """Several bodies that move as one block: masses add, inertias by the parallel-axis theorem.
+
+    Bodies that overlap are counted twice where they do.
+
+    Raises
+    ------
+    GeometryError : there is nothing to join
+    """
+    if not solids:
+        raise GeometryError(f'block "{name}": it joins no bodies; name at least one')
+    mass = sum(solid.mass for solid in solids)
+    origin = solids[0].centroid
+    centroid = origin + sum((s.mass * (s.centroid - origin) for s in solids), start=np.zeros(3)) / mass
+    inertia = sum((s.inertia + s.mass * parallel_axis(s.centroid - centroid) for s in solids), start=np.zeros((3, 3)))
+    starts = np.cumsum([0, *(len(solid.vertices) for solid in solids[:-1])])
+    triangles = [solid.triangles + start for solid, start in zip(solids, starts, strict=True)]
+    vertices = np.concatenate([solid.vertices for solid in solids])
+    return _solid(name, mass, centroid, inertia, vertices, np.concatenate(triangles))
+
+
+def parallel_axis(shift: FloatArray) -> FloatArray:
+    """Inertia tensor [3, 3] [m2] of a unit point mass at `shift` [3] [m]: |r|^2 E - r r^T."""
+    return np.asarray(shift @ shift * np.eye(3) - np.outer(shift, shift), dtype=np.float64)
+
+
+def _solid(
+    name: str, mass: float, centroid: FloatArray, inertia: FloatArray, vertices: FloatArray, triangles: IntArray
+) -> Solid:
+    """A Solid of read-only copies."""
+    copies = [np.array(array) for array in (centroid, inertia, vertices)]
+    faces = np.array(triangles)
+    for array in (*copies, faces):
+        array.setflags(write=False)
+    return Solid(name, float(mass), copies[0], copies[1], copies[2], faces)
+
+
+def _extruded(corners: FloatArray, faces: IntArray, *, length: float) -> tuple[FloatArray, IntArray]:
+    """Vertices [2 n, 3], outward triangles: an anticlockwise x-z polygon [n, 2] extruded over y = -+ length / 2."""
+    n = len(corners)
+    near = np.column_stack([corners[:, 0], np.full(n, -length / 2.0), corners[:, 1]])
+    far = near + np.array([0.0, length, 0.0])
+    here = np.arange(n)
+    there = np.roll(here, -1)
+    sides = np.concatenate([np.column_stack([here, here + n, there]), np.column_stack([there, here + n, there + n])])
+    # x to z turns about -y: the anticlockwise polygon faces -y, the near end
+    triangles = np.concatenate([faces, faces[:, ::-1] + n, sides])
+    return np.concatenate([near, far]), triangles.astype(np.int64)
+
+
+def _corners(points: ArrayLike, *, name: str) -> FloatArray:
+    """The polygon's corners, anticlockwise, without repeated points [n, 2] [m]."""
+    wanted = "corners [x, z] of finite numbers"
+    given = _finite(points, shape=(-1, 2), quantity="profile", wanted=wanted, name=name)
+    corners = given[np.any(given != np.roll(given, 1, axis=0), axis=1)]
+    if len(corners) < 3:
+        found = f"{len(corners)} distinct corners" if len(corners) else "no corners"
+        raise GeometryError(f'body "{name}": the profile has {found}; give three or more')
+    area = _polygon_moments(corners)[0]
+    if abs(area) <= THINNEST * float(np.ptp(corners, axis=0).max()) ** 2:
+        raise GeometryError(f'body "{name}": the profile has no area (its {len(corners)} corners lie on a line)')
+    polygon = shapely.Polygon(corners)
+    if not polygon.is_valid:
+        reason = shapely.is_valid_reason(polygon)
+        raise GeometryError(
+            f'body "{name}": the profile crosses or touches itself ({reason}, x z in m); '
+            "list its corners in order around the outline"
+        )
+    return corners if area > 0.0 else corners[::-1]
+
+
+def _polygon_moments(corners: FloatArray) -> tuple[float, FloatArray, tuple[float, float, float]]:
+    """Area [m2], centroid [2] [m], and int x2, z2, xz dA about the centroid [m4], by Green's theorem.
+
+    Corners clockwise give all of them but the centroid with a minus sign.
+    """
+    middle = (corners.min(axis=0) + corners.max(axis=0)) / 2.0
+    x, z = (corners - middle).T
+    u, w = np.roll(x, -1), np.roll(z, -1)
+    D = x * w - u * z
+    area = float(D.sum() / 2.0)
+    if area == 0.0:
+        return 0.0, middle, (0.0, 0.0, 0.0)
+    cx, cz = float(D @ (x + u)) / (6.0 * area), float(D @ (z + w)) / (6.0 * area)
+    xx = float(D @ (x * x + x * u + u * u)) / 12.0 - area * cx * cx
+    zz = float(D @ (z * z + z * w + w * w)) / 12.0 - area * cz * cz
+    xz = float(D @ (x * w + 2.0 * x * z + 2.0 * u * w + u * z)) / 24.0 - area * cx * cz
+    return area, middle + np.array([cx, cz]), (xx, zz, xz)
+
+
+def _triangulated(corners: FloatArray) -> IntArray:
+    """Anticlockwise triangles [n - 2, 3] of a simple polygon [n, 2], by constrained Delaunay triangulation."""
+    pieces = shapely.get_parts(shapely.constrained_delaunay_triangles(shapely.Polygon(corners)))
+    index = {(x, z): i for i, (x, z) in enumerate(corners.tolist())}
+    rings = (shapely.get_coordinates(shapely.orient_polygons(piece))[:3].tolist() for piece in pieces)
+    return np.array([[index[x, z] for x, z in ring] for ring in rings], dtype=np.int64)
+
+
+def _tetrahedra(corners: FloatArray) -> tuple[float, FloatArray, FloatArray]:
+    """Volume [m3], first moment [3] [m4], second moment [3, 3] [m5] inside triangles [m, 3, 3] about the origin."""
+    a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
+    D = np.einsum("mi,mi->m", a, np.cross(b, c))
+    s = a + b + c
+    each = corners.reshape(-1, 3)
+    second = (each * np.repeat(D, 3)[:, None]).T @ each + (s * D[:, None]).T @ s
+    return float(D.sum()) / 6.0, (D @ s) / 24.0, second / 120.0
+
+
+def _refuse_volume(volume: float, *, rounding: float, name: str) -> None:
+    """Raise unless the volume [m3] is positive beyond rounding [m3]."""
+    if abs(volume) <= rounding:
+        raise GeometryError(f'body "{name}": it encloses no volume ({volume:.3g} m3); give it a thickness')
+    if volume < 0.0:
+        raise GeometryError(
+            f'body "{name}": it is inside out (volume {volume:.6g} m3); flip its normals so that they point outwards'
+        )
+
+
+def _positive(value: float, *, quantity: str, unit: str, name: str) -> None:
+    """Raise unless the value is a positive finite number."""
+    if not (np.isfinite(value) and value > 0.0):
+        raise GeometryError(f'body "{name}": {quantity} is {value:g} {unit}; give a positive finite number')
+
+
+def _finite(values: ArrayLike, *, shape: tuple[int, ...], quantity: str, wanted: str, name: str) -> FloatArray:
+    """The values as floats of `shape` (-1: any number), or raise."""
+    try:
+        array = np.asarray(values, dtype=np.float64)
+    except (TypeError, ValueError):
+        array = np.full(shape, np.nan) if -1 not in shape else np.empty(0)
+    fits = array.ndim == len(shape) and all(n in (-1, m) for n, m in zip(shape, array.shape, strict=True))
+    if not fits or not np.isfinite(array).all():
+        raise GeometryError(f'body "{name}": {quantity} is {values!r:.100}; give {wanted}')
+    return array

@@ -1,0 +1,197 @@
+"""From the project file's tables to the field's own objects; the only module that knows both."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+from assess.codes.context import Building
+from assess.codes.dmi2008.clauses import Options as Dmi2008Options
+from assess.codes.registry import CodeOptions
+from assess.geometry import mesh
+from assess.geometry.planar import PlanarBody, planar, planar_direct, planar_joined
+from assess.geometry.solid import Solid, box, profile
+from assess.mechanisms.chain import Point
+from assess.mechanisms.equivalent_block import equivalent_block
+from assess.mechanisms.mechanism import Mechanism
+from assess.mechanisms.single_block import single_block
+from assess.project import sections
+from assess.project.schema import Project, resolved
+from assess.project.study import Artificial, Equation, Study
+from assess.results import Input, Notice
+from records.reading import read
+from records.record import Record
+from spectra.asce7 import design_spectrum
+from spectra.spectrum import Spectrum, scaled_to_pga
+from spectra.table import read_table
+
+
+def build(project: Project) -> Study:
+    """The study that `project` describes, with every file it names read.
+
+    Raises AssessError, SpectrumError or RecordError, each one line, for what cannot be assessed.
+    """
+    content = project.content
+    site, building = content.site, content.building
+    spectrum = None if site is None else spectrum_of(site)
+    solids = {name: solid_of(name, body, content.materials) for name, body in content.bodies.items()}
+    mechanisms = tuple(mechanism_of(name, section, content, solids) for name, section in content.mechanisms.items())
+    synthetic = content.records.synthetic
+    return Study(
+        spectrum=spectrum,
+        vertical_ratio=0.0 if site is None else site.vertical_ratio,
+        building=None if building is None else Building(**building.model_dump()),
+        records=uniquely_named(
+            [record for path in content.records.files for record in read(path, unit=content.records.unit)]
+        ),
+        artificial=None if synthetic is None else Artificial(synthetic.count, synthetic.seed, synthetic.duration),
+        scale_to=content.records.scale_to,
+        levels=levels_of(content.analysis.levels, spectrum),
+        procedures=content.analysis.procedures,
+        options=CodeOptions(dmi2008=Dmi2008Options(**content.procedures.dmi2008.model_dump())),
+        mechanisms=mechanisms,
+        equations={name: equation_of(section, content) for name, section in content.mechanisms.items()},
+        inputs=tuple(inputs_of(project)),
+        resolved=resolved(project),
+        notices=tuple(notices_of(content, solids, mechanisms)),
+    )
+
+
+def spectrum_of(site: sections.Site) -> Spectrum:
+    """The site's spectrum, scaled to the PGA the project gives."""
+    section = site.spectrum
+    if isinstance(section, sections.TableSpectrum):
+        spectrum = read_table(section.file, damping=section.damping, pga=site.pga)
+    else:
+        spectrum = design_spectrum(
+            s_ds=section.s_ds, s_d1=section.s_d1, t_l=section.t_l, code=section.code, hazard=section.hazard
+        )
+        spectrum = replace(spectrum, damping=section.damping)
+    return spectrum if site.pga is None else scaled_to_pga(spectrum, site.pga)
+
+
+def levels_of(given: tuple[float, ...] | None, spectrum: Spectrum | None) -> tuple[float, ...]:
+    """The levels [m/s2], rising: those given, or the site's own PGA."""
+    if given is not None:
+        return tuple(sorted(given))
+    return () if spectrum is None else (spectrum.pga,)
+
+
+def solid_of(name: str, body: sections.Body, materials: Mapping[str, sections.Material]) -> Solid | None:
+    """The solid of a body with geometry, None for direct values."""
+    if isinstance(body, sections.DirectBody):
+        return None
+    density = materials[body.material].density
+    if isinstance(body, sections.MeshBody):
+        return mesh.load(body.mesh, density=density, name=name, scale=body.mesh_unit)
+    if isinstance(body, sections.BoxBody):
+        return box(**body.box.model_dump(), density=density, name=name)
+    return profile(body.profile, length=body.length, density=density, name=name)
+
+
+def mechanism_of(
+    name: str,
+    section: sections.Mechanism,
+    content: sections.Content,
+    solids: Mapping[str, Solid | None],
+) -> Mechanism:
+    """The mechanism of one table [mechanisms.NAME]."""
+    restitution = (section.restitution.positive, section.restitution.negative)
+    if isinstance(section, sections.EquivalentBlock):
+        own = section.model_dump(include={"p", "uplift", "radius", "mass", "elevation"})
+        return equivalent_block(name, **own, label=section.label, sides=section.sides, restitution=restitution)
+    bodies = [body_in_plane(body, content, solids, section.direction) for body in section.blocks[0]]
+    return single_block(
+        name,
+        bodies[0] if len(bodies) == 1 else planar_joined(bodies, name=" + ".join(section.blocks[0])),
+        hinge=in_plane(section.hinges, section.direction),
+        hinge_negative=in_plane(section.hinges_negative, section.direction),
+        label=section.label,
+        sides=section.sides,
+        restitution=restitution,
+    )
+
+
+def body_in_plane(
+    name: str, content: sections.Content, solids: Mapping[str, Solid | None], direction: Sequence[float]
+) -> PlanarBody:
+    """One body seen in the vertical plane of `direction` [3]."""
+    solid, body = solids[name], content.bodies[name]
+    if solid is not None:
+        return planar(solid, direction=direction)
+    assert isinstance(body, sections.DirectBody)
+    return planar_direct(mass=body.mass, centroid=body.centroid, inertia=body.inertia, name=name)
+
+
+def in_plane(hinges: sections.Hinges | None, direction: Sequence[float]) -> Point | None:
+    """Hinge A as (distance along `direction` from the origin, elevation) [m]."""
+    if hinges is None or len(hinges.A) == 2:
+        return None if hinges is None else (hinges.A[0], hinges.A[1])
+    along = np.asarray(direction) / np.linalg.norm(direction)
+    return (float(np.asarray(hinges.A) @ along), hinges.A[2])
+
+
+def equation_of(section: sections.Mechanism, content: sections.Content) -> Equation:
+    """The equation of motion asked for, or the default of the kind: linearised for equivalent blocks, else exact."""
+    default: Equation = "linearised" if isinstance(section, sections.EquivalentBlock) else "exact"
+    return content.analysis.equation or default
+
+
+def uniquely_named(records: Sequence[Record]) -> tuple[Record, ...]:
+    """The records, a second one of the same id numbered "id (2)", and so on."""
+    seen: dict[str, int] = {}
+    named = []
+    for record in records:
+        seen[record.id] = seen.get(record.id, 0) + 1
+        again = seen[record.id]
+        named.append(record if again == 1 else replace(record, id=f"{record.id} ({again})"))
+    return tuple(named)
+
+
+def inputs_of(project: Project) -> Iterator[Input]:
+    """The project file and every file it names, with their hashes."""
+    yield Input(project.path.name, project.sha256)
+    content = project.content
+    bodies = [body.mesh for body in content.bodies.values() if isinstance(body, sections.MeshBody)]
+    table = content.site.spectrum if content.site is not None else None
+    tables = [table.file] if isinstance(table, sections.TableSpectrum) else []
+    for path in dict.fromkeys([*bodies, *tables, *content.records.files]):
+        yield Input(relative(path, project.folder), hashlib.sha256(path.read_bytes()).hexdigest())
+
+
+def relative(path: Path, folder: Path) -> str:
+    """The path as the project file would write it."""
+    return path.relative_to(folder).as_posix() if path.is_relative_to(folder) else path.as_posix()
+
+
+def notices_of(
+    content: sections.Content, solids: Mapping[str, Solid | None], mechanisms: Sequence[Mechanism]
+) -> Iterator[Notice]:
+    """What the engineer should know before reading any result."""
+    for name, solid in solids.items():
+        doubt = None if solid is None else mesh.suspicious(solid)
+        if doubt:
+            yield Notice("size", f"bodies.{name}", doubt)
+    for mechanism in mechanisms:
+        for text in mechanism.notices:
+            yield Notice("restitution", f"mechanisms.{mechanism.name}", text)
+    ground = content.building.ground_elevation if content.building is not None else 0.0
+    raised = [mechanism.name for mechanism in mechanisms if mechanism.elevation > ground]
+    if raised:
+        yield Notice(
+            "amplification",
+            "mechanisms",
+            f"above the ground, yet histories and ASCE 43-05 use the ground's motion as it is: {', '.join(raised)}; "
+            "only dmi2008 asks for the floor's motion",
+        )
+    if content.procedures.dmi2008.confidence_factor == 1.0:
+        yield Notice(
+            "confidence-factor",
+            "procedures.dmi2008",
+            "FC = 1.00 stands for knowledge level LC3; where crushing of the masonry is not modelled, as here, "
+            "Circolare 617/2009 asks for the FC of LC1, 1.35",
+        )

@@ -1,0 +1,147 @@
+"""Time histories of a study: every mechanism under every record, in both polarities, at its levels and on a scan.
+
+The scan raises the target's PGA in steps of SCAN_STEP until a record overturns the mechanism; it gives the curve of
+the response-history method and its PGA at collapse.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from math import inf
+
+import numpy as np
+from scipy.constants import g
+
+from assess.codes.context import Suite
+from assess.dynamics.history import Jobs, Peaks, peaks, trace
+from assess.oscillator import Oscillator, multiplier
+from assess.project.motions import Motion
+from assess.project.study import Equation
+from assess.results import HistoryResult, Trace
+
+Progress = Callable[[str, int, int], None]
+
+SCAN_STEP = 1.025  # ratio of two PGAs of the scan
+SCAN_START = 0.4  # of the smaller uplift acceleration
+BATCH = 40  # levels run at once; one batch raises the PGA 2.7 times
+MOST_BATCHES = 5
+
+
+@dataclass(frozen=True)
+class Shaken:
+    """One oscillator with the equation its histories solve, under motions scaled to a target of `site_pga` [m/s2]."""
+
+    name: str
+    oscillator: Oscillator
+    equation: Equation
+
+
+@dataclass(frozen=True)
+class Rocking:
+    """Histories of one mechanism: [level][record] in the worse polarity, and the suites of the scan."""
+
+    histories: tuple[tuple[HistoryResult, ...], ...]
+    scan: tuple[Suite, ...]
+
+
+def rocking(
+    shaken: Sequence[Shaken],
+    motions: Sequence[Motion],
+    *,
+    levels: Sequence[float],
+    site_pga: float,
+    scanned: bool,
+    threads: int,
+    progress: Progress,
+) -> dict[str, Rocking]:
+    """Histories of every mechanism at `levels` [m/s2], and its scan where `scanned`."""
+    done: dict[str, Rocking] = {}
+    for count, one in enumerate(shaken):
+        progress("rocking histories", count, len(shaken))
+        runs = run_levels(one, motions, levels=levels, site_pga=site_pga, threads=threads)
+        scan = scan_of(one, motions, site_pga=site_pga, threads=threads) if scanned else ()
+        done[one.name] = Rocking(runs, scan)
+    progress("rocking histories", len(shaken), len(shaken))
+    return done
+
+
+def run_levels(
+    shaken: Shaken, motions: Sequence[Motion], *, levels: Sequence[float], site_pga: float, threads: int
+) -> tuple[tuple[HistoryResult, ...], ...]:
+    """[level][record] histories, each in its worse polarity."""
+    n, factors = len(motions), np.array([motion.scaling.factor for motion in motions])
+    scale = np.asarray(levels)[:, None, None] / site_pga * factors[None, :, None] * np.array([1.0, -1.0])
+    motion = np.broadcast_to(np.arange(n)[None, :, None], scale.shape)
+    jobs = Jobs(np.zeros(scale.size, dtype=np.int64), motion.ravel().astype(np.int64), scale.ravel())
+    records = [motion.record for motion in motions]
+    found = peaks([shaken.oscillator], records, jobs, equation=shaken.equation, threads=threads)
+    at = np.arange(scale.size).reshape(scale.shape)
+    return tuple(
+        tuple(
+            min(
+                (_history(found, int(job), record.id, level, float(jobs.scale[job])) for job in at[i, k]), key=_mildness
+            )
+            for k, record in enumerate(records)
+        )
+        for i, level in enumerate(levels)
+    )
+
+
+def _history(found: Peaks, job: int, record: str, level: float, scale: float) -> HistoryResult:
+    overturned = bool(found.overturned[job])
+    return HistoryResult(
+        record=record,
+        polarity=1 if scale >= 0 else -1,
+        level_pga_g=level / g,
+        scale_factor=abs(scale),
+        amplification=1.0,
+        max_rotation_rad=None if overturned else float(found.max_rotation[job]),
+        max_rotation_ratio=None if overturned else float(found.max_ratio[job]),
+        time_of_max_s=None if overturned else float(found.time_of_max[job]),
+        impacts=int(found.impacts[job]),
+        overturned=overturned,
+        overturning_time_s=float(found.overturning_time[job]) if overturned else None,
+        trace=None,
+        branch="negative" if found.max_rotation[job] < 0 else "positive",
+    )
+
+
+def _mildness(history: HistoryResult) -> float:
+    """Smaller is worse; of two polarities that overturn, or that rest, the first stands."""
+    return -inf if history.max_rotation_ratio is None else -history.max_rotation_ratio
+
+
+def suite_of(histories: Sequence[HistoryResult], *, pga: float) -> Suite:
+    """The maxima of all records at `pga` [m/s2]; the branch is that of the worst record."""
+    worst = min(histories, key=_mildness)
+    return Suite(pga, tuple(history.max_rotation_ratio for history in histories), worst.branch)
+
+
+def scan_of(shaken: Shaken, motions: Sequence[Motion], *, site_pga: float, threads: int) -> tuple[Suite, ...]:
+    """Suites at rising PGA, up to and with the first in which a record overturns the mechanism."""
+    start = SCAN_START * g * min(float(multiplier(branch)[0]) for branch in shaken.oscillator.branches)
+    suites: list[Suite] = []
+    for batch in range(MOST_BATCHES):
+        levels = [start * SCAN_STEP ** (BATCH * batch + k) for k in range(BATCH)]
+        for level, histories in zip(
+            levels, run_levels(shaken, motions, levels=levels, site_pga=site_pga, threads=threads), strict=True
+        ):
+            suites.append(suite_of(histories, pga=level))
+            if suites[-1].overturned:
+                return tuple(suites)
+    return tuple(suites)
+
+
+def governing_trace(
+    shaken: Shaken, histories: Sequence[Sequence[HistoryResult]], motions: Sequence[Motion]
+) -> tuple[tuple[HistoryResult, ...], ...]:
+    """The histories with the trace of the worst record of the highest level filled in."""
+    *lower, highest = [tuple(level) for level in histories]
+    worst = min(highest, key=_mildness)
+    record = next(motion.record for motion in motions if motion.record.id == worst.record)
+    scale = worst.polarity * worst.scale_factor
+    path = trace(shaken.oscillator, record, scale=scale, equation=shaken.equation)
+    ground = scale / g * record.acceleration[: path.time.size]
+    drawn = Trace(tuple(path.time.tolist()), tuple(path.rotation.tolist()), tuple(ground.tolist()))
+    return (*lower, tuple(replace(history, trace=drawn) if history is worst else history for history in highest))

@@ -1,0 +1,198 @@
+"""From the field's objects to the results tree: plain numbers, units in the names."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.constants import g
+
+from assess.codes.check import Check
+from assess.mechanisms.chain import Chain, Point, mirrored
+from assess.mechanisms.mechanism import Mechanism
+from assess.oscillator import (
+    Branch,
+    Oscillator,
+    displacement,
+    equivalent_block,
+    linearise,
+    multiplier,
+    participating_mass,
+)
+from assess.project.motions import Motion
+from assess.project.study import Equation
+from assess.results import (
+    AmplificationResult,
+    BranchCurve,
+    ComparisonRow,
+    Curve,
+    Drawing,
+    Factor,
+    HistoryResult,
+    MechanismResult,
+    NamedPoint,
+    OscillatorResult,
+    RecordResult,
+    RecordSpectrum,
+    SpectrumResult,
+    SuiteResult,
+)
+from records.record import scaled
+from records.response import response_spectrum
+from spectra.spectrum import Spectrum
+
+FloatArray = NDArray[np.float64]
+
+LONGEST_PERIOD = 10.0  # s, of the spectra in the results, where the spectrum reaches so far
+
+
+def floats(values: FloatArray) -> tuple[float, ...]:
+    """An array as plain numbers."""
+    return tuple(values.tolist())
+
+
+def periods_of(spectrum: Spectrum) -> FloatArray:
+    """Periods [s] at which spectra are shown: 0, then evenly in the logarithm."""
+    return np.concatenate(([0.0], np.geomspace(0.01, min(LONGEST_PERIOD, spectrum.longest_period), 160)))
+
+
+def spectrum_result(spectrum: Spectrum) -> SpectrumResult:
+    """The site's spectrum, ordinate by ordinate."""
+    period = periods_of(spectrum)
+    return SpectrumResult(
+        code=spectrum.code,
+        parameters=dict(spectrum.parameters),
+        damping=spectrum.damping,
+        damping_rule=spectrum.damping_rule,
+        clause=spectrum.clause,
+        pga_g=spectrum.pga / g,
+        period_s=floats(period),
+        acceleration_g=floats(spectrum.acceleration(period) / g),
+    )
+
+
+def record_result(motion: Motion, spectrum: Spectrum) -> RecordResult:
+    """A record as used: scaled to the site's target."""
+    used = scaled(motion.record, motion.scaling.factor)
+    period = periods_of(spectrum)
+    return RecordResult(
+        id=used.id,
+        path=used.path,
+        event=used.event,
+        station=used.station,
+        component=used.component,
+        dt_s=used.dt,
+        npts=used.npts,
+        pga_g=used.pga / g,
+        scale_factor=motion.scaling.factor,
+        mse=motion.scaling.mse,
+        trail=used.trail,
+        spectrum=RecordSpectrum(floats(period), floats(response_spectrum(used, period) / g)),
+    )
+
+
+def drawing(mechanism: Mechanism) -> Drawing:
+    """The mechanism to scale in its plane of motion."""
+    hinges = named_hinges(mechanism.positive, "", mirror=False)
+    if mechanism.negative is not None:
+        hinges += named_hinges(mechanism.negative, "'", mirror=True)
+    mass = sum(block.mass for block in mechanism.positive.blocks)
+    x, z = (sum(block.mass * block.centroid[i] for block in mechanism.positive.blocks) / mass for i in (0, 1))
+    return Drawing(mechanism.outlines, hinges, (), (x, z))
+
+
+def named_hinges(chain: Chain, mark: str, *, mirror: bool) -> tuple[NamedPoint, ...]:
+    """Hinges A, B, … of a chain; those of the negative branch carry a prime and are mirrored back."""
+    places: list[Point] = [mirrored(hinge) if mirror else hinge for hinge in chain.hinges]
+    return tuple(NamedPoint(f"{chr(ord('A') + i)}{mark}", place) for i, place in enumerate(places))
+
+
+def oscillator_result(branch: Branch, *, mass: float) -> OscillatorResult:
+    """The rocking parameters of one branch."""
+    block, linear = equivalent_block(branch, mass=mass), linearise(branch)
+    return OscillatorResult(
+        mass_kg=mass,
+        inertia_kg_m2=block.inertia,
+        radius_m=block.radius,
+        slenderness_rad=block.slenderness,
+        p_eq_per_s=linear.p,
+        uplift_multiplier=float(multiplier(branch)[0]),
+        overturning_rad=branch.overturning,
+        overturning_flexible_rad=None,
+        critical_rad=branch.critical,
+        equilibrium_rad=0.0,
+        restitution=branch.restitution,
+    )
+
+
+def branch_curve(branch: Branch, *, mass: float) -> BranchCurve:
+    """The capacity curve of one branch."""
+    return BranchCurve(
+        rotation_rad=floats(branch.rotation),
+        inertia_kg_m2=floats(branch.inertia),
+        restoring_n_m=floats(branch.restoring),
+        excitation_kg_m=floats(branch.excitation),
+        participating_mass_kg=floats(participating_mass(branch)),
+        displacement_m=floats(displacement(branch, branch.rotation, mass=mass)),
+    )
+
+
+def mechanism_result(
+    mechanism: Mechanism,
+    oscillator: Oscillator,
+    *,
+    equation: Equation,
+    checks: Sequence[Check] = (),
+    histories: Sequence[Sequence[HistoryResult]] = (),
+) -> MechanismResult:
+    """One mechanism with its checks and its histories [level][record]."""
+    positive, negative, mass = oscillator.positive, oscillator.negative, oscillator.mass
+    records = [history.record for history in histories[0]] if histories else []
+    return MechanismResult(
+        name=mechanism.name,
+        label=mechanism.label,
+        kind=mechanism.kind,
+        sides=mechanism.sides,
+        equation=equation,
+        restitution_source=mechanism.restitution_source,
+        drawing=drawing(mechanism),
+        oscillator=oscillator_result(positive, mass=mass),
+        oscillator_negative=None if negative is None else oscillator_result(negative, mass=mass),
+        curve=Curve(branch_curve(positive, mass=mass), None if negative is None else branch_curve(negative, mass=mass)),
+        interfaces=(),
+        amplification=AmplificationResult("none", tuple(Factor(record, 1.0) for record in records)),
+        checks=tuple(checks),
+        histories=tuple(history for level in histories for history in level),
+        suites=tuple(suite_result(level) for level in histories),
+        envelope=None,
+    )
+
+
+def suite_result(histories: Sequence[HistoryResult]) -> SuiteResult:
+    """All records at one level."""
+    standing = [history.max_rotation_ratio for history in histories if history.max_rotation_ratio is not None]
+    overturned = len(histories) - len(standing)
+    return SuiteResult(
+        level_pga_g=histories[0].level_pga_g,
+        n=len(histories),
+        overturned=overturned,
+        mean_ratio=None if overturned else float(np.mean(standing)),
+        max_ratio=max(standing, default=None),
+    )
+
+
+def comparison(mechanisms: Sequence[MechanismResult]) -> tuple[ComparisonRow, ...]:
+    """Every check of every mechanism on one line."""
+    return tuple(
+        ComparisonRow(
+            mechanism=mechanism.name,
+            level_pga_g=check.level_pga_g,
+            procedure=check.procedure,
+            rotation_ratio=check.rotation_ratio,
+            allowable_ratio=check.capacity_rotation_ratio,
+            demand_capacity=check.ratio,
+        )
+        for mechanism in mechanisms
+        for check in mechanism.checks
+    )

@@ -1,0 +1,174 @@
+"""The values a project file may hold, as pydantic types: quantities in SI, points, names, paths."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from pathlib import Path
+from typing import Annotated, Any, TypeVar
+
+from pydantic import AfterValidator, BeforeValidator, Field, StrictInt, StrictStr, ValidationInfo, WithJsonSchema
+
+from assess.project.units import KINDS, si_value
+
+T = TypeVar("T")
+
+
+def _read(kind: str) -> BeforeValidator:
+    return BeforeValidator(lambda value: si_value(value, KINDS[kind]))
+
+
+def _described(kind: str) -> WithJsonSchema:
+    k = KINDS[kind]
+    words = f'{k.name}: a number in {k.symbol}, or a string with its unit like "{k.example}"'
+    return WithJsonSchema({"type": ["number", "string"], "description": words})
+
+
+Length = Annotated[float, _read("length"), _described("length")]
+Mass = Annotated[float, _read("mass"), _described("mass")]
+Time = Annotated[float, _read("time"), _described("time")]
+Acceleration = Annotated[float, _read("acceleration"), _described("acceleration")]
+Stress = Annotated[float, _read("stress"), _described("stress")]
+Density = Annotated[float, _read("density"), _described("density")]
+Inertia = Annotated[float, _read("inertia"), _described("inertia")]
+Rate = Annotated[float, _read("rate"), _described("rate")]
+Ratio = Annotated[float, _read("ratio"), _described("ratio")]
+
+PositiveLength = Annotated[Length, Field(gt=0)]
+PositiveMass = Annotated[Mass, Field(gt=0)]
+PositiveTime = Annotated[Time, Field(gt=0)]
+PositiveAcceleration = Annotated[Acceleration, Field(gt=0)]
+PositiveStress = Annotated[Stress, Field(gt=0)]
+NotNegativeStress = Annotated[Stress, Field(ge=0)]
+PositiveDensity = Annotated[Density, Field(gt=0)]
+PositiveInertia = Annotated[Inertia, Field(gt=0)]
+PositiveRate = Annotated[Rate, Field(gt=0)]
+NotNegativeRatio = Annotated[Ratio, Field(ge=0)]
+Fraction = Annotated[Ratio, Field(ge=0, le=1)]
+Damping = Annotated[Ratio, Field(gt=0, lt=1)]
+Uplift = Annotated[Ratio, Field(gt=0, lt=math.pi / 2)]
+
+PlanePoint = tuple[Length, Length]
+SpacePoint = tuple[Length, Length, Length]
+Count = Annotated[StrictInt, Field(ge=1)]
+
+
+def _a_point(value: Any) -> Any:
+    if isinstance(value, list | tuple) and len(value) in (2, 3):
+        return value
+    raise ValueError("not a point; write [x, y, z], or [distance along the direction, elevation]")
+
+
+Point = Annotated[tuple[Length, ...], BeforeValidator(_a_point), Field(min_length=2, max_length=3)]
+
+
+def _horizontal(direction: tuple[float, ...]) -> tuple[float, ...]:
+    if direction[2] != 0:
+        raise ValueError("not horizontal; its third number, the vertical one, must be 0")
+    if math.hypot(*direction) == 0:
+        raise ValueError("no direction; write [1, 0, 0] for +x")
+    return direction
+
+
+Direction = Annotated[tuple[Ratio, Ratio, Ratio], AfterValidator(_horizontal)]
+
+
+def _named(text: str) -> str:
+    if not text.strip():
+        raise ValueError("an empty name; write a name")
+    return text
+
+
+Name = Annotated[StrictStr, AfterValidator(_named)]
+
+
+def unique(what: str) -> Callable[[tuple[T, ...]], tuple[T, ...]]:
+    """A check that a list holds no value twice."""
+
+    def check(values: tuple[T, ...]) -> tuple[T, ...]:
+        if len(set(values)) < len(values):
+            raise ValueError(f"the same {what} stands there twice; remove one")
+        return values
+
+    return check
+
+
+def _one_unit(kind: str, value: Any) -> Any:
+    """A unit alone, "mm", read as one of it; a number is the size of the unit in SI already."""
+    return si_value(f"1 {value}" if isinstance(value, str) else value, KINDS[kind])
+
+
+LengthUnit = Annotated[
+    float,
+    BeforeValidator(lambda value: _one_unit("length", value)),
+    Field(gt=0),
+    WithJsonSchema({"type": ["number", "string"], "description": 'a unit of length like "mm"'}),
+]
+AccelerationUnit = Annotated[
+    float,
+    BeforeValidator(lambda value: _one_unit("acceleration", value)),
+    Field(gt=0),
+    WithJsonSchema({"type": ["number", "string"], "description": 'a unit of acceleration like "m/s^2"'}),
+]
+
+
+def _folder(info: ValidationInfo) -> Path:
+    return Path((info.context or {}).get("folder", "."))
+
+
+def _an_input_file(value: Any, info: ValidationInfo) -> Path:
+    path = _folder(info) / _path_text(value)
+    if not path.is_file():
+        raise ValueError(f"no such file ({path}); paths are relative to the project file")
+    return path
+
+
+def _path_text(value: Any) -> str:
+    if not isinstance(value, str | Path) or not str(value) or "\0" in str(value):
+        raise ValueError("not a path; write it in quotes, relative to the project file")
+    return str(value)
+
+
+InputFile = Annotated[
+    Path,
+    BeforeValidator(_an_input_file),
+    WithJsonSchema({"type": "string", "description": "path relative to the project file"}),
+]
+
+
+def _matching(pattern: Any, folder: Path) -> list[Path]:
+    """The files a name or a pattern stands for, sorted; a file of just that name goes before a pattern."""
+    text = _path_text(pattern)
+    if (folder / text).is_file():
+        return [folder / text]
+    found = sorted(path for path in map(Path, _glob(text, folder)) if path.is_file())
+    if not found:
+        raise ValueError(f'"{text}" matches no file in {folder}; paths are relative to the project file')
+    return found
+
+
+def _glob(pattern: str, folder: Path) -> list[str]:
+    from glob import escape, glob
+
+    return glob(str(Path(escape(str(folder))) / pattern), recursive=True)
+
+
+def _files(value: Any, info: ValidationInfo) -> tuple[Path, ...]:
+    if not isinstance(value, list | tuple) or not value:
+        raise ValueError('not a list of files; write files = ["records/*.AT2"], or leave the key out')
+    found = [path for pattern in value for path in _matching(pattern, _folder(info))]
+    return tuple(dict.fromkeys(found))
+
+
+InputFiles = Annotated[
+    tuple[Path, ...],
+    BeforeValidator(_files),
+    WithJsonSchema(
+        {
+            "type": "array",
+            "items": {"type": "string"},
+            "minItems": 1,
+            "description": "paths or patterns (*, ?, **) relative to the project file",
+        }
+    ),
+]

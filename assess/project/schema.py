@@ -1,0 +1,169 @@
+"""The project file: read, checked against its schema, every quantity in SI.
+
+    load(path) -> Project      raises ProjectError with one line: file: key: value: what is wrong; remedy
+    resolved(project)          every key with its value and whether it was given or is a default
+    json_schema()              the schema itself, for editors
+
+The tables are the classes of `assess.project.sections`.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import re
+import tomllib
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from pydantic import BaseModel, ValidationError
+
+from assess.errors import ProjectError
+from assess.project.messages import one_line, printable, shown
+from assess.project.sections import Content
+from assess.results import Resolved
+
+FORMAT = 1
+FILE_NAME = "project.toml"
+_UPGRADES: dict[int, Callable[[dict[str, Any]], dict[str, Any]]] = {}  # from format n to n + 1; there is only one yet
+
+
+@dataclass(frozen=True)
+class Project:
+    """A project file as read.
+
+    content : its tables, every quantity an SI float, every path absolute or below `folder`
+    path : the project file; sha256 : of its bytes
+    """
+
+    content: Content
+    path: Path
+    sha256: str
+
+    @property
+    def folder(self) -> Path:
+        """Where the project file lies; its paths are relative to this."""
+        return self.path.parent
+
+
+def load(path: Path | str) -> Project:
+    """The project in the file `path`, or in `project.toml` of the folder `path`.
+
+    Raises ProjectError for a file that is missing, is not TOML, or breaks the schema.
+    """
+    file = _project_file(Path(path))
+    data = _bytes(file)
+    try:
+        raw = _upgraded(_toml(_text(data)))
+        content = Content.model_validate(raw, context={"folder": file.parent})
+    except ValidationError as error:
+        raise ProjectError(f"{file}: {one_line(error, raw=raw)}") from None
+    except ProjectError as error:
+        raise ProjectError(f"{file}: {error}") from None
+    return Project(content, file, hashlib.sha256(data).hexdigest())
+
+
+def _project_file(path: Path) -> Path:
+    if "\0" in str(path):
+        raise ProjectError(f"{shown(str(path))}: not a path; give a project file or its folder")
+    if not path.is_dir():
+        return path
+    if not (path / FILE_NAME).is_file():
+        raise ProjectError(f"{path}: a folder without {FILE_NAME}; give a project file, or make one with `assess new`")
+    return path / FILE_NAME
+
+
+def _bytes(file: Path) -> bytes:
+    if not file.exists():
+        raise ProjectError(f"{file}: no such file; give a project file or its folder, or make one with `assess new`")
+    if not file.is_file():
+        raise ProjectError(f"{file}: not a file; give a project file or its folder")
+    try:
+        data = file.read_bytes()
+    except OSError as error:
+        raise ProjectError(f"{file}: cannot be read ({error.strerror}); check its permissions") from None
+    if not data.strip():
+        raise ProjectError(f"{file}: empty; start from an example with `assess new`")
+    return data
+
+
+def _text(data: bytes) -> str:
+    try:
+        return data.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        reason = f"byte {error.start + 1} ({data[error.start]:#04x}) is not UTF-8"
+        raise ProjectError(f"{reason}; a project file is TOML text, save it as UTF-8") from None
+
+
+def _toml(text: str) -> dict[str, Any]:
+    try:
+        return tomllib.loads(text)
+    except RecursionError:
+        raise ProjectError("nested too deeply; a project file has tables and short lists") from None
+    except tomllib.TOMLDecodeError as error:
+        raise ProjectError(_toml_reason(str(error))) from None
+    except ValueError:  # int() refuses thousands of digits
+        raise ProjectError("not valid TOML: a number of thousands of digits; correct it") from None
+
+
+def _toml_reason(message: str) -> str:
+    """What tomllib found, with the line in front."""
+    match = re.fullmatch(r"(.*) \(at (?:line (\d+), column (\d+)|(end of document))\)", message, re.DOTALL)
+    if match is None:
+        return f"not valid TOML: {printable(message)}"
+    where = "end of the file" if match[4] else f"line {match[2]}, column {match[3]}"
+    if match[1].startswith(("Cannot declare", "Cannot overwrite", "Cannot mutate", "Duplicate inline table key")):
+        name = re.search(r"\((.*)\)", match[1])
+        steps = ".".join(re.findall(r"'([^']*)'", name[1])) if name else ""
+        return f"{where}: {printable(steps) or 'this key'} stands there twice; give each its own name"
+    return f"{where}: not valid TOML: {printable(match[1])}; correct that line"
+
+
+def _upgraded(raw: dict[str, Any]) -> dict[str, Any]:
+    """The content in the newest format, one pure step at a time."""
+    given = raw.get("format", FORMAT)
+    if not isinstance(given, int) or isinstance(given, bool) or given < 1:
+        raise ProjectError(f"format: {shown(given)}: not a format number; write format = {FORMAT}")
+    if given > FORMAT:
+        raise ProjectError(f"format: {given}: newer than this program, which reads up to {FORMAT}; update it")
+    for step in range(given, FORMAT):
+        raw = _UPGRADES[step](raw)
+    return raw
+
+
+def resolved(project: Project) -> dict[str, Resolved]:
+    """Every key, written with dots, with its value in SI and whether it was given or is a default.
+
+    Paths are written relative to the project file.
+    """
+    return dict(_resolved("", project.content, True, project.folder))
+
+
+def _resolved(key: str, value: Any, given: bool, folder: Path) -> Iterator[tuple[str, Resolved]]:
+    if isinstance(value, BaseModel):
+        for name in type(value).model_fields:
+            stated = given and name in value.model_fields_set
+            yield from _resolved(f"{key}.{name}".lstrip("."), getattr(value, name), stated, folder)
+    elif isinstance(value, Mapping):
+        for name, item in value.items():
+            yield from _resolved(f"{key}.{name}", item, given, folder)
+    else:
+        yield key, Resolved(_plain(value, folder), given)
+
+
+def _plain(value: Any, folder: Path) -> Any:
+    """A value as JSON holds it."""
+    if isinstance(value, Path):
+        return _relative(value, folder)
+    return [_plain(item, folder) for item in value] if isinstance(value, tuple) else value
+
+
+def _relative(path: Path, folder: Path) -> str:
+    return path.relative_to(folder).as_posix() if path.is_relative_to(folder) else path.as_posix()
+
+
+def json_schema() -> dict[str, Any]:
+    """JSON Schema (draft 2020-12) of the project file."""
+    head = {"$schema": "https://json-schema.org/draft/2020-12/schema", "title": "Project file of assess"}
+    return {**Content.model_json_schema(), **head}

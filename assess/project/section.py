@@ -1,0 +1,56 @@
+"""What all tables of a project file share: frozen, strict about their keys, and clear about a wrong or absent one."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from difflib import get_close_matches
+from typing import Any, ClassVar
+
+from pydantic import BaseModel, ConfigDict, model_validator
+from pydantic_core import PydanticCustomError
+
+
+def wrong(key: str | tuple[str | int, ...], reason: str) -> PydanticCustomError:
+    """An error at `key`, one or more steps below the table that is being read."""
+    return PydanticCustomError(
+        "project", "{reason}", {"key": (key,) if isinstance(key, str) else key, "reason": reason}
+    )
+
+
+def listed(names: Mapping[str, Any] | tuple[str, ...]) -> str:
+    """Names in quotes, for a sentence."""
+    return ", ".join(f'"{name}"' for name in names)
+
+
+class Section(BaseModel):
+    """One table of the project file. `planned` are keys of the interface that this version does not read yet."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid", use_attribute_docstrings=True)
+    planned: ClassVar[Mapping[str, str]] = {}
+
+    @model_validator(mode="before")
+    @classmethod
+    def _keys_are_known(cls, values: Any) -> Any:
+        if isinstance(values, dict):
+            for key in values:
+                if key not in cls.model_fields:
+                    raise wrong(key, cls._unknown(key))
+            for key, field in cls.model_fields.items():
+                if field.is_required() and key not in values:
+                    raise wrong(key, f"missing; {field.description}")
+        return values
+
+    @classmethod
+    def _unknown(cls, key: str) -> str:
+        if key in cls.planned:
+            return f"not supported by this version; {cls.planned[key]}"
+        near = get_close_matches(key, cls.model_fields, n=1)
+        return (
+            f'unknown key; did you mean "{near[0]}"?'
+            if near
+            else f"unknown key; known here: {', '.join(cls.model_fields)}"
+        )
+
+    def given(self, key: str) -> bool:
+        """Whether the user wrote `key`, rather than its default standing in."""
+        return key in self.model_fields_set

@@ -1,0 +1,163 @@
+"""Quantities of the project file: a number in SI, or a string of a number and its unit, becomes an SI float.
+
+The number is split off by a regular expression and only the unit goes to pint, whose own parser would evaluate
+`9**9**9 m`. pint is imported when the first string is read (0.7 s) and computes with fractions, so "690 mm" is 0.69.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cache
+from typing import Any
+
+from scipy.constants import g
+
+from assess.errors import ProjectError
+
+_NUMBER = re.compile(r"\s*([+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d{1,3})?)\s*")
+_POWER = r"(?:(?:\^|\*\*)?-?\d|[⁻]?[¹²³⁴])?"
+_FACTOR = rf"(?:1|[^\W\d_]+|%|°){_POWER}"
+_UNIT = re.compile(rf"{_FACTOR}(?:\s*[*/·]\s*{_FACTOR}|\s+{_FACTOR})*")
+_LONGEST = 60
+_TURNS = frozenset(
+    {"radian", "degree", "turn", "revolution", "cycle", "revolutions_per_minute", "revolutions_per_second"}
+)
+_ANGLES = frozenset({"radian", "degree", "gradian", "grade", "turn", "arcminute", "arcsecond"})
+
+
+@dataclass(frozen=True)
+class Kind:
+    """What a key measures.
+
+    name : in words; unit : SI, as pint reads it; symbol : SI, as the project file writes it; example : with its unit
+    only : the units allowed where their dimension does not settle it, empty for all of the right dimension
+    never : units refused although their dimension is right
+    """
+
+    name: str
+    unit: str
+    symbol: str
+    example: str
+    only: frozenset[str] = frozenset()
+    never: frozenset[str] = frozenset()
+
+
+KINDS: dict[str, Kind] = {
+    "length": Kind("length", "meter", "m", "1.25 m"),
+    "mass": Kind("mass", "kilogram", "kg", "1200 kg"),
+    "time": Kind("time", "second", "s", "6 s"),
+    "acceleration": Kind("acceleration", "meter/second**2", "m/s^2", "0.10 g"),
+    "force": Kind("force", "newton", "N", "10 kN"),
+    "stress": Kind("stress", "pascal", "Pa", "1.0 MPa"),
+    "stiffness": Kind("stiffness per area", "pascal/meter", "Pa/m", "10 GPa/m"),
+    "density": Kind("density", "kilogram/meter**3", "kg/m^3", "2240 kg/m^3"),
+    "inertia": Kind("moment of inertia", "kilogram*meter**2", "kg*m^2", "5200 kg*m^2"),
+    "angle": Kind("angle", "radian", "rad", "30 deg", only=_ANGLES),
+    "frequency": Kind("frequency", "1/second", "Hz", "2.5 Hz", never=_TURNS),
+    "rate": Kind("rate", "1/second", "1/s", "1.60 1/s", never=frozenset({"hertz", "turn", "revolution", "cycle"})),
+    "ratio": Kind("ratio", "dimensionless", "no unit", "0.05", only=frozenset({"percent", "permille"})),
+}
+
+
+def to_si(value: Any, kind: str, *, key: str) -> float:
+    """The SI value of `value`, a number (SI already) or a string with a unit, of the `kind` in KINDS.
+
+    Raises ProjectError that names the key, the value, what is wrong and the unit expected.
+    """
+    try:
+        return si_value(value, KINDS[kind])
+    except QuantityError as error:
+        raise ProjectError(f"{key}: {value!r:.80}: {error}") from None
+
+
+class QuantityError(ProjectError):
+    """A quantity cannot be read; the text says what is wrong and the remedy, its caller adds the key and the value."""
+
+
+def si_value(value: Any, kind: Kind) -> float:
+    """The SI value of `value`, a number or a string with a unit. Raises QuantityError."""
+    if isinstance(value, str):
+        return _finite(_from_text(value, kind), kind)
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        raise QuantityError(f"not a number or a quantity; {_remedy(kind)}")
+    return _finite(value, kind)
+
+
+def _finite(value: int | float | Fraction, kind: Kind) -> float:
+    try:
+        number = float(value)
+    except OverflowError:
+        number = math.inf
+    if not math.isfinite(number):
+        raise QuantityError(f"not a finite number; {_remedy(kind)}")
+    return number
+
+
+def _from_text(text: str, kind: Kind) -> Fraction:
+    match = _NUMBER.match(text)
+    if len(text) > _LONGEST or match is None:
+        raise QuantityError(f"not a number with a unit; {_remedy(kind)}")
+    unit = text[match.end() :].strip()
+    if unit.startswith(","):
+        raise QuantityError(f"a comma is no decimal point; {_remedy(kind)}")
+    if not math.isfinite(float(match[1])):
+        raise QuantityError(f"not a finite number; {_remedy(kind)}")
+    return Fraction(match[1]) * _factor(unit, kind)
+
+
+def _factor(unit: str, kind: Kind) -> Fraction:
+    """How many SI units of `kind` one `unit` is."""
+    if kind.name == "acceleration" and unit == "g":
+        return Fraction(str(g))
+    if not unit and kind.unit == "dimensionless":
+        return Fraction(1)
+    if not unit:
+        raise QuantityError(f"no unit; {_remedy(kind)}")
+    if _UNIT.fullmatch(unit) is None:
+        raise QuantityError(f'"{unit}" is not a unit; {_remedy(kind)}')
+    if re.search(r"(?<![^\W\d_])g(?![^\W\d_])", unit):
+        raise QuantityError(f'"g" is standard gravity, alone and for accelerations only; {_remedy(kind)}')
+    return _pint_factor(unit, kind)
+
+
+@cache
+def _pint_factor(unit: str, kind: Kind) -> Fraction:
+    import pint
+
+    try:
+        parsed = _registry().parse_units(_as_pint(unit))
+        names = {_registry().parse_unit_name(name)[0][1] for name in parsed._units}
+        factor = _registry().Quantity(Fraction(1), parsed).to(kind.unit).magnitude
+    except pint.UndefinedUnitError:
+        raise QuantityError(f'unknown unit "{unit}"; {_remedy(kind)}') from None
+    except (pint.DimensionalityError, pint.OffsetUnitCalculusError):
+        raise QuantityError(f'"{unit}" is not a unit of {kind.name}; {_remedy(kind)}') from None
+    except Exception:  # whatever else pint's parser stumbles over is not a unit either
+        raise QuantityError(f'"{unit}" is not a unit; {_remedy(kind)}') from None
+    if names & kind.never or (kind.only and not names <= kind.only):
+        raise QuantityError(f'"{unit}" is not a unit of {kind.name}; {_remedy(kind)}')
+    return Fraction(factor)
+
+
+@cache
+def _registry() -> Any:
+    """One pint registry in exact fractions; making it takes most of a second."""
+    import pint
+
+    return pint.UnitRegistry(non_int_type=Fraction)
+
+
+def _as_pint(unit: str) -> str:
+    """`m/s2`, `kg·m²` and `5 %` as pint writes them."""
+    powers = re.sub(r"(?<=[^\W\d_])(-?\d)", r"**\1", unit)
+    return powers.replace("%", "percent").replace("·", "*").replace("°", "degree")
+
+
+def _remedy(kind: Kind) -> str:
+    if kind.unit == "dimensionless":
+        return f"write a {kind.name} without unit, like {kind.example}"
+    article = "an" if kind.name[0] in "aeiou" else "a"
+    return f'write {article} {kind.name} like "{kind.example}", or a number in {kind.symbol}'

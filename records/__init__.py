@@ -1,0 +1,1 @@
+"""What the ground did: accelerograms, read, scaled and synthesised, and their response spectra."""

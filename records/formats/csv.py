@@ -1,0 +1,110 @@
+"""Two columns of text, time and acceleration, with their units in the header: `time [s], acceleration [g]`.
+
+A file without units, or without a header, is read too where the caller states the unit of its accelerations; its
+times are then seconds.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from records.errors import RecordError
+from records.record import Record, make_record
+from spectra.columns import (
+    ACCELERATION_UNITS,
+    TIME_UNITS,
+    ColumnError,
+    Columns,
+    decode,
+    factor_of,
+    is_row,
+    read_columns,
+    separator_of,
+    split,
+    unit_of,
+)
+
+FloatArray = NDArray[np.float64]
+
+NAME = "CSV"
+UNIFORM = 0.05  # how far a printed time may stand from its place, in steps
+
+
+def looks_like(head: bytes) -> bool:
+    """Whether a file that begins with `head` has two columns: two numbers a line below at most one header line.
+
+    The last line of `head` may be cut and is not looked at, unless it is the only one.
+    """
+    try:
+        text = decode(head, where="")
+    except ColumnError:
+        return False
+    lines = [line for line in text.splitlines() if line.strip() and not line.lstrip().startswith("#")]
+    if not lines:
+        return False
+    separator = separator_of(lines[0])
+    if any(unit_of(label) for label in lines[0].split(separator)) and not lines[1:]:
+        return True
+    rows = lines if is_row(split(lines[0], separator)) else lines[1:]
+    first = [split(line, separator) for line in rows[:3]]
+    return bool(first) and all(len(row) == 2 for row in first) and is_row(first[0])
+
+
+def read(path: Path, *, unit: str | None = None) -> tuple[Record, ...]:
+    """The one record in the file at `path`; `unit` is that of the accelerations where the header states none.
+
+    Raises RecordError, naming the file, for a missing unit, times that are not uniform to 5 % of a step, and for
+    what cannot be read.
+    """
+    try:
+        columns = read_columns(path)
+    except ColumnError as error:
+        raise RecordError(str(error)) from None
+    seconds, si, words = _units(columns, unit, path=path)
+    dt = _step(seconds * columns.values[:, 0], path=path)
+    trail = (f"read from {NAME}, {words}",)
+    return (make_record(path.stem, si * columns.values[:, 1], dt, path=str(path), trail=trail),)
+
+
+def _units(columns: Columns, unit: str | None, *, path: Path) -> tuple[float, float, str]:
+    """What times and accelerations are multiplied by, and that in words."""
+    time, acceleration = columns.units
+    stated = acceleration or unit
+    if stated is None:
+        raise RecordError(
+            f"{path}: the file does not state the unit of its accelerations; write it in the header or give unit"
+        )
+    if time is None and unit is None:
+        raise RecordError(f"{path}: the header gives no unit for the time; write it like: time [s], acceleration [g]")
+    try:
+        seconds = factor_of(time or "s", known=TIME_UNITS)
+        si = factor_of(stated, known=ACCELERATION_UNITS)
+    except ColumnError as error:
+        raise RecordError(f"{path}: {error}") from None
+    return seconds, si, f"unit {stated}" + ("" if acceleration else " as given, for the file does not say")
+
+
+def _step(time: FloatArray, *, path: Path) -> float:
+    """The step of uniform times [n] [s], to ten digits.
+
+    A printed time is rounded, so the step is that of the whole length and each time may stand 5 % of it away.
+    """
+    bad = np.flatnonzero(~np.isfinite(time))
+    if bad.size:
+        raise RecordError(f"{path}: time {bad[0] + 1} is {time[bad[0]]}; every time must be a finite number")
+    if time.size < 2 or time[-1] <= time[0]:
+        raise RecordError(
+            f"{path}: {time.size} times from {time[0]:.6g} s to {time[-1]:.6g} s; a record needs two, rising"
+        )
+    dt = float((time[-1] - time[0]) / (time.size - 1))
+    off = np.flatnonzero(np.abs(time - time[0] - dt * np.arange(time.size)) > UNIFORM * dt)
+    if off.size:
+        at = int(np.argmax(np.abs(np.diff(time) - np.median(np.diff(time)))))
+        raise RecordError(
+            f"{path}: the times are not uniform: step {at + 1} is {time[at + 1] - time[at]:.6g} s, "
+            f"others {np.median(np.diff(time)):.6g} s; resample the record to one step"
+        )
+    return float(f"{dt:.10g}")

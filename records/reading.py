@@ -1,0 +1,48 @@
+"""Record files: which format a file has, and its records."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+
+from records.errors import RecordError
+from records.formats import FORMATS
+from records.record import Record
+
+HEAD = 8192  # bytes that show a format
+
+
+def read(path: Path, *, unit: str | None = None) -> tuple[Record, ...]:
+    """Every record of the file at `path`, with accelerations in m/s2.
+
+    `unit` (g, m/s2, cm/s2, gal, mm/s2) is that of the accelerations, and is used only where the file states none.
+    Raises RecordError, naming the file, where it cannot be opened, has no format known or more than one, holds
+    what is not a record, or no motion at all.
+    """
+    try:
+        with path.open("rb") as file:
+            head = file.read(HEAD)
+        records = FORMATS[_format(head, path=path)].read(path, unit=unit)
+    except OSError as error:
+        raise RecordError(f"{path}: the file cannot be read: {error.strerror}") from None
+    for record in records:
+        if np.ptp(record.acceleration) == 0.0:
+            raise RecordError(
+                f"{path}: every acceleration is {record.acceleration[0]:.6g} m/s2; there is no motion in the record"
+            )
+    return records
+
+
+def _format(head: bytes, *, path: Path) -> str:
+    """The name of the one format that `head`, the start of the file, is of."""
+    if not head.strip():
+        raise RecordError(f"{path}: the file is empty")
+    names = [name for name, known in FORMATS.items() if known.looks_like(head)]
+    if not names:
+        raise RecordError(
+            f"{path}: not a record format known here ({', '.join(FORMATS)}); convert the file to one of them"
+        )
+    if len(names) > 1:
+        raise RecordError(f"{path}: the file could be {' or '.join(names)}; convert it so that only one fits")
+    return names[0]

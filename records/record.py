@@ -1,0 +1,88 @@
+"""One component of ground acceleration, and where it came from."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from records.errors import RecordError
+
+FloatArray = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Record:
+    """A uniformly sampled accelerogram, linear between samples.
+
+    Attributes
+    ----------
+    id : short unique name (file stem, or "artificial-1")
+    acceleration : ground acceleration, read-only [n] [m/s2]
+    dt : time step [s]
+    path : the file it was read from, "" for synthetic ones
+    event, station, component : as the file says, "" where it does not
+    trail : what was done to it, in order, in words ("read from PEER AT2, g", "scaled by 1.23")
+    """
+
+    id: str
+    acceleration: FloatArray
+    dt: float
+    path: str = ""
+    event: str = ""
+    station: str = ""
+    component: str = ""
+    trail: tuple[str, ...] = ()
+
+    @property
+    def npts(self) -> int:
+        """Number of samples."""
+        return int(self.acceleration.size)
+
+    @property
+    def pga(self) -> float:
+        """Largest absolute acceleration [m/s2]."""
+        return float(np.max(np.abs(self.acceleration)))
+
+    @property
+    def time(self) -> FloatArray:
+        """Time of each sample [n] [s], from 0."""
+        return self.dt * np.arange(self.npts, dtype=np.float64)
+
+
+def make_record(
+    id: str,
+    acceleration: ArrayLike,
+    dt: float,
+    *,
+    path: str = "",
+    event: str = "",
+    station: str = "",
+    component: str = "",
+    trail: tuple[str, ...] = (),
+) -> Record:
+    """A checked record with a read-only copy of `acceleration` [n] [m/s2] at step `dt` [s].
+
+    Raises RecordError for fewer than two samples, values that are not finite, or a step that is not positive.
+    """
+    samples = np.array(acceleration, dtype=np.float64)
+    where = path or f'record "{id}"'
+    if samples.ndim != 1 or samples.size < 2:
+        raise RecordError(f"{where}: {samples.size} samples of acceleration; a record needs at least two")
+    bad = np.flatnonzero(~np.isfinite(samples))
+    if bad.size:
+        raise RecordError(
+            f"{where}: sample {bad[0] + 1} is {samples[bad[0]]}; every acceleration must be a finite number"
+        )
+    if not (np.isfinite(dt) and dt > 0):
+        raise RecordError(f"{where}: time step {dt} s; it must be positive")
+    samples.flags.writeable = False
+    return Record(id, samples, float(dt), path, event, station, component, trail)
+
+
+def scaled(record: Record, factor: float) -> Record:
+    """The record with every acceleration multiplied by `factor`."""
+    samples = record.acceleration * factor
+    samples.flags.writeable = False
+    return replace(record, acceleration=samples, trail=(*record.trail, f"scaled by {factor:.6g}"))

@@ -1,0 +1,192 @@
+"""The assessment as a document: what is said, and in which order. It computes nothing: everything stands in the results."""
+
+from __future__ import annotations
+
+import re
+from functools import partial
+from typing import Literal
+
+from assess.results import MechanismResult, Results
+from reports import governing, sentences, sheets, tables
+from reports.document import Block, Document, Figure, Items, Section, Signatures, Table, Text
+from reports.figures import capacity, comparison, history, pga_rotation, sketch, spectrum
+from reports.numerals import numeral
+
+LONG = 120  # characters; longer titles and names are shortened where they head something and printed once in full
+_FACTS = (
+    ("engineer", "Engineer"),
+    ("checker", "Checker"),
+    ("client", "Client"),
+    ("reference", "Reference"),
+    ("date", "Date"),
+    ("masonry_quality", "Masonry quality"),
+)
+
+
+def assessment(results: Results) -> Document:
+    """The whole report of one run."""
+    title = project(results, "title") or "Rocking assessment"
+    chapters = [_verdict(results), *_answers(results), _basis(results), *_site(results)]
+    for place, mechanism in enumerate(results.mechanisms, start=1):
+        chapters += _mechanism(mechanism, stem(mechanism.name, place))
+    chapters += [*_comparison(results), _limits(results), _signatures(results)]
+    return Document(
+        title=title,
+        subject="Seismic assessment of masonry by rocking dynamics",
+        author=project(results, "engineer"),
+        program=f"{results.program.name} {results.program.version}",
+        paper=_paper(results),
+        facts=tuple((label, project(results, key)) for key, label in _FACTS if project(results, key)),
+        sections=tuple(chapters),
+        data=(tables.ordinates(results), tables.curves(results), tables.pga_curves(results)),
+    )
+
+
+def project(results: Results, key: str) -> str:
+    """A text of the project file, empty where it gives none."""
+    found = results.project.get(key)
+    return "" if found is None or found.value is None else str(found.value)
+
+
+def stem(name: str, place: int) -> str:
+    """A unique and safe beginning for the file names of a mechanism: its place and what is plain in its name."""
+    plain = re.sub(r"[^a-z0-9]+", "-", name.lower()).strip("-")[:40].strip("-")
+    return f"{place:02d}-{plain}" if plain else f"{place:02d}"
+
+
+def _paper(results: Results) -> Literal["A4", "letter"]:
+    return "letter" if project(results, "report.paper").lower() == "letter" else "A4"
+
+
+def _verdict(results: Results) -> Section:
+    brief = tables.brief(results)
+    return Section("Verdict", 0, (Text(sentences.outcome(results)), *_filled(brief)))
+
+
+def _answers(results: Results) -> list[Section]:
+    note = "Demand and allowable are in the unit named with the quantity. The ratio is demand over allowable: above 1 the check fails."
+    blocks = (Text((note,)), *_filled(tables.verdicts(results)), *_filled(tables.procedures(results)))
+    return [Section("Demand, allowable and verdict of every check", 0, blocks)]
+
+
+def _basis(results: Results) -> Section:
+    title, notes = project(results, "title"), project(results, "notes")
+    blocks: list[Block] = []
+    blocks += [Text((f"Title in full: {title}",))] if len(title) > LONG else []
+    blocks += [Text((f"Notes: {notes}",))] if notes else []
+    blocks += _filled(tables.inputs(results))
+    blocks += _filled(tables.warnings(results)) or [Text(("The run gave no warnings.",))]
+    blocks += _filled(tables.assumptions(results))
+    return Section("Inputs, warnings and assumptions", 0, tuple(blocks))
+
+
+def _site(results: Results) -> list[Section]:
+    blocks: list[Block] = []
+    if results.spectrum is not None:
+        caption = (
+            f"Elastic response spectrum of the site ({results.spectrum.code}, damping {results.spectrum.damping:.3g}) "
+            "and of the records as scaled to it."
+        )
+        blocks.append(Figure("spectrum", caption, partial(spectrum.draw, results.spectrum, results.records)))
+        blocks += _filled(tables.site(results))
+    blocks += [*_filled(tables.records(results)), *_filled(tables.trails(results))]
+    return [Section("Site and ground motion", 0, tuple(blocks))] if blocks else []
+
+
+def _mechanism(mechanism: MechanismResult, name: str) -> list[Section]:
+    chapters = [
+        _shape(mechanism, name),
+        _answer(mechanism, name),
+        _histories(mechanism, name),
+        _sheets(mechanism, name),
+    ]
+    return [chapter for chapter in chapters if chapter.blocks]
+
+
+def _shape(mechanism: MechanismResult, name: str) -> Section:
+    caption = (
+        "The mechanism in its plane of motion, to scale: blocks at rest (shaded) and turned by half the overturning "
+        "rotation (dashed), hinges (circles), centroid G, sense of positive rotation +φ."
+    )
+    curve = (
+        "Capacity curve: restoring moment and load multiplier λ over rotation. The dot marks the overturning rotation."
+    )
+    blocks = (
+        Text((sentences.description(mechanism),)),
+        Figure(f"{name}-sketch", caption, partial(sketch.draw, mechanism)),
+        tables.parameters(mechanism, name=f"{name}-parameters"),
+        Figure(f"{name}-capacity", curve, partial(capacity.draw, mechanism)),
+    )
+    return Section(f"Mechanism: {tables.name_of(mechanism)}", 0, blocks, starts_page=True)
+
+
+def _answer(mechanism: MechanismResult, name: str) -> Section:
+    caption = (
+        "Largest rotation over peak ground acceleration by every procedure (as thesis Figs. 8.6, 8.7). Solid lines are code "
+        "procedures, dashed lines informative readings; large markers the allowable of each; dots and crosses single records."
+    )
+    blocks: list[Block] = []
+    if mechanism.checks:
+        blocks.append(Figure(f"{name}-pga-rotation", caption, partial(pga_rotation.draw, mechanism)))
+    blocks += _filled(tables.demands(mechanism, name=f"{name}-demand-capacity"))
+    blocks += _filled(tables.reasons(mechanism, name=f"{name}-remarks"))
+    return Section("Demand and capacity", 1, tuple(blocks))
+
+
+def _histories(mechanism: MechanismResult, name: str) -> Section:
+    blocks: list[Block] = [*_filled(tables.suites(mechanism, name=f"{name}-suites"))]
+    found = governing.history(mechanism)
+    if found is not None:
+        one, trace = found
+        draw = partial(history.draw, mechanism, one, trace, governing.allowable(mechanism, one.level_pga_g))
+        end = "it overturns" if one.overturned else f"largest φ/φₒᵥ {numeral(abs(one.max_rotation_ratio or 0.0))}"
+        caption = (
+            f"The governing history: {one.record}, polarity {one.polarity:+d}, at PGA {one.level_pga_g:.3g} g; {end}; "
+            f"{one.impacts} impacts. Above the ground acceleration, below the rotation."
+        )
+        blocks.append(Figure(f"{name}-history", caption, draw))
+    blocks += _filled(tables.histories(mechanism, name=f"{name}-histories"))
+    return Section("Time histories", 1, tuple(blocks))
+
+
+def _sheets(mechanism: MechanismResult, name: str) -> Section:
+    label = tables.name_of(mechanism)
+    made = [
+        sheets.sheet(check, name=f"{name}-sheet-{place:02d}", mechanism=label)
+        for place, check in enumerate(governing.worst_per_procedure(mechanism), start=1)
+        if check.steps
+    ]
+    note = (
+        "One sheet for each procedure, at the level that governs; the steps of the other levels stand in results.json."
+    )
+    return Section("Calculation sheets", 1, (Text((note,)), *made) if made else ())
+
+
+def _comparison(results: Results) -> list[Section]:
+    if not results.comparison:
+        return []
+    names = {mechanism.name: tables.name_of(mechanism) for mechanism in results.mechanisms}
+    draw = partial(comparison.draw, results.comparison, names, governing.overturned(results))
+    caption = (
+        "Demand over capacity of every mechanism by every procedure; right of the line the check fails. Open markers are "
+        "informative readings, a cross marks overturning, an arrow a ratio beyond the axis."
+    )
+    blocks = (Figure("comparison", caption, draw), tables.comparison(results))
+    return [Section("Comparison of the mechanisms", 0, blocks, starts_page=True)]
+
+
+def _limits(results: Results) -> Section:
+    return Section("Limits of the method", 0, (Items(sentences.limits(results)),))
+
+
+def _signatures(results: Results) -> Section:
+    statement = (
+        "The results above follow from the inputs and assumptions listed in this report. They become an assessment by the "
+        "judgement of the engineer who signs it."
+    )
+    places = (("Engineer", project(results, "engineer")), ("Checker", project(results, "checker")))
+    return Section("Signatures", 0, (Text((statement,)), Signatures(places)))
+
+
+def _filled(table: Table) -> list[Block]:
+    return [table] if table.rows else []

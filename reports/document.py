@@ -1,0 +1,150 @@
+"""A report as data: sections of text, tables, figures and calculation sheets, before anyone has drawn a page.
+
+All text is plain text, never markup; the renderers escape it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Literal
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure as Drawn
+
+Cell = float | int | str | bool | None
+Kind = Literal["text", "number", "given", "verdict"]
+
+
+@dataclass(frozen=True)
+class Column:
+    """One column of a table.
+
+    kind : "text"; "number" to three figures, right-aligned; "given" to the figures it was given with; "verdict"
+    """
+
+    label: str
+    unit: str = ""
+    kind: Kind = "text"
+
+    @property
+    def heading(self) -> str:
+        """Label and unit, as they stand above the column."""
+        return f"{self.label} [{self.unit}]" if self.unit else self.label
+
+
+@dataclass(frozen=True)
+class Text:
+    """Paragraphs of plain text."""
+
+    paragraphs: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Items:
+    """A list of points."""
+
+    points: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Table:
+    """A table of raw values. name: unique, safe as a file name; muted: rows that inform and decide nothing."""
+
+    name: str
+    caption: str
+    columns: tuple[Column, ...]
+    rows: tuple[tuple[Cell, ...], ...]
+    muted: frozenset[int] = frozenset()
+
+
+@dataclass(frozen=True)
+class Figure:
+    """A figure that can be drawn any number of times. name: unique, safe as a file name."""
+
+    name: str
+    caption: str
+    draw: Callable[[], Drawn]
+
+
+@dataclass(frozen=True)
+class Line:
+    """One step of a calculation: what, where it stands, the formula, the numbers put in, what came out."""
+
+    symbol: str
+    description: str
+    clause: str
+    formula: str
+    substituted: str
+    value: float | None
+    unit: str
+
+
+@dataclass(frozen=True)
+class Sheet:
+    """A calculation sheet. name: unique, safe as a file name."""
+
+    name: str
+    caption: str
+    lines: tuple[Line, ...]
+
+
+@dataclass(frozen=True)
+class Signatures:
+    """Places to sign: (role, name) each; an empty name leaves a line."""
+
+    places: tuple[tuple[str, str], ...]
+
+
+Block = Text | Items | Table | Figure | Sheet | Signatures
+
+
+@dataclass(frozen=True)
+class Section:
+    """A heading and what stands under it. level: 0 for a chapter, 1 for its parts."""
+
+    title: str
+    level: int
+    blocks: tuple[Block, ...]
+    starts_page: bool = False
+
+
+@dataclass(frozen=True)
+class Document:
+    """A report.
+
+    facts : (label, text) pairs of the title block
+    sections : in order; the contents stand after the opening section
+    data : tables too long to print, for the spreadsheet and the CSV files only
+    program : name and version of the program that made it
+    paper : "A4" or "letter"
+    """
+
+    title: str
+    subject: str
+    author: str
+    program: str
+    paper: Literal["A4", "letter"]
+    facts: tuple[tuple[str, str], ...]
+    sections: tuple[Section, ...]
+    data: tuple[Table, ...]
+
+    @property
+    def blocks(self) -> tuple[Block, ...]:
+        """Every block in order of appearance."""
+        return tuple(block for section in self.sections for block in section.blocks)
+
+    @property
+    def tables(self) -> tuple[Table, ...]:
+        """Every table, the printed ones first."""
+        return tuple(block for block in self.blocks if isinstance(block, Table)) + self.data
+
+    @property
+    def figures(self) -> tuple[Figure, ...]:
+        """Every figure."""
+        return tuple(block for block in self.blocks if isinstance(block, Figure))
+
+    @property
+    def sheets(self) -> tuple[Sheet, ...]:
+        """Every calculation sheet."""
+        return tuple(block for block in self.blocks if isinstance(block, Sheet))

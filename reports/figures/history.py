@@ -1,0 +1,63 @@
+"""One rocking history: the ground above, the rotation below."""
+
+from __future__ import annotations
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from assess.results import HistoryResult, MechanismResult, Trace
+from reports.style import FAIL, INK, MUTED, sheet, styled
+
+_LIMIT = 1.3  # of the rotation axis [-]
+
+
+def draw(mechanism: MechanismResult, history: HistoryResult, trace: Trace, allowable: float | None) -> Figure:
+    """Ground acceleration [g] and rotation / phi_ov [-] over time [s], with the allowable and overturning rotations."""
+    with styled():
+        figure = sheet(3.4)
+        ground, rotation = figure.subplots(2, 1, sharex=True, height_ratios=(1, 1.5))
+        ground.plot(trace.time_s, trace.ground_acceleration_g, color=MUTED, linewidth=0.6)
+        ground.set(ylabel="ground\nacceleration [g]")
+        _rotation(rotation, mechanism, trace)
+        _limits(rotation, allowable, two_sided=mechanism.oscillator_negative is not None)
+        _peak(rotation, history)
+        rotation.set(xlabel="time t [s]", ylabel="rotation φ / φₒᵥ [-]")
+        rotation.set_xlim(trace.time_s[0], trace.time_s[-1])
+        rotation.legend(loc="upper left", ncols=3)
+        return figure
+
+
+def ratio(mechanism: MechanismResult, trace: Trace) -> np.ndarray[tuple[int], np.dtype[np.float64]]:
+    """Rotation over the rigid overturning rotation of the branch it is on [-], signed."""
+    turned = np.asarray(trace.rotation_rad, dtype=np.float64)
+    negative = mechanism.oscillator_negative or mechanism.oscillator
+    return turned / np.where(turned < 0, negative.overturning_rad, mechanism.oscillator.overturning_rad)
+
+
+def _rotation(axes: Axes, mechanism: MechanismResult, trace: Trace) -> None:
+    values = ratio(mechanism, trace)
+    top = min(_LIMIT, 1.5 * float(np.max(np.abs(values), initial=0.0)))
+    axes.plot(trace.time_s, values, color="#0072b2", linewidth=0.9)
+    low = -1.0 if mechanism.oscillator_negative is not None else -0.12
+    axes.set_ylim(low * max(top, 0.05), max(top, 0.05) * 1.25)
+
+
+def _limits(axes: Axes, allowable: float | None, *, two_sided: bool) -> None:
+    sides = (1, -1) if two_sided else (1,)
+    lines = [(1.0, FAIL, "-", "overturning, φₒᵥ")]
+    lines += [] if allowable is None else [(allowable, "#e69f00", "--", f"allowable, {allowable:.3g} φₒᵥ")]
+    for height, colour, dash, name in lines:
+        inside = height <= max(np.abs(axes.get_ylim()))
+        for side in sides:
+            axes.plot([], [], dash, color=colour, linewidth=1.0, label=name if side > 0 and inside else "_")
+            if inside:
+                axes.axhline(side * height, color=colour, linestyle=dash, linewidth=1.0)
+
+
+def _peak(axes: Axes, history: HistoryResult) -> None:
+    if history.overturning_time_s is not None:
+        axes.axvline(history.overturning_time_s, color=FAIL, linewidth=0.8, linestyle=":", label="overturns")
+    elif history.max_rotation_ratio is not None and history.time_of_max_s is not None:
+        signed = np.copysign(abs(history.max_rotation_ratio), history.max_rotation_rad or 0.0)
+        axes.plot(history.time_of_max_s, signed, marker="o", color=INK, markersize=4, linestyle="none", label="largest")

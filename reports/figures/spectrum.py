@@ -1,0 +1,46 @@
+"""The site's spectrum and the records scaled to it."""
+
+from __future__ import annotations
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from assess.results import RecordResult, SpectrumResult
+from reports.style import FAIL, INK, MUTED, label, sheet, styled
+
+NAMED = 7  # more records than this are drawn alike, without names
+_COLOURS = ("#0072b2", "#e69f00", "#009e73", "#cc79a7", "#56b4e9", "#d55e00", "#6b4c9a")
+
+
+def draw(target: SpectrumResult, records: tuple[RecordResult, ...]) -> Figure:
+    """Pseudo-acceleration [g] over period [s]: target, each record as scaled, and the records' geometric mean."""
+    with styled():
+        figure = sheet(3.3)
+        axes = figure.subplots()
+        _records(axes, records)
+        axes.plot(target.period_s, target.acceleration_g, color=INK, linewidth=2.2, label="target")
+        axes.set(xlabel="period T [s]", ylabel="pseudo-acceleration Sₐ [g]")
+        axes.set_xlim(0.0, max(target.period_s, default=1.0))
+        axes.set_ylim(bottom=0.0)
+        axes.legend(loc="upper right", ncols=2)
+        return figure
+
+
+def _records(axes: Axes, records: tuple[RecordResult, ...]) -> None:
+    named = len(records) <= NAMED
+    for place, record in enumerate(records):
+        colour = _COLOURS[place] if named else MUTED
+        name = label(record.id, 24) if named else (f"{len(records)} records" if place == 0 else "_")
+        spectrum = record.spectrum
+        axes.plot(spectrum.period_s, spectrum.acceleration_g, color=colour, linewidth=0.7, alpha=0.8, label=name)
+    _mean(axes, records)
+
+
+def _mean(axes: Axes, records: tuple[RecordResult, ...]) -> None:
+    grids = {record.spectrum.period_s for record in records}
+    if len(records) < 2 or len(grids) != 1:
+        return
+    ordinates = np.array([record.spectrum.acceleration_g for record in records])
+    mean = np.exp(np.mean(np.log(np.maximum(ordinates, 1e-12)), axis=0))
+    axes.plot(records[0].spectrum.period_s, mean, color=FAIL, linewidth=1.8, linestyle="--", label="geometric mean")

@@ -1,0 +1,89 @@
+"""Which of many results decide: the worst check of a procedure, the worst history, the verdict of a mechanism."""
+
+from __future__ import annotations
+
+from math import inf
+
+from assess.codes.check import Check, Verdict
+from assess.results import ComparisonRow, HistoryResult, MechanismResult, Results, Trace
+
+
+def fell(check: Check) -> bool:
+    """Whether the check failed because there is no finite demand: the body overturned."""
+    return check.verdict == "fail" and check.demand is None
+
+
+def severity(check: Check) -> float:
+    """Demand over allowable, infinite where the body overturned, below every ratio where the check does not apply [-]."""
+    if check.verdict == "not-applicable":
+        return -1.0
+    if check.ratio is not None:
+        return check.ratio
+    return inf if check.verdict == "fail" else 0.0
+
+
+def worst(checks: tuple[Check, ...]) -> Check | None:
+    """The failing check with the largest severity, else the passing one; of equals the lowest level."""
+    ranked = sorted(checks, key=lambda check: (check.verdict != "fail", -severity(check), check.level_pga_g))
+    return ranked[0] if ranked else None
+
+
+def of_code(checks: tuple[Check, ...]) -> tuple[Check, ...]:
+    """The checks that decide: readings of a code, not informative ones."""
+    return tuple(check for check in checks if check.role == "code")
+
+
+def at_level(checks: tuple[Check, ...], level_pga_g: float) -> tuple[Check, ...]:
+    """The checks at one level [g]."""
+    return tuple(check for check in checks if check.level_pga_g == level_pga_g)
+
+
+def verdict(checks: tuple[Check, ...]) -> Verdict:
+    """One verdict of several checks that decide: fail if any fails, pass if any passes."""
+    found = {check.verdict for check in of_code(checks)}
+    return "fail" if "fail" in found else "pass" if "pass" in found else "not-applicable"
+
+
+def levels(checks: tuple[Check, ...]) -> tuple[float, ...]:
+    """The levels of the checks [g], rising."""
+    return tuple(sorted({check.level_pga_g for check in checks}))
+
+
+def procedures(results: Results) -> tuple[str, ...]:
+    """Every procedure that was asked, in order of appearance."""
+    return tuple(dict.fromkeys(check.procedure for mechanism in results.mechanisms for check in mechanism.checks))
+
+
+def worst_per_procedure(mechanism: MechanismResult) -> tuple[Check, ...]:
+    """For each procedure and limit state the check that governs, in order of appearance."""
+    keys = dict.fromkeys((check.procedure, check.limit_state) for check in mechanism.checks)
+    groups = (tuple(c for c in mechanism.checks if (c.procedure, c.limit_state) == key) for key in keys)
+    return tuple(check for check in map(worst, groups) if check is not None)
+
+
+def history(mechanism: MechanismResult) -> tuple[HistoryResult, Trace] | None:
+    """The worst history with a trace: overturned before standing, then the largest rotation; None without traces."""
+    traced = [(history, history.trace) for history in mechanism.histories if history.trace is not None]
+    if not traced:
+        return None
+    return max(traced, key=lambda pair: (pair[0].overturned, abs(pair[0].max_rotation_ratio or 0.0)))
+
+
+def allowable(mechanism: MechanismResult, level_pga_g: float) -> float | None:
+    """Allowable rotation / phi_ov [-] of the mechanism's history procedure at a level; None without one."""
+    checks = at_level(mechanism.checks, level_pga_g)
+    found = (check.capacity_rotation_ratio for check in checks if check.procedure.endswith("-history"))
+    return next((ratio for ratio in found if ratio is not None), None)
+
+
+def check_of(results: Results, row: ComparisonRow) -> Check | None:
+    """The worst check behind a row of the comparison."""
+    mechanism = next((m for m in results.mechanisms if m.name == row.mechanism), None)
+    checks = () if mechanism is None else at_level(mechanism.checks, row.level_pga_g)
+    return worst(tuple(check for check in checks if check.procedure == row.procedure))
+
+
+def overturned(results: Results) -> frozenset[ComparisonRow]:
+    """The rows of the comparison where the body overturned."""
+    pairs = ((row, check_of(results, row)) for row in results.comparison)
+    return frozenset(row for row, check in pairs if check is not None and fell(check))

@@ -1,0 +1,118 @@
+"""Tables and calculation sheets on the page: column widths, captions that repeat, rows that split over pages."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from reportlab.lib.colors import HexColor
+from reportlab.platypus import Paragraph
+from reportlab.platypus import Table as Grid
+
+from reports.document import Cell, Column, Line, Sheet, Table
+from reports.lettering import shortened
+from reports.numerals import numeral, shown
+from reports.style import GRID, INK, MUTED
+from reports.typeset import STYLES, formula, markup, paragraph, width_of
+
+LONGEST = 220  # characters in a cell; the whole text stands in the CSV file and the spreadsheet
+_LONGEST_STEP = 700
+_PADDING, _NARROW, _WIDE = 5.0, 112.0, 240.0
+_SHARES = (0.13, 0.35, 0.35, 0.17)
+_VERDICTS = {"pass": "pass", "fail": "fail", "overturned": "fail"}
+_LOOK: list[Any] = [
+    ("VALIGN", (0, 0), (-1, -1), "TOP"),
+    ("LEFTPADDING", (0, 0), (-1, -1), _PADDING / 2),
+    ("RIGHTPADDING", (0, 0), (-1, -1), _PADDING / 2),
+    ("TOPPADDING", (0, 0), (-1, -1), 1.6),
+    ("BOTTOMPADDING", (0, 0), (-1, -1), 2.2),
+    ("SPAN", (0, 0), (-1, 0)),
+    ("BOTTOMPADDING", (0, 0), (-1, 0), 4),
+    ("LEFTPADDING", (0, 0), (-1, 0), 0),
+    ("BACKGROUND", (0, 1), (-1, 1), HexColor("#edf0f3")),
+    ("LINEABOVE", (0, 1), (-1, 1), 0.8, HexColor(INK)),
+    ("LINEBELOW", (0, 1), (-1, 1), 0.5, HexColor(MUTED)),
+    ("LINEBELOW", (0, 2), (-1, -1), 0.3, HexColor(GRID)),
+    ("NOSPLIT", (0, 0), (-1, 3)),
+    ("NOSPLIT", (0, -3), (-1, -1)),
+    ("LINEBELOW", (0, -1), (-1, -1), 0.5, HexColor(MUTED)),
+]
+
+
+def table_grid(table: Table, *, title: str, width: float) -> Grid:
+    """A table under its caption, `width` [pt] wide or as narrow as its text; caption and head repeat on each page."""
+    texts = [[_text(cell, column) for cell, column in zip(row, table.columns, strict=True)] for row in table.rows]
+    widths = column_widths(table.columns, texts, width)
+    body = [
+        [
+            _cell(raw, text, column, muted=place in table.muted)
+            for raw, text, column in zip(row, line, table.columns, strict=True)
+        ]
+        for place, (row, line) in enumerate(zip(table.rows, texts, strict=True))
+    ]
+    head = [paragraph(c.heading, "head-number" if c.kind == "number" else "head") for c in table.columns]
+    return _grid(f"{title}. {table.caption}", [head, *body], widths)
+
+
+def sheet_grid(sheet: Sheet, *, title: str, width: float) -> Grid:
+    """A calculation sheet: symbol; meaning and clause; formula and numbers; value and unit."""
+    head = [paragraph(text, "head") for text in ("Symbol", "Meaning; clause", "Formula; numbers", "Value")]
+    body = [_step(line) for line in sheet.lines]
+    return _grid(f"{title}. {sheet.caption}", [head, *body], [share * width for share in _SHARES])
+
+
+def column_widths(columns: tuple[Column, ...], texts: list[list[str]], width: float) -> list[float]:
+    """Widths [pt] that keep words whole where there is room, and add up to no more than `width`."""
+    least, natural = [], []
+    for place, column in enumerate(columns):
+        found = {line[place] for line in texts}
+        words = [width_of(word, "head") for word in column.heading.split()]
+        lines = [width_of(line, "head") for line in found]
+        inside = [width_of(word, "head") for line in found for word in line.split()]
+        least.append(_PADDING + 1 + max([*words, min(_NARROW, max(inside, default=0.0))]))
+        head = 0.6 * width_of(column.heading, "head")
+        natural.append(max(least[-1], _PADDING + 1 + min(_WIDE, max([head, *lines]))))
+    return _shared(least, natural, width)
+
+
+def _shared(least: list[float], natural: list[float], width: float) -> list[float]:
+    if sum(natural) <= width:
+        return [value * min(1.25, width / sum(natural)) for value in natural]
+    if sum(least) >= width:
+        return [value * width / sum(least) for value in least]
+    spare = (width - sum(least)) / (sum(natural) - sum(least))
+    return [low + spare * (high - low) for low, high in zip(least, natural, strict=True)]
+
+
+def _grid(caption: str, rows: list[list[Paragraph]], widths: list[float]) -> Grid:
+    first: list[Paragraph | str] = [paragraph(shortened(caption, 400), "caption"), *[""] * (len(widths) - 1)]
+    grid = Grid([first, *rows], colWidths=widths, repeatRows=2, hAlign="LEFT", spaceBefore=4, spaceAfter=11)
+    grid.setStyle(_LOOK)
+    return grid
+
+
+def _text(cell: Cell, column: Column) -> str:
+    return shortened(shown(cell, column.kind), LONGEST)
+
+
+def _cell(raw: Cell, text: str, column: Column, *, muted: bool) -> Paragraph:
+    verdict = _VERDICTS.get(raw) if isinstance(raw, str) and column.kind in ("verdict", "number") else None
+    right = column.kind == "number"
+    if muted:
+        return paragraph(text, "muted-number" if right else "muted")
+    if verdict is not None and not right:
+        return paragraph(text, verdict)
+    return paragraph(text, "number" if right else "cell")
+
+
+def _step(line: Line) -> list[Paragraph]:
+    clause = f'<br/><font color="{MUTED}">{_markup(line.clause)}</font>' if line.clause else ""
+    numbers = f"<br/>= {_markup(line.substituted)}" if line.substituted else ""
+    unit = "" if line.unit == "-" else f" {_markup(line.unit)}"
+    value = "—" if line.value is None else f"{numeral(line.value, digits=4)}{unit}"
+    what = (formula(line.symbol), f"{_markup(line.description)}{clause}")
+    how = (f"{formula(shortened(line.formula, _LONGEST_STEP))}{numbers}", value)
+    return [Paragraph(cell, STYLES["cell"]) for cell in (*what, *how)]
+
+
+def _markup(text: str) -> str:
+    return markup(shortened(text, _LONGEST_STEP))

@@ -1,0 +1,47 @@
+"""Numbers as an engineer writes them."""
+
+from __future__ import annotations
+
+import json
+from math import floor, isfinite, log10
+
+from reports.document import Cell, Kind
+
+_SUPERSCRIPT = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+
+def numeral(value: float, *, digits: int = 3) -> str:
+    """`value` to `digits` significant figures: 0.100, 12.3, 45700, 1.23×10⁶."""
+    if value == 0 or not isfinite(value):
+        return "0" if value == 0 else {"inf": "∞", "-inf": "−∞", "nan": "not a number"}[str(float(value))]
+    mantissa, exponent = f"{value:.{digits - 1}e}".split("e")
+    if not -3 <= int(exponent) < 5:
+        return f"{mantissa}×10{str(int(exponent)).translate(_SUPERSCRIPT)}".replace("-", "−")
+    rounded = float(f"{mantissa}e{exponent}")
+    decimals = max(0, digits - 1 - floor(log10(abs(rounded)) + 1e-12))
+    return f"{rounded:.{decimals}f}".replace("-", "−")
+
+
+def given(value: float) -> str:
+    """`value` with the figures it was given with, at most ten."""
+    return f"{value:.10g}".replace("-", "−")
+
+
+def shown(cell: Cell, kind: Kind) -> str:
+    """The text of a cell; a dash where there is no value."""
+    if cell is None or cell == "":
+        return "—"
+    if isinstance(cell, bool):
+        return "yes" if cell else "no"
+    if isinstance(cell, int):
+        return str(cell)
+    if isinstance(cell, float):
+        return given(cell) if kind == "given" else numeral(cell)
+    return cell
+
+
+def as_cell(value: object) -> Cell:
+    """Any resolved value as one cell: a number stays a number, lists and tables become one line of text."""
+    if value is None or isinstance(value, bool | int | float | str):
+        return value
+    return json.dumps(value, ensure_ascii=False, default=str)

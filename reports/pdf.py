@@ -1,0 +1,139 @@
+"""The document as a PDF to sign: the same document gives the same bytes."""
+
+from __future__ import annotations
+
+from functools import singledispatchmethod
+from pathlib import Path
+
+from reportlab.lib.colors import HexColor
+from reportlab.lib.units import mm
+from reportlab.platypus import CondPageBreak, Flowable, KeepTogether, PageBreak, Paragraph, Spacer
+from reportlab.platypus import Table as Grid
+
+from reports.document import Block, Document, Figure, Items, Section, Sheet, Signatures, Table, Text
+from reports.grid import sheet_grid, table_grid
+from reports.lettering import shortened
+from reports.page import Heading, Pages, contents
+from reports.style import GRID, MUTED
+from reports.typeset import BOLD, REGULAR, STYLES, markup, paragraph, register_fonts
+from reports.vector import Traced, replay, trace
+
+_LONGEST_TITLE = 120
+_ROOM, _FIGURE_ROOM = 50 * mm, 118 * mm  # a heading needs below it, or the page breaks
+
+
+class Drawing(Flowable):
+    """A traced figure on the page."""
+
+    def __init__(self, traced: Traced, width: float) -> None:
+        super().__init__()
+        self.traced, self.factor = traced, min(1.0, width / traced.width)
+        self.hAlign = "CENTER"
+
+    def wrap(self, aW: float, aH: float) -> tuple[float, float]:
+        return self.traced.width * self.factor, self.traced.height * self.factor
+
+    def draw(self) -> None:
+        self.canv.scale(self.factor, self.factor)
+        replay(self.traced, self.canv, font=REGULAR, bold=BOLD)
+
+
+class Story:
+    """The flowables of a document, with figures, tables and sheets numbered as they come."""
+
+    def __init__(self, document: Document, width: float) -> None:
+        self.document, self.width = document, width
+        self.numbers = {"Figure": 0, "Table": 0, "Sheet": 0}
+
+    def flowables(self) -> list[Flowable]:
+        """Title block and opening section, contents, then everything else."""
+        opening, rest = self.document.sections[:1], self.document.sections[1:]
+        story = self._title()
+        for place, section in enumerate(opening):
+            story += self._section(section, f"section-{place}")
+        story += [PageBreak(), Paragraph("Contents", STYLES["heading-0"]), contents(), PageBreak()]
+        for place, section in enumerate(rest, start=len(opening)):
+            fresh = section.starts_page and place > len(opening)
+            story += [PageBreak()] if fresh else []
+            story += self._section(section, f"section-{place}")
+        return story
+
+    def _title(self) -> list[Flowable]:
+        facts = [
+            [paragraph(label, "muted"), paragraph(shortened(text, 160), "cell")] for label, text in self.document.facts
+        ]
+        block: list[Flowable] = [
+            paragraph(shortened(self.document.title, _LONGEST_TITLE), "title"),
+            paragraph(self.document.subject, "subject"),
+        ]
+        if facts:
+            grid = Grid(facts, colWidths=[32 * mm, self.width - 32 * mm], hAlign="LEFT", spaceAfter=6)
+            grid.setStyle([("LINEABOVE", (0, 0), (-1, 0), 0.6, HexColor(GRID)), *_TIGHT])
+            block.append(grid)
+        return block
+
+    def _section(self, section: Section, key: str) -> list[Flowable]:
+        blocks = [self._block(block) for block in section.blocks]
+        room = _FIGURE_ROOM if isinstance(section.blocks[0], Figure) else _ROOM
+        heading = Heading(section.title, level=section.level, key=key)
+        made: list[Flowable] = [CondPageBreak(room), heading]
+        return made + [flowable for block in blocks for flowable in block]
+
+    @singledispatchmethod
+    def _block(self, block: Block) -> list[Flowable]:
+        raise TypeError(f"{type(block).__name__}: not a block of a document")
+
+    @_block.register
+    def _(self, block: Text) -> list[Flowable]:
+        return [paragraph(text, "body") for text in block.paragraphs]
+
+    @_block.register
+    def _(self, block: Items) -> list[Flowable]:
+        return [Paragraph(markup(text), STYLES["item"], bulletText="•") for text in block.points]
+
+    @_block.register
+    def _(self, block: Table) -> list[Flowable]:
+        return [CondPageBreak(28 * mm), table_grid(block, title=self._number("Table"), width=self.width)]
+
+    @_block.register
+    def _(self, block: Sheet) -> list[Flowable]:
+        return [CondPageBreak(40 * mm), sheet_grid(block, title=self._number("Sheet"), width=self.width)]
+
+    @_block.register
+    def _(self, block: Figure) -> list[Flowable]:
+        caption = paragraph(f"{self._number('Figure')}. {shortened(block.caption, 500)}", "caption")
+        return [KeepTogether([Drawing(trace(block.draw()), self.width), Spacer(1, 3), caption, Spacer(1, 9)])]
+
+    @_block.register
+    def _(self, block: Signatures) -> list[Flowable]:
+        rows = [
+            [paragraph(role, "muted"), paragraph(shortened(name, 60), "cell"), "", ""] for role, name in block.places
+        ]
+        labels = [paragraph(text, "muted") for text in ("", "Name", "Signature", "Place and date")]
+        grid = Grid(
+            [labels, *rows],
+            colWidths=[0.14 * self.width, *[0.2867 * self.width] * 3],
+            rowHeights=[16, *[42] * len(rows)],
+        )
+        grid.setStyle([("LINEBELOW", (1, 1), (-1, -1), 0.6, HexColor(MUTED)), ("VALIGN", (0, 0), (-1, -1), "BOTTOM")])
+        return [KeepTogether([grid])]
+
+    def _number(self, kind: str) -> str:
+        self.numbers[kind] += 1
+        return f"{kind} {self.numbers[kind]}"
+
+
+_TIGHT = [
+    ("LEFTPADDING", (0, 0), (0, -1), 0),
+    ("TOPPADDING", (0, 0), (-1, -1), 1.5),
+    ("BOTTOMPADDING", (0, 0), (-1, -1), 1.5),
+    ("VALIGN", (0, 0), (-1, -1), "TOP"),
+]
+
+
+def write_pdf(document: Document, path: Path) -> Path:
+    """Write the document to `path`; the path written."""
+    register_fonts()
+    pages = Pages(path, document)
+    pages.multiBuild(Story(document, pages.width).flowables())
+    return path

@@ -1,0 +1,142 @@
+"""What the report says in words: the outcome in a sentence, and what the method cannot do."""
+
+from __future__ import annotations
+
+from assess.codes.check import Check
+from assess.results import MechanismResult, Results
+from reports import governing
+from reports.lettering import shortened
+from reports.numerals import numeral
+from reports.tables import name_of
+
+UNCHECKED = "not checked against the printed standard"
+_KINDS = {
+    "single-block": "a single rocking block",
+    "two-block": "a wall held at its top and bottom that cracks between them (two blocks)",
+    "four-hinge": "a chain of three blocks with four hinges",
+    "equivalent-block": "an equivalent block, given by its rocking parameters instead of a geometry",
+}
+
+
+def outcome(results: Results) -> tuple[str, ...]:
+    """The outcome in plain words, and what decides it."""
+    judged = [m for m in results.mechanisms if governing.verdict(m.checks) != "not-applicable"]
+    failing = [mechanism for mechanism in judged if governing.verdict(mechanism.checks) == "fail"]
+    if not judged:
+        return ("No code procedure gave a verdict; see the remarks of the procedures.",)
+    assessed = f"{_count(len(judged), 'mechanism')} assessed"
+    if not failing:
+        return (f"{assessed}: every code check that applies passes at every level.", *_silent(results))
+    first = f"{assessed}: {len(failing)} of them {_fails(failing)} at least one code check."
+    return first, *(_failure(mechanism) for mechanism in failing[:12]), *_silent(results)
+
+
+def description(mechanism: MechanismResult) -> str:
+    """One sentence on what the mechanism is and how it was analysed."""
+    sides = "rocks to both sides" if mechanism.sides == "two" else "rocks to one side only, what stands behind stops it"
+    equation = {"exact": "exact", "linearised": "linearised (thesis 3.9)"}[mechanism.equation]
+    name = "" if mechanism.label in ("", mechanism.name) else f" “{mechanism.label}”"
+    kind = _KINDS.get(mechanism.kind, mechanism.kind)
+    method = mechanism.amplification.method
+    carried = (
+        "the ground motion acts at its base" if method == "none" else f"the motion is carried up to it by {method}"
+    )
+    return (
+        f"Mechanism {mechanism.name}{name} is {kind}. It {sides}; {carried}; time histories solve the {equation} "
+        "equation of motion."
+    )
+
+
+def limits(results: Results) -> tuple[str, ...]:
+    """What the engineer must keep in mind before signing."""
+    return (*_ALWAYS, *_readings(results), *_unlike(results), *_linearised(results), *_unverified(results))
+
+
+_ALWAYS = (
+    "The bodies are rigid and move in one vertical plane. Bending and torsion of the masonry, out-of-plane coupling and "
+    "mechanisms that were not described in the project are outside this assessment: finding the mechanisms that matter "
+    "remains the engineer’s task.",
+    "Friction at the hinges is taken as sufficient: no sliding, no bouncing, no separation other than the rocking itself.",
+    "A single rocking history is not predictable: a small change of the motion or the geometry can turn a large "
+    "rotation into collapse or into rest. The statistics of many records are. Judge by the suite, not by one history.",
+    "The coefficients of restitution of the literature assume inelastic impact without bouncing, the greatest dissipation "
+    "that impact can give, which is slightly unconservative (thesis 3.3). Where tests give a value, use it.",
+    "Codes assess rocking with an equivalent linear oscillator. Their allowable rotations and equivalent periods differ; "
+    "ratios of different procedures measure different margins.",
+    "Crushing and the flexibility of the joints count only where the project gives an interface; a rigid interface of "
+    "unlimited strength overestimates the resistance of large walls of weak masonry.",
+)
+
+
+def _readings(results: Results) -> tuple[str, ...]:
+    names = dict.fromkeys(c.procedure for c in _checks(results) if c.role == "informative")
+    return (f"{_list(names)}: informative reading, shown for comparison; it never decides a verdict.",) if names else ()
+
+
+def _unlike(results: Results) -> tuple[str, ...]:
+    if len({check.input_at for check in _checks(results)}) < 2:
+        return ()
+    return (
+        "Some procedures take their input at the ground and others at the base of the mechanism; each table says which. "
+        "Their ratios are not to be compared line by line.",
+    )
+
+
+def _linearised(results: Results) -> tuple[str, ...]:
+    names = [mechanism.name for mechanism in results.mechanisms if mechanism.equation == "linearised"]
+    if not names:
+        return ()
+    return (
+        "The linearised equation of motion is used for the time histories of "
+        f"{_list(dict.fromkeys(shortened(name, 40) for name in names))}. It is accurate for slender bodies and departs "
+        "from the exact equation as the slenderness angle grows.",
+    )
+
+
+def _unverified(results: Results) -> tuple[str, ...]:
+    names = dict.fromkeys(check.procedure for check in _checks(results) if _says(check, UNCHECKED))
+    return (f"{_list(names)}: holds clauses {UNCHECKED}; the calculation sheets mark them.",) if names else ()
+
+
+def _says(check: Check, words: str) -> bool:
+    texts = (check.reason, check.edition, check.damping_rule, *(f"{s.clause} {s.description}" for s in check.steps))
+    return any(words in text.lower() for text in texts)
+
+
+def _failure(mechanism: MechanismResult) -> str:
+    failing = tuple(check for check in governing.of_code(mechanism.checks) if check.verdict == "fail")
+    worst = governing.worst(failing)
+    first = min(check.level_pga_g for check in failing)
+    start = f"{shortened(name_of(mechanism), 60)} fails from PGA {first:.3g} g"
+    beyond = dict.fromkeys(check.procedure for check in failing if governing.fell(check))
+    if beyond:
+        return f"{start} and overturns, according to {_list(beyond)}."
+    if worst is None or worst.ratio is None:
+        return f"{start}."
+    return (
+        f"{start}; the largest demand is {numeral(worst.ratio)} times the allowable, by {worst.procedure} at PGA "
+        f"{worst.level_pga_g:.3g} g."
+    )
+
+
+def _silent(results: Results) -> tuple[str, ...]:
+    silent = [m for m in results.mechanisms if governing.verdict(m.checks) == "not-applicable"]
+    names = _list(dict.fromkeys(shortened(name_of(mechanism), 40) for mechanism in silent))
+    return (f"No code procedure gave a verdict for {names}.",) if silent else ()
+
+
+def _checks(results: Results) -> list[Check]:
+    return [check for mechanism in results.mechanisms for check in mechanism.checks]
+
+
+def _fails(failing: list[MechanismResult]) -> str:
+    return "fails" if len(failing) == 1 else "fail"
+
+
+def _count(number: int, noun: str) -> str:
+    return f"{number} {noun}{'' if number == 1 else 's'}"
+
+
+def _list(names: dict[str, None]) -> str:
+    every = list(names)
+    return f"{', '.join(every[:-1])} and {every[-1]}" if len(every) > 1 else "".join(every)

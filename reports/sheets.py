@@ -1,0 +1,26 @@
+"""The calculation sheets: every step of a procedure, as it computed it."""
+
+from __future__ import annotations
+
+from assess.codes.check import Check
+from reports.document import Column, Line, Sheet, Table
+
+_COLUMNS = ("Symbol", "Description", "Clause", "Formula", "Substituted")
+
+
+def sheet(check: Check, *, name: str, mechanism: str) -> Sheet:
+    """The steps of one check, at its level."""
+    lines = tuple(
+        Line(s.symbol, s.description, s.clause, s.formula, s.substituted, s.value, s.unit) for s in check.steps
+    )
+    state = f", limit state {check.limit_state}" if check.limit_state else ""
+    reading = " — informative reading" if check.role == "informative" else ""
+    what = f"{check.procedure} ({check.edition}){state}, {check.branch} branch"
+    return Sheet(name, f"{mechanism}: {what}, at PGA {check.level_pga_g:.3g} g: {check.verdict}{reading}.", lines)
+
+
+def as_table(sheet: Sheet) -> Table:
+    """A calculation sheet as a plain table, for the spreadsheet and the CSV files."""
+    columns = (*(Column(label) for label in _COLUMNS), Column("Value", kind="number"), Column("Unit"))
+    rows = tuple((s.symbol, s.description, s.clause, s.formula, s.substituted, s.value, s.unit) for s in sheet.lines)
+    return Table(sheet.name, sheet.caption, columns, rows)

@@ -1,0 +1,100 @@
+"""One look for all figures: letters, line widths, and a colour for each procedure that the colour-blind can tell apart.
+
+Colours after Okabe and Ito (2008). A procedure has the same colour and line in every figure; informative readings
+are dashed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from typing import Any
+
+import matplotlib
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+
+from reports.lettering import FAMILY, printable, shortened
+
+WIDTH = 6.7  # of the text on the page [in]
+INK, MUTED, GRID = "#1b2733", "#6b7680", "#d7dce1"
+PASS, FAIL = "#00694c", "#b3380e"
+STONE, STONE_EDGE = "#d9cdb8", "#6f6350"
+
+_RC: dict[Any, Any] = {
+    "font.family": [FAMILY],
+    "font.size": 7.5,
+    "axes.titlesize": 8,
+    "axes.labelsize": 7.5,
+    "axes.linewidth": 0.6,
+    "axes.edgecolor": MUTED,
+    "axes.labelcolor": INK,
+    "axes.grid": True,
+    "axes.axisbelow": True,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.formatter.use_mathtext": False,
+    "axes.formatter.limits": (-4, 5),
+    "grid.color": GRID,
+    "grid.linewidth": 0.5,
+    "lines.linewidth": 1.3,
+    "legend.fontsize": 6.8,
+    "legend.frameon": False,
+    "text.color": INK,
+    "text.parse_math": False,
+    "xtick.color": INK,
+    "ytick.color": INK,
+    "xtick.labelsize": 7,
+    "ytick.labelsize": 7,
+    "svg.hashsalt": "assess",
+    "svg.fonttype": "path",
+    "figure.dpi": 72,
+}
+
+
+@dataclass(frozen=True)
+class Pen:
+    """How a procedure is drawn."""
+
+    colour: str
+    dash: str
+    marker: str
+
+
+PROCEDURES: dict[str, Pen] = {
+    "asce43-05-spectrum": Pen("#0072b2", "-", "o"),
+    "asce43-05-spectrum-thesis": Pen("#56b4e9", "--", "o"),
+    "asce43-05-history": Pen("#000000", "-", "D"),
+    "dmi2008-linear": Pen("#e69f00", "-", "s"),
+    "dmi2008-nonlinear": Pen("#d55e00", "-", "^"),
+    "dmi2008-nonlinear-thesis": Pen("#d55e00", "--", "^"),
+    "ntc2018-linear": Pen("#cc79a7", "-", "s"),
+    "ntc2018-nonlinear": Pen("#009e73", "-", "v"),
+    "ntc2018-history": Pen("#6b4c9a", "-.", "D"),
+}
+_OTHER = Pen(MUTED, ":", "x")
+
+
+def pen(procedure: str) -> Pen:
+    """The pen of `procedure`; grey and dotted for one this table does not know."""
+    return PROCEDURES.get(procedure, _OTHER)
+
+
+@contextmanager
+def styled() -> Iterator[None]:
+    """Within it, figures are made and drawn in the report's style."""
+    with matplotlib.rc_context(_RC):
+        yield
+
+
+def sheet(height: float, *, width: float = WIDTH) -> Figure:
+    """An empty figure of `width` x `height` [in] that lays itself out; made within `styled`."""
+    figure = Figure(figsize=(width, height), layout="constrained")
+    FigureCanvasAgg(figure)
+    return figure
+
+
+def label(text: str, limit: int = 40) -> str:
+    """User text as it may stand in a figure: printable, and no longer than `limit` characters."""
+    return shortened(printable(text), limit)

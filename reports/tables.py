@@ -1,0 +1,362 @@
+"""The tables of the assessment: every number is taken from the results as it stands there."""
+
+from __future__ import annotations
+
+from assess.codes.check import Check
+from assess.results import (
+    BranchCurve,
+    ComparisonRow,
+    HistoryResult,
+    MechanismResult,
+    OscillatorResult,
+    RecordSpectrum,
+    Results,
+    SpectrumResult,
+)
+from reports import governing
+from reports.document import Cell, Column, Table
+from reports.numerals import as_cell
+
+OVERTURNED, NO_ROCKING = "overturned", "no rocking"
+_MECHANISM, _LEVEL, _PROCEDURE = Column("Mechanism"), Column("PGA", "g", "number"), Column("Procedure")
+
+PARAMETERS: tuple[tuple[str, str, str], ...] = (
+    ("mass_kg", "Moved mass, M", "kg"),
+    ("inertia_kg_m2", "Moment of inertia about the hinge, I", "kg m²"),
+    ("radius_m", "Radius of the equivalent block, R", "m"),
+    ("slenderness_rad", "Slenderness of the equivalent block, α", "rad"),
+    ("p_eq_per_s", "Frequency parameter, p", "1/s"),
+    ("uplift_multiplier", "Load multiplier at uplift, λ", "-"),
+    ("overturning_rad", "Overturning rotation, rigid, φₒᵥ", "rad"),
+    ("overturning_flexible_rad", "Overturning rotation with its interface", "rad"),
+    ("critical_rad", "Rotation about which the equation is linearised", "rad"),
+    ("equilibrium_rad", "Rotation at rest", "rad"),
+    ("restitution", "Coefficient of restitution, η", "-"),
+)
+
+
+def name_of(mechanism: MechanismResult) -> str:
+    """What the mechanism is called in the report: its label, or its name."""
+    return mechanism.label or mechanism.name
+
+
+def brief(results: Results) -> Table:
+    """One line per mechanism and level: the verdict of each procedure that decides, the largest ratio and whose it is."""
+    deciding = dict.fromkeys(c.procedure for m in results.mechanisms for c in governing.of_code(m.checks))
+    columns = (_MECHANISM, _LEVEL, *(Column(name, kind="verdict") for name in deciding))
+    columns += (Column("Largest ratio", "-", "number"), Column("Verdict", kind="verdict"))
+    rows: list[tuple[Cell, ...]] = []
+    for mechanism in results.mechanisms:
+        for level in governing.levels(mechanism.checks):
+            checks = governing.of_code(governing.at_level(mechanism.checks, level))
+            each = (governing.verdict(tuple(c for c in checks if c.procedure == name)) for name in deciding)
+            asked = {check.procedure for check in checks}
+            cells = tuple(v if name in asked else None for name, v in zip(deciding, each, strict=True))
+            rows.append((name_of(mechanism), level, *cells, _largest(checks), governing.verdict(checks)))
+    caption = "Verdicts of the code procedures; the largest ratio is demand over allowable of the worst of them."
+    return Table("summary", caption, columns, tuple(rows))
+
+
+def verdicts(results: Results) -> Table:
+    """Every check of every mechanism: demand, allowable, ratio, verdict."""
+    pairs = [(mechanism, check) for mechanism in results.mechanisms for check in mechanism.checks]
+    columns = (
+        _MECHANISM,
+        _LEVEL,
+        _PROCEDURE,
+        Column("Quantity, unit"),
+        Column("Demand", kind="number"),
+        Column("Allowable", kind="number"),
+        Column("Ratio", "-", "number"),
+        Column("Verdict", kind="verdict"),
+        Column("Role"),
+        Column("Input at"),
+    )
+    rows = tuple((name_of(mechanism), check.level_pga_g, *_answer(check)) for mechanism, check in pairs)
+    muted = frozenset(place for place, (_, check) in enumerate(pairs) if check.role == "informative")
+    caption = "Demand, allowable, ratio and verdict of every check. Informative readings (grey) decide nothing."
+    return Table("verdicts", caption, columns, rows, muted)
+
+
+def inputs(results: Results) -> Table:
+    """The files that were read."""
+    rows = tuple((each.path, each.sha256) for each in results.inputs)
+    return Table("inputs", "Files read, and their SHA-256.", (Column("File"), Column("SHA-256")), rows)
+
+
+def assumptions(results: Results) -> Table:
+    """Every value of the project as it was used."""
+    columns = (Column("Key"), Column("Value (SI)", kind="given"), Column("Source"))
+    rows = tuple(
+        (key, as_cell(each.value), "given" if each.given else "default") for key, each in results.project.items()
+    )
+    muted = frozenset(place for place, each in enumerate(results.project.values()) if not each.given)
+    caption = "Every value of the project file as it was used, in SI units; defaults (grey) were not given by the user."
+    return Table("assumptions", caption, columns, rows, muted)
+
+
+def warnings(results: Results) -> Table:
+    """What the engineer should know."""
+    rows = tuple((each.code, each.where, each.text) for each in results.warnings)
+    return Table("warnings", "Warnings of this run.", (Column("Code"), Column("Where"), Column("What")), rows)
+
+
+def procedures(results: Results) -> Table:
+    """Each procedure with its edition, role, damping and where its input acts, once."""
+    checks = (check for mechanism in results.mechanisms for check in mechanism.checks)
+    rows = dict.fromkeys(
+        (check.procedure, check.edition, check.role, check.input_at, check.damping_rule) for check in checks
+    )
+    columns = (_PROCEDURE, Column("Edition"), Column("Role"), Column("Input at"), Column("Damping"))
+    return Table("procedures", "Procedures, their editions and roles.", columns, tuple(rows))
+
+
+def site(results: Results) -> Table:
+    """What the site's spectrum was made from."""
+    spectrum = results.spectrum
+    rows: tuple[tuple[Cell, ...], ...] = ()
+    if spectrum is not None:
+        rows = (
+            ("code", spectrum.code),
+            ("clause", spectrum.clause),
+            *spectrum.parameters.items(),
+            ("damping ratio", spectrum.damping),
+            ("other damping", spectrum.damping_rule),
+            ("peak ground acceleration, Sₐ(0) [g]", spectrum.pga_g),
+        )
+    columns = (Column("Parameter (SI)"), Column("Value", kind="given"))
+    return Table("site", "The site's elastic response spectrum.", columns, rows)
+
+
+def records(results: Results) -> Table:
+    """The records as scaled to the site's spectrum."""
+    columns = (
+        Column("Record"),
+        Column("Event"),
+        Column("Station"),
+        Column("Component"),
+        Column("Step", "s", "given"),
+        Column("Samples", kind="number"),
+        Column("Scale factor", "-", "number"),
+        Column("PGA, scaled", "g", "number"),
+        Column("Misfit", "-", "number"),
+    )
+    rows = tuple(
+        (r.id, r.event, r.station, r.component, r.dt_s, r.npts, r.scale_factor, r.pga_g, r.mse) for r in results.records
+    )
+    caption = (
+        "Records, scaled to the site's spectrum. Misfit: mean squared difference of the logarithms of the ordinates."
+    )
+    return Table("records", caption, columns, rows)
+
+
+def trails(results: Results) -> Table:
+    """What was done to each record."""
+    columns = (Column("Record"), Column("File"), Column("Processing, in order"))
+    rows = tuple((record.id, record.path, "; ".join(record.trail)) for record in results.records)
+    return Table("processing", "Origin and processing of the records.", columns, rows)
+
+
+def parameters(mechanism: MechanismResult, *, name: str) -> Table:
+    """The rocking parameters of both branches."""
+    columns = (
+        Column("Parameter"),
+        Column("Unit"),
+        Column("Positive", kind="number"),
+        Column("Negative", kind="number"),
+    )
+    rows = tuple(
+        (label, unit, *(_parameter(branch, key) for branch in (mechanism.oscillator, mechanism.oscillator_negative)))
+        for key, label, unit in PARAMETERS
+    )
+    one_sided = "" if mechanism.oscillator_negative is not None else " It rocks to one side only: no negative branch."
+    return Table(name, f"Rocking parameters of each branch (direction of rotation).{one_sided}", columns, rows)
+
+
+def demands(mechanism: MechanismResult, *, name: str) -> Table:
+    """Every check of one mechanism as rotations and accelerations."""
+    columns = (
+        _LEVEL,
+        _PROCEDURE,
+        Column("Branch"),
+        Column("Rotation φ/φₒᵥ", "-", "number"),
+        Column("Allowable φ/φₒᵥ", "-", "number"),
+        Column("PGA at uplift", "g", "number"),
+        Column("PGA at capacity", "g", "number"),
+        Column("Damping ratio", "-", "number"),
+        Column("Demand / allowable", "-", "number"),
+        Column("Verdict", kind="verdict"),
+    )
+    rows = tuple(_demand(check) for check in mechanism.checks)
+    muted = frozenset(place for place, check in enumerate(mechanism.checks) if check.role == "informative")
+    return Table(name, "Demand and capacity as rotation and as peak ground acceleration.", columns, rows, muted)
+
+
+def reasons(mechanism: MechanismResult, *, name: str) -> Table:
+    """Why each check ended as it did, for the checks that say so."""
+    columns = (_PROCEDURE, Column("PGA", "g", "number"), Column("Verdict", kind="verdict"), Column("Reason"))
+    rows = tuple((c.procedure, c.level_pga_g, c.verdict, c.reason) for c in mechanism.checks if c.reason)
+    return Table(name, "Remarks of the procedures.", columns, rows)
+
+
+def suites(mechanism: MechanismResult, *, name: str) -> Table:
+    """The record suite at each level."""
+    columns = (
+        _LEVEL,
+        Column("Records", kind="number"),
+        Column("Overturned", kind="number"),
+        Column("Mean φ/φₒᵥ", "-", "number"),
+        Column("Largest φ/φₒᵥ of those that stood", "-", "number"),
+    )
+    rows = tuple(
+        (s.level_pga_g, s.n, s.overturned, _mean(s.mean_ratio, s.overturned), s.max_ratio) for s in mechanism.suites
+    )
+    return Table(name, "Time histories: the suite of records at each level, the worse polarity of each.", columns, rows)
+
+
+def histories(mechanism: MechanismResult, *, name: str) -> Table:
+    """The largest response to each record at each level."""
+    columns = (
+        Column("Record"),
+        _LEVEL,
+        Column("Polarity", kind="number"),
+        Column("Scale factor", "-", "number"),
+        Column("Amplification", "-", "number"),
+        Column("Largest φ", "rad", "number"),
+        Column("Largest φ/φₒᵥ", "-", "number"),
+        Column("At", "s", "number"),
+        Column("Impacts", kind="number"),
+        Column("Overturns at", "s", "number"),
+    )
+    rows = tuple(_history(history) for history in mechanism.histories)
+    return Table(name, "Time histories: the largest response to each record, in the worse polarity.", columns, rows)
+
+
+def comparison(results: Results) -> Table:
+    """All mechanisms by all procedures."""
+    columns = (
+        _MECHANISM,
+        _LEVEL,
+        _PROCEDURE,
+        Column("Rotation φ/φₒᵥ", "-", "number"),
+        Column("Allowable φ/φₒᵥ", "-", "number"),
+        Column("Demand / capacity", "-", "number"),
+        Column("Input at"),
+    )
+    names = {mechanism.name: name_of(mechanism) for mechanism in results.mechanisms}
+    beyond = governing.overturned(results)
+    rows = tuple(_compared(results, row, names, row in beyond) for row in results.comparison)
+    caption = "Demand and capacity of all mechanisms. Compare only lines with the same input."
+    return Table("comparison", caption, columns, rows)
+
+
+def ordinates(results: Results) -> Table:
+    """The spectra of the target and the records, point by point."""
+    columns = (Column("Series"), Column("Period", "s", "number"), Column("Acceleration", "g", "number"))
+    curves: list[tuple[str, SpectrumResult | RecordSpectrum]] = []
+    curves += [("target", results.spectrum)] if results.spectrum is not None else []
+    curves += [(record.id, record.spectrum) for record in results.records]
+    rows = tuple(
+        (name, period, value)
+        for name, curve in curves
+        for period, value in zip(curve.period_s, curve.acceleration_g, strict=True)
+    )
+    return Table("spectra", "Elastic response spectra, target and records.", columns, rows)
+
+
+def curves(results: Results) -> Table:
+    """The capacity curves of every mechanism, point by point."""
+    columns = (
+        _MECHANISM,
+        Column("Branch"),
+        Column("Rotation", "rad", "number"),
+        Column("Inertia", "kg m²", "number"),
+        Column("Restoring moment", "N m", "number"),
+        Column("Excitation", "kg m", "number"),
+        Column("Participating mass", "kg", "number"),
+        Column("Displacement", "m", "number"),
+    )
+    rows: list[tuple[Cell, ...]] = []
+    for mechanism in results.mechanisms:
+        rows += [(mechanism.name, "positive", *point) for point in _points(mechanism.curve.positive)]
+        if mechanism.curve.negative is not None:
+            rows += [(mechanism.name, "negative", *point) for point in _points(mechanism.curve.negative)]
+    return Table("capacity-curves", "Capacity curves of both branches.", columns, tuple(rows))
+
+
+def pga_curves(results: Results) -> Table:
+    """The PGA-rotation curves of every mechanism and procedure, point by point."""
+    columns = (_MECHANISM, _PROCEDURE, Column("Limit state"), Column("Rotation φ/φₒᵥ", "-", "number"), _LEVEL)
+    rows = tuple(
+        (mechanism.name, check.procedure, check.limit_state, ratio, pga)
+        for mechanism in results.mechanisms
+        for check in _curved(mechanism.checks)
+        for ratio, pga in zip(check.pga_curve.rotation_ratio, check.pga_curve.pga_g, strict=True)
+    )
+    return Table("pga-rotation-curves", "Peak ground acceleration over rotation, by each procedure.", columns, rows)
+
+
+def _curved(checks: tuple[Check, ...]) -> tuple[Check, ...]:
+    first: dict[tuple[str, str], Check] = {}
+    for check in checks:
+        first.setdefault((check.procedure, check.limit_state), check)
+    return tuple(first.values())
+
+
+def _points(curve: BranchCurve) -> list[tuple[float, ...]]:
+    quantities = (curve.inertia_kg_m2, curve.restoring_n_m, curve.excitation_kg_m)
+    return list(zip(curve.rotation_rad, *quantities, curve.participating_mass_kg, curve.displacement_m, strict=True))
+
+
+def _largest(checks: tuple[Check, ...]) -> Cell:
+    worst = governing.worst(checks)
+    if worst is None:
+        return None
+    return OVERTURNED if governing.fell(worst) else worst.ratio
+
+
+def _answer(check: Check) -> tuple[Cell, ...]:
+    quantity = f"{check.quantity}, {check.unit}" if check.unit not in ("", "-") else check.quantity
+    demand = OVERTURNED if governing.fell(check) else check.demand
+    numbers = (demand, check.capacity, check.ratio)
+    return (_named(check), quantity, *numbers, check.verdict, check.role, check.input_at)
+
+
+def _named(check: Check) -> str:
+    return f"{check.procedure} {check.limit_state}".strip()
+
+
+def _demand(check: Check) -> tuple[Cell, ...]:
+    rotation = OVERTURNED if governing.fell(check) else _rocking(check.rotation_ratio)
+    accelerations = (check.uplift_pga_g, check.capacity_pga_g, check.damping)
+    answer = (rotation, check.capacity_rotation_ratio, *accelerations, check.ratio, check.verdict)
+    return (check.level_pga_g, _named(check), check.branch, *answer)
+
+
+def _history(history: HistoryResult) -> tuple[Cell, ...]:
+    fell = history.overturned
+    rotation = OVERTURNED if fell else _rocking(history.max_rotation_rad)
+    ratio = OVERTURNED if fell else _rocking(history.max_rotation_ratio)
+    scaling = (history.scale_factor, history.amplification)
+    times = (history.time_of_max_s, history.impacts, history.overturning_time_s)
+    return (history.record, history.level_pga_g, history.polarity, *scaling, rotation, ratio, *times)
+
+
+def _compared(results: Results, row: ComparisonRow, names: dict[str, str], beyond: bool) -> tuple[Cell, ...]:
+    check = governing.check_of(results, row)
+    rotation = OVERTURNED if beyond else _rocking(row.rotation_ratio)
+    place = (names.get(row.mechanism, row.mechanism), row.level_pga_g, row.procedure)
+    return (*place, rotation, row.allowable_ratio, row.demand_capacity, check.input_at if check else None)
+
+
+def _mean(mean_ratio: float | None, overturned: int) -> Cell:
+    return OVERTURNED if mean_ratio is None and overturned else mean_ratio
+
+
+def _rocking(rotation: float | None) -> Cell:
+    return NO_ROCKING if rotation == 0 else rotation
+
+
+def _parameter(branch: OscillatorResult | None, key: str) -> Cell:
+    value: float | None = getattr(branch, key, None)
+    return value

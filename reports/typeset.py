@@ -1,0 +1,75 @@
+"""Fonts and paragraphs of the PDF. Text becomes reportlab markup here and only here, escaped."""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+from xml.sax.saxutils import escape
+
+from reportlab.lib.colors import HexColor
+from reportlab.lib.enums import TA_RIGHT
+from reportlab.lib.styles import ParagraphStyle
+from reportlab.pdfbase import pdfmetrics
+from reportlab.pdfbase.ttfonts import TTFont
+from reportlab.platypus import Paragraph
+
+from reports.lettering import font_file, printable
+from reports.style import FAIL, INK, MUTED, PASS
+
+REGULAR, BOLD, ITALIC = "ReportSans", "ReportSans-Bold", "ReportSans-Italic"
+_FACES = {REGULAR: "regular", BOLD: "bold", ITALIC: "italic"}
+_ROOT = ParagraphStyle("root", fontName=REGULAR, fontSize=8.3, leading=11.6, textColor=HexColor(INK), splitLongWords=1)
+_CELL = ParagraphStyle("cell", _ROOT, fontSize=6.7, leading=8.7)
+
+STYLES: dict[str, ParagraphStyle] = {
+    "body": ParagraphStyle("body", _ROOT, spaceAfter=5),
+    "item": ParagraphStyle("item", _ROOT, spaceAfter=4, leftIndent=11, bulletIndent=1),
+    "title": ParagraphStyle("title", _ROOT, fontName=BOLD, fontSize=19, leading=24, spaceAfter=3),
+    "subject": ParagraphStyle("subject", _ROOT, fontSize=10, leading=14, textColor=HexColor(MUTED), spaceAfter=9),
+    "heading-0": ParagraphStyle(
+        "heading-0", _ROOT, fontName=BOLD, fontSize=13.5, leading=17, spaceBefore=12, spaceAfter=6
+    ),
+    "heading-1": ParagraphStyle(
+        "heading-1", _ROOT, fontName=BOLD, fontSize=10.5, leading=14, spaceBefore=9, spaceAfter=4
+    ),
+    "caption": ParagraphStyle("caption", _CELL, fontSize=7.4, leading=9.6, textColor=HexColor(INK)),
+    "cell": _CELL,
+    "number": ParagraphStyle("number", _CELL, alignment=TA_RIGHT),
+    "head": ParagraphStyle("head", _CELL, fontName=BOLD),
+    "head-number": ParagraphStyle("head-number", _CELL, fontName=BOLD, alignment=TA_RIGHT),
+    "muted": ParagraphStyle("muted", _CELL, textColor=HexColor(MUTED)),
+    "muted-number": ParagraphStyle("muted-number", _CELL, textColor=HexColor(MUTED), alignment=TA_RIGHT),
+    "pass": ParagraphStyle("pass", _CELL, fontName=BOLD, textColor=HexColor(PASS)),
+    "fail": ParagraphStyle("fail", _CELL, fontName=BOLD, textColor=HexColor(FAIL)),
+}
+_INDEX = re.compile(r"(?<=[^\W\d_])_(?:\{([^{}]+)\}|([^\W_]+(?:,[^\W_]+)*))")
+_POWER = re.compile(r"\^(?:\{([^{}]+)\}|([-−]?[\w.]+))")
+
+
+@cache
+def register_fonts() -> None:
+    """Make the report's fonts known to reportlab, once."""
+    for name, face in _FACES.items():
+        pdfmetrics.registerFont(TTFont(name, str(font_file(face))))
+    pdfmetrics.registerFontFamily(REGULAR, normal=REGULAR, bold=BOLD, italic=ITALIC, boldItalic=BOLD)
+
+
+def markup(text: str) -> str:
+    """Plain text as reportlab markup that shows it letter for letter."""
+    return escape(printable(text))
+
+
+def formula(text: str) -> str:
+    """A formula as markup: x_e and x_{e,1} get their index lowered, ^2 is raised."""
+    lowered = _INDEX.sub(lambda found: f'<sub rise="1.2" size="5.2">{found[1] or found[2]}</sub>', markup(text))
+    return _POWER.sub(lambda found: f'<super rise="2.4" size="5.2">{found[1] or found[2]}</super>', lowered)
+
+
+def paragraph(text: str, style: str) -> Paragraph:
+    """Plain text as a paragraph in one of STYLES."""
+    return Paragraph(markup(text), STYLES[style])
+
+
+def width_of(text: str, style: str) -> float:
+    """Width of one line of text [pt]."""
+    return pdfmetrics.stringWidth(printable(text), STYLES[style].fontName, STYLES[style].fontSize)

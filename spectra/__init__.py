@@ -1,0 +1,1 @@
+"""What the ground demands: design spectra of the codes, and how they change with damping."""

@@ -1,0 +1,154 @@
+"""Text files of two columns of numbers with their units in the header: `period [s], acceleration [g]`.
+
+Columns are separated by semicolons, tabs, commas or blanks; with semicolons a decimal comma is understood. Blank
+lines and lines that begin with # are skipped. Spectrum tables and record files are both read through here.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.constants import g
+
+FloatArray = NDArray[np.float64]
+
+TIME_UNITS: Mapping[str, float] = {"s": 1.0, "ms": 1e-3}
+ACCELERATION_UNITS: Mapping[str, float] = {"m/s2": 1.0, "g": g, "cm/s2": 0.01, "gal": 0.01, "mm/s2": 1e-3}
+
+SEPARATORS = (";", "\t", ",")
+BRACKETS = re.compile(r"\[([^\]]*)\]|\(([^)]*)\)")
+CONTROL = re.compile(r"[\x00-\x08\x0e-\x1f\x7f]")
+
+
+class ColumnError(ValueError):
+    """A file of columns cannot be read; the text says which file and line, what is wrong and the remedy."""
+
+
+@dataclass(frozen=True)
+class Columns:
+    """The two columns of a file.
+
+    header : label of each column as written, "" where the file has no header
+    values : one row for each line of numbers, as written [n, 2]
+    """
+
+    header: tuple[str, str]
+    values: FloatArray
+
+    @property
+    def units(self) -> tuple[str | None, str | None]:
+        """What stands in brackets in each label, None where nothing does."""
+        return unit_of(self.header[0]), unit_of(self.header[1])
+
+
+def read_columns(path: Path) -> Columns:
+    """The header and the numbers of the file at `path`.
+
+    Raises ColumnError for a file that is empty, is not text, has a line that is not two numbers, or no numbers.
+    """
+    lines = _lines(decode(path.read_bytes(), where=str(path)))
+    if not lines:
+        raise ColumnError(f"{path}: the file is empty; two columns of numbers are expected")
+    separator = separator_of(lines[0][1])
+    first = split(lines[0][1], separator)
+    header = ("", "") if is_row(first) else _header(first, where=f"{path}: line {lines[0][0]}")
+    rows = lines if is_row(first) else lines[1:]
+    if not rows:
+        raise ColumnError(f"{path}: no numbers below the header; the file is cut short")
+    return Columns(header, _numbers(rows, separator, path=path))
+
+
+def decode(data: bytes, *, where: str) -> str:
+    """The text in `data`, UTF-8 or Latin-1; ColumnError, naming `where`, for what is no text."""
+    try:
+        text = data.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        text = data.decode("latin-1")
+    if CONTROL.search(text):
+        raise ColumnError(
+            f"{where}: not a text file; two columns of numbers with their units in the header are expected"
+        )
+    return text
+
+
+def separator_of(line: str) -> str | None:
+    """The first of semicolon, tab and comma that `line` holds; None stands for blanks."""
+    return next((mark for mark in SEPARATORS if mark in line.strip()), None)
+
+
+def split(line: str, separator: str | None) -> list[str]:
+    """The fields of `line`, stripped; decimal commas become points where semicolons separate."""
+    if separator is None:
+        return line.split()
+    text = line.replace(",", ".") if separator == ";" else line
+    return [field.strip() for field in text.split(separator)]
+
+
+def is_row(fields: Sequence[str]) -> bool:
+    """Whether every field is a number."""
+    try:
+        np.array(fields, dtype=np.float64)
+    except ValueError:
+        return False
+    return bool(fields)
+
+
+def unit_of(label: str) -> str | None:
+    """The unit in brackets or parentheses in a column's label, None where there is none."""
+    found = BRACKETS.search(label)
+    return None if found is None else (found[1] or found[2] or "").strip() or None
+
+
+def factor_of(unit: str, *, known: Mapping[str, float]) -> float:
+    """What a value in `unit` is multiplied by for SI; ColumnError lists the `known` ones."""
+    name = unit.strip().lower().replace(" ", "").replace("²", "2").replace("**", "").replace("^", "")
+    name = name.replace("sec", "s").replace("/s/s", "/s2")
+    if name not in known:
+        raise ColumnError(f'unit "{unit}" is not known; choose one of {", ".join(known)}')
+    return known[name]
+
+
+def _lines(text: str) -> list[tuple[int, str]]:
+    """Line number and content of every line that is neither blank nor a comment."""
+    lines = enumerate(text.splitlines(), start=1)
+    return [(number, line) for number, line in lines if line.strip() and not line.lstrip().startswith("#")]
+
+
+def _header(fields: list[str], *, where: str) -> tuple[str, str]:
+    """Both labels of a header line; labels separated by blanks keep their bracketed unit apart."""
+    if len(fields) > 2:
+        fields = _rejoined(fields)
+    if len(fields) != 2:
+        raise ColumnError(
+            f"{where}: {len(fields)} columns in the header; two are expected, like: period [s], acceleration [g]"
+        )
+    return fields[0], fields[1]
+
+
+def _rejoined(fields: list[str]) -> list[str]:
+    """Fields with each lone `[unit]` put back onto the label before it."""
+    joined: list[str] = []
+    for field in fields:
+        if joined and field[:1] in ("[", "("):
+            joined[-1] = f"{joined[-1]} {field}"
+        else:
+            joined.append(field)
+    return joined
+
+
+def _numbers(rows: list[tuple[int, str]], separator: str | None, *, path: Path) -> FloatArray:
+    """The numbers of all rows [n, 2]."""
+    fields = [split(line, separator) for _, line in rows]
+    for (number, line), row in zip(rows, fields, strict=True):
+        if len(row) != 2:
+            raise ColumnError(f'{path}: line {number}: "{line.strip()[:40]}" has {len(row)} columns; two are expected')
+    try:
+        return np.array(fields, dtype=np.float64)
+    except ValueError:
+        number, line = next(at for at, row in zip(rows, fields, strict=True) if not is_row(row))
+        raise ColumnError(f'{path}: line {number}: "{line.strip()[:40]}" is not two numbers') from None

@@ -1,0 +1,144 @@
+"""A spectrum given point by point: a site study, or a code that is not built in."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from spectra.columns import ACCELERATION_UNITS, TIME_UNITS, ColumnError, factor_of, read_columns
+from spectra.damping import checked_damping, ec8_eta
+from spectra.errors import SpectrumError
+from spectra.spectrum import Spectrum
+
+FloatArray = NDArray[np.float64]
+
+DAMPING_RULE = (
+    "EN 1998-1 eq. (3.6), applied to a table, which states no rule of its own: zero-period ordinate kept, eta in full "
+    "from the period of the largest ordinate on, EN 1998-1 eq. (3.2) in between"
+)
+
+
+def table_spectrum(
+    period: ArrayLike, acceleration: ArrayLike, *, damping: float = 0.05, pga: float | None = None
+) -> Spectrum:
+    """A spectrum linear between its points: `acceleration` [n] [m/s2] at rising `period` [n] [s], at `damping` [-].
+
+    The entry at T = 0 is the peak ground acceleration; where the table has none, `pga` [m/s2] is it. Beyond the
+    last period nothing is known: asking there raises SpectrumError. Other damping: see `DAMPING_RULE`; a table
+    sampled from EN 1998-1 then gives EN 1998-1.
+
+    Raises SpectrumError for points that are not finite, not positive, not rising in period, or lack a PGA.
+    """
+    points = _with_pga(*_checked(period, acceleration), pga=pga)
+    T_max = float(points.period[-1])
+    checked_damping(damping)
+    return Spectrum(
+        code="table",
+        parameters={"points": float(points.period.size), "period_max": T_max, "pga": float(points.acceleration[0])},
+        damping=damping,
+        damping_rule=DAMPING_RULE,
+        ordinates=lambda at, other: points.ordinates(at, ec8_eta(other) / ec8_eta(damping)),
+        clause="table given by the user",
+    )
+
+
+def read_table(path: Path, *, damping: float = 0.05, pga: float | None = None) -> Spectrum:
+    """The spectrum in a text file of two columns, period and acceleration, with their units in the header.
+
+    `period [s], acceleration [g]` or `T (s);Sa (m/s2)`; units s, ms; g, m/s2, cm/s2, gal, mm/s2. `pga` [m/s2] as in
+    `table_spectrum`. Raises SpectrumError, naming the file, for what cannot be read.
+    """
+    try:
+        columns = read_columns(path)
+        seconds = _factor(columns.units[0], "period", known=TIME_UNITS)
+        si = _factor(columns.units[1], "acceleration", known=ACCELERATION_UNITS)
+        return table_spectrum(seconds * columns.values[:, 0], si * columns.values[:, 1], damping=damping, pga=pga)
+    except (ColumnError, SpectrumError) as error:
+        raise SpectrumError(_naming(path, str(error))) from None
+
+
+def _naming(path: Path, text: str) -> str:
+    return text if text.startswith(str(path)) else f"{path}: {text}"
+
+
+def _factor(unit: str | None, column: str, *, known: Mapping[str, float]) -> float:
+    if unit is None:
+        raise ColumnError(f"the header gives no unit for the {column}; write it like: period [s], acceleration [g]")
+    return factor_of(unit, known=known)
+
+
+@dataclass(frozen=True)
+class _Points:
+    """Points of a spectrum from T = 0: period [n] [s], acceleration [n] [m/s2]."""
+
+    period: FloatArray
+    acceleration: FloatArray
+
+    def ordinates(self, period: FloatArray, eta: float) -> FloatArray:
+        """Ordinates [m/s2] at `period` [s] (same shape), `eta` [-] times as high where damping acts in full."""
+        outside = period[~((period >= 0.0) & (period <= self.period[-1]))]
+        if outside.size:
+            raise SpectrumError(
+                f"period {outside[0]:.6g} s is outside the spectrum's table, 0 to {self.period[-1]:.6g} s; "
+                "extend the table"
+            )
+        return np.interp(period, self.period, self.acceleration * self._damped(eta))
+
+    def _damped(self, eta: float) -> FloatArray:
+        """What damping multiplies each point by [n]: 1 at T = 0, eta from the largest ordinate on, (3.2) between."""
+        T, T_B = self.period, self.period[np.argmax(self.acceleration)]
+        amplification = np.max(self.acceleration) / self.acceleration[0]
+        tau = np.minimum(T / T_B, 1.0) if T_B > 0.0 else (T > 0.0).astype(np.float64)
+        return np.asarray((1.0 + tau * (amplification * eta - 1.0)) / (1.0 + tau * (amplification - 1.0)))
+
+
+def _checked(period: ArrayLike, acceleration: ArrayLike) -> tuple[FloatArray, FloatArray]:
+    """Both columns as arrays [n], once they make a spectrum."""
+    T, S_a = np.array(period, dtype=np.float64), np.array(acceleration, dtype=np.float64)
+    if T.ndim != 1 or T.shape != S_a.shape or T.size == 0:
+        raise SpectrumError(
+            f"spectrum table: {T.size} periods and {S_a.size} accelerations; one of each per point is needed"
+        )
+    for name, values in (("period", T), ("acceleration", S_a)):
+        bad = np.flatnonzero(~np.isfinite(values))
+        if bad.size:
+            raise SpectrumError(
+                f"spectrum table, point {bad[0] + 1}: {name} {values[bad[0]]}; it must be a finite number"
+            )
+    if T[0] < 0.0:
+        raise SpectrumError(f"spectrum table, point 1: period {T[0]:.6g} s; periods start at 0 or above")
+    back = np.flatnonzero(np.diff(T) <= 0.0)
+    if back.size:
+        raise SpectrumError(
+            f"spectrum table, point {back[0] + 2}: period {T[back[0] + 1]:.6g} s does not exceed the one before, "
+            f"{T[back[0]]:.6g} s; sort the table and give each period once"
+        )
+    low = np.flatnonzero(S_a <= 0.0)
+    if low.size:
+        raise SpectrumError(
+            f"spectrum table, point {low[0] + 1}: acceleration {S_a[low[0]]:.6g} m/s2; it must be positive"
+        )
+    return T, S_a
+
+
+def _with_pga(period: FloatArray, acceleration: FloatArray, *, pga: float | None) -> _Points:
+    """The points from T = 0: the table's own first entry, or `pga` [m/s2] put before it."""
+    if pga is not None and not (np.isfinite(pga) and pga > 0.0):
+        raise SpectrumError(f"spectrum table: pga = {pga} m/s2; it must be a positive number")
+    if period[0] > 0.0:
+        if pga is None:
+            raise SpectrumError(
+                f"spectrum table starts at {period[0]:.6g} s; add the point at T = 0 (the PGA) or give pga"
+            )
+        period, acceleration = np.insert(period, 0, 0.0), np.insert(acceleration, 0, pga)
+    elif pga is not None and not np.isclose(pga, acceleration[0], rtol=1e-3, atol=0.0):
+        raise SpectrumError(
+            f"spectrum table: pga = {pga:.6g} m/s2, but the point at T = 0 says {acceleration[0]:.6g} m/s2; give one"
+        )
+    if period.size < 2:
+        raise SpectrumError("spectrum table: one point; a spectrum needs at least two")
+    return _Points(period, acceleration)

@@ -1,0 +1,43 @@
+"""Demand and capacity on a PGA-rotation curve of known shape."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from assess.codes.relation import capacity, demand, relation
+
+
+def falling_then_rising(phi):
+    """4 at rest, down to 1 at phi = 0.01, then up with slope 10."""
+    return np.where(phi < 0.01, 4 - 300 * phi, 1 + 10 * (phi - 0.01))
+
+
+def test_demand_is_where_the_curve_rises_through_the_level():
+    curve = relation(falling_then_rising, overturning=1.0)
+    assert demand(curve, 2.0) == pytest.approx(0.11, abs=1e-12)
+
+
+def test_below_the_whole_curve_nothing_rocks():
+    assert demand(relation(falling_then_rising, overturning=1.0), 0.9) == 0.0
+
+
+def test_above_the_whole_rising_stretch_the_body_overturns():
+    assert demand(relation(falling_then_rising, overturning=1.0), 11.0) is None
+
+
+def test_capacity_is_reached_at_the_allowable_rotation():
+    curve = relation(falling_then_rising, overturning=1.0)
+    assert capacity(curve, 0.5, uplift=0.0) == pytest.approx(5.9, rel=1e-12)
+
+
+def test_capacity_ignores_the_unstable_start_and_keeps_uplift():
+    curve = relation(falling_then_rising, overturning=1.0)
+    assert capacity(curve, 0.05, uplift=0.0) == pytest.approx(1.4, rel=1e-12)
+    assert capacity(curve, 0.05, uplift=3.0) == 3.0
+
+
+def test_a_hump_before_the_allowable_governs():
+    curve = relation(lambda phi: 1 + 2 * np.sin(np.pi * phi), overturning=1.0)
+    assert capacity(curve, 0.9, uplift=0.0) == pytest.approx(3.0, rel=1e-4)  # grid of 1 % around the summit
+    assert demand(curve, 2.999) < 0.5

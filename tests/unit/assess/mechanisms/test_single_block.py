@@ -1,0 +1,160 @@
+"""The single block: kinematics, virtual work, hinges, restitution."""
+
+from __future__ import annotations
+
+from math import atan2, cos, hypot, pi, sin
+
+import numpy as np
+import pytest
+from scipy.constants import g
+
+from assess.errors import MechanismError
+from assess.geometry.planar import planar, planar_direct, planar_joined
+from assess.geometry.solid import box
+from assess.mechanisms.chain import Block, Chain, moved
+from assess.mechanisms.equivalent_block import equivalent_block
+from assess.mechanisms.single_block import plain_block, single_block
+from assess.mechanisms.virtual_work import oscillator, virtual_work
+from assess.oscillator import energy, equivalent_block as at_rest, linearise, participation_ratio, restoring
+
+WALL = {"thickness": 0.8, "length": 2.0, "height": 5.0, "base": (0.0, 0.0, 0.0), "density": 1900.0, "name": "wall"}
+
+
+def wall_in_plane(direction=(1, 0, 0), **changes):
+    return planar(box(**(WALL | changes)), direction=direction)
+
+
+def test_rates_are_the_derivatives_of_the_turned_centroid():
+    chain = Chain((Block(3.0, (-0.4, 2.1), 1.0),), ((0.3, 0.2),))
+    behind, height = 0.7, 1.9
+    rotation, step = np.array([0.0, 0.1, 0.4]), 1e-6
+
+    def position(phi):
+        return np.array([-behind * np.cos(phi) + height * np.sin(phi), behind * np.sin(phi) + height * np.cos(phi)])
+
+    central = (position(rotation + step) - position(rotation - step)) / (2 * step)
+    motion = moved(chain, rotation)
+    np.testing.assert_allclose(motion.dx[0], central[0], rtol=1e-8)
+    np.testing.assert_allclose(motion.dz[0], central[1], rtol=1e-8)
+
+
+def test_rectangle_has_the_closed_form_of_a_single_block():
+    b, h = WALL["thickness"] / 2, WALL["height"] / 2
+    R, alpha = hypot(b, h), atan2(b, h)
+    rocker = oscillator(single_block("w", wall_in_plane()))
+    M, branch = rocker.mass, rocker.positive
+    assert pytest.approx(1900 * 0.8 * 2.0 * 5.0) == M
+    assert branch.overturning == pytest.approx(alpha, rel=1e-13)
+    phi = np.linspace(0, 1.5 * alpha, 1000)
+    np.testing.assert_allclose(restoring(branch, phi), M * g * R * np.sin(alpha - phi), atol=1e-9 * M * g * R)
+    np.testing.assert_allclose(energy(branch, phi), M * g * R * (np.cos(alpha - phi) - cos(alpha)), atol=1e-11 * M * g * R)
+    np.testing.assert_allclose(branch.inertia, 4 / 3 * M * R**2, rtol=1e-12)
+    linear = linearise(branch)
+    assert linear.p == pytest.approx(np.sqrt(3 * g / (4 * R)), rel=1e-9)  # Housner 1963
+    assert linear.multiplier == pytest.approx(alpha, rel=1e-9)  # thesis 3.11: K phi_cr / (g B)
+    assert linear.overturning == pytest.approx(alpha, rel=1e-12)
+    assert participation_ratio(branch, mass=M) == pytest.approx(1.0, rel=1e-12)
+
+
+def test_restoring_moment_is_the_derivative_of_the_potential():
+    branch = oscillator(single_block("w", wall_in_plane())).positive
+    phi, step = np.array([0.01, 0.05, 0.1]), 1e-5
+    slope = (energy(branch, phi + step) - energy(branch, phi - step)) / (2 * step)
+    np.testing.assert_allclose(slope, restoring(branch, phi), rtol=1e-8)
+
+
+def test_a_block_made_of_welded_parts_is_the_same_oscillator():
+    lower = wall_in_plane(height=2.0)
+    upper = wall_in_plane(height=3.0, base=(0.0, 0.0, 2.0))
+    whole = oscillator(single_block("w", wall_in_plane()))
+    welded = oscillator(single_block("w", planar_joined([lower, upper], name="w")))
+    for column in ("rotation", "inertia", "restoring", "excitation", "participation", "lift"):
+        expected = getattr(whole.positive, column)
+        np.testing.assert_allclose(getattr(welded.positive, column), expected, rtol=1e-12, atol=1e-9 * np.abs(expected).max())
+
+
+def test_a_leaning_block_has_two_different_branches_and_mirrors_with_its_direction():
+    leaning = planar_direct(mass=1000.0, centroid=(0.1, 2.0), inertia=900.0, name="leaning")
+    mirrored = planar_direct(mass=1000.0, centroid=(-0.1, 2.0), inertia=900.0, name="leaning")
+    one = oscillator(single_block("a", leaning, hinge=(0.5, 0.0), hinge_negative=(-0.5, 0.0)))
+    two = oscillator(single_block("a", mirrored, hinge=(0.5, 0.0), hinge_negative=(-0.5, 0.0)))
+    assert one.positive.overturning < one.negative.overturning
+    np.testing.assert_allclose(one.positive.restoring, two.negative.restoring, rtol=1e-14)
+    np.testing.assert_allclose(one.negative.restoring, two.positive.restoring, rtol=1e-14)
+
+
+def test_momentum_restitution_of_a_leaning_block_by_angular_momentum_about_the_new_hinge():
+    body = planar_direct(mass=1000.0, centroid=(0.1, 2.0), inertia=900.0, name="leaning")
+    mechanism = single_block(
+        "a", body, hinge=(0.5, 0.0), hinge_negative=(-0.6, 0.0), restitution=("momentum", "momentum")
+    )
+    r_old, r_new = np.array([0.1 - 0.5, 2.0]), np.array([0.1 + 0.6, 2.0])
+    velocity = np.array([r_old[1], -r_old[0]])  # of the centroid for one unit of clockwise rotation
+    about_new = 900.0 + 1000.0 * (r_new[1] * velocity[0] - r_new[0] * velocity[1])
+    assert mechanism.restitution[0] == pytest.approx(about_new / (900.0 + 1000.0 * r_new @ r_new), rel=1e-12)
+
+
+def test_momentum_is_housners_for_a_symmetric_block():
+    housner = single_block("w", wall_in_plane(), restitution=("housner", "housner")).restitution
+    momentum = single_block("w", wall_in_plane(), restitution=("momentum", "momentum")).restitution
+    alpha = atan2(0.4, 2.5)
+    assert housner == pytest.approx((1 - 1.5 * sin(alpha) ** 2,) * 2, rel=1e-12)  # Housner 1963
+    assert momentum == pytest.approx(housner, rel=1e-12)
+
+
+def test_equivalent_block_returns_itself():
+    mechanism = equivalent_block("W0a", p=1.6, uplift=0.14, radius=2.84, mass=7.0)
+    rocker = oscillator(mechanism)
+    block, linear = at_rest(rocker.positive, mass=7.0), linearise(rocker.positive)
+    assert (linear.p, linear.multiplier) == pytest.approx((1.6, 0.14), rel=1e-9)
+    assert (block.radius, block.slenderness, block.mass) == pytest.approx((2.84, 0.14, 7.0), rel=1e-12)
+    assert rocker.positive.overturning == pytest.approx(0.14, rel=1e-12)
+
+
+def test_direction_picks_the_hinge_and_the_slenderness():
+    across = single_block("w", wall_in_plane((0, -1, 0)))
+    assert across.positive.hinges[0] == pytest.approx((1.0, 0.0))
+    assert plain_block(across.positive).slenderness == pytest.approx(atan2(1.0, 2.5), rel=1e-12)
+
+
+def test_one_sided_rocking_rebounds_by_sorrentinos_formula():
+    mechanism = single_block("w", wall_in_plane(), sides="one")
+    s, c = sin(atan2(0.4, 2.5)) ** 2, cos(atan2(0.4, 2.5)) ** 2
+    signed = (1 - 1.5 * s) ** 2 * (1 - 1.5 * c)
+    assert signed < 0
+    assert mechanism.restitution[0] == pytest.approx(-signed, rel=1e-12)
+    assert oscillator(mechanism).negative is None
+
+
+def test_one_sided_stocky_block_does_not_rebound_and_says_so():
+    mechanism = single_block("w", wall_in_plane(thickness=4.9), sides="one")
+    assert mechanism.restitution[0] == 0.0
+    assert "no rebound" in mechanism.notices[0]
+
+
+@pytest.mark.parametrize(
+    ("make", "words"),
+    [
+        (lambda: single_block("w", wall_in_plane(thickness=20.0)), "so stocky"),
+        (lambda: single_block("w", wall_in_plane(), hinge=(-0.1, 0.0)), "already falling in positive"),
+        (lambda: single_block("w", wall_in_plane(), hinge_negative=(0.1, 0.0)), "already falling in negative"),
+        (lambda: single_block("w", wall_in_plane(), hinge=(0.4, 3.0)), "below the hinge"),
+        (lambda: single_block("w", wall_in_plane(), restitution=("sorrentino", "thesis")), "sides"),
+        (lambda: single_block("w", wall_in_plane(), sides="one", restitution=("housner", "thesis")), "sides"),
+        (
+            lambda: single_block("w", planar_direct(mass=1.0, centroid=(0.0, 1.0), inertia=0.1, name="w")),
+            "give hinges",
+        ),
+    ],
+)
+def test_what_cannot_rock_is_refused_with_its_reason(make, words):
+    with pytest.raises(MechanismError, match=words):
+        make()
+
+
+def test_virtual_work_of_a_block_at_its_overturning_rotation_vanishes():
+    chain = single_block("w", wall_in_plane()).positive
+    alpha = atan2(0.4, 2.5)
+    work = virtual_work(chain, np.array([0.0, alpha, pi / 2]))
+    assert work.weight[1] == pytest.approx(0.0, abs=1e-9 * work.weight[0])
+    assert work.excitation[1] == pytest.approx(15200.0 * hypot(0.4, 2.5), rel=1e-12)

@@ -1,0 +1,365 @@
+"""A whole set of results made by hand: two mechanisms, several levels, five procedures, histories, curves."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from scipy.constants import g
+
+from assess.codes.check import Check, PgaCurve, Step
+from assess.results import (
+    AmplificationResult,
+    BranchCurve,
+    ComparisonRow,
+    Curve,
+    Drawing,
+    Factor,
+    HistoryResult,
+    Input,
+    MechanismResult,
+    NamedPoint,
+    Notice,
+    OscillatorResult,
+    Program,
+    RecordResult,
+    RecordSpectrum,
+    Resolved,
+    Results,
+    SpectrumResult,
+    SuiteResult,
+    Trace,
+)
+
+LEVELS = (0.067, 0.2, 0.45)
+PERIODS = tuple(float(period) for period in np.concatenate([[0.0], np.linspace(0.05, 4.0, 80)]))
+
+
+def asce_shape(period: float, s_ds: float = 0.167, s_d1: float = 0.053) -> float:
+    corner = s_d1 / s_ds
+    if period < 0.2 * corner:
+        return s_ds * (0.4 + 0.6 * period / (0.2 * corner))
+    return s_ds if period < corner else s_d1 / period
+
+
+def block_curve(mass: float, radius: float, alpha: float, p: float) -> BranchCurve:
+    phi = np.linspace(0.0, 1.5 * alpha, 61)
+    excitation = mass * radius * np.cos(alpha - phi)
+    columns = (
+        phi,
+        np.full_like(phi, mass * g * radius / p**2),
+        mass * g * radius * np.sin(alpha - phi),
+        excitation,
+        np.full_like(phi, mass),
+        radius * (np.sin(alpha) - np.sin(alpha - phi)),
+    )
+    return BranchCurve(*(tuple(map(float, column)) for column in columns))
+
+
+def oscillator(mass: float, radius: float, alpha: float, p: float, *, flexible: float | None) -> OscillatorResult:
+    inertia = mass * g * radius / p**2
+    return OscillatorResult(
+        mass,
+        inertia,
+        radius,
+        alpha,
+        p,
+        float(np.tan(alpha)),
+        alpha,
+        flexible,
+        alpha,
+        0.0,
+        1 - 1.5 * float(np.sin(alpha)) ** 2,
+    )
+
+
+def steps(ratio: float) -> tuple[Step, ...]:
+    return (
+        Step(
+            "h",
+            "height of the centroid above the hinge",
+            "ASCE 43-05 A.1",
+            "h = B_0 / M",
+            "52 400 / 18 700",
+            2.802,
+            "m",
+        ),
+        Step(
+            "f_1",
+            "factor of the weight",
+            "ASCE 43-05 eq. A-1",
+            "f_1 = cos θ + (b/h) sin θ",
+            "cos 0.07 + 0.141 sin 0.07",
+            1.0074,
+            "-",
+        ),
+        Step(
+            "β_e",
+            "equivalent damping; not checked against the printed standard",
+            "ASCE 43-05 eq. A-8",
+            "β_e = γ / √(4 π^2 + γ^2)",
+            "0.062 / √(39.5 + 0.004)",
+            0.0099,
+            "-",
+        ),
+        Step(
+            "S_{a,CAP}",
+            "spectral acceleration capacity",
+            "ASCE 43-05 eq. A-5",
+            "S_a,CAP = 2 E / (g B_0 φ F_V)",
+            "2 × 1 230 / (9.80665 × 52 400 × 0.07 × 1.0)",
+            0.0684,
+            "g",
+        ),
+        Step("r", "demand over capacity", "", "r = θ / θ_lim", "0.031 / 0.070", ratio, "-"),
+    )
+
+
+def check(
+    procedure: str, level: float, alpha: float, *, verdict: str, ratio: float | None, demand: float | None
+) -> Check:
+    x = np.linspace(0.0, 0.7, 15)
+    strength = {"dmi2008-linear": 0.28}.get(procedure, 0.10 + 0.012 * len(procedure))
+    curve = PgaCurve(tuple(map(float, x)), tuple(float(strength * (1 + 4 * v - 2.6 * v**2)) for v in x))
+    linear = procedure == "dmi2008-linear"
+    informative = procedure.endswith("thesis")
+    capacity = None if verdict == "not-applicable" else 0.14 if linear else 0.5 * alpha
+    return Check(
+        procedure=procedure,
+        edition="ASCE/SEI 43-05 (2005), Appendix A" if "asce" in procedure else "DMI 2008 with Circolare 617/2009",
+        role="informative" if informative else "code",
+        branch="negative" if level > 0.3 else "positive",
+        limit_state="SLV" if "dmi" in procedure else "",
+        level_pga_g=level,
+        input_at="ground" if "spectrum" in procedure else "mechanism base",
+        damping=0.05 if informative else 0.0123,
+        damping_rule="ASCE 7-16 Table 17.5-1, B factor",
+        quantity="acceleration" if linear else "rotation",
+        unit="g" if linear else "rad",
+        demand=demand,
+        capacity=capacity,
+        ratio=ratio,
+        verdict=verdict,  # type: ignore[arg-type]
+        reason="fewer than 5 records: shown as information" if verdict == "not-applicable" else "",
+        capacity_pga_g=None if linear else float(np.interp(0.5, x, curve.pga_g)),
+        uplift_pga_g=strength,
+        capacity_rotation_ratio=None if linear else 0.5,
+        rotation_ratio=None if demand is None or linear else demand / alpha,
+        pga_curve=PgaCurve((), ()) if linear else curve,
+        steps=() if verdict == "not-applicable" else steps(ratio if ratio is not None else 9.99),
+    )
+
+
+def checks(alpha: float, weak: bool) -> tuple[Check, ...]:
+    made = []
+    for place, level in enumerate(LEVELS):
+        r = (0.0, 0.37, 0.84 if not weak else 1.31)[place]
+        made += [
+            check(
+                "asce43-05-spectrum",
+                level,
+                alpha,
+                verdict="pass" if r <= 1 else "fail",
+                ratio=r,
+                demand=r * 0.5 * alpha,
+            ),
+            check("asce43-05-spectrum-thesis", level, alpha, verdict="pass", ratio=0.8 * r, demand=0.4 * r * alpha),
+            check(
+                "dmi2008-linear",
+                level,
+                alpha,
+                verdict="pass" if level < 0.3 else "fail",
+                ratio=level / 0.28,
+                demand=level / 2,
+            ),
+            check(
+                "dmi2008-nonlinear",
+                level,
+                alpha,
+                verdict="pass" if r <= 1 else "fail",
+                ratio=1.1 * r if r <= 0.9 else 3.4,
+                demand=r * 0.5 * alpha,
+            ),
+        ]
+        if not weak:
+            made.append(check("asce43-05-history", level, alpha, verdict="not-applicable", ratio=None, demand=None))
+        else:
+            fell = place == 2
+            made.append(
+                check(
+                    "asce43-05-history",
+                    level,
+                    alpha,
+                    verdict="fail" if fell else "pass",
+                    ratio=None if fell else r,
+                    demand=None if fell else 0.5 * r * alpha,
+                )
+            )
+    return tuple(made)
+
+
+def trace(alpha: float, *, sides: str) -> Trace:
+    t = np.arange(0.0, 20.0, 0.01)
+    shape = (t / 4) ** 2 * np.exp(2 * (1 - t / 4))
+    ground = 0.45 * shape * np.sin(2 * np.pi * 2.3 * t + 3 * np.sin(t)) * np.cos(0.7 * t)
+    turned = -0.383 * alpha * shape * np.sin(2 * np.pi * 0.55 * t)
+    if sides == "one":
+        turned = np.abs(2 * turned) + np.where(t > 5.0, alpha * np.expm1(1.2 * (t - 5.0).clip(0.0, 1.0)), 0.0)
+        t, turned, ground = (column[t < 5.9] for column in (t, turned, ground))
+    return Trace(*(tuple(map(float, column)) for column in (t, turned, ground)))
+
+
+def histories(alpha: float, records: tuple[RecordResult, ...], *, sides: str, falls: bool) -> tuple[HistoryResult, ...]:
+    made = []
+    for place, record in enumerate(records):
+        for level in LEVELS:
+            fell = falls and level > 0.3 and place == 1
+            turned = 0.0 if level < 0.1 else alpha * level * (0.7 + 0.15 * place)
+            made.append(
+                HistoryResult(
+                    record.id,
+                    1 if place % 2 else -1,
+                    level,
+                    level / 0.067,
+                    1.25 if falls else 1.0,
+                    None if fell else -turned,
+                    None if fell else turned / alpha,
+                    None if fell else 4.37,
+                    0 if turned == 0 else 7,
+                    fell,
+                    5.61 if fell else None,
+                    trace(alpha, sides=sides) if level > 0.3 and place == 1 else None,
+                )
+            )
+    return tuple(made)
+
+
+def suites(history: tuple[HistoryResult, ...]) -> tuple[SuiteResult, ...]:
+    made = []
+    for level in LEVELS:
+        ratios = [h.max_rotation_ratio for h in history if h.level_pga_g == level]
+        standing = [ratio for ratio in ratios if ratio is not None]
+        fell = len(ratios) - len(standing)
+        made.append(SuiteResult(level, len(ratios), fell, None if fell else float(np.mean(standing)), max(standing)))
+    return tuple(made)
+
+
+def record(number: int) -> RecordResult:
+    wobble = [1 + 0.25 * np.sin(5 * period + number) * np.cos(2.1 * number * period) for period in PERIODS]
+    spectrum = RecordSpectrum(PERIODS, tuple(float(asce_shape(p) * w) for p, w in zip(PERIODS, wobble, strict=True)))
+    return RecordResult(
+        f"artificial-{number}",
+        "",
+        "",
+        "",
+        "",
+        0.01,
+        2000,
+        spectrum.acceleration_g[0],
+        1.0 + 0.01 * number,
+        0.0041 + 0.001 * number,
+        (f"non-stationary noise, seed {number}", "iterated to the target, misfit 4.1 %", "baseline corrected"),
+        spectrum,
+    )
+
+
+def rectangle(thickness: float, height: float, base: float) -> Drawing:
+    t = thickness / 2
+    outline = ((-t, base), (t, base), (t, base + height), (-t, base + height))
+    hinges = (NamedPoint("A", (t, base)), NamedPoint("A′", (-t, base)))
+    return Drawing((outline,), hinges, (), (0.0, base + height / 2))
+
+
+def mechanism(
+    name: str, label: str, kind: str, *, sides: str, records: tuple[RecordResult, ...], weak: bool
+) -> MechanismResult:
+    mass, radius, alpha, p = (18_730.0, 2.84, 0.14, 1.60) if not weak else (1.0, 4.31, 0.11, 1.29)
+    two = sides == "two"
+    curve, parameters = (
+        block_curve(mass, radius, alpha, p),
+        oscillator(mass, radius, alpha, p, flexible=None if two else 0.92 * alpha),
+    )
+    drawing = rectangle(2 * radius * np.sin(alpha), 2 * radius * np.cos(alpha), 4.77 if two else 0.0)
+    if not two:
+        drawing = replace(drawing, hinges=drawing.hinges[:1], loads=(NamedPoint("floor beam", (0.2, 6.1)),))
+    history = histories(alpha, records, sides=sides, falls=weak)
+    return MechanismResult(
+        name,
+        label,
+        kind,
+        sides,
+        "exact" if two else "linearised",
+        drawing,
+        parameters,  # type: ignore[arg-type]
+        parameters if two else None,
+        Curve(curve, curve if two else None),
+        (),
+        AmplificationResult("srss" if weak else "none", tuple(Factor(r.id, 1.25) for r in records) if weak else ()),
+        checks(alpha, weak),
+        history,
+        suites(history),
+        None,
+    )
+
+
+def make_results() -> Results:
+    records = tuple(record(number) for number in range(1, 6))
+    mechanisms = (
+        mechanism("wall-6", "Wall 6, eroded base", "single-block", sides="two", records=records, weak=False),
+        mechanism("parapet", "", "equivalent-block", sides="one", records=records, weak=True),
+    )
+    comparison = tuple(
+        ComparisonRow(m.name, c.level_pga_g, c.procedure, c.rotation_ratio, c.capacity_rotation_ratio, c.ratio)
+        for m in mechanisms
+        for c in m.checks
+    )
+    project = {
+        "title": Resolved("Great House", True),
+        "engineer": Resolved("A. Builder, CEng", True),
+        "checker": Resolved(None, False),
+        "client": Resolved("The Trustees", True),
+        "reference": Resolved("GH-07", True),
+        "notes": Resolved("Survey of May; north face not reached.", True),
+        "site.vertical_ratio": Resolved(0.0, False),
+        "materials.caliche.density": Resolved(2240.0, True),
+        "mechanisms.wall-6.direction": Resolved([1, 0, 0], False),
+        "mechanisms.wall-6.cut": Resolved(4.77, True),
+        "mechanisms.wall-6.hinges.A": Resolved({"x": 0.396, "z": 4.77}, True),
+        "analysis.levels": Resolved(list(LEVELS), True),
+        "procedures.dmi2008.confidence_factor": Resolved(1.0, False),
+        "report.paper": Resolved("A4", False),
+    }
+    spectrum = SpectrumResult(
+        "asce7-16",
+        {"s_ds": 1.6377, "s_d1": 0.51975, "t_l": 6.0},
+        0.05,
+        "ASCE 7-16 Table 17.5-1, B factor",
+        "ASCE 7-16 11.4.6",
+        0.0668,
+        PERIODS,
+        tuple(asce_shape(p) for p in PERIODS),
+    )
+    return Results(
+        1,
+        Program("assess", "0.1.0"),
+        (Input("project.toml", "3f" * 32), Input("wall.stl", "a7" * 32)),
+        (
+            Notice(
+                "knowledge-level",
+                "procedures.dmi2008",
+                "the confidence factor is 1.0 by default; knowledge level LC1 means 1.35",
+            ),
+        ),
+        project,
+        spectrum,
+        records,
+        mechanisms,
+        None,
+        comparison,
+    )
+
+
+@pytest.fixture(scope="session")
+def results() -> Results:
+    return make_results()

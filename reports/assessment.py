@@ -1,4 +1,4 @@
-"""The assessment as a document: what is said, and in which order. It computes nothing: everything stands in the results."""
+"""The assessment as a document: what is said, and in which order; every number is taken from the results."""
 
 from __future__ import annotations
 
@@ -64,7 +64,10 @@ def _verdict(results: Results) -> Section:
 
 
 def _answers(results: Results) -> list[Section]:
-    note = "Demand and allowable are in the unit named with the quantity. The ratio is demand over allowable: above 1 the check fails."
+    note = (
+        "Demand and allowable are in the unit named with the quantity. The ratio is demand over allowable: above 1 the "
+        "check fails."
+    )
     blocks = (Text((note,)), *_filled(tables.verdicts(results)), *_filled(tables.procedures(results)))
     return [Section("Demand, allowable and verdict of every check", 0, blocks)]
 
@@ -122,8 +125,9 @@ def _shape(mechanism: MechanismResult, name: str) -> Section:
 
 def _answer(mechanism: MechanismResult, name: str) -> Section:
     caption = (
-        "Largest rotation over peak ground acceleration by every procedure (as thesis Figs. 8.6, 8.7). Solid lines are code "
-        "procedures, dashed lines informative readings; large markers the allowable of each; dots and crosses single records."
+        "Largest rotation over peak ground acceleration by every procedure (as thesis Figs. 8.6, 8.7). Solid lines are "
+        "code procedures, dashed lines informative readings; large markers the allowable of each; dots and crosses "
+        "single records."
     )
     blocks: list[Block] = []
     if mechanism.checks:
@@ -168,8 +172,8 @@ def _comparison(results: Results) -> list[Section]:
     names = {mechanism.name: tables.name_of(mechanism) for mechanism in results.mechanisms}
     draw = partial(comparison.draw, results.comparison, names, governing.overturned(results))
     caption = (
-        "Demand over capacity of every mechanism by every procedure; right of the line the check fails. Open markers are "
-        "informative readings, a cross marks overturning, an arrow a ratio beyond the axis."
+        "Demand over capacity of every mechanism by every procedure; right of the line the check fails. Open markers "
+        "are informative readings, a cross marks overturning, an arrow a ratio beyond the axis."
     )
     blocks = (Figure("comparison", caption, draw), tables.comparison(results))
     return [Section("Comparison of the mechanisms", 0, blocks, starts_page=True)]
@@ -181,8 +185,8 @@ def _limits(results: Results) -> Section:
 
 def _signatures(results: Results) -> Section:
     statement = (
-        "The results above follow from the inputs and assumptions listed in this report. They become an assessment by the "
-        "judgement of the engineer who signs it."
+        "The results above follow from the inputs and assumptions listed in this report. They become an assessment by "
+        "the judgement of the engineer who signs it."
     )
     places = (("Engineer", project(results, "engineer")), ("Checker", project(results, "checker")))
     return Section("Signatures", 0, (Text((statement,)), Signatures(places)))

@@ -14,7 +14,7 @@ def fell(check: Check) -> bool:
 
 
 def severity(check: Check) -> float:
-    """Demand over allowable, infinite where the body overturned, below every ratio where the check does not apply [-]."""
+    """Demand over allowable [-]: infinite where the body overturned, negative where the check does not apply."""
     if check.verdict == "not-applicable":
         return -1.0
     if check.ratio is not None:

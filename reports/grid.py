@@ -18,7 +18,6 @@ LONGEST = 220  # characters in a cell; the whole text stands in the CSV file and
 _LONGEST_STEP = 700
 _PADDING, _NARROW, _WIDE = 5.0, 112.0, 240.0
 _SHARES = (0.13, 0.35, 0.35, 0.17)
-_VERDICTS = {"pass": "pass", "fail": "fail", "overturned": "fail"}
 _LOOK: list[Any] = [
     ("VALIGN", (0, 0), (-1, -1), "TOP"),
     ("LEFTPADDING", (0, 0), (-1, -1), _PADDING / 2),
@@ -66,8 +65,8 @@ def column_widths(columns: tuple[Column, ...], texts: list[list[str]], width: fl
     for place, column in enumerate(columns):
         found = {line[place] for line in texts}
         words = [width_of(word, "head") for word in column.heading.split()]
-        lines = [width_of(line, "head") for line in found]
-        inside = [width_of(word, "head") for line in found for word in line.split()]
+        lines = [1.02 * width_of(line, "cell") for line in found]
+        inside = [1.02 * width_of(word, "cell") for line in found for word in line.split()]
         least.append(_PADDING + 1 + max([*words, min(_NARROW, max(inside, default=0.0))]))
         head = 0.6 * width_of(column.heading, "head")
         natural.append(max(least[-1], _PADDING + 1 + min(_WIDE, max([head, *lines]))))
@@ -78,9 +77,21 @@ def _shared(least: list[float], natural: list[float], width: float) -> list[floa
     if sum(natural) <= width:
         return [value * min(1.25, width / sum(natural)) for value in natural]
     if sum(least) >= width:
-        return [value * width / sum(least) for value in least]
+        cap = _cap(least, width)
+        return [min(value, cap) for value in least]
     spare = (width - sum(least)) / (sum(natural) - sum(least))
     return [low + spare * (high - low) for low, high in zip(least, natural, strict=True)]
+
+
+def _cap(widths: list[float], total: float) -> float:
+    """What the widest may have so that all together have `total`."""
+    rest = total
+    for place, narrow in enumerate(sorted(widths)):
+        share = rest / (len(widths) - place)
+        if narrow > share:
+            return share
+        rest -= narrow
+    return max(widths)
 
 
 def _grid(caption: str, rows: list[list[Paragraph]], widths: list[float]) -> Grid:
@@ -95,13 +106,11 @@ def _text(cell: Cell, column: Column) -> str:
 
 
 def _cell(raw: Cell, text: str, column: Column, *, muted: bool) -> Paragraph:
-    verdict = _VERDICTS.get(raw) if isinstance(raw, str) and column.kind in ("verdict", "number") else None
-    right = column.kind == "number"
+    right = "number" if column.kind == "number" else ""
     if muted:
         return paragraph(text, "muted-number" if right else "muted")
-    if verdict is not None and not right:
-        return paragraph(text, verdict)
-    return paragraph(text, "number" if right else "cell")
+    coloured = column.kind == "verdict" and raw in ("pass", "fail")
+    return paragraph(text, str(raw) if coloured else right or "cell")
 
 
 def _step(line: Line) -> list[Paragraph]:

@@ -39,7 +39,9 @@ def description(mechanism: MechanismResult) -> str:
     kind = _KINDS.get(mechanism.kind, mechanism.kind)
     method = mechanism.amplification.method
     carried = (
-        "the ground motion acts at its base" if method == "none" else f"the motion is carried up to it by {method}"
+        "the ground motion acts at its base"
+        if method == "none"
+        else f"the motion is carried up to it (method {method})"
     )
     return (
         f"Mechanism {mechanism.name}{name} is {kind}. It {sides}; {carried}; time histories solve the {equation} "
@@ -53,16 +55,16 @@ def limits(results: Results) -> tuple[str, ...]:
 
 
 _ALWAYS = (
-    "The bodies are rigid and move in one vertical plane. Bending and torsion of the masonry, out-of-plane coupling and "
-    "mechanisms that were not described in the project are outside this assessment: finding the mechanisms that matter "
-    "remains the engineer’s task.",
-    "Friction at the hinges is taken as sufficient: no sliding, no bouncing, no separation other than the rocking itself.",
+    "The bodies are rigid and move in one vertical plane. Bending and torsion of the masonry, out-of-plane coupling "
+    "and mechanisms that were not described in the project are outside this assessment: finding the mechanisms "
+    "that matter remains the engineer’s task.",
+    "Friction at the hinges is taken as sufficient: no sliding, no bouncing, no parting but the rocking itself.",
     "A single rocking history is not predictable: a small change of the motion or the geometry can turn a large "
     "rotation into collapse or into rest. The statistics of many records are. Judge by the suite, not by one history.",
-    "The coefficients of restitution of the literature assume inelastic impact without bouncing, the greatest dissipation "
-    "that impact can give, which is slightly unconservative (thesis 3.3). Where tests give a value, use it.",
-    "Codes assess rocking with an equivalent linear oscillator. Their allowable rotations and equivalent periods differ; "
-    "ratios of different procedures measure different margins.",
+    "The coefficients of restitution of the literature assume inelastic impact without bouncing, the greatest "
+    "dissipation that impact can give, which is slightly unconservative (thesis 3.3). Prefer tested values.",
+    "Codes assess rocking with an equivalent linear oscillator. Their allowable rotations and equivalent periods "
+    "differ; ratios of different procedures measure different margins.",
     "Crushing and the flexibility of the joints count only where the project gives an interface; a rigid interface of "
     "unlimited strength overestimates the resistance of large walls of weak masonry.",
 )
@@ -77,8 +79,8 @@ def _unlike(results: Results) -> tuple[str, ...]:
     if len({check.input_at for check in _checks(results)}) < 2:
         return ()
     return (
-        "Some procedures take their input at the ground and others at the base of the mechanism; each table says which. "
-        "Their ratios are not to be compared line by line.",
+        "Some procedures take their input at the ground and others at the base of the mechanism; each table says "
+        "which. Their ratios are not to be compared line by line.",
     )
 
 

@@ -41,7 +41,7 @@ def name_of(mechanism: MechanismResult) -> str:
 
 
 def brief(results: Results) -> Table:
-    """One line per mechanism and level: the verdict of each procedure that decides, the largest ratio and whose it is."""
+    """One line per mechanism and level: the verdict of each procedure that decides, and the largest ratio."""
     deciding = dict.fromkeys(c.procedure for m in results.mechanisms for c in governing.of_code(m.checks))
     columns = (_MECHANISM, _LEVEL, *(Column(name, kind="verdict") for name in deciding))
     columns += (Column("Largest ratio", "-", "number"), Column("Verdict", kind="verdict"))
@@ -246,8 +246,12 @@ def comparison(results: Results) -> Table:
     names = {mechanism.name: name_of(mechanism) for mechanism in results.mechanisms}
     beyond = governing.overturned(results)
     rows = tuple(_compared(results, row, names, row in beyond) for row in results.comparison)
-    caption = "Demand and capacity of all mechanisms. Compare only lines with the same input."
-    return Table("comparison", caption, columns, rows)
+    caption = (
+        "Demand and capacity of all mechanisms. Compare only lines with the same input; informative readings are grey."
+    )
+    checks = [governing.check_of(results, row) for row in results.comparison]
+    muted = frozenset(place for place, check in enumerate(checks) if check is not None and check.role == "informative")
+    return Table("comparison", caption, columns, rows, muted)
 
 
 def ordinates(results: Results) -> Table:

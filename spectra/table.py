@@ -27,9 +27,9 @@ def table_spectrum(
 ) -> Spectrum:
     """A spectrum linear between its points: `acceleration` [n] [m/s2] at rising `period` [n] [s], at `damping` [-].
 
-    The entry at T = 0 is the peak ground acceleration; where the table has none, `pga` [m/s2] is it. Beyond the
-    last period nothing is known: asking there raises SpectrumError. Other damping: see `DAMPING_RULE`; a table
-    sampled from EN 1998-1 then gives EN 1998-1.
+    The entry at T = 0 is the peak ground acceleration; only where the table has none, `pga` [m/s2] is it. (To scale
+    a whole table to a PGA: `scaled_to_pga`.) Beyond the last period nothing is known: asking there raises
+    SpectrumError. Other damping: see `DAMPING_RULE`; a table sampled from EN 1998-1 then gives EN 1998-1.
 
     Raises SpectrumError for points that are not finite, not positive, not rising in period, or lack a PGA.
     """
@@ -43,6 +43,7 @@ def table_spectrum(
         damping_rule=DAMPING_RULE,
         ordinates=lambda at, other: points.ordinates(at, ec8_eta(other) / ec8_eta(damping)),
         clause="table given by the user",
+        longest_period=T_max,
     )
 
 
@@ -135,10 +136,6 @@ def _with_pga(period: FloatArray, acceleration: FloatArray, *, pga: float | None
                 f"spectrum table starts at {period[0]:.6g} s; add the point at T = 0 (the PGA) or give pga"
             )
         period, acceleration = np.insert(period, 0, 0.0), np.insert(acceleration, 0, pga)
-    elif pga is not None and not np.isclose(pga, acceleration[0], rtol=1e-3, atol=0.0):
-        raise SpectrumError(
-            f"spectrum table: pga = {pga:.6g} m/s2, but the point at T = 0 says {acceleration[0]:.6g} m/s2; give one"
-        )
     if period.size < 2:
         raise SpectrumError("spectrum table: one point; a spectrum needs at least two")
     return _Points(period, acceleration)

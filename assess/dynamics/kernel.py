@@ -8,7 +8,7 @@ linear between samples:
 
 Both equations share one march and one treatment of events; what differs is handed over as three functions:
 
-    stride        over one whole record interval, as fast as it can; says when it cannot vouch for its answer
+    glide         over whole record intervals, fast, as far as `calm` and the error allow
     advance       over any part of an interval
     acceleration  y'' of a state
 
@@ -33,7 +33,7 @@ FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
 State = tuple[float, float, float]  # y [-], y' [1/s], y'' [1/s2]
 Ground = tuple[float, float]  # acceleration [m/s2] and its rate [m/s3]
-Stride = Callable[..., tuple[bool, float, float, float]]
+Glide = Callable[..., tuple[int, float, float, float]]
 Advance = Callable[..., State]
 Acceleration = Callable[..., float]
 March = Callable[..., int]
@@ -69,12 +69,12 @@ P2, INVERSE, Y_K, Y_V, Y_A, V_K, V_V, V_A = range(8)
 
 def compiled(function: F) -> F:
     """Compiled inside the two entry points, which are what numba caches."""
-    return cast(F, numba.njit(nogil=True, error_model="numpy")(function))
+    return cast(F, numba.njit(nogil=True, error_model="numpy", fastmath={"contract"}, no_cpython_wrapper=True, no_cfunc_wrapper=True)(function))
 
 
 def entry(function: F) -> F:
     """An entry point: compiled, cached on disk, free of the interpreter's lock."""
-    return cast(F, numba.njit(cache=True, nogil=True, error_model="numpy")(function))
+    return cast(F, numba.njit(cache=True, nogil=True, error_model="numpy", fastmath={"contract"}, no_cfunc_wrapper=True)(function))
 
 
 # ---------------------------------------------------------------------------------------------------- events, shared
@@ -120,6 +120,14 @@ def lifted(branch: FloatArray, a: float) -> bool:
 
 
 @compiled
+def idle(ground: FloatArray, scale: float, lowest: float, highest: float, i: int, until: int) -> int:
+    """The first interval from i on, or `until`, in which the ground acceleration leaves [lowest, highest]."""
+    while i < until and lowest <= scale * ground[i] <= highest and lowest <= scale * ground[i + 1] <= highest:
+        i += 1
+    return i
+
+
+@compiled
 def note(events: FloatArray, time: float, kind: int, value: float) -> None:
     """Append an event where there is room for it."""
     n = int(events[0, 0]) + 1
@@ -135,7 +143,7 @@ def largest(found: FloatArray, y: float, side: int, time: float) -> None:
         found[RATIO], found[SIDE], found[TIME] = y, side, time
 
 
-def marching(stride: Stride, advance: Advance, acceleration: Acceleration) -> March:
+def marching(glide: Glide, advance: Advance, acceleration: Acceleration) -> March:
     """The march of one job by the equation that the three functions stand for."""
 
     @compiled
@@ -146,20 +154,21 @@ def marching(stride: Stride, advance: Advance, acceleration: Acceleration) -> Ma
         Newton's method (secant for y'', whose derivative is not at hand) within a bracket that only shrinks.
         """
         f_start, before, f_before = start[component] - level, end, last[component] - level
-        low, high, x, state = 0.0, end, end * f_start / (f_start - f_before), last
+        low, high, x, state, close = 0.0, end, end * f_start / (f_start - f_before), last, False
         for _ in range(60):
             state = advance(flow, side, start, ground, x)
+            if close:
+                break
             f = state[component] - level
             if (f > 0.0) == (f_start > 0.0):
                 low = x
             else:
                 high = x
             slope = state[component + 1] if component < 2 else (f - f_before) / (x - before)
-            new = x - f / slope if slope != 0.0 else low
+            new = x - f / slope if slope != 0.0 else -1.0
+            close = abs(new - x) <= 1e-8 * end  # the error of the next one is the square of this
             if not low <= new <= high:
-                new = 0.5 * (low + high)
-            if abs(new - x) <= 1e-15 * end:
-                break
+                new, close = 0.5 * (low + high), high - low <= 1e-15 * end
             before, f_before, x = x, f, new
         return x, state
 
@@ -241,8 +250,8 @@ def marching(stride: Stride, advance: Advance, acceleration: Acceleration) -> Ma
         peaked, or rest, or overturning. Who still balances after the last piece, which takes a distance from the
         threshold below the rounding error, has overturned if beyond phi_ov.
         """
-        found[:] = 0.0
-        found[PASSED] = math.nan
+        for c in range(found.shape[0]):
+            found[c] = math.nan if c == PASSED else 0.0
         side, y, v, k, a = -1, 0.0, 0.0, 0.0, scale * ground[0]
         if release > 0.0:
             side, y = 0, release
@@ -251,41 +260,40 @@ def marching(stride: Stride, advance: Advance, acceleration: Acceleration) -> Ma
         traced, top = path.shape[0] > 0, -1.0 if events.shape[0] > 1 else found[RATIO]
         if traced:
             path[0, 0], path[0, 1] = y * branch[0, OVERTURNING], 0.0
-        lowest, highest, limit = -branch[0, THRESHOLD], branch[1, THRESHOLD], branch[0, LIMIT]
+        lowest, highest = -branch[0, THRESHOLD], branch[1, THRESHOLD]
         last, tail, everything = ground.shape[0] - 1, TAIL_PIECE / max(branch[0, RATE], branch[1, RATE]), 3
         if branch[0, PARTNER] == 0.0:
             everything = 1
-        samples, peaked, column, h = last + 1, 0, LIMIT, dt
-        for i in range(last + TAIL_PIECES):
+        samples, peaked, column, h, time, i = last + 1, 0, LIMIT, dt, 0.0, 0
+        while i < last + TAIL_PIECES:
+            a0, a, begun, until = 0.0, 0.0, i, i + 1 if traced else last
             if i < last:
-                a0, a, time = a, scale * ground[i + 1], i * dt
+                if side < 0:
+                    i = idle(ground, scale, lowest, highest, i, until)
+                else:
+                    i, y, v, k = glide(flow, side, y, v, k, ground, scale, dt, i, until, top)
+                if i < until:
+                    a0, a, time = scale * ground[i], scale * ground[i + 1], i * dt
             elif side < 0 or peaked == everything:
                 break
             else:
-                a0, a, h, time, column = 0.0, 0.0, tail, last * dt + (i - last) * tail, TAIL_LIMIT
-            quiet, y1, v1, k1 = False, y, v, k
-            if side < 0:
-                quiet = lowest <= a0 <= highest and lowest <= a <= highest
-            elif i < last:
-                quiet, y1, v1, k1 = stride(flow, side, y, v, k, a0, a, dt)
-                quiet = quiet and calm((y, v, k), (y1, v1, k1), dt, top)
-            if quiet:
-                y, v, k = y1, v1, k1
-            else:
+                h, time, column = tail, last * dt + (i - last) * tail, TAIL_LIMIT
+            if i >= last or i < until:
                 side, y, v, more = through(
                     flow, branch, found, events, column, side, y, v, time, a0, (a - a0) / h, h
                 )  # fmt: skip
+                i += 1
                 if column == TAIL_LIMIT:
                     peaked |= more
                 if side >= 0:
-                    k, limit = acceleration(flow, side, y, v, a), branch[side, column]
+                    k = acceleration(flow, side, y, v, a)
                 if top >= 0.0:
                     top = found[RATIO]
-            if traced and i < last:
+            if traced and begun < last:
                 turn = (1.0 - 2.0 * side) * branch[side, OVERTURNING] if side >= 0 else 0.0
-                path[i + 1, 0], path[i + 1, 1] = turn * y, turn * v
-            if found[OVERTURNED] > 0.0 or (side >= 0 and y >= limit and v >= 0.0):
-                found[OVERTURNED], samples = 1.0, min(samples, i + 2)
+                path[i, 0], path[i, 1] = turn * y, turn * v
+            if found[OVERTURNED] > 0.0:
+                samples = min(samples, i + 1)
                 break
         if side >= 0 and peaked != everything and y >= 1.0:
             found[OVERTURNED] = 1.0  # or balances beyond phi_ov for ever
@@ -304,13 +312,14 @@ def marching(stride: Stride, advance: Advance, acceleration: Acceleration) -> Ma
 @compiled
 def growth(x: float) -> tuple[float, float, float]:
     """sinh x, cosh x - 1 and sinh x - x, each without cancellation."""
-    half = math.sinh(0.5 * x)
-    sinh = math.sinh(x)
-    if x > 0.5:
-        return sinh, 2.0 * half * half, sinh - x
     q = x * x
-    series = 1.0 + q / 20.0 * (1.0 + q / 42.0 * (1.0 + q / 72.0 * (1.0 + q / 110.0 * (1.0 + q / 156.0))))
-    return sinh, 2.0 * half * half, x * q / 6.0 * series
+    if q < 0.25:
+        sinh_x = 1 + q * (1 / 20) * (1 + q * (1 / 42) * (1 + q * (1 / 72) * (1 + q * (1 / 110) * (1 + q * (1 / 156)))))
+        cosh_1 = 1 + q * (1 / 12) * (1 + q * (1 / 30) * (1 + q * (1 / 56) * (1 + q * (1 / 90) * (1 + q * (1 / 132)))))
+        sinh_x, cosh_1 = x * q * (1 / 6) * sinh_x, 0.5 * q * cosh_1
+        return x + sinh_x, cosh_1, sinh_x
+    sinh, half = math.sinh(x), math.sinh(0.5 * x)
+    return sinh, 2.0 * half * half, sinh - x
 
 
 @compiled
@@ -335,13 +344,22 @@ def linearised_acceleration(flow: FloatArray, side: int, y: float, v: float, a: 
 
 
 @compiled
-def linearised_stride(flow: FloatArray, side: int, y: float, v: float, k: float, a0: float, a1: float,
-                      dt: float) -> tuple[bool, float, float, float]:  # fmt: skip
-    """One whole interval: y1 = y + y'' (cosh - 1) / p^2 + y' sinh / p - (a1 - a0) (...), in increments."""
-    rise = a1 - a0
-    y1 = y + (k * flow[side, Y_K] + v * flow[side, Y_V] + rise * flow[side, Y_A])
-    v1 = v + (k * flow[side, V_K] + v * flow[side, V_V] + rise * flow[side, V_A])
-    return True, y1, v1, flow[side, P2] * (y1 - 1.0 - flow[side, INVERSE] * a1)
+def linearised_glide(flow: FloatArray, side: int, y: float, v: float, k: float, ground: FloatArray, scale: float,
+                     dt: float, i: int, until: int, top: float) -> tuple[int, float, float, float]:  # fmt: skip
+    """y1 = y + y'' (cosh - 1) / p^2 + y' sinh / p - s (a1 - a0) / threshold (sinh - p dt) / (p dt), in increments."""
+    p2, inverse = flow[side, P2], flow[side, INVERSE]
+    y_k, y_v, y_a = flow[side, Y_K], flow[side, Y_V], flow[side, Y_A]
+    v_k, v_v, v_a = flow[side, V_K], flow[side, V_V], flow[side, V_A]
+    a = scale * ground[i]
+    while i < until:
+        a1 = scale * ground[i + 1]
+        y1 = y + (k * y_k + v * y_v + (a1 - a) * y_a)
+        v1 = v + (k * v_k + v * v_v + (a1 - a) * v_a)
+        k1 = p2 * (y1 - 1.0 - inverse * a1)
+        if not calm((y, v, k), (y1, v1, k1), dt, top):
+            break
+        i, y, v, k, a = i + 1, y1, v1, k1, a1
+    return i, y, v, k
 
 
 @compiled
@@ -357,7 +375,7 @@ def linearised_advance(flow: FloatArray, side: int, start: State, ground: Ground
     return y1, v1, p2 * (y1 - 1.0 - inverse * (ground[0] + ground[1] * x))
 
 
-march_linearised = marching(linearised_stride, linearised_advance, linearised_acceleration)
+march_linearised = marching(linearised_glide, linearised_advance, linearised_acceleration)
 
 
 @entry
@@ -374,8 +392,9 @@ def rock_linearised(branches: FloatArray, ground: FloatArray, offset: IntArray, 
     branch = np.empty((2, 7))
     for j in range(oscillator.shape[0]):
         m = motion[j]
-        branch[:, :] = branches[oscillator[j]]
         for side in range(2):
+            for c in range(7):
+                branch[side, c] = branches[oscillator[j], side, c]
             branch[side, LIMIT] = 1.0 + abs(scale[j]) * peak[m] / branch[side, THRESHOLD]
         flow = linearised_flow(branch, dt[m])
         samples = march_linearised(
@@ -420,8 +439,9 @@ def table_acceleration(table: FloatArray, j: int, y: float, v: float, sa: float)
 
 @compiled
 def dormand_prince(table: FloatArray, j: int, first: int, last: int, y: float, v: float, k1: float, sa: float,
-                   slope: float, h: float) -> tuple[float, float, float, float, float]:  # fmt: skip
-    """One step of the pair 5(4) (Dormand and Prince 1980, Table 2): y, y', y'' at its end, and the errors of y, y'.
+                   slope: float, h: float) -> tuple[float, float, float, float, float, int]:  # fmt: skip
+    """One step of the pair 5(4) (Dormand and Prince 1980, Table 2): y, y', y'' at its end, the errors of y, y', and
+    the segment there.
 
     All stages stay on segments first to last, which hold no jump. sa, slope: ground acceleration at the start and its
     rate, in the branch's sign.
@@ -453,7 +473,7 @@ def dormand_prince(table: FloatArray, j: int, first: int, last: int, y: float, v
     k7 = table_acceleration(table, j, y1, v1, sa + slope * h)
     error_v = k1 * (71 / 57600) - k3 * (71 / 16695) + k4 * (71 / 1920) - k5 * (17253 / 339200) + k6 * (22 / 525) - k7 / 40
     error_y = w1 * (71 / 57600) - w3 * (71 / 16695) + w4 * (71 / 1920) - w5 * (17253 / 339200) + w6 * (22 / 525) - v1 / 40
-    return y1, v1, k7, abs(h * error_y), abs(h * error_v)
+    return y1, v1, k7, abs(h * error_y), abs(h * error_v), j
 
 
 @compiled
@@ -466,18 +486,27 @@ def exact_acceleration(flow: Any, side: int, y: float, v: float, a: float) -> fl
 
 
 @compiled
-def exact_stride(flow: Any, side: int, y: float, v: float, k: float, a0: float, a1: float,
-                 dt: float) -> tuple[bool, float, float, float]:  # fmt: skip
-    """One whole interval in one step; not vouched for where the error is too large or a jump was passed."""
+def exact_glide(flow: Any, side: int, y: float, v: float, k: float, ground: FloatArray, scale: float, dt: float,
+                i: int, until: int, top: float) -> tuple[int, float, float, float]:  # fmt: skip
+    """One step for an interval, while its error is small enough and it passes no jump of the table."""
     table, smooth, span, hint, tolerance, rate = flow
-    s = 1.0 - 2.0 * side
-    j = segment(table, y, v, hint[side], span[side, 0], span[side, 1])
-    hint[side] = j
+    bottom, end, tolerance_v = span[side, 0], span[side, 1], tolerance * rate[side]
+    j = segment(table, y, v, hint[side], bottom, end)
     first, last = smooth[j, 0], smooth[j, 1]
-    y1, v1, k1, error_y, error_v = dormand_prince(table, j, first, last, y, v, k, s * a0, s * (a1 - a0) / dt, dt)
-    good = error_y <= tolerance and error_v <= tolerance * rate[side]
-    inside = (y1 <= table[last, RIGHT] or last == span[side, 1]) and (y1 >= table[first, LEFT] or first == span[side, 0])
-    return good and inside, y1, v1, k1
+    low = table[first, LEFT] if first > bottom else -math.inf
+    high = table[last, RIGHT] if last < end else math.inf
+    sign = (1.0 - 2.0 * side) * scale
+    a = sign * ground[i]
+    while i < until:
+        a1 = sign * ground[i + 1]
+        y1, v1, k1, error_y, error_v, j = dormand_prince(table, j, first, last, y, v, k, a, (a1 - a) / dt, dt)
+        if error_y > tolerance or error_v > tolerance_v or not low <= y1 <= high:
+            break
+        if not calm((y, v, k), (y1, v1, k1), dt, top):
+            break
+        i, y, v, k, a = i + 1, y1, v1, k1, a1
+    hint[side] = j
+    return i, y, v, k
 
 
 @compiled
@@ -487,7 +516,7 @@ def step_to(table: FloatArray, j: int, first: int, last: int, start: State, sa: 
     y, v, k = start
     low, high, x, y1, v1 = 0.0, h, 0.5 * h, y, v
     for _ in range(60):
-        y1, v1, _, _, _ = dormand_prince(table, j, first, last, y, v, k, sa, slope, x)
+        y1, v1, _, _, _, _ = dormand_prince(table, j, first, last, y, v, k, sa, slope, x)
         if (y1 < level) == upward:
             low = x
         else:
@@ -518,7 +547,7 @@ def exact_advance(flow: Any, side: int, start: State, ground: Ground, x: float) 
         hint[side] = j
         first, last = smooth[j, 0], smooth[j, 1]
         h = min(h, x - time)
-        y1, v1, k1, error_y, error_v = dormand_prince(table, j, first, last, y, v, k, sa, slope, h)
+        y1, v1, k1, error_y, error_v, _ = dormand_prince(table, j, first, last, y, v, k, sa, slope, h)
         error = max(error_y, error_v / rate[side]) / tolerance
         if error > 1.0 and h > smallest:
             h = max(h * max(0.2, 0.9 * error**-0.2), smallest)
@@ -539,7 +568,7 @@ def exact_advance(flow: Any, side: int, start: State, ground: Ground, x: float) 
     return y, v, k
 
 
-march_exact = marching(exact_stride, exact_advance, exact_acceleration)
+march_exact = marching(exact_glide, exact_advance, exact_acceleration)
 
 
 @entry
@@ -559,8 +588,8 @@ def rock_exact(branches: FloatArray, table: FloatArray, smooth: IntArray, spans:
     for j in range(oscillator.shape[0]):
         m, o = motion[j], oscillator[j]
         branch, span = branches[o], spans[o]
-        hint[:] = span[:, 0]
-        rate[:] = branch[:, RATE]
+        for side in range(2):
+            hint[side], rate[side] = span[side, 0], branch[side, RATE]
         flow = (table, smooth, span, hint, tolerance, rate)
         samples = march_exact(
             flow, branch, ground[offset[m] : offset[m + 1]], dt[m], scale[j], release, found[j], path, events,

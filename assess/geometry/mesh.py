@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from assess.errors import GeometryError
 from assess.geometry.solid import Solid, polyhedron
@@ -107,12 +107,16 @@ def _together(parts: list[dict[str, Any]]) -> tuple[FloatArray, IntArray]:
     """The parts of a file as one mesh."""
     vertices = [np.asarray(part["vertices"], dtype=np.float64).reshape(-1, 3) for part in parts]
     starts = np.cumsum([0, *(len(each) for each in vertices)])[: len(parts)]
-    triangles = [
-        np.asarray(part["faces"], dtype=np.int64).reshape(-1, 3) + start
-        for part, start in zip(parts, starts, strict=True)
-    ]
+    triangles = [_fans(part["faces"]) + start for part, start in zip(parts, starts, strict=True)]
     nothing = np.empty((0, 3))
     return np.concatenate([nothing, *vertices]), np.concatenate([nothing.astype(np.int64), *triangles])
+
+
+def _fans(faces: ArrayLike) -> IntArray:
+    """Triangles [m (k - 2), 3] of faces of k corners [m, k]: fans from the first corner."""
+    corners = np.asarray(faces, dtype=np.int64)
+    fans = [corners[:, [0, i, i + 1]] for i in range(1, corners.shape[1] - 1)]
+    return np.concatenate([np.empty((0, 3), dtype=np.int64), *fans])
 
 
 def _sound(vertices: FloatArray, triangles: IntArray, *, where: str) -> FloatArray:

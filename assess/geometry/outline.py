@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 import shapely
 from numpy.typing import NDArray
@@ -37,12 +39,12 @@ def outline(points: FloatArray, triangles: IntArray) -> Outline:
     middle = (points.min(axis=0) + points.max(axis=0)) / 2.0
     size = float(np.ptp(points, axis=0).max())
     corners = _facing(points - middle, triangles, smallest=FLAT * size**2)
-    polygons = np.atleast_1d(shapely.polygons(corners))
+    polygons = np.asarray(shapely.polygons(corners), dtype=np.object_)
     rim = _rim(corners.mean(axis=1), size=size)
     body = _filled(polygons[rim])
     shapely.prepare(body)
     others = polygons[~rim]
-    whole = _filled(np.append(others[~shapely.covers(body, others)], body))
+    whole = _filled([body, *others[~shapely.covers(body, others)]])
     rings = [_ring(part, straight=STRAIGHT * size) + middle for part in shapely.get_parts(whole)]
     return tuple(sorted(tuple((float(x), float(z)) for x, z in ring) for ring in rings))
 
@@ -69,7 +71,7 @@ def _spread(cells: BoolArray) -> BoolArray:
     return np.asarray(wide | np.roll(wide, 1, axis=1) | np.roll(wide, -1, axis=1), dtype=np.bool_)
 
 
-def _filled(polygons: NDArray[np.object_]) -> shapely.Geometry:
+def _filled(polygons: Sequence[shapely.Geometry] | NDArray[np.object_]) -> shapely.Geometry:
     """The union of polygons, without its holes."""
     parts = shapely.get_parts(shapely.union_all(polygons))
     return shapely.union_all(shapely.polygons(shapely.get_exterior_ring(parts)))

@@ -194,8 +194,8 @@ def _corners(points: ArrayLike, *, name: str) -> FloatArray:
     if len(corners) < 3:
         found = f"{len(corners)} distinct corners" if len(corners) else "no corners"
         raise GeometryError(f'body "{name}": the profile has {found}; give three or more')
-    area = _polygon_moments(corners)[0]
-    if abs(area) <= THINNEST * float(np.ptp(corners, axis=0).max()) ** 2:
+    hull = shapely.MultiPoint(corners).convex_hull
+    if hull.area <= THINNEST * float(np.ptp(corners, axis=0).max()) ** 2:
         raise GeometryError(f'body "{name}": the profile has no area (its {len(corners)} corners lie on a line)')
     polygon = shapely.Polygon(corners)
     if not polygon.is_valid:
@@ -204,7 +204,7 @@ def _corners(points: ArrayLike, *, name: str) -> FloatArray:
             f'body "{name}": the profile crosses or touches itself ({reason}, x z in m); '
             "list its corners in order around the outline"
         )
-    return corners if area > 0.0 else corners[::-1]
+    return corners if _polygon_moments(corners)[0] > 0.0 else corners[::-1]
 
 
 def _polygon_moments(corners: FloatArray) -> tuple[float, FloatArray, tuple[float, float, float]]:
@@ -217,8 +217,6 @@ def _polygon_moments(corners: FloatArray) -> tuple[float, FloatArray, tuple[floa
     u, w = np.roll(x, -1), np.roll(z, -1)
     D = x * w - u * z
     area = float(D.sum() / 2.0)
-    if area == 0.0:
-        return 0.0, middle, (0.0, 0.0, 0.0)
     cx, cz = float(D @ (x + u)) / (6.0 * area), float(D @ (z + w)) / (6.0 * area)
     xx = float(D @ (x * x + x * u + u * u)) / 12.0 - area * cx * cx
     zz = float(D @ (z * z + z * w + w * w)) / 12.0 - area * cz * cz

@@ -10,6 +10,7 @@ from typing import Annotated, Any, TypeVar
 from pydantic import AfterValidator, BeforeValidator, Field, StrictInt, StrictStr, ValidationInfo, WithJsonSchema
 
 from assess.project.units import KINDS, si_value
+from spectra.columns import ACCELERATION_UNITS, ColumnError, factor_of
 
 T = TypeVar("T")
 
@@ -104,12 +105,17 @@ LengthUnit = Annotated[
     Field(gt=0),
     WithJsonSchema({"type": ["number", "string"], "description": 'a unit of length like "mm"'}),
 ]
-AccelerationUnit = Annotated[
-    float,
-    BeforeValidator(lambda value: _one_unit("acceleration", value)),
-    Field(gt=0),
-    WithJsonSchema({"type": ["number", "string"], "description": 'a unit of acceleration like "m/s^2"'}),
-]
+
+
+def _acceleration_unit(text: str) -> str:
+    try:
+        factor_of(text, known=ACCELERATION_UNITS)
+    except ColumnError as error:
+        raise ValueError(str(error)) from None
+    return text
+
+
+AccelerationUnit = Annotated[StrictStr, AfterValidator(_acceleration_unit)]
 
 
 def _folder(info: ValidationInfo) -> Path:

@@ -43,7 +43,7 @@ from assess.project.units import KINDS, si_value
 
 SPECTRA = ("asce7-05", "ibc2009", "asce7-10", "asce7-16", "table")
 MECHANISMS = ("single-block", "equivalent-block")
-RESTITUTIONS = ("housner", "sorrentino", "thesis")
+RESTITUTIONS = ("thesis", "housner", "sorrentino", "momentum")
 Procedure = Literal[
     "asce43-05-spectrum",
     "asce43-05-spectrum-thesis",
@@ -250,9 +250,9 @@ def _restitution(value: Any) -> float | str:
 
 
 RestitutionValue = Annotated[
-    float | Literal["housner", "sorrentino", "thesis"],
+    float | Literal["thesis", "housner", "sorrentino", "momentum"],
     BeforeValidator(_restitution),
-    Field(description='a number in [0, 1], or "housner", "sorrentino", "thesis"'),
+    Field(description='a number in [0, 1], or "thesis", "housner", "sorrentino", "momentum"'),
 ]
 
 

@@ -34,9 +34,9 @@ UNIFORM = 0.05  # how far a printed time may stand from its place, in steps
 
 
 def looks_like(head: bytes) -> bool:
-    """Whether a file that begins with `head` has two columns: two numbers a line below at most one header line.
+    """Whether a file that begins with `head` has two columns: two fields a line below at most one header line.
 
-    The last line of `head` may be cut and is not looked at, unless it is the only one.
+    The first of these lines must be two numbers; a header alone must state a unit. Later faults are for `read` to name.
     """
     try:
         text = decode(head, where="")

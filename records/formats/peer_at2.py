@@ -146,11 +146,9 @@ def _first_bad(body: bytes) -> str:
 
 
 def _check_count(npts: str, size: int, *, path: Path) -> None:
-    """Refuses a file whose samples are not as many as NPTS, as printed, says."""
-    if npts.lstrip("0") != str(size):
-        remedy = (
-            "the file is cut short"
-            if len(npts) > len(str(size)) or npts > str(size)
-            else "the header or the data are wrong"
-        )
+    """Refuses a file whose samples are not as many as NPTS, as printed, says; however long a number that is."""
+    stated, held = npts.lstrip("0") or "0", str(size)
+    if stated != held:
+        short = (len(stated), stated) > (len(held), held)
+        remedy = "the file is cut short" if short else "the header or the data are wrong"
         raise RecordError(f"{path}: NPTS says {npts[:20]} samples, the file holds {size}; {remedy}")

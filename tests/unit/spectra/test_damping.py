@@ -34,7 +34,7 @@ def test_b_factor_is_linear_between_rows_and_held_beyond_them(damping: float, fa
 
 
 @pytest.mark.parametrize(
-    ("damping", "eta"), [(0.05, 1.0), (0.0, 2.0**0.5), (0.20, 0.4**0.5), (0.28, 0.55), (0.9, 0.55)]
+    ("damping", "eta"), [(0.05, 1.0), (0.0, 2.0**0.5), (0.20, 0.4**0.5), (0.29, 0.55), (0.9, 0.55)]
 )
 def test_eta_is_the_formula_down_to_its_floor(damping: float, eta: float) -> None:
     assert ec8_eta(damping) == pytest.approx(eta, rel=1e-12)

@@ -1,0 +1,189 @@
+"""The command line from outside: exit codes, one line for bad input, help at once, outputs whole or not at all."""
+
+import hashlib
+import json
+import subprocess
+import sys
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from assess.cli import main
+from assess.errors import MechanismError
+from assess.examples import EXAMPLES, source
+from records.errors import RecordError
+from spectra.errors import SpectrumError
+
+COMMANDS = ("new", "check", "run", "parameters", "report", "schema")
+SITE = """
+[site.spectrum]
+code = "asce7-16"
+s_ds = "0.5 g"
+s_d1 = "0.2 g"
+t_l = "6 s"
+"""
+WALL = """
+[materials.brick]
+density = 1800
+[bodies.wall]
+material = "brick"
+box = { thickness = 0.6, length = 3.0, height = "4 m" }
+[mechanisms.wall]
+kind = "single-block"
+blocks = ["wall"]
+"""
+
+
+def ended(*arguments: str | Path) -> int:
+    with pytest.raises(SystemExit) as caught:
+        main([str(argument) for argument in arguments])
+    return int(caught.value.code or 0)
+
+
+def snapshot(folder: Path) -> dict[str, str]:
+    return {
+        str(path.relative_to(folder)): hashlib.sha256(path.read_bytes()).hexdigest() if path.is_file() else "folder"
+        for path in folder.rglob("*")
+    }
+
+
+def best(command: list[str]) -> float:
+    times = []
+    for _ in range(3):
+        started = time.perf_counter()
+        subprocess.run(command, check=True, capture_output=True)
+        times.append(time.perf_counter() - started)
+    return min(times)
+
+
+@pytest.mark.parametrize("arguments", [["--help"], ["run", "--help"]])
+def test_help_answers_at_once(arguments: list[str]) -> None:
+    """Under 0.3 s, or within twice the time of importing typer alone on a slow machine."""
+    help_time = best([sys.executable, "-c", "from assess.cli import main; main()", *arguments])
+    assert help_time < max(0.3, 2 * best([sys.executable, "-c", "import typer"]))
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_every_command_has_help(command: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert ended(command, "--help") == 0
+    assert f"Usage: assess {command}" in capsys.readouterr().out
+
+
+def test_version(capsys: pytest.CaptureFixture[str]) -> None:
+    assert ended("--version") == 0
+    assert capsys.readouterr().out.startswith("assess 0.")
+
+
+@pytest.mark.parametrize("arguments", [["nonsense"], ["run"], ["run", "x", "--jobs", "0"], ["new"], ["check", "--x"]])
+def test_wrong_usage_ends_with_2(arguments: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+    assert ended(*arguments) == 2
+    assert "Error: " in capsys.readouterr().err
+
+
+def test_examples_are_listed(capsys: pytest.CaptureFixture[str]) -> None:
+    assert ended("new", "--list") == 0
+    assert [line.split()[0] for line in capsys.readouterr().out.splitlines()] == list(EXAMPLES)
+
+
+def test_schema_is_json(capsys: pytest.CaptureFixture[str]) -> None:
+    assert ended("schema") == 0
+    assert json.loads(capsys.readouterr().out)["additionalProperties"] is False
+
+
+BAD_PROJECTS = {
+    "unknown key": SITE + WALL + "[sight]\n",
+    "wrong dimension": SITE + WALL.replace('"4 m"', '"4 s"'),
+    "nan": SITE + WALL.replace('"4 m"', "nan"),
+    "negative thickness": SITE + WALL.replace("0.6", "-0.6"),
+    "duplicate names": SITE + WALL + "[bodies.wall]\nmass = 1\n",
+    "unknown code": SITE.replace("asce7-16", "uniform") + WALL,
+    "no records": SITE + WALL + '[records]\nfiles = ["*.AT2"]\n',
+    "empty record": SITE + WALL + '[records]\nfiles = ["empty.AT2"]\n',
+    "junk record": SITE + WALL + '[records]\nfiles = ["junk.AT2"]\n',
+    "junk mesh": SITE + WALL.replace("box = {", 'mesh = "junk.stl" #'),
+    "missing mesh": SITE + WALL.replace("box = {", 'mesh = "missing.stl" #'),
+    "junk spectrum": WALL + '[site.spectrum]\ncode = "table"\nfile = "junk.csv"\n',
+    "hinge outside": SITE + WALL + "hinges = { A = [-50, 0, 0] }\n",
+    "binary junk": bytes(range(256)) * 9,
+    "empty file": "",
+}
+
+
+@pytest.mark.parametrize("command", ["check", "run", "parameters"])
+@pytest.mark.parametrize("case", BAD_PROJECTS)
+def test_bad_input_is_one_line_and_leaves_nothing(
+    case: str, command: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    content = BAD_PROJECTS[case]
+    path = tmp_path / "project.toml"
+    path.write_bytes(content if isinstance(content, bytes) else content.encode())
+    for name in ("junk.AT2", "junk.stl", "junk.csv"):
+        (tmp_path / name).write_bytes(bytes(range(256)) * 3)
+    (tmp_path / "empty.AT2").write_bytes(b"")
+    before = snapshot(tmp_path)
+    assert ended(command, path) == 2
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert captured.err.startswith("assess: error: ")
+    assert captured.err.count("\n") == 1
+    assert "Traceback" not in captured.err
+    assert snapshot(tmp_path) == before
+
+
+@pytest.mark.parametrize("command", ["check", "run", "parameters", "report"])
+@pytest.mark.parametrize("path", ["missing", "", "folder"])
+def test_missing_input_is_one_line(command: str, path: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "folder").mkdir()
+    assert ended(command, tmp_path / path) == 2
+    assert capsys.readouterr().err.count("\n") == 1
+    assert snapshot(tmp_path) == {"folder": "folder"}
+
+
+def test_error_in_its_own_process_has_no_traceback(tmp_path: Path) -> None:
+    """The installed entry point, with a hostile file name."""
+    bad = tmp_path / "a\nb\x1b[31m.toml"
+    bad.write_text("[[[")
+    done = subprocess.run(
+        [sys.executable, "-c", "from assess.cli import main; main()", "run", str(bad)], capture_output=True, text=True
+    )
+    assert done.returncode == 2
+    assert done.stdout == ""
+    assert done.stderr.startswith("assess: error: ")
+    assert done.stderr.count("\n") == 1
+    assert "\x1b" not in done.stderr
+
+
+def raising(error: BaseException) -> Callable[..., None]:
+    def fail(*_: object, **__: object) -> None:
+        raise error
+
+    return fail
+
+
+@pytest.mark.parametrize(
+    "error", [MechanismError("m: x"), RecordError("m: x"), SpectrumError("m: x"), OSError(28, "m: x")]
+)
+def test_errors_of_the_user_end_with_2(
+    error: Exception, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr("assess.project.build.build", raising(error))
+    assert ended("check", source("single_wall")) == 2
+    assert capsys.readouterr().err.startswith("assess: error: m: x")
+
+
+def test_bug_ends_with_70_and_a_log(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    monkeypatch.setattr("assess.project.build.build", raising(ZeroDivisionError("a\nbug")))
+    assert ended("check", source("single_wall")) == 70
+    err = capsys.readouterr().err
+    assert err.startswith("assess: internal error: ZeroDivisionError: a bug (log: ")
+    assert err.count("\n") == 1
+    log = Path(err.rpartition("(log: ")[2].rstrip(")\n"))
+    assert "Traceback" in log.read_text()
+    log.unlink()
+
+
+def test_interrupt_ends_with_130(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("assess.project.build.build", raising(KeyboardInterrupt()))
+    assert ended("check", source("single_wall")) == 130

@@ -1,0 +1,356 @@
+"""Bodies from mesh files: the same box by every way in, and every mesh that is refused."""
+
+import struct
+import time
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+import pytest
+from numpy.typing import ArrayLike
+from scipy.spatial.transform import Rotation
+
+from assess.errors import GeometryError
+from assess.geometry.mesh import load, suspicious
+from assess.geometry.planar import planar
+from assess.geometry.solid import Solid, box, joined, polyhedron, profile
+
+DENSITY = 2240.0
+WALL = box(
+    thickness=1.25, length=3.0, height=8.5, base=[0.5, 0.25, 2.0], density=DENSITY, name="wall"
+)  # exact in binary
+Triangles = Sequence[Sequence[int]]
+
+
+def stl_text(vertices: ArrayLike, triangles: ArrayLike) -> bytes:
+    corners = np.asarray(vertices, dtype=float)[np.asarray(triangles)]
+    lines = ["solid body"]
+    for triangle in corners.tolist():
+        loop = "".join(f"      vertex {x!r} {y!r} {z!r}\n" for x, y, z in triangle)
+        lines.append(f"  facet normal 0 0 0\n    outer loop\n{loop}    endloop\n  endfacet")
+    return ("\n".join([*lines, "endsolid body"]) + "\n").encode()
+
+
+def stl_binary(vertices: ArrayLike, triangles: ArrayLike) -> bytes:
+    corners = np.asarray(vertices, dtype="<f4")[np.asarray(triangles)]
+    facets = np.zeros(len(corners), dtype=[("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
+    facets["corners"] = corners
+    return b"solid of someone's program".ljust(80) + struct.pack("<I", len(facets)) + facets.tobytes()
+
+
+def obj(vertices: ArrayLike, triangles: ArrayLike) -> bytes:
+    places = [f"v {x!r} {y!r} {z!r}" for x, y, z in np.asarray(vertices, dtype=float).tolist()]
+    faces = [f"f {a} {b} {c}" for a, b, c in (np.asarray(triangles) + 1).tolist()]
+    return "\n".join(["mtllib nowhere.mtl", "o body", *places, "usemtl stone", *faces, ""]).encode()
+
+
+def ply(vertices: ArrayLike, triangles: ArrayLike) -> bytes:
+    places = [f"{x!r} {y!r} {z!r}" for x, y, z in np.asarray(vertices, dtype=float).tolist()]
+    faces = [f"3 {a} {b} {c}" for a, b, c in np.asarray(triangles).tolist()]
+    head = ["ply", "format ascii 1.0", f"element vertex {len(places)}", *(f"property double {c}" for c in "xyz")]
+    head += [f"element face {len(faces)}", "property list uchar int vertex_indices", "end_header"]
+    return "\n".join([*head, *places, *faces, ""]).encode()
+
+
+def ply_binary(vertices: ArrayLike, triangles: ArrayLike) -> bytes:
+    places, faces = np.asarray(vertices, dtype="<f8"), np.asarray(triangles)
+    head = ["ply", "format binary_little_endian 1.0", f"element vertex {len(places)}"]
+    head += [*(f"property double {c}" for c in "xyz"), f"element face {len(faces)}"]
+    head += ["property list uchar int vertex_indices", "end_header", ""]
+    rows = np.zeros(len(faces), dtype=[("n", "u1"), ("corners", "<i4", 3)])
+    rows["n"], rows["corners"] = 3, faces
+    return "\n".join(head).encode() + places.tobytes() + rows.tobytes()
+
+
+WRITERS = {
+    "text.stl": stl_text,
+    "binary.stl": stl_binary,
+    "mesh.obj": obj,
+    "text.ply": ply,
+    "binary.PLY": ply_binary,
+}
+EXACT = [name for name in WRITERS if name != "binary.stl"]  # binary STL holds single precision
+
+
+def loaded(
+    folder: Path, vertices: ArrayLike, triangles: ArrayLike, *, file: str = "mesh.obj", scale: float = 1.0
+) -> Solid:
+    path = folder / file
+    path.write_bytes(WRITERS[file](vertices, triangles))
+    return load(path, density=DENSITY, name="wall", scale=scale)
+
+
+def soup(*solids: Solid) -> tuple[np.ndarray, np.ndarray]:
+    """Several surfaces in one."""
+    together = joined(solids, name="soup")
+    return together.vertices, together.triangles
+
+
+def block(x: float, y: float, z: float, *, size: Sequence[float] = (1.0, 1.0, 1.0)) -> Solid:
+    t, length, h = size
+    return box(thickness=t, length=length, height=h, base=[x, y, z], density=DENSITY, name="block")
+
+
+def inwards(solid: Solid) -> Solid:
+    return Solid(solid.name, solid.mass, solid.centroid, solid.inertia, solid.vertices, solid.triangles[:, ::-1])
+
+
+def same(found: Solid, wanted: Solid, *, rtol: float) -> None:
+    size = float(np.ptp(wanted.vertices, axis=0).max())
+    np.testing.assert_allclose(found.mass, wanted.mass, rtol=rtol, atol=0.0)
+    np.testing.assert_allclose(found.centroid, wanted.centroid, rtol=0.0, atol=rtol * size)
+    np.testing.assert_allclose(
+        found.inertia, wanted.inertia, rtol=0.0, atol=rtol * float(np.diag(wanted.inertia).min())
+    )
+
+
+@pytest.mark.parametrize("file", WRITERS)
+def test_mesh_box_is_the_box(tmp_path: Path, file: str) -> None:
+    found = loaded(tmp_path, WALL.vertices, WALL.triangles, file=file)
+    same(found, WALL, rtol=1e-12)
+    assert (found.vertices.shape, found.triangles.shape) == ((8, 3), (12, 3))
+
+
+@pytest.mark.parametrize(("unit", "scale"), [("mm", 1e-3), ("cm", 1e-2), ("ft", 0.3048), ("in", 0.0254)])
+@pytest.mark.parametrize("file", EXACT)
+def test_mesh_box_in_another_unit_is_the_box(tmp_path: Path, file: str, unit: str, scale: float) -> None:
+    same(loaded(tmp_path, WALL.vertices / scale, WALL.triangles, file=file, scale=scale), WALL, rtol=1e-12)
+
+
+@pytest.mark.parametrize("file", EXACT)
+def test_mesh_box_turned_in_space_is_the_box_turned(tmp_path: Path, file: str) -> None:
+    turn = Rotation.from_rotvec([0.4, -0.9, 1.3]).as_matrix()
+    found = loaded(tmp_path, WALL.vertices @ turn.T, WALL.triangles, file=file)
+    same(
+        found,
+        Solid("wall", WALL.mass, turn @ WALL.centroid, turn @ WALL.inertia @ turn.T, WALL.vertices, WALL.triangles),
+        rtol=1e-9,
+    )
+
+
+@pytest.mark.parametrize("file", EXACT)
+def test_mesh_box_in_national_coordinates_is_the_box(tmp_path: Path, file: str) -> None:
+    there = np.array([512345.625, 4123456.75, 250.5])
+    wall = box(thickness=1.25, length=3.0, height=8.5, base=there, density=DENSITY, name="wall")
+    same(loaded(tmp_path, wall.vertices, wall.triangles, file=file), wall, rtol=1e-9)
+
+
+def test_mesh_of_a_profile_is_the_profile(tmp_path: Path) -> None:
+    pier = profile([[0, 0], [2, 0], [2, 1], [1, 1], [1.3, 3], [0, 3]], length=2.7, density=DENSITY, name="pier")
+    same(loaded(tmp_path, pier.vertices, pier.triangles, file="text.stl"), pier, rtol=1e-12)
+
+
+def test_quadrilaterals_and_counting_from_the_end_are_read(tmp_path: Path) -> None:
+    places = "".join(f"v {x!r} {y!r} {z!r}\n" for x, y, z in WALL.vertices.tolist())
+    quads = [[0, 1, 2, 3], [7, 6, 5, 4], [0, 4, 5, 1], [1, 5, 6, 2], [2, 6, 7, 3], [3, 7, 4, 0]]
+    for name, shift in (("forwards.obj", 1), ("backwards.obj", -8)):
+        faces = "".join("f " + " ".join(str(i + shift) for i in quad) + "\n" for quad in quads)
+        (tmp_path / name).write_text(places + faces)
+        same(load(tmp_path / name, density=DENSITY, name="wall"), WALL, rtol=1e-12)
+
+
+def test_unused_vertices_and_collapsed_triangles_do_not_count(tmp_path: Path) -> None:
+    vertices = np.concatenate([WALL.vertices, [[99.0, 99.0, -99.0], [np.nan, 0.0, 0.0], WALL.vertices[0]]])
+    triangles = np.concatenate([WALL.triangles, [[0, 10, 1], [3, 3, 3]]])  # vertex 10 lies on vertex 0
+    found = loaded(tmp_path, vertices, triangles)
+    same(found, WALL, rtol=1e-12)
+    assert found.vertices.shape == (8, 3)
+
+
+def test_shells_beside_one_another_add(tmp_path: Path) -> None:
+    for other in (block(3.0, 0.0, 0.0), block(1.0, 0.25, 0.25), block(1.0, 1.0, 1.0)):  # apart, in contact, at a corner
+        parts = (block(0.0, 0.0, 0.0), other)
+        same(loaded(tmp_path, *soup(*parts), file="text.stl"), joined(parts, name="pair"), rtol=1e-12)
+
+
+def test_shells_in_contact_at_a_slant_add(tmp_path: Path) -> None:
+    turn = Rotation.from_rotvec([0.4, -0.9, 1.3]).as_matrix()
+    vertices, triangles = soup(block(0.0, 0.0, 0.0, size=(2.0, 3.0, 1.0)), block(0.2, 0.3, 1.0), block(-0.5, -1.0, 1.0))
+    found = loaded(tmp_path, vertices @ turn.T + [30.0, 20.0, 10.0], triangles, file="text.ply")
+    assert found.mass == pytest.approx(8.0 * DENSITY, rel=1e-12)
+
+
+def test_a_cavity_is_taken_off(tmp_path: Path) -> None:
+    outer, inner = block(0.0, 0.0, 0.0, size=(4.0, 4.0, 4.0)), block(0.5, 0.0, 1.0, size=(2.0, 2.0, 2.0))
+    found = loaded(tmp_path, *soup(outer, inwards(inner)))
+    assert found.mass == pytest.approx(DENSITY * (64.0 - 8.0), rel=1e-14)
+    np.testing.assert_allclose(found.centroid, [-0.5 * 8.0 / 56.0, 0.0, 2.0], rtol=0.0, atol=1e-14)
+    shelf = block(0.5, 0.0, 1.5, size=(0.5, 0.5, 0.5))
+    with_shelf = loaded(tmp_path, *soup(outer, inwards(inner), shelf))
+    assert with_shelf.mass == pytest.approx(DENSITY * (64.0 - 8.0 + 0.125), rel=1e-14)
+
+
+def refused(folder: Path, vertices: ArrayLike, triangles: ArrayLike, *, text: str) -> None:
+    for file in EXACT:
+        with pytest.raises(GeometryError, match=text) as caught:
+            loaded(folder, vertices, triangles, file=file)
+        assert "\n" not in str(caught.value)
+        assert str(caught.value).startswith('body "wall"')
+
+
+def test_an_open_mesh_is_refused(tmp_path: Path) -> None:
+    text = r"mesh .*: it is open: 3 boundary edges; close the surface .the first runs from .* to .* m."
+    refused(tmp_path, WALL.vertices, WALL.triangles[1:], text=text)
+    a, b = WALL.vertices[WALL.triangles[0]][:2]
+    with pytest.raises(GeometryError) as caught:
+        loaded(tmp_path, WALL.vertices, WALL.triangles[1:])
+    places = ["(" + ", ".join(f"{value:g}" for value in point) + ")" for point in (a, b)]
+    assert sum(place in str(caught.value) for place in places) >= 1
+
+
+def test_a_mesh_not_wound_alike_is_refused(tmp_path: Path) -> None:
+    triangles = WALL.triangles.copy()
+    triangles[5] = triangles[5, ::-1]
+    refused(tmp_path, WALL.vertices, triangles, text="not wound alike at 3 edges; unify the normals")
+
+
+def test_an_inverted_mesh_is_refused(tmp_path: Path) -> None:
+    refused(tmp_path, WALL.vertices, WALL.triangles[:, ::-1], text=r"inside out .volume -31.875 m3.; flip its normals")
+
+
+def test_edges_of_more_than_two_triangles_are_refused(tmp_path: Path) -> None:
+    parts = soup(block(0.0, 0.0, 0.0), block(1.0, 1.0, 0.0))  # share one vertical edge
+    refused(tmp_path, *parts, text="1 edge shared by three or more triangles; separate")
+    refused(tmp_path, *soup(WALL, WALL), text="18 edges shared by three or more")
+
+
+def test_a_mesh_without_volume_is_refused(tmp_path: Path) -> None:
+    refused(tmp_path, [[0, 0, 0], [1, 0, 0], [0, 0, 1]], [[0, 1, 2], [0, 2, 1]], text="encloses no volume")
+    refused(tmp_path, WALL.vertices * [0.0, 1.0, 1.0], WALL.triangles, text="shared by three|no volume|not wound alike")
+    refused(tmp_path, [[0, 0, 0]] * 3, [[0, 1, 2]], text="shrunk to lines or points")
+
+
+@pytest.mark.parametrize(
+    ("where", "size"),
+    [
+        ((0.3, 0.2, 0.4), (1.0, 1.0, 1.0)),  # at a corner
+        ((0.5, 0.0, 0.0), (1.0, 1.0, 1.0)),  # pushed in with four faces flush
+        ((0.0, 0.0, 0.0), (0.5, 3.0, 1.0)),  # a cross, top and bottom flush
+        ((0.0, 0.0, 0.5), (0.25, 0.25, 3.0)),  # a bar through the top face
+        ((0.25, 0.0, 0.0), (0.5, 0.5, 0.5)),  # inside, two faces flush
+        ((0.0, 0.0, -0.99999), (1.0, 1.0, 1.0)),  # by a hundredth of a millimetre
+    ],
+)
+@pytest.mark.parametrize("angle", [0.0, 0.7])
+def test_overlapping_shells_are_refused(
+    tmp_path: Path, where: tuple[float, float, float], size: tuple[float, float, float], angle: float
+) -> None:
+    vertices, triangles = soup(block(0.0, 0.0, 0.0), block(*where, size=size))
+    turn = Rotation.from_rotvec([angle, 2.0 * angle, -angle]).as_matrix()
+    refused(tmp_path, vertices @ turn.T, triangles, text="overlap near .* would count twice|lies inside another")
+
+
+def test_a_shell_inside_another_is_refused_unless_it_is_a_cavity(tmp_path: Path) -> None:
+    outer, inner = block(0.0, 0.0, 0.0, size=(4.0, 4.0, 4.0)), block(0.5, 0.0, 1.0, size=(2.0, 2.0, 2.0))
+    refused(tmp_path, *soup(outer, inner), text="shell 2, around .0.5, 0, 2. m, lies inside another")
+    refused(tmp_path, *soup(outer, inwards(block(9.0, 0.0, 0.0))), text="shell 2, around .9, 0, 0.5. m, is inside out")
+    thorough = block(0.0, 0.0, 3.5, size=(2.0, 2.0, 2.0))
+    refused(tmp_path, *soup(outer, inwards(thorough)), text="overlap|inside out")
+
+
+def test_a_flat_shell_beside_a_body_is_refused(tmp_path: Path) -> None:
+    vertices = np.concatenate([WALL.vertices, [[9.0, 0.0, 0.0], [9.0, 1.0, 0.0], [9.0, 0.0, 1.0]]])
+    triangles = np.concatenate([WALL.triangles, [[8, 9, 10], [8, 10, 9]]])
+    refused(tmp_path, vertices, triangles, text="shell 2, around .* encloses no volume; remove it")
+
+
+@pytest.mark.parametrize("value", [float("nan"), float("inf")])
+def test_numbers_that_are_not_finite_are_refused(tmp_path: Path, value: float) -> None:
+    vertices = WALL.vertices.copy()
+    vertices[3, 1] = value
+    for file in WRITERS:
+        with pytest.raises(GeometryError, match=r"not finite|cannot be read"):
+            loaded(tmp_path, vertices, WALL.triangles, file=file)
+
+
+def test_a_triangle_of_a_vertex_that_is_not_there_is_refused(tmp_path: Path) -> None:
+    for file in ("mesh.obj", "text.ply", "binary.PLY"):
+        with pytest.raises(GeometryError, match=r"uses vertex 77 of 8|cannot be read as OBJ .index 77"):
+            loaded(tmp_path, WALL.vertices, np.concatenate([WALL.triangles, [[0, 1, 77]]]), file=file)
+
+
+JUNK = bytes(np.random.default_rng(0).integers(0, 256, 5000, dtype=np.uint8))
+
+
+@pytest.mark.parametrize("ending", ["stl", "obj", "ply"])
+@pytest.mark.parametrize(
+    "content",
+    [b"", JUNK, b"hello\nworld\n", b"solid a\nendsolid a\n", b"v 1 2 3\n", b"f 1 2 3\n", b"v a b c\nf 1 1 1\n"],
+)
+def test_files_without_a_mesh_are_refused(tmp_path: Path, ending: str, content: bytes) -> None:
+    path = tmp_path / f"wall.{ending}"
+    path.write_bytes(content)
+    with pytest.raises(GeometryError, match=r"no triangles found|cannot be read as") as caught:
+        load(path, density=DENSITY, name="wall")
+    assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("file", WRITERS)
+def test_a_file_cut_short_is_refused(tmp_path: Path, file: str) -> None:
+    content = WRITERS[file](WALL.vertices, WALL.triangles)
+    path = tmp_path / file
+    for part in (0.3, 0.6, 0.9):
+        path.write_bytes(content[: int(part * len(content))])
+        with pytest.raises(GeometryError, match=f'body "wall": mesh {file}'):
+            load(path, density=DENSITY, name="wall")
+
+
+def test_missing_files_folders_and_other_kinds_are_refused(tmp_path: Path) -> None:
+    with pytest.raises(
+        GeometryError, match=r'body "wall": mesh wall.stl: No such file or directory .*; check the path'
+    ):
+        load(tmp_path / "wall.stl", density=DENSITY, name="wall")
+    (tmp_path / "folder.stl").mkdir()
+    with pytest.raises(GeometryError, match="Is a directory"):
+        load(tmp_path / "folder.stl", density=DENSITY, name="wall")
+    with pytest.raises(GeometryError, match=r'files of kind ".dwg" are not read; export it as one of .stl, .obj, .ply'):
+        load(tmp_path / "wall.dwg", density=DENSITY, name="wall")
+
+
+def test_scale_and_density_must_be_positive(tmp_path: Path) -> None:
+    for scale in (0.0, -1.0, float("nan")):
+        with pytest.raises(GeometryError, match="its unit is"):
+            loaded(tmp_path, WALL.vertices, WALL.triangles, scale=scale)
+    (tmp_path / "wall.obj").write_bytes(obj(WALL.vertices, WALL.triangles))
+    with pytest.raises(GeometryError, match="density is -1 kg/m3"):
+        load(tmp_path / "wall.obj", density=-1.0, name="wall")
+
+
+def test_a_size_that_suggests_a_wrong_unit_is_told() -> None:
+    assert suspicious(WALL) is None
+    for factor in (1000.0, 0.001):
+        sentence = suspicious(polyhedron(WALL.vertices * factor, WALL.triangles, density=DENSITY, name="wall"))
+        assert sentence == f'body "wall" measures {8.5 * factor:.4g} m at its longest; is the unit of the mesh right?'
+
+
+def test_single_precision_far_from_the_origin_is_told(tmp_path: Path) -> None:
+    there = np.array([512345.1, 4123456.7, 250.3])
+    found = loaded(tmp_path, WALL.vertices + there, WALL.triangles, file="binary.stl")
+    assert "in single precision, which there resolves 0.49 m" in (suspicious(found) or "")
+    assert suspicious(loaded(tmp_path, WALL.vertices + there, WALL.triangles)) is None
+
+
+def test_two_hundred_thousand_triangles_in_seconds(tmp_path: Path) -> None:
+    """Load and outline of a drum with a rough skin."""
+    n, m = 400, 250
+    rng = np.random.default_rng(4)
+    turn, rise = 2.0 * np.pi * np.arange(n) / n, np.linspace(0.0, 8.0, m)
+    radius = 1.5 + 0.002 * rng.normal(size=(m, n))
+    rings = np.stack([radius * np.cos(turn), radius * np.sin(turn), np.broadcast_to(rise[:, None], (m, n))], axis=2)
+    vertices = np.concatenate([rings.reshape(-1, 3), [[0.0, 0.0, 0.0], [0.0, 0.0, 8.0]]])
+    i, k = np.meshgrid(np.arange(n), np.arange(m - 1))
+    a, b = (k * n + i).ravel(), (k * n + (i + 1) % n).ravel()
+    ring = np.arange(n)
+    foot = np.column_stack([np.full(n, n * m), (ring + 1) % n, ring])
+    head = np.column_stack([np.full(n, n * m + 1), ring + (m - 1) * n, (ring + 1) % n + (m - 1) * n])
+    triangles = np.concatenate([np.column_stack([a, b, a + n]), np.column_stack([b, b + n, a + n]), foot, head])
+    path = tmp_path / "drum.stl"
+    path.write_bytes(stl_binary(vertices, triangles))
+    start = time.perf_counter()
+    drum = load(path, density=DENSITY, name="drum")
+    body = planar(drum, direction=[0.8, 0.6, 0.0])
+    seconds = time.perf_counter() - start
+    assert len(drum.triangles) == 2 * n * m > 199_000
+    assert drum.mass == pytest.approx(DENSITY * np.pi * 1.5**2 * 8.0, rel=1e-3)  # 400 sides, rough skin
+    assert len(body.outline) == 1
+    assert seconds < 10.0, f"{seconds:.1f} s; about 1.5 s on an idle machine"

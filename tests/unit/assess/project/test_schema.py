@@ -1,0 +1,257 @@
+"""The project file: what is read, and one clear line for what is wrong."""
+
+import hashlib
+import time
+from pathlib import Path
+from typing import Any
+
+import pytest
+from scipy.constants import g
+
+from assess.codes.registry import PROCEDURES as REGISTERED
+from assess.errors import ProjectError
+from assess.project.schema import json_schema, load, resolved
+from assess.project.sections import PROCEDURES, BoxBody, DirectBody, EquivalentBlock, MeshBody, ProfileBody, SingleBlock
+
+PROJECT = """
+title = "A wall"
+[site]
+pga = "0.1 g"
+[site.spectrum]
+code = "asce7-05"
+s_ds = "0.5 g"
+s_d1 = "0.25 g"
+t_l = "6 s"
+[building]
+height = "16 m"
+[materials.brick]
+density = "1800 kg/m^3"
+[bodies.wall]
+material = "brick"
+box = { thickness = "60 cm", length = 3.0, height = "4 m" }
+[mechanisms.wall]
+kind = "single-block"
+blocks = ["wall"]
+restitution = 0.9
+[mechanisms.other]
+kind = "equivalent-block"
+p = "1.60 1/s"
+uplift = 0.14
+radius = "2.84 m"
+[analysis]
+levels = ["0.1 g", "0.2 g"]
+"""
+
+
+def written(folder: Path, content: str | bytes) -> Path:
+    path = folder / "project.toml"
+    path.write_bytes(content if isinstance(content, bytes) else content.encode())
+    return path
+
+
+def changed(old: str, new: str) -> str:
+    assert PROJECT.count(old) == 1, old
+    return PROJECT.replace(old, new)
+
+
+def test_quantities_are_si(tmp_path: Path) -> None:
+    content = load(written(tmp_path, PROJECT)).content
+    assert content.site is not None
+    assert content.site.pga == pytest.approx(0.1 * g, rel=1e-15)
+    wall = content.bodies["wall"]
+    assert isinstance(wall, BoxBody)
+    assert (wall.box.thickness, wall.box.length, wall.box.height) == (0.6, 3.0, 4.0)
+    assert content.analysis.levels == pytest.approx((0.1 * g, 0.2 * g), rel=1e-15)
+    other = content.mechanisms["other"]
+    assert isinstance(other, EquivalentBlock)
+    assert (other.p, other.uplift, other.radius, other.mass, other.elevation) == (1.6, 0.14, 2.84, 1.0, 0.0)
+
+
+def test_defaults(tmp_path: Path) -> None:
+    content = load(written(tmp_path, PROJECT)).content
+    wall = content.mechanisms["wall"]
+    assert isinstance(wall, SingleBlock)
+    assert (wall.blocks, wall.direction, wall.sides, wall.hinges) == ((("wall",),), (1.0, 0.0, 0.0), "two", None)
+    assert (wall.restitution.positive, wall.restitution.negative) == (0.9, 0.9)
+    assert content.mechanisms["other"].restitution.positive == "thesis"
+    assert content.building is not None
+    assert content.building.period == pytest.approx(0.05 * 8.0)  # 0.05 H^0.75, 16^0.75 = 8
+    assert content.records.synthetic is not None
+    assert content.records.synthetic.count == 7
+
+
+def test_schema_and_registry_name_the_same_procedures() -> None:
+    assert set(PROCEDURES) == set(REGISTERED)
+
+
+def test_the_four_forms_of_a_body(tmp_path: Path) -> None:
+    (tmp_path / "wall.stl").write_text("solid wall\nendsolid wall\n")
+    forms = """
+    [bodies.a]
+    material = "brick"
+    mesh = "wall.stl"
+    mesh_unit = "mm"
+    [bodies.b]
+    material = "brick"
+    profile = [[0, 0], ["1 ft", 0], [0, 1]]
+    length = 2
+    [bodies.c]
+    mass = "2 t"
+    centroid = [0, "150 cm"]
+    inertia = "3000 kg m^2"
+    """
+    bodies = load(written(tmp_path, PROJECT + forms)).content.bodies
+    mesh, profile, direct = bodies["a"], bodies["b"], bodies["c"]
+    assert isinstance(mesh, MeshBody)
+    assert (mesh.mesh, mesh.mesh_unit) == (tmp_path / "wall.stl", 0.001)
+    assert isinstance(profile, ProfileBody)
+    assert profile.profile[1] == (0.3048, 0.0)
+    assert isinstance(direct, DirectBody)
+    assert (direct.mass, direct.centroid, direct.inertia) == (2000.0, (0.0, 1.5), 3000.0)
+
+
+def test_records_are_found_sorted_and_once(tmp_path: Path) -> None:
+    (tmp_path / "r").mkdir()
+    for name in ("b.AT2", "a.AT2", "c [x].AT2"):
+        (tmp_path / "r" / name).write_text("")
+    files = PROJECT + '[records]\nfiles = ["r/c [x].AT2", "r/*.AT2"]\n'
+    records = load(written(tmp_path, files)).content.records
+    assert [path.name for path in records.files] == ["c [x].AT2", "a.AT2", "b.AT2"]
+    assert records.synthetic is None
+
+
+def test_project_remembers_its_file(tmp_path: Path) -> None:
+    path = written(tmp_path, PROJECT)
+    project = load(tmp_path)
+    assert (project.path, project.folder) == (path, tmp_path)
+    assert project.sha256 == hashlib.sha256(path.read_bytes()).hexdigest()
+
+
+def test_byte_order_mark_is_accepted(tmp_path: Path) -> None:
+    assert load(written(tmp_path, b"\xef\xbb\xbf" + PROJECT.encode())).content.title == "A wall"
+
+
+def test_resolved_tells_given_from_default(tmp_path: Path) -> None:
+    values = resolved(load(written(tmp_path, PROJECT)))
+    pairs = {key: (value.value, value.given) for key, value in values.items()}
+    assert pairs["bodies.wall.box.thickness"] == (0.6, True)
+    assert pairs["bodies.wall.box.base"] == ([0.0, 0.0, 0.0], False)
+    assert pairs["mechanisms.wall.restitution.negative"] == (0.9, True)
+    assert pairs["mechanisms.other.restitution.negative"] == ("thesis", False)
+    assert pairs["building.period"] == (pytest.approx(0.4), False)
+    assert pairs["records.synthetic.seed"] == (1, False)
+    assert pairs["analysis.levels"] == ([pytest.approx(0.1 * g), pytest.approx(0.2 * g)], True)
+
+
+def test_fifty_quantities_load_quickly(tmp_path: Path) -> None:
+    walls = "".join(
+        f'[mechanisms.w{i}]\nkind = "equivalent-block"\np = "{i + 1} 1/s"\nuplift = "0.1"\nradius = "{i + 1} m"\n'
+        for i in range(25)
+    )
+    started = time.perf_counter()
+    assert len(load(written(tmp_path, PROJECT + walls)).content.mechanisms) == 27
+    assert time.perf_counter() - started < 1.5
+
+
+WRONG = {
+    "unknown key": (changed("title =", "titel ="), 'titel: "A wall": unknown key; did you mean "title"?'),
+    "unknown key in a body": (
+        changed("thickness", "thicknes"),
+        'wall.box.thicknes: "60 cm": unknown key; did you mean',
+    ),
+    "key of a later version": (changed("restitution = 0.9", 'cut = "1 m"'), "mechanisms.wall.cut: "),
+    "wrong dimension": (changed('"4 m"', '"4 s"'), 'bodies.wall.box.height: "4 s": "s" is not a unit of length'),
+    "power bomb": (changed('"4 m"', '"9**9**9 m"'), "bodies.wall.box.height: "),
+    "nan": (changed('"4 m"', "nan"), "bodies.wall.box.height: NaN: not a finite number"),
+    "infinity": (changed('"4 m"', "inf"), "bodies.wall.box.height: Infinity: not a finite number"),
+    "true for a number": (changed('"4 m"', "true"), "bodies.wall.box.height: true: not a number"),
+    "negative thickness": (changed('"60 cm"', '"-60 cm"'), 'box.thickness: "-60 cm": must be greater than 0'),
+    "table twice": (PROJECT + "[bodies.wall]", "bodies.wall stands there twice; give each its own name"),
+    "key twice": (changed('blocks = ["wall"]', "sides = 1\nsides = 2"), "stands there twice"),
+    "not TOML": ("title = 1\nthis is prose", "line 2, column 6: not valid TOML"),
+    "unknown code": (changed("asce7-05", "ec8"), 'site.spectrum.code: "ec8": not supported; write one of "asce7-05"'),
+    "no code": (changed('code = "asce7-05"', ""), "site.spectrum.code: missing; write one of"),
+    "unknown kind": (changed("single-block", "two-block"), 'mechanisms.wall.kind: "two-block": not supported'),
+    "unknown procedure": (PROJECT + 'procedures = ["ntc2018-linear"]', 'analysis.procedures[1]: "ntc2018-linear": '),
+    "unknown material": (
+        changed('"brick"', '"stone"'),
+        'bodies.wall.material: "stone": no such material; known: "brick"',
+    ),
+    "unknown body": (
+        changed('["wall"]', '["walls"]'),
+        'mechanisms.wall.blocks: ["walls"]: no such body; known: "wall"',
+    ),
+    "two geometries": (changed('"brick"', '"brick"\nmass = 1'), "bodies.wall: "),
+    "restitution above 1": (changed("0.9", "1.1"), "mechanisms.wall.restitution: 1.1: outside [0, 1]"),
+    "restitution of no name": (
+        changed("0.9", '"bouncy"'),
+        'mechanisms.wall.restitution: "bouncy": not a known restitution',
+    ),
+    "level twice": (changed('"0.2 g"', '"0.1 g"'), "analysis.levels: "),
+    "no levels": (changed('"0.1 g", "0.2 g"', ""), "analysis.levels: []: too few"),
+    "missing key": (changed('t_l = "6 s"', ""), "site.spectrum.t_l: missing; long-period transition period"),
+    "no mechanisms": ('title = "x"', "mechanisms: missing; add a table [mechanisms.NAME]"),
+    "missing mesh": (changed("box = {", 'mesh = "no.stl" #'), 'bodies.wall.mesh: "no.stl": no such file'),
+    "pattern without files": (PROJECT + '[records]\nfiles = ["*.AT2"]', '"*.AT2" matches no file'),
+    "no files": (PROJECT + "[records]\nfiles = []", "records.files: []: not a list of files"),
+    "vertical direction": (
+        changed("restitution = 0.9", "direction = [0, 0, 1]"),
+        "direction: [0, 0, 1]: not horizontal",
+    ),
+    "newer format": ("format = 2\n" + PROJECT, "format: 2: newer than this program"),
+    "format of words": ("format = 'one'\n" + PROJECT, 'format: "one": not a format number'),
+    "empty file": ("  \n", "empty; start from an example"),
+    "binary junk": (bytes(range(256)), "is not UTF-8"),
+    "null bytes": (b"\0" * 100, "not valid TOML"),
+    "deep nesting": ("a = " + "[" * 5000, "nested too deeply"),
+    "number of 5000 digits": ("a = " + "9" * 5000, "a number of thousands of digits"),
+    "line break in a name": (PROJECT + '[materials."a\\nb\\u001b"]\ndensity = -3', r"materials.a\nb\x1b.density: -3"),
+    "US units": (PROJECT + '[report]\nunits = "US"', 'report.units: "US": not allowed; write "SI"'),
+}
+
+
+@pytest.mark.parametrize("case", WRONG)
+def test_what_is_wrong_is_one_line(case: str, tmp_path: Path) -> None:
+    content, expected = WRONG[case]
+    path = written(tmp_path, content)
+    with pytest.raises(ProjectError) as caught:
+        load(path)
+    text = str(caught.value)
+    assert text.startswith(f"{path}: ")
+    assert expected in text
+    assert text.isprintable()
+
+
+def test_more_errors_are_counted(tmp_path: Path) -> None:
+    two = changed('"4 m"', '"4 s"').replace('"2.84 m"', '"2.84 kg"').replace('p = "1.60 1/s"', "p = 0")
+    with pytest.raises(ProjectError, match=r"bodies\.wall\.box\.height: .* \(and 2 more\)$"):
+        load(written(tmp_path, two))
+
+
+@pytest.mark.parametrize("path", ["missing.toml", "", "/dev/zero", "a\0b"])
+def test_no_such_project(path: str, tmp_path: Path) -> None:
+    with pytest.raises(ProjectError) as caught:
+        load(tmp_path / path)
+    assert str(caught.value).isprintable()
+
+
+def references(schema: Any) -> list[str]:
+    if isinstance(schema, dict):
+        own = [schema["$ref"]] if "$ref" in schema else []
+        return own + [ref for value in schema.values() for ref in references(value)]
+    return [ref for item in schema for ref in references(item)] if isinstance(schema, list) else []
+
+
+def test_json_schema_is_closed_and_strict() -> None:
+    schema = json_schema()
+    definitions = schema["$defs"]
+    assert schema["$schema"].endswith("2020-12/schema")
+    assert {ref.removeprefix("#/$defs/") for ref in references(schema)} == set(definitions)
+    assert schema["required"] == ["mechanisms"]
+    for table in (schema, *definitions.values()):
+        assert table["type"] == "object"
+        assert table["additionalProperties"] is False
+        assert set(table.get("required", [])) <= set(table["properties"])
+    thickness = definitions["Box"]["properties"]["thickness"]
+    assert thickness["type"] == ["number", "string"]
+    assert thickness["description"] == 'size along x, like "1.25 m"'

@@ -1,0 +1,147 @@
+"""Results to and from JSON."""
+
+import json
+import math
+from dataclasses import fields, replace
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from assess.codes.check import Check, PgaCurve, Step
+from assess.errors import ResultsError
+from assess.results import (
+    AmplificationResult,
+    BranchCurve,
+    ComparisonRow,
+    Curve,
+    Drawing,
+    Input,
+    MechanismResult,
+    NamedPoint,
+    Notice,
+    OscillatorResult,
+    Program,
+    Resolved,
+    Results,
+    SpectrumResult,
+)
+from assess.results_io import dumps, dumps_mechanisms, loads, read
+
+
+def oscillator() -> OscillatorResult:
+    return OscillatorResult(1000.0, 5000.0, 2.0, 0.1, 1.7, None, 0.1, None, 0.1, 0.0, 0.95)
+
+
+def check() -> Check:
+    step = Step("f", "frequency", "A.2", "f = 1 / T", "1 / 2", 0.5, "Hz")
+    curve = PgaCurve((0.0, 0.5), (0.1, 1 / 3))
+    numbers: dict[str, Any] = {"capacity_pga_g": 0.4, "uplift_pga_g": 0.1, "capacity_rotation_ratio": 0.5}
+    return Check(
+        procedure="asce43-05-spectrum", edition="2005", role="code", branch="positive", limit_state="", level_pga_g=0.1,
+        input_at="ground", damping=None, damping_rule="", quantity="rotation", unit="rad", demand=None, capacity=0.05,
+        ratio=None, verdict="fail", reason="overturns", rotation_ratio=None, pga_curve=curve,
+        steps=(step,), **numbers,
+    )  # fmt: skip
+
+
+def mechanism() -> MechanismResult:
+    drawing = Drawing((((0.0, 0.0), (1.0, 0.0), (1.0, 4.0)),), (NamedPoint("A", (1.0, 0.0)),), (), (0.5, 2.0))
+    curve = Curve(BranchCurve(*[(0.0, 0.1, 0.2)] * 6), None)
+    return MechanismResult(
+        "w", "<b>&", "single-block", "two", "exact", drawing, oscillator(), None, curve, ({"hinge": "A", "x": [1.5]},),
+        AmplificationResult("none", ()), (check(),), (), (), None,
+    )  # fmt: skip
+
+
+def results() -> Results:
+    return Results(
+        schema_version=1,
+        program=Program("assess", "0.1.0"),
+        inputs=(Input("project.toml", "00ff"),),
+        warnings=(Notice("x", "records", "a “sentence” with \n and \x07"),),
+        project={
+            "title": Resolved("é", True),
+            "levels": Resolved([0.1, 0.2], False),
+            "site.pga": Resolved(None, False),
+        },
+        spectrum=SpectrumResult(
+            "asce7-05", {"s_ds": 1, "hazard": "design"}, 0.05, "", "", 0.067, (0.0, 1.0), (1 / 3, 1)
+        ),
+        records=(),
+        mechanisms=(mechanism(),),
+        critical=None,
+        comparison=(ComparisonRow("w", 0.1, "asce43-05-spectrum", None, 0.5, None),),
+    )
+
+
+def test_round_trip_keeps_every_value() -> None:
+    assert loads(dumps(results())) == results()
+
+
+def test_text_is_the_same_each_time_and_after_reading() -> None:
+    text = dumps(results())
+    assert text == dumps(results()) == dumps(loads(text))
+    assert text.endswith("}\n")
+    assert json.loads(text)["spectrum"]["acceleration_g"][0] == 1 / 3
+
+
+def test_field_names_and_order_are_those_of_the_classes() -> None:
+    data = json.loads(dumps(results()))
+    assert list(data) == [field.name for field in fields(Results)]
+    assert list(data["mechanisms"][0]) == [field.name for field in fields(MechanismResult)]
+    assert list(data["mechanisms"][0]["checks"][0]) == [field.name for field in fields(Check)]
+
+
+def test_whole_number_in_a_field_of_floats_becomes_a_float() -> None:
+    assert '"acceleration_g": [0.3333333333333333, 1.0]' in dumps(results())
+
+
+def test_mechanisms_alone_are_the_block_of_the_results() -> None:
+    assert json.loads(dumps_mechanisms((mechanism(),))) == json.loads(dumps(results()))["mechanisms"]
+
+
+@pytest.mark.parametrize("bad", [math.nan, math.inf, -math.inf])
+def test_infinite_number_is_refused_with_its_place(bad: float) -> None:
+    broken = replace(mechanism(), oscillator=replace(oscillator(), restitution=bad))
+    with pytest.raises(ValueError, match=r"mechanisms\[0\]\.oscillator\.restitution is") as caught:
+        dumps(replace(results(), mechanisms=(broken,)))
+    assert not isinstance(caught.value, ResultsError)  # a bug of the program, not of the user's file
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("", "line 1: not JSON"),
+        ("{", "not JSON"),
+        ("[1, 2]", "not a results file"),
+        ("{}", "no schema_version"),
+        ('{"schema_version": 99}', "schema_version: 99: this program reads 1"),
+        ('{"schema_version": 1}', "program: "),
+        ('{"schema_version": NaN}', "NaN"),
+        ("[" * 100_000, "nested too deeply"),
+    ],
+)
+def test_junk_is_one_line(text: str, expected: str) -> None:
+    with pytest.raises(ResultsError) as caught:
+        loads(text, source="results.json")
+    assert str(caught.value).startswith("results.json: ")
+    assert expected in str(caught.value)
+    assert str(caught.value).isprintable()
+
+
+def test_wrong_value_is_named() -> None:
+    data = json.loads(dumps(results()))
+    data["mechanisms"][0]["sides"] = "three"
+    with pytest.raises(ResultsError, match=r"mechanisms\.0\.sides"):
+        loads(json.dumps(data))
+
+
+def test_missing_and_binary_files(tmp_path: Path) -> None:
+    with pytest.raises(ResultsError, match="No such file"):
+        read(tmp_path / "results.json")
+    (tmp_path / "results.json").write_bytes(bytes(range(256)))
+    with pytest.raises(ResultsError, match="not a text file"):
+        read(tmp_path / "results.json")
+    with pytest.raises(ResultsError, match="directory"):
+        read(tmp_path)

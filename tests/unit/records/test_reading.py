@@ -1,0 +1,44 @@
+"""Which format a file has: exactly one, or an error that says which."""
+
+from pathlib import Path
+
+import pytest
+
+import records.reading
+from records.errors import RecordError
+from records.formats import FORMATS, Format
+from records.reading import read
+
+
+@pytest.mark.parametrize(
+    ("data", "words"),
+    [
+        (b"", "the file is empty"),
+        (b" \r\n\n", "the file is empty"),
+        (bytes(range(256)) * 100, r"not a record format known here \(PEER AT2, CSV\)"),
+        (b"Dear Sir,\nplease find enclosed\n", "not a record format known here"),
+        (b"\x1f\x8b\x08\x00" + b"\xff" * 5000, "not a record format known here"),
+    ],
+)
+def test_a_file_of_no_known_format_lists_those_there_are(tmp_path: Path, data: bytes, words: str) -> None:
+    path = tmp_path / "file.AT2"
+    path.write_bytes(data)
+    with pytest.raises(RecordError, match=words) as caught:
+        read(path)
+    assert str(caught.value).startswith(str(path))
+    assert "\n" not in str(caught.value)
+
+
+def test_two_formats_that_match_are_both_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    both = {**FORMATS, "Twin": Format(lambda head: True, FORMATS["CSV"].read)}
+    monkeypatch.setattr(records.reading, "FORMATS", both)
+    path = tmp_path / "quake.csv"
+    path.write_text("time [s], acceleration [g]\n0,0\n1,1\n")
+    with pytest.raises(RecordError, match="could be CSV or Twin"):
+        read(path)
+
+
+def test_a_missing_file_and_a_folder_are_record_errors(tmp_path: Path) -> None:
+    for path in (tmp_path / "absent.AT2", tmp_path):
+        with pytest.raises(RecordError, match="cannot be read"):
+            read(path)

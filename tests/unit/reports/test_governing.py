@@ -1,0 +1,64 @@
+"""Which result decides."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from assess.results import Results
+from reports import governing, sentences
+
+
+def test_overturning_governs_before_every_ratio(results: Results) -> None:
+    worst = governing.worst(results.mechanisms[1].checks)
+    assert worst is not None
+    assert (worst.procedure, worst.level_pga_g, worst.demand) == ("asce43-05-history", 0.45, None)
+
+
+def test_one_check_governs_each_procedure(results: Results) -> None:
+    for mechanism in results.mechanisms:
+        found = governing.worst_per_procedure(mechanism)
+        assert len(found) == 5
+        assert {check.level_pga_g for check in found if check.verdict != "not-applicable"} == {0.45}
+
+
+def test_the_overturning_history_governs(results: Results) -> None:
+    found = governing.history(results.mechanisms[1])
+    assert found is not None
+    assert found[0].overturned
+    bare = replace(results.mechanisms[1], histories=())
+    assert governing.history(bare) is None
+
+
+def test_rows_of_the_comparison_that_overturned(results: Results) -> None:
+    rows = governing.overturned(results)
+    assert [(row.mechanism, row.level_pga_g, row.procedure) for row in rows] == [("parapet", 0.45, "asce43-05-history")]
+
+
+@pytest.mark.parametrize(
+    ("verdict", "words"),
+    [
+        ("pass", "every code check that applies passes"),
+        ("fail", "2 of them fail"),
+        ("not-applicable", "No code procedure"),
+    ],
+)
+def test_outcome_in_words(results: Results, verdict: str, words: str) -> None:
+    mechanisms = tuple(
+        replace(m, checks=tuple(replace(c, verdict=verdict) for c in m.checks))  # type: ignore[arg-type]
+        for m in results.mechanisms
+    )
+    assert words in " ".join(sentences.outcome(replace(results, mechanisms=mechanisms)))
+
+
+def test_limits_name_what_is_unverified_informative_and_linearised(results: Results) -> None:
+    text = " ".join(sentences.limits(results))
+    for words in (
+        "asce43-05-spectrum-thesis: informative",
+        sentences.UNCHECKED,
+        "histories of parapet",
+        "Judge by the suite",
+    ):
+        assert words in text
+    assert "input at the ground and others" in text

@@ -1,0 +1,47 @@
+"""Renderers draw a document; they know nothing of the physics behind it."""
+
+from __future__ import annotations
+
+import ast
+from pathlib import Path
+
+import pytest
+
+import reports
+
+ROOT = Path(reports.__file__).parent
+RENDERERS = (
+    "pdf",
+    "page",
+    "grid",
+    "typeset",
+    "vector",
+    "csv",
+    "spreadsheet",
+    "document",
+    "numerals",
+    "lettering",
+    "style",
+)
+DATA = {"assess.results", "assess.codes.check"}
+
+
+def imports(path: Path) -> set[str]:
+    tree = ast.parse(path.read_text(encoding="utf-8"))
+    found = {node.module or "" for node in ast.walk(tree) if isinstance(node, ast.ImportFrom)}
+    return found | {name.name for node in ast.walk(tree) if isinstance(node, ast.Import) for name in node.names}
+
+
+@pytest.mark.parametrize("name", RENDERERS)
+def test_renderers_import_nothing_of_assess(name: str) -> None:
+    assert not any(module.split(".")[0] in {"assess", "records", "spectra"} for module in imports(ROOT / f"{name}.py"))
+
+
+def test_the_rest_imports_only_results() -> None:
+    for path in ROOT.rglob("*.py"):
+        ours = {module for module in imports(path) if module.split(".")[0] in {"assess", "records", "spectra"}}
+        assert ours <= DATA, path
+
+
+def test_nothing_uses_the_global_state_of_pyplot() -> None:
+    assert not any("pyplot" in module for path in ROOT.rglob("*.py") for module in imports(path))

@@ -1,0 +1,77 @@
+"""Tables hold what the results hold, and nothing else."""
+
+from __future__ import annotations
+
+from dataclasses import asdict, replace
+
+from assess.results import Results
+from reports import tables
+from reports.assessment import assessment
+from reports.sheets import as_table
+
+
+def numbers_in(tree: object) -> set[float]:
+    if isinstance(tree, bool):
+        return set()
+    if isinstance(tree, int | float):
+        return {float(tree)}
+    if isinstance(tree, dict):
+        return set().union(*(numbers_in(value) for value in tree.values()))
+    if isinstance(tree, list | tuple):
+        return set().union(*(numbers_in(value) for value in tree))
+    return set()
+
+
+def test_every_number_of_every_table_stands_in_the_results(results: Results) -> None:
+    known = numbers_in(asdict(results))
+    document = assessment(results)
+    everything = (*document.tables, *(as_table(sheet) for sheet in document.sheets))
+    cells = [cell for table in everything for row in table.rows for cell in row]
+    found = [float(cell) for cell in cells if isinstance(cell, int | float) and not isinstance(cell, bool)]
+    assert len(found) > 1000
+    assert set(found) <= known
+
+
+def test_rows_fit_their_columns_and_names_are_unique(results: Results) -> None:
+    document = assessment(results)
+    for table in document.tables:
+        assert {len(row) for row in table.rows} <= {len(table.columns)}
+    for blocks in ((*document.tables, *document.sheets), document.figures):
+        names = [block.name for block in blocks]
+        assert len({name.lower() for name in names}) == len(names)
+        assert all(name.replace("-", "").isalnum() and name.isascii() for name in names)
+
+
+def test_brief_gives_one_line_per_mechanism_and_level(results: Results) -> None:
+    table = tables.brief(results)
+    headings = [column.heading for column in table.columns]
+    assert not any("thesis" in heading for heading in headings)
+    rows = {(row[0], row[1]): dict(zip(headings, row, strict=True)) for row in table.rows}
+    assert len(rows) == 6
+    assert rows["parapet", 0.45]["Largest ratio [-]"] == "overturned"
+    assert rows["parapet", 0.2]["Verdict"] == "pass"
+    assert rows["Wall 6, eroded base", 0.45]["asce43-05-history"] == "not-applicable"
+    assert rows["Wall 6, eroded base", 0.45]["Verdict"] == "fail"
+
+
+def test_an_informative_failure_does_not_decide(results: Results) -> None:
+    first = results.mechanisms[0]
+    level = tuple(replace(c, verdict="pass", ratio=0.5) for c in first.checks if c.level_pga_g == 0.2)
+    failing = tuple(replace(c, verdict="fail", ratio=9.0) if c.role == "informative" else c for c in level)
+    alone = replace(results, mechanisms=(replace(first, checks=failing),))
+    assert [(row[-2], row[-1]) for row in tables.brief(alone).rows] == [(0.5, "pass")]
+    assert tables.verdicts(alone).muted == {1}
+
+
+def test_what_overturned_or_did_not_move_is_said_in_words(results: Results) -> None:
+    rows = tables.histories(results.mechanisms[1], name="h").rows
+    assert [row[5:7] for row in rows].count(("overturned", "overturned")) == 1
+    assert [row[5:7] for row in rows].count(("no rocking", "no rocking")) == 5
+    assert tables.suites(results.mechanisms[1], name="s").rows[-1][3] == "overturned"
+
+
+def test_parameters_show_both_branches(results: Results) -> None:
+    two, one = (tables.parameters(mechanism, name="p") for mechanism in results.mechanisms)
+    assert all(row[2] == row[3] for row in two.rows)
+    assert all(row[3] is None for row in one.rows)
+    assert "one side only" in one.caption

@@ -1,0 +1,63 @@
+"""The whole set of files, written twice."""
+
+from __future__ import annotations
+
+import hashlib
+from dataclasses import replace
+from pathlib import Path
+from xml.etree import ElementTree
+
+import pytest
+
+from assess.results import Results
+from reports.writing import write_all
+
+
+def digest(folder: Path) -> dict[str, str]:
+    files = sorted(path for path in folder.rglob("*") if path.is_file())
+    return {str(path.relative_to(folder)): hashlib.sha256(path.read_bytes()).hexdigest() for path in files}
+
+
+@pytest.fixture(scope="module")
+def written(results: Results, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("all")
+    assert write_all(results, folder) == folder / "report.pdf"
+    return folder
+
+
+def test_same_results_give_the_same_bytes(results: Results, written: Path, tmp_path: Path) -> None:
+    said: list[str] = []
+    write_all(results, tmp_path, progress=said.append)
+    assert digest(tmp_path) == digest(written)
+    assert said == ["tables", "figures", "report"]
+
+
+def test_every_kind_of_file_is_there(written: Path) -> None:
+    names = set(digest(written))
+    assert {
+        "report.pdf",
+        "tables.xlsx",
+        "tables/verdicts.csv",
+        "figures/spectrum.svg",
+        "figures/comparison.svg",
+    } <= names
+    for what in ("sketch", "capacity", "pga-rotation", "history"):
+        assert {f"figures/01-wall-6-{what}.svg", f"figures/02-parapet-{what}.svg"} <= names
+
+
+def test_figures_are_whole_svg_without_dates(written: Path) -> None:
+    for path in (written / "figures").iterdir():
+        assert ElementTree.parse(path).getroot().tag == "{http://www.w3.org/2000/svg}svg"
+        assert "<dc:date>" not in path.read_text(encoding="utf-8")
+
+
+def test_report_is_small(written: Path) -> None:
+    assert (written / "report.pdf").stat().st_size < 500_000
+
+
+@pytest.mark.parametrize("bare", ["no spectrum, records, checks or histories", "no mechanisms"])
+def test_bare_results_can_be_written(results: Results, tmp_path: Path, bare: str) -> None:
+    empty = tuple(replace(m, checks=(), histories=(), suites=()) for m in results.mechanisms)
+    mechanisms = () if bare == "no mechanisms" else empty
+    thin = replace(results, mechanisms=mechanisms, comparison=(), records=(), spectrum=None, warnings=(), inputs=())
+    assert write_all(thin, tmp_path).stat().st_size > 1000

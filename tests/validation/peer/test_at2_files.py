@@ -1,0 +1,53 @@
+"""Real PEER AT2 files against an index made by an independent parser. The files are not part of the project."""
+
+import csv
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy.constants import g
+
+from records.reading import read
+
+FOLDER = Path(__file__).resolve().parents[4] / "shared" / "records"
+INDEX = FOLDER / "INDEX.csv"
+
+pytestmark = pytest.mark.skipif(not INDEX.exists(), reason="third-party records (../shared/records) are not here")
+
+NUMBERED = {"14383980": "Chino Hills 2008 (ev 14383980)"}  # titled by the number of the event
+
+
+def rows() -> list[dict[str, str]]:
+    if not INDEX.exists():
+        return []
+    with INDEX.open(newline="", encoding="utf-8") as file:
+        return [row for row in csv.DictReader(file) if row["format"] == "PEER AT2"]
+
+
+def test_the_index_lists_sixty_two_files() -> None:
+    assert len(rows()) == 62
+
+
+@pytest.mark.parametrize("row", rows(), ids=lambda row: Path(row["file"]).name)
+def test_a_file_is_as_the_index_says(row: dict[str, str]) -> None:
+    (record,) = read(FOLDER / row["file"])
+    assert record.npts == int(row["npts"])
+    assert record.dt == float(row["dt_s"])
+    assert record.pga / g == pytest.approx(float(row["pga_g"]), rel=5e-6)  # six printed digits
+    assert NUMBERED.get(record.event, record.event) == row["event"]
+    assert (record.station, record.component) == (row["station"], row["component"])
+
+
+@pytest.mark.parametrize("name", ["plain/elCentro.AT2", "plain/elCentro.at2", "plain/ARL360.g3"])
+def test_files_that_only_bear_the_name_are_refused(name: str) -> None:
+    with pytest.raises(ValueError, match="not a record format known here"):
+        read(FOLDER / name)
+
+
+def test_two_columns_without_units_hold_the_same_motion_as_the_at2_file() -> None:
+    (plain,) = read(FOLDER / "plain" / "SortedEQFile_(121321).txt", unit="g")
+    (record,) = read(FOLDER / "peer_at2" / "RIO270.AT2")
+    assert plain.dt == record.dt
+    np.testing.assert_allclose(
+        plain.acceleration[1:], record.acceleration, rtol=6e-6
+    )  # six decimals of the mantissa 0.1…

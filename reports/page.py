@@ -98,11 +98,10 @@ class Pages(BaseDocTemplate):
 def contents() -> TableOfContents:
     """The table of contents, with page numbers and links."""
     table = TableOfContents(dotsMinLevel=0)
-    table.tableStyle = TableStyle(
-        [("VALIGN", (0, 0), (-1, -1), "TOP"), *((f"{side}PADDING", (0, 0), (-1, -1), 0) for side in _SIDES)]
-    )
+    paddings = [(f"{side}PADDING", (0, 0), (-1, -1), 2.6 if side == "TOP" else 0) for side in _SIDES]
+    table.tableStyle = TableStyle([("VALIGN", (0, 0), (-1, -1), "TOP"), *paddings])
     table.levelStyles = [
-        STYLES["body"].clone("contents-0", spaceBefore=0, spaceAfter=0, leading=15, textColor=HexColor(INK)),
+        STYLES["body"].clone("contents-0", spaceBefore=0, spaceAfter=0, textColor=HexColor(INK)),
         STYLES["body"].clone(
             "contents-1", leftIndent=14, spaceAfter=0, fontSize=7.6, leading=10, textColor=HexColor(MUTED)
         ),

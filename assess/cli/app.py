@@ -19,7 +19,10 @@ app = typer.Typer(
     add_completion=False,
     rich_markup_mode=None,
     pretty_exceptions_enable=False,
-    context_settings={"help_option_names": ["-h", "--help"]},
+    context_settings={
+        "help_option_names": ["-h", "--help"],
+        "default_map": {"help": False},  # else typer 0.29 imports pydantic (0.2 s) for a --help that is absent
+    },
 )
 for command in (new, check, run, parameters, report, schema):
     app.command()(command)

@@ -10,10 +10,11 @@ def check(project: ProjectPath) -> None:
 
     Shows what the program understood: hinges, loads, interfaces and the rocking parameters.
     """
-    from assess.cli.description import description
-    from assess.project.build import build
-    from assess.project.run import parameters
     from assess.project.schema import load
 
     loaded = load(project)
+    from assess.cli.description import description
+    from assess.project.build import build
+    from assess.project.run import parameters
+
     print(description(loaded, parameters(build(loaded))), end="")

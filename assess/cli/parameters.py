@@ -17,11 +17,13 @@ def parameters(
     """Print the rocking parameters of each mechanism; no analysis."""
     if as_json and as_csv:
         raise typer.BadParameter("--json and --csv exclude each other")
+    from assess.project.schema import load
+
+    loaded = load(project)
     from assess.cli.parameter_table import csv_text, table_text
     from assess.project.build import build
     from assess.project.run import parameters as of_study
-    from assess.project.schema import load
     from assess.results_io import dumps_mechanisms
 
     text = dumps_mechanisms if as_json else csv_text if as_csv else table_text
-    print(text(of_study(build(load(project)))), end="")
+    print(text(of_study(build(loaded))), end="")

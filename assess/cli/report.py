@@ -16,12 +16,13 @@ def report(
     ] = None,
 ) -> None:
     """Write the report again from results.json, without analysis."""
-    from assess.cli.outputs import RESULTS, staged
-    from assess.cli.progress import progress
     from assess.results_io import read
-    from reports.writing import write_all
 
     found = read(results)
+    from assess.cli.outputs import RESULTS, staged
+    from assess.cli.progress import progress
+    from reports.writing import write_all
+
     folder = output or results.parent
     with staged(folder) as stage, progress() as said:
         pdf = write_all(found, stage, progress=said.step)

@@ -32,15 +32,16 @@ def run(
     Writes report.pdf, results.json, tables.xlsx, tables/*.csv and figures/*.svg; prints the verdicts and the path of
     the report. Ends with 0 when all checks pass, 1 when some check fails.
     """
+    from assess.project.schema import load
+
+    loaded = load(project)  # before the physics is imported, which takes seconds: a slip of the pen is told at once
     from assess.cli.outputs import RESULTS, staged
     from assess.cli.progress import progress
     from assess.cli.summary import some_check_fails, summary
     from assess.project.build import build
     from assess.project.run import run as run_study
-    from assess.project.schema import load
     from assess.results_io import dumps
 
-    loaded = load(project)
     folder = output or loaded.folder / f"{loaded.path.stem}-results"
     with staged(folder) as stage, progress() as said:
         results = run_study(build(loaded), jobs=jobs or os.cpu_count() or 1, progress=said.count)

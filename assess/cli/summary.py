@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from assess.cli.text_table import text_table
 from assess.codes.check import Check
+from assess.project.messages import printable
 from assess.results import MechanismResult, Results
 
 _WORDS = {"pass": "pass", "fail": "FAIL", "not-applicable": "n/a"}
@@ -19,7 +20,7 @@ def summary(results: Results) -> str:
     procedures = list(dict.fromkeys(c.procedure for m in results.mechanisms for c in _deciding(m)))
     rows = [row for mechanism in results.mechanisms for row in _rows(mechanism, procedures)]
     verdict = "some check fails" if some_check_fails(results) else "all checks pass"
-    warnings = "".join(f"warning: {notice.where}: {notice.text}\n" for notice in results.warnings)
+    warnings = "".join(f"warning: {printable(notice.where)}: {printable(notice.text)}\n" for notice in results.warnings)
     if not rows:
         return f"{warnings}no check applies\n"
     return text_table(["mechanism", "PGA [g]", *procedures], rows) + warnings + f"{verdict}\n"

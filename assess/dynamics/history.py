@@ -14,6 +14,7 @@ from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import partial
+from itertools import pairwise
 from typing import Literal, TypeVar
 
 import numpy as np
@@ -80,7 +81,10 @@ class Peaks:
 
 @dataclass(frozen=True)
 class Trace:
-    """A history at the record's samples, as far as overturning: time [s], rotation [rad] and velocity [rad/s], signed."""
+    """A history at the record's samples, as far as overturning.
+
+    time [s], rotation [rad], velocity [rad/s], signed.
+    """
 
     time: FloatArray
     rotation: FloatArray
@@ -131,7 +135,7 @@ def peaks(
     def work(part: slice) -> int:
         path, events = np.empty((0, 2)), np.zeros((1, 3))
         run(checked.oscillator[part], checked.motion[part], checked.scale[part], 0.0, found[part], path, events)
-        return part.stop
+        return int(part.stop)
 
     parts = _parts(checked, motions)
     with ThreadPoolExecutor(threads or os.cpu_count() or 1) as pool:
@@ -144,7 +148,7 @@ def peaks(
 def trace(
     oscillator: Oscillator, motion: Record, *, scale: float, equation: Equation, tolerance: float = TOLERANCE
 ) -> Trace:
-    """History of one oscillator under `scale` times one motion, at the samples; it ends where the body has overturned."""
+    """History of one oscillator under `scale` times one motion, at the samples; it ends with overturning."""
     run = _run([oscillator], [motion], equation=equation, tolerance=tolerance)
     path = np.zeros((motion.npts, 2))
     first = np.zeros(1, dtype=np.int64)
@@ -183,7 +187,9 @@ def _exact_branches(oscillator: Oscillator) -> FloatArray:
     for row, branch in zip(rows, oscillator.branches, strict=False):
         phi_ov, E = branch.overturning, float(energy(branch, np.array(branch.overturning)))
         row[kernel.THRESHOLD] = branch.restoring[0] / branch.excitation[0]
-        row[kernel.RATE] = math.sqrt(2.0 * _positive(E, "work up to the overturning rotation", "J") / branch.inertia[0]) / phi_ov
+        row[kernel.RATE] = (
+            math.sqrt(2.0 * _positive(E, "work up to the overturning rotation", "J") / branch.inertia[0]) / phi_ov
+        )
         row[[kernel.LIMIT, kernel.TAIL_LIMIT]] = branch.rotation[-1] / phi_ov
     return rows
 
@@ -238,7 +244,8 @@ def _positive(value: float, name: str, unit: str) -> float:
     """The value, if it is a positive number."""
     if not value > 0.0:
         raise MechanismError(
-            f"a branch has {name} {value:.6g} {unit}, which must be positive for it to rock; look at its loads and hinges"
+            f"a branch has {name} {value:.6g} {unit}, which must be positive for it to rock; "
+            "look at its loads and hinges"
         )
     return value
 
@@ -296,7 +303,10 @@ def _tables(oscillators: Sequence[Oscillator]) -> tuple[FloatArray, IntArray, In
 
 
 def _segments(branch: Branch) -> FloatArray:
-    """Ends and cubics of each segment [segments, 14], for y = phi / phi_ov: I y'' + 1/2 I' y'^2 + R / phi_ov = -B / phi_ov a."""
+    """Ends and cubics of each segment [segments, 14], for y = phi / phi_ov.
+
+    I y'' + 1/2 I' y'^2 + R / phi_ov = -B / phi_ov a
+    """
     phi_ov = branch.overturning
     rows = np.empty((branch.rotation.size - 1, 14))
     rows[:, kernel.LEFT], rows[:, kernel.RIGHT] = branch.rotation[:-1] / phi_ov, branch.rotation[1:] / phi_ov
@@ -348,7 +358,7 @@ def _parts(jobs: Jobs, motions: Sequence[Record]) -> list[slice]:
     steps = np.array([motion.npts for motion in motions])[jobs.motion]
     chunk = np.cumsum(steps) // CHUNK_STEPS
     cuts = [0, *(np.flatnonzero(np.diff(chunk)) + 1).tolist(), jobs.scale.size]
-    return [slice(first, last) for first, last in zip(cuts[:-1], cuts[1:], strict=True) if last > first]
+    return [slice(first, last) for first, last in pairwise(cuts) if last > first]
 
 
 def _peaks(found: FloatArray, jobs: Jobs, overturning: FloatArray) -> Peaks:

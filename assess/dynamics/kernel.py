@@ -67,29 +67,41 @@ LEFT, RIGHT, R3, R2, R1, R0, B3, B2, B1, B0, I3, I2, I1, I0 = range(14)
 P2, INVERSE, Y_K, Y_V, Y_A, V_K, V_V, V_A = range(8)
 
 
+OPTIONS: dict[str, Any] = {
+    "nogil": True,
+    "error_model": "numpy",
+    "fastmath": {"contract"},  # a * b + c in one rounding; nothing else is reordered
+    "no_cfunc_wrapper": True,
+}
+
+
 def compiled(function: F) -> F:
-    """Compiled inside the two entry points, which are what numba caches."""
-    return cast(F, numba.njit(nogil=True, error_model="numpy", fastmath={"contract"}, no_cpython_wrapper=True, no_cfunc_wrapper=True)(function))
+    """Compiled inside the two entry points, which are what numba caches; not to be called from Python."""
+    jit: Any = numba.njit
+    return cast(F, jit(**OPTIONS, no_cpython_wrapper=True)(function))
 
 
 def entry(function: F) -> F:
-    """An entry point: compiled, cached on disk, free of the interpreter's lock."""
-    return cast(F, numba.njit(cache=True, nogil=True, error_model="numpy", fastmath={"contract"}, no_cfunc_wrapper=True)(function))
+    """An entry point: compiled at its first call, cached on disk, free of the interpreter's lock."""
+    jit: Any = numba.njit
+    return cast(F, jit(**OPTIONS, cache=True)(function))
 
 
 # ---------------------------------------------------------------------------------------------------- events, shared
 
 
 @compiled
-def calm(start: State, end: State, h: float, top: float) -> bool:
-    """Whether nothing happens between two states h [s] apart: no impact, no passage of y = 1, no peak above `top`.
+def calm(start: State, end: State, h: float, top: float, limit: float) -> bool:
+    """Whether nothing happens between two states h [s] apart.
+
+    No impact, no passage of y = 1, no peak above `top`, no end at or beyond `limit`.
 
     Between samples |y''| is largest at an end (where y'' > 0 it is convex, where y'' < 0 concave), so a velocity
     beyond h max|y''| keeps its sign; without inflection the velocity is monotone and turns once at most.
     """
     y, v, k = start
     y1, v1, k1 = end
-    if y1 <= 0.0 or (y < 1.0) != (y1 < 1.0):
+    if y1 <= 0.0 or y1 >= limit or (y < 1.0) != (y1 < 1.0):
         return False
     if abs(v) > h * max(abs(k), abs(k1)):
         return True
@@ -271,7 +283,7 @@ def marching(glide: Glide, advance: Advance, acceleration: Acceleration) -> Marc
                 if side < 0:
                     i = idle(ground, scale, lowest, highest, i, until)
                 else:
-                    i, y, v, k = glide(flow, side, y, v, k, ground, scale, dt, i, until, top)
+                    i, y, v, k = glide(flow, side, y, v, k, ground, scale, dt, i, until, top, branch[side, LIMIT])
                 if i < until:
                     a0, a, time = scale * ground[i], scale * ground[i + 1], i * dt
             elif side < 0 or peaked == everything:
@@ -301,7 +313,7 @@ def marching(glide: Glide, advance: Advance, acceleration: Acceleration) -> Marc
             largest(found, y, side, time + h)
             if math.isnan(found[PASSED]):
                 found[PASSED] = time + h  # never below phi_ov, or a table that ends before it
-        return samples
+        return int(samples)
 
     return march
 
@@ -324,7 +336,7 @@ def growth(x: float) -> tuple[float, float, float]:
 
 @compiled
 def linearised_flow(branch: FloatArray, dt: float) -> FloatArray:
-    """What the closed solution over one interval is made of, for each side [2, 8]; zeros for a side that is not there."""
+    """What the closed solution over one interval is made of, for each side [2, 8]; zeros for a side not there."""
     flow = np.zeros((2, 8))
     for side in range(2):
         p = branch[side, RATE]
@@ -345,7 +357,8 @@ def linearised_acceleration(flow: FloatArray, side: int, y: float, v: float, a: 
 
 @compiled
 def linearised_glide(flow: FloatArray, side: int, y: float, v: float, k: float, ground: FloatArray, scale: float,
-                     dt: float, i: int, until: int, top: float) -> tuple[int, float, float, float]:  # fmt: skip
+                     dt: float, i: int, until: int, top: float,
+                     limit: float) -> tuple[int, float, float, float]:  # fmt: skip
     """y1 = y + y'' (cosh - 1) / p^2 + y' sinh / p - s (a1 - a0) / threshold (sinh - p dt) / (p dt), in increments."""
     p2, inverse = flow[side, P2], flow[side, INVERSE]
     y_k, y_v, y_a = flow[side, Y_K], flow[side, Y_V], flow[side, Y_A]
@@ -356,7 +369,7 @@ def linearised_glide(flow: FloatArray, side: int, y: float, v: float, k: float, 
         y1 = y + (k * y_k + v * y_v + (a1 - a) * y_a)
         v1 = v + (k * v_k + v * v_v + (a1 - a) * v_a)
         k1 = p2 * (y1 - 1.0 - inverse * a1)
-        if not calm((y, v, k), (y1, v1, k1), dt, top):
+        if not calm((y, v, k), (y1, v1, k1), dt, top, limit):
             break
         i, y, v, k, a = i + 1, y1, v1, k1, a1
     return i, y, v, k
@@ -471,8 +484,12 @@ def dormand_prince(table: FloatArray, j: int, first: int, last: int, y: float, v
     y1 = y + h * (w1 * (35 / 384) + w3 * (500 / 1113) + w4 * (125 / 192) - w5 * (2187 / 6784) + w6 * (11 / 84))
     j = nearby(table, y1, j, first, last)
     k7 = table_acceleration(table, j, y1, v1, sa + slope * h)
-    error_v = k1 * (71 / 57600) - k3 * (71 / 16695) + k4 * (71 / 1920) - k5 * (17253 / 339200) + k6 * (22 / 525) - k7 / 40
-    error_y = w1 * (71 / 57600) - w3 * (71 / 16695) + w4 * (71 / 1920) - w5 * (17253 / 339200) + w6 * (22 / 525) - v1 / 40
+    error_v = (
+        k1 * (71 / 57600) - k3 * (71 / 16695) + k4 * (71 / 1920) - k5 * (17253 / 339200) + k6 * (22 / 525) - k7 / 40
+    )
+    error_y = (
+        w1 * (71 / 57600) - w3 * (71 / 16695) + w4 * (71 / 1920) - w5 * (17253 / 339200) + w6 * (22 / 525) - v1 / 40
+    )
     return y1, v1, k7, abs(h * error_y), abs(h * error_v), j
 
 
@@ -487,7 +504,7 @@ def exact_acceleration(flow: Any, side: int, y: float, v: float, a: float) -> fl
 
 @compiled
 def exact_glide(flow: Any, side: int, y: float, v: float, k: float, ground: FloatArray, scale: float, dt: float,
-                i: int, until: int, top: float) -> tuple[int, float, float, float]:  # fmt: skip
+                i: int, until: int, top: float, limit: float) -> tuple[int, float, float, float]:  # fmt: skip
     """One step for an interval, while its error is small enough and it passes no jump of the table."""
     table, smooth, span, hint, tolerance, rate = flow
     bottom, end, tolerance_v = span[side, 0], span[side, 1], tolerance * rate[side]
@@ -502,7 +519,7 @@ def exact_glide(flow: Any, side: int, y: float, v: float, k: float, ground: Floa
         y1, v1, k1, error_y, error_v, j = dormand_prince(table, j, first, last, y, v, k, a, (a1 - a) / dt, dt)
         if error_y > tolerance or error_v > tolerance_v or not low <= y1 <= high:
             break
-        if not calm((y, v, k), (y1, v1, k1), dt, top):
+        if not calm((y, v, k), (y1, v1, k1), dt, top, limit):
             break
         i, y, v, k, a = i + 1, y1, v1, k1, a1
     hint[side] = j
@@ -512,7 +529,7 @@ def exact_glide(flow: Any, side: int, y: float, v: float, k: float, ground: Floa
 @compiled
 def step_to(table: FloatArray, j: int, first: int, last: int, start: State, sa: float, slope: float, h: float,
             level: float, upward: bool) -> tuple[float, float]:  # fmt: skip
-    """Step from `start` that ends on y = level, which a step of h passes: its length, and y'. Newton's method, bracketed."""
+    """Length of the step from `start` that ends on y = level, which a step of h passes, and y' there."""
     y, v, k = start
     low, high, x, y1, v1 = 0.0, h, 0.5 * h, y, v
     for _ in range(60):

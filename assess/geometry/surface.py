@@ -21,8 +21,11 @@ FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
 
 OVERLAP = 1e-6  # of the body's size: shells that enter one another by less are taken to touch
-SEAMS_EXAMINED = 2000  # longest lines where two shells meet that are looked at for overlap
-BATCH = 1 << 21  # points x triangles of one solid-angle evaluation
+SEAMS_EXAMINED = 20_000  # longest lines where two shells meet that are looked at for overlap
+
+_TURNS = np.linspace(0.0, 2.0 * np.pi, 17)[:-1] + np.pi / 16.0
+_AROUND = np.column_stack([np.cos(_TURNS), np.sin(_TURNS)])  # directions around a seam [16, 2]
+_SHEAR = np.array([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-0.21372, -0.13187, 1.0]])  # sets the ray's direction upright
 
 
 def merged(vertices: FloatArray, triangles: IntArray) -> tuple[FloatArray, IntArray]:
@@ -95,14 +98,17 @@ def check_shells(vertices: FloatArray, triangles: IntArray, *, where: str) -> No
     boxes = np.array([[part.min(axis=(0, 1)), part.max(axis=(0, 1))] for part in parts])
     for k, part in enumerate(parts):
         _refuse_flat(part, shell=k, where=where)
-        _refuse_layers(_layers_inside(part, parts, boxes, depth=OVERLAP * size), shell=k, part=part, where=where)
-    for i, j in _neighbours(boxes, margin=OVERLAP * size):
-        seam = _overlap(parts[i], parts[j], size=size)
-        if seam is not None:
-            raise GeometryError(
-                f"{where}: two of its {len(parts)} closed shells overlap near {_place(seam)} m, and what they share "
-                "would count twice; unite them, or make them bodies of their own that do not overlap"
-            )
+    behind = np.array([_behind(part, depth=OVERLAP * size) for part in parts])
+    for k, enclosed in enumerate(_layers(behind, parts, boxes)):
+        _refuse_layers(int(enclosed), shell=k, part=parts[k], where=where)
+    beside = _beside_seams(parts, boxes, size=size)
+    layers = _layers(beside, parts, boxes)
+    wrong = (layers < 0) | (layers > 1)
+    if wrong.any():
+        raise GeometryError(
+            f"{where}: some of its {len(parts)} closed shells overlap, near {_place(beside[wrong][0])} m, and what "
+            "they share would count twice; unite them, or make them bodies of their own that do not overlap"
+        )
 
 
 def _edges(triangles: IntArray) -> tuple[IntArray, IntArray, IntArray]:
@@ -131,14 +137,22 @@ def _refuse_flat(part: FloatArray, *, shell: int, where: str) -> None:
         raise GeometryError(f"{where}: closed shell {shell + 1}, around {place} m, encloses no volume; remove it")
 
 
-def _layers_inside(part: FloatArray, parts: list[FloatArray], boxes: FloatArray, *, depth: float) -> int:
-    """How often all shells together enclose the point just behind a shell's largest triangle: 1 in sound material."""
+def _layers(points: FloatArray, parts: list[FloatArray], boxes: FloatArray) -> IntArray:
+    """How often all shells together enclose each point [k, 3]: 1 in material, 0 elsewhere [k]."""
+    layers = np.zeros(len(points), dtype=np.int64)
+    for part, (low, high) in zip(parts, boxes, strict=True):
+        near = np.flatnonzero(np.all((low <= points) & (points <= high), axis=1))
+        if len(near):
+            layers[near] += _winding(points[near], part)
+    return layers
+
+
+def _behind(part: FloatArray, *, depth: float) -> FloatArray:
+    """The point [3] at a depth [m] behind the middle of the largest triangle of a shell [m, 3, 3]."""
     normals = np.cross(part[:, 1] - part[:, 0], part[:, 2] - part[:, 0])
     area = np.linalg.norm(normals, axis=1)
     largest = int(np.argmax(area))
-    point = part[largest].mean(axis=0) - depth * normals[largest] / area[largest]
-    near = np.all((boxes[:, 0] <= point) & (point <= boxes[:, 1]), axis=1)
-    return int(sum(round(float(_winding(point[None], parts[k])[0])) for k in np.flatnonzero(near)))
+    return np.asarray(part[largest].mean(axis=0) - depth * normals[largest] / area[largest], dtype=np.float64)
 
 
 def _refuse_layers(layers: int, *, shell: int, part: FloatArray, where: str) -> None:
@@ -162,28 +176,21 @@ def _neighbours(boxes: FloatArray, *, margin: float) -> Iterator[tuple[int, int]
             yield i, i + 1 + int(j)
 
 
-def _overlap(one: FloatArray, other: FloatArray, *, size: float) -> FloatArray | None:
-    """A point [3] within both shells [m, 3, 3], [k, 3, 3], or None.
+def _beside_seams(parts: list[FloatArray], boxes: FloatArray, *, size: float) -> FloatArray:
+    """Points [k, 3] that would show an overlap of shells.
 
     Where two volumes overlap and neither holds the other, the border of the common part turns from one surface to
-    the other along a seam, a line where two triangles meet at an angle. Points around the middle of each seam are
-    tried, longest seams first; shells that only touch have seams too, but no common point beside them.
+    the other along a seam, a line where two triangles meet at an angle; the points lie around the middle of each
+    seam, longest seams first. Shells that only touch have seams too, but no common point beside them.
     """
-    middle, frame, length = _seams(one, other, shortest=OVERLAP * size)
+    reach = OVERLAP * size
+    found = [_seams(parts[i], parts[j], shortest=reach) for i, j in _neighbours(boxes, margin=reach)]
+    if not found:
+        return np.empty((0, 3))
+    middle, frame, length = (np.concatenate(each) for each in zip(*found, strict=True))
     longest = np.argsort(-length, kind="stable")[:SEAMS_EXAMINED]
-    step = max(1, BATCH // (len(_AROUND) * max(len(one), len(other))))
-    for k in range(0, len(longest), step):
-        chosen = longest[k : k + step]
-        around = np.einsum("di,sij->sdj", _AROUND, frame[chosen]) * (2.0 * OVERLAP * size)
-        points = (middle[chosen, None] + around).reshape(-1, 3)
-        inside = (_winding(points, one) > 0.5) & (_winding(points, other) > 0.5)
-        if inside.any():
-            return np.asarray(points[int(np.argmax(inside))], dtype=np.float64)
-    return None
-
-
-_TURNS = np.linspace(0.0, 2.0 * np.pi, 17)[:-1] + np.pi / 16.0
-_AROUND = np.column_stack([np.cos(_TURNS), np.sin(_TURNS)])
+    around = np.einsum("di,sij->sdj", _AROUND, frame[longest]) * (2.0 * reach)
+    return np.asarray((middle[longest, None] + around).reshape(-1, 3), dtype=np.float64)
 
 
 def _seams(one: FloatArray, other: FloatArray, *, shortest: float) -> tuple[FloatArray, FloatArray, FloatArray]:
@@ -247,16 +254,24 @@ def _clip(
     return low, high
 
 
-def _winding(points: FloatArray, triangles: FloatArray) -> FloatArray:
-    """How often a closed shell [m, 3, 3] encloses points [k, 3]: solid angle / 4 pi (van Oosterom, Strackee 1983)."""
-    a, b, c = (triangles[None, :, i] - points[:, None] for i in range(3))
-    la, lb, lc = (np.sqrt(np.einsum("kmi,kmi->km", v, v)) for v in (a, b, c))
-    ab, bc, ca = (np.einsum("kmi,kmi->km", u, v) for u, v in ((a, b), (b, c), (c, a)))
-    volume = np.einsum("kmi,kmi->km", a, np.cross(b, c))
-    half = np.arctan2(volume, la * lb * lc + ab * lc + bc * la + ca * lb)
-    return np.asarray(half.sum(axis=1) / (2.0 * np.pi), dtype=np.float64)
+def _winding(points: FloatArray, triangles: FloatArray) -> IntArray:
+    """How often a closed shell [m, 3, 3] encloses points [k, 3]: faces left less faces entered along a ray [k].
+
+    The ray runs in a direction in which masonry has no edges, so that it meets faces, not their borders.
+    """
+    flat, at = triangles @ _SHEAR, points @ _SHEAR
+    low, high = flat.min(axis=1), flat.max(axis=1)
+    tree = shapely.STRtree(shapely.box(low[:, 0], low[:, 1], high[:, 0], high[:, 1]))
+    point, face = tree.query(shapely.points(at[:, :2]))
+    a, b, c = (flat[face, i] - at[point] for i in range(3))
+    sides = np.stack([u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0] for u, v in ((b, c), (c, a), (a, b))])
+    doubled_area = sides.sum(axis=0)
+    height = sides[0] * a[:, 2] + sides[1] * b[:, 2] + sides[2] * c[:, 2]  # of the face over the point, times its area
+    meets = (np.abs(np.sign(sides).sum(axis=0)) == 3.0) & (height * doubled_area > 0.0)
+    crossings = np.bincount(point[meets], weights=np.sign(doubled_area[meets]), minlength=len(points))
+    return np.asarray(crossings.astype(np.int64))
 
 
 def _place(point: FloatArray) -> str:
-    """A point for an error: (x, y, z)."""
-    return "(" + ", ".join(f"{value:.6g}" for value in point) + ")"
+    """A point for an error, to a tenth of a millimetre: (x, y, z)."""
+    return "(" + ", ".join(f"{round(float(value), 4) + 0.0:.12g}" for value in point) + ")"

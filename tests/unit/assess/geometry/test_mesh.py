@@ -237,15 +237,23 @@ def test_overlapping_shells_are_refused(
 ) -> None:
     vertices, triangles = soup(block(0.0, 0.0, 0.0), block(*where, size=size))
     turn = Rotation.from_rotvec([angle, 2.0 * angle, -angle]).as_matrix()
-    refused(tmp_path, vertices @ turn.T, triangles, text="overlap near .* would count twice|lies inside another")
+    refused(tmp_path, vertices @ turn.T, triangles, text="overlap, near .* would count twice|lies inside another")
 
 
 def test_a_shell_inside_another_is_refused_unless_it_is_a_cavity(tmp_path: Path) -> None:
     outer, inner = block(0.0, 0.0, 0.0, size=(4.0, 4.0, 4.0)), block(0.5, 0.0, 1.0, size=(2.0, 2.0, 2.0))
     refused(tmp_path, *soup(outer, inner), text="shell 2, around .0.5, 0, 2. m, lies inside another")
     refused(tmp_path, *soup(outer, inwards(block(9.0, 0.0, 0.0))), text="shell 2, around .9, 0, 0.5. m, is inside out")
-    thorough = block(0.0, 0.0, 3.5, size=(2.0, 2.0, 2.0))
-    refused(tmp_path, *soup(outer, inwards(thorough)), text="overlap|inside out")
+
+
+def test_cavities_that_break_through_or_meet_are_refused(tmp_path: Path) -> None:
+    outer = block(0.0, 0.0, 0.0, size=(4.0, 4.0, 4.0))
+    through = block(0.0, 0.0, 1.0, size=(2.0, 2.0, 3.1))
+    refused(tmp_path, *soup(outer, inwards(through)), text="overlap|inside out")
+    slot = block(0.0, 0.0, 1.0, size=(6.0, 1.0, 1.0))
+    refused(tmp_path, *soup(outer, inwards(slot)), text="overlap|inside out")
+    pair = [inwards(block(x, 0.0, 1.0, size=(1.0, 1.0, 1.0))) for x in (-0.4, 0.4)]
+    refused(tmp_path, *soup(outer, *pair), text="overlap|inside out")
 
 
 def test_a_flat_shell_beside_a_body_is_refused(tmp_path: Path) -> None:

@@ -144,27 +144,6 @@ def test_outline_has_no_holes() -> None:
     assert body.outline == (((-0.5, 0.0), (3.5, 0.0), (3.5, 4.0), (-0.5, 4.0), (-0.5, 0.0)),)
 
 
-def test_outline_of_a_fine_rough_body_is_the_union_of_its_triangles() -> None:
-    n, m = 60, 90
-    rng = np.random.default_rng(2)
-    turn, rise = 2.0 * np.pi * np.arange(n) / n, np.linspace(0.0, 8.0, m)
-    radius = 1.5 + 0.06 * rng.normal(size=(m, n))
-    rings = np.stack([radius * np.cos(turn), radius * np.sin(turn), np.broadcast_to(rise[:, None], (m, n))], axis=2)
-    points = np.concatenate([rings.reshape(-1, 3), [[0.0, 0.0, 0.0], [0.0, 0.0, 8.0]]])
-    i, k = np.meshgrid(np.arange(n), np.arange(m - 1))
-    a, b = (k * n + i).ravel(), (k * n + (i + 1) % n).ravel()
-    ring = np.arange(n)
-    foot = np.column_stack([np.full(n, n * m), (ring + 1) % n, ring])
-    head = np.column_stack([np.full(n, n * m + 1), ring + (m - 1) * n, (ring + 1) % n + (m - 1) * n])
-    triangles = np.concatenate([np.column_stack([a, b, a + n]), np.column_stack([b, b + n, a + n]), foot, head])
-    body = planar(polyhedron(points, triangles, density=DENSITY, name="drum"), direction=[1, 0, 0])
-    every = shapely.polygons(points[:, [0, 2]][triangles])
-    wanted = shapely.union_all(every[shapely.area(every) > 1e-12])
-    found = shapely.union_all([shapely.Polygon(each) for each in body.outline])
-    filled = shapely.union_all(shapely.polygons(shapely.get_exterior_ring(shapely.get_parts(wanted))))
-    assert found.symmetric_difference(filled).area < 1e-9 * filled.area
-
-
 def test_base_of_a_body_on_an_edge_has_no_width() -> None:
     wedge = profile([[0, 0], [1, 2], [-1, 2]], length=2.0, density=DENSITY, name="wedge")
     assert planar(wedge, direction=[1, 0, 0]).base == (0.0, 0.0, 0.0)

@@ -153,7 +153,7 @@ def test_fifty_quantities_load_quickly(tmp_path: Path) -> None:
     assert time.perf_counter() - started < 1.5
 
 
-WRONG = {
+WRONG: dict[str, tuple[str | bytes, str]] = {
     "unknown key": (changed("title =", "titel ="), 'titel: "A wall": unknown key; did you mean "title"?'),
     "unknown key in a body": (
         changed("thickness", "thicknes"),

@@ -1,0 +1,131 @@
+"""The shipped example from the command line to the report, with artificial and with real records."""
+
+from __future__ import annotations
+
+import csv
+import json
+from pathlib import Path
+
+import pytest
+from pypdf import PdfReader
+
+from assess import cli, results_io
+
+RECORDS = Path(__file__).parents[3] / "shared" / "records" / "peer_at2"
+FIVE = (
+    "RSN57_SFERN_ORR021.AT2",
+    "RSN164_IMPVALL.H_H-CPE147.AT2",
+    "RSN1633_MANJIL_ABBAR--L.AT2",
+    "RSN753_LOMAP_CLS000.AT2",
+    "NIS090.AT2",
+)
+
+
+def assess(*words) -> int:
+    """The command's exit code."""
+    with pytest.raises(SystemExit) as ended:
+        cli.main([str(word) for word in words])
+    return int(ended.value.code or 0)
+
+
+@pytest.fixture(scope="module")
+def project(tmp_path_factory) -> Path:
+    folder = tmp_path_factory.mktemp("demo") / "casa"
+    assert assess("new", folder, "--example", "casa_grande") == 0
+    return folder
+
+
+@pytest.fixture(scope="module")
+def outputs(project) -> Path:
+    assert assess("run", project, "-o", project / "out") == 1  # 0.30 g is too much for Walls 0a and 6 by dmi2008-linear
+    return project / "out"
+
+
+@pytest.fixture(scope="module")
+def results(outputs):
+    return json.loads((outputs / "results.json").read_text())
+
+
+@pytest.fixture(scope="module")
+def report(outputs) -> str:
+    return "\n".join(page.extract_text() for page in PdfReader(outputs / "report.pdf").pages)
+
+
+def squeezed(text: str) -> str:
+    return "".join(text.split())
+
+
+def test_every_output_is_there(outputs):
+    assert (outputs / "report.pdf").stat().st_size > 100_000
+    for pattern in ("results.json", "tables.xlsx", "tables/*.csv", "figures/*.svg"):
+        assert list(outputs.glob(pattern))
+
+
+def test_nine_mechanisms_each_with_all_six_procedures_at_three_levels(results):
+    assert [m["name"] for m in results["mechanisms"]] == ["W0a", "W0a-mesh", "W0b", "W1", "W2", "W3", "W4", "W5", "W6"]
+    for mechanism in results["mechanisms"]:
+        assert len(mechanism["checks"]) == 6 * 3
+        assert len(mechanism["histories"]) == 7 * 3
+        assert sum(history["trace"] is not None for history in mechanism["histories"]) == 1
+
+
+def test_the_mesh_of_wall_0a_has_the_parameters_of_the_table(results):
+    table, mesh = (m["oscillator"] for m in results["mechanisms"][:2])
+    assert mesh["radius_m"] == pytest.approx(table["radius_m"], abs=1e-6)
+    assert mesh["slenderness_rad"] == pytest.approx(table["slenderness_rad"], abs=1e-6)
+    assert mesh["p_eq_per_s"] == pytest.approx(table["p_eq_per_s"], rel=0.01)  # I / (M R^2) of a real wall
+
+
+def test_the_report_holds_every_verdict(results, report):
+    text = squeezed(report)
+    for mechanism in results["mechanisms"]:
+        assert squeezed(mechanism["label"]) in text
+        for check in mechanism["checks"]:
+            assert check["procedure"] in text
+            assert squeezed(check["reason"]) in text
+
+
+def test_the_csv_holds_the_numbers_of_the_results(outputs, results):
+    written = set()
+    for path in (outputs / "tables").glob("*.csv"):
+        with path.open(encoding="utf-8-sig", newline="") as file:
+            written |= {cell for row in csv.reader(file) for cell in row}
+    for mechanism in results["mechanisms"]:
+        for check in mechanism["checks"]:
+            for key in ("ratio", "capacity_pga_g", "demand"):
+                assert check[key] is None or repr(check[key]) in written
+
+
+def test_the_same_input_gives_the_same_bytes_whatever_the_jobs(project, outputs):
+    assert assess("run", project, "-o", project / "again", "--no-report", "--jobs", "1") == 1
+    assert (project / "again" / "results.json").read_bytes() == (outputs / "results.json").read_bytes()
+
+
+def test_the_report_again_without_analysis(outputs, tmp_path):
+    assert assess("report", outputs / "results.json", "-o", tmp_path / "again") == 0
+    assert (tmp_path / "again" / "report.pdf").read_bytes() == (outputs / "report.pdf").read_bytes()
+
+
+def test_results_read_back_equal(outputs):
+    text = (outputs / "results.json").read_text()
+    assert results_io.dumps(results_io.loads(text)) == text
+
+
+def test_five_real_records(project):
+    if not RECORDS.is_dir():
+        pytest.skip("the folder of real accelerograms is not beside this checkout")
+    text = (project / "project.toml").read_text()
+    files = ", ".join(f'"{(RECORDS / name).as_posix()}"' for name in FIVE)
+    old = 'synthetic = { count = 7, seed = 1, duration = "20 s" }'
+    assert old in text
+    (project / "real.toml").write_text(text.replace(old, f"files = [{files}]"))
+    assert assess("run", project / "real.toml", "-o", project / "real", "--no-report") in (0, 1)
+    results = json.loads((project / "real" / "results.json").read_text())
+    assert [record["npts"] for record in results["records"]] == [6181, 6382, 2676, 7995, 4096]
+    for record in results["records"]:
+        assert 0.05 < record["pga_g"] < 0.15  # scaled to a spectrum of 0.067 g
+        assert record["mse"] < 0.5
+    for mechanism in results["mechanisms"]:
+        history = [check for check in mechanism["checks"] if check["procedure"] == "asce43-05-history"]
+        assert all(check["verdict"] in ("pass", "fail") for check in history)
+        assert history[0]["capacity_pga_g"] > history[0]["uplift_pga_g"] * 0.4

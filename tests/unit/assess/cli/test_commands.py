@@ -1,0 +1,211 @@
+"""The commands on small projects: what they print, where they write, how they end."""
+
+import csv
+import json
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from assess.cli import main
+from assess.cli.outputs import LIST
+from assess.cli.summary import some_check_fails, summary
+from assess.codes.check import Check, PgaCurve, Role, Verdict
+from assess.project import run as running
+from assess.project.build import build
+from assess.project.schema import load
+from assess.results import MechanismResult, Notice, Program, Results
+
+PROJECT = """
+title = "<b>&"
+[materials.brick]
+density = 1800
+[bodies.wall]
+material = "brick"
+box = { thickness = 0.6, length = 3.0, height = 4.0 }
+[mechanisms."=wall, 1"]
+kind = "single-block"
+blocks = ["wall"]
+sides = "one"
+restitution = 0.5
+[mechanisms.published]
+kind = "equivalent-block"
+p = 1.6
+uplift = 0.14
+radius = 2.84
+"""
+
+
+@pytest.fixture
+def project(tmp_path: Path) -> Path:
+    path = tmp_path / "walls.toml"
+    path.write_text(PROJECT)
+    return path
+
+
+def ended(*arguments: str | Path) -> int:
+    with pytest.raises(SystemExit) as caught:
+        main([str(argument) for argument in arguments])
+    return int(caught.value.code or 0)
+
+
+def check(procedure: str, role: Role, verdict: Verdict, ratio: float | None, *, level: float = 0.1) -> Check:
+    return Check(
+        procedure=procedure, edition="", role=role, branch="positive", limit_state="", level_pga_g=level,
+        input_at="ground", damping=None, damping_rule="", quantity="rotation", unit="rad", demand=None, capacity=None,
+        ratio=ratio, verdict=verdict, reason="", capacity_pga_g=None, uplift_pga_g=None, capacity_rotation_ratio=None,
+        rotation_ratio=None, pga_curve=PgaCurve((), ()), steps=(),
+    )  # fmt: skip
+
+
+def results_of(path: Path, *checks: Check) -> Results:
+    mechanisms = running.parameters(build(load(path)))
+    first = replace(mechanisms[0], checks=checks)
+    warnings = (Notice("fc", "procedures.dmi2008", "FC is 1.00"),)
+    return Results(1, Program("assess", "0"), (), warnings, {}, None, (), (first, *mechanisms[1:]), None, ())
+
+
+@pytest.fixture
+def faked(project: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[..., None]:
+    """Put given checks in place of the analysis, and a small file in place of the report."""
+
+    def fake(*checks: Check) -> None:
+        results = results_of(project, *checks)
+
+        def run(study: object, *, jobs: int, progress: Callable[[str, int, int], None]) -> Results:
+            progress("histories", jobs, jobs)
+            return results
+
+        monkeypatch.setattr("assess.project.run.run", run)
+        monkeypatch.setattr("reports.writing.write_all", small_report)
+
+    return fake
+
+
+def small_report(results: Results, folder: Path, *, progress: Callable[[str], None] | None = None) -> Path:
+    assert progress is not None
+    progress("report")
+    (folder / "report.pdf").write_text(results.mechanisms[0].name)
+    return folder / "report.pdf"
+
+
+def test_check_prints_what_was_understood(project: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert ended("check", project) == 0
+    out = capsys.readouterr().out
+    assert "=wall, 1: single-block, one-sided" in out
+    assert "A at x = 0.3 m, z = 0 m" in out
+    assert "centroid    x = 0 m, z = 2 m" in out
+    assert "loads       none" in out
+    assert "interface   rigid" in out
+    assert "12960" in out  # mass: 1800 * 0.6 * 3 * 4
+
+
+def test_parameters_as_table_json_and_csv_agree(project: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert ended("parameters", project) == 0
+    table = capsys.readouterr().out
+    assert ended("parameters", project, "--json") == 0
+    mechanisms = json.loads(capsys.readouterr().out)
+    assert ended("parameters", project, "--csv") == 0
+    rows = list(csv.DictReader(capsys.readouterr().out.splitlines()))
+    assert [(row["name"], row["branch"]) for row in rows] == [
+        ("=wall, 1", "positive"),
+        ("published", "positive"),
+        ("published", "negative"),
+    ]
+    wall = mechanisms[0]
+    assert wall["oscillator_negative"] is None
+    assert wall["oscillator"]["mass_kg"] == pytest.approx(12960.0)
+    assert float(rows[0]["p_eq_per_s"]) == wall["oscillator"]["p_eq_per_s"]
+    assert f"{wall['oscillator']['radius_m']:.4f}" in table
+    assert mechanisms[1]["oscillator"]["p_eq_per_s"] == pytest.approx(1.6)
+    assert len(table.splitlines()) == 4
+
+
+def test_json_and_csv_exclude_each_other(project: Path) -> None:
+    assert ended("parameters", project, "--csv", "--json") == 2
+
+
+@pytest.mark.parametrize(("verdict", "code"), [("pass", 0), ("fail", 1), ("not-applicable", 0)])
+def test_run_ends_with_the_verdict(
+    verdict: Verdict, code: int, project: Path, faked: Callable[..., None], capsys: pytest.CaptureFixture[str]
+) -> None:
+    faked(check("asce43-05-spectrum", "code", verdict, 0.5), check("x-thesis", "informative", "fail", 9.0))
+    assert ended("run", project) == code
+    captured = capsys.readouterr()
+    folder = project.parent / "walls-results"
+    assert captured.out.splitlines()[-1] == str(folder / "report.pdf")
+    assert captured.err == ""
+    assert "thesis" not in captured.out
+    assert sorted(path.name for path in folder.iterdir()) == [LIST, "report.pdf", "results.json"]
+
+
+def test_run_without_report_takes_the_old_one_away(
+    project: Path, faked: Callable[..., None], tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    faked(check("a", "code", "pass", 0.5))
+    out = tmp_path / "out"
+    assert ended("run", project, "-o", out, "--jobs", "1") == 0
+    assert ended("run", project, "-o", out, "--no-report") == 0
+    assert capsys.readouterr().out.splitlines()[-1] == str(out / "results.json")
+    assert sorted(path.name for path in out.iterdir()) == [LIST, "results.json"]
+
+
+def test_failing_report_leaves_old_outputs(
+    project: Path, faked: Callable[..., None], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    faked(check("a", "code", "pass", 0.5))
+    assert ended("run", project, "-o", tmp_path / "out") == 0
+    before = {path.name: path.read_bytes() for path in (tmp_path / "out").iterdir()}
+    faked(check("a", "code", "fail", 2.0))
+    monkeypatch.setattr("reports.writing.write_all", failing_report)
+    assert ended("run", project, "-o", tmp_path / "out") == 2
+    assert {path.name: path.read_bytes() for path in (tmp_path / "out").iterdir()} == before
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["out", "walls.toml"]
+
+
+def failing_report(results: Results, folder: Path, *, progress: Any = None) -> Path:
+    (folder / "report.pdf").write_text("half")
+    raise OSError(28, "No space left on device")
+
+
+def test_report_again_needs_no_analysis(
+    project: Path, faked: Callable[..., None], monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    faked(check("a", "code", "pass", 0.5))
+    out, other = tmp_path / "out", tmp_path / "other"
+    assert ended("run", project, "-o", out) == 0
+    before = {path.name: path.read_bytes() for path in out.iterdir()}
+    monkeypatch.delattr("assess.project.run.run")
+    assert ended("report", out / "results.json") == 0
+    assert {path.name: path.read_bytes() for path in out.iterdir()} == before
+    assert ended("report", out / "results.json", "-o", other) == 0
+    assert {path.name: path.read_bytes() for path in other.iterdir()} == before
+
+
+def test_summary_shows_the_check_that_governs(project: Path) -> None:
+    results = results_of(
+        project,
+        check("a", "code", "pass", 0.9),
+        check("a", "code", "fail", 0.2, level=0.2),
+        check("a", "code", "pass", 0.95, level=0.2),
+        check("b", "code", "fail", None),
+        check("b", "code", "not-applicable", None, level=0.2),
+    )
+    assert some_check_fails(results)
+    assert [line.split() for line in summary(results).splitlines()] == [
+        ["mechanism", "PGA", "[g]", "a", "b"],
+        ["=wall,", "1", "0.1", "pass", "0.90", "FAIL"],
+        ["=wall,", "1", "0.2", "FAIL", "0.20", "n/a"],
+        ["warning:", "procedures.dmi2008:", "FC", "is", "1.00"],
+        ["some", "check", "fails"],
+    ]
+
+
+def test_hostile_names_stay_on_their_line(project: Path) -> None:
+    results = results_of(project, check("a", "code", "pass", 0.9))
+    hostile: tuple[MechanismResult, ...] = (replace(results.mechanisms[0], name="x\n\x1b[2J" + "y" * 10_000),)
+    text = summary(replace(results, mechanisms=hostile))
+    assert "\x1b" not in text
+    assert max(map(len, text.splitlines())) < 80

@@ -290,7 +290,7 @@ def marching(glide: Glide, advance: Advance, acceleration: Acceleration) -> Marc
                 break
             else:
                 h, time, column = tail, last * dt + (i - last) * tail, TAIL_LIMIT
-            if i >= last or i < until:
+            if begun >= last or i < until:
                 side, y, v, more = through(
                     flow, branch, found, events, column, side, y, v, time, a0, (a - a0) / h, h
                 )  # fmt: skip

@@ -61,6 +61,12 @@ def worst_per_procedure(mechanism: MechanismResult) -> tuple[Check, ...]:
     return tuple(check for check in map(worst, groups) if check is not None)
 
 
+def named(check: Check, among: tuple[Check, ...]) -> str:
+    """The procedure of a check, with its limit state where `among` has others of the same procedure."""
+    states = {other.limit_state for other in among if other.procedure == check.procedure}
+    return f"{check.procedure} {check.limit_state}".strip() if len(states) > 1 else check.procedure
+
+
 def history(mechanism: MechanismResult) -> tuple[HistoryResult, Trace] | None:
     """The worst history with a trace: overturned before standing, then the largest rotation; None without traces."""
     traced = [(history, history.trace) for history in mechanism.histories if history.trace is not None]

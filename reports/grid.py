@@ -10,11 +10,11 @@ from reportlab.platypus import Table as Grid
 
 from reports.document import Cell, Column, Line, Sheet, Table
 from reports.lettering import shortened
-from reports.numerals import numeral, shown
+from reports.numerals import given, numeral, shown
 from reports.style import GRID, INK, MUTED
 from reports.typeset import STYLES, formula, markup, paragraph, width_of
 
-LONGEST = 220  # characters in a cell; the whole text stands in the CSV file and the spreadsheet
+LONGEST = 400  # characters in a cell; the whole text stands in the CSV file and the spreadsheet
 _LONGEST_STEP = 700
 _PADDING, _NARROW, _WIDE = 5.0, 112.0, 240.0
 _SHARES = (0.13, 0.35, 0.35, 0.17)
@@ -115,12 +115,20 @@ def _cell(raw: Cell, text: str, column: Column, *, muted: bool) -> Paragraph:
 
 def _step(line: Line) -> list[Paragraph]:
     clause = f'<br/><font color="{MUTED}">{_markup(line.clause)}</font>' if line.clause else ""
-    numbers = f"<br/>= {_markup(line.substituted)}" if line.substituted else ""
+    numbers = f"<br/>= {_formula(line.substituted)}" if line.substituted else ""
     unit = "" if line.unit == "-" else f" {_markup(line.unit)}"
-    value = "—" if line.value is None else f"{numeral(line.value, digits=4)}{unit}"
-    what = (formula(line.symbol), f"{_markup(line.description)}{clause}")
-    how = (f"{formula(shortened(line.formula, _LONGEST_STEP))}{numbers}", value)
+    value = "—" if line.value is None else f"{_value(line.value)}{unit}"
+    what = (_formula(line.symbol), f"{_formula(line.description)}{clause}")
+    how = (f"{_formula(line.formula)}{numbers}", value)
     return [Paragraph(cell, STYLES["cell"]) for cell in (*what, *how)]
+
+
+def _value(value: float) -> str:
+    return given(value) if float(value).is_integer() and abs(value) < 1e5 else numeral(value, digits=4)
+
+
+def _formula(text: str) -> str:
+    return formula(shortened(text, _LONGEST_STEP))
 
 
 def _markup(text: str) -> str:

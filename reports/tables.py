@@ -72,7 +72,9 @@ def verdicts(results: Results) -> Table:
         Column("Role"),
         Column("Input at"),
     )
-    rows = tuple((name_of(mechanism), check.level_pga_g, *_answer(check)) for mechanism, check in pairs)
+    rows = tuple(
+        (name_of(mechanism), check.level_pga_g, *_answer(check, mechanism.checks)) for mechanism, check in pairs
+    )
     muted = frozenset(place for place, (_, check) in enumerate(pairs) if check.role == "informative")
     caption = "Demand, allowable, ratio and verdict of every check. Informative readings (grey) decide nothing."
     return Table("verdicts", caption, columns, rows, muted)
@@ -105,9 +107,17 @@ def procedures(results: Results) -> Table:
     """Each procedure with its edition, role, damping and where its input acts, once."""
     checks = (check for mechanism in results.mechanisms for check in mechanism.checks)
     rows = dict.fromkeys(
-        (check.procedure, check.edition, check.role, check.input_at, check.damping_rule) for check in checks
+        (check.procedure, check.edition, check.limit_state, check.role, check.input_at, check.damping_rule)
+        for check in checks
     )
-    columns = (_PROCEDURE, Column("Edition"), Column("Role"), Column("Input at"), Column("Damping"))
+    columns = (
+        _PROCEDURE,
+        Column("Edition"),
+        Column("Limit state"),
+        Column("Role"),
+        Column("Input at"),
+        Column("Damping"),
+    )
     return Table("procedures", "Procedures, their editions and roles.", columns, tuple(rows))
 
 
@@ -187,7 +197,7 @@ def demands(mechanism: MechanismResult, *, name: str) -> Table:
         Column("Demand / allowable", "-", "number"),
         Column("Verdict", kind="verdict"),
     )
-    rows = tuple(_demand(check) for check in mechanism.checks)
+    rows = tuple(_demand(check, mechanism.checks) for check in mechanism.checks)
     muted = frozenset(place for place, check in enumerate(mechanism.checks) if check.role == "informative")
     return Table(name, "Demand and capacity as rotation and as peak ground acceleration.", columns, rows, muted)
 
@@ -319,22 +329,18 @@ def _largest(checks: tuple[Check, ...]) -> Cell:
     return OVERTURNED if governing.fell(worst) else worst.ratio
 
 
-def _answer(check: Check) -> tuple[Cell, ...]:
+def _answer(check: Check, among: tuple[Check, ...]) -> tuple[Cell, ...]:
     quantity = f"{check.quantity}, {check.unit}" if check.unit not in ("", "-") else check.quantity
     demand = OVERTURNED if governing.fell(check) else check.demand
     numbers = (demand, check.capacity, check.ratio)
-    return (_named(check), quantity, *numbers, check.verdict, check.role, check.input_at)
+    return (governing.named(check, among), quantity, *numbers, check.verdict, check.role, check.input_at)
 
 
-def _named(check: Check) -> str:
-    return f"{check.procedure} {check.limit_state}".strip()
-
-
-def _demand(check: Check) -> tuple[Cell, ...]:
+def _demand(check: Check, among: tuple[Check, ...]) -> tuple[Cell, ...]:
     rotation = OVERTURNED if governing.fell(check) else _rocking(check.rotation_ratio)
     accelerations = (check.uplift_pga_g, check.capacity_pga_g, check.damping)
     answer = (rotation, check.capacity_rotation_ratio, *accelerations, check.ratio, check.verdict)
-    return (check.level_pga_g, _named(check), check.branch, *answer)
+    return (check.level_pga_g, governing.named(check, among), check.branch, *answer)
 
 
 def _history(history: HistoryResult) -> tuple[Cell, ...]:

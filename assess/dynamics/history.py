@@ -64,7 +64,7 @@ class Peaks:
         the run ended (meaningless as a maximum)
     max_ratio : |rotation| / phi_ov of its branch [-]; phi_ov is that of the equation used
     time_of_max : [s]; 0 where the body never moved
-    impacts : until the end of the record, or until overturning
+    impacts : until overturning, or until the free motion after the record has peaked on each side or come to rest
     overturned : it can no longer return; having been beyond phi_ov is not enough
     overturning_time : last upward passage of phi_ov [s]; nan where not overturned
     uplifted : whether it rocked at all
@@ -172,6 +172,7 @@ def free_rocking(
     first, events = np.zeros(1, dtype=np.int64), np.zeros((MOST_EVENTS + 1, 3))
     run(first, first, np.ones(1), rotation / branch[kernel.OVERTURNING], np.empty((1, 7)), np.empty((0, 2)), events)
     happened = events[1 : 1 + int(events[0, 0])]
+    happened = happened[happened[:, 0] <= duration]  # the kernel follows the last swing to its peak
     impact, peak = happened[:, 1] == kernel.IMPACT, happened[:, 1] == kernel.PEAK
     return FreeRocking(
         _frozen(happened[impact, 0]),

@@ -49,8 +49,8 @@ TAIL_PIECES = 120
 """Free motion after the record goes in at most TAIL_PIECES pieces of TAIL_PIECE / p, p of the quicker branch."""
 
 SMALLEST_STEP = 1e-6
-"""Least step of the exact equation as a fraction of the interval: its error there is beyond rounding for a smooth
-table, and a body that rattles about a jump of its table still moves on."""
+"""Of an interval: the least step of the exact equation, so that a body rattling about a jump of its table still moves
+on, and the least distance of an inflection from where it is looked for. What is neglected goes with its square."""
 
 # columns of `branch` [2, 7], one row for each side
 OVERTURNING, THRESHOLD, BOUNCE, PARTNER, RATE, LIMIT, TAIL_LIMIT = range(7)
@@ -185,15 +185,17 @@ def marching(glide: Glide, advance: Advance, acceleration: Acceleration) -> Marc
         return x, state
 
     @compiled
-    def through(flow: Any, branch: FloatArray, found: FloatArray, events: FloatArray, column: int, side: int,
-                y: float, v: float, time: float, a0: float, slope: float,
+    def through(flow: Any, branch: FloatArray, found: FloatArray, events: FloatArray, column: int, peaked: int,
+                wanted: int, side: int, y: float, v: float, time: float, a0: float, slope: float,
                 h: float) -> tuple[int, float, float, int]:  # fmt: skip
         """Through h [s] from `time` with all events: side (-1 at rest), y, y' at the end, and the sides that peaked.
 
         a0, slope: ground acceleration at `time` and its rate. column: of `branch`, the limit that means overturned.
+        It ends early once all the `wanted` sides have peaked (bits; 0: goes on).
+
         Each turn of the loop moves on in time, or stops the velocity, or puts the body to rest.
         """
-        x, peaked = 0.0, 0
+        x = 0.0
         while x < h:
             a, left = a0 + slope * x, h - x
             if side < 0:
@@ -222,7 +224,7 @@ def marching(glide: Glide, advance: Advance, acceleration: Acceleration) -> Marc
                 root, state = locate(flow, side, start, (a, slope), piece, end, component, level)
                 if kind == PASSAGE:
                     found[PASSED] = time + x + root
-                elif kind != INFLECTION or x + root > x:
+                elif kind != INFLECTION or root > SMALLEST_STEP * h:
                     piece, end = root, state
                 if kind == TURNING:
                     peak = v > 0.0
@@ -244,6 +246,8 @@ def marching(glide: Glide, advance: Advance, acceleration: Acceleration) -> Marc
                 peaked |= 1 << side
                 largest(found, y, side, time + x)
                 note(events, time + x, PEAK, (1.0 - 2.0 * side) * y * branch[side, OVERTURNING])
+                if wanted > 0 and peaked == wanted:
+                    break
             if y >= branch[side, column] and v >= 0.0:
                 found[OVERTURNED] = 1.0
                 largest(found, y, side, time + x)
@@ -273,10 +277,9 @@ def marching(glide: Glide, advance: Advance, acceleration: Acceleration) -> Marc
         if traced:
             path[0, 0], path[0, 1] = y * branch[0, OVERTURNING], 0.0
         lowest, highest = -branch[0, THRESHOLD], branch[1, THRESHOLD]
-        last, tail, everything = ground.shape[0] - 1, TAIL_PIECE / max(branch[0, RATE], branch[1, RATE]), 3
-        if branch[0, PARTNER] == 0.0:
-            everything = 1
-        samples, peaked, column, h, time, i = last + 1, 0, LIMIT, dt, 0.0, 0
+        last, tail = ground.shape[0] - 1, TAIL_PIECE / max(branch[0, RATE], branch[1, RATE])
+        both = 1 | (1 << int(branch[0, PARTNER]))
+        samples, peaked, wanted, column, h, time, i = last + 1, 0, 0, LIMIT, dt, 0.0, 0
         while i < last + TAIL_PIECES:
             a0, a, begun, until = 0.0, 0.0, i, i + 1 if traced else last
             if i < last:
@@ -286,17 +289,17 @@ def marching(glide: Glide, advance: Advance, acceleration: Acceleration) -> Marc
                     i, y, v, k = glide(flow, side, y, v, k, ground, scale, dt, i, until, top, branch[side, LIMIT])
                 if i < until:
                     a0, a, time = scale * ground[i], scale * ground[i + 1], i * dt
-            elif side < 0 or peaked == everything:
+            elif side < 0 or (wanted > 0 and peaked == wanted):
                 break
             else:
-                h, time, column = tail, last * dt + (i - last) * tail, TAIL_LIMIT
+                if wanted == 0:
+                    peaked, wanted, column, h = 0, both, TAIL_LIMIT, tail
+                time = last * dt + (i - last) * tail
             if begun >= last or i < until:
-                side, y, v, more = through(
-                    flow, branch, found, events, column, side, y, v, time, a0, (a - a0) / h, h
+                side, y, v, peaked = through(
+                    flow, branch, found, events, column, peaked, wanted, side, y, v, time, a0, (a - a0) / h, h
                 )  # fmt: skip
                 i += 1
-                if column == TAIL_LIMIT:
-                    peaked |= more
                 if side >= 0:
                     k = acceleration(flow, side, y, v, a)
                 if top >= 0.0:
@@ -307,7 +310,7 @@ def marching(glide: Glide, advance: Advance, acceleration: Acceleration) -> Marc
             if found[OVERTURNED] > 0.0:
                 samples = min(samples, i + 1)
                 break
-        if side >= 0 and peaked != everything and y >= 1.0:
+        if side >= 0 and y >= 1.0 and peaked != wanted:
             found[OVERTURNED] = 1.0  # or balances beyond phi_ov for ever
         if found[OVERTURNED] > 0.0:
             largest(found, y, side, time + h)

@@ -9,6 +9,7 @@ from matplotlib.figure import Figure
 
 from assess.codes.check import Check
 from assess.results import HistoryResult, MechanismResult
+from reports.governing import named
 from reports.style import FAIL, INK, MUTED, pen, sheet, styled
 
 OVERTURNED = 1.06  # where a record that overturned is drawn [-]
@@ -20,7 +21,7 @@ def draw(mechanism: MechanismResult) -> Figure:
         figure = sheet(3.7)
         axes = figure.subplots()
         for check in one_per_procedure(mechanism.checks):
-            _procedure(axes, check)
+            _procedure(axes, check, named(check, mechanism.checks))
         _histories(axes, mechanism.histories)
         levels = sorted({check.level_pga_g for check in mechanism.checks})
         _levels(axes, levels)
@@ -40,9 +41,8 @@ def one_per_procedure(checks: tuple[Check, ...]) -> tuple[Check, ...]:
     return tuple(first.values())
 
 
-def _procedure(axes: Axes, check: Check) -> None:
+def _procedure(axes: Axes, check: Check, name: str) -> None:
     ink, curve = pen(check.procedure), check.pga_curve
-    name = f"{check.procedure} ({check.limit_state})" if check.limit_state else check.procedure
     axes.plot(curve.pga_g, curve.rotation_ratio, linestyle=ink.dash, color=ink.colour, label=name)
     if check.capacity_pga_g is not None and check.capacity_rotation_ratio is not None:
         at = ([check.capacity_pga_g], [check.capacity_rotation_ratio])

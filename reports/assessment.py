@@ -26,7 +26,7 @@ _FACTS = (
 def assessment(results: Results) -> Document:
     """The whole report of one run."""
     title = project(results, "title") or "Rocking assessment"
-    chapters = [_verdict(results), *_answers(results), _basis(results), *_site(results)]
+    chapters = [_verdict(results), _basis(results), *_site(results)]
     for place, mechanism in enumerate(results.mechanisms, start=1):
         chapters += _mechanism(mechanism, stem(mechanism.name, place))
     chapters += [*_comparison(results), _limits(results), _signatures(results)]
@@ -38,7 +38,13 @@ def assessment(results: Results) -> Document:
         paper=_paper(results),
         facts=tuple((label, project(results, key)) for key, label in _FACTS if project(results, key)),
         sections=tuple(chapters),
-        data=(tables.ordinates(results), tables.curves(results), tables.pga_curves(results)),
+        data=(
+            tables.verdicts(results),
+            tables.comparison(results),
+            tables.ordinates(results),
+            tables.curves(results),
+            tables.pga_curves(results),
+        ),
     )
 
 
@@ -63,15 +69,6 @@ def _verdict(results: Results) -> Section:
     return Section("Verdict", 0, (Text(sentences.outcome(results)), *_filled(brief)))
 
 
-def _answers(results: Results) -> list[Section]:
-    note = (
-        "Demand and allowable are in the unit named with the quantity. The ratio is demand over allowable: above 1 the "
-        "check fails."
-    )
-    blocks = (Text((note,)), *_filled(tables.verdicts(results)), *_filled(tables.procedures(results)))
-    return [Section("Demand, allowable and verdict of every check", 0, blocks)]
-
-
 def _basis(results: Results) -> Section:
     title, notes = project(results, "title"), project(results, "notes")
     blocks: list[Block] = []
@@ -79,7 +76,7 @@ def _basis(results: Results) -> Section:
     blocks += [Text((f"Notes: {notes}",))] if notes else []
     blocks += _filled(tables.inputs(results))
     blocks += _filled(tables.warnings(results)) or [Text(("The run gave no warnings.",))]
-    blocks += _filled(tables.assumptions(results))
+    blocks += [*_filled(tables.procedures(results)), *_filled(tables.assumptions(results))]
     return Section("Inputs, warnings and assumptions", 0, tuple(blocks))
 
 
@@ -175,7 +172,7 @@ def _comparison(results: Results) -> list[Section]:
         "Demand over capacity of every mechanism by every procedure; right of the line the check fails. Open markers "
         "are informative readings, a cross marks overturning, an arrow a ratio beyond the axis."
     )
-    blocks = (Figure("comparison", caption, draw), tables.comparison(results))
+    blocks = (Figure("comparison", caption, draw), tables.side_by_side(results))
     return [Section("Comparison of the mechanisms", 0, blocks, starts_page=True)]
 
 

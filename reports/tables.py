@@ -104,10 +104,10 @@ def warnings(results: Results) -> Table:
 
 
 def procedures(results: Results) -> Table:
-    """Each procedure with its edition, role, damping and where its input acts, once."""
+    """Each procedure with its edition, role, where its input acts, damping, and what could not be compared, once."""
     checks = (check for mechanism in results.mechanisms for check in mechanism.checks)
     rows = dict.fromkeys(
-        (check.procedure, check.edition, check.limit_state, check.role, check.input_at, check.damping_rule)
+        (check.procedure, check.edition, check.limit_state, check.role, check.input_at, _remark(check))
         for check in checks
     )
     columns = (
@@ -116,7 +116,7 @@ def procedures(results: Results) -> Table:
         Column("Limit state"),
         Column("Role"),
         Column("Input at"),
-        Column("Damping"),
+        Column("Remark"),
     )
     return Table("procedures", "Procedures, their editions and roles.", columns, tuple(rows))
 
@@ -184,29 +184,38 @@ def parameters(mechanism: MechanismResult, *, name: str) -> Table:
 
 
 def demands(mechanism: MechanismResult, *, name: str) -> Table:
-    """Every check of one mechanism as rotations and accelerations."""
+    """Every check of one mechanism: demand, allowable, ratio and verdict, and the accelerations it stands up to."""
     columns = (
         _LEVEL,
         _PROCEDURE,
-        Column("Branch"),
+        Column("Quantity, unit"),
+        Column("Demand", kind="number"),
+        Column("Allowable", kind="number"),
+        Column("Ratio", "-", "number"),
         Column("Rotation φ/φₒᵥ", "-", "number"),
-        Column("Allowable φ/φₒᵥ", "-", "number"),
         Column("PGA at uplift", "g", "number"),
         Column("PGA at capacity", "g", "number"),
-        Column("Damping ratio", "-", "number"),
-        Column("Demand / allowable", "-", "number"),
         Column("Verdict", kind="verdict"),
     )
     rows = tuple(_demand(check, mechanism.checks) for check in mechanism.checks)
     muted = frozenset(place for place, check in enumerate(mechanism.checks) if check.role == "informative")
-    return Table(name, "Demand and capacity as rotation and as peak ground acceleration.", columns, rows, muted)
+    return Table(
+        name,
+        "Demand, allowable, ratio and verdict of every check; the peak ground acceleration at uplift and at capacity. "
+        "Informative readings (grey) decide nothing.",
+        columns,
+        rows,
+        muted,
+    )
 
 
 def reasons(mechanism: MechanismResult, *, name: str) -> Table:
-    """Why each check ended as it did, for the checks that say so."""
+    """Why a check did not pass, for those that say so."""
     columns = (_PROCEDURE, Column("PGA", "g", "number"), Column("Verdict", kind="verdict"), Column("Reason"))
-    rows = tuple((c.procedure, c.level_pga_g, c.verdict, c.reason) for c in mechanism.checks if c.reason)
-    return Table(name, "Remarks of the procedures.", columns, rows)
+    rows = tuple(
+        (c.procedure, c.level_pga_g, c.verdict, c.reason) for c in mechanism.checks if c.reason and c.verdict != "pass"
+    )
+    return Table(name, "Checks that fail or do not apply, and why.", columns, rows)
 
 
 def suites(mechanism: MechanismResult, *, name: str) -> Table:
@@ -240,6 +249,34 @@ def histories(mechanism: MechanismResult, *, name: str) -> Table:
     )
     rows = tuple(_history(history) for history in mechanism.histories)
     return Table(name, "Time histories: the largest response to each record, in the worse polarity.", columns, rows)
+
+
+def side_by_side(results: Results) -> Table:
+    """Demand over capacity of every procedure beside each other, one line for each mechanism and level."""
+    known = dict.fromkeys(row.procedure for row in results.comparison)
+    beyond = governing.overturned(results)
+    names = {mechanism.name: name_of(mechanism) for mechanism in results.mechanisms}
+    lines: dict[tuple[str, float], dict[str, Cell]] = {}
+    for row in results.comparison:
+        answer: Cell = OVERTURNED if row in beyond else row.demand_capacity
+        line = lines.setdefault((row.mechanism, row.level_pga_g), {})
+        line[row.procedure] = _worse(line.get(row.procedure), answer)
+    columns = (_MECHANISM, _LEVEL, *(Column(name, "-", "number") for name in known))
+    caption = (
+        "Demand over capacity, procedure beside procedure; above 1 the check fails. Readings named -thesis are "
+        "informative. What each procedure takes as its input stands with the procedures."
+    )
+    rows = tuple(
+        (names.get(mechanism, mechanism), level, *(line.get(name) for name in known))
+        for (mechanism, level), line in lines.items()
+    )
+    return Table("side-by-side", caption, columns, rows)
+
+
+def _worse(one: Cell, other: Cell) -> Cell:
+    """The worse of two ratios of one procedure (several limit states)."""
+    numbers = [cell for cell in (one, other) if isinstance(cell, float)]
+    return OVERTURNED if OVERTURNED in (one, other) else max(numbers, default=None)
 
 
 def comparison(results: Results) -> Table:
@@ -330,17 +367,23 @@ def _largest(checks: tuple[Check, ...]) -> Cell:
 
 
 def _answer(check: Check, among: tuple[Check, ...]) -> tuple[Cell, ...]:
+    return (*_numbers(check, among), check.verdict, check.role, check.input_at)
+
+
+def _numbers(check: Check, among: tuple[Check, ...]) -> tuple[Cell, ...]:
     quantity = f"{check.quantity}, {check.unit}" if check.unit not in ("", "-") else check.quantity
     demand = OVERTURNED if governing.fell(check) else check.demand
-    numbers = (demand, check.capacity, check.ratio)
-    return (governing.named(check, among), quantity, *numbers, check.verdict, check.role, check.input_at)
+    return (governing.named(check, among), quantity, demand, check.capacity, check.ratio)
 
 
 def _demand(check: Check, among: tuple[Check, ...]) -> tuple[Cell, ...]:
     rotation = OVERTURNED if governing.fell(check) else _rocking(check.rotation_ratio)
-    accelerations = (check.uplift_pga_g, check.capacity_pga_g, check.damping)
-    answer = (rotation, check.capacity_rotation_ratio, *accelerations, check.ratio, check.verdict)
-    return (check.level_pga_g, governing.named(check, among), check.branch, *answer)
+    accelerations = (check.uplift_pga_g, check.capacity_pga_g)
+    return (check.level_pga_g, *_numbers(check, among), rotation, *accelerations, check.verdict)
+
+
+def _remark(check: Check) -> str:
+    return "; ".join(text for text in (check.damping_rule, check.caveat) if text)
 
 
 def _history(history: HistoryResult) -> tuple[Cell, ...]:

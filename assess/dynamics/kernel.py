@@ -554,7 +554,8 @@ def step_to(table: FloatArray, j: int, first: int, last: int, start: State, sa: 
 def exact_advance(flow: Any, side: int, start: State, ground: Ground, x: float) -> State:
     """Over any time x [s] in steps of controlled error, landing on jumps of the table and leaving them on the far side.
 
-    Stops early, at the end of a step, where the body is below rest or beyond the table.
+    From the end of the step that leaves the table, below rest or beyond its end, the velocity is kept: it tells which
+    event there was, and leads Newton's method back to it, without asking cubics far from where they hold.
     """
     table, smooth, span, hint, tolerance, rate = flow
     s = 1.0 - 2.0 * side
@@ -585,7 +586,7 @@ def exact_advance(flow: Any, side: int, start: State, ground: Ground, x: float) 
             k = exact_acceleration(flow, side, y, v, ground[0] + ground[1] * (time + h))
         time = x if h >= x - time else time + h
         h *= 5.0 if up or down else min(5.0, 0.9 * max(error, 1e-8) ** -0.2)
-    return y, v, k
+    return y + v * (x - time), v, k
 
 
 march_exact = marching(exact_glide, exact_advance, exact_acceleration)

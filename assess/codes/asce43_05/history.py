@@ -83,7 +83,7 @@ def _check(
         input_at="ground",
         damping=None,
         damping_rule="",
-        quantity="mean of the largest rotations",
+        quantity="mean rotation",
         unit="rad",
         demand=None if mean is None else mean * overturning,
         capacity=allowable_ratio * overturning,

@@ -60,7 +60,7 @@ def _check(
         input_at="mechanism base" if at_floor > at_ground else "ground",
         damping=context.spectrum.damping,
         damping_rule="",
-        quantity="displacement d*",
+        quantity="d*",
         unit="m",
         demand=demanded,
         capacity=cap.du,

@@ -33,9 +33,9 @@ def test_text_holds_every_verdict_and_every_mechanism(results: Results, report: 
         assert mechanism.label in text
         for check in mechanism.checks:
             assert check.procedure in text
-    part = text[text.index("Demand, allowable, ratio and verdict of every check") :]
+    number = r"(?:no rocking|\S+)"
     rows = re.findall(
-        r"(?:rotation, rad|acceleration, g) \S+ \S+ \S+ (pass|fail|not-applicable)", part[: part.index("Table 3.")]
+        rf"(?:rotation, rad|acceleration, g) {number} \S+ \S+ {number} \S+ \S+ (pass|fail|not-applicable)", text
     )
     assert rows == [check.verdict for mechanism in results.mechanisms for check in mechanism.checks]
 

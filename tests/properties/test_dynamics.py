@@ -1,0 +1,225 @@
+"""What must hold for rocking histories of every oscillator by either equation."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+from scipy.constants import g
+
+from assess.dynamics.history import Equation, Jobs, Peaks, free_rocking, peaks, product, trace
+from assess.oscillator import Branch, Oscillator, energy, interpolant, linearise
+from records.record import Record, make_record
+
+EQUATIONS: tuple[Equation, ...] = ("exact", "linearised")
+BOTH = pytest.mark.parametrize("equation", EQUATIONS)
+
+
+def branch(p: float, alpha: float, restitution: float, *, swell: float = 0.0) -> Branch:
+    """A block of M R = 1 kg m, whose inertia grows by `swell` phi."""
+    phi = np.linspace(0.0, 1.5 * alpha, 257)
+    one = np.ones_like(phi)
+    inertia = g / p**2 * (1.0 + swell * phi)
+    return Branch(phi, inertia, g * np.sin(alpha - phi), np.cos(alpha - phi), one, one, restitution, alpha, alpha)
+
+
+BODIES = {
+    "block": Oscillator(branch(2.0, 0.2, 0.9), branch(2.0, 0.2, 0.9), 1.0),
+    "one-sided": Oscillator(branch(1.6, 0.15, 0.4), None, 1.0),
+    "unlike sides": Oscillator(branch(1.8, 0.25, 0.8), branch(2.2, 0.15, 0.95), 1.0),
+    "swelling": Oscillator(branch(1.8, 0.25, 0.8, swell=3.0), branch(2.2, 0.2, 0.9, swell=-1.5), 1.0),
+    "no rebound": Oscillator(branch(1.8, 0.2, 0.0), branch(1.8, 0.2, 0.0), 1.0),
+    "no loss": Oscillator(branch(1.8, 0.2, 1.0), branch(1.8, 0.2, 1.0), 1.0),
+    "no loss, one-sided": Oscillator(branch(1.8, 0.2, 1.0), None, 1.0),
+}
+EVERY = pytest.mark.parametrize("body", BODIES.values(), ids=BODIES)
+
+
+def noise(seed: int = 1, *, peak: float = 4.0, npts: int = 600, dt: float = 0.02, smooth: int = 15) -> Record:
+    raw = np.convolve(np.random.default_rng(seed).standard_normal(npts + smooth - 1), np.hanning(smooth), mode="valid")
+    return make_record(f"noise {seed}", peak * raw / np.abs(raw).max(), dt)
+
+
+def run(bodies: list[Oscillator], motions: list[Record], scales: object, equation: Equation, **more: float) -> Peaks:
+    return peaks(bodies, motions, product(len(bodies), len(motions), scales), equation=equation, **more)
+
+
+def same_bytes(first: Peaks, second: Peaks) -> bool:
+    return all(getattr(first, name).tobytes() == getattr(second, name).tobytes() for name in vars(first))
+
+
+@BOTH
+@EVERY
+def test_energy_of_free_motion_never_grows(body: Oscillator, equation: Equation) -> None:
+    """Kinetic energy and the potential of the equation used, sampled through impacts; none is lost in between."""
+    phi_ov = body.positive.overturning if equation == "exact" else linearise(body.positive).overturning
+    still = make_record("shock", np.r_[-6.0, -6.0, np.zeros(400)], 0.05)
+    found = trace(body, still, scale=1.0, equation=equation)
+    assert 0.0 < np.abs(found.rotation).max() < phi_ov
+    total = np.zeros(found.time.size)
+    for sign, side in zip((1.0, -1.0), body.branches, strict=False):
+        on, phi = sign * found.rotation > 0.0, np.abs(found.rotation)
+        if equation == "exact":
+            inertia, potential = interpolant(side.rotation, side.inertia)(phi), energy(side, phi)
+        else:
+            form = linearise(side)
+            inertia, potential = form.inertia, form.stiffness * (form.overturning * phi - phi**2 / 2)
+        total[on] = (0.5 * inertia * found.velocity**2 + potential)[on]
+    rotation, velocity = found.rotation[3:], found.velocity[3:]
+    kept = (rotation[1:] * rotation[:-1] > 0.0) & ~((rotation * velocity)[:-1] < (rotation * velocity)[1:])
+    steps = np.diff(total[3:]) / total[3]
+    assert np.count_nonzero(kept) > 4
+    assert np.abs(steps[kept]).max() < 1e-9
+    if np.ptp([side.inertia[0] for side in body.branches]) == 0.0 and equation == "exact":
+        assert steps.max() < 1e-9  # nor at impacts, where the inertia at rest is the same on both sides
+    if body.positive.restitution == 1.0:
+        assert np.abs(steps).max() < 1e-8
+
+
+@BOTH
+@EVERY
+def test_velocity_after_an_impact_is_less_by_the_restitution(body: Oscillator, equation: Equation) -> None:
+    """The peak after an impact follows from the velocity before it by the energy of the branch that follows."""
+    found = free_rocking(body, rotation=0.6 * body.positive.overturning, duration=4.0, equation=equation)
+    for velocity, peak in zip(found.impact_velocity, found.peak_rotation, strict=False):
+        before = body.branches[0 if velocity < 0.0 else -1]
+        after = body.branches[0 if peak > 0.0 else -1]
+        assert np.sign(peak) == (np.sign(velocity) if body.negative is not None else 1.0)
+        form, left = linearise(after), abs(velocity) * before.restitution
+        phi = np.abs(peak)
+        stored = energy(after, phi) if equation == "exact" else form.stiffness * (form.overturning * phi - phi**2 / 2)
+        inertia = after.inertia[0] if equation == "exact" else form.inertia
+        assert stored == pytest.approx(0.5 * inertia * left**2, rel=1e-8)
+
+
+@BOTH
+def test_mirrored_oscillator_is_reversed_polarity(equation: Equation) -> None:
+    body = BODIES["unlike sides"]
+    assert body.negative is not None
+    mirrored = Oscillator(body.negative, body.positive, body.mass)
+    motions = [noise(seed) for seed in range(5)]
+    ours, theirs = run([body], motions, [1.0, 0.8], equation), run([mirrored], motions, [-1.0, -0.8], equation)
+    np.testing.assert_array_equal(ours.max_rotation, -theirs.max_rotation)
+    np.testing.assert_array_equal(ours.impacts, theirs.impacts)
+    np.testing.assert_array_equal(ours.overturning_time, theirs.overturning_time)
+
+
+@BOTH
+def test_froude_similarity(equation: Equation) -> None:
+    """A block 4 times as large (p half) under the motion stretched by 2 in time makes the same rotations."""
+    motions = [noise(seed, peak=3.0) for seed in range(6)]
+    slow = [make_record(m.id, m.acceleration, 2.0 * m.dt) for m in motions]
+    small, large = (Oscillator(branch(p, 0.2, 0.8), branch(p, 0.2, 0.8), 1.0) for p in (2.0, 1.0))
+    ours, theirs = run([small], motions, 1.0, equation), run([large], slow, 1.0, equation)
+    assert ours.impacts.min() > 0
+    np.testing.assert_allclose(theirs.max_rotation, ours.max_rotation, rtol=1e-12)
+    np.testing.assert_allclose(theirs.time_of_max, 2.0 * ours.time_of_max, rtol=1e-12)
+    np.testing.assert_array_equal(theirs.impacts, ours.impacts)
+
+
+@BOTH
+def test_small_angles_tend_to_the_linearised_equation(equation: Equation) -> None:
+    """Slenderness 1e-4: both equations agree to its square."""
+    alpha = 1e-4
+    body = Oscillator(branch(2.0, alpha, 0.9), branch(2.0, alpha, 0.9), 1.0)
+    pulse = make_record("pulse", -2.0 * g * alpha * np.sin(np.linspace(0.0, 2 * np.pi, 41)), 0.015)
+    exact, linear = run([body], [pulse], 1.0, "exact"), run([body], [pulse], 1.0, "linearised")
+    assert exact.max_ratio[0] > 0.01
+    assert linear.max_ratio[0] == pytest.approx(exact.max_ratio[0], rel=1e-6)
+
+
+@BOTH
+def test_as_many_threads_as_wanted_give_the_same_bytes(equation: Equation, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("assess.dynamics.history.CHUNK_STEPS", 2000)
+    done: list[int] = []
+    arguments = (list(BODIES.values()), [noise(seed) for seed in range(4)], np.linspace(0.3, 2.0, 5), equation)
+    single, double = run(*arguments, threads=1), run(*arguments, threads=2, progress=done.append)
+    assert same_bytes(single, double)
+    assert len(done) > 10
+    assert done[-1] == single.max_ratio.size
+
+
+@BOTH
+def test_sampling_finer_along_the_same_lines_changes_nothing(equation: Equation) -> None:
+    """Every interval divided into 7: the same motion, other steps, events elsewhere in them."""
+    coarse = noise(3, peak=2.4, npts=150, dt=0.04)
+    fine_time = np.linspace(0.0, coarse.time[-1], 7 * (coarse.npts - 1) + 1)
+    fine = make_record("fine", np.interp(fine_time, coarse.time, coarse.acceleration), coarse.dt / 7)
+    for body in (BODIES["block"], BODIES["swelling"], BODIES["one-sided"]):
+        ours, theirs = run([body], [coarse], 1.0, equation), run([body], [fine], 1.0, equation)
+        assert ours.impacts[0] == theirs.impacts[0] > 0
+        assert not ours.overturned[0]
+        assert ours.max_ratio[0] == pytest.approx(theirs.max_ratio[0], rel=1e-7)
+
+
+def test_error_goes_with_the_tolerance() -> None:
+    """Long intervals, so that the tolerance and not the sample rules the step: the method is of order 5."""
+    body = BODIES["swelling"]
+    motion = make_record("slow", -3.2 * np.sin(np.linspace(0.0, 2 * np.pi, 7)), 0.2)
+    tolerances = 10.0 ** -np.arange(3.0, 11.0)
+    found = np.array([run([body], [motion], 1.0, "exact", tolerance=t).max_ratio[0] for t in tolerances])
+    best = run([body], [motion], 1.0, "exact", tolerance=1e-13).max_ratio[0]
+    errors = np.abs(found / best - 1.0)
+    assert errors[0] > 1e-6
+    assert errors[-1] < 1e-10
+    assert 0.8 < np.polyfit(np.log10(tolerances), np.log10(errors), 1)[0] < 1.5
+
+
+@BOTH
+@pytest.mark.parametrize("scale", [1.0, 30.0, 1e4])
+def test_rattling_never_stalls(equation: Equation, scale: float) -> None:
+    """Random square-wave motion on every body, also where the ground presses it on its wall; 1 s each at most."""
+    rng = np.random.default_rng(7)
+    motions = [make_record(f"square {i}", 3.0 * np.sign(rng.standard_normal(80)), 0.05) for i in range(3)]
+    motions += [noise(i, peak=2.5, npts=100) for i in range(3)]
+    motions += [make_record("held", np.r_[-4.0, -4.0, np.full(98, 1.9)], 0.02)]
+    found = run(list(BODIES.values()), motions, [scale, -scale], equation)
+    assert np.isfinite(found.max_ratio).all()
+    assert found.uplifted.any()
+    assert (found.max_ratio[~found.uplifted] == 0.0).all()
+
+
+@BOTH
+@EVERY
+def test_quiet_motion_leaves_it_at_rest(body: Oscillator, equation: Equation) -> None:
+    threshold = min(side.restoring[0] / side.excitation[0] for side in body.branches)
+    for ground in ([0.0, 0.0], 0.97 * threshold * np.sin(np.arange(200.0))):
+        found = run([body], [make_record("quiet", ground, 0.01)], [1.0, -1.0, 0.0], equation)
+        assert not found.uplifted.any()
+        assert not found.overturned.any()
+        assert found.max_rotation.tolist() == found.time_of_max.tolist() == found.impacts.tolist() == [0, 0, 0]
+
+
+PROGRAM = """
+import json, sys
+sys.path.insert(0, {folder!r})
+import numpy as np
+from assess.dynamics.history import peaks, product
+from {module} import BODIES, noise
+motions = [noise(seed, npts=60, peak=5.0) for seed in (1, 2)]
+for equation in ("exact", "linearised"):
+    found = peaks(list(BODIES.values()), motions, product(len(BODIES), 2, [1.0]), equation=equation)
+    print(json.dumps([found.max_rotation.tolist(), found.impacts.tolist(), found.overturned.tolist()]))
+"""
+
+
+def test_as_plain_python_it_gives_the_compiled_answers() -> None:
+    """The kernel without numba; products and sums are then rounded one by one, so the last digits differ, and impacts widen that."""
+    program = PROGRAM.format(folder=os.path.dirname(__file__), module="test_dynamics")
+    lines = subprocess.run(
+        [sys.executable, "-c", program],
+        env={**os.environ, "NUMBA_DISABLE_JIT": "1", "PYTHONPATH": os.pathsep.join(sys.path)},
+        capture_output=True, text=True, check=True,
+    ).stdout.splitlines()  # fmt: skip
+    motions = [noise(seed, npts=60, peak=5.0) for seed in (1, 2)]
+    for equation, line in zip(EQUATIONS, lines, strict=True):
+        rotation, impacts, overturned = json.loads(line)
+        found = run(list(BODIES.values()), motions, [1.0], equation)
+        np.testing.assert_allclose(rotation, found.max_rotation, rtol=1e-8)
+        assert impacts == found.impacts.tolist()
+        assert overturned == found.overturned.tolist()
+        assert found.impacts.sum() > 10

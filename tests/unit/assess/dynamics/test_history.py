@@ -1,0 +1,105 @@
+"""Jobs, traces and errors of rocking histories."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import numpy as np
+import pytest
+from scipy.constants import g
+
+from assess.dynamics.history import Jobs, peaks, product, trace
+from assess.errors import MechanismError
+from assess.oscillator import Branch, Oscillator
+from records.record import Record, make_record
+
+
+def block(**changes: object) -> Oscillator:
+    phi = np.linspace(0.0, 0.3, 65)
+    one = np.ones_like(phi)
+    side = Branch(phi, g / 4.0 * one, g * np.sin(0.2 - phi), np.cos(0.2 - phi), one, one, 0.9, 0.2, 0.2)
+    side = dataclasses.replace(side, **changes)
+    return Oscillator(side, side, 1.0)
+
+
+def pulse(amplitude: float = 3.0) -> Record:
+    return make_record("pulse", -amplitude * np.sin(np.linspace(0.0, 2 * np.pi, 101)), 0.008)
+
+
+def job(oscillator: int = 0, motion: int = 0, scale: float = 1.0) -> Jobs:
+    return Jobs(np.array([oscillator]), np.array([motion]), np.array([scale]))
+
+
+def test_product_makes_every_combination_once() -> None:
+    jobs = product(2, 3, [1.0, -1.0])
+    made = list(zip(jobs.oscillator.tolist(), jobs.motion.tolist(), jobs.scale.tolist(), strict=True))
+    assert made == [(o, m, s) for o in range(2) for m in range(3) for s in (1.0, -1.0)]
+
+
+@pytest.mark.parametrize("equation", ["exact", "linearised"])
+def test_a_trace_reaches_the_peak(equation: str) -> None:
+    motion = make_record("pulse and rest", np.r_[pulse().acceleration, np.zeros(200)], 0.008)
+    found = peaks([block()], [motion], job(), equation=equation)
+    history = trace(block(), motion, scale=1.0, equation=equation)
+    assert history.time.size == motion.npts
+    near = np.searchsorted(history.time, found.time_of_max[0])
+    assert history.rotation[near] == pytest.approx(found.max_rotation[0], rel=1e-2)
+    assert np.abs(history.rotation).max() <= abs(found.max_rotation[0])
+    middle = slice(near - 20, near - 1)
+    steps = np.diff(history.rotation[middle]) / motion.dt
+    np.testing.assert_allclose(steps, 0.5 * (history.velocity[middle][1:] + history.velocity[middle][:-1]), rtol=1e-2)
+
+
+@pytest.mark.parametrize("equation", ["exact", "linearised"])
+def test_a_trace_ends_where_the_body_has_overturned(equation: str) -> None:
+    motion = make_record("pulse and rest", np.r_[pulse(9.0).acceleration, np.zeros(2000)], 0.008)
+    found = peaks([block()], [motion], job(), equation=equation)
+    history = trace(block(), motion, scale=1.0, equation=equation)
+    assert found.overturned[0]
+    assert found.overturning_time[0] < history.time[-1] < motion.time[-1]
+    assert np.interp(found.overturning_time[0], history.time, np.abs(history.rotation)) == pytest.approx(0.2, rel=1e-3)
+
+
+def test_results_are_read_only() -> None:
+    found = peaks([block()], [pulse()], job(), equation="exact")
+    with pytest.raises(ValueError, match="read-only"):
+        found.max_ratio[0] = 1.0
+
+
+def test_no_jobs_no_peaks() -> None:
+    empty = np.empty(0, dtype=np.int64)
+    assert peaks([block()], [pulse()], Jobs(empty, empty, np.empty(0)), equation="exact").max_ratio.size == 0
+
+
+@pytest.mark.parametrize(
+    ("jobs", "message"),
+    [
+        (job(oscillator=1), r"jobs\[0\]: oscillator 1, but there are 1"),
+        (job(motion=-1), r"jobs\[0\]: motion -1, but there are 1"),
+        (job(scale=np.nan), r"jobs\[0\]: scale nan"),
+        (Jobs(np.zeros(2, dtype=np.int64), np.zeros(1, dtype=np.int64), np.ones(1)), "one of each for every job"),
+    ],
+)
+def test_jobs_that_name_nothing(jobs: Jobs, message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        peaks([block()], [pulse()], jobs, equation="exact")
+
+
+def test_an_unknown_equation_lists_the_known() -> None:
+    with pytest.raises(ValueError, match="exact, linearised"):
+        peaks([block()], [pulse()], job(), equation="cubic")  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("equation", ["exact", "linearised"])
+@pytest.mark.parametrize(
+    ("changes", "message"),
+    [
+        ({"restitution": 1.2}, "restitution 1.2"),
+        ({"overturning": 0.0}, "overturning rotation 0"),
+        ({"inertia": np.zeros(65)}, "inertia"),
+        ({"restoring": -np.ones(65)}, "already falling|stiffness|work"),
+    ],
+)
+def test_branches_that_cannot_rock(equation: str, changes: dict[str, object], message: str) -> None:
+    with pytest.raises(MechanismError, match=message):
+        peaks([block(**changes)], [pulse()], job(), equation=equation)

@@ -183,7 +183,7 @@ class HistoryResult:
     overturned: bool
     overturning_time_s: float | None
     trace: Trace | None
-    branch: BranchName = "positive"
+    branch: BranchName
 
 
 @dataclass(frozen=True)
@@ -216,7 +216,7 @@ class MechanismResult:
     histories: tuple[HistoryResult, ...]
     suites: tuple[SuiteResult, ...]
     envelope: dict[str, Any] | None
-    restitution_source: str = ""
+    restitution_source: str
 
 
 @dataclass(frozen=True)

@@ -45,7 +45,7 @@ def description(mechanism: MechanismResult) -> str:
     )
     return (
         f"Mechanism {mechanism.name}{name} is {kind}. It {sides}; {carried}; time histories solve the {equation} "
-        "equation of motion."
+        f"equation of motion. Coefficient of restitution: {mechanism.restitution_source}."
     )
 
 
@@ -97,11 +97,17 @@ def _linearised(results: Results) -> tuple[str, ...]:
 
 def _unverified(results: Results) -> tuple[str, ...]:
     names = dict.fromkeys(check.procedure for check in _checks(results) if _says(check, UNCHECKED))
-    return (f"{_list(names)}: holds clauses {UNCHECKED}; the calculation sheets mark them.",) if names else ()
+    return (f"{_list(names)}: holds clauses {UNCHECKED}; the table of procedures says which.",) if names else ()
 
 
 def _says(check: Check, words: str) -> bool:
-    texts = (check.reason, check.edition, check.damping_rule, *(f"{s.clause} {s.description}" for s in check.steps))
+    texts = (
+        check.reason,
+        check.edition,
+        check.damping_rule,
+        check.caveat,
+        *(f"{s.clause} {s.description}" for s in check.steps),
+    )
     return any(words in text.lower() for text in texts)
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from assess.codes.check import Check
 from assess.results import (
     BranchCurve,
@@ -261,7 +263,7 @@ def side_by_side(results: Results) -> Table:
         answer: Cell = OVERTURNED if row in beyond else row.demand_capacity
         line = lines.setdefault((row.mechanism, row.level_pga_g), {})
         line[row.procedure] = _worse(line.get(row.procedure), answer)
-    columns = (_MECHANISM, _LEVEL, *(Column(name, "-", "number") for name in known))
+    columns = (_MECHANISM, _LEVEL, *(Column(_broken(name), "-", "number") for name in known))
     caption = (
         "Demand over capacity, procedure beside procedure; above 1 the check fails. Readings named -thesis are "
         "informative. What each procedure takes as its input stands with the procedures."
@@ -271,6 +273,11 @@ def side_by_side(results: Results) -> Table:
         for (mechanism, level), line in lines.items()
     )
     return Table("side-by-side", caption, columns, rows)
+
+
+def _broken(name: str) -> str:
+    """A procedure's name that breaks between words in a narrow column."""
+    return re.sub(r"-(?=[a-z])", " ", name)
 
 
 def _worse(one: Cell, other: Cell) -> Cell:

@@ -6,6 +6,8 @@ Exit codes: 0 done, all checks pass; 1 done, some check fails; 2 the input is wr
 from __future__ import annotations
 
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import NoReturn
 
 from assess.errors import AssessError
@@ -19,11 +21,11 @@ BUG = 70
 
 def main(arguments: list[str] | None = None) -> NoReturn:
     """Run one command with `arguments`, those of the process if None, and end the process."""
-    _interrupt_when_terminated()
     try:
-        from assess.cli.app import app
+        with _interrupted_when_terminated():
+            from assess.cli.app import app
 
-        app(args=arguments, prog_name="assess")
+            app(args=arguments, prog_name="assess")
     except (AssessError, RecordError, SpectrumError) as error:
         _end(f"error: {error}", INPUT_IS_WRONG)
     except OSError as error:
@@ -60,10 +62,17 @@ def _log() -> str:
     return log.name
 
 
-def _interrupt_when_terminated() -> None:
+@contextmanager
+def _interrupted_when_terminated() -> Iterator[None]:
     """A polite kill stops the run like Ctrl-C does, so that no half-written output is left."""
     import signal
     import threading
 
-    if threading.current_thread() is threading.main_thread():
-        signal.signal(signal.SIGTERM, signal.default_int_handler)
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    before = signal.signal(signal.SIGTERM, signal.default_int_handler)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGTERM, before)

@@ -67,4 +67,4 @@ class Check:
     rotation_ratio: float | None
     pga_curve: PgaCurve
     steps: tuple[Step, ...]
-    caveat: str = ""
+    caveat: str

@@ -33,7 +33,7 @@ Array = TypeVar("Array", FloatArray, IntArray, BoolArray)
 Equation = Literal["exact", "linearised"]
 Run = Callable[[IntArray, IntArray, FloatArray, float, FloatArray, FloatArray, FloatArray], int]
 
-TOLERANCE = 1e-10
+TOLERANCE = 1e-11
 """Error allowed to one step of the exact equation, of phi / phi_ov and of its rate over the branch's own rate."""
 CHUNK_STEPS = 500_000
 """Record steps given to a thread at a time."""

@@ -522,7 +522,7 @@ def exact_glide(flow: Any, side: int, y: float, v: float, k: float, ground: Floa
         y1, v1, k1, error_y, error_v, j = dormand_prince(table, j, first, last, y, v, k, a, (a1 - a) / dt, dt)
         if error_y > tolerance or error_v > tolerance_v or not low <= y1 <= high:
             break
-        if not calm((y, v, k), (y1, v1, k1), dt, top, limit):
+        if not calm((y, v, k), (y1, v1, k1), 1.5 * dt, top, limit):  # y'' may bow somewhat beyond its ends
             break
         i, y, v, k, a = i + 1, y1, v1, k1, a1
     hint[side] = j

@@ -79,7 +79,9 @@ def test_a_wall_twice_as_large_under_a_spectrum_of_longer_periods_fares_the_same
 def test_the_worse_branch_is_the_answer(name):
     leaning = planar_direct(mass=1000.0, centroid=(0.1, 2.0), inertia=900.0, name="w")
     towards = single_block("w", leaning, hinge=(0.5, 0.0), hinge_negative=(-0.5, 0.0))
-    upright = single_block("w", dataclasses.replace(leaning, centroid=(0.0, 2.0)), hinge=(0.5, 0.0), hinge_negative=(-0.5, 0.0))
+    upright = single_block(
+        "w", dataclasses.replace(leaning, centroid=(0.0, 2.0)), hinge=(0.5, 0.0), hinge_negative=(-0.5, 0.0)
+    )
     for one, plain in zip(answers(name, oscillator(towards)), answers(name, oscillator(upright)), strict=True):
         assert one.branch == "positive"
         if one.capacity_pga_g is not None and name != "asce43-05-history":

@@ -41,7 +41,7 @@ def check() -> Check:
         procedure="asce43-05-spectrum", edition="2005", role="code", branch="positive", limit_state="", level_pga_g=0.1,
         input_at="ground", damping=None, damping_rule="", quantity="rotation", unit="rad", demand=None, capacity=0.05,
         ratio=None, verdict="fail", reason="overturns", rotation_ratio=None, pga_curve=curve,
-        steps=(step,), **numbers,
+        steps=(step,), caveat="", **numbers,
     )  # fmt: skip
 
 
@@ -50,7 +50,7 @@ def mechanism() -> MechanismResult:
     curve = Curve(BranchCurve(*[(0.0, 0.1, 0.2)] * 6), None)
     return MechanismResult(
         "w", "<b>&", "single-block", "two", "exact", drawing, oscillator(), None, curve, ({"hinge": "A", "x": [1.5]},),
-        AmplificationResult("none", ()), (check(),), (), (), None,
+        AmplificationResult("none", ()), (check(),), (), (), None, "given",
     )  # fmt: skip
 
 

@@ -148,6 +148,7 @@ def check(
         rotation_ratio=None if demand is None or linear else demand / alpha,
         pga_curve=PgaCurve((), ()) if linear else curve,
         steps=() if verdict == "not-applicable" else steps(ratio if ratio is not None else 9.99),
+        caveat="clauses not checked against the printed standard" if "dmi" in procedure else "",
     )
 
 
@@ -230,6 +231,7 @@ def histories(alpha: float, records: tuple[RecordResult, ...], *, sides: str, fa
                     fell,
                     5.61 if fell else None,
                     trace(alpha, sides=sides) if level > 0.3 and place == 1 else None,
+                    "positive",
                 )
             )
     return tuple(made)
@@ -300,6 +302,7 @@ def mechanism(
         history,
         suites(history),
         None,
+        "Housner 1963, thesis eq. 3.44" if two else "given",
     )
 
 

@@ -33,9 +33,7 @@ def context(*, elevation=0.0, building=None, levels=(0.15 * g,)):
 HOUSE = Building(height=9.0, storeys=3, ground_elevation=0.0, period=0.26, damping=0.05)
 
 
-@pytest.mark.parametrize(
-    ("FC", "a0", "as_", "Ts"), [(1.0, 0.981, 0.8240, 1.516), (1.35, 0.7267, 0.6104, 1.762)]
-)
+@pytest.mark.parametrize(("FC", "a0", "as_", "Ts"), [(1.0, 0.981, 0.8240, 1.516), (1.35, 0.7267, 0.6104, 1.762)])
 def test_capacity(rocker, FC, a0, as_, Ts):
     cap = capacity_of(rocker.positive, mass=rocker.mass, confidence_factor=FC)
     assert cap.e == pytest.approx(1.0, rel=1e-12)

@@ -54,7 +54,9 @@ def test_table_8_2_restitution_from_p_lambda_and_radius(wall):
     assert eta == pytest.approx(1 - 2 * p**2 * radius / g * sin(uplift) ** 2, rel=1e-9)  # eq. 3.44, M R / I = p^2 / g
     corners = [
         1 - 2 * (p + i * 0.005) ** 2 * (radius + j * 0.005) / g * sin(uplift + k * 0.005) ** 2
-        for i in (-1, 1) for j in (-1, 1) for k in (-1, 1)
+        for i in (-1, 1)
+        for j in (-1, 1)
+        for k in (-1, 1)
     ]
     assert min(corners) - 0.005 <= printed <= max(corners) + 0.005  # the rounding of inputs and of the table itself
 

@@ -29,7 +29,9 @@ PEER = Path(__file__).parents[4].parent / "shared" / "records" / "peer_at2"
 def branch(p: float, alpha: float, restitution: float) -> Branch:
     phi = np.linspace(0.0, 1.5 * alpha, 257)
     one = np.ones_like(phi)
-    return Branch(phi, g / p**2 * one, g * np.sin(alpha - phi), np.cos(alpha - phi), one, one, restitution, alpha, alpha)
+    return Branch(
+        phi, g / p**2 * one, g * np.sin(alpha - phi), np.cos(alpha - phi), one, one, restitution, alpha, alpha
+    )
 
 
 def block(p: float = 2.0, alpha: float = 0.2, restitution: float = 0.9, sides: int = 2) -> Oscillator:
@@ -77,7 +79,9 @@ def linearised_side(member: Branch, largest: float) -> Side:
     def acceleration(phi: float, v: float, a: float) -> float:
         return p**2 * (phi - phi_ov) - per_inertia * a
 
-    return Side(acceleration, threshold, phi_ov, phi_ov * (1 + largest / threshold), form.restitution, REST * p * phi_ov)
+    return Side(
+        acceleration, threshold, phi_ov, phi_ov * (1 + largest / threshold), form.restitution, REST * p * phi_ov
+    )
 
 
 def table_side(member: Branch) -> Side:

@@ -47,7 +47,9 @@ def test_rectangle_has_the_closed_form_of_a_single_block():
     assert branch.overturning == pytest.approx(alpha, rel=1e-13)
     phi = np.linspace(0, 1.5 * alpha, 1000)
     np.testing.assert_allclose(restoring(branch, phi), M * g * R * np.sin(alpha - phi), atol=1e-9 * M * g * R)
-    np.testing.assert_allclose(energy(branch, phi), M * g * R * (np.cos(alpha - phi) - cos(alpha)), atol=1e-11 * M * g * R)
+    np.testing.assert_allclose(
+        energy(branch, phi), M * g * R * (np.cos(alpha - phi) - cos(alpha)), atol=1e-11 * M * g * R
+    )
     np.testing.assert_allclose(branch.inertia, 4 / 3 * M * R**2, rtol=1e-12)
     linear = linearise(branch)
     assert linear.p == pytest.approx(np.sqrt(3 * g / (4 * R)), rel=1e-9)  # Housner 1963
@@ -70,7 +72,9 @@ def test_a_block_made_of_welded_parts_is_the_same_oscillator():
     welded = oscillator(single_block("w", planar_joined([lower, upper], name="w")))
     for column in ("rotation", "inertia", "restoring", "excitation", "participation", "lift"):
         expected = getattr(whole.positive, column)
-        np.testing.assert_allclose(getattr(welded.positive, column), expected, rtol=1e-12, atol=1e-9 * np.abs(expected).max())
+        np.testing.assert_allclose(
+            getattr(welded.positive, column), expected, rtol=1e-12, atol=1e-9 * np.abs(expected).max()
+        )
 
 
 def test_a_leaning_block_has_two_different_branches_and_mirrors_with_its_direction():

@@ -19,8 +19,8 @@ from assess.oscillator import Branch, FloatArray, Oscillator, displacement, line
 def thesis_relation(branch: Branch, context: Context, *, mass: float) -> PgaRelation:
     """PGA(phi) of the thesis' reading: a_s = lambda g (1 - 0.4 x) at d_s = 0.4 d_u, T = 2 pi sqrt(d_u / a_s).
 
-    x = phi / phi_ov, d_u = x d0, lambda and the curve linearised, rigid. The clause has d_s, not d_u, under the root; with d_u
-    the eight walls of Table 8.6 come out within rounding (the letter is higher by about 1.6).
+    x = phi / phi_ov, d_u = x d0, lambda and the curve linearised, rigid. The clause has d_s, not d_u, under the
+    root; with d_u the eight walls of Table 8.6 come out within rounding (the letter is higher by about 1.6).
     """
     d0 = float(displacement(branch, np.array(branch.overturning), mass=mass))
     linear = linearise(branch)

@@ -15,7 +15,8 @@ from assess.mechanisms.chain import Block, Chain, moved
 from assess.mechanisms.equivalent_block import equivalent_block
 from assess.mechanisms.single_block import plain_block, single_block
 from assess.mechanisms.virtual_work import oscillator, virtual_work
-from assess.oscillator import energy, equivalent_block as at_rest, linearise, participation_ratio, restoring
+from assess.oscillator import energy, linearise, participation_ratio, restoring
+from assess.oscillator import equivalent_block as at_rest
 
 WALL = {"thickness": 0.8, "length": 2.0, "height": 5.0, "base": (0.0, 0.0, 0.0), "density": 1900.0, "name": "wall"}
 

@@ -52,6 +52,9 @@ SMALLEST_STEP = 1e-6
 """Of an interval: the least step of the exact equation, so that a body rattling about a jump of its table still moves
 on, and the least distance of an inflection from where it is looked for. What is neglected goes with its square."""
 
+ON_A_JUMP = 1e-15
+"""Of phi_ov: so near to a jump of the table the body is on it."""
+
 # columns of `branch` [2, 7], one row for each side
 OVERTURNING, THRESHOLD, BOUNCE, PARTNER, RATE, LIMIT, TAIL_LIMIT = range(7)
 # columns of `found` [jobs, 7]
@@ -246,11 +249,11 @@ def marching(glide: Glide, advance: Advance, acceleration: Acceleration) -> Marc
                 peaked |= 1 << side
                 largest(found, y, side, time + x)
                 note(events, time + x, PEAK, (1.0 - 2.0 * side) * y * branch[side, OVERTURNING])
-                if wanted > 0 and peaked == wanted:
-                    break
             if y >= branch[side, column] and v >= 0.0:
                 found[OVERTURNED] = 1.0
                 largest(found, y, side, time + x)
+                break
+            if wanted > 0 and peaked == wanted:
                 break
         return side, y, v, peaked
 
@@ -340,8 +343,10 @@ def growth(x: float) -> tuple[float, float, float]:
 @compiled
 def linearised_flow(branch: FloatArray, dt: float) -> FloatArray:
     """What the closed solution over one interval is made of, for each side [2, 8]; zeros for a side not there."""
-    flow = np.zeros((2, 8))
+    flow = np.empty((2, 8))
     for side in range(2):
+        for c in range(8):
+            flow[side, c] = 0.0
         p = branch[side, RATE]
         if p > 0.0:
             sinh, cosh_1, sinh_x = growth(p * dt)
@@ -530,27 +535,6 @@ def exact_glide(flow: Any, side: int, y: float, v: float, k: float, ground: Floa
 
 
 @compiled
-def step_to(table: FloatArray, j: int, first: int, last: int, start: State, sa: float, slope: float, h: float,
-            level: float, upward: bool) -> tuple[float, float]:  # fmt: skip
-    """Length of the step from `start` that ends on y = level, which a step of h passes, and y' there."""
-    y, v, k = start
-    low, high, x, y1, v1 = 0.0, h, 0.5 * h, y, v
-    for _ in range(60):
-        y1, v1, _, _, _, _ = dormand_prince(table, j, first, last, y, v, k, sa, slope, x)
-        if (y1 < level) == upward:
-            low = x
-        else:
-            high = x
-        new = x - (y1 - level) / v1 if v1 != 0.0 else low
-        if not low <= new <= high:
-            new = 0.5 * (low + high)
-        if abs(new - x) <= 1e-15 * h:
-            break
-        x = new
-    return x, v1
-
-
-@compiled
 def exact_advance(flow: Any, side: int, start: State, ground: Ground, x: float) -> State:
     """Over any time x [s] in steps of controlled error, landing on jumps of the table and leaving them on the far side.
 
@@ -563,29 +547,29 @@ def exact_advance(flow: Any, side: int, start: State, ground: Ground, x: float) 
     slope, bottom, end = s * ground[1], span[side, 0], span[side, 1]
     time, h, smallest = 0.0, x, SMALLEST_STEP * x
     while time < x and 0.0 <= y <= table[end, RIGHT]:
-        sa = s * ground[0] + slope * time
         j = segment(table, y, v, hint[side], bottom, end)
         hint[side] = j
         first, last = smooth[j, 0], smooth[j, 1]
+        low = table[first, LEFT] if first > bottom else -math.inf
+        high = table[last, RIGHT] if last < end else math.inf
         h = min(h, x - time)
-        y1, v1, k1, error_y, error_v, _ = dormand_prince(table, j, first, last, y, v, k, sa, slope, h)
+        y1, v1, k1, error_y, error_v, _ = dormand_prince(
+            table, j, first, last, y, v, k, s * ground[0] + slope * time, slope, h
+        )
         error = max(error_y, error_v / rate[side]) / tolerance
+        beyond, speed = (y1 - high, v1) if y1 - high > low - y1 else (low - y1, -v1)
         if error > 1.0 and h > smallest:
             h = max(h * max(0.2, 0.9 * error**-0.2), smallest)
-            continue
-        up, down = y1 > table[last, RIGHT] and last < end, y1 < table[first, LEFT] and first > bottom
-        if (up or down) and h > smallest:
-            level = table[last, RIGHT] if up else table[first, LEFT]
-            h, v1 = step_to(table, j, first, last, (y, v, k), sa, slope, h, level, up)
-            if h < smallest:  # rattling about the jump: the least step, whatever it passes
-                h = smallest
-                continue
-            y1 = level
-        y, v, k = y1, v1, k1
-        if up or down:
-            k = exact_acceleration(flow, side, y, v, ground[0] + ground[1] * (time + h))
-        time = x if h >= x - time else time + h
-        h *= 5.0 if up or down else min(5.0, 0.9 * max(error, 1e-8) ** -0.2)
+        elif beyond > ON_A_JUMP and h > smallest:  # back to the jump by Newton's method, or short of it and on again
+            h = max(min(h - beyond / speed, 0.999999999 * h) if speed * h > beyond else 0.5 * h, smallest)
+        else:
+            time = x if h >= x - time else time + h
+            y, v, k = y1, v1, k1
+            if beyond >= -ON_A_JUMP:
+                y = y1 if beyond > ON_A_JUMP else high if y1 - high > low - y1 else low
+                k, h = exact_acceleration(flow, side, y, v, ground[0] + ground[1] * time), x
+            else:
+                h *= min(5.0, 0.9 * max(error, 1e-8) ** -0.2)
     return y + v * (x - time), v, k
 
 

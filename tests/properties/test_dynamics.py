@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.dynamics.history import Equation, Jobs, Peaks, free_rocking, peaks, product, trace
+from assess.dynamics.history import Equation, Peaks, free_rocking, peaks, product, trace
 from assess.oscillator import Branch, Oscillator, energy, interpolant, linearise
 from records.record import Record, make_record
 
@@ -211,15 +211,15 @@ for equation in ("exact", "linearised"):
 
 
 def test_as_plain_python_it_gives_the_compiled_answers() -> None:
-    """The kernel without numba; products and sums are then rounded one by one, so the last digits differ, and impacts widen that."""
+    """The whole kernel without numba. Products and sums are then rounded one by one; impacts widen the difference."""
     program = PROGRAM.format(folder=os.path.dirname(__file__), module="test_dynamics")
-    lines = subprocess.run(
+    done = subprocess.run(
         [sys.executable, "-c", program],
         env={**os.environ, "NUMBA_DISABLE_JIT": "1", "PYTHONPATH": os.pathsep.join(sys.path)},
         capture_output=True, text=True, check=True,
-    ).stdout.splitlines()  # fmt: skip
+    )  # fmt: skip
     motions = [noise(seed, npts=60, peak=5.0) for seed in (1, 2)]
-    for equation, line in zip(EQUATIONS, lines, strict=True):
+    for equation, line in zip(EQUATIONS, done.stdout.splitlines(), strict=True):
         rotation, impacts, overturned = json.loads(line)
         found = run(list(BODIES.values()), motions, [1.0], equation)
         np.testing.assert_allclose(rotation, found.max_rotation, rtol=1e-8)

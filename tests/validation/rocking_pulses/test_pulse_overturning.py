@@ -120,7 +120,7 @@ def instant(y: float) -> float:
 @pytest.mark.parametrize("excess", [-1e-12, 1e-12])
 @pytest.mark.parametrize("start", [0.1, 0.4])
 def test_free_motion_overturns_where_y_plus_rate_exceeds_one(start: float, excess: float) -> None:
-    """A ground step whose end leaves y + y' = 1 + excess, in the closed form of one interval of constant acceleration."""
+    """A ground step whose end leaves y + y' = 1 + excess, by the closed form under constant acceleration."""
     form = linearise(block(0.9).positive)
     # at rest under A > 1: y = (A - 1)(cosh x - 1), y' = (A - 1) sinh x: y + y' = (A - 1)(e^x - 1), y = start
     x = instant(start)

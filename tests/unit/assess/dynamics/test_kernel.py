@@ -137,7 +137,7 @@ def reference(sides: tuple[Side, ...], record: Record, scale: float) -> Found:
 
             impact.terminal, impact.direction, peak.direction, passage.direction = True, -1, -1, 1
             out = solve_ivp(
-                lambda x, y, side=side, s=s: [y[1], side.acceleration(y[0], y[1], s * (a0 + slope * (x - start)))],
+                lambda x, y, of=side.acceleration, a=s * (a0 - slope * start), b=s * slope: [y[1], of(*y, a + b * x)],
                 (t, end), [phi, v], method="DOP853", rtol=3e-14, atol=1e-15 * side.overturning,
                 events=[impact, peak, passage],
             )  # fmt: skip

@@ -56,7 +56,7 @@ def check(procedure: str, role: Role, verdict: Verdict, ratio: float | None, *, 
         procedure=procedure, edition="", role=role, branch="positive", limit_state="", level_pga_g=level,
         input_at="ground", damping=None, damping_rule="", quantity="rotation", unit="rad", demand=None, capacity=None,
         ratio=ratio, verdict=verdict, reason="", capacity_pga_g=None, uplift_pga_g=None, capacity_rotation_ratio=None,
-        rotation_ratio=None, pga_curve=PgaCurve((), ()), steps=(),
+        rotation_ratio=None, pga_curve=PgaCurve((), ()), steps=(), caveat="",
     )  # fmt: skip
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from math import inf
 
 from assess.codes.check import BranchName, Check
@@ -13,9 +14,26 @@ NAMES: tuple[BranchName, BranchName] = ("positive", "negative")
 
 
 def governing(oscillator: Oscillator, levels: Sequence[float], one: OneCheck) -> tuple[Check, ...]:
-    """For each PGA of `levels` [m/s2] the worse of `one(branch, name, level)` over the oscillator's branches."""
+    """For each PGA of `levels` [m/s2] the worse of `one(branch, name, level)` over the oscillator's branches.
+
+    PGA at capacity and at uplift are the smaller of the branches', whichever is the worse at the level.
+    """
     named = tuple(zip(oscillator.branches, NAMES, strict=False))
-    return tuple(worse([one(branch, name, level) for branch, name in named]) for level in levels)
+    return tuple(_of_all([one(branch, name, level) for branch, name in named]) for level in levels)
+
+
+def _of_all(checks: Sequence[Check]) -> Check:
+    return replace(
+        worse(checks),
+        capacity_pga_g=_least([check.capacity_pga_g for check in checks]),
+        uplift_pga_g=_least([check.uplift_pga_g for check in checks]),
+    )
+
+
+def _least(values: Sequence[float | None]) -> float | None:
+    """The smallest, None where one is not known."""
+    known = [value for value in values if value is not None]
+    return min(known) if len(known) == len(values) else None
 
 
 def worse(checks: Sequence[Check]) -> Check:

@@ -3,13 +3,16 @@
 Spectral procedures scale one spectrum with its PGA, so each gives a curve PGA(phi). It starts high (a stiff body
 feels the ground's own acceleration), falls where the equivalent period enters the plateau, and rises again as
 the period lengthens. An equilibrium on a falling stretch is unstable: a little more rotation asks for less. So
-the demand is the first rotation at which the curve rises through the level.
+below the bottom of the first fall nothing rocks, and above it the demand is the first rotation beyond the bottom
+at which the curve reaches the level. `PgaRelation.least` is the PGA that takes the body at least to each rotation
+in that sense; it never falls, and both questions are read from it.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from math import inf
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,48 +28,77 @@ PgaOf = Callable[[FloatArray], FloatArray]
 
 @dataclass(frozen=True)
 class PgaRelation:
-    """PGA [m/s2] over rotation [rad], on a grid and as the function behind it."""
+    """PGA [m/s2] over rotation [rad], up to overturning or to where the spectrum ends.
+
+    rotation [n]; pga_of: the curve itself; bottom: index where its first fall ends; least [n]: see above;
+    complete: whether the curve reaches the overturning rotation.
+    """
 
     rotation: FloatArray
-    pga: FloatArray
     pga_of: PgaOf
+    bottom: int
+    least: FloatArray
+    complete: bool
 
 
-def relation(pga_of: PgaOf, *, overturning: float) -> PgaRelation:
-    """The relation from nearly rest to `overturning` [rad]: finer near rest, where periods change fastest."""
-    ratio = np.concatenate((np.geomspace(1e-4, 0.04, 60, endpoint=False), np.linspace(0.04, 1.0, 97)))
+def relation(
+    pga_of: PgaOf,
+    *,
+    overturning: float,
+    uplift: float = 0.0,
+    period_of: PgaOf | None = None,
+    longest_period: float = inf,
+) -> PgaRelation:
+    """The relation from nearly rest to `overturning` [rad]: finer near rest, where periods change fastest.
+
+    Nothing rocks below `uplift` [m/s2]. Where `period_of` (rotation -> period [s]) exceeds `longest_period`, the
+    spectrum says nothing and the relation ends.
+    """
+    ratio = np.concatenate((np.geomspace(1e-4, 0.04, 60, endpoint=False), np.linspace(0.04, 1.0, 193)))
     rotation = ratio * overturning
-    return PgaRelation(rotation, pga_of(rotation), pga_of)
+    if period_of is not None:
+        rotation = rotation[period_of(rotation) <= longest_period]
+    complete = rotation.size == ratio.size
+    pga = pga_of(rotation)
+    rising = np.flatnonzero(np.diff(pga) >= 0)
+    bottom = int(rising[0]) if rising.size else max(rotation.size - 1, 0)
+    least = np.maximum.accumulate(np.concatenate((pga[bottom : bottom + 1].repeat(bottom), pga[bottom:])))
+    return PgaRelation(rotation, pga_of, bottom, np.maximum(least, uplift), complete)
 
 
 def demand(curve: PgaRelation, level: float) -> float | None:
-    """Rotation [rad] at PGA `level` [m/s2]: where the curve first rises through it.
+    """Rotation [rad] at PGA `level` [m/s2].
 
-    0 where the level lies below the whole curve (no rocking); None where it lies above all that follows the
-    first fall (no equilibrium: the body overturns).
+    0 where nothing rocks; None where the level lies above the whole curve: no equilibrium, the body overturns, or,
+    if the curve is not complete, the spectrum ends too early to tell.
     """
-    below = curve.pga < level
-    if not below.any():
-        return 0.0
-    rising = np.flatnonzero(below[:-1] & ~below[1:])
-    if not rising.size:
+    if not curve.least.size:
         return None
-    low, high = curve.rotation[rising[0]], curve.rotation[rising[0] + 1]
-    return float(brentq(lambda phi: float(curve.pga_of(np.array([phi]))[0]) - level, low, high, xtol=1e-14))
+    if level <= curve.least[0]:
+        return 0.0
+    reached = np.flatnonzero(curve.least >= level)
+    if not reached.size:
+        return None
+    low, high = curve.rotation[max(reached[0] - 1, curve.bottom)], curve.rotation[reached[0]]
+
+    def excess(rotation: float) -> float:
+        return float(curve.pga_of(np.array([rotation]))[0]) - level
+
+    return float(brentq(excess, low, high, xtol=1e-14)) if excess(low) < 0 else float(low)
 
 
-def capacity(curve: PgaRelation, allowable: float, *, uplift: float) -> float:
-    """Largest PGA [m/s2] whose demand does not exceed the rotation `allowable` [rad]; never below `uplift` [m/s2]."""
-    grid = np.append(curve.rotation[curve.rotation < allowable], allowable)
-    pga = curve.pga_of(grid)
-    falling = np.flatnonzero(np.diff(pga) >= 0)
-    trough = int(falling[0]) if falling.size else grid.size - 1
-    return max(float(pga[trough:].max()), uplift)
+def capacity(curve: PgaRelation, allowable: float) -> float | None:
+    """Largest PGA [m/s2] whose demand does not exceed `allowable` [rad]; None beyond the spectrum's end."""
+    if not curve.least.size or allowable > curve.rotation[-1] * (1 + 1e-12):
+        return None
+    before = np.flatnonzero(curve.rotation <= allowable)
+    at = float(curve.pga_of(np.array([allowable]))[0]) if allowable >= curve.rotation[curve.bottom] else 0.0
+    return max(float(curve.least[before[-1]] if before.size else curve.least[0]), at)
 
 
 def as_curve(curve: PgaRelation, branch: Branch) -> PgaCurve:
     """The relation as it goes into the results: rotation over the branch's overturning rotation, PGA in g."""
     return PgaCurve(
         rotation_ratio=tuple((curve.rotation / branch.overturning).tolist()),
-        pga_g=tuple((curve.pga / g).tolist()),
+        pga_g=tuple((curve.least / g).tolist()),
     )

@@ -16,6 +16,7 @@ from assess.mechanisms.equivalent_block import equivalent_block
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.virtual_work import oscillator
 from spectra.asce7 import design_spectrum
+from spectra.table import table_spectrum
 
 LEVELS = tuple(level * g for level in (0.05, 0.2, 0.35, 0.6))
 SUITES = tuple(Suite(level, (0.01, 0.02, 0.1, 0.2, 0.3), "positive") for level in LEVELS)
@@ -86,6 +87,47 @@ def test_the_worse_branch_is_the_answer(name):
         assert one.branch == "positive"
         if one.capacity_pga_g is not None and name != "asce43-05-history":
             assert one.capacity_pga_g < plain.capacity_pga_g
+
+
+@pytest.mark.parametrize("name", [name for name in PROCEDURES if name != "asce43-05-history"])
+def test_pass_is_the_same_as_a_level_below_the_pga_at_capacity(name):
+    """Over random walls, spectra with short and long plateaus, restitutions, vertical motion."""
+    rng = np.random.default_rng(7)
+    for _ in range(60):
+        slender, radius = rng.uniform(0.05, 0.8), rng.uniform(0.2, 8.0)
+        p = np.sqrt(g / (radius * rng.uniform(1.2, 1.4)))
+        kept = (float(rng.choice([0.0, 0.3, 0.9, 1.0])),) * 2
+        rocker = oscillator(equivalent_block("w", p=p, uplift=slender, radius=radius, restitution=kept))
+        plateau = rng.uniform(0.2, 1.5) * g
+        spectrum = design_spectrum(s_ds=plateau, s_d1=plateau * rng.choice([0.3, 1.0, 3.0]), t_l=8.0)
+        levels = tuple(sorted(rng.uniform(0.2, 8.0, 12) * slender * g))
+        context = Context(spectrum, levels, float(rng.choice([0.0, 0.7])), 0.0, None)
+        checks = [check for check in answers(name, rocker, context) if check.verdict != "not-applicable"]
+        for check in checks:
+            assert (check.verdict == "pass") == (check.level_pga_g <= check.capacity_pga_g * (1 + 1e-9))
+        rotations = [np.inf if check.rotation_ratio is None else check.rotation_ratio for check in checks]
+        assert name == "dmi2008-linear" or rotations == sorted(rotations)
+
+
+@EVERY
+def test_a_spectrum_that_ends_early_claims_nothing_it_cannot_know(name):
+    period = np.array([0.0, 0.1, 0.4, 0.8, 1.5])
+    spectrum = table_spectrum(period, np.array([0.4, 1.0, 1.0, 0.5, 0.27]) * g)
+    levels = (0.1 * g, 0.5 * g, 4.0 * g)
+    checks = answers(
+        name, wall(size=3.0), dataclasses.replace(site(levels=levels), spectrum=spectrum, suites=SUITES[:3])
+    )
+    assert checks[0].verdict in ("pass", "not-applicable")
+    for check in checks:
+        assert "table" in check.reason or check.verdict != "not-applicable"
+
+
+def test_the_ground_alone_can_fail_a_mechanism_above_it_but_not_pass_it():
+    raised = dataclasses.replace(site(levels=(0.05 * g, 1.5 * g)), elevation=4.0)
+    for name in ("dmi2008-linear", "dmi2008-nonlinear"):
+        low, high = answers(name, context=raised)
+        assert (low.verdict, high.verdict) == ("not-applicable", "fail")
+        assert "[building]" in low.reason
 
 
 @EVERY

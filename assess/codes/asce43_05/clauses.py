@@ -70,12 +70,23 @@ def thesis_limit_ratio(branch: Branch, *, mass: float) -> float:
     return float(k * block.slenderness / np.sin(2 * block.slenderness))
 
 
-def pga_relation(branch: Branch, spectrum: Spectrum, *, damping: float, f_v: float) -> PgaRelation:
-    """PGA(theta): where SA_H,CAP equals the spectrum's ordinate at f_e and `damping`, scaled with its PGA."""
+def pga_relation(branch: Branch, spectrum: Spectrum, *, damping: float, f_v: float, uplift: float) -> PgaRelation:
+    """PGA(theta): where SA_H,CAP equals the spectrum's ordinate at f_e and `damping`, scaled with its PGA.
+
+    Nothing rocks below `uplift` [m/s2].
+    """
+
+    def period_of(rotation: FloatArray) -> FloatArray:
+        return 1 / effective_frequency(branch, rotation)
 
     def pga_of(rotation: FloatArray) -> FloatArray:
-        period = 1 / effective_frequency(branch, rotation)
-        amplified = spectrum.acceleration(period, damping=damping) / spectrum.pga
+        amplified = spectrum.acceleration(period_of(rotation), damping=damping) / spectrum.pga
         return capacity_acceleration(branch, rotation, f_v=f_v) / amplified
 
-    return relation(pga_of, overturning=branch.overturning)
+    return relation(
+        pga_of,
+        overturning=branch.overturning,
+        uplift=uplift,
+        period_of=period_of,
+        longest_period=spectrum.longest_period,
+    )

@@ -23,8 +23,12 @@ from assess.codes.asce43_05.clauses import (
 from assess.codes.check import BranchName, Check, Role, Step
 from assess.codes.context import Context
 from assess.codes.governing import governing
-from assess.codes.relation import as_curve, capacity, demand
+from assess.codes.relation import PgaRelation, as_curve, demand
+from assess.codes.spectral import Answer, spectral_answer
 from assess.oscillator import Branch, Oscillator, multiplier
+
+THESIS_DAMPING = 0.05
+A2 = "ASCE 43-05 A.2"
 
 
 @dataclass(frozen=True)
@@ -72,8 +76,8 @@ def assess_thesis(oscillator: Oscillator, context: Context, *, options: Options)
         return Reading(
             procedure="asce43-05-spectrum-thesis",
             role="informative",
-            damping=context.spectrum.damping,
-            damping_formula="the spectrum's own damping",
+            damping=THESIS_DAMPING,
+            damping_formula="5 %",
             damping_numbers="thesis 8.3.2",
             allowable_ratio=thesis_limit_ratio(branch, mass=oscillator.mass),
             allowable_source="empirical: fits the thesis' Table 8.5, no derivation known",
@@ -94,11 +98,17 @@ def _checks(oscillator: Oscillator, context: Context, reading_of: Callable[[Bran
 def _check(
     oscillator: Oscillator, branch: Branch, name: BranchName, context: Context, reading: Reading, level: float
 ) -> Check:
-    f_v = vertical_factor(float(multiplier(branch)[0]), context.vertical_ratio)
-    curve = pga_relation(branch, context.spectrum, damping=reading.damping, f_v=f_v)
+    a = float(multiplier(branch)[0])
+    f_v = vertical_factor(a, context.vertical_ratio)
+    curve = pga_relation(branch, context.spectrum, damping=reading.damping, f_v=f_v, uplift=reading.starts_at)
     allowable = reading.allowable_ratio * branch.overturning
-    rotation = 0.0 if level <= reading.starts_at else demand(curve, level)
-    passes = rotation is not None and rotation <= allowable
+    rotation = demand(curve, level)
+    answer = spectral_answer(rotation, allowable, curve=curve, level=level, uplift=a * g, context=context)
+    if reading.allowable_ratio > 1.0:
+        answer = Answer(
+            "not-applicable", "the empirical limit of rotation lies beyond overturning: outside its range", None
+        )
+    damping_rule = context.spectrum.damping_rule if reading.damping != context.spectrum.damping else ""
     return Check(
         procedure=reading.procedure,
         edition=EDITION,
@@ -108,30 +118,22 @@ def _check(
         level_pga_g=level / g,
         input_at="ground",
         damping=reading.damping,
-        damping_rule=context.spectrum.damping_rule if reading.damping != context.spectrum.damping else "",
+        damping_rule=damping_rule,
         quantity="rotation",
         unit="rad",
         demand=rotation,
         capacity=allowable,
         ratio=None if rotation is None else rotation / allowable,
-        verdict="pass" if passes else "fail",
-        reason=_reason(rotation, allowable),
-        capacity_pga_g=capacity(curve, allowable, uplift=reading.starts_at) / g,
-        uplift_pga_g=float(multiplier(branch)[0]),
+        verdict=answer.verdict,
+        reason=answer.reason,
+        capacity_pga_g=answer.capacity_pga_g,
+        uplift_pga_g=a,
         capacity_rotation_ratio=reading.allowable_ratio,
         rotation_ratio=None if rotation is None else rotation / branch.overturning,
         pga_curve=as_curve(curve, branch),
-        steps=_steps(oscillator, branch, context, reading, level=level, f_v=f_v, rotation=rotation),
-        caveat=CAVEAT,
+        steps=_steps(oscillator, branch, context, reading, curve=curve, level=level, f_v=f_v, rotation=rotation),
+        caveat=CAVEAT if oscillator.negative is not None else f"{CAVEAT}; it is written for bodies that rock both ways",
     )
-
-
-def _reason(rotation: float | None, allowable: float) -> str:
-    if rotation is None:
-        return "overturns: no rotation holds this demand"
-    if rotation == 0.0:
-        return "no rocking: the demand does not lift the body off its base"
-    return "rotation within the allowable" if rotation <= allowable else "rotation beyond the allowable"
 
 
 def _steps(
@@ -140,116 +142,66 @@ def _steps(
     context: Context,
     reading: Reading,
     *,
+    curve: PgaRelation,
     level: float,
     f_v: float,
     rotation: float | None,
 ) -> tuple[Step, ...]:
-    """The calculation sheet; the spectral values stand at the demand, or at the allowable where nothing rocks."""
+    """The calculation sheet; the spectral values stand at the demand, or at the allowable where nothing rocks.
+
+    Where the spectrum ends before that, they stand where it ends; a sheet without a known ordinate ends with theta.
+    """
     a, mass, I0 = float(multiplier(branch)[0]), oscillator.mass, float(branch.inertia[0])
     h = float(branch.excitation[0]) / mass
     C1 = I0 / (mass * h**2)
-    allowable = reading.allowable_ratio * branch.overturning
-    at = rotation if rotation else allowable
-    where = "at the demand" if rotation else "at the allowable rotation"
+    limit = reading.allowable_ratio * branch.overturning
+    start = f"{branch.restoring[0]:.5g} / (9.80665 · {branch.excitation[0]:.5g})"
+    vertical = f"√(1 + ({a:.5g} · {context.vertical_ratio:.3g})²)"
+    limited = f"{reading.allowable_ratio:.4g} · {branch.overturning:.5g}"
+    damped = reading.damping_formula, reading.damping_numbers, reading.damping
+    block = (
+        Step("h", "height of the centroid", A2, "B0 / M", f"{branch.excitation[0]:.5g} / {mass:.5g}", h, "m"),
+        Step("a", "tan α, multiplier at rest; true uplift at a g", A2, "V'(0) / (g B0)", start, a, "-"),
+        Step("C1", "inertia ratio", A2, "I_O / (M h²)", f"{I0:.5g} / ({mass:.5g} · {h:.5g}²)", C1, "-"),
+        Step("F_V", "vertical ground motion", "Eq. A-5(b)", "√(1 + (a S_aV/S_aH)²)", vertical, f_v, "-"),
+        Step("F_H", "inertia beyond the body's mass", "Eq. A-5(c)", "counted in B0", "1", 1.0, "-"),
+        Step("β_e", "effective damping", A2, *damped, "-"),
+        Step("θ_lim", reading.allowable_source, A2, reading.allowable_formula, limited, limit, "rad"),
+    )
+    if not curve.rotation.size:
+        return block
+    at = rotation if rotation else min(limit, float(curve.rotation[-1]))
+    where = "at the demand" if rotation else "at the allowable rotation" if at == limit else "where the curve ends"
+    return (*block, *_rotation_steps(branch, context, reading, at=at, where=where, level=level, f_v=f_v, h=h, C1=C1))
+
+
+def _rotation_steps(
+    branch: Branch,
+    context: Context,
+    reading: Reading,
+    *,
+    at: float,
+    where: str,
+    level: float,
+    f_v: float,
+    h: float,
+    C1: float,
+) -> tuple[Step, ...]:
+    """From a rotation to the PGA that takes the body there."""
     theta = np.array([at])
     f1 = float(stored_work(branch, theta)[0])
     cap = float(capacity_acceleration(branch, theta, f_v=f_v)[0])
     f_e = float(effective_frequency(branch, theta)[0])
-    period = 1 / f_e
-    ordinate = float(context.spectrum.acceleration(period, damping=reading.damping)) / context.spectrum.pga
-    A2 = "ASCE 43-05 A.2"
+    ordinate = float(context.spectrum.acceleration(1 / f_e, damping=reading.damping)) / context.spectrum.pga
+    rocking = f"2 · 9.80665 · {f1:.5g} / ({f_v:.5g} · 1 · {at:.5g})"
+    root = f"√(2 · {f1:.5g} · 9.80665 / ({C1:.5g} · {h:.5g} · {at:.5g}²)) / 2π"
+    spectral = f"T = {1 / f_e:.5g} s, β = {reading.damping:.4g}"
+    clause, divided = context.spectrum.clause, f"{cap:.5g} / {ordinate:.5g}"
     return (
-        Step(
-            "h",
-            "height of the centroid above the hinge",
-            A2,
-            "B0 / M",
-            f"{branch.excitation[0]:.5g} / {mass:.5g}",
-            h,
-            "m",
-        ),
-        Step(
-            "a",
-            "tan α = multiplier at rest; true uplift at a g",
-            A2,
-            "V'(0) / (g B0)",
-            f"{branch.restoring[0]:.5g} / (9.80665 · {branch.excitation[0]:.5g})",
-            a,
-            "-",
-        ),
-        Step("C1", "inertia ratio", A2, "I_O / (M h²)", f"{I0:.5g} / ({mass:.5g} · {h:.5g}²)", C1, "-"),
-        Step(
-            "F_V",
-            "vertical ground motion",
-            "Eq. A-5(b)",
-            "√(1 + (a S_aV/S_aH)²)",
-            f"√(1 + ({a:.5g} · {context.vertical_ratio:.3g})²)",
-            f_v,
-            "-",
-        ),
-        Step("F_H", "horizontal inertia beyond the body's mass", "Eq. A-5(c)", "counted in B0", "1", 1.0, "-"),
-        Step(
-            "β_e",
-            "effective damping",
-            A2,
-            reading.damping_formula,
-            reading.damping_numbers,
-            reading.damping,
-            "-",
-        ),
-        Step(
-            "θ_lim",
-            reading.allowable_source,
-            A2,
-            reading.allowable_formula,
-            f"{reading.allowable_ratio:.4g} · {branch.overturning:.5g}",
-            allowable,
-            "rad",
-        ),
         Step("θ", where, A2, "SA_H,DEM(θ) = SA_H,CAP(θ)", f"PGA = {level / g:.4g} g", at, "rad"),
-        Step(
-            "f1",
-            "work stored over M g h",
-            "Eq. A-5(a)",
-            "E(θ) / (M g h); block: cos θ + a sin θ − 1",
-            f"θ = {at:.5g}",
-            f1,
-            "-",
-        ),
-        Step(
-            "SA_H,CAP",
-            "spectral acceleration capacity",
-            "Eq. A-5",
-            "2 g f1 / (F_V F_H θ)",
-            f"2 · 9.80665 · {f1:.5g} / ({f_v:.5g} · 1 · {at:.5g})",
-            cap,
-            "m/s2",
-        ),
-        Step(
-            "f_e",
-            "effective frequency",
-            A2,
-            "√(2 f1 g / (C1 h θ²)) / 2π",
-            f"√(2 · {f1:.5g} · 9.80665 / ({C1:.5g} · {h:.5g} · {at:.5g}²)) / 2π",
-            f_e,
-            "Hz",
-        ),
-        Step(
-            "S_a/PGA",
-            "spectrum at f_e and β_e over PGA",
-            context.spectrum.clause,
-            "S_a(1/f_e, β_e) / PGA",
-            f"T = {period:.5g} s, β = {reading.damping:.4g}",
-            ordinate,
-            "-",
-        ),
-        Step(
-            "PGA(θ)",
-            f"PGA that takes the body to θ, {where}",
-            A2,
-            "SA_H,CAP / (S_a/PGA)",
-            f"{cap:.5g} / {ordinate:.5g}",
-            cap / ordinate,
-            "m/s2",
-        ),
+        Step("f1", "work stored over M g h", "Eq. A-5(a)", "block: cos θ + a sin θ − 1", f"θ = {at:.5g}", f1, "-"),
+        Step("SA_H,CAP", "spectral acceleration capacity", "Eq. A-5", "2 g f1 / (F_V F_H θ)", rocking, cap, "m/s2"),
+        Step("f_e", "effective frequency", A2, "√(2 f1 g / (C1 h θ²)) / 2π", root, f_e, "Hz"),
+        Step("S_a/PGA", "spectrum at f_e, β_e over PGA", clause, "S_a(1/f_e, β_e) / PGA", spectral, ordinate, "-"),
+        Step("PGA(θ)", f"takes the body to θ, {where}", A2, "SA_H,CAP / (S_a/PGA)", divided, cap / ordinate, "m/s2"),
     )

@@ -14,13 +14,15 @@ import numpy as np
 from scipy.constants import g
 from scipy.optimize import brentq
 
+from assess.codes.check import Step, Verdict
 from assess.codes.context import Context
 from assess.oscillator import Branch, displacement, interpolant, multiplier, participation_ratio
 
 EDITION = "DM 14.01.2008, Circolare 617/2009"
 CAVEAT = "clause numbers of C8A.4 not checked against the printed circular"
 ULTIMATE = 0.4  # d_u* / d_0*, and d_s* / d_u* (C8A.4.2.2)
-LIMIT_STATES = ("SLD", "SLV")
+DAMPING = 0.05  # of every ordinate: the clauses know no other
+ON_GROUND = 0.01  # m: a base no higher than this stands on the ground
 
 
 @dataclass(frozen=True)
@@ -86,25 +88,37 @@ def _multiplier_at(branch: Branch, rotation: float) -> float:
 def floor_of(context: Context) -> Floor | None:
     """psi, gamma, T1 of a mechanism above ground (C8A.4.2.3); None at the ground, or where the building is unknown."""
     building = context.building
-    if context.elevation <= 0 or building is None or building.storeys is None:
+    if context.elevation <= ON_GROUND or building is None or building.storeys is None:
         return None
     n = building.storeys
     return Floor(psi=context.elevation / building.height, gamma=3 * n / (2 * n + 1), T1=building.period)
 
 
 def unanswerable(context: Context) -> str:
-    """Why the clause cannot be answered ("" when it can): above ground it also asks for the floor's motion."""
-    if context.elevation <= 0 or floor_of(context) is not None:
+    """Why the clause cannot pass the mechanism ("" when it can): above ground it also asks for the floor's motion."""
+    floor = floor_of(context)
+    if context.elevation <= ON_GROUND or (floor is not None and floor.psi <= 1.0):
         return ""
+    stands = f"the mechanism stands {context.elevation:.4g} m above ground"
+    if floor is not None:
+        return f"{stands}, higher than the building: check [building] height and ground_elevation"
     return (
-        f"the mechanism stands {context.elevation:.3g} m above ground, where the clause also asks for the floor's "
-        "motion: give [building] height and storeys; the figures here are for the ground's motion alone"
+        f"{stands}, where the clause also asks for the floor's motion: give [building] height and storeys, and "
+        "ground_elevation where the ground is not at 0; the figures here are for the ground's motion alone"
     )
+
+
+def judged(ratio: float, context: Context, *, passed: str, failed: str) -> tuple[Verdict, str]:
+    """Verdict and reason of a ratio of demand to capacity: the ground alone can fail a mechanism, not pass it."""
+    missing = unanswerable(context)
+    if ratio > 1.0:
+        return "fail", failed
+    return ("not-applicable", missing) if missing else ("pass", passed)
 
 
 def ground_displacement(context: Context, Ts: float) -> float:
     """S_De(Ts) = S_e(Ts) (Ts / 2 pi)^2 [m] at the site's own PGA."""
-    return float(context.spectrum.acceleration(Ts)) * (Ts / (2 * np.pi)) ** 2
+    return float(context.spectrum.acceleration(Ts, damping=DAMPING)) * (Ts / (2 * np.pi)) ** 2
 
 
 def floor_displacement(context: Context, floor: Floor, Ts: float) -> float:
@@ -116,7 +130,7 @@ def floor_displacement(context: Context, floor: Floor, Ts: float) -> float:
 
 def floor_acceleration(context: Context, floor: Floor) -> float:
     """S_e(T1) psi gamma [m/s2] at the site's own PGA (C8A.4.2.3)."""
-    return float(context.spectrum.acceleration(floor.T1)) * floor.psi * floor.gamma
+    return float(context.spectrum.acceleration(floor.T1, damping=DAMPING)) * floor.psi * floor.gamma
 
 
 def uplift_pga(branch: Branch, context: Context, *, confidence_factor: float) -> float:
@@ -124,3 +138,19 @@ def uplift_pga(branch: Branch, context: Context, *, confidence_factor: float) ->
     floor = floor_of(context)
     amplified = 1.0 if floor is None else max(1.0, floor_acceleration(context, floor) / context.spectrum.pga)
     return float(multiplier(branch)[0]) * g / confidence_factor / amplified
+
+
+def activation_steps(branch: Branch, *, mass: float, confidence_factor: float) -> tuple[Step, ...]:
+    """alpha0, e*, FC and a0* as the calculation sheets print them."""
+    alpha0, e = float(multiplier(branch)[0]), participation_ratio(branch, mass=mass)
+    B0, moment, participation = branch.excitation[0], branch.restoring[0], branch.participation[0]
+    a0 = activation(branch, mass=mass, confidence_factor=confidence_factor)
+    shares = f"{B0:.5g}² / ({participation:.5g} · {mass:.5g})"
+    start = f"{moment:.5g} / (9.80665 · {B0:.5g})"
+    divided = f"{alpha0:.5g} · 9.80665 / ({e:.5g} · {confidence_factor:g})"
+    return (
+        Step("α0", "multiplier that starts the mechanism", "C8A.4.1", "V'(0) / (g B0)", start, alpha0, "-"),
+        Step("e*", "fraction of participating mass", "C8A.4.1.2", "(Σ m δx)² / (M Σ m δx²)", shares, e, "-"),
+        Step("FC", "confidence factor", "C8A.1.1", "given", f"{confidence_factor:g}", confidence_factor, "-"),
+        Step("a0*", "acceleration of activation", "C8A.4.1.2", "α0 g / (e* FC)", divided, a0, "m/s2"),
+    )

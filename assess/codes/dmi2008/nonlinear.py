@@ -2,28 +2,54 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from scipy.constants import g
 
-from assess.codes.check import BranchName, Check, Step
+from assess.codes.check import BranchName, Check, PgaCurve, Step, Verdict
 from assess.codes.context import Context
 from assess.codes.dmi2008.clauses import (
     CAVEAT,
+    DAMPING,
     EDITION,
     Capacity,
     Options,
+    activation_steps,
     capacity_of,
     floor_displacement,
     floor_of,
     ground_displacement,
+    judged,
     rotation_at,
-    unanswerable,
     uplift_pga,
 )
 from assess.codes.governing import governing
 from assess.codes.relation import as_curve, relation
-from assess.oscillator import Branch, Oscillator, displacement, multiplier
+from assess.oscillator import Branch, FloatArray, Oscillator, displacement
 
-NONLINEAR = "C8A.4.2.2"
+CLAUSE = "C8A.4.2.2"
+
+
+@dataclass(frozen=True)
+class Demands:
+    """Displacement demand for each m/s2 of PGA [s2]: at the ground, and at the floor (0 at the ground)."""
+
+    ground: float
+    floor: float
+
+    @property
+    def largest(self) -> float:
+        """The governing one."""
+        return max(self.ground, self.floor)
+
+
+def demands(context: Context, Ts: float) -> Demands | None:
+    """S_De(Ts) and the floor's demand over PGA; None where the spectrum ends before Ts or T1."""
+    floor = floor_of(context)
+    if max(Ts, floor.T1 if floor is not None else 0.0) > context.spectrum.longest_period:
+        return None
+    at_floor = 0.0 if floor is None else floor_displacement(context, floor, Ts)
+    return Demands(ground_displacement(context, Ts) / context.spectrum.pga, at_floor / context.spectrum.pga)
 
 
 def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tuple[Check, ...]:
@@ -40,16 +66,14 @@ def _check(
 ) -> Check:
     mass, FC = oscillator.mass, options.confidence_factor
     cap = capacity_of(branch, mass=mass, confidence_factor=FC)
-    floor = floor_of(context)
-    at_ground = ground_displacement(context, cap.Ts)
-    at_floor = 0.0 if floor is None else floor_displacement(context, floor, cap.Ts)
-    per_pga = max(at_ground, at_floor) / context.spectrum.pga
     uplift = uplift_pga(branch, context, confidence_factor=FC)
-    demanded = 0.0 if level <= uplift else per_pga * level
-    rotation = rotation_at(branch, demanded * cap.e, mass=mass) if demanded < cap.d0 else None
+    wanted = demands(context, cap.Ts)
+    demanded = None if wanted is None else 0.0 if level <= uplift else wanted.largest * level
+    rotation = None
+    if demanded is not None and demanded < cap.d0:
+        rotation = rotation_at(branch, demanded * cap.e, mass=mass)
     allowable = rotation_at(branch, cap.du * cap.e, mass=mass)
-    curve = relation(lambda phi: displacement(branch, phi, mass=mass) / cap.e / per_pga, overturning=branch.overturning)
-    missing = unanswerable(context)
+    verdict, reason = _verdict(demanded, cap, context)
     return Check(
         procedure="dmi2008-nonlinear",
         edition=EDITION,
@@ -57,30 +81,47 @@ def _check(
         branch=name,
         limit_state="SLV",
         level_pga_g=level / g,
-        input_at="mechanism base" if at_floor > at_ground else "ground",
-        damping=context.spectrum.damping,
+        input_at="mechanism base" if wanted is not None and wanted.floor > wanted.ground else "ground",
+        damping=DAMPING,
         damping_rule="",
         quantity="d*",
         unit="m",
         demand=demanded,
         capacity=cap.du,
-        ratio=demanded / cap.du,
-        verdict="not-applicable" if missing else "pass" if demanded <= cap.du else "fail",
-        reason=missing or _reason(demanded, cap.du),
-        capacity_pga_g=max(cap.du / per_pga, uplift) / g,
+        ratio=None if demanded is None else demanded / cap.du,
+        verdict=verdict,
+        reason=reason,
+        capacity_pga_g=None if wanted is None else max(cap.du / wanted.largest, uplift) / g,
         uplift_pga_g=uplift / g,
         capacity_rotation_ratio=allowable / branch.overturning,
         rotation_ratio=None if rotation is None else rotation / branch.overturning,
-        pga_curve=as_curve(curve, branch),
-        steps=_steps(oscillator, branch, context, FC, cap, level=level, demanded=demanded),
+        pga_curve=_curve(branch, cap, wanted, mass=mass, uplift=uplift),
+        steps=_steps(oscillator, branch, context, FC, cap, wanted, level=level, demanded=demanded),
         caveat=CAVEAT,
     )
 
 
-def _reason(demanded: float, ultimate: float) -> str:
-    if demanded == 0.0:
-        return "no rocking: the demand does not lift the body off its base"
-    return "displacement within d_u*" if demanded <= ultimate else "displacement beyond d_u*"
+def _curve(branch: Branch, cap: Capacity, wanted: Demands | None, *, mass: float, uplift: float) -> PgaCurve:
+    """PGA over rotation: the demand is proportional to PGA, for T_s does not change with it."""
+    if wanted is None:
+        return PgaCurve((), ())
+
+    def pga_of(rotation: FloatArray) -> FloatArray:
+        return displacement(branch, rotation, mass=mass) / (cap.e * wanted.largest)
+
+    return as_curve(relation(pga_of, overturning=branch.overturning, uplift=uplift), branch)
+
+
+def _verdict(demanded: float | None, cap: Capacity, context: Context) -> tuple[Verdict, str]:
+    if demanded is None:
+        end = context.spectrum.longest_period
+        return (
+            "not-applicable",
+            f"T_s = {cap.Ts:.4g} s lies beyond the end of the spectrum at {end:.4g} s: extend its table",
+        )
+    still = "no rocking: the demand does not lift the body off its base"
+    within = still if demanded == 0.0 else "displacement within d_u*"
+    return judged(demanded / cap.du, context, passed=within, failed="displacement beyond d_u*")
 
 
 def _steps(
@@ -89,114 +130,58 @@ def _steps(
     context: Context,
     FC: float,
     cap: Capacity,
+    wanted: Demands | None,
     *,
     level: float,
-    demanded: float,
+    demanded: float | None,
 ) -> tuple[Step, ...]:
-    scale = level / context.spectrum.pga
-    ordinate = float(context.spectrum.acceleration(cap.Ts)) * scale
-    at_ground = ground_displacement(context, cap.Ts) * scale
-    steps = [
-        Step(
-            "α0",
-            "multiplier that starts the mechanism",
-            "C8A.4.1",
-            "V'(0) / (g B0)",
-            f"{branch.restoring[0]:.5g} / (9.80665 · {branch.excitation[0]:.5g})",
-            float(multiplier(branch)[0]),
-            "-",
-        ),
-        Step(
-            "e*",
-            "fraction of participating mass",
-            "C8A.4.1.2",
-            "M* / M, M* = (Σ m δx)² / Σ m δx²",
-            f"({branch.excitation[0]:.5g})² / ({branch.participation[0]:.5g} · {oscillator.mass:.5g})",
-            cap.e,
-            "-",
-        ),
-        Step("FC", "confidence factor of the knowledge level", "C8A.1.1", "given", f"{FC:g}", FC, "-"),
-        Step(
-            "a0*",
-            "acceleration of activation",
-            "C8A.4.1.2",
-            "α0 g / (e* FC)",
-            f"{multiplier(branch)[0]:.5g} · 9.80665 / ({cap.e:.5g} · {FC:g})",
-            cap.a0,
-            "m/s2",
-        ),
+    root = f"2π √({cap.ds:.5g} / {cap.as_:.5g})"
+    curve = (
         Step(
             "d0*",
             "displacement where a* = 0",
-            NONLINEAR,
-            "(∫ B dφ / M) / e* up to φ_ov",
-            f"φ_ov = {branch.overturning:.5g} rad",
+            CLAUSE,
+            "∫ B dφ / (M e*) to φ_ov",
+            f"φ_ov = {branch.overturning:.5g}",
             cap.d0,
             "m",
         ),
-        Step("d_u*", "ultimate displacement", NONLINEAR, "0.4 d0*", f"0.4 · {cap.d0:.5g}", cap.du, "m"),
-        Step("d_s*", "displacement of the secant", NONLINEAR, "0.4 d_u*", f"0.4 · {cap.du:.5g}", cap.ds, "m"),
+        Step("d_u*", "ultimate displacement", CLAUSE, "0.4 d0*", f"0.4 · {cap.d0:.5g}", cap.du, "m"),
+        Step("d_s*", "displacement of the secant", CLAUSE, "0.4 d_u*", f"0.4 · {cap.du:.5g}", cap.ds, "m"),
         Step(
             "a_s*",
-            "acceleration at d_s*, on the model's curve",
-            NONLINEAR,
-            "λ(φ) g / (e* FC) at d* = d_s*",
-            f"d_s* = {cap.ds:.5g}",
+            "acceleration at d_s*, model's curve",
+            CLAUSE,
+            "λ(φ) g / (e* FC)",
+            f"d* = {cap.ds:.5g}",
             cap.as_,
             "m/s2",
         ),
-        Step(
-            "T_s",
-            "secant period",
-            NONLINEAR,
-            "2π √(d_s* / a_s*)",
-            f"2π √({cap.ds:.5g} / {cap.as_:.5g})",
-            cap.Ts,
-            "s",
-        ),
-        Step(
-            "S_e(T_s)",
-            "elastic spectrum at the level",
-            context.spectrum.clause,
-            "S_e(T_s)",
-            f"T = {cap.Ts:.5g} s, PGA = {level / g:.4g} g",
-            ordinate,
-            "m/s2",
-        ),
-        Step(
-            "S_De(T_s)",
-            "displacement demand at the ground",
-            NONLINEAR,
-            "S_e(T_s) (T_s / 2π)²",
-            f"{ordinate:.5g} · ({cap.Ts:.5g} / 2π)²",
-            at_ground,
-            "m",
-        ),
+        Step("T_s", "secant period", CLAUSE, "2π √(d_s* / a_s*)", root, cap.Ts, "s"),
+    )
+    activated = activation_steps(branch, mass=oscillator.mass, confidence_factor=FC)
+    return (*activated, *curve, *_demand_steps(context, cap, wanted, level=level, demanded=demanded))
+
+
+def _demand_steps(
+    context: Context, cap: Capacity, wanted: Demands | None, *, level: float, demanded: float | None
+) -> tuple[Step, ...]:
+    if wanted is None or demanded is None:
+        return ()
+    ordinate = float(context.spectrum.acceleration(cap.Ts, damping=DAMPING)) * level / context.spectrum.pga
+    spectral = f"T = {cap.Ts:.5g} s, PGA = {level / g:.4g} g"
+    moved = f"{ordinate:.5g} · ({cap.Ts:.5g} / 2π)²"
+    steps = [
+        Step("S_e(T_s)", "elastic spectrum, 5 %", context.spectrum.clause, "S_e(T_s)", spectral, ordinate, "m/s2"),
+        Step("S_De(T_s)", "demand at the ground", CLAUSE, "S_e(T_s) (T_s / 2π)²", moved, wanted.ground * level, "m"),
     ]
     floor = floor_of(context)
     if floor is not None:
-        at_first_mode = ground_displacement(context, floor.T1) * scale
-        steps.append(
-            Step(
-                "Δ_d(Z)",
-                "displacement demand at the floor",
-                "C8A.4.2.3",
-                "S_De(T1) ψ γ r² / √((1 − r)² + 0.02 r), r = T_s / T1",
-                f"{at_first_mode:.5g} · {floor.psi:.4g} · {floor.gamma:.4g}, r = {cap.Ts:.5g} / {floor.T1:.5g}",
-                floor_displacement(context, floor, cap.Ts) * scale,
-                "m",
-            )
-        )
-    gate = "" if demanded else "; below uplift nothing moves"
-    steps.append(
-        Step(
-            "demand / d_u*",
-            f"ratio{gate}",
-            NONLINEAR,
-            "demand / capacity",
-            f"{demanded:.5g} / {cap.du:.5g}",
-            demanded / cap.du,
-            "-",
-        )
-    )
+        first = ground_displacement(context, floor.T1) * level / context.spectrum.pga
+        numbers = f"{first:.5g} · {floor.psi:.4g} · {floor.gamma:.4g}, r = {cap.Ts:.5g} / {floor.T1:.5g}"
+        formula = "S_De(T1) ψ γ r² / √((1 − r)² + 0.02 r), r = T_s / T1"
+        steps.append(Step("Δ_d(Z)", "demand at the floor", "C8A.4.2.3", formula, numbers, wanted.floor * level, "m"))
+    note = "ratio" if demanded else "ratio; below uplift nothing moves"
+    numbers = f"{demanded:.5g} / {cap.du:.5g}"
+    steps.append(Step("demand / d_u*", note, CLAUSE, "demand / capacity", numbers, demanded / cap.du, "-"))
     return tuple(steps)

@@ -10,9 +10,10 @@ from scipy.constants import g
 
 from assess.codes.check import BranchName, Check, Step
 from assess.codes.context import Context
-from assess.codes.dmi2008.clauses import CAVEAT, EDITION, ULTIMATE, Options
+from assess.codes.dmi2008.clauses import CAVEAT, DAMPING, EDITION, ULTIMATE, Options
 from assess.codes.governing import governing
-from assess.codes.relation import PgaRelation, as_curve, capacity, demand, relation
+from assess.codes.relation import PgaRelation, as_curve, demand, relation
+from assess.codes.spectral import spectral_answer
 from assess.oscillator import Branch, FloatArray, Oscillator, displacement, linearise, multiplier
 
 
@@ -25,13 +26,22 @@ def thesis_relation(branch: Branch, context: Context, *, mass: float) -> PgaRela
     d0 = float(displacement(branch, np.array(branch.overturning), mass=mass))
     linear = linearise(branch)
 
-    def pga_of(rotation: FloatArray) -> FloatArray:
-        x = rotation / branch.overturning
-        a_s = linear.multiplier * g * (1 - ULTIMATE * x)
-        period = 2 * np.pi * np.sqrt(x * d0 / a_s)
-        return a_s * context.spectrum.pga / context.spectrum.acceleration(period)
+    def secant(rotation: FloatArray) -> FloatArray:
+        return linear.multiplier * g * (1 - ULTIMATE * rotation / branch.overturning)
 
-    return relation(pga_of, overturning=branch.overturning)
+    def period_of(rotation: FloatArray) -> FloatArray:
+        return np.asarray(2 * np.pi * np.sqrt(rotation / branch.overturning * d0 / secant(rotation)))
+
+    def pga_of(rotation: FloatArray) -> FloatArray:
+        ordinate = context.spectrum.acceleration(period_of(rotation), damping=DAMPING)
+        return secant(rotation) * context.spectrum.pga / ordinate
+
+    return relation(
+        pga_of,
+        overturning=branch.overturning,
+        period_of=period_of,
+        longest_period=context.spectrum.longest_period,
+    )
 
 
 def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tuple[Check, ...]:
@@ -41,8 +51,8 @@ def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tup
         curve = thesis_relation(branch, context, mass=oscillator.mass)
         allowable = ULTIMATE * branch.overturning
         rotation = demand(curve, level)
-        at_collapse = capacity(curve, allowable, uplift=0.0)
-        passes = rotation is not None and rotation <= allowable
+        uplift = float(multiplier(branch)[0]) * g
+        answer = spectral_answer(rotation, allowable, curve=curve, level=level, uplift=uplift, context=context)
         return Check(
             procedure="dmi2008-nonlinear-thesis",
             edition=EDITION,
@@ -51,21 +61,23 @@ def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tup
             limit_state="SLV",
             level_pga_g=level / g,
             input_at="ground",
-            damping=context.spectrum.damping,
+            damping=DAMPING,
             damping_rule="",
             quantity="rotation",
             unit="rad",
             demand=rotation,
             capacity=allowable,
             ratio=None if rotation is None else rotation / allowable,
-            verdict="pass" if passes else "fail",
-            reason="the thesis' reading: T_s with d_u where the clause has d_s",
-            capacity_pga_g=at_collapse / g,
-            uplift_pga_g=float(multiplier(branch)[0]),
+            verdict=answer.verdict,
+            reason=answer.reason,
+            capacity_pga_g=answer.capacity_pga_g,
+            uplift_pga_g=uplift / g,
             capacity_rotation_ratio=ULTIMATE,
             rotation_ratio=None if rotation is None else rotation / branch.overturning,
             pga_curve=as_curve(curve, branch),
-            steps=_steps(oscillator, branch, context, level=level, rotation=rotation, at_collapse=at_collapse),
+            steps=_steps(
+                oscillator, branch, context, level=level, rotation=rotation, at_collapse=answer.capacity_pga_g
+            ),
             caveat=CAVEAT,
         )
 
@@ -79,76 +91,31 @@ def _steps(
     *,
     level: float,
     rotation: float | None,
-    at_collapse: float,
+    at_collapse: float | None,
 ) -> tuple[Step, ...]:
     linear = linearise(branch)
     d0 = float(displacement(branch, np.array(branch.overturning), mass=oscillator.mass))
     a_s = linear.multiplier * g * (1 - ULTIMATE**2)
     period = float(2 * np.pi * np.sqrt(ULTIMATE * d0 / a_s))
-    ordinate = float(context.spectrum.acceleration(period)) / context.spectrum.pga
-    source = "thesis 8.3.2"
+    ratio = None if rotation is None else rotation / branch.overturning
+    source, multiplied = "thesis 8.3.2", f"{linear.multiplier:.5g} · 9.80665 · 0.84"
+    root = f"2π √({ULTIMATE * d0:.5g} / {a_s:.5g})"
+    start = f"φ_cr = {linear.critical:.5g} rad"
+    steps = (
+        Step("λ", "multiplier, linearised", "thesis 3.11", "(K φ_cr − M) / (g B)", start, linear.multiplier, "-"),
+        Step("d0", "displacement at overturning", source, "∫ B dφ / M", f"φ_ov = {branch.overturning:.5g}", d0, "m"),
+        Step("a_s", "acceleration at 0.4 d_u, d_u = 0.4 d0", source, "λ g (1 − 0.4 · 0.4)", multiplied, a_s, "m/s2"),
+        Step("T", "period, with d_u (the clause: d_s)", source, "2π √(d_u / a_s)", root, period, "s"),
+        Step("φ/φ_ov", "rotation at the level", source, "PGA(φ) = level", f"level {level / g:.4g} g", ratio, "-"),
+    )
+    return steps if at_collapse is None else (*steps, *_collapse_steps(context, a_s, period, at_collapse))
+
+
+def _collapse_steps(context: Context, a_s: float, period: float, at_collapse: float) -> tuple[Step, ...]:
+    ordinate = float(context.spectrum.acceleration(period, damping=DAMPING)) / context.spectrum.pga
+    clause, at = context.spectrum.clause, f"T = {period:.5g} s"
+    divided = f"{a_s:.5g} / {ordinate:.5g}"
     return (
-        Step(
-            "λ",
-            "multiplier of the linearised mechanism",
-            "thesis 3.11",
-            "(K φ_cr − M) / (g B)",
-            f"φ_cr = {linear.critical:.5g} rad",
-            linear.multiplier,
-            "-",
-        ),
-        Step(
-            "d0",
-            "displacement of the centroid at overturning",
-            source,
-            "∫ B dφ / M",
-            f"φ_ov = {branch.overturning:.5g} rad",
-            d0,
-            "m",
-        ),
-        Step(
-            "a_s",
-            "acceleration at 0.4 d_u, d_u = 0.4 d0",
-            source,
-            "λ g (1 − 0.4 · 0.4)",
-            f"{linear.multiplier:.5g} · 9.80665 · 0.84",
-            a_s,
-            "m/s2",
-        ),
-        Step(
-            "T",
-            "period, with d_u (the clause: d_s)",
-            source,
-            "2π √(d_u / a_s)",
-            f"2π √({ULTIMATE * d0:.5g} / {a_s:.5g})",
-            period,
-            "s",
-        ),
-        Step(
-            "S_a/PGA",
-            "spectrum over PGA",
-            context.spectrum.clause,
-            "S_a(T) / PGA",
-            f"T = {period:.5g} s",
-            ordinate,
-            "-",
-        ),
-        Step(
-            "PGA_c",
-            "PGA at φ = 0.4 φ_ov",
-            source,
-            "a_s / (S_a/PGA)",
-            f"{a_s:.5g} / {ordinate:.5g}",
-            at_collapse / g,
-            "g",
-        ),
-        Step(
-            "φ/φ_ov",
-            "rotation at the level",
-            source,
-            "PGA(φ) = level",
-            f"level {level / g:.4g} g",
-            None if rotation is None else rotation / branch.overturning,
-            "-",
-        ),
+        Step("S_a/PGA", "spectrum over PGA, 5 %", clause, "S_a(T) / PGA", at, ordinate, "-"),
+        Step("PGA_c", "largest PGA with φ ≤ 0.4 φ_ov", "thesis 8.3.2", "a_s / (S_a/PGA)", divided, at_collapse, "g"),
     )

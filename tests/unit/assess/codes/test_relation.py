@@ -28,16 +28,36 @@ def test_above_the_whole_rising_stretch_the_body_overturns():
 
 def test_capacity_is_reached_at_the_allowable_rotation():
     curve = relation(falling_then_rising, overturning=1.0)
-    assert capacity(curve, 0.5, uplift=0.0) == pytest.approx(5.9, rel=1e-12)
+    assert capacity(curve, 0.5) == pytest.approx(5.9, rel=1e-12)
 
 
 def test_capacity_ignores_the_unstable_start_and_keeps_uplift():
-    curve = relation(falling_then_rising, overturning=1.0)
-    assert capacity(curve, 0.05, uplift=0.0) == pytest.approx(1.4, rel=1e-12)
-    assert capacity(curve, 0.05, uplift=3.0) == 3.0
+    assert capacity(relation(falling_then_rising, overturning=1.0), 0.05) == pytest.approx(1.4, rel=1e-12)
+    assert capacity(relation(falling_then_rising, overturning=1.0, uplift=3.0), 0.05) == 3.0
+
+
+def test_below_uplift_nothing_rocks_and_above_it_the_demand_jumps():
+    curve = relation(falling_then_rising, overturning=1.0, uplift=3.0)
+    assert demand(curve, 3.0) == 0.0
+    assert demand(curve, 3.0001) == pytest.approx(0.21, abs=1e-4)
+
+
+def test_while_the_curve_still_falls_at_the_allowable_its_bottom_is_the_capacity():
+    curve = relation(lambda phi: 2 - phi + np.maximum(phi - 0.8, 0) * 5, overturning=1.0)
+    assert capacity(curve, 0.5) == pytest.approx(1.2, rel=1e-2)  # the bottom, at 0.8, to the grid's step
+    assert demand(curve, 1.3) > 0.5
+
+
+def test_where_the_spectrum_ends_nothing_is_claimed():
+    curve = relation(falling_then_rising, overturning=1.0, period_of=lambda phi: 4 * phi, longest_period=2.0)
+    assert not curve.complete
+    assert demand(curve, 2.0) == pytest.approx(0.11, abs=1e-12)
+    assert demand(curve, 7.0) is None
+    assert capacity(curve, 0.7) is None
+    assert capacity(curve, 0.3) == pytest.approx(3.9, rel=1e-12)
 
 
 def test_a_hump_before_the_allowable_governs():
     curve = relation(lambda phi: 1 + 2 * np.sin(np.pi * phi), overturning=1.0)
-    assert capacity(curve, 0.9, uplift=0.0) == pytest.approx(3.0, rel=1e-4)  # grid of 1 % around the summit
+    assert capacity(curve, 0.9) == pytest.approx(3.0, rel=1e-4)  # grid of 1 % around the summit
     assert demand(curve, 2.999) < 0.5

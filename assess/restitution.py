@@ -56,6 +56,11 @@ def two_sided(rule: Rule, *, ending: SingleBlock, starting: SingleBlock, name: s
         )
     value = housner(ending) if rule == "housner" else momentum(ending, starting)
     source = "Housner 1963, thesis eq. 3.44" if rule == "housner" else "angular momentum about the new hinge"
+    if value**2 * starting.inertia > ending.inertia * (1 + 1e-9):
+        raise MechanismError(
+            f'mechanism "{name}": restitution by {source} is {value:.3g}, which would add energy at the impact, '
+            'for the two hinges differ; use "momentum" or a number'
+        )
     if value < 0:
         raise MechanismError(
             f'mechanism "{name}": restitution by {source} is {value:.3g}: so stocky a block does not rock on; '

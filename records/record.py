@@ -11,6 +11,8 @@ from records.errors import RecordError
 
 FloatArray = NDArray[np.float64]
 
+STRONGEST = 1000.0  # m/s2, a hundred g: beyond any ground motion
+
 
 @dataclass(frozen=True)
 class Record:
@@ -64,7 +66,8 @@ def make_record(
 ) -> Record:
     """A checked record with a read-only copy of `acceleration` [n] [m/s2] at step `dt` [s].
 
-    Raises RecordError for fewer than two samples, values that are not finite, or a step that is not positive.
+    Raises RecordError for fewer than two samples, values not finite or beyond any ground motion, or a step
+    that is not positive.
     """
     samples = np.array(acceleration, dtype=np.float64)
     where = path or f'record "{id}"'
@@ -74,6 +77,11 @@ def make_record(
     if bad.size:
         raise RecordError(
             f"{where}: sample {bad[0] + 1} is {samples[bad[0]]}; every acceleration must be a finite number"
+        )
+    beyond = np.flatnonzero(np.abs(samples) > STRONGEST)
+    if beyond.size:
+        raise RecordError(
+            f"{where}: sample {beyond[0] + 1} is {samples[beyond[0]]:.4g} m/s2, over {STRONGEST:g}; check the unit"
         )
     if not (np.isfinite(dt) and dt > 0):
         raise RecordError(f"{where}: time step {dt} s; it must be positive")

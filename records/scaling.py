@@ -15,6 +15,7 @@ from spectra.spectrum import Spectrum
 FloatArray = NDArray[np.float64]
 
 DAMPING = 0.05
+LARGEST_FACTOR = 1e9
 SCALING_PERIODS: tuple[float, ...] = tuple(float(period) for period in np.geomspace(0.1, 2.0, 41))
 
 
@@ -35,6 +36,10 @@ def scale_to_spectrum(record: Record, spectrum: Spectrum, *, period: ArrayLike =
     Source: PEER (2010), Technical report for the PEER ground motion database web application, §3 (mean squared error).
     """
     ratio = log_ratio(record, spectrum, period=period)
+    if abs(float(np.mean(ratio))) > np.log(LARGEST_FACTOR):
+        raise RecordError(
+            f'record "{record.id}": a factor of e^{np.mean(ratio):.3g} would bring it to the spectrum; check its unit'
+        )
     return Scaling(float(np.exp(np.mean(ratio))), float(np.var(ratio)))
 
 
@@ -44,6 +49,10 @@ def scale_to_pga(record: Record, pga: float) -> float:
         raise RecordError(f'record "{record.id}": no motion; it cannot be scaled to a peak ground acceleration')
     if not (np.isfinite(pga) and pga > 0.0):
         raise RecordError(f'record "{record.id}": peak ground acceleration {pga} m/s2 to scale to; it must be positive')
+    if not 1 / LARGEST_FACTOR <= pga / record.pga <= LARGEST_FACTOR:
+        raise RecordError(
+            f'record "{record.id}": peak {record.pga:.3g} m/s2 to be brought to {pga:.3g}; check its unit'
+        )
     return pga / record.pga
 
 
@@ -53,8 +62,16 @@ def misfit(record: Record, spectrum: Spectrum, *, factor: float = 1.0, period: A
 
 
 def log_ratio(record: Record, spectrum: Spectrum, *, period: ArrayLike = SCALING_PERIODS) -> FloatArray:
-    """ln(target / record), 5 % damping, at each `period` [k] [s]; RecordError where the record has no motion."""
+    """ln(target / record), 5 % damping, at each `period` [k] [s] up to the spectrum's longest.
+
+    RecordError where the record has no motion, or the spectrum ends before all periods.
+    """
     T = np.atleast_1d(np.asarray(period, dtype=np.float64))
+    T = T[spectrum.longest_period >= T]
+    if not T.size:
+        raise RecordError(
+            f'record "{record.id}": the spectrum ends at {spectrum.longest_period:.4g} s, before the periods of scaling'
+        )
     own = response_spectrum(record, T, damping=DAMPING)
     still = T[~(own > 0.0)]
     if still.size:

@@ -138,7 +138,7 @@ def _check(*, count: int, seed: int, duration: float, dt: float, band: tuple[flo
 
 def _target(spectrum: Spectrum, *, band: tuple[float, float]) -> Target:
     """The 5 % ordinates at log-spaced periods of the band, as far as the spectrum goes."""
-    longest = min(band[1], float(spectrum.parameters.get("period_max", np.inf)))
+    longest = min(band[1], spectrum.longest_period)
     if longest <= band[0]:
         raise RecordError(f"artificial records: the spectrum ends at {longest} s, below the band from {band[0]} s")
     number = round(PERIODS_PER_DECADE * np.log10(longest / band[0])) + 2

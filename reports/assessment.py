@@ -66,7 +66,8 @@ def _paper(results: Results) -> Literal["A4", "letter"]:
 
 def _verdict(results: Results) -> Section:
     brief = tables.brief(results)
-    return Section("Verdict", 0, (Text(sentences.outcome(results)), *_filled(brief)))
+    warned = _filled(tables.warnings(results)) or [Text(("The run gave no warnings.",))]
+    return Section("Verdict", 0, (Text(sentences.outcome(results)), *_filled(brief), *warned))
 
 
 def _basis(results: Results) -> Section:
@@ -75,9 +76,8 @@ def _basis(results: Results) -> Section:
     blocks += [Text((f"Title in full: {title}",))] if len(title) > LONG else []
     blocks += [Text((f"Notes: {notes}",))] if notes else []
     blocks += _filled(tables.inputs(results))
-    blocks += _filled(tables.warnings(results)) or [Text(("The run gave no warnings.",))]
     blocks += [*_filled(tables.procedures(results)), *_filled(tables.assumptions(results))]
-    return Section("Inputs, warnings and assumptions", 0, tuple(blocks))
+    return Section("Inputs and assumptions", 0, tuple(blocks))
 
 
 def _site(results: Results) -> list[Section]:
@@ -85,7 +85,7 @@ def _site(results: Results) -> list[Section]:
     if results.spectrum is not None:
         caption = (
             f"Elastic response spectrum of the site ({results.spectrum.code}, damping {results.spectrum.damping:.3g}) "
-            "and of the records as scaled to it."
+            "and of the records as scaled to it; artificial records are fitted up to a period of 4 s."
         )
         blocks.append(Figure("spectrum", caption, partial(spectrum.draw, results.spectrum, results.records)))
         blocks += _filled(tables.site(results))

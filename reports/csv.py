@@ -27,7 +27,7 @@ def field(cell: Cell) -> str:
     if isinstance(cell, int | float):
         return repr(cell)
     text = visible(cell)
-    return f"'{text}" if cell.lstrip(" \n\v\f").startswith(_FORMULA) else text
+    return f"'{text}" if cell.lstrip(" \n\v\f").startswith(_FORMULA) and cell != "-" else text
 
 
 def _write(table: Table, folder: Path) -> Path:

@@ -10,8 +10,8 @@ from reports.document import Cell, Kind
 _SUPERSCRIPT = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
-def numeral(value: float, *, digits: int = 3) -> str:
-    """`value` to `digits` significant figures: 0.100, 12.3, 45700, 1.23×10⁶."""
+def numeral(value: float, *, digits: int = 4) -> str:
+    """`value` to `digits` significant figures: 0.1000, 12.34, 45670, 1.234×10⁶."""
     if value == 0 or not isfinite(value):
         return "0" if value == 0 else {"inf": "∞", "-inf": "−∞", "nan": "not a number"}[str(float(value))]
     mantissa, exponent = f"{value:.{digits - 1}e}".split("e")

@@ -17,4 +17,5 @@ def check(project: ProjectPath) -> None:
     from assess.project.build import build
     from assess.project.run import parameters
 
-    print(description(loaded, parameters(build(loaded))), end="")
+    study = build(loaded)
+    print(description(loaded, parameters(study), study.notices), end="")

@@ -5,16 +5,21 @@ from __future__ import annotations
 from assess.cli.parameter_table import table_text
 from assess.project.messages import printable
 from assess.project.schema import Project
-from assess.results import MechanismResult, NamedPoint
+from assess.results import MechanismResult, NamedPoint, Notice
 
 
-def description(project: Project, mechanisms: tuple[MechanismResult, ...]) -> str:
-    """The site, each mechanism with its geometry, loads and interfaces, and the table of rocking parameters."""
+def description(project: Project, mechanisms: tuple[MechanismResult, ...], notices: tuple[Notice, ...]) -> str:
+    """The site, each mechanism with its geometry, loads and interfaces, the table of rocking parameters, warnings."""
     title = printable(project.content.title) or "no title"
     lines = [f"{project.path}: {title}", _site(project), _motions(project), ""]
     for mechanism in mechanisms:
         lines += [*_mechanism(mechanism), ""]
-    return "\n".join(lines) + "\n" + table_text(mechanisms)
+    return "\n".join(lines) + "\n" + table_text(mechanisms) + warned(notices)
+
+
+def warned(notices: tuple[Notice, ...]) -> str:
+    """A line for each warning."""
+    return "".join(f"warning: {printable(notice.where)}: {printable(notice.text)}\n" for notice in notices)
 
 
 def _site(project: Project) -> str:

@@ -47,7 +47,7 @@ def _move_into_place(made: Path, folder: Path, old: Path) -> None:
     gone = [name for name in ours if name not in files and name != RESULTS]  # a report made again keeps its results
     kept = [RESULTS] if RESULTS in ours and RESULTS not in files else []
     (made / LIST).write_text("".join(f"{name}\n" for name in sorted([*files, *kept])), encoding="utf-8")
-    _refuse_folders(folder, files)
+    _refuse_what_is_not_ours(folder, files, ours)
     done: list[tuple[Path, Path]] = []
     try:
         for name in [*files, *gone, LIST]:
@@ -75,10 +75,14 @@ def _remove_empty(folder: Path, names: list[str]) -> None:
             (folder / parent).rmdir()
 
 
-def _refuse_folders(folder: Path, files: list[str]) -> None:
+def _refuse_what_is_not_ours(folder: Path, files: list[str], ours: list[str]) -> None:
     for name in files:
         if (folder / name).is_dir():
             raise AssessError(f"{folder / name}: is a folder where a file is to be written; move it away")
+        if (folder / name).exists() and name not in ours:
+            raise AssessError(
+                f"{folder / name}: was not written by assess; move it away, or give another folder with -o"
+            )
 
 
 def _files(folder: Path) -> list[str]:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from assess.cli.description import warned
 from assess.cli.text_table import text_table
 from assess.codes.check import Check
-from assess.project.messages import printable
 from assess.results import MechanismResult, Results
 
 _WORDS = {"pass": "pass", "fail": "FAIL", "not-applicable": "n/a"}
@@ -19,11 +19,20 @@ def summary(results: Results) -> str:
     """A table of verdicts with demand over capacity, the warnings, and the verdict of all."""
     procedures = list(dict.fromkeys(c.procedure for m in results.mechanisms for c in _deciding(m)))
     rows = [row for mechanism in results.mechanisms for row in _rows(mechanism, procedures)]
-    verdict = "some check fails" if some_check_fails(results) else "all checks pass"
-    warnings = "".join(f"warning: {printable(notice.where)}: {printable(notice.text)}\n" for notice in results.warnings)
+    verdict = _verdict(results)
+    warnings = warned(results.warnings)
     if not rows:
         return f"{warnings}no check applies\n"
     return text_table(["mechanism", "PGA [g]", *procedures], rows) + warnings + f"{verdict}\n"
+
+
+def _verdict(results: Results) -> str:
+    verdicts = {check.verdict for mechanism in results.mechanisms for check in _deciding(mechanism)}
+    if "fail" in verdicts:
+        return "some check fails"
+    if "not-applicable" in verdicts:
+        return "no check fails, but some could not be answered" if "pass" in verdicts else "no check gave a verdict"
+    return "all checks pass"
 
 
 def _deciding(mechanism: MechanismResult) -> tuple[Check, ...]:

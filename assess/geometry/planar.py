@@ -101,6 +101,18 @@ def planar_joined(bodies: Sequence[PlanarBody], *, name: str) -> PlanarBody:
     return PlanarBody(name, float(m.sum()), (float(centre[0]), float(centre[1])), J, rings, _lowest(bases, size))
 
 
+def turns_about_a_corner(solids: Sequence[Solid], *, direction: Sequence[float]) -> bool:
+    """Whether the joint base ends in `direction` in a point rather than an edge (a tenth of the base's width)."""
+    along = _horizontal(direction)
+    across = np.array([-along[1], along[0], 0.0])
+    points = np.concatenate([solid.vertices for solid in solids])
+    size = float(np.ptp(points, axis=0).max())
+    foot = points[points[:, 2] <= points[:, 2].min() + BASE_TOLERANCE * size]
+    x, y = foot @ along, foot @ across
+    edge = y[x >= x.max() - 1e-3 * float(np.ptp(x))]
+    return bool(np.ptp(edge) < 0.1 * np.ptp(y))
+
+
 def _horizontal(direction: Sequence[float]) -> FloatArray:
     """The unit vector [3] of a horizontal direction, or raise."""
     vector = np.asarray(direction, dtype=np.float64)

@@ -32,6 +32,8 @@ def equivalent_block(
     block = Block(mass, (0.0, elevation + height), mass * g * radius / p**2 - mass * radius**2)
     chain = Chain((block,), ((half, elevation),))
     top = elevation + 2 * height
+    k = g / (p**2 * radius)
+    impossible = f"I_O / (M R^2) = g / (p^2 R) = {k:.3g} is less than 1, which no body has; check p and radius"
     outline: tuple[Point, ...] = ((-half, elevation), (half, elevation), (half, top), (-half, top))
     return assembled(
         name,
@@ -41,4 +43,5 @@ def equivalent_block(
         label=label,
         restitution=restitution,
         outlines=(outline,),
+        notices=(impossible,) if k < 1.0 else (),
     )

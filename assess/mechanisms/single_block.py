@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import atan2, hypot
+from math import atan2, hypot, isclose
 from typing import Literal
 
 from assess.errors import MechanismError
@@ -10,7 +10,7 @@ from assess.geometry.planar import PlanarBody
 from assess.mechanisms.chain import Block, Chain, Point, mirrored, mirrored_blocks, require_stable
 from assess.mechanisms.mechanism import Mechanism, Sides
 from assess.oscillator import SingleBlock
-from assess.restitution import Restitution, one_sided, two_sided
+from assess.restitution import Restitution, Rule, one_sided, two_sided
 
 RestitutionChoice = float | Literal["thesis", "housner", "sorrentino", "momentum"]
 
@@ -29,6 +29,8 @@ def single_block(
 
     Raises MechanismError without a base, for a base of no width and for a block that is already falling.
     """
+    if sides == "one" and hinge_negative is not None:
+        raise MechanismError(f'mechanism "{name}": hinges_negative with sides = "one"; remove one of them')
     block = Block(body.mass, body.centroid, body.inertia)
     positive = Chain((block,), (hinge or _edge(body, "positive", name=name),))
     require_stable(positive, name=name, towards="positive")
@@ -45,7 +47,22 @@ def single_block(
         label=label,
         restitution=restitution,
         outlines=body.outline,
+        notices=tuple(_off_base(body, hinge, "A") + _off_base(body, hinge_negative, "A'")),
     )
+
+
+def _off_base(body: PlanarBody, hinge: Point | None, label: str) -> list[str]:
+    """A sentence where a given hinge does not lie on the body's base."""
+    if hinge is None or body.base is None:
+        return []
+    low, high, elevation = body.base
+    tolerance = 0.01 * (high - low)
+    if low - tolerance <= hinge[0] <= high + tolerance and abs(hinge[1] - elevation) <= tolerance:
+        return []
+    return [
+        f"hinge {label} at ({hinge[0]:.4g}, {hinge[1]:.4g}) m is not on the base of the body, which reaches from "
+        f"{low:.4g} to {high:.4g} m at elevation {elevation:.4g} m; the whole body turns about it all the same"
+    ]
 
 
 def _edge(body: PlanarBody, towards: Literal["positive", "negative"], *, name: str) -> Point:
@@ -72,6 +89,7 @@ def assembled(
     label: str,
     restitution: tuple[RestitutionChoice, RestitutionChoice],
     outlines: tuple[tuple[Point, ...], ...],
+    notices: tuple[str, ...] = (),
 ) -> Mechanism:
     """The mechanism of one block's chains with its coefficients of restitution resolved."""
     first, second = plain_block(positive), None if negative is None else plain_block(negative)
@@ -85,11 +103,17 @@ def assembled(
         positive=positive,
         negative=negative,
         restitution=(kept.value, kept_negative.value),
-        restitution_source=kept.source,
+        restitution_source=_sources(kept, kept_negative),
         elevation=positive.hinges[0][1],
         outlines=outlines,
-        notices=tuple(sorted({kept.notice, kept_negative.notice} - {""})),
+        notices=(*notices, *sorted({kept.notice, kept_negative.notice} - {""})),
     )
+
+
+def _sources(positive: Restitution, negative: Restitution) -> str:
+    if positive.source == negative.source:
+        return positive.source
+    return f"positive: {positive.source}; negative: {negative.source}"
 
 
 def plain_block(chain: Chain) -> SingleBlock:
@@ -103,10 +127,16 @@ def plain_block(chain: Chain) -> SingleBlock:
 def impact(choice: RestitutionChoice, *, ending: SingleBlock, starting: SingleBlock | None, name: str) -> Restitution:
     """The coefficient chosen for the impact that ends one branch; `starting` is None for one-sided rocking.
 
-    "thesis" is Housner's for two-sided and Sorrentino's for one-sided rocking.
+    "thesis" is Sorrentino's for one-sided and Housner's (3.44) for two-sided rocking. 3.44 keeps the angular momentum
+    about the new hinge of a symmetric block; where the two hinges differ it would even add energy (tested), so there
+    the same principle is applied to the block as it is: "momentum".
     """
     if not isinstance(choice, str):
         return Restitution(choice, "given")
     if starting is None:
         return one_sided("sorrentino" if choice == "thesis" else choice, block=ending, name=name)
-    return two_sided("housner" if choice == "thesis" else choice, ending=ending, starting=starting, name=name)
+    symmetric = isclose(ending.slenderness, starting.slenderness, rel_tol=1e-9) and isclose(
+        ending.radius, starting.radius, rel_tol=1e-9
+    )
+    rule: Rule = choice if choice != "thesis" else "housner" if symmetric else "momentum"
+    return two_sided(rule, ending=ending, starting=starting, name=name)

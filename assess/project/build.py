@@ -10,22 +10,25 @@ from pathlib import Path
 import numpy as np
 
 from assess.codes.context import Building
+from assess.codes.dmi2008.clauses import ON_GROUND
 from assess.codes.dmi2008.clauses import Options as Dmi2008Options
 from assess.codes.registry import CodeOptions
+from assess.errors import AssessError
 from assess.geometry import mesh
-from assess.geometry.planar import PlanarBody, planar, planar_direct, planar_joined
+from assess.geometry.planar import PlanarBody, planar, planar_direct, planar_joined, turns_about_a_corner
 from assess.geometry.solid import Solid, box, profile
 from assess.mechanisms.chain import Point
 from assess.mechanisms.equivalent_block import equivalent_block
 from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.single_block import single_block
 from assess.project import sections
-from assess.project.schema import Project, resolved
+from assess.project.schema import Project, relative, resolved
 from assess.project.study import Artificial, Equation, Study
 from assess.results import Input, Notice
 from records.reading import read
 from records.record import Record
 from spectra.asce7 import design_spectrum
+from spectra.errors import SpectrumError
 from spectra.spectrum import Spectrum, scaled_to_pga
 from spectra.table import read_table
 
@@ -33,8 +36,16 @@ from spectra.table import read_table
 def build(project: Project) -> Study:
     """The study that `project` describes, with every file it names read.
 
-    Raises AssessError, SpectrumError or RecordError, each one line, for what cannot be assessed.
+    Raises AssessError, SpectrumError or RecordError, each one line with the file, for what cannot be assessed.
     """
+    try:
+        return study_of(project)
+    except (AssessError, SpectrumError) as error:
+        raise type(error)(f"{project.path}: {error}") from None
+
+
+def study_of(project: Project) -> Study:
+    """The same, with errors that do not name the project file."""
     content = project.content
     site, building = content.site, content.building
     spectrum = None if site is None else spectrum_of(site)
@@ -45,9 +56,7 @@ def build(project: Project) -> Study:
         spectrum=spectrum,
         vertical_ratio=0.0 if site is None else site.vertical_ratio,
         building=None if building is None else Building(**building.model_dump()),
-        records=uniquely_named(
-            [record for path in content.records.files for record in read(path, unit=content.records.unit)]
-        ),
+        records=records_of(project),
         artificial=None if synthetic is None else Artificial(synthetic.count, synthetic.seed, synthetic.duration),
         scale_to=content.records.scale_to,
         levels=levels_of(content.analysis.levels, spectrum),
@@ -141,6 +150,13 @@ def equation_of(section: sections.Mechanism, content: sections.Content) -> Equat
     return content.analysis.equation or default
 
 
+def records_of(project: Project) -> tuple[Record, ...]:
+    """The records of every file, each with its path as the project file would write it."""
+    section = project.content.records
+    found = [record for path in section.files for record in read(path, unit=section.unit)]
+    return uniquely_named([replace(one, path=relative(Path(one.path), project.folder)) for one in found])
+
+
 def uniquely_named(records: Sequence[Record]) -> tuple[Record, ...]:
     """The records, a second one of the same id numbered "id (2)", and so on."""
     seen: dict[str, int] = {}
@@ -163,9 +179,16 @@ def inputs_of(project: Project) -> Iterator[Input]:
         yield Input(relative(path, project.folder), hashlib.sha256(path.read_bytes()).hexdigest())
 
 
-def relative(path: Path, folder: Path) -> str:
-    """The path as the project file would write it."""
-    return path.relative_to(folder).as_posix() if path.is_relative_to(folder) else path.as_posix()
+def askew(section: sections.Mechanism, solids: Mapping[str, Solid | None]) -> Iterator[str]:
+    """A sentence where the default hinge is a corner of the base: the wall may stand askew to its direction."""
+    if isinstance(section, sections.EquivalentBlock) or section.hinges is not None:
+        return
+    standing = [solid for name in section.blocks[0] if (solid := solids[name]) is not None]
+    if standing and turns_about_a_corner(standing, direction=section.direction):
+        yield (
+            "the base touches its extreme line in the direction of motion at a point, not along an edge; if the body "
+            "stands askew to `direction`, turn one to the other: a corner as hinge overestimates the resistance"
+        )
 
 
 def notices_of(
@@ -177,10 +200,10 @@ def notices_of(
         if doubt:
             yield Notice("size", f"bodies.{name}", doubt)
     for mechanism in mechanisms:
-        for text in mechanism.notices:
-            yield Notice("restitution", f"mechanisms.{mechanism.name}", text)
+        for text in (*mechanism.notices, *askew(content.mechanisms[mechanism.name], solids)):
+            yield Notice("mechanism", f"mechanisms.{mechanism.name}", text)
     ground = content.building.ground_elevation if content.building is not None else 0.0
-    raised = [mechanism.name for mechanism in mechanisms if mechanism.elevation > ground]
+    raised = [mechanism.name for mechanism in mechanisms if mechanism.elevation > ground + ON_GROUND]
     if raised:
         yield Notice(
             "amplification",
@@ -188,7 +211,8 @@ def notices_of(
             f"above the ground, yet histories and ASCE 43-05 use the ground's motion as it is: {', '.join(raised)}; "
             "only dmi2008 asks for the floor's motion",
         )
-    if content.procedures.dmi2008.confidence_factor == 1.0:
+    italian = any(name.startswith("dmi2008") for name in content.analysis.procedures)
+    if italian and content.procedures.dmi2008.confidence_factor == 1.0:
         yield Notice(
             "confidence-factor",
             "procedures.dmi2008",

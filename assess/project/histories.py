@@ -120,7 +120,9 @@ def suite_of(histories: Sequence[HistoryResult], *, pga: float) -> Suite:
 
 def scan_of(shaken: Shaken, motions: Sequence[Motion], *, site_pga: float, threads: int) -> tuple[Suite, ...]:
     """Suites at rising PGA, up to and with the first in which a record overturns the mechanism."""
-    start = SCAN_START * g * min(float(multiplier(branch)[0]) for branch in shaken.oscillator.branches)
+    strongest = max(motion.scaling.factor * motion.record.pga for motion in motions) / site_pga
+    uplift = g * min(float(multiplier(branch)[0]) for branch in shaken.oscillator.branches)
+    start = SCAN_START * uplift / max(1.0, strongest)
     suites: list[Suite] = []
     for batch in range(MOST_BATCHES):
         levels = [start * SCAN_STEP ** (BATCH * batch + k) for k in range(BATCH)]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -138,6 +139,19 @@ def branch_curve(branch: Branch, *, mass: float) -> BranchCurve:
     )
 
 
+def rigid_interface(hinge: str, normal_force: float) -> dict[str, Any]:
+    """A rigid contact: no opening before uplift, no crushing, so no curve."""
+    return {
+        "hinge": hinge,
+        "model": "rigid",
+        "normal_force_n": normal_force,
+        "area_m2": None,
+        "opening_rad": 0.0,
+        "crushing_rad": None,
+        "curve": None,
+    }
+
+
 def mechanism_result(
     mechanism: Mechanism,
     oscillator: Oscillator,
@@ -149,6 +163,7 @@ def mechanism_result(
     """One mechanism with its checks and its histories [level][record]."""
     positive, negative, mass = oscillator.positive, oscillator.negative, oscillator.mass
     records = [history.record for history in histories[0]] if histories else []
+    drawn = drawing(mechanism)
     return MechanismResult(
         name=mechanism.name,
         label=mechanism.label,
@@ -156,11 +171,11 @@ def mechanism_result(
         sides=mechanism.sides,
         equation=equation,
         restitution_source=mechanism.restitution_source,
-        drawing=drawing(mechanism),
+        drawing=drawn,
         oscillator=oscillator_result(positive, mass=mass),
         oscillator_negative=None if negative is None else oscillator_result(negative, mass=mass),
         curve=Curve(branch_curve(positive, mass=mass), None if negative is None else branch_curve(negative, mass=mass)),
-        interfaces=(),
+        interfaces=tuple(rigid_interface(hinge.name, mass * g) for hinge in drawn.hinges),
         amplification=AmplificationResult("none", tuple(Factor(record, 1.0) for record in records)),
         checks=tuple(checks),
         histories=tuple(history for level in histories for history in level),

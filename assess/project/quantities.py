@@ -45,7 +45,6 @@ PositiveDensity = Annotated[Density, Field(gt=0)]
 PositiveInertia = Annotated[Inertia, Field(gt=0)]
 PositiveRate = Annotated[Rate, Field(gt=0)]
 NotNegativeRatio = Annotated[Ratio, Field(ge=0)]
-Fraction = Annotated[Ratio, Field(ge=0, le=1)]
 Damping = Annotated[Ratio, Field(gt=0, lt=1)]
 Uplift = Annotated[Ratio, Field(gt=0, lt=math.pi / 2)]
 

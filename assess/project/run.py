@@ -89,16 +89,17 @@ def assessed(
 def context_of(study: Study, spectrum: Spectrum, mechanism: Mechanism, rocked: Rocking) -> Context:
     """What the procedures may know of one mechanism."""
     ground = study.building.ground_elevation if study.building is not None else 0.0
+    suites = tuple(
+        suite_of(histories, pga=level) for level, histories in zip(study.levels, rocked.histories, strict=True)
+    )
     return Context(
         spectrum=spectrum,
         levels=study.levels,
         vertical_ratio=study.vertical_ratio,
         elevation=mechanism.elevation - ground,
         building=study.building,
-        suites=tuple(
-            suite_of(histories, pga=level) for level, histories in zip(study.levels, rocked.histories, strict=True)
-        ),
-        incremental=rocked.scan,
+        suites=suites,
+        incremental=tuple(sorted((*rocked.scan, *suites), key=lambda suite: suite.pga)) if rocked.scan else (),
     )
 
 

@@ -155,11 +155,12 @@ def _resolved(key: str, value: Any, given: bool, folder: Path) -> Iterator[tuple
 def _plain(value: Any, folder: Path) -> Any:
     """A value as JSON holds it."""
     if isinstance(value, Path):
-        return _relative(value, folder)
+        return relative(value, folder)
     return [_plain(item, folder) for item in value] if isinstance(value, tuple) else value
 
 
-def _relative(path: Path, folder: Path) -> str:
+def relative(path: Path, folder: Path) -> str:
+    """The path as the project file would write it."""
     return path.relative_to(folder).as_posix() if path.is_relative_to(folder) else path.as_posix()
 
 

@@ -364,11 +364,11 @@ MechanismSection = Annotated[
 class Synthetic(Section):
     """Artificial records that fit the site's spectrum."""
 
-    count: Count = 7
+    count: Annotated[Count, Field(le=1000)] = 7
     """how many"""
     seed: Annotated[StrictInt, Field(ge=0)] = 1
     """of the random numbers: the same seed makes the same records"""
-    duration: PositiveTime = 20.0
+    duration: Annotated[PositiveTime, Field(ge=8, le=600)] = 20.0
     """length of each record, like "20 s\""""
 
 

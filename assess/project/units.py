@@ -21,6 +21,7 @@ _NUMBER = re.compile(r"\s*([+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d{1,3})?)\s*
 _POWER = r"(?:(?:\^|\*\*)?-?\d|[⁻]?[¹²³⁴])?"
 _FACTOR = rf"(?:1|[^\W\d_]+|%|°){_POWER}"
 _UNIT = re.compile(rf"{_FACTOR}(?:\s*[*/·]\s*{_FACTOR}|\s+{_FACTOR})*")
+SMALLEST, LARGEST = 1e-12, 1e18  # in SI: no size, mass, force or stress of a structure lies beyond
 _LONGEST = 60
 _TURNS = frozenset(
     {"radian", "degree", "turn", "revolution", "cycle", "revolutions_per_minute", "revolutions_per_second"}
@@ -93,6 +94,8 @@ def _finite(value: int | float | Fraction, kind: Kind) -> float:
         number = math.inf
     if not math.isfinite(number):
         raise QuantityError(f"not a finite number; {_remedy(kind)}")
+    if number and not SMALLEST <= abs(number) <= LARGEST:
+        raise QuantityError(f"beyond anything built ({number:.3g} {kind.symbol}); {_remedy(kind)}")
     return number
 
 
@@ -110,8 +113,8 @@ def _from_text(text: str, kind: Kind) -> Fraction:
 
 def _factor(unit: str, kind: Kind) -> Fraction:
     """How many SI units of `kind` one `unit` is."""
-    if kind.name == "acceleration" and unit == "g":
-        return Fraction(str(g))
+    if kind.name == "acceleration" and unit in ("g", "gal"):
+        return Fraction(str(g)) if unit == "g" else Fraction(1, 100)
     if not unit and kind.unit == "dimensionless":
         return Fraction(1)
     if not unit:

@@ -48,7 +48,8 @@ def pga_curve(incremental: Sequence[Suite]) -> PgaCurve:
 def pga_at_collapse(incremental: Sequence[Suite], allowable_ratio: float) -> float | None:
     """PGA [g] of the last suite before the first that fails; None if none failed, too few records, or no scan.
 
-    Responses are not monotone in PGA: a suite beyond the first failure may pass again, and does not count.
+    Responses are not monotone in PGA: a suite beyond the first failure may pass again, and does not count, so a level
+    can pass above this PGA.
     """
     last: float | None = None
     for suite in incremental:
@@ -89,7 +90,7 @@ def _check(
         capacity=allowable_ratio * overturning,
         ratio=None if mean is None else mean / allowable_ratio,
         verdict=verdict,
-        reason=reason,
+        reason=reason + (_islands(at_collapse, suite.pga / g) if verdict == "pass" else ""),
         capacity_pga_g=at_collapse,
         uplift_pga_g=float(multiplier(branch)[0]),
         capacity_rotation_ratio=allowable_ratio,
@@ -114,6 +115,13 @@ def _verdict(suite: Suite, allowable_ratio: float) -> tuple[Verdict, str]:
     if passes(suite, allowable_ratio):
         return "pass", "mean of the maxima within the allowable"
     return "fail", "mean of the maxima beyond the allowable"
+
+
+def _islands(at_collapse: float | None, level: float) -> str:
+    """A remark where a level passes above the least PGA at which the scan fails."""
+    if at_collapse is None or level <= at_collapse:
+        return ""
+    return f", yet the scan already fails just above {at_collapse:.3g} g: responses do not grow steadily with PGA"
 
 
 def _steps(suite: Suite, allowable_ratio: float, overturning: float) -> tuple[Step, ...]:

@@ -29,7 +29,7 @@ from reports.numerals import as_cell, numeral, shown
     ],
 )
 def test_three_figures(value: float, text: str) -> None:
-    assert numeral(value) == text
+    assert numeral(value, digits=3) == text
 
 
 @drawn(strategies.floats(allow_nan=False, allow_infinity=False, min_value=-1e12, max_value=1e12))
@@ -55,3 +55,8 @@ def test_cells(cell: Cell, kind: Kind, text: str) -> None:
 
 def test_lists_become_one_line() -> None:
     assert as_cell([1, 0, {"é": 2.5}]) == '[1, 0, {"é": 2.5}]'
+
+
+def test_four_figures_unless_told() -> None:
+    assert numeral(12345.678) == "12350"
+    assert numeral(1 / 3) == "0.3333"

@@ -109,3 +109,14 @@ def test_list_that_leads_out_of_the_folder_is_ignored(tmp_path: Path) -> None:
     write(tmp_path, {"precious": "x", f"out/{LIST}": f"../precious\n{tmp_path}/precious\n"})
     run(tmp_path / "out", {"results.json": "1"})
     assert content(tmp_path) == {"precious": "x", "out/results.json": "1"}
+
+
+def test_a_file_of_the_users_own_is_never_replaced(tmp_path: Path) -> None:
+    write(tmp_path, {"report.pdf": "mine"})
+    with pytest.raises(AssessError, match="was not written by assess"):
+        run(tmp_path, {"results.json": "1", "report.pdf": "1"})
+    assert content(tmp_path) == {"report.pdf": "mine"}
+    (tmp_path / "report.pdf").unlink()
+    run(tmp_path, {"results.json": "1", "report.pdf": "1"})
+    run(tmp_path, {"results.json": "2", "report.pdf": "2"})
+    assert content(tmp_path) == {"results.json": "2", "report.pdf": "2"}

@@ -1,0 +1,196 @@
+"""From a project file to its study and results: spectra, scaling, notices, scans."""
+
+from __future__ import annotations
+
+import dataclasses
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy.constants import g
+
+from assess.errors import MechanismError
+from assess.project.build import build
+from assess.project.histories import Shaken, scan_of
+from assess.project.motions import motions_of
+from assess.project.run import parameters, run
+from assess.project.schema import load
+from assess.project.study import Study
+from records.response import response_spectrum
+
+HEAD = """
+[site.spectrum]
+{spectrum}
+[materials.m]
+density = 2000
+[bodies.w]
+material = "m"
+box = {{ thickness = 0.6, length = 4.0, height = 4.5 }}
+[mechanisms.m]
+kind = "single-block"
+blocks = ["w"]
+{mechanism}
+[records]
+{records}
+[analysis]
+{analysis}
+"""
+ASCE = 'code = "asce7-16"\ns_ds = "0.5 g"\ns_d1 = "0.2 g"\nt_l = 6'
+QUIET = 'files = ["a.csv", "b.csv"]'
+
+
+def record(path: Path, *, seed: int, amplitude: float = 1.0) -> None:
+    t = np.arange(0.0, 12.0, 0.01)
+    noise = np.random.default_rng(seed).normal(size=t.size)
+    smooth = np.convolve(noise, np.hanning(15), mode="same") * np.sin(np.pi * t / 12.0)
+    rows = "\n".join(f"{x:.2f},{amplitude * y:.6f}" for x, y in zip(t, smooth, strict=True))
+    path.write_text(f"time [s],acceleration [m/s2]\n{rows}\n")
+
+
+def study_of(folder: Path, *, spectrum=ASCE, mechanism="", records=QUIET, analysis="", amplitude=1.0, tail="") -> Study:
+    for seed, name in enumerate(("a.csv", "b.csv")):
+        record(folder / name, seed=seed, amplitude=amplitude)
+    text = HEAD.format(spectrum=spectrum, mechanism=mechanism, records=records, analysis=analysis)
+    (folder / "project.toml").write_text(text + tail)
+    return build(load(folder))
+
+
+def test_levels_rise_and_default_to_the_sites_own_pga(tmp_path):
+    assert study_of(tmp_path).levels == pytest.approx((0.2 * g,))
+    assert study_of(tmp_path, analysis='levels = ["0.3 g", "0.1 g"]').levels == pytest.approx((0.1 * g, 0.3 * g))
+
+
+def test_site_pga_scales_ordinates_and_keeps_corners(tmp_path):
+    plain = study_of(tmp_path).spectrum
+    scaled = study_of(tmp_path, spectrum=ASCE.replace("code", "damping = 0.05\ncode"), tail="").spectrum
+    assert plain is not None
+    assert scaled is not None
+    text = (tmp_path / "project.toml").read_text().replace("[site.spectrum]", '[site]\npga = "0.3 g"\n[site.spectrum]')
+    (tmp_path / "project.toml").write_text(text)
+    raised = build(load(tmp_path)).spectrum
+    period = np.array([0.0, 0.05, 0.3, 1.0, 8.0])
+    np.testing.assert_allclose(raised.acceleration(period), 1.5 * plain.acceleration(period), rtol=1e-12)
+
+
+@pytest.mark.parametrize("scale_to", ["spectrum", "pga", "none"])
+def test_records_are_scaled_as_asked_and_levels_multiply(tmp_path, scale_to):
+    study = study_of(tmp_path, records=f'{QUIET}\nscale_to = "{scale_to}"', analysis='levels = ["0.1 g", "0.4 g"]')
+    results = run(study)
+    for used, raw in zip(results.records, study.records, strict=True):
+        assert used.pga_g * g == pytest.approx(used.scale_factor * raw.pga, rel=1e-12)
+        if scale_to == "pga":
+            assert used.pga_g == pytest.approx(0.2, rel=1e-12)
+        if scale_to == "none":
+            assert used.scale_factor == 1.0
+    histories = results.mechanisms[0].histories
+    assert [h.scale_factor / r.scale_factor for h, r in zip(histories, [*results.records] * 2, strict=True)] == (
+        pytest.approx([0.5, 0.5, 2.0, 2.0], rel=1e-12)
+    )
+
+
+def test_scaling_to_a_table_that_ends_early_uses_the_periods_it_has(tmp_path):
+    (tmp_path / "s.csv").write_text("period [s],acceleration [g]\n0,0.2\n0.1,0.5\n0.4,0.5\n1.0,0.2\n")
+    study = study_of(tmp_path, spectrum='code = "table"\nfile = "s.csv"')
+    (motion, _) = motions_of(study, study.spectrum)
+    period = np.geomspace(0.1, 2.0, 41)
+    period = period[period <= 1.0]
+    own = response_spectrum(motion.record, period)
+    expected = np.exp(np.mean(np.log(study.spectrum.acceleration(period) / own)))
+    assert motion.scaling.factor == pytest.approx(expected, rel=1e-12)
+    assert run(study).mechanisms[0].checks  # nothing fails for the periods the table lacks
+
+
+def test_the_scan_begins_below_uplift_whatever_the_records_scale(tmp_path):
+    study = study_of(tmp_path, records=f'{QUIET}\nscale_to = "none"', amplitude=5.0)
+    motions = motions_of(study, study.spectrum)
+    from assess.mechanisms.virtual_work import oscillator
+
+    shaken = Shaken("m", oscillator(study.mechanisms[0]), "exact")
+    scan = scan_of(shaken, motions, site_pga=study.spectrum.pga, threads=1)
+    assert scan[0].mean == 0.0
+    assert scan[-1].overturned
+    assert [suite.pga for suite in scan] == sorted(suite.pga for suite in scan)
+
+
+def test_results_do_not_depend_on_how_the_path_was_typed(tmp_path, monkeypatch):
+    study_of(tmp_path)
+    monkeypatch.chdir(tmp_path)
+    typed = [run(build(load(path))) for path in (".", str(tmp_path), tmp_path / "project.toml")]
+    assert typed[0] == typed[1] == typed[2]
+    assert typed[0].records[0].path == "a.csv"
+
+
+def test_two_records_of_one_name_are_told_apart(tmp_path):
+    (tmp_path / "sub").mkdir()
+    study_of(tmp_path)
+    record(tmp_path / "sub" / "a.csv", seed=5)
+    study = study_of(tmp_path, records='files = ["a.csv", "sub/a.csv"]')
+    assert [one.id for one in study.records] == ["a", "a (2)"]
+
+
+def test_one_history_of_each_mechanism_carries_its_trace(tmp_path):
+    results = run(study_of(tmp_path, analysis='levels = ["0.2 g", "0.4 g"]'))
+    traced = [h for h in results.mechanisms[0].histories if h.trace is not None]
+    (worst,) = traced
+    assert worst.level_pga_g == pytest.approx(0.4)
+    largest = max(abs(phi) for phi in worst.trace.rotation_rad)
+    if worst.max_rotation_rad is not None:
+        assert largest <= abs(worst.max_rotation_rad) * (1 + 1e-9)
+        assert largest == pytest.approx(abs(worst.max_rotation_rad), rel=1e-2)  # sampled beside exact
+
+
+def test_one_sided_histories_never_turn_the_other_way(tmp_path):
+    results = run(study_of(tmp_path, mechanism='sides = "one"', analysis='levels = ["0.5 g"]'))
+    (mechanism,) = results.mechanisms
+    assert mechanism.oscillator_negative is None
+    assert mechanism.curve.negative is None
+    (trace,) = [h.trace for h in mechanism.histories if h.trace is not None]
+    assert min(trace.rotation_rad) >= 0.0
+    assert {check.branch for check in mechanism.checks} == {"positive"}
+
+
+@pytest.mark.parametrize(
+    ("mechanism", "words"),
+    [
+        ("hinges = { A = [0.9, 0] }", "not on the base"),
+        ("hinges = { A = [0.3, 2] }", "not on the base"),
+        ("direction = [1, 0.05, 0]", "at a point, not along an edge"),
+    ],
+)
+def test_doubtful_hinges_are_pointed_out(tmp_path, mechanism, words):
+    notices = study_of(tmp_path, mechanism=f"{mechanism}\nrestitution = 0.9").notices
+    assert any(words in notice.text and notice.where == "mechanisms.m" for notice in notices)
+
+
+def test_plain_walls_raise_no_doubt_about_their_hinges(tmp_path):
+    for direction in ("[1, 0, 0]", "[0, -1, 0]"):
+        notices = study_of(tmp_path, mechanism=f"direction = {direction}").notices
+        assert not [notice for notice in notices if notice.code == "mechanism"]
+
+
+def test_hinge_of_a_direction_that_is_not_there_is_refused(tmp_path):
+    with pytest.raises(MechanismError, match="hinges_negative"):
+        study_of(tmp_path, mechanism='sides = "one"\nhinges_negative = { A = [-0.3, 0] }')
+
+
+def test_confidence_factor_is_warned_of_only_where_it_is_used(tmp_path):
+    with_italian = study_of(tmp_path).notices
+    without = study_of(tmp_path, analysis='procedures = ["asce43-05-spectrum"]').notices
+    assert {n.code for n in with_italian} - {n.code for n in without} == {"confidence-factor"}
+
+
+def test_parameters_need_no_site_and_agree_with_the_run(tmp_path):
+    study = study_of(tmp_path)
+    alone = parameters(dataclasses.replace(study, spectrum=None))
+    full = run(study).mechanisms
+    assert [m.oscillator for m in alone] == [m.oscillator for m in full]
+    assert full[0].interfaces[0]["normal_force_n"] == pytest.approx(0.6 * 4 * 4.5 * 2000 * g, rel=1e-12)
+
+
+def test_a_level_that_fails_bounds_the_pga_at_capacity(tmp_path):
+    study = study_of(tmp_path, analysis='levels = ["0.2 g", "0.6 g", "1.2 g"]')
+    five = dataclasses.replace(study, records=study.records * 3)
+    checks = [c for c in run(five).mechanisms[0].checks if c.procedure == "asce43-05-history"]
+    failing = [c.level_pga_g for c in checks if c.verdict == "fail"]
+    assert failing
+    assert checks[0].capacity_pga_g < min(failing)

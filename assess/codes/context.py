@@ -57,6 +57,7 @@ class Context:
     elevation : of the hinges above the ground [m]
     building : None where the project gives none
     suites : time histories, one suite for each of `levels`, in that order; empty when none were run
+    linearised : whether the histories solve the linearised equation, which lifts off at its own multiplier
     incremental : further suites at rising PGA, for the curve and the PGA at collapse; empty when none were run
     """
 
@@ -67,3 +68,4 @@ class Context:
     building: Building | None
     suites: tuple[Suite, ...] = ()
     incremental: tuple[Suite, ...] = ()
+    linearised: bool = False

@@ -99,6 +99,7 @@ def context_of(study: Study, spectrum: Spectrum, mechanism: Mechanism, rocked: R
         elevation=mechanism.elevation - ground,
         building=study.building,
         suites=suites,
+        linearised=study.equations[mechanism.name] == "linearised",
         incremental=tuple(sorted((*rocked.scan, *suites), key=lambda suite: suite.pga)) if rocked.scan else (),
     )
 

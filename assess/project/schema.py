@@ -21,7 +21,7 @@ from pydantic import BaseModel, ValidationError
 
 from assess.errors import ProjectError
 from assess.project.messages import one_line, printable, shown
-from assess.project.sections import Content
+from assess.project.sections.content import Content
 from assess.results import Resolved
 
 FORMAT = 1

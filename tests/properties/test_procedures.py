@@ -174,3 +174,10 @@ def test_one_record_that_overturns_fails_the_level():
     fallen = dataclasses.replace(site(), suites=(Suite(LEVELS[0], (0.1, None, 0.0, 0.0, 0.0), "negative"),))
     (check,) = answers("asce43-05-history", context=fallen)
     assert (check.verdict, check.demand, check.branch) == ("fail", None, "negative")
+
+
+def test_histories_by_the_linearised_equation_lift_off_at_its_own_multiplier():
+    stocky = oscillator(equivalent_block("w", p=3.36, uplift=0.54, radius=0.62))
+    for linearised, uplift in ((False, np.tan(0.54)), (True, 0.54)):
+        context = dataclasses.replace(site(), linearised=linearised)
+        assert answers("asce43-05-history", stocky, context)[0].uplift_pga_g == pytest.approx(uplift, rel=1e-9)

@@ -13,7 +13,7 @@ from scipy.constants import g
 from assess.codes.asce43_05.clauses import EDITION, Options
 from assess.codes.check import BranchName, Check, PgaCurve, Step, Verdict
 from assess.codes.context import Context, Suite
-from assess.oscillator import Oscillator, multiplier
+from assess.oscillator import Oscillator, linearise, multiplier
 
 CLAUSE = "ASCE 43-05, response-history method"
 CAVEAT = "the method was read in the thesis, not in the printed standard"
@@ -25,9 +25,21 @@ def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tup
     curve = pga_curve(context.incremental)
     at_collapse = pga_at_collapse(context.incremental, options.allowable_ratio)
     return tuple(
-        _check(oscillator, suite, options.allowable_ratio, curve=curve, at_collapse=at_collapse)
+        _check(
+            oscillator,
+            suite,
+            options.allowable_ratio,
+            curve=curve,
+            at_collapse=at_collapse,
+            uplift=uplift_multiplier(oscillator, linearised=context.linearised),
+        )
         for suite in context.suites
     )
+
+
+def uplift_multiplier(oscillator: Oscillator, *, linearised: bool) -> float:
+    """The least PGA [g] at which the equation of the histories lets the mechanism lift off."""
+    return min(linearise(b).multiplier if linearised else float(multiplier(b)[0]) for b in oscillator.branches)
 
 
 def passes(suite: Suite, allowable_ratio: float) -> bool:
@@ -68,6 +80,7 @@ def _check(
     *,
     curve: PgaCurve,
     at_collapse: float | None,
+    uplift: float,
 ) -> Check:
     branch_name: BranchName = suite.branch
     branch = oscillator.positive if branch_name == "positive" or oscillator.negative is None else oscillator.negative
@@ -92,7 +105,7 @@ def _check(
         verdict=verdict,
         reason=reason + (_islands(at_collapse, suite.pga / g) if verdict == "pass" else ""),
         capacity_pga_g=at_collapse,
-        uplift_pga_g=float(multiplier(branch)[0]),
+        uplift_pga_g=uplift,
         capacity_rotation_ratio=allowable_ratio,
         rotation_ratio=mean,
         pga_curve=curve,

@@ -1,0 +1,28 @@
+"""The tables of a project file, one class each; every quantity is an SI float. Attributes are named as the keys.
+
+The sentence below a key is its description in the JSON Schema and in the message when it is missing.
+"""
+
+from assess.project.sections.analysis import PROCEDURES
+from assess.project.sections.bodies import Body, BoxBody, DirectBody, Material, MeshBody, ProfileBody
+from assess.project.sections.content import Content
+from assess.project.sections.mechanisms import EquivalentBlock, Hinges, Mechanism, SingleBlock
+from assess.project.sections.site import Asce7Spectrum, Site, TableSpectrum
+
+__all__ = [
+    "PROCEDURES",
+    "Asce7Spectrum",
+    "Body",
+    "BoxBody",
+    "Content",
+    "DirectBody",
+    "EquivalentBlock",
+    "Hinges",
+    "Material",
+    "Mechanism",
+    "MeshBody",
+    "ProfileBody",
+    "SingleBlock",
+    "Site",
+    "TableSpectrum",
+]

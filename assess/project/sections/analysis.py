@@ -1,0 +1,97 @@
+"""The tables [records], [analysis], [procedures.CODE] and [report]."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Annotated, ClassVar, Literal, get_args
+
+from pydantic import AfterValidator, Field, StrictInt
+
+from assess.project.quantities import (
+    AccelerationUnit,
+    Count,
+    InputFiles,
+    PositiveAcceleration,
+    PositiveTime,
+    Ratio,
+    unique,
+)
+from assess.project.section import Section
+
+Procedure = Literal[
+    "asce43-05-spectrum",
+    "asce43-05-spectrum-thesis",
+    "asce43-05-history",
+    "dmi2008-linear",
+    "dmi2008-nonlinear",
+    "dmi2008-nonlinear-thesis",
+]
+PROCEDURES: tuple[Procedure, ...] = get_args(Procedure)
+
+
+class Synthetic(Section):
+    """Artificial records that fit the site's spectrum."""
+
+    count: Annotated[Count, Field(le=1000)] = 7
+    """how many"""
+    seed: Annotated[StrictInt, Field(ge=0)] = 1
+    """of the random numbers: the same seed makes the same records"""
+    duration: Annotated[PositiveTime, Field(ge=8, le=600)] = 20.0
+    """length of each record, like "20 s\""""
+
+
+class Records(Section):
+    """The ground motions: from files, artificial, or both; artificial ones where nothing is said."""
+
+    planned: ClassVar[Mapping[str, str]] = {"select": "list the files you want; remove it"}
+
+    files: InputFiles = ()
+    """PEER AT2 or CSV files, names or patterns relative to the project file"""
+    unit: AccelerationUnit | None = None
+    """unit of acceleration, only for files that do not say theirs"""
+    synthetic: Synthetic | None = Field(default_factory=lambda values: None if values["files"] else Synthetic())
+    """{ count, seed, duration } of artificial records"""
+    scale_to: Literal["spectrum", "pga", "none"] = "spectrum"
+    """scale each record to the "spectrum" (least squares), to its "pga", or "none"; levels then multiply"""
+
+
+class Analysis(Section):
+    """What is asked."""
+
+    planned: ClassVar[Mapping[str, str]] = {"pulses": "overturning envelopes come later; remove it"}
+
+    levels: Annotated[tuple[PositiveAcceleration, ...], Field(min_length=1), AfterValidator(unique("level"))] | None = (
+        None
+    )
+    """peak ground accelerations at which demands are compared; the site's own if absent"""
+    procedures: Annotated[tuple[Procedure, ...], Field(min_length=1), AfterValidator(unique("procedure"))] = PROCEDURES
+    """code procedures to apply; all if absent"""
+    equation: Literal["exact", "linearised"] | None = None
+    """equation of motion of the histories; if absent exact, and linearised for equivalent blocks"""
+
+
+class Dmi2008(Section):
+    """Options of the Italian procedure (NTC 2008 with Circolare 617/2009)."""
+
+    confidence_factor: Annotated[Ratio, Field(ge=1)] = 1.0
+    """FC of the level of knowledge: LC1 1.35, LC2 1.20, LC3 1.00"""
+    limit_states: Annotated[
+        tuple[Literal["SLD", "SLV"], ...], Field(min_length=1), AfterValidator(unique("limit state"))
+    ] = ("SLV",)
+    """limit states to check"""
+
+
+class Procedures(Section):
+    """Options of the code procedures, one table each."""
+
+    dmi2008: Dmi2008 = Field(default_factory=Dmi2008)
+    """options of dmi2008-linear and dmi2008-nonlinear"""
+
+
+class Report(Section):
+    """How the report looks."""
+
+    units: Literal["SI"] = "SI"
+    """units of the report"""
+    paper: Literal["A4", "letter"] = "A4"
+    """paper size"""

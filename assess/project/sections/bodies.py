@@ -1,0 +1,119 @@
+"""The tables [materials.NAME] and [bodies.NAME]."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any
+
+from pydantic import Discriminator, Field, Tag
+
+from assess.project.quantities import (
+    InputFile,
+    LengthUnit,
+    Name,
+    NotNegativeRatio,
+    NotNegativeStress,
+    PlanePoint,
+    PositiveDensity,
+    PositiveInertia,
+    PositiveLength,
+    PositiveMass,
+    PositiveStress,
+    SpacePoint,
+)
+from assess.project.section import Section
+
+
+class Material(Section):
+    """A masonry."""
+
+    density: PositiveDensity
+    """mass per volume, like "2240 kg/m^3\""""
+    young_modulus: PositiveStress | None = None
+    """modulus of elasticity, like "6.89 GPa\""""
+    compressive_strength: PositiveStress | None = None
+    """strength in compression, like "1.0 MPa\""""
+    tensile_strength: NotNegativeStress | None = None
+    """strength of the mortar in tension"""
+    friction: NotNegativeRatio | None = None
+    """coefficient of friction"""
+
+
+class Box(Section):
+    """A rectangular block: thickness along x, length along y."""
+
+    thickness: PositiveLength
+    """size along x, like "1.25 m\""""
+    length: PositiveLength
+    """size along y, like "3.0 m\""""
+    height: PositiveLength
+    """size along z, like "8.0 m\""""
+    base: SpacePoint = (0.0, 0.0, 0.0)
+    """centre of the base face [x, y, z]"""
+
+
+class MeshBody(Section):
+    """A body bounded by a closed triangle mesh."""
+
+    material: Name
+    """the name of a table [materials.NAME]"""
+    mesh: InputFile
+    """closed triangle mesh: STL, OBJ or PLY"""
+    mesh_unit: LengthUnit = 1.0
+    """unit of the mesh's coordinates, like "mm"; metre if absent"""
+
+
+class BoxBody(Section):
+    """A rectangular body."""
+
+    material: Name
+    """the name of a table [materials.NAME]"""
+    box: Box
+    """{ thickness, length, height, base }"""
+
+
+class ProfileBody(Section):
+    """A polygon in the x-z plane, extruded along y and centred on y = 0."""
+
+    material: Name
+    """the name of a table [materials.NAME]"""
+    profile: Annotated[tuple[PlanePoint, ...], Field(min_length=3)]
+    """corners of the polygon [[x, z], …] in order"""
+    length: PositiveLength
+    """length along y, like "3.0 m\""""
+
+
+class DirectBody(Section):
+    """A body by its mass, centroid and inertia, without geometry."""
+
+    mass: PositiveMass
+    """mass, like "12000 kg\""""
+    centroid: PlanePoint
+    """centre of mass [x, z]"""
+    inertia: PositiveInertia
+    """moment of inertia about the centroid, like "5200 kg*m^2\""""
+
+
+Body = MeshBody | BoxBody | ProfileBody | DirectBody
+_FORMS = {"mesh": "<mesh>", "box": "<box>", "profile": "<profile>", "mass": "<direct>"}
+
+
+def _body_tag(values: Any) -> str | None:
+    forms = [tag for key, tag in _FORMS.items() if key in values] if isinstance(values, dict) else []
+    return forms[0] if len(forms) == 1 else None
+
+
+BodySection = Annotated[
+    Annotated[MeshBody, Tag("<mesh>")]
+    | Annotated[BoxBody, Tag("<box>")]
+    | Annotated[ProfileBody, Tag("<profile>")]
+    | Annotated[DirectBody, Tag("<direct>")],
+    Discriminator(
+        _body_tag,
+        custom_error_type="project",
+        custom_error_message="{reason}",
+        custom_error_context={
+            "key": (),
+            "reason": "not one geometry; give mesh, or box, or profile and length, or mass, centroid and inertia",
+        },
+    ),
+]

@@ -1,0 +1,76 @@
+"""All that a project file says."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from datetime import date
+from typing import Annotated, Any
+
+from pydantic import BeforeValidator, Field, StrictInt, StrictStr, model_validator
+
+from assess.project.quantities import Name
+from assess.project.section import Section, listed, wrong
+from assess.project.sections.analysis import Analysis, Procedures, Records, Report
+from assess.project.sections.bodies import BodySection, DirectBody, Material
+from assess.project.sections.mechanisms import MechanismSection, SingleBlock
+from assess.project.sections.site import Building, Site
+
+
+def _text_or_date(value: Any) -> Any:
+    return value.isoformat() if isinstance(value, date) else value
+
+
+class Content(Section):
+    """All a project file says."""
+
+    format: StrictInt = 1
+    """version of this format"""
+    title: StrictStr = ""
+    """title of the report"""
+    engineer: StrictStr = ""
+    """who made the assessment"""
+    checker: StrictStr = ""
+    """who checked it"""
+    reference: StrictStr = ""
+    """the office's number of the job"""
+    client: StrictStr = ""
+    """for whom"""
+    date: Annotated[StrictStr, BeforeValidator(_text_or_date)] = ""
+    """date of the report"""
+    notes: StrictStr = ""
+    """remarks for the report"""
+    masonry_quality: StrictStr = ""
+    """the engineer's judgement of the masonry, for the report"""
+    site: Site | None = None
+    """a table [site] with the spectrum"""
+    building: Building | None = None
+    """a table [building], for mechanisms above ground"""
+    materials: dict[Name, Material] = Field(default_factory=dict)
+    """a table [materials.NAME] for each material"""
+    bodies: dict[Name, BodySection] = Field(default_factory=dict)
+    """a table [bodies.NAME] for each body"""
+    mechanisms: Annotated[dict[Name, MechanismSection], Field(min_length=1)]
+    """add a table [mechanisms.NAME] for each way to collapse"""
+    records: Records = Field(default_factory=Records)
+    """a table [records]"""
+    analysis: Analysis = Field(default_factory=Analysis)
+    """a table [analysis]"""
+    procedures: Procedures = Field(default_factory=Procedures)
+    """tables [procedures.CODE] with options"""
+    report: Report = Field(default_factory=Report)
+    """a table [report]"""
+
+    @model_validator(mode="after")
+    def _names_exist(self) -> Content:
+        for name, body in self.bodies.items():
+            if not isinstance(body, DirectBody) and body.material not in self.materials:
+                raise wrong(("bodies", name, "material"), f"no such material; {_known('materials', self.materials)}")
+        for name, mechanism in self.mechanisms.items():
+            for body_name in mechanism.blocks[0] if isinstance(mechanism, SingleBlock) else ():
+                if body_name not in self.bodies:
+                    raise wrong(("mechanisms", name, "blocks"), f"no such body; {_known('bodies', self.bodies)}")
+        return self
+
+
+def _known(table: str, names: Mapping[str, Any]) -> str:
+    return f"known: {listed(names)}" if names else f"add a table [{table}.NAME]"

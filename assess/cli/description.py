@@ -36,7 +36,7 @@ def _motions(project: Project) -> str:
 def _mechanism(m: MechanismResult) -> list[str]:
     label = f" ({printable(m.label)})" if m.label and m.label != m.name else ""
     sides = "two-sided" if m.sides == "two" else "one-sided"
-    interface = ", ".join(str(i["model"]) for i in m.interfaces) or "rigid"
+    interface = ", ".join(dict.fromkeys(str(i["model"]) for i in m.interfaces)) or "rigid"
     return [
         f"{printable(m.name)}{label}: {m.kind}, {sides}, {m.equation} equation",
         f"  hinges      {_points(m.drawing.hinges)}",

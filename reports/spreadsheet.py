@@ -10,7 +10,7 @@ from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 
 from openpyxl import Workbook
 from openpyxl.cell import Cell as XlsxCell
-from openpyxl.styles import Alignment, Font, PatternFill
+from openpyxl.styles import Font, PatternFill
 from openpyxl.utils import get_column_letter
 from openpyxl.worksheet.worksheet import Worksheet
 
@@ -117,4 +117,3 @@ def _fill(cell: XlsxCell, value: Cell) -> None:
         return
     cell.value = shortened(visible(value), _LONGEST_TEXT)
     cell.data_type = "s"  # also where it begins with "="
-    cell.alignment = Alignment(vertical="top")

@@ -54,7 +54,7 @@ def relation(
     Nothing rocks below `uplift` [m/s2]. Where `period_of` (rotation -> period [s]) exceeds `longest_period`, the
     spectrum says nothing and the relation ends.
     """
-    ratio = np.concatenate((np.geomspace(1e-4, 0.04, 60, endpoint=False), np.linspace(0.04, 1.0, 193)))
+    ratio = np.concatenate((np.geomspace(1e-4, 0.04, 60, endpoint=False), np.linspace(0.04, 1.0, 97)))
     rotation = ratio * overturning
     if period_of is not None:
         rotation = rotation[period_of(rotation) <= longest_period]

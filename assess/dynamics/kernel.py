@@ -84,6 +84,11 @@ def compiled(function: F) -> F:
     return cast(F, jit(**OPTIONS, no_cpython_wrapper=True)(function))
 
 
+def reachable(function: F) -> F:
+    """Compiled, and open to Python, so that an entry point's `.py_func` can call it."""
+    return cast(F, numba.njit(**OPTIONS)(function))
+
+
 def entry(function: F) -> F:
     """An entry point: compiled at its first call, cached on disk, free of the interpreter's lock."""
     jit: Any = numba.njit
@@ -257,7 +262,7 @@ def marching(glide: Glide, advance: Advance, acceleration: Acceleration) -> Marc
                 break
         return side, y, v, peaked
 
-    @compiled
+    @reachable
     def march(flow: Any, branch: FloatArray, ground: FloatArray, dt: float, scale: float, release: float,
               found: FloatArray, path: FloatArray, events: FloatArray) -> int:  # fmt: skip
         """One job: the motion `ground` [n] at step dt, times `scale`. Returns the number of samples passed.
@@ -340,7 +345,7 @@ def growth(x: float) -> tuple[float, float, float]:
     return sinh, 2.0 * half * half, sinh - x
 
 
-@compiled
+@reachable
 def linearised_flow(branch: FloatArray, dt: float) -> FloatArray:
     """What the closed solution over one interval is made of, for each side [2, 8]; zeros for a side not there."""
     flow = np.empty((2, 8))

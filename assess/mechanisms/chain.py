@@ -20,7 +20,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from assess.errors import MechanismError
+from assess.loads import Load, PointMass
 
 FloatArray = NDArray[np.float64]
 Point = tuple[float, float]
@@ -37,35 +37,45 @@ class Block:
 
 @dataclass(frozen=True)
 class Chain:
-    """Blocks from the base upwards and the hinges between them, the base hinge first: one for each block."""
+    """Blocks from the base upwards, the hinges between them (the base hinge first, one for each block), and loads."""
 
     blocks: tuple[Block, ...]
     hinges: tuple[Point, ...]
+    loads: tuple[Load, ...] = ()
+
+    @property
+    def mass(self) -> float:
+        """Total moved mass, bearing or not [kg]."""
+        carried = sum(load.mass for load in self.loads if isinstance(load, PointMass))
+        return sum(block.mass for block in self.blocks) + carried
 
 
 @dataclass(frozen=True)
-class Motion:
-    """Rates of every block's centroid and rotation with respect to phi, each [blocks, n] ([m], [m], [-])."""
+class Path:
+    """A point of a block over rotation [n]: place x, z [m], and their rates x', z' with respect to phi [m]."""
 
+    x: FloatArray
+    z: FloatArray
     dx: FloatArray
     dz: FloatArray
-    dtheta: FloatArray
 
 
-def moved(chain: Chain, rotation: FloatArray) -> Motion:
-    """Rates of the chain's blocks at `rotation` [n] [rad], exact.
+def path(chain: Chain, *, block: int, at: Point, rotation: FloatArray) -> Path:
+    """The path of the point `at` of `block` at `rotation` [n] [rad], exact.
 
-    A chain of one block, its far end free, turns as a whole: x' is the centroid's height above the hinge and
-    z' its distance behind it.
+    A chain of one block, its far end free, turns as a whole: x' is the point's height above the hinge and z' its
+    distance behind it.
     """
-    (block,), (hinge,) = chain.blocks, chain.hinges
-    behind, height = hinge[0] - block.centroid[0], block.centroid[1] - hinge[1]
-    sine, cosine = np.sin(rotation)[None, :], np.cos(rotation)[None, :]
-    return Motion(
-        dx=height * cosine + behind * sine,
-        dz=behind * cosine - height * sine,
-        dtheta=np.ones_like(sine),
-    )
+    hinge = chain.hinges[block]
+    behind, height = hinge[0] - at[0], at[1] - hinge[1]
+    sine, cosine = np.sin(rotation), np.cos(rotation)
+    above, back = height * cosine + behind * sine, behind * cosine - height * sine
+    return Path(x=hinge[0] - back, z=hinge[1] + above, dx=above, dz=back)
+
+
+def turning(chain: Chain, *, block: int, rotation: FloatArray) -> FloatArray:
+    """theta' of `block` at `rotation` [n]: 1 for the leading block."""
+    return np.ones_like(rotation)
 
 
 def mirrored(point: Point) -> Point:
@@ -76,22 +86,3 @@ def mirrored(point: Point) -> Point:
 def mirrored_blocks(blocks: tuple[Block, ...]) -> tuple[Block, ...]:
     """The blocks as the negative branch sees them."""
     return tuple(Block(block.mass, mirrored(block.centroid), block.inertia) for block in blocks)
-
-
-def require_stable(chain: Chain, *, name: str, towards: str) -> None:
-    """Raise MechanismError unless the chain stands: each centroid above its hinge and behind it.
-
-    `towards` names the direction of rotation in the message ("positive" or "negative").
-    """
-    for block, hinge in zip(chain.blocks, chain.hinges, strict=True):
-        behind, height = hinge[0] - block.centroid[0], block.centroid[1] - hinge[1]
-        if height <= 0:
-            raise MechanismError(
-                f'mechanism "{name}": the centroid lies {-height:.4g} m below the hinge of {towards} rotation; '
-                "a rocking block has its centroid above the hinge: check hinges and cut"
-            )
-        if behind <= 0:
-            raise MechanismError(
-                f'mechanism "{name}": already falling in {towards} rotation: the centroid lies {-behind:.4g} m beyond '
-                "the hinge; check the geometry, the direction and the hinges"
-            )

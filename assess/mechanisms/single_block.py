@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from math import atan2, hypot, isclose
+from math import atan2, cos, hypot, isclose, sin
 from typing import Literal
 
 from assess.errors import MechanismError
 from assess.geometry.planar import PlanarBody
-from assess.mechanisms.chain import Block, Chain, Point, mirrored, mirrored_blocks, require_stable
+from assess.loads import Load, PointMass
+from assess.loads import mirrored as mirrored_load
+from assess.mechanisms.chain import Block, Chain, Point, mirrored, mirrored_blocks
 from assess.mechanisms.mechanism import Mechanism, Sides
 from assess.oscillator import SingleBlock
 from assess.restitution import Restitution, Rule, one_sided, two_sided
@@ -23,6 +25,7 @@ def single_block(
     sides: Sides = "two",
     hinge: Point | None = None,
     hinge_negative: Point | None = None,
+    loads: tuple[Load, ...] = (),
     restitution: tuple[RestitutionChoice, RestitutionChoice] = ("thesis", "thesis"),
 ) -> Mechanism:
     """The mechanism of `body` turning about `hinge` (positive) and `hinge_negative`, default the edges of its base.
@@ -32,13 +35,13 @@ def single_block(
     if sides == "one" and hinge_negative is not None:
         raise MechanismError(f'mechanism "{name}": hinges_negative with sides = "one"; remove one of them')
     block = Block(body.mass, body.centroid, body.inertia)
-    positive = Chain((block,), (hinge or _edge(body, "positive", name=name),))
-    require_stable(positive, name=name, towards="positive")
+    positive = Chain((block,), (hinge or _edge(body, "positive", name=name),), loads)
+    _require_stable(positive, name=name, towards="positive")
     negative = None
     if sides == "two":
         other = hinge_negative or _edge(body, "negative", name=name)
-        negative = Chain(mirrored_blocks((block,)), (mirrored(other),))
-        require_stable(negative, name=name, towards="negative")
+        negative = Chain(mirrored_blocks((block,)), (mirrored(other),), tuple(mirrored_load(load) for load in loads))
+        _require_stable(negative, name=name, towards="negative")
     return assembled(
         name,
         "single-block",
@@ -49,6 +52,22 @@ def single_block(
         outlines=body.outline,
         notices=tuple(_off_base(body, hinge, "A") + _off_base(body, hinge_negative, "A'")),
     )
+
+
+def _require_stable(chain: Chain, *, name: str, towards: str) -> None:
+    """Raise MechanismError unless the block with what it carries stands: its centroid above its hinge and behind it."""
+    block = plain_block(chain)
+    behind, height = block.radius * sin(block.slenderness), block.radius * cos(block.slenderness)
+    if height <= 0:
+        raise MechanismError(
+            f'mechanism "{name}": the centroid lies {-height:.4g} m below the hinge of {towards} rotation; '
+            "a rocking block has its centroid above the hinge: check hinges and cut"
+        )
+    if behind <= 0:
+        raise MechanismError(
+            f'mechanism "{name}": already falling in {towards} rotation: the centroid lies {-behind:.4g} m beyond '
+            "the hinge; check the geometry, the direction, the hinges and the loads"
+        )
 
 
 def _off_base(body: PlanarBody, hinge: Point | None, label: str) -> list[str]:
@@ -117,11 +136,18 @@ def _sources(positive: Restitution, negative: Restitution) -> str:
 
 
 def plain_block(chain: Chain) -> SingleBlock:
-    """Mass, radius, slenderness and inertia about the hinge of a chain of one block."""
+    """Mass, radius, slenderness and inertia about the hinge of a chain of one block with its bearing masses.
+
+    This is what an impact knows of it: masses that are not bearing, and given forces, have no part in its momentum.
+    """
     (block,), (hinge,) = chain.blocks, chain.hinges
-    behind, height = hinge[0] - block.centroid[0], block.centroid[1] - hinge[1]
-    radius = hypot(behind, height)
-    return SingleBlock(block.mass, radius, atan2(behind, height), block.inertia + block.mass * radius**2)
+    carried = [load for load in chain.loads if isinstance(load, PointMass) and load.bearing]
+    points = [(block.mass, block.centroid), *((load.mass, load.at) for load in carried)]
+    arms = [(mass, hinge[0] - at[0], at[1] - hinge[1]) for mass, at in points]
+    total = sum(mass for mass, _, _ in arms)
+    behind, height = (sum(arm[0] * arm[i] for arm in arms) / total for i in (1, 2))
+    about_hinge = block.inertia + sum(mass * (b**2 + h**2) for mass, b, h in arms)
+    return SingleBlock(total, hypot(behind, height), atan2(behind, height), about_hinge)
 
 
 def impact(choice: RestitutionChoice, *, ending: SingleBlock, starting: SingleBlock | None, name: str) -> Restitution:

@@ -1,10 +1,11 @@
-"""From a mechanism to its oscillator, by virtual work over the blocks of its chains.
+"""From a mechanism to its oscillator, by virtual work over the blocks and loads of its chains.
 
-I = sum m (x'^2 + z'^2) + J theta'^2      dV/dphi = sum m g z'      B = sum m x'      C = sum m z'
+I = sum m (x'^2 + z'^2) + J theta'^2      dV/dphi = sum m g z'      M = sum F.r'      B = sum m x'      C = sum m z'
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -13,7 +14,8 @@ from scipy.constants import g
 from scipy.optimize import brentq
 
 from assess.errors import MechanismError
-from assess.mechanisms.chain import Chain, moved
+from assess.loads import Force, PointMass, Tie
+from assess.mechanisms.chain import Chain, Path, path, turning
 from assess.mechanisms.mechanism import Mechanism
 from assess.oscillator import Branch, Oscillator
 
@@ -25,57 +27,98 @@ REACH = 1.5  # tables end at this many overturning rotations
 
 @dataclass(frozen=True)
 class Work:
-    """The sums of virtual work at rotations [n]: I, dV/dphi, B, sum m x'^2, C."""
+    """The sums of virtual work at rotations [n]: I, dV/dphi, M of the given forces, B, sum m x'^2, C."""
 
     inertia: FloatArray
     weight: FloatArray
+    moment: FloatArray
     excitation: FloatArray
     participation: FloatArray
     lift: FloatArray
 
+    @property
+    def restoring(self) -> FloatArray:
+        """dV/dphi - M [n] [N m]."""
+        return self.weight - self.moment
+
 
 def virtual_work(chain: Chain, rotation: FloatArray) -> Work:
-    """The sums over the chain's blocks at `rotation` [n] [rad]."""
-    motion = moved(chain, rotation)
-    mass = np.array([block.mass for block in chain.blocks])
-    about_centroid = np.array([block.inertia for block in chain.blocks])
-    lift = mass @ motion.dz
-    return Work(
-        inertia=mass @ (motion.dx**2 + motion.dz**2) + about_centroid @ motion.dtheta**2,
-        weight=g * lift,
-        excitation=mass @ motion.dx,
-        participation=mass @ motion.dx**2,
-        lift=lift,
-    )
+    """The sums over blocks and loads at `rotation` [n] [rad].
 
-
-def overturning_rotation(chain: Chain, *, name: str) -> float:
-    """phi_ov [rad]: the first rotation > 0 where the restoring moment goes from + to -.
-
-    Raises MechanismError when the chain never overturns within half a turn.
+    A mass that is not bearing adds horizontal inertia to I, B and sum m x'^2 only (the thesis' 3.21 leaves it out of
+    I, though it moves with the wall).
     """
-    scan = np.linspace(0.0, np.pi, 2001)
-    moment = virtual_work(chain, scan).weight
-    falling = np.flatnonzero((moment[:-1] > 0) & (moment[1:] <= 0))
+    inertia, moment, excitation, participation, lift = (np.zeros_like(rotation) for _ in range(5))
+    for place, block in enumerate(chain.blocks):
+        inertia += block.inertia * turning(chain, block=place, rotation=rotation) ** 2
+    blocks = [(block.mass, block.centroid, True, place) for place, block in enumerate(chain.blocks)]
+    points = [(load.mass, load.at, load.bearing, load.block) for load in chain.loads if isinstance(load, PointMass)]
+    for mass, at, bearing, place in (*blocks, *points):
+        moved = path(chain, block=place, at=at, rotation=rotation)
+        excitation += mass * moved.dx
+        participation += mass * moved.dx**2
+        inertia += mass * (moved.dx**2 + moved.dz**2 if bearing else moved.dx**2)
+        lift += mass * moved.dz if bearing else 0.0
+    for load in chain.loads:
+        if not isinstance(load, PointMass):
+            moment += pulled(load, path(chain, block=load.block, at=load.at, rotation=rotation))
+    return Work(inertia, g * lift, moment, excitation, participation, lift)
+
+
+def pulled(load: Force | Tie, moved: Path) -> FloatArray:
+    """Generalised moment F.r' [n] [N m] of a force or tie; positive overturns."""
+    if isinstance(load, Force):
+        return load.force[0] * moved.dx + load.force[1] * moved.dz
+    if load.anchor is None:
+        along, up = load.direction or (0.0, 0.0)
+        work = load.pull * (along * moved.dx + up * moved.dz)
+    else:
+        to_x, to_z = load.anchor[0] - moved.x, load.anchor[1] - moved.z
+        work = load.pull * (to_x * moved.dx + to_z * moved.dz) / np.hypot(to_x, to_z)
+    slack = not load.both and work[0] > 0.0  # the point moves the way the tie pulls: it shortens
+    return np.zeros_like(work) if slack else np.asarray(work)
+
+
+def first_fall(values: FloatArray, rotation: FloatArray, value_at: Callable[[float], float]) -> float | None:
+    """The first rotation [rad] where `values` [n] over `rotation` [n] go from + to -; None where they never do."""
+    falling = np.flatnonzero((values[:-1] > 0) & (values[1:] <= 0))
     if not falling.size:
-        raise MechanismError(f'mechanism "{name}": the restoring moment never falls to zero; it cannot overturn')
+        return None
     first = int(falling[0])
-
-    def moment_at(phi: float) -> float:
-        return float(virtual_work(chain, np.array([phi])).weight[0])
-
-    return float(brentq(moment_at, scan[first], scan[first + 1], xtol=1e-15, rtol=1e-14))
+    return float(brentq(value_at, rotation[first], rotation[first + 1], xtol=1e-15, rtol=1e-14))
 
 
 def branch(chain: Chain, *, restitution: float, name: str) -> Branch:
-    """The table of one chain from rest to REACH times its overturning rotation."""
-    overturning = overturning_rotation(chain, name=name)
-    rotation = np.linspace(0.0, REACH * overturning, NODES)
+    """The table of one chain, from rest to REACH times its overturning rotation, and at least to phi_cr.
+
+    Raises MechanismError for a chain that falls by itself, or that never overturns within half a turn.
+    """
+    scan = np.linspace(0.0, np.pi, 2001)
+    whole = virtual_work(chain, scan)
+    if whole.restoring[0] <= 0.0:
+        raise MechanismError(
+            f'mechanism "{name}": already falling: its weights resist with {whole.weight[0]:.4g} N m at rest, its '
+            f"given forces overturn with {whole.moment[0]:.4g} N m; check loads and hinges"
+        )
+
+    def at(phi: float) -> Work:
+        return virtual_work(chain, np.array([0.0, phi]))  # rest first: it tells whether a tie is slack
+
+    overturning = first_fall(whole.restoring, scan, lambda phi: float(at(phi).restoring[1]))
+    critical = first_fall(whole.weight, scan, lambda phi: float(at(phi).weight[1]))
+    edge = first_fall(whole.excitation, scan, lambda phi: float(at(phi).excitation[1])) or np.pi
+    if overturning is None or critical is None or max(overturning, critical) >= edge:
+        raise MechanismError(
+            f'mechanism "{name}": the restoring moment does not fall to zero while the body still stands above its '
+            "hinge; it cannot overturn as described: check the ties"
+        )
+    end = min(max(REACH * overturning, 1.05 * critical), 0.5 * (max(overturning, critical) + edge))
+    rotation = np.linspace(0.0, end, NODES)
     work = virtual_work(chain, rotation)
-    columns = (rotation, work.inertia, work.weight, work.excitation, work.participation, work.lift)
+    columns = (rotation, work.inertia, work.restoring, work.excitation, work.participation, work.lift)
     for column in columns:
         column.flags.writeable = False
-    return Branch(*columns, restitution=restitution, overturning=overturning, critical=overturning)
+    return Branch(*columns, restitution=restitution, overturning=overturning, critical=critical)
 
 
 def oscillator(mechanism: Mechanism) -> Oscillator:
@@ -85,5 +128,5 @@ def oscillator(mechanism: Mechanism) -> Oscillator:
     return Oscillator(
         positive=branch(mechanism.positive, restitution=first, name=mechanism.name),
         negative=None if negative is None else branch(negative, restitution=second, name=mechanism.name),
-        mass=sum(block.mass for block in mechanism.positive.blocks),
+        mass=mechanism.positive.mass,
     )

@@ -17,6 +17,7 @@ from assess.errors import AssessError
 from assess.geometry import mesh
 from assess.geometry.planar import PlanarBody, planar, planar_direct, planar_joined, turns_about_a_corner
 from assess.geometry.solid import Solid, box, profile
+from assess.loads import Force, Load, PointMass, Tie
 from assess.mechanisms.chain import Point
 from assess.mechanisms.equivalent_block import equivalent_block
 from assess.mechanisms.mechanism import Mechanism
@@ -121,8 +122,30 @@ def mechanism_of(
         hinge_negative=in_plane(section.hinges_negative, section.direction),
         label=section.label,
         sides=section.sides,
+        loads=tuple(load_of(i, load, section.direction) for i, load in enumerate(section.loads, start=1)),
         restitution=restitution,
     )
+
+
+def load_of(number: int, load: sections.LoadTable, direction: Sequence[float]) -> Load:
+    """One entry of `loads` in the plane of motion, named by its kind and number."""
+    name, at = f"{load.kind} {number}", point_in_plane(load.at, direction)
+    if isinstance(load, sections.MassLoad):
+        return PointMass(name, load.mass, at, load.bearing, load.block)
+    way = None if load.direction is None else unit_in_plane(load.direction, direction)
+    if isinstance(load, sections.TieLoad):
+        anchor = None if load.anchor is None else point_in_plane(load.anchor, direction)
+        return Tie(name, load.force, at, way, anchor, load.both, load.block)
+    if isinstance(load.force, tuple):
+        return Force(name, load.force, at, load.block)
+    assert way is not None  # the schema asks for it
+    return Force(name, (load.force * way[0], load.force * way[1]), at, load.block)
+
+
+def unit_in_plane(vector: Sequence[float], direction: Sequence[float]) -> Point:
+    """The part in the plane of motion of the unit vector of [x, y, z] or (along, up)."""
+    x, z = point_in_plane(vector, direction)
+    return (x / float(np.linalg.norm(vector)), z / float(np.linalg.norm(vector)))
 
 
 def body_in_plane(
@@ -138,10 +161,15 @@ def body_in_plane(
 
 def in_plane(hinges: sections.Hinges | None, direction: Sequence[float]) -> Point | None:
     """Hinge A as (distance along `direction` from the origin, elevation) [m]."""
-    if hinges is None or len(hinges.A) == 2:
-        return None if hinges is None else (hinges.A[0], hinges.A[1])
+    return None if hinges is None else point_in_plane(hinges.A, direction)
+
+
+def point_in_plane(at: Sequence[float], direction: Sequence[float]) -> Point:
+    """[x, y, z] as (distance along `direction` from the origin, elevation); two numbers are that already."""
+    if len(at) == 2:
+        return (at[0], at[1])
     along = np.asarray(direction) / np.linalg.norm(direction)
-    return (float(np.asarray(hinges.A) @ along), hinges.A[2])
+    return (float(np.asarray(at) @ along), at[2])
 
 
 def equation_of(section: sections.Mechanism, content: sections.Content) -> Equation:

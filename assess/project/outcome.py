@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from scipy.constants import g
 
 from assess.codes.check import Check
+from assess.loads import Force, PointMass
 from assess.mechanisms.chain import Chain, Point, mirrored
 from assess.mechanisms.mechanism import Mechanism
 from assess.oscillator import (
@@ -100,7 +101,8 @@ def drawing(mechanism: Mechanism) -> Drawing:
         hinges += named_hinges(mechanism.negative, "'", mirror=True)
     mass = sum(block.mass for block in mechanism.positive.blocks)
     x, z = (sum(block.mass * block.centroid[i] for block in mechanism.positive.blocks) / mass for i in (0, 1))
-    return Drawing(mechanism.outlines, hinges, (), (x, z))
+    loads = tuple(NamedPoint(load.name, load.at) for load in mechanism.positive.loads)
+    return Drawing(mechanism.outlines, hinges, loads, (x, z))
 
 
 def named_hinges(chain: Chain, mark: str, *, mirror: bool) -> tuple[NamedPoint, ...]:
@@ -139,6 +141,14 @@ def branch_curve(branch: Branch, *, mass: float) -> BranchCurve:
     )
 
 
+def pressed(mechanism: Mechanism) -> float:
+    """Vertical force on the base hinge at rest [N]: weights carried, less what given forces lift."""
+    chain = mechanism.positive
+    carried = sum(block.mass for block in chain.blocks)
+    carried += sum(load.mass for load in chain.loads if isinstance(load, PointMass) and load.bearing)
+    return carried * g - sum(load.force[1] for load in chain.loads if isinstance(load, Force))
+
+
 def rigid_interface(hinge: str, normal_force: float) -> dict[str, Any]:
     """A rigid contact: no opening before uplift, no crushing, so no curve."""
     return {
@@ -175,7 +185,7 @@ def mechanism_result(
         oscillator=oscillator_result(positive, mass=mass),
         oscillator_negative=None if negative is None else oscillator_result(negative, mass=mass),
         curve=Curve(branch_curve(positive, mass=mass), None if negative is None else branch_curve(negative, mass=mass)),
-        interfaces=tuple(rigid_interface(hinge.name, mass * g) for hinge in drawn.hinges),
+        interfaces=tuple(rigid_interface(hinge.name, pressed(mechanism)) for hinge in drawn.hinges),
         amplification=AmplificationResult("none", tuple(Factor(record, 1.0) for record in records)),
         checks=tuple(checks),
         histories=tuple(history for level in histories for history in level),

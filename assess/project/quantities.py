@@ -29,6 +29,7 @@ Length = Annotated[float, _read("length"), _described("length")]
 Mass = Annotated[float, _read("mass"), _described("mass")]
 Time = Annotated[float, _read("time"), _described("time")]
 Acceleration = Annotated[float, _read("acceleration"), _described("acceleration")]
+Force = Annotated[float, _read("force"), _described("force")]
 Stress = Annotated[float, _read("stress"), _described("stress")]
 Density = Annotated[float, _read("density"), _described("density")]
 Inertia = Annotated[float, _read("inertia"), _described("inertia")]
@@ -39,6 +40,7 @@ PositiveLength = Annotated[Length, Field(gt=0)]
 PositiveMass = Annotated[Mass, Field(gt=0)]
 PositiveTime = Annotated[Time, Field(gt=0)]
 PositiveAcceleration = Annotated[Acceleration, Field(gt=0)]
+PositiveForce = Annotated[Force, Field(gt=0)]
 PositiveStress = Annotated[Stress, Field(gt=0)]
 NotNegativeStress = Annotated[Stress, Field(ge=0)]
 PositiveDensity = Annotated[Density, Field(gt=0)]
@@ -58,6 +60,16 @@ def _a_point(value: Any) -> Any:
         return value
     raise ValueError("not a point; write [x, y, z], or [distance along the direction, elevation]")
 
+
+def _a_direction(value: Any) -> Any:
+    if not (isinstance(value, list | tuple) and len(value) in (2, 3)):
+        raise ValueError("not a direction; write [x, y, z], or [along the direction of motion, up]")
+    if all(part == 0 for part in value):
+        raise ValueError("no direction; write [-1, 0, 0] for a pull towards -x")
+    return value
+
+
+AnyDirection = Annotated[tuple[Ratio, ...], BeforeValidator(_a_direction), Field(min_length=2, max_length=3)]
 
 Point = Annotated[tuple[Length, ...], BeforeValidator(_a_point), Field(min_length=2, max_length=3)]
 

@@ -161,7 +161,7 @@ def _steps(
     damped = reading.damping_formula, reading.damping_numbers, reading.damping
     block = (
         Step("h", "height of the centroid", A2, "B0 / M", f"{branch.excitation[0]:.5g} / {mass:.5g}", h, "m"),
-        Step("a", "tan α, multiplier at rest; true uplift at a g", A2, "V'(0) / (g B0)", start, a, "-"),
+        Step("a", "tan α, multiplier at rest; true uplift at a g", A2, "(V'(0) − M) / (g B0)", start, a, "-"),
         Step("C1", "inertia ratio", A2, "I_O / (M h²)", f"{I0:.5g} / ({mass:.5g} · {h:.5g}²)", C1, "-"),
         Step("F_V", "vertical ground motion", "Eq. A-5(b)", "√(1 + (a S_aV/S_aH)²)", vertical, f_v, "-"),
         Step("F_H", "inertia beyond the body's mass", "Eq. A-5(c)", "counted in B0", "1", 1.0, "-"),

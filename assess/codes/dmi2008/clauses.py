@@ -149,7 +149,7 @@ def activation_steps(branch: Branch, *, mass: float, confidence_factor: float) -
     start = f"{moment:.5g} / (9.80665 · {B0:.5g})"
     divided = f"{alpha0:.5g} · 9.80665 / ({e:.5g} · {confidence_factor:g})"
     return (
-        Step("α0", "multiplier that starts the mechanism", "C8A.4.1", "V'(0) / (g B0)", start, alpha0, "-"),
+        Step("α0", "multiplier that starts the mechanism", "C8A.4.1", "(V'(0) − M) / (g B0)", start, alpha0, "-"),
         Step("e*", "fraction of participating mass", "C8A.4.1.2", "(Σ m δx)² / (M Σ m δx²)", shares, e, "-"),
         Step("FC", "confidence factor", "C8A.1.1", "given", f"{confidence_factor:g}", confidence_factor, "-"),
         Step("a0*", "acceleration of activation", "C8A.4.1.2", "α0 g / (e* FC)", divided, a0, "m/s2"),

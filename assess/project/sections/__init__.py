@@ -6,7 +6,16 @@ The sentence below a key is its description in the JSON Schema and in the messag
 from assess.project.sections.analysis import PROCEDURES
 from assess.project.sections.bodies import Body, BoxBody, DirectBody, Material, MeshBody, ProfileBody
 from assess.project.sections.content import Content
-from assess.project.sections.mechanisms import EquivalentBlock, Hinges, Mechanism, SingleBlock
+from assess.project.sections.mechanisms import (
+    EquivalentBlock,
+    ForceLoad,
+    Hinges,
+    LoadTable,
+    MassLoad,
+    Mechanism,
+    SingleBlock,
+    TieLoad,
+)
 from assess.project.sections.site import Asce7Spectrum, Site, TableSpectrum
 
 __all__ = [
@@ -17,7 +26,10 @@ __all__ = [
     "Content",
     "DirectBody",
     "EquivalentBlock",
+    "ForceLoad",
     "Hinges",
+    "LoadTable",
+    "MassLoad",
     "Material",
     "Mechanism",
     "MeshBody",
@@ -25,4 +37,5 @@ __all__ = [
     "SingleBlock",
     "Site",
     "TableSpectrum",
+    "TieLoad",
 ]

@@ -11,7 +11,7 @@ from scipy.constants import g
 from assess.errors import MechanismError
 from assess.geometry.planar import planar, planar_direct, planar_joined
 from assess.geometry.solid import box
-from assess.mechanisms.chain import Block, Chain, moved
+from assess.mechanisms.chain import Block, Chain, path
 from assess.mechanisms.equivalent_block import equivalent_block
 from assess.mechanisms.single_block import plain_block, single_block
 from assess.mechanisms.virtual_work import oscillator, virtual_work
@@ -34,9 +34,9 @@ def test_rates_are_the_derivatives_of_the_turned_centroid():
         return np.array([-behind * np.cos(phi) + height * np.sin(phi), behind * np.sin(phi) + height * np.cos(phi)])
 
     central = (position(rotation + step) - position(rotation - step)) / (2 * step)
-    motion = moved(chain, rotation)
-    np.testing.assert_allclose(motion.dx[0], central[0], rtol=1e-8)
-    np.testing.assert_allclose(motion.dz[0], central[1], rtol=1e-8)
+    motion = path(chain, block=0, at=(-0.4, 2.1), rotation=rotation)
+    np.testing.assert_allclose(motion.dx, central[0], rtol=1e-8)
+    np.testing.assert_allclose(motion.dz, central[1], rtol=1e-8)
 
 
 def test_rectangle_has_the_closed_form_of_a_single_block():

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.errors import MechanismError
+from assess.errors import MechanismError, ProjectError
 from assess.project.build import build
 from assess.project.histories import Shaken, scan_of
 from assess.project.motions import motions_of
@@ -194,3 +194,53 @@ def test_a_level_that_fails_bounds_the_pga_at_capacity(tmp_path):
     failing = [c.level_pga_g for c in checks if c.verdict == "fail"]
     assert failing
     assert checks[0].capacity_pga_g < min(failing)
+
+
+LOADED = """loads = [
+  { kind = "mass", mass = "1200 kg", at = [0.1, 0, 4.0] },
+  { kind = "mass", mass = "500 kg", at = [0.0, 4.2], bearing = false },
+  { kind = "force", force = "2 kN", direction = [1, 0, 0], at = [-0.3, 3.5] },
+  { kind = "force", force = ["0.5 kN", "-1 kN"], at = [0, 3.0] },
+  { kind = "tie", force = "5 kN", at = [0.3, 0, 4.3], anchor = [-5, 0, 4.3] },
+]"""
+
+
+def test_loads_of_the_project_file_reach_the_oscillator_and_the_drawing(tmp_path):
+    study = study_of(tmp_path, mechanism=LOADED)
+    (mechanism,) = parameters(study)
+    wall = 0.6 * 4 * 4.5 * 2000
+    resisting = wall * g * 0.3 + 1200 * g * 0.2 - 2000 * 3.5 - 500 * 3.0 + 1000 * 0.3 + 5000 * 4.3
+    driving = g * (wall * 2.25 + 1200 * 4.0 + 500 * 4.2)
+    assert mechanism.oscillator.uplift_multiplier == pytest.approx(resisting / driving, rel=1e-12)
+    assert mechanism.oscillator.mass_kg == pytest.approx(wall + 1700, rel=1e-12)
+    assert [load.name for load in mechanism.drawing.loads] == ["mass 1", "mass 2", "force 3", "force 4", "tie 5"]
+    assert mechanism.interfaces[0]["normal_force_n"] == pytest.approx((wall + 1200) * g + 1000, rel=1e-12)
+    results = run(study)
+    assert {check.verdict for check in results.mechanisms[0].checks} <= {"pass", "fail", "not-applicable"}
+
+
+def test_direction_of_a_force_is_seen_in_the_plane_of_motion(tmp_path):
+    load = 'loads = [{ kind = "force", force = "1 kN", direction = [3, 4, 0], at = [0, 0, 3] }]\ndirection = [0, 1, 0]'
+    (mechanism,) = study_of(tmp_path, mechanism=load).mechanisms
+    assert mechanism.positive.loads[0].force == pytest.approx((800.0, 0.0))
+
+
+@pytest.mark.parametrize(
+    ("load", "words"),
+    [
+        ('{ kind = "mas", mass = 1, at = [0, 1] }', "not a supported load"),
+        ('{ kind = "mass", mass = "1200 N", at = [0, 1] }', "not a unit of mass"),
+        ('{ kind = "force", force = "2 kN", at = [0, 1] }', "needs one"),
+        ('{ kind = "force", force = [1, 2, 3], at = [0, 1] }', "not a force"),
+        ('{ kind = "force", force = [1, 2], direction = [1, 0], at = [0, 1] }', "remove one"),
+        ('{ kind = "tie", force = "5 kN", at = [0, 1] }', "either anchor or direction"),
+        ('{ kind = "tie", force = "5 kN", at = [0, 1], direction = [0, 0, 0] }', "no direction"),
+        ('{ kind = "mass", mass = 1, at = [0, 1], block = 1 }', "must be 0 or less"),
+        ('{ kind = "body", body = "floor" }', "not a supported load"),
+    ],
+)
+def test_wrong_loads_are_refused_in_one_line(tmp_path, load, words):
+    with pytest.raises(ProjectError, match=words) as refused:
+        study_of(tmp_path, mechanism=f"loads = [{load}]")
+    assert "mechanisms.m.loads[1]" in str(refused.value)
+    assert "\n" not in str(refused.value)

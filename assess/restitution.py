@@ -14,7 +14,7 @@ Rule = Literal["housner", "sorrentino", "momentum"]
 
 @dataclass(frozen=True)
 class Restitution:
-    """A coefficient [-] in [0, 1], where it comes from, and a notice when the rule did not hold ("" otherwise)."""
+    """A coefficient [-], at least 0, where it comes from, and a notice when the rule did not hold ("" otherwise)."""
 
     value: float
     source: str

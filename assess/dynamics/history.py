@@ -220,14 +220,14 @@ def _rows(oscillator: Oscillator, overturning: list[float]) -> FloatArray:
     rows[:, kernel.THRESHOLD] = math.inf  # a side that is not there never lifts
     for side, branch in enumerate(oscillator.branches):
         partner = 1 - side if oscillator.negative is not None else side
-        _check_branch(branch)
+        _check_branch(branch, following=oscillator.branches[partner])
         rows[side, kernel.OVERTURNING] = overturning[side]
         rows[side, kernel.BOUNCE] = branch.restitution * overturning[side] / overturning[partner]
         rows[side, kernel.PARTNER] = partner
     return rows
 
 
-def _check_branch(branch: Branch) -> None:
+def _check_branch(branch: Branch, *, following: Branch) -> None:
     """A branch that can rock: it rests on still ground, has mass, and an impact adds no energy."""
     _positive(float(branch.overturning), "overturning rotation", "rad")
     _positive(float(np.min(branch.inertia)), "least inertia", "kg m2")
@@ -237,8 +237,9 @@ def _check_branch(branch: Branch) -> None:
             f"a branch has restoring moment {branch.restoring[0]:.6g} N m at rest, so it is already falling; "
             "look at its loads and hinges"
         )
-    if not 0.0 <= branch.restitution <= 1.0:
-        raise MechanismError(f"a branch has restitution {branch.restitution:.6g}; it must be between 0 and 1")
+    most = max(1.0, math.sqrt(branch.inertia[0] / following.inertia[0]))  # turning faster about a nearer hinge
+    if not 0.0 <= branch.restitution <= most * (1.0 + 1e-9):
+        raise MechanismError(f"a branch has restitution {branch.restitution:.6g}; it must be between 0 and {most:.6g}")
 
 
 def _positive(value: float, name: str, unit: str) -> float:

@@ -17,6 +17,8 @@ from assess.geometry.solid import Solid
 
 FloatArray = NDArray[np.float64]
 
+Base = tuple[Point, Point]
+
 BASE_TOLERANCE = 1e-6  # of the body's size: vertices this near the lowest belong to the base
 
 
@@ -31,8 +33,9 @@ class PlanarBody:
     centroid : x, z [m]
     inertia : J about the horizontal axis across the direction, through the centroid [kg m2]
     outline : closed rings of (x, z) [m]; empty where the body has no geometry
-    base : x of the two extreme lines of the lowest face, and its z [m]; equal x where the body stands on a point or
-        an edge; None where the body has no geometry
+    base : (x, z) of the two extreme lines of the face it stands on, in the order of x [m]: of the lowest face, at one
+        elevation, or of a cut, each at its own; equal where the body stands on a point or an edge; None where the body
+        has no geometry
     """
 
     name: str
@@ -40,7 +43,7 @@ class PlanarBody:
     centroid: Point
     inertia: float
     outline: Outline
-    base: tuple[float, float, float] | None
+    base: Base | None
 
 
 def planar(solid: Solid, *, direction: Sequence[float]) -> PlanarBody:
@@ -101,16 +104,41 @@ def planar_joined(bodies: Sequence[PlanarBody], *, name: str) -> PlanarBody:
     return PlanarBody(name, float(m.sum()), (float(centre[0]), float(centre[1])), J, rings, _lowest(bases, size))
 
 
-def turns_about_a_corner(solids: Sequence[Solid], *, direction: Sequence[float]) -> bool:
-    """Whether the joint base ends in `direction` in a point rather than an edge (a tenth of the base's width)."""
-    along = _horizontal(direction)
-    across = np.array([-along[1], along[0], 0.0])
+def lowest_corners(solids: Sequence[Solid]) -> FloatArray:
+    """Vertices [k, 3] of the lowest face that the solids, at least one, stand on together."""
     points = np.concatenate([solid.vertices for solid in solids])
     size = float(np.ptp(points, axis=0).max())
-    foot = points[points[:, 2] <= points[:, 2].min() + BASE_TOLERANCE * size]
+    return np.asarray(points[points[:, 2] <= points[:, 2].min() + BASE_TOLERANCE * size], dtype=np.float64)
+
+
+def base_of_section(foot: FloatArray, *, direction: Sequence[float]) -> Base:
+    """The extreme lines of a plane section with corners [k, 3]; one that rises along itself by its middle."""
+    along = _horizontal(direction)
+    x, z = foot @ along, foot[:, 2]
+    ends = (z[each] for each in _extremes(x))
+    low, high = (float((end.min() + end.max()) / 2.0) for end in ends)
+    return (float(x.min()), low), (float(x.max()), high)
+
+
+def turns_about_a_corner(foot: FloatArray, *, direction: Sequence[float]) -> bool:
+    """Whether the face with corners [k, 3] ends in `direction` in a point, not an edge (a tenth of its width)."""
+    along = _horizontal(direction)
+    across = np.array([-along[1], along[0], 0.0])
     x, y = foot @ along, foot @ across
     edge = y[x >= x.max() - 1e-3 * float(np.ptp(x))]
     return bool(np.ptp(edge) < 0.1 * np.ptp(y))
+
+
+def slope_across(foot: FloatArray, *, direction: Sequence[float]) -> float:
+    """By how much the extreme lines of a section with corners [k, 3] rise along themselves, the larger [m]."""
+    x, z = foot @ _horizontal(direction), foot[:, 2]
+    return float(max(np.ptp(z[end]) for end in _extremes(x)))
+
+
+def _extremes(x: FloatArray) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+    """Which of the places x [k] lie on the lower, and which on the upper extreme line."""
+    reach = BASE_TOLERANCE * float(np.ptp(x))
+    return x <= x.min() + reach, x >= x.max() - reach
 
 
 def _horizontal(direction: Sequence[float]) -> FloatArray:
@@ -127,16 +155,15 @@ def _horizontal(direction: Sequence[float]) -> FloatArray:
     return np.asarray(vector / np.linalg.norm(vector), dtype=np.float64)
 
 
-def _base(points: FloatArray, *, size: float) -> tuple[float, float, float]:
-    """Extreme x and the z of the lowest points among [n, 2] [m]."""
+def _base(points: FloatArray, *, size: float) -> Base:
+    """The extreme two of the lowest points among [n, 2] [m]."""
     lowest = float(points[:, 1].min())
     foot = points[points[:, 1] <= lowest + BASE_TOLERANCE * size, 0]
-    return float(foot.min()), float(foot.max()), lowest
+    return (float(foot.min()), lowest), (float(foot.max()), lowest)
 
 
-def _lowest(bases: Sequence[tuple[float, float, float]], size: float) -> tuple[float, float, float] | None:
+def _lowest(bases: Sequence[Base], size: float) -> Base | None:
     """The base of the bodies that stand lowest, None where no body has one."""
     if not bases:
         return None
-    ends = np.array([[(left, z), (right, z)] for left, right, z in bases]).reshape(-1, 2)
-    return _base(ends, size=size)
+    return _base(np.array(bases).reshape(-1, 2), size=size)

@@ -74,13 +74,15 @@ def _off_base(body: PlanarBody, hinge: Point | None, label: str) -> list[str]:
     """A sentence where a given hinge does not lie on the body's base."""
     if hinge is None or body.base is None:
         return []
-    low, high, elevation = body.base
-    tolerance = 0.01 * (high - low)
-    if low - tolerance <= hinge[0] <= high + tolerance and abs(hinge[1] - elevation) <= tolerance:
+    low, high = body.base
+    width = high[0] - low[0]
+    tolerance = 0.01 * width
+    elevation = low[1] + (hinge[0] - low[0]) * (high[1] - low[1]) / (width or 1.0)
+    if low[0] - tolerance <= hinge[0] <= high[0] + tolerance and abs(hinge[1] - elevation) <= tolerance:
         return []
     return [
         f"hinge {label} at ({hinge[0]:.4g}, {hinge[1]:.4g}) m is not on the base of the body, which reaches from "
-        f"{low:.4g} to {high:.4g} m at elevation {elevation:.4g} m; the whole body turns about it all the same"
+        f"({low[0]:.4g}, {low[1]:.4g}) to ({high[0]:.4g}, {high[1]:.4g}) m; the whole body turns about it all the same"
     ]
 
 
@@ -90,13 +92,14 @@ def _edge(body: PlanarBody, towards: Literal["positive", "negative"], *, name: s
             f'mechanism "{name}": its body has no geometry, so its base is not known; '
             "give hinges = { A = [x, z] } and, for two-sided rocking, hinges_negative = { A = [x, z] }"
         )
-    low, high, elevation = body.base
-    if high - low <= 1e-6 * hypot(body.centroid[0] - low, body.centroid[1] - elevation):
+    low, high = body.base
+    width = high[0] - low[0]
+    if width <= 1e-6 * hypot(body.centroid[0] - low[0], body.centroid[1] - low[1]):
         raise MechanismError(
-            f'mechanism "{name}": the body touches the ground on an edge or a point (width {high - low:.3g} m), '
+            f'mechanism "{name}": the body touches the ground on an edge or a point (width {width:.3g} m), '
             "so it has no base to rock on; give hinges, or mend the geometry"
         )
-    return (high if towards == "positive" else low, elevation)
+    return high if towards == "positive" else low
 
 
 def assembled(

@@ -13,9 +13,20 @@ from assess.codes.context import Building
 from assess.codes.dmi2008.clauses import ON_GROUND
 from assess.codes.dmi2008.clauses import Options as Dmi2008Options
 from assess.codes.registry import CodeOptions
-from assess.errors import AssessError
+from assess.errors import AssessError, GeometryError
 from assess.geometry import mesh
-from assess.geometry.planar import PlanarBody, planar, planar_direct, planar_joined, turns_about_a_corner
+from assess.geometry.cut import Plane, above, inclined, level
+from assess.geometry.planar import (
+    FloatArray,
+    PlanarBody,
+    base_of_section,
+    lowest_corners,
+    planar,
+    planar_direct,
+    planar_joined,
+    slope_across,
+    turns_about_a_corner,
+)
 from assess.geometry.solid import Solid, box, profile
 from assess.loads import Force, Load, PointMass, Tie
 from assess.mechanisms.chain import Point
@@ -32,6 +43,8 @@ from spectra.asce7 import design_spectrum
 from spectra.errors import SpectrumError
 from spectra.spectrum import Spectrum, scaled_to_pga
 from spectra.table import read_table
+
+LEVEL = 0.01  # m: an extreme line that rises by less is level
 
 
 def build(project: Project) -> Study:
@@ -114,10 +127,10 @@ def mechanism_of(
     if isinstance(section, sections.EquivalentBlock):
         own = section.model_dump(include={"p", "uplift", "radius", "mass", "elevation"})
         return equivalent_block(name, **own, label=section.label, sides=section.sides, restitution=restitution)
-    bodies = [body_in_plane(body, content, solids, section.direction) for body in section.blocks[0]]
-    return single_block(
+    body, foot = block_in_plane(name, section, content, solids)
+    mechanism = single_block(
         name,
-        bodies[0] if len(bodies) == 1 else planar_joined(bodies, name=" + ".join(section.blocks[0])),
+        body,
         hinge=in_plane(section.hinges, section.direction),
         hinge_negative=in_plane(section.hinges_negative, section.direction),
         label=section.label,
@@ -125,6 +138,47 @@ def mechanism_of(
         loads=tuple(load_of(i, load, section.direction) for i, load in enumerate(section.loads, start=1)),
         restitution=restitution,
     )
+    return replace(mechanism, notices=(*mechanism.notices, *doubts_of(section, foot)))
+
+
+def block_in_plane(
+    name: str, section: sections.SingleBlock, content: sections.Content, solids: Mapping[str, Solid | None]
+) -> tuple[PlanarBody, FloatArray | None]:
+    """The block in the vertical plane of motion, and the corners [k, 3] that it stands on, None without geometry."""
+    plane = cut_of(section.cut, where=f'mechanism "{name}"')
+    if plane is None:
+        standing = [solid for body in section.blocks[0] if (solid := solids[body]) is not None]
+        bodies = [body_in_plane(body, content, solids, section.direction) for body in section.blocks[0]]
+        return as_one(bodies), lowest_corners(standing) if standing else None
+    upper = above(solids_to_cut(name, section, solids), plane, where=f'mechanism "{name}"')
+    block = as_one([planar(solid, direction=section.direction) for solid in upper.bodies])
+    return replace(block, base=base_of_section(upper.foot, direction=section.direction)), upper.foot
+
+
+def cut_of(cut: float | sections.CutPlane | None, *, where: str) -> Plane | None:
+    """The plane of the key `cut`; raises GeometryError where its normal does not point up."""
+    if isinstance(cut, sections.CutPlane):
+        return inclined(cut.point, cut.normal, where=where)
+    return None if cut is None else level(cut)
+
+
+def solids_to_cut(name: str, section: sections.SingleBlock, solids: Mapping[str, Solid | None]) -> list[Solid]:
+    """The solids of the block; raises GeometryError for a body of direct values."""
+    found = []
+    for body in section.blocks[0]:
+        solid = solids[body]
+        if solid is None:
+            raise GeometryError(
+                f'mechanism "{name}": body "{body}" has no geometry to cut; give it a mesh, box or profile, or remove '
+                "the cut and give the values of what lies above"
+            )
+        found.append(solid)
+    return found
+
+
+def as_one(bodies: Sequence[PlanarBody]) -> PlanarBody:
+    """One body as it is, several joined."""
+    return bodies[0] if len(bodies) == 1 else planar_joined(bodies, name=" + ".join(body.name for body in bodies))
 
 
 def load_of(number: int, load: sections.LoadTable, direction: Sequence[float]) -> Load:
@@ -207,15 +261,20 @@ def inputs_of(project: Project) -> Iterator[Input]:
         yield Input(relative(path, project.folder), hashlib.sha256(path.read_bytes()).hexdigest())
 
 
-def askew(section: sections.Mechanism, solids: Mapping[str, Solid | None]) -> Iterator[str]:
-    """A sentence where the default hinge is a corner of the base: the wall may stand askew to its direction."""
-    if isinstance(section, sections.EquivalentBlock) or section.hinges is not None:
+def doubts_of(section: sections.SingleBlock, foot: FloatArray | None) -> Iterator[str]:
+    """Sentences where the default hinge is a corner of the base, so that the wall may stand askew, or is not level."""
+    if foot is None or section.hinges is not None:
         return
-    standing = [solid for name in section.blocks[0] if (solid := solids[name]) is not None]
-    if standing and turns_about_a_corner(standing, direction=section.direction):
+    if turns_about_a_corner(foot, direction=section.direction):
         yield (
             "the base touches its extreme line in the direction of motion at a point, not along an edge; if the body "
             "stands askew to `direction`, turn one to the other: a corner as hinge overestimates the resistance"
+        )
+    rise = 0.0 if section.cut is None else slope_across(foot, direction=section.direction)
+    if rise > LEVEL:
+        yield (
+            f"the cut slopes across the direction of motion and its extreme line rises by {rise:.3g} m; the hinge is "
+            "taken level at the middle of that line: turn `direction` to the slope of the crack"
         )
 
 
@@ -228,7 +287,7 @@ def notices_of(
         if doubt:
             yield Notice("size", f"bodies.{name}", doubt)
     for mechanism in mechanisms:
-        for text in (*mechanism.notices, *askew(content.mechanisms[mechanism.name], solids)):
+        for text in mechanism.notices:
             yield Notice("mechanism", f"mechanisms.{mechanism.name}", text)
     ground = content.building.ground_elevation if content.building is not None else 0.0
     raised = [mechanism.name for mechanism in mechanisms if mechanism.elevation > ground + ON_GROUND]

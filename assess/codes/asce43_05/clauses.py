@@ -53,10 +53,13 @@ def effective_frequency(branch: Branch, rotation: FloatArray) -> FloatArray:
 
 
 def effective_damping(restitution: float) -> float:
-    """beta_e = gamma / sqrt(4 pi^2 + gamma^2) with gamma = -2 ln C_R, two impacts in a cycle (A.2, step 2) [-]."""
+    """beta_e = gamma / sqrt(4 pi^2 + gamma^2) with gamma = -2 ln C_R, two impacts in a cycle (A.2, step 2) [-].
+
+    The impact onto a nearer hinge may leave more velocity, though never energy: then C_R >= 1 and nothing is damped.
+    """
     if restitution == 0.0:
         return 1.0
-    gamma = -2 * np.log(restitution)
+    gamma = -2 * np.log(min(restitution, 1.0))
     return float(gamma / np.hypot(2 * np.pi, gamma))
 
 

@@ -7,6 +7,7 @@ from assess.project.sections.analysis import PROCEDURES
 from assess.project.sections.bodies import Body, BoxBody, DirectBody, Material, MeshBody, ProfileBody
 from assess.project.sections.content import Content
 from assess.project.sections.mechanisms import (
+    CutPlane,
     EquivalentBlock,
     ForceLoad,
     Hinges,
@@ -24,6 +25,7 @@ __all__ = [
     "Body",
     "BoxBody",
     "Content",
+    "CutPlane",
     "DirectBody",
     "EquivalentBlock",
     "ForceLoad",

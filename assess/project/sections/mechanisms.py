@@ -28,6 +28,8 @@ from assess.project.quantities import (
     PositiveLength,
     PositiveMass,
     PositiveRate,
+    Ratio,
+    SpacePoint,
     Uplift,
     unique,
 )
@@ -95,6 +97,21 @@ class Hinges(Section):
 
     A: Point
     """the base hinge"""
+
+
+class CutPlane(Section):
+    """An inclined crack."""
+
+    point: SpacePoint
+    """a point of the plane [x, y, z]"""
+    normal: tuple[Ratio, Ratio, Ratio]
+    """square to the plane, to the side that moves: [nx, ny, nz] with nz > 0"""
+
+
+Cut = Annotated[
+    Annotated[Length, Tag("<elevation>")] | Annotated[CutPlane, Tag("<plane>")],
+    Discriminator(lambda value: "<plane>" if isinstance(value, dict | CutPlane) else "<elevation>"),
+]
 
 
 def _block_names(value: Any) -> Any:
@@ -192,7 +209,6 @@ class SingleBlock(Section):
     """One block that rocks about its base."""
 
     planned: ClassVar[Mapping[str, str]] = {
-        "cut": "model what lies above the crack as its own body",
         "interface": "the interface is rigid; remove it",
         "interfaces": "the interface is rigid; remove it",
         "amplification": "histories act on the mechanism's base as they are; remove it",
@@ -206,12 +222,14 @@ class SingleBlock(Section):
     """what the report calls it; the name of the table if absent"""
     direction: Direction = (1.0, 0.0, 0.0)
     """horizontal; positive rotation topples this way"""
+    cut: Cut | None = None
+    """only what lies above moves: an elevation like "4.77 m", or { point, normal } of an inclined crack"""
     sides: Literal["one", "two"] = "two"
     """"two", or "one": positive rotation only, the building behind stops the other"""
     hinges: Hinges | None = None
-    """hinge of positive rotation; the extreme line of the base if absent"""
+    """hinge of positive rotation; the extreme line of the base (of the cut) if absent"""
     hinges_negative: Hinges | None = None
-    """hinge of negative rotation; the extreme line of the base if absent"""
+    """hinge of negative rotation; the extreme line of the base (of the cut) if absent"""
     loads: tuple[LoadSection, ...] = ()
     """[ { kind = "mass" | "force" | "tie", … }, … ]"""
     restitution: Restitution = Field(default_factory=Restitution)

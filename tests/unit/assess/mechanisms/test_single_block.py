@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from math import atan2, cos, hypot, pi, sin
 
 import numpy as np
@@ -97,6 +98,27 @@ def test_momentum_restitution_of_a_leaning_block_by_angular_momentum_about_the_n
     velocity = np.array([r_old[1], -r_old[0]])  # of the centroid for one unit of clockwise rotation
     about_new = 900.0 + 1000.0 * (r_new[1] * velocity[0] - r_new[0] * velocity[1])
     assert mechanism.restitution[0] == pytest.approx(about_new / (900.0 + 1000.0 * r_new @ r_new), rel=1e-12)
+
+
+def test_default_hinges_of_a_sloping_base_are_its_ends_each_at_its_elevation():
+    sloping = replace(wall_in_plane(), base=((-0.4, 1.0), (0.4, 1.3)))
+    mechanism = single_block("w", sloping)
+    assert mechanism.positive.hinges == ((0.4, 1.3),)
+    assert mechanism.negative.hinges == ((0.4, 1.0),)  # mirrored
+    assert mechanism.elevation == 1.3
+    assert mechanism.notices == ()
+    r_old, r_new = np.array([-0.4, 1.2]), np.array([0.4, 1.5])  # hinge to centroid
+    J = sloping.inertia
+    about_new = J + sloping.mass * r_new @ r_old
+    assert mechanism.restitution[0] == pytest.approx(about_new / (J + sloping.mass * r_new @ r_new), rel=1e-12)
+
+
+@pytest.mark.parametrize(("hinge", "doubts"), [((0.1, 1.1875), 0), ((0.2, 1.225), 0), ((0.2, 1.0), 1), ((0.5, 1.3), 1)])
+def test_a_given_hinge_is_looked_for_on_the_sloping_base(hinge, doubts):
+    sloping = replace(wall_in_plane(), base=((-0.4, 1.0), (0.4, 1.3)))
+    mechanism = single_block("w", sloping, hinge=hinge, sides="one", restitution=(0.5, 0.5))
+    assert len(mechanism.notices) == doubts
+    assert all("reaches from (-0.4, 1) to (0.4, 1.3) m" in text for text in mechanism.notices)
 
 
 def test_momentum_is_housners_for_a_symmetric_block():

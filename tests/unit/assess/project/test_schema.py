@@ -131,6 +131,16 @@ def test_byte_order_mark_is_accepted(tmp_path: Path) -> None:
     assert load(written(tmp_path, b"\xef\xbb\xbf" + PROJECT.encode())).content.title == "A wall"
 
 
+def test_a_cut_is_an_elevation_or_a_plane(tmp_path: Path) -> None:
+    assert resolved(load(written(tmp_path, PROJECT)))["mechanisms.wall.cut"].value is None
+    at = resolved(load(written(tmp_path, changed("restitution = 0.9", 'cut = "477 cm"'))))
+    assert (at["mechanisms.wall.cut"].value, at["mechanisms.wall.cut"].given) == (4.77, True)
+    plane = changed("restitution = 0.9", 'cut = { point = [0, 0, "1 ft"], normal = [0.3, 0, 1] }')
+    values = resolved(load(written(tmp_path, plane)))
+    assert values["mechanisms.wall.cut.point"].value == [0.0, 0.0, 0.3048]
+    assert values["mechanisms.wall.cut.normal"].value == [0.3, 0.0, 1.0]
+
+
 def test_resolved_tells_given_from_default(tmp_path: Path) -> None:
     values = resolved(load(written(tmp_path, PROJECT)))
     pairs = {key: (value.value, value.given) for key, value in values.items()}
@@ -159,7 +169,20 @@ WRONG: dict[str, tuple[str | bytes, str]] = {
         changed("thickness", "thicknes"),
         'wall.box.thicknes: "60 cm": unknown key; did you mean',
     ),
-    "key of a later version": (changed("restitution = 0.9", 'cut = "1 m"'), "mechanisms.wall.cut: "),
+    "key of a later version": (changed("restitution = 0.9", "interface = {}"), "mechanisms.wall.interface: "),
+    "cut of no length": (
+        changed("restitution = 0.9", 'cut = "4 kg"'),
+        'mechanisms.wall.cut: "4 kg": "kg" is not a unit of length',
+    ),
+    "cut of a list": (changed("restitution = 0.9", "cut = [0, 0, 1]"), "mechanisms.wall.cut: [0, 0, 1]: not a number"),
+    "cut without normal": (
+        changed("restitution = 0.9", "cut = { point = [0, 0, 1] }"),
+        "mechanisms.wall.cut.normal: missing; square to the plane",
+    ),
+    "cut with half a point": (
+        changed("restitution = 0.9", "cut = { point = [0, 1], normal = [0, 0, 1] }"),
+        "mechanisms.wall.cut.point",
+    ),
     "wrong dimension": (changed('"4 m"', '"4 s"'), 'bodies.wall.box.height: "4 s": "s" is not a unit of length'),
     "power bomb": (changed('"4 m"', '"9**9**9 m"'), "bodies.wall.box.height: "),
     "nan": (changed('"4 m"', "nan"), "bodies.wall.box.height: NaN: not a finite number"),

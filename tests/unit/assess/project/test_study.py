@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.errors import MechanismError, ProjectError
+from assess.errors import GeometryError, MechanismError, ProjectError
 from assess.project.build import build
 from assess.project.histories import Shaken, scan_of
 from assess.project.motions import motions_of
@@ -244,3 +244,81 @@ def test_wrong_loads_are_refused_in_one_line(tmp_path, load, words):
         study_of(tmp_path, mechanism=f"loads = [{load}]")
     assert "mechanisms.m.loads[1]" in str(refused.value)
     assert "\n" not in str(refused.value)
+
+
+def test_a_level_cut_is_the_mechanism_of_what_lies_above(tmp_path):
+    (whole,) = study_of(tmp_path).mechanisms
+    study = study_of(tmp_path, mechanism='cut = "1.5 m"')
+    (mechanism,) = study.mechanisms
+    assert (mechanism.elevation, whole.elevation) == (1.5, 0.0)
+    (block,) = mechanism.positive.blocks
+    assert block.mass == pytest.approx(2000 * 0.6 * 4 * 3, rel=1e-12)
+    assert block.inertia == pytest.approx(block.mass * (0.6**2 + 3**2) / 12, rel=1e-12)
+    np.testing.assert_allclose(block.centroid, (0.0, 3.0), atol=1e-12)
+    np.testing.assert_allclose(mechanism.positive.hinges[0], (0.3, 1.5), atol=1e-12)
+    assert min(z for _, z in mechanism.outlines[0]) == 1.5
+    assert "amplification" in {notice.code for notice in study.notices}
+    (at_base,) = study_of(tmp_path, mechanism="cut = 0").mechanisms
+    assert at_base == whole
+
+
+def test_an_inclined_cut_has_each_hinge_at_its_own_elevation(tmp_path):
+    study = study_of(tmp_path, mechanism="cut = { point = [0, 0, 1.5], normal = [-0.5, 0, 1] }")
+    (mechanism,) = study.mechanisms
+    np.testing.assert_allclose(mechanism.positive.hinges[0], (0.3, 1.65), atol=1e-12)
+    np.testing.assert_allclose(mechanism.negative.hinges[0], (0.3, 1.35), atol=1e-12)  # mirrored
+    assert mechanism.elevation == pytest.approx(1.65, rel=1e-12)
+    assert not [notice for notice in study.notices if notice.code == "mechanism"]
+    (shown,) = run(study).mechanisms
+    np.testing.assert_allclose([h.at for h in shown.drawing.hinges], [(0.3, 1.65), (-0.3, 1.35)], atol=1e-12)
+    assert shown.oscillator.mass_kg == pytest.approx(2000 * 0.6 * 4 * 3, rel=1e-12)
+    onto_low, onto_high = mechanism.restitution  # onto the hinge nearer to the centroid it turns faster
+    assert onto_high > 1.0 > onto_low
+    inertia, other = shown.oscillator.inertia_kg_m2, shown.oscillator_negative.inertia_kg_m2
+    assert onto_high**2 * inertia < other  # yet no energy is added
+    assert onto_low * other == pytest.approx(onto_high * inertia, rel=1e-12)
+    assert shown.checks
+    assert shown.histories
+
+
+def test_clauses_above_ground_apply_to_a_cut_wall(tmp_path):
+    building = '\n[building]\nheight = "9 m"\nstoreys = 2\n'
+    asked = 'procedures = ["dmi2008-linear"]'
+    for cut, at_floor in (("", 0), ("cut = 1.5", 1)):
+        study = study_of(tmp_path, mechanism=cut, analysis=asked, tail=building)
+        steps = run(study).mechanisms[0].checks[0].steps
+        found = [step.substituted for step in steps if step.description == "demand of the floor"]
+        assert len(found) == at_floor
+        assert all(f" · {1.5 / 9:.4g} · " in numbers for numbers in found)
+
+
+def test_a_cut_that_slopes_across_the_motion_is_pointed_out(tmp_path):
+    notices = study_of(tmp_path, mechanism="cut = { point = [0, 0, 1.5], normal = [0, 0.1, 1] }").notices
+    (text,) = [notice.text for notice in notices if notice.code == "mechanism"]
+    assert "slopes across the direction of motion and its extreme line rises by 0.4 m" in text
+
+
+@pytest.mark.parametrize(
+    ("mechanism", "words"),
+    [
+        ('cut = "9 m"', r'project\.toml: mechanism "m": the cut at z = 9 m misses the body, which ends at z = 4\.5 m'),
+        ("cut = { point = [0, 0, 1], normal = [1, 0, 0] }", "give one that points up"),
+    ],
+)
+def test_cuts_that_cannot_be_are_refused(tmp_path, mechanism, words):
+    with pytest.raises(GeometryError, match=words):
+        study_of(tmp_path, mechanism=mechanism)
+
+
+def test_a_block_of_several_bodies_is_cut_and_one_without_geometry_is_not(tmp_path):
+    study_of(tmp_path, mechanism="cut = 1.5")
+    text = (tmp_path / "project.toml").read_text().replace('blocks = ["w"]', 'blocks = [["w", "v"]]')
+    second = '[bodies.v]\nmaterial = "m"\nbox = { thickness = 1, length = 4, height = 1, base = [0, 0, 4.5] }\n'
+    direct = "[bodies.v]\nmass = 100\ncentroid = [0, 5]\ninertia = 10\n"
+    (tmp_path / "project.toml").write_text(text.replace("[mechanisms.m]", second + "[mechanisms.m]"))
+    (mechanism,) = build(load(tmp_path)).mechanisms
+    assert mechanism.positive.blocks[0].mass == pytest.approx(2000 * (0.6 * 4 * 3 + 4), rel=1e-12)
+    assert len(mechanism.outlines) == 2
+    (tmp_path / "project.toml").write_text(text.replace("[mechanisms.m]", direct + "[mechanisms.m]"))
+    with pytest.raises(GeometryError, match='mechanism "m": body "v" has no geometry to cut'):
+        build(load(tmp_path))

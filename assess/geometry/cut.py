@@ -1,0 +1,182 @@
+"""Bodies cut along a plane: what lies above, and the section it stands on. The only door to manifold3d."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import shapely
+from numpy.typing import ArrayLike, NDArray
+
+from assess.errors import GeometryError
+from assess.geometry.planar import BASE_TOLERANCE
+from assess.geometry.solid import THINNEST, Solid, polyhedron
+
+FloatArray = NDArray[np.float64]
+IntArray = NDArray[np.int64]
+Surface = tuple[FloatArray, IntArray]
+
+FLATTEST = 1e-6  # vertical part of a unit normal: below this a plane is upright and has no side above
+ON_PLANE = 1e-9  # of the bodies' size: faces this near the plane lie in it
+EMPTY = 1e-15  # of the bodies' size squared: triangles smaller than this are lines
+_NOTHING: Surface = (np.empty((0, 3)), np.empty((0, 3), dtype=np.int64))
+
+
+@dataclass(frozen=True)
+class Plane:
+    """A cut: the mechanism is what lies on the side the normal points to.
+
+    point : a point of the plane [3] [m]; normal : unit vector [3]
+    """
+
+    point: FloatArray
+    normal: FloatArray
+
+    def __str__(self) -> str:
+        if self.normal[2] == 1.0:
+            return f"the cut at z = {self.point[2]:.6g} m"
+        at, to = (", ".join(f"{value + 0.0:.6g}" for value in v) for v in (self.point, self.normal))
+        return f"the cut through ({at}) m with normal ({to})"
+
+
+@dataclass(frozen=True)
+class Upper:
+    """What lies above a cut.
+
+    bodies : those that are left, each as cut; foot : corners of the section that they stand on [k, 3] [m]
+    """
+
+    bodies: tuple[Solid, ...]
+    foot: FloatArray
+
+
+def level(elevation: float) -> Plane:
+    """The level plane at an elevation [m]."""
+    return Plane(np.array([0.0, 0.0, float(elevation)]), np.array([0.0, 0.0, 1.0]))
+
+
+def inclined(point: ArrayLike, normal: ArrayLike, *, where: str) -> Plane:
+    """The plane through a point [3] [m] square to a normal [3] of any length, which points to the mechanism.
+
+    Raises
+    ------
+    GeometryError : the normal has no length or does not point upwards, or a number is not finite
+    """
+    at, to = (np.array(each, dtype=np.float64) for each in (point, normal))
+    if at.shape != (3,) or to.shape != (3,) or not (np.isfinite(at).all() and np.isfinite(to).all()):
+        raise GeometryError(f"{where}: the cut needs three finite numbers for point and for normal")
+    unit = to / (np.abs(to).max() or 1.0)  # first, so that neither tiny nor huge numbers lose the norm
+    length = float(np.linalg.norm(unit))
+    if unit[2] <= FLATTEST * length:
+        given = ", ".join(f"{value:g}" for value in to)
+        raise GeometryError(
+            f"{where}: the normal of the cut is ({given}); give one that points up, into what moves, like [0.3, 0, 1]"
+        )
+    return Plane(at, unit / length)
+
+
+def above(solids: Sequence[Solid], plane: Plane, *, where: str) -> Upper:
+    """The bodies of one block that lie above the plane, cut where it crosses them.
+
+    The foot is where masonry above the plane lies on masonry below it, so that an overhang whose underside lies in
+    the plane does not widen it; where nothing lies below, the foot is what the plane touches.
+
+    Parameters
+    ----------
+    solids : that move as one, at least one
+    where : what an error names
+
+    Raises
+    ------
+    GeometryError : the plane misses the bodies, leaves nothing of them or passes through no masonry, or a body
+        cannot be cut because its surface is not that of a solid
+    """
+    corners = np.concatenate([solid.vertices for solid in solids])
+    low, high = corners.min(axis=0), corners.max(axis=0)
+    size = float((high - low).max())
+    middle = (low + high) / 2.0 - plane.point
+    origin = plane.point + (middle - (middle @ plane.normal) * plane.normal)  # in the plane, near the bodies
+    axes = _axes(plane.normal)
+    placed = [_snapped((solid.vertices - origin) @ axes.T, size=size) for solid in solids]
+    _refuse_miss([at[:, 2] for at in placed], plane, (float(low[2]), float(high[2])), where=where)
+    left, feet, heads = [], [], []
+    for solid, at in zip(solids, placed, strict=True):
+        upper, lower = _split(solid, at, where=f'{where}: body "{solid.name}"')
+        feet.append(_in_plane(*upper, size=size))
+        heads.append(_in_plane(*lower, size=size))
+        if len(upper[1]):
+            left.append(_part(solid, upper[0] @ axes + origin, upper[1]) if len(lower[1]) else solid)
+    touching = all(at[:, 2].min() >= 0.0 for at in placed)
+    contact = shapely.union_all(feet) if touching else shapely.union_all(feet).intersection(shapely.union_all(heads))
+    areas = [part for part in shapely.get_parts(contact) if part.area > THINNEST * size**2]
+    if not areas:
+        lowest = min((float(solid.vertices[:, 2].min()) for solid in left), default=float(high[2]))
+        raise GeometryError(f"{where}: {plane} passes through no masonry; what lies above begins at z = {lowest:.6g} m")
+    section = np.unique(shapely.get_coordinates(areas), axis=0)
+    return Upper(tuple(left), np.column_stack([section, np.zeros(len(section))]) @ axes + origin)
+
+
+def _axes(normal: FloatArray) -> FloatArray:
+    """Rows are the axes of the plane's own frame, the third its normal [3, 3]; the project's for a level plane."""
+    n1, n2, n3 = normal
+    turn = 1.0 / (1.0 + n3)  # the shortest turn from z to the normal; n3 > -1
+    first = np.array([1.0 - n1 * n1 * turn, -n1 * n2 * turn, -n1])
+    return np.array([first, np.cross(normal, first), normal])
+
+
+def _snapped(points: FloatArray, *, size: float) -> FloatArray:
+    """The points [n, 3] with those put into the plane that are only rounding away from it.
+
+    Files in single precision hold a level of 4.77 m as 4.7699999809 m; the sliver between would be cut as a section.
+    """
+    near = np.abs(points[:, 2]) <= BASE_TOLERANCE * size
+    return np.column_stack([points[:, :2], np.where(near, 0.0, points[:, 2])])
+
+
+def _refuse_miss(heights: Sequence[FloatArray], plane: Plane, reach: tuple[float, float], *, where: str) -> None:
+    """Raise where no body reaches above the plane, or none down to it; reach: their lowest and highest z [m]."""
+    lowest, highest = min(float(z.min()) for z in heights), max(float(z.max()) for z in heights)
+    if highest <= 0.0:
+        outcome = "misses the body" if highest < 0.0 else "leaves nothing of the body"
+        raise GeometryError(f"{where}: {plane} {outcome}, which ends at z = {reach[1]:.6g} m")
+    if lowest > 0.0:
+        raise GeometryError(f"{where}: {plane} misses the body, which begins at z = {reach[0]:.6g} m")
+
+
+def _split(solid: Solid, points: FloatArray, *, where: str) -> tuple[Surface, Surface]:
+    """Closed surfaces above and below z = 0 of a body whose vertices stand at the points [n, 3].
+
+    Each is the remainder of taking away the other side: there manifold3d drops faces of the body that lie in the
+    plane with nothing behind them, which the part it cuts out keeps as a film without volume.
+    """
+    whole: Surface = (points, solid.triangles)
+    if points[:, 2].min() >= 0.0:
+        return whole, _NOTHING
+    if points[:, 2].max() <= 0.0:
+        return _NOTHING, whole
+    from manifold3d import Error, Manifold, Mesh64
+
+    body = Manifold(Mesh64(points, solid.triangles.astype(np.uint64)))
+    if body.status() != Error.NoError:
+        raise GeometryError(f"{where} cannot be cut ({body.status().name}); is its surface closed?")
+    meshes = [body.split_by_plane((0.0, 0.0, side), 0.0)[1].to_mesh64() for side in (-1.0, 1.0)]
+    upper, lower = (
+        (np.array(each.vert_properties, dtype=np.float64)[:, :3], np.array(each.tri_verts, dtype=np.int64))
+        for each in meshes
+    )
+    return upper, lower
+
+
+def _part(whole: Solid, vertices: FloatArray, triangles: IntArray) -> Solid:
+    """The part of a body inside a closed surface, of the body's density."""
+    volume = polyhedron(whole.vertices, whole.triangles, density=1.0, name=whole.name).mass
+    return polyhedron(vertices, triangles, density=whole.mass / volume, name=whole.name)
+
+
+def _in_plane(points: FloatArray, triangles: IntArray, *, size: float) -> shapely.Geometry:
+    """The triangles that lie in z = 0, as one area of the plane."""
+    corners = points[triangles]
+    flat = corners[np.all(np.abs(corners[:, :, 2]) <= ON_PLANE * size, axis=1), :, :2]
+    (ax, ay), (bx, by) = (flat[:, 1] - flat[:, 0]).T, (flat[:, 2] - flat[:, 0]).T
+    return shapely.union_all(shapely.polygons(flat[np.abs(ax * by - ay * bx) > EMPTY * size**2]))

@@ -6,17 +6,8 @@ The sentence below a key is its description in the JSON Schema and in the messag
 from assess.project.sections.analysis import PROCEDURES
 from assess.project.sections.bodies import Body, BoxBody, DirectBody, Material, MeshBody, ProfileBody
 from assess.project.sections.content import Content
-from assess.project.sections.mechanisms import (
-    CutPlane,
-    EquivalentBlock,
-    ForceLoad,
-    Hinges,
-    LoadTable,
-    MassLoad,
-    Mechanism,
-    SingleBlock,
-    TieLoad,
-)
+from assess.project.sections.loads import ForceLoad, LoadTable, MassLoad, TieLoad
+from assess.project.sections.mechanisms import CutPlane, EquivalentBlock, Hinges, Mechanism, SingleBlock
 from assess.project.sections.site import Asce7Spectrum, Site, TableSpectrum
 
 __all__ = [

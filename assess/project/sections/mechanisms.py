@@ -5,26 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Annotated, Any, ClassVar, Literal
 
-from pydantic import (
-    AfterValidator,
-    BeforeValidator,
-    Discriminator,
-    Field,
-    StrictBool,
-    StrictInt,
-    StrictStr,
-    Tag,
-    WithJsonSchema,
-    model_validator,
-)
+from pydantic import AfterValidator, BeforeValidator, Discriminator, Field, StrictStr, Tag, model_validator
 
 from assess.project.quantities import (
-    AnyDirection,
     Direction,
     Length,
     Name,
     Point,
-    PositiveForce,
     PositiveLength,
     PositiveMass,
     PositiveRate,
@@ -33,7 +20,8 @@ from assess.project.quantities import (
     Uplift,
     unique,
 )
-from assess.project.section import Section, listed, wrong
+from assess.project.section import Section, listed
+from assess.project.sections.loads import LoadSection
 from assess.project.units import KINDS, si_value
 
 MECHANISMS = ("single-block", "equivalent-block")
@@ -55,28 +43,6 @@ RestitutionValue = Annotated[
     float | Literal["thesis", "housner", "sorrentino", "momentum"],
     BeforeValidator(_restitution),
     Field(description='a number in [0, 1], or "thesis", "housner", "sorrentino", "momentum"'),
-]
-
-
-BlockIndex = Annotated[StrictInt, Field(ge=0, le=0)]
-
-
-def _force(value: Any) -> tuple[float, float] | float:
-    """Two components, or the size of a force."""
-    if not isinstance(value, list | tuple):
-        size = si_value(value, KINDS["force"])
-        if size <= 0:
-            raise ValueError("must be greater than 0; turn its direction instead")
-        return size
-    if len(value) != 2:
-        raise ValueError("not a force; write [along the direction, up], or a size with direction")
-    return si_value(value[0], KINDS["force"]), si_value(value[1], KINDS["force"])
-
-
-GivenForce = Annotated[
-    tuple[float, float] | float,
-    BeforeValidator(_force),
-    WithJsonSchema({"description": 'like "10 kN" with a direction, or ["8 kN", "-3 kN"]: along the direction, up'}),
 ]
 
 
@@ -120,89 +86,6 @@ def _block_names(value: Any) -> Any:
 
 
 BlockNames = Annotated[tuple[Name, ...], Field(min_length=1), AfterValidator(unique("body"))]
-
-
-class MassLoad(Section):
-    """A point mass: a floor, a roof, a wall that moves with the block."""
-
-    kind: Literal["mass"]
-    """"mass\""""
-    mass: PositiveMass
-    """like "1200 kg\""""
-    at: Point
-    """[x, y, z], or [distance along the direction, elevation]"""
-    bearing: StrictBool = True
-    """true: weight and inertia; false: its weight is carried elsewhere, horizontal inertia only"""
-    block: BlockIndex = 0
-    """which block it acts on, from 0 at the base"""
-
-
-class ForceLoad(Section):
-    """A dead force: the thrust of a vault or roof."""
-
-    kind: Literal["force"]
-    """"force\""""
-    force: GivenForce
-    """[along the direction, up], or a size with `direction`"""
-    at: Point
-    """[x, y, z], or [distance along the direction, elevation]"""
-    direction: AnyDirection | None = None
-    """where a force given by its size points: [x, y, z], or [along the direction, up]"""
-    block: BlockIndex = 0
-    """which block it acts on, from 0 at the base"""
-
-    @model_validator(mode="after")
-    def _size_has_a_direction(self) -> ForceLoad:
-        if isinstance(self.force, float) and self.direction is None:
-            raise wrong("direction", "missing; a force given by its size needs one, or write force = [x, z]")
-        if not isinstance(self.force, float) and self.direction is not None:
-            raise wrong("direction", "beside components of the force; remove one of them")
-        return self
-
-
-class TieLoad(Section):
-    """A tie of constant pretension; slack on the branch where it shortens."""
-
-    kind: Literal["tie"]
-    """"tie\""""
-    force: PositiveForce
-    """pretension, like "30 kN\""""
-    at: Point
-    """where it holds the block: [x, y, z], or [distance along the direction, elevation]"""
-    direction: AnyDirection | None = None
-    """the way it pulls: [x, y, z], or [along the direction, up]; or give anchor"""
-    anchor: Point | None = None
-    """the fixed end: [x, y, z], or [distance along the direction, elevation]"""
-    both: StrictBool = False
-    """true: taut on both branches"""
-    block: BlockIndex = 0
-    """which block it acts on, from 0 at the base"""
-
-    @model_validator(mode="after")
-    def _one_way_to_pull(self) -> TieLoad:
-        if (self.direction is None) == (self.anchor is None):
-            raise wrong("anchor", "give either anchor or direction, the way the tie pulls")
-        return self
-
-
-LoadTable = MassLoad | ForceLoad | TieLoad
-LOADS = ("mass", "force", "tie")
-
-
-def _load_tag(values: Any) -> str | None:
-    kind = values.get("kind") if isinstance(values, dict) else None
-    return f"<{kind}>" if kind in LOADS else None
-
-
-LoadSection = Annotated[
-    Annotated[MassLoad, Tag("<mass>")] | Annotated[ForceLoad, Tag("<force>")] | Annotated[TieLoad, Tag("<tie>")],
-    Discriminator(
-        _load_tag,
-        custom_error_type="project",
-        custom_error_message="{reason}",
-        custom_error_context={"key": ("kind",), "reason": f"not a supported load; write one of {listed(LOADS)}"},
-    ),
-]
 
 
 class SingleBlock(Section):

@@ -1,0 +1,42 @@
+"""What the engineer should know before reading any result."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from assess.codes.dmi2008.clauses import ON_GROUND
+from assess.geometry import mesh
+from assess.geometry.solid import Solid
+from assess.mechanisms.mechanism import Mechanism
+from assess.project import sections
+from assess.results import Notice
+
+
+def notices_of(
+    content: sections.Content, solids: Mapping[str, Solid | None], mechanisms: Sequence[Mechanism]
+) -> Iterator[Notice]:
+    """What the engineer should know before reading any result."""
+    for name, solid in solids.items():
+        doubt = None if solid is None else mesh.suspicious(solid)
+        if doubt:
+            yield Notice("size", f"bodies.{name}", doubt)
+    for mechanism in mechanisms:
+        for text in mechanism.notices:
+            yield Notice("mechanism", f"mechanisms.{mechanism.name}", text)
+    ground = content.building.ground_elevation if content.building is not None else 0.0
+    raised = [mechanism.name for mechanism in mechanisms if mechanism.elevation > ground + ON_GROUND]
+    if raised:
+        yield Notice(
+            "amplification",
+            "mechanisms",
+            f"above the ground, yet histories and ASCE 43-05 use the ground's motion as it is: {', '.join(raised)}; "
+            "only dmi2008 asks for the floor's motion",
+        )
+    italian = any(name.startswith("dmi2008") for name in content.analysis.procedures)
+    if italian and content.procedures.dmi2008.confidence_factor == 1.0:
+        yield Notice(
+            "confidence-factor",
+            "procedures.dmi2008",
+            "FC = 1.00 stands for knowledge level LC3; where crushing of the masonry is not modelled, as here, "
+            "Circolare 617/2009 asks for the FC of LC1, 1.35",
+        )

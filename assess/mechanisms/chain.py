@@ -1,29 +1,20 @@
-"""A planar chain of rigid blocks, and how it moves.
-
-Signs, for the branch of positive rotation (a negative branch is a chain mirrored in z, with hinges of its own):
-
-        z ^        direction -->  (x)
-          |
-          |      +-------+
-          |      |   o   |  centroid, at (-b, h) from the hinge: b = R sin(alpha), h = R cos(alpha)
-          |      |       |
-          |      +-------A  )   phi > 0 turns the block about A towards the direction of motion (clockwise)
-          +--------------------> x
-
-A record is positive when the ground accelerates along the direction; inertia then pushes towards phi < 0.
-"""
+"""A planar chain of rigid blocks with one degree of freedom: what it is made of. How it moves is in motion.py."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
+from math import hypot
 
-import numpy as np
-from numpy.typing import NDArray
-
+from assess.errors import MechanismError
 from assess.loads import Load, PointMass
+from assess.loads import mirrored as mirrored_load
 
-FloatArray = NDArray[np.float64]
 Point = tuple[float, float]
+
+HINGES = {1: 1, 2: 3, 3: 4}  # of a chain by its number of blocks; what lies beyond the last block is in motion.py
+STRAIGHT = 1e-6  # sine of an angle: three hinges this near one line are a dead point
 
 
 @dataclass(frozen=True)
@@ -37,7 +28,11 @@ class Block:
 
 @dataclass(frozen=True)
 class Chain:
-    """Blocks from the base upwards, the hinges between them (the base hinge first, one for each block), and loads."""
+    """Blocks from the base on, the hinges they turn about, and loads.
+
+    One block has the hinge A at its base and a free end. Two blocks have A, B between them and C at the top, which
+    slides on the vertical. Three blocks have A, B, C and D, which is fixed as A is.
+    """
 
     blocks: tuple[Block, ...]
     hinges: tuple[Point, ...]
@@ -50,32 +45,9 @@ class Chain:
         return sum(block.mass for block in self.blocks) + carried
 
 
-@dataclass(frozen=True)
-class Path:
-    """A point of a block over rotation [n]: place x, z [m], and their rates x', z' with respect to phi [m]."""
-
-    x: FloatArray
-    z: FloatArray
-    dx: FloatArray
-    dz: FloatArray
-
-
-def path(chain: Chain, *, block: int, at: Point, rotation: FloatArray) -> Path:
-    """The path of the point `at` of `block` at `rotation` [n] [rad], exact.
-
-    A chain of one block, its far end free, turns as a whole: x' is the point's height above the hinge and z' its
-    distance behind it.
-    """
-    hinge = chain.hinges[block]
-    behind, height = hinge[0] - at[0], at[1] - hinge[1]
-    sine, cosine = np.sin(rotation), np.cos(rotation)
-    above, back = height * cosine + behind * sine, behind * cosine - height * sine
-    return Path(x=hinge[0] - back, z=hinge[1] + above, dx=above, dz=back)
-
-
-def turning(chain: Chain, *, block: int, rotation: FloatArray) -> FloatArray:
-    """theta' of `block` at `rotation` [n]: 1 for the leading block."""
-    return np.ones_like(rotation)
+def hinge_names(chain: Chain) -> str:
+    """The letters of the hinges, A at the base."""
+    return "ABCD"[: len(chain.hinges)]
 
 
 def mirrored(point: Point) -> Point:
@@ -83,6 +55,50 @@ def mirrored(point: Point) -> Point:
     return (-point[0], point[1])
 
 
-def mirrored_blocks(blocks: tuple[Block, ...]) -> tuple[Block, ...]:
-    """The blocks as the negative branch sees them."""
-    return tuple(Block(block.mass, mirrored(block.centroid), block.inertia) for block in blocks)
+def mirrored_chain(blocks: Sequence[Block], hinges: Sequence[Point], loads: Sequence[Load] = ()) -> Chain:
+    """The chain of the negative branch in its own sign, from blocks, hinges and loads as they stand."""
+    return Chain(
+        tuple(Block(block.mass, mirrored(block.centroid), block.inertia) for block in blocks),
+        tuple(mirrored(hinge) for hinge in hinges),
+        tuple(mirrored_load(load) for load in loads),
+    )
+
+
+def require_movable(chain: Chain, *, name: str) -> None:
+    """Raise MechanismError, with the hinges at fault, for a chain that cannot move with one degree of freedom."""
+    count = len(chain.blocks)
+    if len(chain.hinges) != HINGES.get(count):
+        raise MechanismError(
+            f'mechanism "{name}": {count} blocks with {len(chain.hinges)} hinges; that is no mechanism'
+        )
+    size = max((hypot(b[0] - a[0], b[1] - a[1]) for a, b in pairwise(chain.hinges)), default=1.0)
+    for (first, a), (second, b) in pairwise(zip(hinge_names(chain), chain.hinges, strict=True)):
+        if hypot(b[0] - a[0], b[1] - a[1]) <= STRAIGHT * size:
+            raise MechanismError(f'mechanism "{name}": hinges {first} and {second} coincide at {written(a)}; move one')
+    if count == 2 and abs(_rise(chain.hinges[1], chain.hinges[2])) <= STRAIGHT:
+        raise MechanismError(
+            f'mechanism "{name}": hinges B {written(chain.hinges[1])} and C {written(chain.hinges[2])} lie at one '
+            "elevation, so the block between them cannot turn while C slides on the vertical; move one"
+        )
+    if count == 3 and abs(_bend(*chain.hinges[1:])) <= STRAIGHT:
+        places = ", ".join(f"{letter} {written(at)}" for letter, at in zip("BCD", chain.hinges[1:], strict=True))
+        raise MechanismError(
+            f'mechanism "{name}": hinges {places} lie on one line, so the loop is locked; '
+            "put them at opposite faces of the blocks"
+        )
+
+
+def written(point: Point) -> str:
+    """A point as errors print it."""
+    return f"({point[0]:.4g}, {point[1]:.4g}) m"
+
+
+def _rise(a: Point, b: Point) -> float:
+    """Sine of the slope of the line a b."""
+    return (b[1] - a[1]) / hypot(b[0] - a[0], b[1] - a[1])
+
+
+def _bend(a: Point, b: Point, c: Point) -> float:
+    """Sine of the angle between a b and b c."""
+    (ux, uz), (vx, vz) = (b[0] - a[0], b[1] - a[1]), (c[0] - b[0], c[1] - b[1])
+    return (ux * vz - uz * vx) / (hypot(ux, uz) * hypot(vx, vz))

@@ -6,9 +6,10 @@ from math import cos, sin
 
 from scipy.constants import g
 
+from assess.mechanisms.assembly import assembled
 from assess.mechanisms.chain import Block, Chain, Point
+from assess.mechanisms.impact import RestitutionChoice
 from assess.mechanisms.mechanism import Mechanism, Sides
-from assess.mechanisms.single_block import RestitutionChoice, assembled
 
 
 def equivalent_block(
@@ -42,6 +43,6 @@ def equivalent_block(
         chain if sides == "two" else None,
         label=label,
         restitution=restitution,
-        outlines=(outline,),
+        outlines=((outline,),),
         notices=(impossible,) if k < 1.0 else (),
     )

@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-from assess.mechanisms.chain import Chain, Point
+from assess.geometry.outline import Outline
+from assess.mechanisms.chain import Chain
 
 Sides = Literal["one", "two"]
 
@@ -22,7 +23,7 @@ class Mechanism:
     restitution : what the impact that ends the positive and the negative branch leaves of the velocity [-]
     restitution_source : the formula it comes from, or "given"
     elevation : of the base hinge above the origin of the project [m]
-    outlines : closed polygons of the blocks in the plane of motion [m], not mirrored
+    outlines : of each block, its closed polygons in the plane of motion [m], not mirrored
     notices : sentences the engineer must read (a rule that did not hold)
     """
 
@@ -35,5 +36,5 @@ class Mechanism:
     restitution: tuple[float, float]
     restitution_source: str
     elevation: float
-    outlines: tuple[tuple[Point, ...], ...]
+    outlines: tuple[Outline, ...]
     notices: tuple[str, ...] = ()

@@ -1,20 +1,18 @@
-"""One block rocking about the edges of its base (thesis 3.2.1), and what both kinds of single block share."""
+"""One block rocking about the edges of its base (thesis 3.2.1 and 3.2.2)."""
 
 from __future__ import annotations
 
-from math import atan2, cos, hypot, isclose, sin
+from math import cos, hypot, sin
 from typing import Literal
 
 from assess.errors import MechanismError
 from assess.geometry.planar import PlanarBody
-from assess.loads import Load, PointMass
-from assess.loads import mirrored as mirrored_load
-from assess.mechanisms.chain import Block, Chain, Point, mirrored, mirrored_blocks
+from assess.loads import Load
+from assess.mechanisms.assembly import assembled
+from assess.mechanisms.chain import Block, Chain, Point, mirrored_chain
+from assess.mechanisms.impact import RestitutionChoice
 from assess.mechanisms.mechanism import Mechanism, Sides
-from assess.oscillator import SingleBlock
-from assess.restitution import Restitution, Rule, one_sided, two_sided
-
-RestitutionChoice = float | Literal["thesis", "housner", "sorrentino", "momentum"]
+from assess.mechanisms.rest import plain_block
 
 
 def single_block(
@@ -40,7 +38,7 @@ def single_block(
     negative = None
     if sides == "two":
         other = hinge_negative or _edge(body, "negative", name=name)
-        negative = Chain(mirrored_blocks((block,)), (mirrored(other),), tuple(mirrored_load(load) for load in loads))
+        negative = mirrored_chain((block,), (other,), loads)
         _require_stable(negative, name=name, towards="negative")
     return assembled(
         name,
@@ -49,7 +47,7 @@ def single_block(
         negative,
         label=label,
         restitution=restitution,
-        outlines=body.outline,
+        outlines=(body.outline,),
         notices=tuple(_off_base(body, hinge, "A") + _off_base(body, hinge_negative, "A'")),
     )
 
@@ -100,72 +98,3 @@ def _edge(body: PlanarBody, towards: Literal["positive", "negative"], *, name: s
             "so it has no base to rock on; give hinges, or mend the geometry"
         )
     return high if towards == "positive" else low
-
-
-def assembled(
-    name: str,
-    kind: str,
-    positive: Chain,
-    negative: Chain | None,
-    *,
-    label: str,
-    restitution: tuple[RestitutionChoice, RestitutionChoice],
-    outlines: tuple[tuple[Point, ...], ...],
-    notices: tuple[str, ...] = (),
-) -> Mechanism:
-    """The mechanism of one block's chains with its coefficients of restitution resolved."""
-    first, second = plain_block(positive), None if negative is None else plain_block(negative)
-    kept = impact(restitution[0], ending=first, starting=second, name=name)
-    kept_negative = kept if second is None else impact(restitution[1], ending=second, starting=first, name=name)
-    return Mechanism(
-        name=name,
-        label=label or name,
-        kind=kind,
-        sides="one" if negative is None else "two",
-        positive=positive,
-        negative=negative,
-        restitution=(kept.value, kept_negative.value),
-        restitution_source=_sources(kept, kept_negative),
-        elevation=positive.hinges[0][1],
-        outlines=outlines,
-        notices=(*notices, *sorted({kept.notice, kept_negative.notice} - {""})),
-    )
-
-
-def _sources(positive: Restitution, negative: Restitution) -> str:
-    if positive.source == negative.source:
-        return positive.source
-    return f"positive: {positive.source}; negative: {negative.source}"
-
-
-def plain_block(chain: Chain) -> SingleBlock:
-    """Mass, radius, slenderness and inertia about the hinge of a chain of one block with its bearing masses.
-
-    This is what an impact knows of it: masses that are not bearing, and given forces, have no part in its momentum.
-    """
-    (block,), (hinge,) = chain.blocks, chain.hinges
-    carried = [load for load in chain.loads if isinstance(load, PointMass) and load.bearing]
-    points = [(block.mass, block.centroid), *((load.mass, load.at) for load in carried)]
-    arms = [(mass, hinge[0] - at[0], at[1] - hinge[1]) for mass, at in points]
-    total = sum(mass for mass, _, _ in arms)
-    behind, height = (sum(arm[0] * arm[i] for arm in arms) / total for i in (1, 2))
-    about_hinge = block.inertia + sum(mass * (b**2 + h**2) for mass, b, h in arms)
-    return SingleBlock(total, hypot(behind, height), atan2(behind, height), about_hinge)
-
-
-def impact(choice: RestitutionChoice, *, ending: SingleBlock, starting: SingleBlock | None, name: str) -> Restitution:
-    """The coefficient chosen for the impact that ends one branch; `starting` is None for one-sided rocking.
-
-    "thesis" is Sorrentino's for one-sided and Housner's (3.44) for two-sided rocking. 3.44 keeps the angular momentum
-    about the new hinge of a symmetric block; where the two hinges differ it would even add energy (tested), so there
-    the same principle is applied to the block as it is: "momentum".
-    """
-    if not isinstance(choice, str):
-        return Restitution(choice, "given")
-    if starting is None:
-        return one_sided("sorrentino" if choice == "thesis" else choice, block=ending, name=name)
-    symmetric = isclose(ending.slenderness, starting.slenderness, rel_tol=1e-9) and isclose(
-        ending.radius, starting.radius, rel_tol=1e-9
-    )
-    rule: Rule = choice if choice != "thesis" else "housner" if symmetric else "momentum"
-    return two_sided(rule, ending=ending, starting=starting, name=name)

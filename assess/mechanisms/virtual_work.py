@@ -15,13 +15,15 @@ from scipy.optimize import brentq
 
 from assess.errors import MechanismError
 from assess.loads import Force, PointMass, Tie
-from assess.mechanisms.chain import Chain, Path, path, turning
+from assess.mechanisms.chain import Chain, require_movable
 from assess.mechanisms.mechanism import Mechanism
+from assess.mechanisms.motion import Path, limit, move, place
 from assess.oscillator import Branch, Oscillator
 
 FloatArray = NDArray[np.float64]
 
 NODES = 257  # of a branch table; a block's cubic splines are then exact to 1e-11 of their largest value
+FLAT = 1e-9  # of the geometric limit: a loop is never taken quite to it, where its rates grow without bound
 REACH = 1.5  # tables end at this many overturning rotations
 
 
@@ -48,20 +50,21 @@ def virtual_work(chain: Chain, rotation: FloatArray) -> Work:
     A mass that is not bearing adds horizontal inertia to I, B and sum m x'^2 only (the thesis' 3.21 leaves it out of
     I, though it moves with the wall).
     """
+    motion = move(chain, rotation)
     inertia, moment, excitation, participation, lift = (np.zeros_like(rotation) for _ in range(5))
-    for place, block in enumerate(chain.blocks):
-        inertia += block.inertia * turning(chain, block=place, rotation=rotation) ** 2
-    blocks = [(block.mass, block.centroid, True, place) for place, block in enumerate(chain.blocks)]
+    for rate, block in zip(motion.rate, chain.blocks, strict=True):
+        inertia += block.inertia * rate**2
+    blocks = [(block.mass, block.centroid, True, number) for number, block in enumerate(chain.blocks)]
     points = [(load.mass, load.at, load.bearing, load.block) for load in chain.loads if isinstance(load, PointMass)]
-    for mass, at, bearing, place in (*blocks, *points):
-        moved = path(chain, block=place, at=at, rotation=rotation)
+    for mass, at, bearing, number in (*blocks, *points):
+        moved = place(motion, block=number, at=at)
         excitation += mass * moved.dx
         participation += mass * moved.dx**2
         inertia += mass * (moved.dx**2 + moved.dz**2 if bearing else moved.dx**2)
         lift += mass * moved.dz if bearing else 0.0
     for load in chain.loads:
         if not isinstance(load, PointMass):
-            moment += pulled(load, path(chain, block=load.block, at=load.at, rotation=rotation))
+            moment += pulled(load, place(motion, block=load.block, at=load.at))
     return Work(inertia, g * lift, moment, excitation, participation, lift)
 
 
@@ -93,7 +96,9 @@ def branch(chain: Chain, *, restitution: float, name: str) -> Branch:
 
     Raises MechanismError for a chain that falls by itself, or that never overturns within half a turn.
     """
-    scan = np.linspace(0.0, np.pi, 2001)
+    require_movable(chain, name=name)
+    reach = limit(chain) * (1.0 - FLAT)
+    scan = np.linspace(0.0, reach, 2001)
     whole = virtual_work(chain, scan)
     if whole.restoring[0] <= 0.0:
         raise MechanismError(
@@ -106,7 +111,7 @@ def branch(chain: Chain, *, restitution: float, name: str) -> Branch:
 
     overturning = first_fall(whole.restoring, scan, lambda phi: float(at(phi).restoring[1]))
     critical = first_fall(whole.weight, scan, lambda phi: float(at(phi).weight[1]))
-    edge = first_fall(whole.excitation, scan, lambda phi: float(at(phi).excitation[1])) or np.pi
+    edge = first_fall(whole.excitation, scan, lambda phi: float(at(phi).excitation[1])) or reach
     if overturning is None or critical is None or max(overturning, critical) >= edge:
         raise MechanismError(
             f'mechanism "{name}": the restoring moment does not fall to zero while the body still stands above its '

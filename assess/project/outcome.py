@@ -102,7 +102,8 @@ def drawing(mechanism: Mechanism) -> Drawing:
     mass = sum(block.mass for block in mechanism.positive.blocks)
     x, z = (sum(block.mass * block.centroid[i] for block in mechanism.positive.blocks) / mass for i in (0, 1))
     loads = tuple(NamedPoint(load.name, load.at) for load in mechanism.positive.loads)
-    return Drawing(mechanism.outlines, hinges, loads, (x, z))
+    rings = tuple(ring for block in mechanism.outlines for ring in block)
+    return Drawing(rings, hinges, loads, (x, z))
 
 
 def named_hinges(chain: Chain, mark: str, *, mirror: bool) -> tuple[NamedPoint, ...]:

@@ -12,9 +12,11 @@ from scipy.constants import g
 from assess.errors import MechanismError
 from assess.geometry.planar import planar, planar_direct, planar_joined
 from assess.geometry.solid import box
-from assess.mechanisms.chain import Block, Chain, path
+from assess.mechanisms.chain import Block, Chain
 from assess.mechanisms.equivalent_block import equivalent_block
-from assess.mechanisms.single_block import plain_block, single_block
+from assess.mechanisms.motion import move, place
+from assess.mechanisms.rest import plain_block
+from assess.mechanisms.single_block import single_block
 from assess.mechanisms.virtual_work import oscillator, virtual_work
 from assess.oscillator import energy, linearise, participation_ratio, restoring
 from assess.oscillator import equivalent_block as at_rest
@@ -35,7 +37,7 @@ def test_rates_are_the_derivatives_of_the_turned_centroid():
         return np.array([-behind * np.cos(phi) + height * np.sin(phi), behind * np.sin(phi) + height * np.cos(phi)])
 
     central = (position(rotation + step) - position(rotation - step)) / (2 * step)
-    motion = path(chain, block=0, at=(-0.4, 2.1), rotation=rotation)
+    motion = place(move(chain, rotation), block=0, at=(-0.4, 2.1))
     np.testing.assert_allclose(motion.dx, central[0], rtol=1e-8)
     np.testing.assert_allclose(motion.dz, central[1], rtol=1e-8)
 

@@ -256,7 +256,7 @@ def test_a_level_cut_is_the_mechanism_of_what_lies_above(tmp_path):
     assert block.inertia == pytest.approx(block.mass * (0.6**2 + 3**2) / 12, rel=1e-12)
     np.testing.assert_allclose(block.centroid, (0.0, 3.0), atol=1e-12)
     np.testing.assert_allclose(mechanism.positive.hinges[0], (0.3, 1.5), atol=1e-12)
-    assert min(z for _, z in mechanism.outlines[0]) == 1.5
+    assert min(z for _, z in mechanism.outlines[0][0]) == 1.5
     assert "amplification" in {notice.code for notice in study.notices}
     (at_base,) = study_of(tmp_path, mechanism="cut = 0").mechanisms
     assert at_base == whole
@@ -318,7 +318,7 @@ def test_a_block_of_several_bodies_is_cut_and_one_without_geometry_is_not(tmp_pa
     (tmp_path / "project.toml").write_text(text.replace("[mechanisms.m]", second + "[mechanisms.m]"))
     (mechanism,) = build(load(tmp_path)).mechanisms
     assert mechanism.positive.blocks[0].mass == pytest.approx(2000 * (0.6 * 4 * 3 + 4), rel=1e-12)
-    assert len(mechanism.outlines) == 2
+    assert len(mechanism.outlines[0]) == 2
     (tmp_path / "project.toml").write_text(text.replace("[mechanisms.m]", direct + "[mechanisms.m]"))
     with pytest.raises(GeometryError, match='mechanism "m": body "v" has no geometry to cut'):
         build(load(tmp_path))

@@ -1,0 +1,152 @@
+"""How a chain moves: places, and their first and second derivatives with respect to the rotation, all exact.
+
+Signs, for the branch of positive rotation (a negative branch is a chain mirrored in z, with hinges of its own):
+
+        z ^        direction -->  (x)
+          |
+          |      +-------+
+          |      |   o   |  centroid, at (-b, h) from the hinge: b = R sin(alpha), h = R cos(alpha)
+          |      |       |
+          |      +-------A  )   phi > 0 turns the block about A towards the direction of motion (clockwise)
+          +--------------------> x
+
+A record is positive when the ground accelerates along the direction; inertia then pushes towards phi < 0.
+
+    one block          two blocks                  three blocks
+
+       +-----+            C  slides up and down        B------------C
+       |     |           /|                           /|            |\\
+       |     |          / |  block 2 turns back        |  block 2   |
+       |     |         B  |                            |            |
+       |     |          \\ |  block 1 turns on      block 1       block 3
+       +-----A           \\A                           A            D
+
+In the complex plane x + iz a vector r of a block that has turned by theta is r exp(-i theta): a derivative is a factor
+-i theta', and a second one makes -i theta'' - theta'^2. The arms are the vectors from hinge to hinge:
+
+    slider     Re(arm 1 + arm 2) stays        sum Im(arm) theta' = 0       sum Im(arm) theta'' = sum Re(arm) theta'^2
+    pinned     arm 1 + arm 2 + arm 3 stays    sum arm theta' = 0           sum arm theta'' = i sum arm theta'^2
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from assess.mechanisms.chain import Chain, Point
+
+FloatArray = NDArray[np.float64]
+ComplexArray = NDArray[np.complex128]
+
+
+@dataclass(frozen=True)
+class Motion:
+    """A chain at rotations of its leading block.
+
+    rotation : phi [n] [rad]
+    angle, rate, bend : theta, theta', theta'' of each block with respect to phi [blocks, n]; clockwise
+    hinges : of the chain at rest, x + iz [m]
+    """
+
+    rotation: FloatArray
+    angle: FloatArray
+    rate: FloatArray
+    bend: FloatArray
+    hinges: ComplexArray
+
+
+@dataclass(frozen=True)
+class Path:
+    """A point over rotation [n]: place x, z [m], and its first and second derivatives with respect to phi [m]."""
+
+    x: FloatArray
+    z: FloatArray
+    dx: FloatArray
+    dz: FloatArray
+    ddx: FloatArray
+    ddz: FloatArray
+
+
+def move(chain: Chain, rotation: FloatArray) -> Motion:
+    """The chain turned to `rotation` [n] [rad], which must stay below `limit(chain)`."""
+    hinges = np.array([complex(*hinge) for hinge in chain.hinges])
+    arms = np.diff(hinges)[:, None]
+    lead = np.exp(-1j * rotation)
+    if len(chain.blocks) == 1:
+        still = np.zeros((1, rotation.size))
+        return Motion(rotation, rotation[None, :], still + 1.0, still, hinges)
+    close, share = (_slide, _slider_share) if len(chain.blocks) == 2 else (_close, _pinned_share)
+    turned = np.concatenate([arms[:1] * lead, close(arms, arms[0] * lead)])
+    rate = np.concatenate([np.ones((1, rotation.size)), share(turned, -turned[0])])
+    bend = np.concatenate([np.zeros((1, rotation.size)), share(turned, 1j * np.sum(turned * rate**2, axis=0))])
+    angle = np.concatenate([rotation[None, :], -np.angle(turned[1:] / arms[1:])])
+    return Motion(rotation, angle, rate, bend, hinges)
+
+
+def place(motion: Motion, *, block: int, at: Point) -> Path:
+    """The path of the point `at` (x, z) [m] of block number `block`, 0 at the base."""
+    turn = np.exp(-1j * motion.angle)
+    here = np.full(motion.rotation.size, motion.hinges[0])
+    first, second = np.zeros_like(here), np.zeros_like(here)
+    for j in range(block + 1):
+        end = motion.hinges[j + 1] if j < block else complex(*at)
+        arm = (end - motion.hinges[j]) * turn[j]
+        here = here + arm
+        first = first - 1j * motion.rate[j] * arm
+        second = second - (1j * motion.bend[j] + motion.rate[j] ** 2) * arm
+    return Path(here.real, here.imag, first.real, first.imag, second.real, second.imag)
+
+
+def limit(chain: Chain) -> float:
+    """The rotation at which the loop is stretched or folded flat and can go no further, at most pi [rad]."""
+    hinges = [complex(*hinge) for hinge in chain.hinges]
+    if len(chain.blocks) == 1:
+        return np.pi
+    arms = [b - a for a, b in pairwise(hinges)]
+    lead, span = arms[0], sum(arms)
+    start: float
+    if len(chain.blocks) == 2:
+        reached = [(span.real - side * abs(arms[1])) / abs(lead) for side in (1, -1)]
+        start = -float(np.angle(lead))
+    else:
+        chords = (abs(arms[1]) + abs(arms[2]), abs(arms[1]) - abs(arms[2]))
+        product = 2 * abs(span) * abs(lead)
+        reached = [(abs(span) ** 2 + abs(lead) ** 2 - chord**2) / product for chord in chords] if product else []
+        start = float(np.angle(span / lead)) if product else 0.0
+    turns = [float(sign * np.arccos(k) - start) for k in reached if abs(k) <= 1.0 for sign in (1, -1)]
+    return min([turn % (2 * np.pi) for turn in turns] + [np.pi])
+
+
+def _slide(arms: ComplexArray, lead: ComplexArray) -> ComplexArray:
+    """The second arm [1, n] of a chain on a slider whose first stands at `lead` [n]: its horizontal part is given."""
+    level = (arms[0] + arms[1]).real - lead.real
+    return np.asarray(level + 1j * np.sign(arms[1].imag) * np.sqrt(np.abs(arms[1]) ** 2 - level**2))[None, :]
+
+
+def _close(arms: ComplexArray, lead: ComplexArray) -> ComplexArray:
+    """The second and third arms [2, n] of a pinned chain: the corner C of the triangle over the chord from B to D."""
+    b, c = np.abs(arms[1]), np.abs(arms[2])
+    chord = arms.sum(axis=0) - lead
+    length = np.abs(chord)
+    along = (length**2 + b**2 - c**2) / (2 * length)
+    side = np.sign((arms[1] * np.conj(arms[1] + arms[2])).imag)
+    second = chord / length * (along + 1j * side * np.sqrt(b**2 - along**2))
+    return np.array([second, chord - second])
+
+
+def _slider_share(arms: ComplexArray, load: ComplexArray) -> FloatArray:
+    """The turning [1, n] of the second block that makes the horizontal part of sum(arm turning) that of `load` [n]."""
+    return (load.imag / arms[1].imag)[None, :]
+
+
+def _pinned_share(arms: ComplexArray, load: ComplexArray) -> FloatArray:
+    """The turnings [2, n] of the second and third block with arm 2 turning 2 + arm 3 turning 3 = `load` [n]."""
+    shares = np.array([_cross(load, arms[2]), _cross(arms[1], load)])
+    return np.asarray(shares / _cross(arms[1], arms[2]), dtype=np.float64)
+
+
+def _cross(a: ComplexArray, b: ComplexArray) -> FloatArray:
+    return np.asarray((np.conj(a) * b).imag)

@@ -43,6 +43,7 @@ def _mechanism(m: MechanismResult) -> list[str]:
         f"  centroid    {_at(m.drawing.centroid)}",
         f"  loads       {_points(m.drawing.loads)}",
         f"  interface   {interface}",
+        f"  impacts     {printable(m.restitution_source)}",
     ]
 
 

@@ -41,13 +41,14 @@ class Plane:
 
 
 @dataclass(frozen=True)
-class Upper:
-    """What lies above a cut.
+class Parts:
+    """What lies above and below a cut.
 
-    bodies : those that are left, each as cut; foot : corners of the section that they stand on [k, 3] [m]
+    above, below : the bodies on each side, each as cut; foot : corners of the section between them [k, 3] [m]
     """
 
-    bodies: tuple[Solid, ...]
+    above: tuple[Solid, ...]
+    below: tuple[Solid, ...]
     foot: FloatArray
 
 
@@ -76,8 +77,8 @@ def inclined(point: ArrayLike, normal: ArrayLike, *, where: str) -> Plane:
     return Plane(at, unit / length)
 
 
-def above(solids: Sequence[Solid], plane: Plane, *, where: str) -> Upper:
-    """The bodies of one block that lie above the plane, cut where it crosses them.
+def divide(solids: Sequence[Solid], plane: Plane, *, where: str) -> Parts:
+    """The bodies of one block on both sides of the plane, cut where it crosses them.
 
     The foot is where masonry above the plane lies on masonry below it, so that an overhang whose underside lies in
     the plane does not widen it; where nothing lies below, the foot is what the plane touches.
@@ -100,21 +101,25 @@ def above(solids: Sequence[Solid], plane: Plane, *, where: str) -> Upper:
     axes = _axes(plane.normal)
     placed = [_snapped((solid.vertices - origin) @ axes.T, size=size) for solid in solids]
     _refuse_miss([at[:, 2] for at in placed], plane, (float(low[2]), float(high[2])), where=where)
-    left, feet, heads = [], [], []
+    over: list[Solid] = []
+    under: list[Solid] = []
+    feet, heads = [], []
     for solid, at in zip(solids, placed, strict=True):
         upper, lower = _split(solid, at, where=f'{where}: body "{solid.name}"')
         feet.append(_in_plane(*upper, size=size))
         heads.append(_in_plane(*lower, size=size))
-        if len(upper[1]):
-            left.append(_part(solid, upper[0] @ axes + origin, upper[1]) if len(lower[1]) else solid)
+        for side, (vertices, triangles), other in ((over, upper, lower), (under, lower, upper)):
+            if len(triangles):
+                side.append(_part(solid, vertices @ axes + origin, triangles) if len(other[1]) else solid)
     touching = all(at[:, 2].min() >= 0.0 for at in placed)
     contact = shapely.union_all(feet) if touching else shapely.union_all(feet).intersection(shapely.union_all(heads))
     areas = [part for part in shapely.get_parts(contact) if part.area > THINNEST * size**2]
     if not areas:
-        lowest = min((float(solid.vertices[:, 2].min()) for solid in left), default=float(high[2]))
+        lowest = min((float(solid.vertices[:, 2].min()) for solid in over), default=float(high[2]))
         raise GeometryError(f"{where}: {plane} passes through no masonry; what lies above begins at z = {lowest:.6g} m")
     section = np.unique(shapely.get_coordinates(areas), axis=0)
-    return Upper(tuple(left), np.column_stack([section, np.zeros(len(section))]) @ axes + origin)
+    foot = np.column_stack([section, np.zeros(len(section))]) @ axes + origin
+    return Parts(tuple(over), tuple(under), foot)
 
 
 def _axes(normal: FloatArray) -> FloatArray:

@@ -104,6 +104,15 @@ def planar_joined(bodies: Sequence[PlanarBody], *, name: str) -> PlanarBody:
     return PlanarBody(name, float(m.sum()), (float(centre[0]), float(centre[1])), J, rings, _lowest(bases, size))
 
 
+def top(body: PlanarBody) -> Base | None:
+    """(x, z) of the extreme two of the highest points of the outline, in the order of x; None without geometry."""
+    points = [(x, -z) for ring in body.outline for x, z in ring]
+    if not points:
+        return None
+    low, high = _base(np.array(points), size=float(np.ptp(points, axis=0).max()))
+    return (low[0], -low[1]), (high[0], -high[1])
+
+
 def lowest_corners(solids: Sequence[Solid]) -> FloatArray:
     """Vertices [k, 3] of the lowest face that the solids, at least one, stand on together."""
     points = np.concatenate([solid.vertices for solid in solids])

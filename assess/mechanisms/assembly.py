@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from assess.geometry.outline import Outline
-from assess.mechanisms.chain import Chain
+from assess.mechanisms.chain import Chain, require_movable
+from assess.mechanisms.doubts import pulling_supports
 from assess.mechanisms.impact import RestitutionChoice, impact
 from assess.mechanisms.mechanism import Mechanism
+from assess.mechanisms.virtual_work import require_stable
 from assess.restitution import Restitution
 
 
@@ -22,7 +24,15 @@ def assembled(
     outlines: tuple[Outline, ...],
     notices: Iterable[str] = (),
 ) -> Mechanism:
-    """The mechanism of the chains of one kind, with its coefficients of restitution resolved."""
+    """The mechanism of the chains of one kind, with its coefficients of restitution resolved.
+
+    Raises MechanismError for a chain that cannot move or already falls, and for a restitution that is not for it.
+    """
+    chains = {"": positive} if negative is None else {"": positive, "'": negative}
+    for chain in chains.values():
+        require_movable(chain, name=name)
+        require_stable(chain, name=name)
+    pulling = [text for mark, chain in chains.items() for text in pulling_supports(chain, mark=mark)]
     kept = impact(restitution[0], ending=positive, starting=negative, kind=kind, name=name)
     back = (
         kept if negative is None else impact(restitution[1], ending=negative, starting=positive, kind=kind, name=name)
@@ -38,7 +48,7 @@ def assembled(
         restitution_source=_sources(kept, back),
         elevation=positive.hinges[0][1],
         outlines=outlines,
-        notices=(*notices, *sorted({kept.notice, back.notice} - {""})),
+        notices=(*notices, *pulling, *sorted({kept.notice, back.notice} - {""})),
     )
 
 

@@ -32,11 +32,15 @@ class Chain:
 
     One block has the hinge A at its base and a free end. Two blocks have A, B between them and C at the top, which
     slides on the vertical. Three blocks have A, B, C and D, which is fixed as A is.
+
+    parts : what the blocks are welded of, each with the number of its block, or None where it stands still; needed
+        only for an impact between chains that divide the same masonry in different ways
     """
 
     blocks: tuple[Block, ...]
     hinges: tuple[Point, ...]
     loads: tuple[Load, ...] = ()
+    parts: tuple[tuple[Block, int | None], ...] = ()
 
     @property
     def mass(self) -> float:

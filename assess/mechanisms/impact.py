@@ -53,14 +53,17 @@ class Field:
 def field(chain: Chain) -> Field:
     """The field of velocities with which `chain` leaves or reaches its rest."""
     motion = move(chain, np.zeros(1))
-    blocks = [(b.mass, b.mass, b.inertia, b.centroid, number) for number, b in enumerate(chain.blocks)]
+    parts = chain.parts or tuple((block, number) for number, block in enumerate(chain.blocks))
+    moving = [(part.mass, part.mass, part.inertia, part.centroid, number) for part, number in parts]
     masses = [load for load in chain.loads if isinstance(load, PointMass)]
-    blocks += [(load.mass, load.mass * load.bearing, 0.0, load.at, load.block) for load in masses]
+    moving += [(load.mass, load.mass * load.bearing, 0.0, load.at, load.block) for load in masses]
     rows = []
-    for shaken, borne, inertia, at, number in blocks:
+    for shaken, borne, turned, at, number in moving:
+        if number is None:
+            rows.append((shaken, borne, turned, 0.0, 0.0, 0.0, *at))
+            continue
         path = place(motion, block=number, at=at)
-        turning = motion.rate[number, 0]
-        rows.append((shaken, borne, inertia, path.dx[0], path.dz[0], turning, path.x[0], path.z[0]))
+        rows.append((shaken, borne, turned, path.dx[0], path.dz[0], motion.rate[number, 0], *at))
     return Field(*np.array(rows, dtype=np.float64).T)
 
 

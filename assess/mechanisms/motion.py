@@ -139,7 +139,7 @@ def _close(arms: ComplexArray, lead: ComplexArray) -> ComplexArray:
 
 def _slider_share(arms: ComplexArray, load: ComplexArray) -> FloatArray:
     """The turning [1, n] of the second block that makes the horizontal part of sum(arm turning) that of `load` [n]."""
-    return (load.imag / arms[1].imag)[None, :]
+    return np.asarray(load.imag / arms[1].imag, dtype=np.float64)[None, :]
 
 
 def _pinned_share(arms: ComplexArray, load: ComplexArray) -> FloatArray:

@@ -25,6 +25,7 @@ def single_block(
     hinge_negative: Point | None = None,
     loads: tuple[Load, ...] = (),
     restitution: tuple[RestitutionChoice, RestitutionChoice] = ("thesis", "thesis"),
+    notices: tuple[str, ...] = (),
 ) -> Mechanism:
     """The mechanism of `body` turning about `hinge` (positive) and `hinge_negative`, default the edges of its base.
 
@@ -48,7 +49,7 @@ def single_block(
         label=label,
         restitution=restitution,
         outlines=(body.outline,),
-        notices=tuple(_off_base(body, hinge, "A") + _off_base(body, hinge_negative, "A'")),
+        notices=(*_off_base(body, hinge, "A"), *_off_base(body, hinge_negative, "A'"), *notices),
     )
 
 

@@ -15,7 +15,7 @@ from scipy.optimize import brentq
 
 from assess.errors import MechanismError
 from assess.loads import Force, PointMass, Tie
-from assess.mechanisms.chain import Chain, require_movable
+from assess.mechanisms.chain import Chain
 from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.motion import Path, limit, move, place
 from assess.oscillator import Branch, Oscillator
@@ -91,20 +91,30 @@ def first_fall(values: FloatArray, rotation: FloatArray, value_at: Callable[[flo
     return float(brentq(value_at, rotation[first], rotation[first + 1], xtol=1e-15, rtol=1e-14))
 
 
+def require_stable(chain: Chain, *, name: str) -> None:
+    """Raise MechanismError for a chain that falls by itself, or that no push along the direction would start."""
+    rest = virtual_work(chain, np.zeros(1))
+    if rest.restoring[0] <= 0.0:
+        raise MechanismError(
+            f'mechanism "{name}": already falling: its weights resist with {rest.weight[0]:.4g} N m at rest, its '
+            f"given forces overturn with {rest.moment[0]:.4g} N m; check loads and hinges"
+        )
+    if rest.excitation[0] <= 0.0:
+        raise MechanismError(
+            f'mechanism "{name}": a push along the direction does not start it (sum m x\' = {rest.excitation[0]:.4g} '
+            "kg m); its hinges move the masses the other way: check them"
+        )
+
+
 def branch(chain: Chain, *, restitution: float, name: str) -> Branch:
     """The table of one chain, from rest to REACH times its overturning rotation, and at least to phi_cr.
 
-    Raises MechanismError for a chain that falls by itself, or that never overturns within half a turn.
+    Raises MechanismError for a chain that falls by itself, or that never overturns before it can turn no further.
     """
-    require_movable(chain, name=name)
+    require_stable(chain, name=name)
     reach = limit(chain) * (1.0 - FLAT)
     scan = np.linspace(0.0, reach, 2001)
     whole = virtual_work(chain, scan)
-    if whole.restoring[0] <= 0.0:
-        raise MechanismError(
-            f'mechanism "{name}": already falling: its weights resist with {whole.weight[0]:.4g} N m at rest, its '
-            f"given forces overturn with {whole.moment[0]:.4g} N m; check loads and hinges"
-        )
 
     def at(phi: float) -> Work:
         return virtual_work(chain, np.array([0.0, phi]))  # rest first: it tells whether a tie is slack

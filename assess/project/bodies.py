@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 from assess.errors import GeometryError
 from assess.geometry import mesh
-from assess.geometry.cut import Plane, above, inclined, level
+from assess.geometry.cut import Parts, Plane, divide, inclined, level
 from assess.geometry.planar import (
     FloatArray,
     PlanarBody,
@@ -23,6 +23,21 @@ from assess.geometry.solid import Solid, box, profile
 from assess.project import sections
 
 LEVEL = 0.01  # m: an extreme line that rises by less is level
+Solids = Mapping[str, Solid | None]
+
+
+@dataclass(frozen=True)
+class Piece:
+    """One block of a mechanism, as cut.
+
+    body : in the plane of motion; solids : what it is made of, none for direct values; foot : corners of the face it
+    stands on [k, 3] [m], None without geometry; cut : whether that face is a cut
+    """
+
+    body: PlanarBody
+    solids: tuple[Solid, ...]
+    foot: FloatArray | None
+    cut: bool = False
 
 
 def solid_of(name: str, body: sections.Body, materials: Mapping[str, sections.Material]) -> Solid | None:
@@ -37,9 +52,7 @@ def solid_of(name: str, body: sections.Body, materials: Mapping[str, sections.Ma
     return profile(body.profile, length=body.length, density=density, name=name)
 
 
-def body_in_plane(
-    name: str, content: sections.Content, solids: Mapping[str, Solid | None], direction: Sequence[float]
-) -> PlanarBody:
+def body_in_plane(name: str, content: sections.Content, solids: Solids, direction: Sequence[float]) -> PlanarBody:
     """One body seen in the vertical plane of `direction` [3]."""
     solid, body = solids[name], content.bodies[name]
     if solid is not None:
@@ -48,18 +61,48 @@ def body_in_plane(
     return planar_direct(mass=body.mass, centroid=body.centroid, inertia=body.inertia, name=name)
 
 
-def block_in_plane(
-    name: str, section: sections.SingleBlock, content: sections.Content, solids: Mapping[str, Solid | None]
-) -> tuple[PlanarBody, FloatArray | None]:
-    """The block in the vertical plane of motion, and the corners [k, 3] that it stands on, None without geometry."""
+def pieces_of(name: str, section: sections.Chained, content: sections.Content, solids: Solids) -> tuple[Piece, ...]:
+    """The blocks of a mechanism, base first, each above the cut if there is one.
+
+    Raises GeometryError where the cut misses all of them, or crosses a body without geometry.
+    """
     plane = cut_of(section.cut, where=f'mechanism "{name}"')
     if plane is None:
-        standing = [solid for body in section.blocks[0] if (solid := solids[body]) is not None]
-        bodies = [body_in_plane(body, content, solids, section.direction) for body in section.blocks[0]]
-        return as_one(bodies), lowest_corners(standing) if standing else None
-    upper = above(solids_to_cut(name, section, solids), plane, where=f'mechanism "{name}"')
-    block = as_one([planar(solid, direction=section.direction) for solid in upper.bodies])
-    return replace(block, base=base_of_section(upper.foot, direction=section.direction)), upper.foot
+        return tuple(whole(block, section.direction, content, solids) for block in section.blocks)
+    crossed = [crosses(block, plane, solids) for block in section.blocks]
+    if len(section.blocks) == 1 or not any(crossed):
+        crossed = [True, *crossed[1:]]  # one must be: `divide` says why it is not
+    return tuple(
+        upper(name, block, plane, section.direction, solids)
+        if cut
+        else whole(block, section.direction, content, solids)
+        for block, cut in zip(section.blocks, crossed, strict=True)
+    )
+
+
+def whole(block: Sequence[str], direction: Sequence[float], content: sections.Content, solids: Solids) -> Piece:
+    """The bodies of a block as they are."""
+    standing = tuple(solid for body in block if (solid := solids[body]) is not None)
+    bodies = [body_in_plane(body, content, solids, direction) for body in block]
+    return Piece(as_one(bodies), standing, lowest_corners(standing) if standing else None)
+
+
+def upper(name: str, block: Sequence[str], plane: Plane, direction: Sequence[float], solids: Solids) -> Piece:
+    """What of a block lies above a cut."""
+    parts = divide(solids_to_cut(name, block, solids), plane, where=f'mechanism "{name}"')
+    return standing_on(parts, direction)
+
+
+def standing_on(parts: Parts, direction: Sequence[float]) -> Piece:
+    """The upper side of a cut as a block."""
+    body = as_one([planar(solid, direction=direction) for solid in parts.above])
+    return Piece(replace(body, base=base_of_section(parts.foot, direction=direction)), parts.above, parts.foot, True)
+
+
+def crosses(block: Sequence[str], plane: Plane, solids: Solids) -> bool:
+    """Whether a body of the block reaches below the plane."""
+    corners = [solid.vertices for body in block if (solid := solids[body]) is not None]
+    return any(bool(((points - plane.point) @ plane.normal < 0.0).any()) for points in corners)
 
 
 def as_one(bodies: Sequence[PlanarBody]) -> PlanarBody:
@@ -74,10 +117,10 @@ def cut_of(cut: float | sections.CutPlane | None, *, where: str) -> Plane | None
     return None if cut is None else level(cut)
 
 
-def solids_to_cut(name: str, section: sections.SingleBlock, solids: Mapping[str, Solid | None]) -> list[Solid]:
-    """The solids of the block; raises GeometryError for a body of direct values."""
+def solids_to_cut(name: str, block: Sequence[str], solids: Solids) -> list[Solid]:
+    """The solids of a block; raises GeometryError for a body of direct values."""
     found = []
-    for body in section.blocks[0]:
+    for body in block:
         solid = solids[body]
         if solid is None:
             raise GeometryError(
@@ -88,16 +131,16 @@ def solids_to_cut(name: str, section: sections.SingleBlock, solids: Mapping[str,
     return found
 
 
-def doubts_of(section: sections.SingleBlock, foot: FloatArray | None) -> Iterator[str]:
-    """Sentences where the default hinge is a corner of the base, so that the wall may stand askew, or is not level."""
-    if foot is None or section.hinges is not None:
+def doubts_of(piece: Piece, direction: Sequence[float]) -> Iterator[str]:
+    """Sentences where a hinge taken from the geometry is a corner, so that a wall may stand askew, or not level."""
+    if piece.foot is None:
         return
-    if turns_about_a_corner(foot, direction=section.direction):
+    if turns_about_a_corner(piece.foot, direction=direction):
         yield (
             "the base touches its extreme line in the direction of motion at a point, not along an edge; if the body "
             "stands askew to `direction`, turn one to the other: a corner as hinge overestimates the resistance"
         )
-    rise = 0.0 if section.cut is None else slope_across(foot, direction=section.direction)
+    rise = slope_across(piece.foot, direction=direction) if piece.cut else 0.0
     if rise > LEVEL:
         yield (
             f"the cut slopes across the direction of motion and its extreme line rises by {rise:.3g} m; the hinge is "

@@ -9,7 +9,9 @@ from assess.project import sections
 from assess.project.plane import point_in_plane, unit_in_plane
 
 
-def load_of(number: int, load: sections.LoadTable, direction: Sequence[float]) -> Load:
+def load_of(
+    number: int, load: sections.MassLoad | sections.ForceLoad | sections.TieLoad, direction: Sequence[float]
+) -> Load:
     """One entry of `loads` in the plane of motion, named by its kind and number."""
     name, at = f"{load.kind} {number}", point_in_plane(load.at, direction)
     if isinstance(load, sections.MassLoad):

@@ -1,46 +1,118 @@
-"""The tables [mechanisms.NAME] as mechanisms."""
+"""The tables [mechanisms.NAME] as mechanisms: hinges and defaults of each kind."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Callable, Sequence
+from typing import Any
 
-from assess.geometry.solid import Solid
+from assess.errors import MechanismError
+from assess.loads import Load
 from assess.mechanisms.chain import Point
 from assess.mechanisms.equivalent_block import equivalent_block
+from assess.mechanisms.four_hinge import four_hinge
 from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.single_block import single_block
+from assess.mechanisms.two_block import two_block
 from assess.project import sections
-from assess.project.bodies import block_in_plane, doubts_of
+from assess.project.arches import hinged_arch
+from assess.project.bodies import Piece, Solids, doubts_of, pieces_of
 from assess.project.loading import load_of
 from assess.project.plane import point_in_plane
+from assess.project.walls import cracked
 
 
-def mechanism_of(
-    name: str,
-    section: sections.Mechanism,
-    content: sections.Content,
-    solids: Mapping[str, Solid | None],
-) -> Mechanism:
+def mechanism_of(name: str, section: sections.Mechanism, content: sections.Content, solids: Solids) -> Mechanism:
     """The mechanism of one table [mechanisms.NAME]."""
-    restitution = (section.restitution.positive, section.restitution.negative)
     if isinstance(section, sections.EquivalentBlock):
-        own = section.model_dump(include={"p", "uplift", "radius", "mass", "elevation"})
-        return equivalent_block(name, **own, label=section.label, sides=section.sides, restitution=restitution)
-    body, foot = block_in_plane(name, section, content, solids)
-    mechanism = single_block(
+        own = section.model_dump(include={"p", "uplift", "radius", "mass", "elevation", "label", "sides"})
+        return equivalent_block(name, **own, restitution=restitution_of(section))
+    pieces = pieces_of(name, section, content, solids)
+    try:
+        return BUILDERS[type(section)](name, section, pieces, content)
+    except MechanismError as error:
+        raise error if str(error).startswith("mechanism ") else MechanismError(f'mechanism "{name}": {error}') from None
+
+
+def of_one_block(
+    name: str, section: sections.SingleBlock, pieces: Sequence[Piece], content: sections.Content
+) -> Mechanism:
+    """A single block about the edges of its base."""
+    front, back = hinges_of(section.hinges, section), hinges_of(section.hinges_negative, section)
+    return single_block(
         name,
-        body,
-        hinge=in_plane(section.hinges, section.direction),
-        hinge_negative=in_plane(section.hinges_negative, section.direction),
-        label=section.label,
-        sides=section.sides,
-        loads=tuple(load_of(i, load, section.direction) for i, load in enumerate(section.loads, start=1)),
-        restitution=restitution,
+        pieces[0].body,
+        hinge=front[0] if front else None,
+        hinge_negative=back[0] if back else None,
+        loads=loads_of(section),
+        notices=() if front else tuple(doubts_of(pieces[0], section.direction)),
+        **common(section),
     )
-    return replace(mechanism, notices=(*mechanism.notices, *doubts_of(section, foot)))
 
 
-def in_plane(hinges: sections.Hinges | None, direction: Sequence[float]) -> Point | None:
-    """Hinge A as (distance along `direction` from the origin, elevation) [m]."""
-    return None if hinges is None else point_in_plane(hinges.A, direction)
+def of_two_blocks(
+    name: str, section: sections.TwoBlock, pieces: Sequence[Piece], content: sections.Content
+) -> Mechanism:
+    """A wall held at base and top, of two bodies or of one that cracks."""
+    front, back = hinges_of(section.hinges, section), hinges_of(section.hinges_negative, section)
+    wall = cracked(name, section, pieces, content, loads_of(section), front=front)
+    doubts = () if front else tuple(text for piece in wall.pieces for text in doubts_of(piece, section.direction))
+    return two_block(
+        name,
+        wall.pieces[0].body,
+        wall.pieces[1].body,
+        hinges=front,
+        hinges_negative=back,
+        loads=wall.loads,
+        notices=(*wall.notices, *dict.fromkeys(doubts)),
+        **common(section),
+    )
+
+
+def of_four_hinges(
+    name: str, section: sections.FourHinge, pieces: Sequence[Piece], content: sections.Content
+) -> Mechanism:
+    """Three blocks between four hinges that are given, or an arch whose hinges are looked for."""
+    if not isinstance(section.hinges, sections.FourHinges):
+        return hinged_arch(name, section, pieces[0], **common(section))
+    return four_hinge(
+        name,
+        [piece.body for piece in pieces],
+        hinges=hinges_of(section.hinges, section),
+        hinges_negative=hinges_of(section.hinges_negative, section),
+        loads=loads_of(section),
+        **common(section),
+    )
+
+
+BUILDERS: dict[type[sections.Chained], Callable[..., Mechanism]] = {
+    sections.SingleBlock: of_one_block,
+    sections.TwoBlock: of_two_blocks,
+    sections.FourHinge: of_four_hinges,
+}
+
+
+def common(section: sections.Chained) -> dict[str, Any]:
+    """What every kind of chain takes as it is."""
+    return {"label": section.label, "sides": section.sides, "restitution": restitution_of(section)}
+
+
+def restitution_of(section: sections.Chained | sections.EquivalentBlock) -> tuple[Any, Any]:
+    """The choices for the impacts that end the positive and the negative branch."""
+    return (section.restitution.positive, section.restitution.negative)
+
+
+def loads_of(section: sections.Chained) -> tuple[Load, ...]:
+    """The loads of a mechanism that have a place of their own."""
+    return tuple(
+        load_of(i, load, section.direction)
+        for i, load in enumerate(section.loads, start=1)
+        if not isinstance(load, sections.OverburdenLoad)
+    )
+
+
+def hinges_of(hinges: sections.Hinges | None, section: sections.Chained) -> Any:
+    """Hinges A, B, ... as (distance along `direction` from the origin, elevation) [m]; None where not given."""
+    if hinges is None:
+        return None
+    points: tuple[Point, ...] = tuple(point_in_plane(at, section.direction) for _, at in hinges)
+    return points

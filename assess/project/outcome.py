@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 from scipy.constants import g
 
 from assess.codes.check import Check
-from assess.loads import Force, PointMass
 from assess.mechanisms.chain import Chain, Point, mirrored
 from assess.mechanisms.mechanism import Mechanism
+from assess.mechanisms.statics import verge
 from assess.oscillator import (
     Branch,
     Oscillator,
@@ -142,12 +142,10 @@ def branch_curve(branch: Branch, *, mass: float) -> BranchCurve:
     )
 
 
-def pressed(mechanism: Mechanism) -> float:
-    """Vertical force on the base hinge at rest [N]: weights carried, less what given forces lift."""
-    chain = mechanism.positive
-    carried = sum(block.mass for block in chain.blocks)
-    carried += sum(load.mass for load in chain.loads if isinstance(load, PointMass) and load.bearing)
-    return carried * g - sum(load.force[1] for load in chain.loads if isinstance(load, Force))
+def pressed(mechanism: Mechanism) -> list[float]:
+    """Vertical force on each hinge of both branches when it is about to move [N], compression positive."""
+    chains = [chain for chain in (mechanism.positive, mechanism.negative) if chain is not None]
+    return [abs(float(force[1])) for chain in chains for force in verge(chain).forces]
 
 
 def rigid_interface(hinge: str, normal_force: float) -> dict[str, Any]:
@@ -186,7 +184,9 @@ def mechanism_result(
         oscillator=oscillator_result(positive, mass=mass),
         oscillator_negative=None if negative is None else oscillator_result(negative, mass=mass),
         curve=Curve(branch_curve(positive, mass=mass), None if negative is None else branch_curve(negative, mass=mass)),
-        interfaces=tuple(rigid_interface(hinge.name, pressed(mechanism)) for hinge in drawn.hinges),
+        interfaces=tuple(
+            rigid_interface(hinge.name, force) for hinge, force in zip(drawn.hinges, pressed(mechanism), strict=True)
+        ),
         amplification=AmplificationResult("none", tuple(Factor(record, 1.0) for record in records)),
         checks=tuple(checks),
         histories=tuple(history for level in histories for history in level),

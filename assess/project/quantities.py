@@ -9,7 +9,7 @@ from typing import Annotated, Any, TypeVar
 
 from pydantic import AfterValidator, BeforeValidator, Field, StrictInt, StrictStr, ValidationInfo, WithJsonSchema
 
-from assess.project.units import KINDS, si_value
+from assess.project.units import KINDS, SMALLEST, si_value
 from spectra.columns import ACCELERATION_UNITS, ColumnError, factor_of
 
 T = TypeVar("T")
@@ -34,6 +34,7 @@ Stress = Annotated[float, _read("stress"), _described("stress")]
 Density = Annotated[float, _read("density"), _described("density")]
 Inertia = Annotated[float, _read("inertia"), _described("inertia")]
 Rate = Annotated[float, _read("rate"), _described("rate")]
+Angle = Annotated[float, _read("angle"), _described("angle")]
 Ratio = Annotated[float, _read("ratio"), _described("ratio")]
 
 PositiveLength = Annotated[Length, Field(gt=0)]
@@ -50,8 +51,17 @@ NotNegativeRatio = Annotated[Ratio, Field(ge=0)]
 Damping = Annotated[Ratio, Field(gt=0, lt=1)]
 Uplift = Annotated[Ratio, Field(gt=0, lt=math.pi / 2)]
 
-PlanePoint = tuple[Length, Length]
-SpacePoint = tuple[Length, Length, Length]
+
+def _coordinate(value: Any) -> float:
+    """A length that may be no more than rounding about 0, as exported coordinates are."""
+    if isinstance(value, float) and abs(value) < SMALLEST:
+        return 0.0
+    return si_value(value, KINDS["length"])
+
+
+Coordinate = Annotated[float, BeforeValidator(_coordinate), _described("length")]
+PlanePoint = tuple[Coordinate, Coordinate]
+SpacePoint = tuple[Coordinate, Coordinate, Coordinate]
 Count = Annotated[StrictInt, Field(ge=1)]
 
 
@@ -71,7 +81,7 @@ def _a_direction(value: Any) -> Any:
 
 AnyDirection = Annotated[tuple[Ratio, ...], BeforeValidator(_a_direction), Field(min_length=2, max_length=3)]
 
-Point = Annotated[tuple[Length, ...], BeforeValidator(_a_point), Field(min_length=2, max_length=3)]
+Point = Annotated[tuple[Coordinate, ...], BeforeValidator(_a_point), Field(min_length=2, max_length=3)]
 
 
 def _horizontal(direction: tuple[float, ...]) -> tuple[float, ...]:

@@ -6,8 +6,19 @@ The sentence below a key is its description in the JSON Schema and in the messag
 from assess.project.sections.analysis import PROCEDURES
 from assess.project.sections.bodies import Body, BoxBody, DirectBody, Material, MeshBody, ProfileBody
 from assess.project.sections.content import Content
-from assess.project.sections.loads import ForceLoad, LoadTable, MassLoad, TieLoad
-from assess.project.sections.mechanisms import CutPlane, EquivalentBlock, Hinges, Mechanism, SingleBlock
+from assess.project.sections.loads import ForceLoad, LoadTable, MassLoad, OverburdenLoad, TieLoad
+from assess.project.sections.mechanisms import (
+    Chained,
+    CutPlane,
+    EquivalentBlock,
+    FourHinge,
+    FourHinges,
+    Hinges,
+    Mechanism,
+    RadialJoints,
+    SingleBlock,
+    TwoBlock,
+)
 from assess.project.sections.site import Asce7Spectrum, Site, TableSpectrum
 
 __all__ = [
@@ -15,20 +26,26 @@ __all__ = [
     "Asce7Spectrum",
     "Body",
     "BoxBody",
+    "Chained",
     "Content",
     "CutPlane",
     "DirectBody",
     "EquivalentBlock",
     "ForceLoad",
+    "FourHinge",
+    "FourHinges",
     "Hinges",
     "LoadTable",
     "MassLoad",
     "Material",
     "Mechanism",
     "MeshBody",
+    "OverburdenLoad",
     "ProfileBody",
+    "RadialJoints",
     "SingleBlock",
     "Site",
     "TableSpectrum",
     "TieLoad",
+    "TwoBlock",
 ]

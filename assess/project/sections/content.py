@@ -12,7 +12,7 @@ from assess.project.quantities import Name
 from assess.project.section import Section, listed, wrong
 from assess.project.sections.analysis import Analysis, Procedures, Records, Report
 from assess.project.sections.bodies import BodySection, DirectBody, Material
-from assess.project.sections.mechanisms import MechanismSection, SingleBlock
+from assess.project.sections.mechanisms import Chained, MechanismSection
 from assess.project.sections.site import Building, Site
 
 
@@ -66,9 +66,12 @@ class Content(Section):
             if not isinstance(body, DirectBody) and body.material not in self.materials:
                 raise wrong(("bodies", name, "material"), f"no such material; {_known('materials', self.materials)}")
         for name, mechanism in self.mechanisms.items():
-            for body_name in mechanism.blocks[0] if isinstance(mechanism, SingleBlock) else ():
-                if body_name not in self.bodies:
-                    raise wrong(("mechanisms", name, "blocks"), f"no such body; {_known('bodies', self.bodies)}")
+            used = [body for block in mechanism.blocks for body in block] if isinstance(mechanism, Chained) else []
+            if not set(used) <= set(self.bodies):
+                raise wrong(("mechanisms", name, "blocks"), f"no such body; {_known('bodies', self.bodies)}")
+            twice = sorted({body for body in used if used.count(body) > 1})
+            if twice:
+                raise wrong(("mechanisms", name, "blocks"), f"{listed(tuple(twice))} named twice; a body moves once")
         return self
 
 

@@ -6,11 +6,11 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Discriminator, Field, StrictBool, StrictInt, Tag, WithJsonSchema, model_validator
 
-from assess.project.quantities import AnyDirection, Point, PositiveForce, PositiveMass
+from assess.project.quantities import AnyDirection, Length, Point, PositiveForce, PositiveMass
 from assess.project.section import Section, listed, wrong
 from assess.project.units import KINDS, si_value
 
-BlockIndex = Annotated[StrictInt, Field(ge=0, le=0)]
+BlockIndex = Annotated[StrictInt, Field(ge=0, le=2)]
 
 
 def _force(value: Any) -> tuple[float, float] | float:
@@ -95,8 +95,19 @@ class TieLoad(Section):
         return self
 
 
-LoadTable = MassLoad | ForceLoad | TieLoad
-LOADS = ("mass", "force", "tie")
+class OverburdenLoad(Section):
+    """What presses on the top of a wall of two blocks: a dead vertical load, without mass of its own."""
+
+    kind: Literal["overburden"]
+    """"overburden\""""
+    force: PositiveForce
+    """vertical load, like "40 kN\""""
+    eccentricity: Length = 0.0
+    """of the load from mid-thickness of the top towards `direction`"""
+
+
+LoadTable = MassLoad | ForceLoad | TieLoad | OverburdenLoad
+LOADS = ("mass", "force", "tie", "overburden")
 
 
 def _load_tag(values: Any) -> str | None:
@@ -105,7 +116,10 @@ def _load_tag(values: Any) -> str | None:
 
 
 LoadSection = Annotated[
-    Annotated[MassLoad, Tag("<mass>")] | Annotated[ForceLoad, Tag("<force>")] | Annotated[TieLoad, Tag("<tie>")],
+    Annotated[MassLoad, Tag("<mass>")]
+    | Annotated[ForceLoad, Tag("<force>")]
+    | Annotated[TieLoad, Tag("<tie>")]
+    | Annotated[OverburdenLoad, Tag("<overburden>")],
     Discriminator(
         _load_tag,
         custom_error_type="project",

@@ -3,14 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Annotated, Any, ClassVar, Literal
+from typing import Annotated, Any, ClassVar, Literal, Self
 
-from pydantic import AfterValidator, BeforeValidator, Discriminator, Field, StrictStr, Tag, model_validator
+from pydantic import (
+    AfterValidator,
+    BeforeValidator,
+    Discriminator,
+    Field,
+    StrictInt,
+    StrictStr,
+    Tag,
+    WithJsonSchema,
+    model_validator,
+)
 
 from assess.project.quantities import (
+    Angle,
     Direction,
     Length,
     Name,
+    PlanePoint,
     Point,
     PositiveLength,
     PositiveMass,
@@ -20,11 +32,12 @@ from assess.project.quantities import (
     Uplift,
     unique,
 )
-from assess.project.section import Section, listed
-from assess.project.sections.loads import LoadSection
+from assess.project.section import Section, listed, wrong
+from assess.project.sections.loads import LoadSection, OverburdenLoad
 from assess.project.units import KINDS, si_value
 
-MECHANISMS = ("single-block", "equivalent-block")
+MECHANISMS = ("single-block", "two-block", "four-hinge", "equivalent-block")
+CRACKS = ("sorrentino", "minimum")
 RESTITUTIONS = ("thesis", "housner", "sorrentino", "momentum")
 
 
@@ -65,6 +78,53 @@ class Hinges(Section):
     """the base hinge"""
 
 
+class ThreeHinges(Hinges):
+    """Hinges of a wall of two blocks."""
+
+    B: Point
+    """at the crack"""
+    C: Point
+    """at the top"""
+
+
+class FourHinges(ThreeHinges):
+    """Hinges of three blocks."""
+
+    D: Point
+    """the far base hinge"""
+
+
+class RadialJoints(Section):
+    """Joints of an arch that all point to its centre, evenly spaced."""
+
+    centre: PlanePoint
+    """[distance along the direction, elevation]"""
+    first: Angle
+    """angle of the first joint above the direction, like "168.75 deg\""""
+    last: Angle
+    """angle of the last joint, like "11.25 deg\""""
+    count: Annotated[StrictInt, Field(ge=3, le=200)]
+    """number of voussoirs between them"""
+
+
+Line = tuple[PlanePoint, PlanePoint]
+
+
+def _crack(value: Any) -> float | str:
+    if isinstance(value, str) and value in CRACKS:
+        return value
+    if isinstance(value, str) and not any(letter.isdigit() for letter in value):
+        raise ValueError(f"not a crack; write an elevation, or one of {listed(CRACKS)}")
+    return si_value(value, KINDS["length"])
+
+
+Crack = Annotated[
+    float | Literal["sorrentino", "minimum"],
+    BeforeValidator(_crack),
+    WithJsonSchema({"description": 'an elevation like "2.4 m", or "sorrentino", "minimum"'}),
+]
+
+
 class CutPlane(Section):
     """An inclined crack."""
 
@@ -88,8 +148,11 @@ def _block_names(value: Any) -> Any:
 BlockNames = Annotated[tuple[Name, ...], Field(min_length=1), AfterValidator(unique("body"))]
 
 
-class SingleBlock(Section):
-    """One block that rocks about its base."""
+Blocks = Annotated[tuple[BlockNames, ...], BeforeValidator(_block_names)]
+
+
+class Chained(Section):
+    """What all mechanisms of blocks share."""
 
     planned: ClassVar[Mapping[str, str]] = {
         "interface": "the interface is rigid; remove it",
@@ -97,10 +160,9 @@ class SingleBlock(Section):
         "amplification": "histories act on the mechanism's base as they are; remove it",
     }
 
-    kind: Literal["single-block"]
-    """"single-block\""""
-    blocks: Annotated[tuple[BlockNames, ...], BeforeValidator(_block_names), Field(min_length=1, max_length=1)]
-    """the body that rocks, ["wall"], or several that move as one, [["wall", "buttress"]]"""
+    moving: ClassVar[int] = 1
+    blocks: Blocks
+    """bodies from the base on; an entry may join several that move as one, [["wall", "buttress"]]"""
     label: StrictStr = ""
     """what the report calls it; the name of the table if absent"""
     direction: Direction = (1.0, 0.0, 0.0)
@@ -109,14 +171,90 @@ class SingleBlock(Section):
     """only what lies above moves: an elevation like "4.77 m", or { point, normal } of an inclined crack"""
     sides: Literal["one", "two"] = "two"
     """"two", or "one": positive rotation only, the building behind stops the other"""
+    loads: tuple[LoadSection, ...] = ()
+    """[ { kind = "mass" | "force" | "tie" | "overburden", … }, … ]"""
+    restitution: Restitution = Field(default_factory=Restitution)
+    """a number in [0, 1], a name, or { positive, negative }"""
+
+    @model_validator(mode="after")
+    def _loads_find_their_block(self) -> Self:
+        last = self.moving - 1
+        for number, load in enumerate(self.loads):
+            if isinstance(load, OverburdenLoad):
+                if not isinstance(self, TwoBlock):
+                    raise wrong(("loads", number, "kind"), "is for two-block mechanisms; use a mass or a force")
+            elif load.block > last:
+                raise wrong(("loads", number, "block"), f"must be {last} or less, counted from 0 at the base")
+        return self
+
+
+class SingleBlock(Chained):
+    """One block that rocks about its base."""
+
+    kind: Literal["single-block"]
+    """"single-block\""""
+    blocks: Annotated[Blocks, Field(min_length=1, max_length=1)]
+    """the body that rocks, ["wall"], or several that move as one, [["wall", "buttress"]]"""
     hinges: Hinges | None = None
     """hinge of positive rotation; the extreme line of the base (of the cut) if absent"""
     hinges_negative: Hinges | None = None
     """hinge of negative rotation; the extreme line of the base (of the cut) if absent"""
-    loads: tuple[LoadSection, ...] = ()
-    """[ { kind = "mass" | "force" | "tie", … }, … ]"""
-    restitution: Restitution = Field(default_factory=Restitution)
-    """a number in [0, 1], a name, or { positive, negative }"""
+
+
+class TwoBlock(Chained):
+    """A wall held at its base and its top that opens at a crack between."""
+
+    moving: ClassVar[int] = 2
+    kind: Literal["two-block"]
+    """"two-block\""""
+    blocks: Annotated[Blocks, Field(min_length=1, max_length=2)]
+    """one body, cut at the crack, or two, the lower first"""
+    hinges: ThreeHinges | None = None
+    """hinges of positive rotation; the edges of base, crack and top if absent"""
+    hinges_negative: ThreeHinges | None = None
+    """hinges of negative rotation; the edges of base, crack and top if absent"""
+    crack: Crack | None = None
+    """"sorrentino" (eq. 3.27), "minimum" (least uplift multiplier), or an elevation; hinge B's if hinges are given"""
+
+    @model_validator(mode="after")
+    def _one_body_cracks(self) -> Self:
+        if len(self.blocks) == 2 and self.crack is not None:
+            raise wrong("crack", "is for one body; two bodies part at their joint, so remove one of them")
+        return self
+
+
+class FourHinge(Chained):
+    """Three blocks between two fixed hinges: portal, frame, arch, side-aisle vault, belfry."""
+
+    moving: ClassVar[int] = 3
+    kind: Literal["four-hinge"]
+    """"four-hinge\""""
+    blocks: Annotated[Blocks, Field(min_length=1, max_length=3)]
+    """the bodies A-B, B-C and C-D; or one arch, with joints and hinges = "minimum\""""
+    hinges: FourHinges | Literal["minimum"]
+    """hinges A, B, C, D of positive rotation, or "minimum": where the arch resists least"""
+    hinges_negative: FourHinges | None = None
+    """hinges A, B, C, D of negative rotation"""
+    joints: RadialJoints | tuple[Line, ...] | None = None
+    """of an arch, in order: [[[x, z], [x, z]], …], or { centre, first, last, count } for radial ones"""
+
+    @model_validator(mode="after")
+    def _hinges_suit_the_bodies(self) -> Self:
+        if self.hinges != "minimum":
+            if len(self.blocks) != 3:
+                raise wrong("blocks", f"{len(self.blocks)} of them with four hinges; name three, base first")
+            if (self.hinges_negative is None) == (self.sides == "two"):
+                two, one = (
+                    "missing; two-sided rocking has hinges of its own each way",
+                    "beside one-sided rocking; remove it",
+                )
+                raise wrong("hinges_negative", two if self.sides == "two" else one)
+            return self
+        if len(self.blocks) != 1 or self.joints is None:
+            raise wrong("joints", 'hinges = "minimum" needs one arch in blocks, and joints where it may open')
+        if self.loads:
+            raise wrong("loads", 'not with hinges = "minimum"; write the hinges that `assess check` prints')
+        return self
 
 
 class EquivalentBlock(Section):
@@ -146,7 +284,7 @@ class EquivalentBlock(Section):
     """of the mechanism's base, in the coordinates of the bodies"""
 
 
-Mechanism = SingleBlock | EquivalentBlock
+Mechanism = SingleBlock | TwoBlock | FourHinge | EquivalentBlock
 
 
 def _mechanism_tag(values: Any) -> str | None:
@@ -155,7 +293,10 @@ def _mechanism_tag(values: Any) -> str | None:
 
 
 MechanismSection = Annotated[
-    Annotated[SingleBlock, Tag("<single-block>")] | Annotated[EquivalentBlock, Tag("<equivalent-block>")],
+    Annotated[SingleBlock, Tag("<single-block>")]
+    | Annotated[TwoBlock, Tag("<two-block>")]
+    | Annotated[FourHinge, Tag("<four-hinge>")]
+    | Annotated[EquivalentBlock, Tag("<equivalent-block>")],
     Discriminator(
         _mechanism_tag,
         custom_error_type="choice",

@@ -9,7 +9,7 @@ from scipy.spatial.transform import Rotation
 
 from assess.errors import GeometryError
 from assess.geometry import mesh
-from assess.geometry.cut import Upper, above, inclined, level
+from assess.geometry.cut import Parts, divide, inclined, level
 from assess.geometry.planar import base_of_section, lowest_corners, planar, slope_across, turns_about_a_corner
 from assess.geometry.solid import Solid, box, joined, polyhedron, profile
 
@@ -28,8 +28,8 @@ def prism(corners) -> Solid:
     return profile(corners, length=2.0, density=DENSITY, name="prism")
 
 
-def cut(solid: Solid, plane, *more: Solid) -> Upper:
-    return above([solid, *more], plane, where='mechanism "m"')
+def cut(solid: Solid, plane, *more: Solid) -> Parts:
+    return divide([solid, *more], plane, where='mechanism "m"')
 
 
 def plane_of(point, normal):
@@ -37,7 +37,7 @@ def plane_of(point, normal):
 
 
 def upper_part(solid: Solid, plane) -> Solid:
-    (part,) = cut(solid, plane).bodies
+    (part,) = cut(solid, plane).above
     return part
 
 
@@ -75,9 +75,9 @@ def same(found: Solid, wanted: Solid, *, rtol: float) -> None:
 
 def test_level_cut_of_a_box_is_a_lower_box() -> None:
     upper = cut(wall(), level(4.77))
-    same(upper.bodies[0], wall(height=8.2 - 4.77, base=(0.0, 0.0, 4.77)), rtol=1e-12)
-    assert upper.bodies[0].name == "wall"
-    body = planar(upper.bodies[0], direction=[1, 0, 0])
+    same(upper.above[0], wall(height=8.2 - 4.77, base=(0.0, 0.0, 4.77)), rtol=1e-12)
+    assert upper.above[0].name == "wall"
+    body = planar(upper.above[0], direction=[1, 0, 0])
     ring = [(-0.5, 4.77), (0.5, 4.77), (0.5, 8.2), (-0.5, 8.2), (-0.5, 4.77)]
     np.testing.assert_allclose(body.outline[0], ring, rtol=1e-15)
     assert base_of_section(upper.foot, direction=[1, 0, 0]) == ((-0.5, 4.77), (0.5, 4.77))
@@ -105,7 +105,7 @@ def test_tapered_prism_cut_level_and_inclined(slope: float) -> None:
     half, taper = 1.0 - 0.6 * 4.0 / 9.0, slope * 0.6 / 9.0
     ends = [(x, 4.0 + slope * x) for x in (-half / (1.0 - taper), half / (1.0 + taper))]
     upper = cut(prism(TAPERED), plane_of([0.0, 7.0, 4.0], [-slope, 0.0, 1.0]))
-    same(upper.bodies[0], prism([*ends, *TAPERED[2:]]), rtol=1e-11)
+    same(upper.above[0], prism([*ends, *TAPERED[2:]]), rtol=1e-11)
     np.testing.assert_allclose(base_of_section(upper.foot, direction=[1, 0, 0]), ends, rtol=0.0, atol=1e-11)
     mirrored = [(-x, z) for x, z in ends[::-1]]
     np.testing.assert_allclose(base_of_section(upper.foot, direction=[-1, 0, 0]), mirrored, rtol=0.0, atol=1e-11)
@@ -117,7 +117,7 @@ def test_length_of_the_normal_and_place_of_the_point_do_not_count() -> None:
     for factor, along in ((1e-9, 0.0), (7.0, 3.0), (1e9, -40.0)):
         point = np.array([3.0, -2.0, 6.0]) + along * np.array([1.0, 0.0, -0.3])
         found = cut(tower(), plane_of(point, np.array([0.3, -0.2, 1.0]) * factor))
-        same(found.bodies[0], wanted.bodies[0], rtol=1e-12)
+        same(found.above[0], wanted.above[0], rtol=1e-12)
 
 
 @pytest.mark.parametrize("solid", [wall(), tower(), hollow(), prism(L_SHAPE)], ids=lambda solid: solid.name)
@@ -134,11 +134,11 @@ def test_a_cut_of_a_cut_is_the_higher_cut() -> None:
     sloping = [plane_of([3.0, -2.0, z], [0.3, 0.1, 1.0]) for z in (4.0, 6.0)]
     for first, second in ((level(2.0), level(4.0)), (level(1.0), sloping[1]), sloping):
         once, twice = cut(tower(), second), cut(upper_part(tower(), first), second)
-        same(twice.bodies[0], once.bodies[0], rtol=1e-11)
+        same(twice.above[0], once.above[0], rtol=1e-11)
         bases = [base_of_section(each.foot, direction=[0.6, 0.8, 0]) for each in (once, twice)]
         np.testing.assert_allclose(*bases, rtol=0.0, atol=1e-10)
     again = cut(upper_part(tower(), level(4.0)), level(4.0))  # touches: nothing is left to remove
-    same(again.bodies[0], upper_part(tower(), level(4.0)), rtol=1e-15)
+    same(again.above[0], upper_part(tower(), level(4.0)), rtol=1e-15)
 
 
 def test_turning_the_body_and_the_plane_changes_nothing() -> None:
@@ -147,7 +147,7 @@ def test_turning_the_body_and_the_plane_changes_nothing() -> None:
     solid = polyhedron(tower().vertices @ turn.T, tower().triangles, density=DENSITY, name="tower")
     moved = cut(solid, plane_of(turn @ [3.0, -2.0, 6.0], turn @ normal))
     here, there = np.array([1.0, 0.0, 0.0]), turn @ [1.0, 0.0, 0.0]
-    bodies = planar(still.bodies[0], direction=here), planar(moved.bodies[0], direction=there)
+    bodies = planar(still.above[0], direction=here), planar(moved.above[0], direction=there)
     assert bodies[1].inertia == pytest.approx(bodies[0].inertia, rel=1e-12)
     np.testing.assert_allclose(bodies[1].centroid, bodies[0].centroid, rtol=0.0, atol=1e-12)
     bases = base_of_section(still.foot, direction=here), base_of_section(moved.foot, direction=there)
@@ -158,7 +158,7 @@ def test_opening_leaves_two_piers_and_a_base_from_one_to_the_other() -> None:
     portal = prism([[0.0, 0], [1, 0], [1, 3], [3, 3], [3, 0], [4, 0], [4, 5], [0, 5]])
     for elevation, area in ((1.2, 2 * 1.8 + 8.0), (3.0, 8.0)):
         upper = cut(portal, level(elevation))
-        assert upper.bodies[0].mass == pytest.approx(DENSITY * 2.0 * area, rel=1e-12)
+        assert upper.above[0].mass == pytest.approx(DENSITY * 2.0 * area, rel=1e-12)
         found = base_of_section(upper.foot, direction=[1, 0, 0])
         np.testing.assert_allclose(found, ((0.0, elevation), (4.0, elevation)), rtol=0.0, atol=1e-14)
     at_lintel = cut(portal, level(3.0)).foot[:, 0]  # it lies on the piers, not on the opening
@@ -167,7 +167,7 @@ def test_opening_leaves_two_piers_and_a_base_from_one_to_the_other() -> None:
 
 def test_cavity_is_cut_to_a_hollow_section() -> None:
     upper = cut(hollow(), level(2.0))
-    assert upper.bodies[0].mass == pytest.approx(DENSITY * (2 * 3 * 4 - 1 * 1 * 3), rel=1e-12)
+    assert upper.above[0].mass == pytest.approx(DENSITY * (2 * 3 * 4 - 1 * 1 * 3), rel=1e-12)
     assert base_of_section(upper.foot, direction=[1, 0, 0]) == ((-1.0, 2.0), (1.0, 2.0))
     assert len(upper.foot) == 8
 
@@ -176,15 +176,15 @@ def test_section_of_an_L_is_that_of_its_stem_above_the_step() -> None:
     for elevation, right, area in ((0.4, 2.0, 3.2), (1.0, 1.0, 2.0), (1.7, 1.0, 1.3)):
         upper = cut(prism(L_SHAPE), level(elevation))
         assert base_of_section(upper.foot, direction=[1, 0, 0])[1] == (right, elevation)
-        assert upper.bodies[0].mass == pytest.approx(DENSITY * 2.0 * area, rel=1e-12)
-        assert upper.bodies[0].vertices[:, 0].max() == right  # nothing of the step stays as a film
+        assert upper.above[0].mass == pytest.approx(DENSITY * 2.0 * area, rel=1e-12)
+        assert upper.above[0].vertices[:, 0].max() == right  # nothing of the step stays as a film
 
 
 @pytest.mark.parametrize("off", [0.0, 1e-8, -1e-8, 1e-6, -1e-6])
 def test_overhang_in_the_plane_of_the_cut_does_not_widen_the_base(off: float) -> None:
     """The underside of a corbel rests on nothing, also where rounding of the file puts it beside the plane."""
     upper = cut(prism(T_SHAPE), level(2.0 + off))
-    assert upper.bodies[0].mass == pytest.approx(DENSITY * 2.0 * 4.0, rel=2e-6)  # the plane moves by a millionth
+    assert upper.above[0].mass == pytest.approx(DENSITY * 2.0 * 4.0, rel=2e-6)  # the plane moves by a millionth
     found = base_of_section(upper.foot, direction=[1, 0, 0])
     np.testing.assert_allclose(found, ((0.0, 2.0 + off), (1.0, 2.0 + off)), rtol=0.0, atol=1e-12)
 
@@ -194,21 +194,21 @@ def test_bodies_above_are_kept_below_dropped_and_between_cut() -> None:
     shaft = wall(height=5.0, base=(0.0, 0.0, 1.0), name="shaft")
     cornice = wall(thickness=1.6, height=0.5, base=(0.0, 0.0, 6.0), name="cornice")
     upper = cut(plinth, level(3.0), shaft, cornice)
-    assert [body.name for body in upper.bodies] == ["shaft", "cornice"]
-    assert upper.bodies[1] is cornice
-    same(upper.bodies[0], wall(height=3.0, base=(0.0, 0.0, 3.0)), rtol=1e-12)
+    assert [body.name for body in upper.above] == ["shaft", "cornice"]
+    assert upper.above[1] is cornice
+    same(upper.above[0], wall(height=3.0, base=(0.0, 0.0, 3.0)), rtol=1e-12)
     assert base_of_section(upper.foot, direction=[1, 0, 0]) == ((-0.5, 3.0), (0.5, 3.0))
     for elevation, kept in ((1.0, (shaft, cornice)), (6.0, (cornice,))):  # at the joints
         at_joint = cut(plinth, level(elevation), shaft, cornice)
-        assert len(at_joint.bodies) == len(kept)
-        assert all(found is wanted for found, wanted in zip(at_joint.bodies, kept, strict=True))
+        assert len(at_joint.above) == len(kept)
+        assert all(found is wanted for found, wanted in zip(at_joint.above, kept, strict=True))
         assert base_of_section(at_joint.foot, direction=[1, 0, 0]) == ((-0.5, elevation), (0.5, elevation))
 
 
 def test_two_bodies_side_by_side_share_the_section() -> None:
     buttress = wall(thickness=0.5, base=(0.75, 0.0, 0.0), height=6.0, density=2400.0, name="buttress")
     upper = cut(wall(), plane_of([0.0, 0.0, 3.0], [-0.5, 0.0, 1.0]), buttress)
-    assert upper.bodies[1].mass == pytest.approx(2400.0 * 0.5 * 3.0 * (6.0 - 3.0 - 0.5 * 0.75), rel=1e-12)
+    assert upper.above[1].mass == pytest.approx(2400.0 * 0.5 * 3.0 * (6.0 - 3.0 - 0.5 * 0.75), rel=1e-12)
     ends = base_of_section(upper.foot, direction=[1, 0, 0])
     np.testing.assert_allclose(ends, ((-0.5, 2.75), (1.0, 3.5)), rtol=0.0, atol=1e-12)
 
@@ -222,8 +222,8 @@ def test_mesh_far_from_the_origin(tmp_path: Path) -> None:
     for normal in ([0.0, 0.0, 1.0], [-0.3, 0.2, 1.0]):
         wanted = cut(near, plane_of([0.0, 0.0, 4.0], normal))
         found = cut(far, plane_of(shift + np.array([0.0, 0.0, 4.0]), normal))
-        assert found.bodies[0].mass == pytest.approx(wanted.bodies[0].mass, rel=1e-8)  # coordinates resolve 5e-10 m
-        np.testing.assert_allclose(found.bodies[0].centroid - shift, wanted.bodies[0].centroid, rtol=0.0, atol=1e-8)
+        assert found.above[0].mass == pytest.approx(wanted.above[0].mass, rel=1e-8)  # coordinates resolve 5e-10 m
+        np.testing.assert_allclose(found.above[0].centroid - shift, wanted.above[0].centroid, rtol=0.0, atol=1e-8)
         bases = [base_of_section(each.foot, direction=[1, 0, 0]) for each in (found, wanted)]
         np.testing.assert_allclose(np.array(bases[0]) - [5e5, 100.0], bases[1], rtol=0.0, atol=1e-8)
 
@@ -233,14 +233,14 @@ def test_a_mesh_in_single_precision_is_cut_at_its_joint() -> None:
     exact = prism([[0.0, 0], [1, 0], [1, 4.77], [1.3, 4.77], [1.3, 9], [-0.3, 9], [-0.3, 4.77], [0, 4.77]])
     rounded = polyhedron(exact.vertices.astype(np.float32), exact.triangles, density=DENSITY, name="T")
     upper = cut(rounded, level(4.77))
-    assert upper.bodies[0].mass == pytest.approx(DENSITY * 2.0 * 1.6 * 4.23, rel=1e-6)  # single precision
+    assert upper.above[0].mass == pytest.approx(DENSITY * 2.0 * 1.6 * 4.23, rel=1e-6)  # single precision
     found = base_of_section(upper.foot, direction=[1, 0, 0])
     np.testing.assert_allclose(found, ((0.0, 4.77), (1.0, 4.77)), rtol=0.0, atol=1e-12)
 
 
 def test_plane_at_the_base_removes_nothing() -> None:
     upper = cut(wall(), level(0.0))
-    assert upper.bodies[0].mass == wall().mass
+    assert upper.above[0].mass == wall().mass
     assert base_of_section(upper.foot, direction=[1, 0, 0]) == planar(wall(), direction=[1, 0, 0]).base
 
 
@@ -273,7 +273,7 @@ GAP = (wall(height=2.0), wall(height=2.0, base=(0.0, 0.0, 3.0), name="floating")
 )
 def test_cuts_that_leave_no_mechanism_are_refused(solids, plane, text: str) -> None:
     with pytest.raises(GeometryError, match=text):
-        above(solids, plane, where='mechanism "m"')
+        divide(solids, plane, where='mechanism "m"')
 
 
 @pytest.mark.parametrize(
@@ -296,3 +296,13 @@ def test_surface_that_is_no_solid_is_refused() -> None:
     torn = Solid("torn", body.mass, body.centroid, body.inertia, body.vertices, body.triangles[:-1])
     with pytest.raises(GeometryError, match='mechanism "m": body "torn" cannot be cut'):
         cut(torn, level(4.0))
+
+
+def test_both_sides_make_the_whole():
+    for plane in (level(3.3), inclined([0.0, 0.0, 4.0], [0.3, 0.2, 1.0], where="m")):
+        parts = divide([tower()], plane, where="m")
+        mass = sum(part.mass for part in (*parts.above, *parts.below))
+        centroid = sum(part.mass * part.centroid for part in (*parts.above, *parts.below)) / mass
+        assert mass == pytest.approx(tower().mass, rel=1e-12)
+        np.testing.assert_allclose(centroid, tower().centroid, rtol=0.0, atol=1e-12)
+        assert max(part.centroid[2] for part in parts.below) < min(part.centroid[2] for part in parts.above)

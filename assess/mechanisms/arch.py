@@ -1,0 +1,122 @@
+"""Where an arch hinges: of all mechanisms over given joints, the one with the least uplift multiplier.
+
+By the kinematic theorem of limit analysis (no sliding, no crushing) every admissible mechanism gives at least the
+multiplier at which the arch starts to move, and the least is that multiplier.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import combinations, pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from assess.errors import MechanismError
+from assess.geometry.planar import PlanarBody, planar_joined
+from assess.mechanisms.chain import Block, Chain, Point
+
+ComplexArray = NDArray[np.complex128]
+FloatArray = NDArray[np.float64]
+IntArray = NDArray[np.int64]
+Joint = tuple[Point, Point]
+
+
+@dataclass(frozen=True)
+class Hinging:
+    """A mechanism of an arch: the joints that hinge, their hinges A to D, and its uplift multiplier [-]."""
+
+    joints: tuple[int, int, int, int]
+    hinges: tuple[Point, Point, Point, Point]
+    multiplier: float
+
+
+def weakest(voussoirs: Sequence[Block], joints: Sequence[Joint], *, name: str) -> Hinging:
+    """The four hinges, at alternate faces, that open under the least horizontal acceleration along +x.
+
+    Parameters
+    ----------
+    voussoirs : from the springing on the left to that on the right
+    joints : before, between and after them, each by its two ends (x, z) [m]; the first ends on one face, the second
+        ones on the other
+
+    Raises
+    ------
+    MechanismError : fewer than three voussoirs, or no four joints make a mechanism that resists
+    """
+    if len(joints) < 4 or len(joints) != len(voussoirs) + 1:
+        raise MechanismError(
+            f'mechanism "{name}": {len(voussoirs)} voussoirs with {len(joints)} joints; an arch that hinges has at '
+            "least three voussoirs and one joint more than voussoirs"
+        )
+    ends = np.array([[complex(*end) for end in joint] for joint in joints])
+    chosen = np.array(list(combinations(range(len(joints)), 4)))
+    found = [(_multipliers(voussoirs, ends, chosen, face=face), face) for face in (0, 1)]
+    values, face = min(found, key=lambda each: float(each[0].min()))
+    best = int(values.argmin())
+    if not np.isfinite(values[best]):
+        raise MechanismError(
+            f'mechanism "{name}": no four of its joints make a mechanism that resists; check the joints'
+        )
+    places = [ends[joint, (face + number) % 2] for number, joint in enumerate(chosen[best])]
+    a, b, c, d = ((float(at.real), float(at.imag)) for at in places)
+    first, second, third, last = (int(joint) for joint in chosen[best])
+    return Hinging((first, second, third, last), (a, b, c, d), float(values[best]))
+
+
+def hinged(voussoirs: Sequence[PlanarBody], hinging: Hinging) -> tuple[list[PlanarBody], Chain]:
+    """The three blocks between the hinging joints, and their chain."""
+    spans = list(pairwise(hinging.joints))
+    bodies = [planar_joined(voussoirs[a:b], name=f"block {n}") for n, (a, b) in enumerate(spans, start=1)]
+    numbers = [next((n for n, (a, b) in enumerate(spans) if a <= i < b), None) for i in range(len(voussoirs))]
+    parts = tuple((block_of(part), number) for part, number in zip(voussoirs, numbers, strict=True))
+    return bodies, Chain(tuple(block_of(body) for body in bodies), hinging.hinges, parts=parts)
+
+
+def block_of(body: PlanarBody) -> Block:
+    """The body without its geometry."""
+    return Block(body.mass, body.centroid, body.inertia)
+
+
+def _multipliers(voussoirs: Sequence[Block], ends: ComplexArray, chosen: IntArray, *, face: int) -> FloatArray:
+    """Uplift multiplier of each choice of four joints [k, 4], the first hinge on `face`; inf where it cannot move."""
+    hinges = np.stack([ends[chosen[:, n], (face + n) % 2] for n in range(4)], axis=1)
+    others = np.stack([ends[chosen[:, n], (face + n + 1) % 2] for n in range(4)], axis=1)
+    arms = np.diff(hinges, axis=1)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        second = -_cross(arms[:, 0], arms[:, 2]) / _cross(arms[:, 1], arms[:, 2])
+        third = -_cross(arms[:, 1], arms[:, 0]) / _cross(arms[:, 1], arms[:, 2])
+    turning = np.stack([np.ones(len(chosen)), second, third], axis=1)
+    mass, moment = _sums(voussoirs, chosen)
+    at_start = np.concatenate([np.zeros((len(chosen), 1)), np.cumsum(-1j * arms * turning, axis=1)], axis=1)[:, :3]
+    momentum = mass * at_start - 1j * turning * (moment - mass * hinges[:, :3])
+    work = momentum.sum(axis=1)
+    still = np.zeros((len(chosen), 1))
+    relative = np.diff(np.concatenate([still, turning, still], axis=1), axis=1)
+    opening = -1j * relative * (others - hinges)
+    ahead = _ahead(voussoirs, ends)[chosen]
+    admissible = np.all((opening * np.conj(ahead)).real > 0.0, axis=1) & (work.imag > 0.0) & (work.real > 0.0)
+    values = np.full(len(chosen), np.inf)
+    values[admissible] = work.imag[admissible] / work.real[admissible]
+    return values
+
+
+def _sums(voussoirs: Sequence[Block], chosen: IntArray) -> tuple[FloatArray, ComplexArray]:
+    """Mass and first moment (x + iz) of the three blocks between the joints of each choice [k, 3]."""
+    mass = np.concatenate([[0.0], np.cumsum([part.mass for part in voussoirs])])
+    moment = np.concatenate([[0.0], np.cumsum([part.mass * complex(*part.centroid) for part in voussoirs])])
+    return np.diff(mass[chosen], axis=1), np.diff(moment[chosen], axis=1)
+
+
+def _ahead(voussoirs: Sequence[Block], ends: ComplexArray) -> ComplexArray:
+    """A vector across each joint from the voussoir before it to the one after [joints]."""
+    centres = np.array([complex(*part.centroid) for part in voussoirs])
+    middles = ends.mean(axis=1)
+    before = np.concatenate([[2 * middles[0] - centres[0]], centres])
+    after = np.concatenate([centres, [2 * middles[-1] - centres[-1]]])
+    return np.asarray(after - before)
+
+
+def _cross(a: ComplexArray, b: ComplexArray) -> FloatArray:
+    return np.asarray((np.conj(a) * b).imag, dtype=np.float64)

@@ -1,0 +1,37 @@
+"""What an engineer should look at again in a chain that can move all the same."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import shapely
+
+from assess.geometry.outline import Outline
+from assess.mechanisms.chain import Chain, Point, written
+from assess.mechanisms.statics import verge
+
+NEAR = 0.01  # of the size of a block: a hinge this far outside it still touches it
+
+
+def loose_hinges(hinges: Sequence[Point], outlines: Sequence[Outline], *, mark: str = "") -> Iterator[str]:
+    """A sentence for each hinge, numbered from the base, that does not touch a block it joins."""
+    areas = [shapely.union_all([shapely.Polygon(ring) for ring in rings]) for rings in outlines]
+    for number, (letter, hinge) in enumerate(zip("ABCD", hinges, strict=False)):
+        for block in (number - 1, number):
+            if not 0 <= block < len(areas) or areas[block].is_empty:
+                continue
+            gap = float(areas[block].distance(shapely.Point(hinge)))
+            if gap > NEAR * float(areas[block].length) / 4.0:
+                yield f"hinge {letter}{mark} at {written(hinge)} is {gap:.3g} m away from block {block}; check it"
+
+
+def pulling_supports(chain: Chain, *, mark: str = "") -> Iterator[str]:
+    """A sentence for each hinge on the ground that would have to hold its block down when the chain starts to move."""
+    up = verge(chain).forces[:, 1]
+    supports = {"A": up[0], "D": -up[-1]} if len(chain.blocks) == 3 else {"A": up[0]}
+    for letter, force in supports.items():
+        if force < 0.0:
+            yield (
+                f"hinge {letter}{mark} would have to pull its block down with {-force:.4g} N when the mechanism "
+                "starts, which masonry cannot: check hinges and loads"
+            )

@@ -1,0 +1,77 @@
+"""The forces that hinges pass on when a mechanism is about to move: equilibrium of every block, no virtual work."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.constants import g
+
+from assess.loads import Force, PointMass, Tie
+from assess.mechanisms.chain import Chain, Point
+from assess.mechanisms.motion import move, place
+
+FloatArray = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Verge:
+    """A chain on the verge of moving, under horizontal forces of `multiplier` times all weights along the direction.
+
+    forces : (x, z) of each hinge on the block above it [hinges, 2] [N]; of D on the ground
+    """
+
+    multiplier: float
+    forces: FloatArray
+
+
+def verge(chain: Chain) -> Verge:
+    """Horizontal and vertical force and moment of every block in balance: as many equations as unknowns."""
+    count, hinges = len(chain.blocks), len(chain.hinges)
+    rows, right = np.zeros((3 * count, 2 * hinges + 1)), np.zeros(3 * count)
+    for number in range(count):
+        own = slice(3 * number, 3 * number + 3)
+        rows[own, 2 * number : 2 * number + 2] = _moment_arms(chain.hinges[number])
+        if number + 1 < hinges:
+            rows[own, 2 * number + 2 : 2 * number + 4] = -_moment_arms(chain.hinges[number + 1])
+    for number, at, force, shaken in _loads(chain):
+        own = slice(3 * number, 3 * number + 3)
+        rows[own, -1] += _moment_arms(at) @ (shaken, 0.0)
+        right[own] -= _moment_arms(at) @ force
+    known = [2 * hinges - 1] if count == 2 else []  # C slides: it passes on no vertical force
+    free = [column for column in range(2 * hinges + 1) if column not in known]
+    solved = np.zeros(2 * hinges + 1)
+    solved[free] = np.linalg.solve(rows[:, free], right)
+    return Verge(float(solved[-1]), solved[:-1].reshape(-1, 2))
+
+
+def _moment_arms(at: Point) -> FloatArray:
+    """What a force (x, z) at a point adds to (x, z, clockwise moment about the origin) [3, 2]."""
+    return np.array([[1.0, 0.0], [0.0, 1.0], [at[1], -at[0]]])
+
+
+def _loads(chain: Chain) -> list[tuple[int, Point, Point, float]]:
+    """Of everything that acts: block, place, force at rest, and the horizontal force of a multiplier of one [N]."""
+    acting = [(n, b.centroid, (0.0, -b.mass * g), b.mass * g) for n, b in enumerate(chain.blocks)]
+    for load in chain.loads:
+        if isinstance(load, PointMass):
+            acting.append((load.block, load.at, (0.0, -load.mass * g * load.bearing), load.mass * g))
+        elif isinstance(load, Force):
+            acting.append((load.block, load.at, load.force, 0.0))
+        else:
+            acting.append((load.block, load.at, _pull(load, chain), 0.0))
+    return acting
+
+
+def _pull(tie: Tie, chain: Chain) -> Point:
+    """The force of a tie at rest (x, z) [N]; none where it slackens."""
+    if tie.anchor is None:
+        way = tie.direction or (0.0, 0.0)
+    else:
+        reach = (tie.anchor[0] - tie.at[0], tie.anchor[1] - tie.at[1])
+        way = (reach[0] / float(np.hypot(*reach)), reach[1] / float(np.hypot(*reach)))
+    leaving = place(move(chain, np.zeros(1)), block=tie.block, at=tie.at)
+    shortens = way[0] * leaving.dx[0] + way[1] * leaving.dz[0] > 0.0
+    pull = 0.0 if shortens and not tie.both else tie.pull
+    return (pull * way[0], pull * way[1])

@@ -1,0 +1,89 @@
+"""A wall held at its base and at its top that opens at a crack between (thesis 3.2.3).
+
+For positive rotation the lower block turns about the edge of its base in the direction of motion and the upper one back
+about the edge of the crack behind; the top slides on the vertical at its edge in the direction of motion:
+
+        +-----C            ξ = 0: the load acts at C, the edge support
+        |     |            ξ = 1: at the opposite face
+        |     |
+        B-----+   crack
+        |     |
+        +-----A
+"""
+
+from __future__ import annotations
+
+from assess.errors import MechanismError
+from assess.geometry.planar import PlanarBody, top
+from assess.loads import Load
+from assess.mechanisms.assembly import assembled
+from assess.mechanisms.chain import Block, Chain, Point, mirrored_chain, written
+from assess.mechanisms.doubts import loose_hinges
+from assess.mechanisms.impact import RestitutionChoice
+from assess.mechanisms.mechanism import Mechanism, Sides
+
+Hinges = tuple[Point, Point, Point]
+
+
+def two_block(
+    name: str,
+    lower: PlanarBody,
+    upper: PlanarBody,
+    *,
+    label: str = "",
+    sides: Sides = "two",
+    hinges: Hinges | None = None,
+    hinges_negative: Hinges | None = None,
+    loads: tuple[Load, ...] = (),
+    restitution: tuple[RestitutionChoice, RestitutionChoice] = ("thesis", "thesis"),
+    notices: tuple[str, ...] = (),
+) -> Mechanism:
+    """The mechanism of `upper` on `lower`; hinges A, B, C default to the edges of base, crack and top.
+
+    Raises MechanismError for a body without geometry where an edge is asked for, and for hinges out of order.
+    """
+    if sides == "one" and hinges_negative is not None:
+        raise MechanismError(f'mechanism "{name}": hinges_negative with sides = "one"; remove one of them')
+    outlines = (lower.outline, upper.outline)
+    blocks = tuple(Block(body.mass, body.centroid, body.inertia) for body in (lower, upper))
+    front = hinges or edges(lower, upper, ahead=True, name=name)
+    _require_order(front, name=name)
+    negative = None
+    if sides == "two":
+        back = hinges_negative or edges(lower, upper, ahead=False, name=name)
+        _require_order(back, name=name)
+        negative = mirrored_chain(blocks, back, loads)
+    return assembled(
+        name,
+        "two-block",
+        Chain(blocks, front, loads),
+        negative,
+        label=label,
+        restitution=restitution,
+        outlines=outlines,
+        notices=(
+            *notices,
+            *loose_hinges(hinges or (), outlines),
+            *loose_hinges(hinges_negative or (), outlines, mark="'"),
+        ),
+    )
+
+
+def edges(lower: PlanarBody, upper: PlanarBody, *, ahead: bool, name: str) -> Hinges:
+    """Hinges A, B, C at the edges of the base, of the joint and of the top, for motion ahead or back."""
+    head = top(upper)
+    if lower.base is None or upper.base is None or head is None:
+        raise MechanismError(
+            f'mechanism "{name}": a body without geometry has no edges; give hinges = {{ A = [x, z], B = [x, z], '
+            "C = [x, z] } and, for two-sided rocking, hinges_negative"
+        )
+    return (lower.base[ahead], upper.base[not ahead], head[ahead])
+
+
+def _require_order(hinges: Hinges, *, name: str) -> None:
+    a, b, c = hinges
+    if not a[1] < b[1] < c[1]:
+        raise MechanismError(
+            f'mechanism "{name}": hinges A {written(a)}, B {written(b)} and C {written(c)} must rise in this order: '
+            "base, crack, top"
+        )

@@ -1,0 +1,123 @@
+"""Arches whose hinges are looked for: a body cut at its joints into voussoirs."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from assess.geometry.cut import Parts, Plane, divide
+from assess.geometry.planar import PlanarBody, planar
+from assess.geometry.solid import Solid
+from assess.mechanisms.arch import Hinging, Joint, block_of, hinged, weakest
+from assess.mechanisms.assembly import assembled
+from assess.mechanisms.chain import Chain, Point, mirrored, mirrored_chain, written
+from assess.mechanisms.mechanism import Mechanism, Sides
+from assess.project import sections
+from assess.project.bodies import Piece, as_one
+
+FloatArray = NDArray[np.float64]
+Line = tuple[Point, Point]
+
+
+def hinged_arch(name: str, section: sections.FourHinge, piece: Piece, *, sides: Sides, **common: Any) -> Mechanism:
+    """The four-hinge mechanism of one body that opens at the joints where it resists least, for each direction.
+
+    For negative rotation hinge A is at the far springing, so that both directions of a symmetric arch are alike.
+
+    Raises MechanismError or GeometryError where a joint misses the body, or no four joints make a mechanism.
+    """
+    voussoirs, joints = voussoirs_of(piece.solids, lines_of(section), section.direction, where=f'mechanism "{name}"')
+    plain = [block_of(body) for body in voussoirs]
+    front = weakest(plain, joints, name=name)
+    bodies, positive = hinged(voussoirs, front)
+    negative, notices = None, [told(front, "positive", len(joints), flip=False)]
+    if sides == "two":
+        turned = [replace(block, centroid=mirrored(block.centroid)) for block in plain[::-1]]
+        back = weakest(turned, [(mirrored(a), mirrored(b)) for a, b in joints[::-1]], name=name)
+        a, b, c, d = (mirrored(hinge) for hinge in back.hinges)
+        negative = mirrored_back(hinged(voussoirs[::-1], replace(back, hinges=(a, b, c, d)))[1])
+        notices.append(told(back, "negative", len(joints), flip=True))
+    outlines = tuple(body.outline for body in bodies)
+    return assembled(name, "four-hinge", positive, negative, outlines=outlines, notices=notices, **common)
+
+
+def mirrored_back(chain: Chain) -> Chain:
+    """A chain that begins at the far springing, in the sign of the negative branch; parts in order from the near."""
+    parts = tuple((replace(part, centroid=mirrored(part.centroid)), number) for part, number in chain.parts[::-1])
+    return replace(mirrored_chain(chain.blocks, chain.hinges), parts=parts)
+
+
+def told(found: Hinging, rotation: str, joints: int, *, flip: bool) -> str:
+    """Which hinges were found, in the project's own axes."""
+    places = ", ".join(
+        f"{letter} {written(mirrored(at) if flip else at)}" for letter, at in zip("ABCD", found.hinges, strict=True)
+    )
+    return (
+        f"hinges of {rotation} rotation found as the least of all mechanisms over {joints} joints, uplift multiplier "
+        f"{found.multiplier:.4g}: {places}"
+    )
+
+
+def lines_of(section: sections.FourHinge) -> list[Line]:
+    """The joints in the plane of motion, from one springing to the other."""
+    joints = section.joints
+    if not isinstance(joints, sections.RadialJoints):
+        return list(joints or ())
+    x, z = joints.centre
+    angles = np.linspace(max(joints.first, joints.last), min(joints.first, joints.last), joints.count + 1)
+    return [((x, z), (x + float(np.cos(angle)), z + float(np.sin(angle)))) for angle in angles]
+
+
+def voussoirs_of(
+    solids: Sequence[Solid], lines: Sequence[Line], direction: Sequence[float], *, where: str
+) -> tuple[list[PlanarBody], list[Joint]]:
+    """The body between its joints, and the ends of each joint at the faces of the body."""
+    along = np.append(np.array(direction[:2]) / np.linalg.norm(direction), 0.0)
+    normals = ahead(lines)
+    rest, joints, bodies = tuple(solids), [], []
+    for number, (line, normal) in enumerate(zip(lines, normals, strict=True), start=1):
+        parts = side(rest, line, normal if number == 1 else -normal, along, where=f"{where}: joint {number}")
+        joints.append(ends_of(parts.foot, line, along))
+        if number == 1:
+            rest = parts.above
+        else:
+            bodies.append(as_voussoir(parts.above, direction, number - 1))
+            rest = parts.below
+    return bodies, joints
+
+
+def side(solids: Sequence[Solid], line: Line, normal: FloatArray, along: FloatArray, *, where: str) -> Parts:
+    """The solids on the two sides of the upright sheet through a line of the plane of motion."""
+    point = line[0][0] * along + np.array([0.0, 0.0, line[0][1]])
+    return divide(solids, Plane(point, normal[0] * along + np.array([0.0, 0.0, normal[1]])), where=where)
+
+
+def ends_of(foot: FloatArray, line: Line, along: FloatArray) -> Joint:
+    """The two ends of a joint: the first where its line begins, so that first ends lie on one face."""
+    points = np.column_stack([foot @ along, foot[:, 2]])
+    way = np.subtract(line[1], line[0])
+    reach = points @ way
+    first, last = points[reach.argmin()], points[reach.argmax()]
+    return (float(first[0]), float(first[1])), (float(last[0]), float(last[1]))
+
+
+def ahead(lines: Sequence[Line]) -> list[FloatArray]:
+    """The unit normal of each joint towards the next one, of the last away from the one before."""
+    middles = [np.add(a, b) / 2.0 for a, b in lines]
+    normals = []
+    for number, (a, b) in enumerate(lines):
+        way = np.subtract(b, a)
+        normal = np.array([way[1], -way[0]]) / np.hypot(*way)
+        last = number + 1 == len(lines)
+        onward = middles[number] - middles[number - 1] if last else middles[number + 1] - middles[number]
+        normals.append(normal if normal @ onward > 0.0 else -normal)
+    return normals
+
+
+def as_voussoir(solids: Sequence[Solid], direction: Sequence[float], number: int) -> PlanarBody:
+    """What lies between two joints."""
+    return replace(as_one([planar(solid, direction=direction) for solid in solids]), name=f"voussoir {number}")

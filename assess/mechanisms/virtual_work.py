@@ -123,9 +123,10 @@ def branch(chain: Chain, *, restitution: float, name: str) -> Branch:
     critical = first_fall(whole.weight, scan, lambda phi: float(at(phi).weight[1]))
     edge = first_fall(whole.excitation, scan, lambda phi: float(at(phi).excitation[1])) or reach
     if overturning is None or critical is None or max(overturning, critical) >= edge:
+        last = "the body lies level with its hinge" if len(chain.blocks) == 1 else "its blocks can turn no further"
         raise MechanismError(
-            f'mechanism "{name}": the restoring moment does not fall to zero while the body still stands above its '
-            "hinge; it cannot overturn as described: check the ties"
+            f'mechanism "{name}": the restoring moment does not fall to zero before {last}, at {edge:.3g} rad; it '
+            "cannot overturn as described: check hinges and ties"
         )
     end = min(max(REACH * overturning, 1.05 * critical), 0.5 * (max(overturning, critical) + edge))
     rotation = np.linspace(0.0, end, NODES)

@@ -1,11 +1,13 @@
 """What a block carries or is pulled by besides itself: point masses, given forces, ties.
 
 Places and forces are in the plane of motion, (distance along the direction, elevation); a load is fixed to its block.
+`source` says in a sentence how a load was found; it is empty where the user gave its numbers.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from math import hypot
 
 Point = tuple[float, float]
 
@@ -23,6 +25,7 @@ class PointMass:
     at: Point
     bearing: bool
     block: int = 0
+    source: str = ""
 
 
 @dataclass(frozen=True)
@@ -33,6 +36,7 @@ class Force:
     force: Point
     at: Point
     block: int = 0
+    source: str = ""
 
 
 @dataclass(frozen=True)
@@ -49,9 +53,20 @@ class Tie:
     anchor: Point | None = None
     both: bool = False
     block: int = 0
+    source: str = ""
 
 
 Load = PointMass | Force | Tie
+
+
+def pull_at_rest(tie: Tie) -> Point:
+    """The force (x, z) [N] of a taut tie before anything moves."""
+    if tie.anchor is None:
+        along, up = tie.direction or (0.0, 0.0)
+        return (tie.pull * along, tie.pull * up)
+    to_x, to_z = tie.anchor[0] - tie.at[0], tie.anchor[1] - tie.at[1]
+    length = hypot(to_x, to_z)
+    return (tie.pull * to_x / length, tie.pull * to_z / length)
 
 
 def mirrored(load: Load) -> Load:

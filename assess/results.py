@@ -198,6 +198,23 @@ class SuiteResult:
 
 
 @dataclass(frozen=True)
+class LoadResult:
+    """A load as used: a mass, bearing or not, or the force (along the direction, up) of a force or tie at rest.
+
+    at: distance along the direction, elevation [m]; source: how it was found, or "given".
+    """
+
+    name: str
+    kind: Literal["mass", "force", "tie"]
+    block: int
+    at: Point
+    mass_kg: float | None
+    bearing: bool | None
+    force_n: Point | None
+    source: str
+
+
+@dataclass(frozen=True)
 class MechanismResult:
     """Everything about one mechanism."""
 
@@ -217,6 +234,7 @@ class MechanismResult:
     suites: tuple[SuiteResult, ...]
     envelope: dict[str, Any] | None
     restitution_source: str
+    loads: tuple[LoadResult, ...]
 
 
 @dataclass(frozen=True)

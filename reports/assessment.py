@@ -114,6 +114,7 @@ def _shape(mechanism: MechanismResult, name: str) -> Section:
     blocks = (
         Text((sentences.description(mechanism),)),
         Figure(f"{name}-sketch", caption, partial(sketch.draw, mechanism)),
+        *_filled(tables.loads(mechanism, name=f"{name}-loads")),
         tables.parameters(mechanism, name=f"{name}-parameters"),
         Figure(f"{name}-capacity", curve, partial(capacity.draw, mechanism)),
     )

@@ -185,6 +185,29 @@ def parameters(mechanism: MechanismResult, *, name: str) -> Table:
     return Table(name, f"Rocking parameters of each branch (direction of rotation).{one_sided}", columns, rows)
 
 
+def loads(mechanism: MechanismResult, *, name: str) -> Table:
+    """What each block carries or is pulled by, and how that was found."""
+    columns = (
+        Column("Load"),
+        Column("x", "m", "number"),
+        Column("z", "m", "number"),
+        Column("Mass", "kg", "number"),
+        Column("Bearing", kind="given"),
+        Column("Force along", "N", "number"),
+        Column("Force up", "N", "number"),
+        Column("Found"),
+    )
+    rows = tuple(
+        (load.name, *load.at, load.mass_kg, load.bearing, *(load.force_n or (None, None)), load.source)
+        for load in mechanism.loads
+    )
+    caption = (
+        "Loads, at x along the direction of motion and elevation z; forces along the direction and up. A mass that is "
+        "not bearing has its weight carried elsewhere: only its horizontal inertia acts on the block."
+    )
+    return Table(name, caption, columns, rows)
+
+
 def demands(mechanism: MechanismResult, *, name: str) -> Table:
     """Every check of one mechanism: demand, allowable, ratio and verdict, and the accelerations it stands up to."""
     columns = (

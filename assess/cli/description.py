@@ -5,7 +5,7 @@ from __future__ import annotations
 from assess.cli.parameter_table import table_text
 from assess.project.messages import printable
 from assess.project.schema import Project
-from assess.results import MechanismResult, NamedPoint, Notice
+from assess.results import LoadResult, MechanismResult, NamedPoint, Notice
 
 
 def description(project: Project, mechanisms: tuple[MechanismResult, ...], notices: tuple[Notice, ...]) -> str:
@@ -41,10 +41,22 @@ def _mechanism(m: MechanismResult) -> list[str]:
         f"{printable(m.name)}{label}: {m.kind}, {sides}, {m.equation} equation",
         f"  hinges      {_points(m.drawing.hinges)}",
         f"  centroid    {_at(m.drawing.centroid)}",
-        f"  loads       {_points(m.drawing.loads)}",
+        *_loads(m.loads),
         f"  interface   {interface}",
         f"  impacts     {printable(m.restitution_source)}",
     ]
+
+
+def _loads(loads: tuple[LoadResult, ...]) -> list[str]:
+    lines = [f"{printable(load.name)} at {_at(load.at)}: {_size(load)}; {printable(load.source)}" for load in loads]
+    return [f"  {'loads' if i == 0 else '':<11} {line}" for i, line in enumerate(lines or ["none"])]
+
+
+def _size(load: LoadResult) -> str:
+    if load.mass_kg is not None:
+        return f"{load.mass_kg:.6g} kg, {'bearing' if load.bearing else 'horizontal inertia only'}"
+    along, up = load.force_n or (0.0, 0.0)
+    return f"{load.kind} {along / 1e3:.4g} kN along the direction, {up / 1e3:.4g} kN up"
 
 
 def _points(points: tuple[NamedPoint, ...]) -> str:

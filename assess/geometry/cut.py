@@ -1,9 +1,13 @@
-"""Bodies cut along a plane: what lies above, and the section it stands on. The only door to manifold3d."""
+"""Bodies cut along a plane: what lies above, and the section it stands on; what two bodies share, their distance.
+
+The only door to manifold3d.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 import shapely
@@ -15,6 +19,7 @@ from assess.geometry.solid import THINNEST, Solid, polyhedron
 
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
+BoolArray = NDArray[np.bool_]
 Surface = tuple[FloatArray, IntArray]
 
 FLATTEST = 1e-6  # vertical part of a unit normal: below this a plane is upright and has no side above
@@ -38,6 +43,21 @@ class Plane:
             return f"the cut at z = {self.point[2]:.6g} m"
         at, to = (", ".join(f"{value + 0.0:.6g}" for value in v) for v in (self.point, self.normal))
         return f"the cut through ({at}) m with normal ({to})"
+
+
+@dataclass(frozen=True)
+class Common:
+    """What two bodies share.
+
+    corners : of the triangles of its surface, anticlockwise seen from outside [m, 3, 3] [m]
+    of_second : which of them are part of the second body's surface [m]; volume : [m3]
+    part : volume over that of the smaller body [-]
+    """
+
+    corners: FloatArray
+    of_second: BoolArray
+    volume: float
+    part: float
 
 
 @dataclass(frozen=True)
@@ -120,6 +140,75 @@ def divide(solids: Sequence[Solid], plane: Plane, *, where: str) -> Parts:
     section = np.unique(shapely.get_coordinates(areas), axis=0)
     foot = np.column_stack([section, np.zeros(len(section))]) @ axes + origin
     return Parts(tuple(over), tuple(under), foot)
+
+
+def common(first: Solid, second: Solid) -> Common | None:
+    """What two bodies share, None where they share nothing.
+
+    Raises
+    ------
+    GeometryError : a surface is not that of a solid
+    """
+    if _bounds_gap(first, second) > 0.0:
+        return None
+    origin = (first.vertices.min(axis=0) + first.vertices.max(axis=0)) / 2.0
+    one, two = (_manifold(solid, solid.vertices - origin).as_original() for solid in (first, second))
+    shared = one ^ two
+    volume, smaller = float(shared.volume()), min(float(one.volume()), float(two.volume()))
+    if volume <= THINNEST * smaller:  # faces that only touch leave a film
+        return None
+    mesh = shared.to_mesh64()
+    corners = np.array(mesh.vert_properties, dtype=np.float64)[:, :3][np.array(mesh.tri_verts, dtype=np.int64)]
+    ends = np.array(mesh.run_index, dtype=np.int64) // 3
+    of_second = np.repeat(np.array(mesh.run_original_id, dtype=np.int64) == two.original_id(), ends[1:] - ends[:-1])
+    return Common(corners + origin, of_second, volume, volume / smaller)
+
+
+def gap(first: Solid, second: Solid) -> float:
+    """The shortest distance between two bodies [m]; 0 where they touch or overlap.
+
+    Raises
+    ------
+    GeometryError : a surface is not that of a solid
+    """
+    origin = (first.vertices.min(axis=0) + first.vertices.max(axis=0)) / 2.0
+    one, two = (_manifold(solid, solid.vertices - origin) for solid in (first, second))
+    reach = np.concatenate([first.vertices, second.vertices])
+    return float(one.min_gap(two, float(np.linalg.norm(np.ptp(reach, axis=0))) + 1.0))
+
+
+def halves(solid: Solid, *, point: ArrayLike, normal: ArrayLike) -> tuple[Solid, ...]:
+    """The parts of a body behind and before an upright plane through a point [3]; normal: unit vector [3].
+
+    Raises
+    ------
+    GeometryError : the surface is not that of a solid
+    """
+    axes = _axes(np.asarray(normal, dtype=np.float64))
+    origin = np.asarray(point, dtype=np.float64)
+    placed = (solid.vertices - origin) @ axes.T
+    front, back = _split(solid, placed, where=f'body "{solid.name}"')
+    return tuple(_part(solid, points @ axes + origin, faces) for points, faces in (back, front) if len(faces))
+
+
+def _bounds_gap(first: Solid, second: Solid) -> float:
+    """The largest distance between the bounding boxes along an axis [m]; negative where they overlap."""
+    low_a, high_a, low_b, high_b = (
+        end(solid.vertices, axis=0) for solid in (first, second) for end in (np.min, np.max)
+    )
+    return float(np.maximum(low_b - high_a, low_a - high_b).max())
+
+
+def _manifold(solid: Solid, points: FloatArray) -> Any:
+    """The body with its vertices at the points [n, 3], as manifold3d has it."""
+    from manifold3d import Error, Manifold, Mesh64
+
+    body = Manifold(Mesh64(points, solid.triangles.astype(np.uint64)))
+    if body.status() != Error.NoError:
+        raise GeometryError(
+            f'body "{solid.name}" cannot be set against another ({body.status().name}); is its surface closed?'
+        )
+    return body
 
 
 def _axes(normal: FloatArray) -> FloatArray:

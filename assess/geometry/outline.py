@@ -49,6 +49,12 @@ def outline(points: FloatArray, triangles: IntArray) -> Outline:
     return tuple(sorted(tuple((float(x), float(z)) for x, z in ring) for ring in rings))
 
 
+def distance(rings: Outline, point: Point) -> float:
+    """How far a point (x, z) lies outside closed rings, 0 on or inside one [m]."""
+    whole = shapely.union_all([shapely.Polygon(ring) for ring in rings])
+    return float(shapely.distance(whole, shapely.Point(point)))
+
+
 def _facing(points: FloatArray, triangles: IntArray, *, smallest: float) -> FloatArray:
     """Corners [k, 3, 2] of the triangles that run anticlockwise and have more than the smallest area [m2]."""
     corners = points[triangles]

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.constants import g
 
-from assess.loads import Force, PointMass, Tie
+from assess.loads import Force, PointMass, Tie, pull_at_rest
 from assess.mechanisms.chain import Chain, Point
 from assess.mechanisms.motion import move, place
 
@@ -66,12 +66,7 @@ def _loads(chain: Chain) -> list[tuple[int, Point, Point, float]]:
 
 def _pull(tie: Tie, chain: Chain) -> Point:
     """The force of a tie at rest (x, z) [N]; none where it slackens."""
-    if tie.anchor is None:
-        way = tie.direction or (0.0, 0.0)
-    else:
-        reach = (tie.anchor[0] - tie.at[0], tie.anchor[1] - tie.at[1])
-        way = (reach[0] / float(np.hypot(*reach)), reach[1] / float(np.hypot(*reach)))
+    along, up = pull_at_rest(tie)
     leaving = place(move(chain, np.zeros(1)), block=tie.block, at=tie.at)
-    shortens = way[0] * leaving.dx[0] + way[1] * leaving.dz[0] > 0.0
-    pull = 0.0 if shortens and not tie.both else tie.pull
-    return (pull * way[0], pull * way[1])
+    shortens = along * leaving.dx[0] + up * leaving.dz[0] > 0.0
+    return (0.0, 0.0) if shortens and not tie.both else (along, up)

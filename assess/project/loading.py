@@ -1,12 +1,64 @@
-"""The entries of `loads` as the field's loads."""
+"""The entries of `loads` as the field's loads, and what is doubtful of them."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
+import numpy as np
+
+from assess.errors import GeometryError
+from assess.geometry.outline import Outline, distance
 from assess.loads import Force, Load, PointMass, Tie
 from assess.project import sections
+from assess.project.bodies import Piece, Solids
+from assess.project.body_loads import Brought, Surroundings, body_loads, overlaps
 from assess.project.plane import point_in_plane, unit_in_plane
+
+IN_THE_AIR = 0.05  # of the block's size: a load farther outside it is not on the block
+
+
+def loads_of(
+    name: str, section: sections.Chained, pieces: Sequence[Piece], content: sections.Content, solids: Solids
+) -> Brought:
+    """The loads of the mechanism `name` that have a place of their own; pieces: its blocks, or all of them in one.
+
+    Raises GeometryError for a body that touches nothing of its block.
+    """
+    loads: list[Load] = []
+    doubts: list[str] = []
+    for number, load in enumerate(section.loads, start=1):
+        if isinstance(load, sections.OverburdenLoad):
+            continue
+        piece = pieces[min(load.block, len(pieces) - 1)]
+        if isinstance(load, sections.BodyLoad):
+            around = surroundings(name, section, load, piece, solids)
+            brought = body_loads(load, body=solids[load.body], mass=mass_of(load.body, content, solids), around=around)
+        else:
+            brought = Brought((load_of(number, load, section.direction),), ())
+        loads += brought.loads
+        doubts += (*brought.doubts, *in_the_air(brought.loads, piece.body.outline))
+    carried = dict.fromkeys(load.body for load in section.loads if isinstance(load, sections.BodyLoad))
+    doubts += overlaps([solid for body in carried if (solid := solids[body]) is not None])
+    return Brought(tuple(loads), tuple(dict.fromkeys(doubts)))
+
+
+def surroundings(
+    name: str, section: sections.Chained, load: sections.BodyLoad, piece: Piece, solids: Solids
+) -> Surroundings:
+    """What stands around a body that loads a piece of the mechanism `name`."""
+    own = {solid.name for solid in piece.solids} | {load.body}
+    others = tuple(solid for key, solid in solids.items() if solid is not None and key not in own)
+    along = np.asarray(section.direction) / np.linalg.norm(section.direction)
+    return Surroundings(piece.solids, others, along, where=f'mechanism "{name}"')
+
+
+def mass_of(name: str, content: sections.Content, solids: Solids) -> float:
+    """The mass of a body by its volume or direct values [kg]."""
+    body, solid = content.bodies[name], solids[name]
+    if solid is not None:
+        return solid.mass
+    assert isinstance(body, sections.DirectBody)
+    return body.mass
 
 
 def load_of(
@@ -19,8 +71,23 @@ def load_of(
     way = None if load.direction is None else unit_in_plane(load.direction, direction)
     if isinstance(load, sections.TieLoad):
         anchor = None if load.anchor is None else point_in_plane(load.anchor, direction)
+        if anchor == at:
+            raise GeometryError(f'load "{name}": seen in the plane of motion its anchor is where it holds; move one')
         return Tie(name, load.force, at, way, anchor, load.both, load.block)
     if isinstance(load.force, tuple):
         return Force(name, load.force, at, load.block)
     assert way is not None  # the schema asks for it
     return Force(name, (load.force * way[0], load.force * way[1]), at, load.block)
+
+
+def in_the_air(loads: Sequence[Load], outline: Outline) -> Iterator[str]:
+    """A sentence for each load that is not on or near the block of this outline, seen in the plane of motion."""
+    corners = [point for ring in outline for point in ring]
+    size = float(np.ptp(corners, axis=0).max()) if corners else 0.0
+    for load in loads:
+        off = distance(outline, load.at) if corners else 0.0
+        if off > IN_THE_AIR * size:
+            yield (
+                f'load "{load.name}" at ({load.at[0]:.4g}, {load.at[1]:.4g}) m is in the air, {off:.3g} m from the '
+                "block as seen in the plane of motion; it moves with the block all the same: check `at`"
+            )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from typing import Any
 
 from assess.errors import MechanismError
@@ -16,7 +17,7 @@ from assess.mechanisms.two_block import two_block
 from assess.project import sections
 from assess.project.arches import hinged_arch
 from assess.project.bodies import Piece, Solids, doubts_of, pieces_of
-from assess.project.loading import load_of
+from assess.project.loading import loads_of
 from assess.project.plane import point_in_plane
 from assess.project.walls import cracked
 
@@ -27,14 +28,21 @@ def mechanism_of(name: str, section: sections.Mechanism, content: sections.Conte
         own = section.model_dump(include={"p", "uplift", "radius", "mass", "elevation", "label", "sides"})
         return equivalent_block(name, **own, restitution=restitution_of(section))
     pieces = pieces_of(name, section, content, solids)
+    brought = loads_of(name, section, pieces, content, solids)
     try:
-        return BUILDERS[type(section)](name, section, pieces, content)
+        mechanism = BUILDERS[type(section)](name, section, pieces, content, loads=brought.loads)
     except MechanismError as error:
         raise error if str(error).startswith("mechanism ") else MechanismError(f'mechanism "{name}": {error}') from None
+    return replace(mechanism, notices=(*mechanism.notices, *brought.doubts))
 
 
 def of_one_block(
-    name: str, section: sections.SingleBlock, pieces: Sequence[Piece], content: sections.Content
+    name: str,
+    section: sections.SingleBlock,
+    pieces: Sequence[Piece],
+    content: sections.Content,
+    *,
+    loads: tuple[Load, ...],
 ) -> Mechanism:
     """A single block about the edges of its base."""
     front, back = hinges_of(section.hinges, section), hinges_of(section.hinges_negative, section)
@@ -43,18 +51,23 @@ def of_one_block(
         pieces[0].body,
         hinge=front[0] if front else None,
         hinge_negative=back[0] if back else None,
-        loads=loads_of(section),
+        loads=loads,
         notices=() if front else tuple(doubts_of(pieces[0], section.direction)),
         **common(section),
     )
 
 
 def of_two_blocks(
-    name: str, section: sections.TwoBlock, pieces: Sequence[Piece], content: sections.Content
+    name: str,
+    section: sections.TwoBlock,
+    pieces: Sequence[Piece],
+    content: sections.Content,
+    *,
+    loads: tuple[Load, ...],
 ) -> Mechanism:
     """A wall held at base and top, of two bodies or of one that cracks."""
     front, back = hinges_of(section.hinges, section), hinges_of(section.hinges_negative, section)
-    wall = cracked(name, section, pieces, content, loads_of(section), front=front)
+    wall = cracked(name, section, pieces, content, loads, front=front)
     doubts = () if front else tuple(text for piece in wall.pieces for text in doubts_of(piece, section.direction))
     return two_block(
         name,
@@ -69,7 +82,12 @@ def of_two_blocks(
 
 
 def of_four_hinges(
-    name: str, section: sections.FourHinge, pieces: Sequence[Piece], content: sections.Content
+    name: str,
+    section: sections.FourHinge,
+    pieces: Sequence[Piece],
+    content: sections.Content,
+    *,
+    loads: tuple[Load, ...],
 ) -> Mechanism:
     """Three blocks between four hinges that are given, or an arch whose hinges are looked for."""
     if not isinstance(section.hinges, sections.FourHinges):
@@ -79,7 +97,7 @@ def of_four_hinges(
         [piece.body for piece in pieces],
         hinges=hinges_of(section.hinges, section),
         hinges_negative=hinges_of(section.hinges_negative, section),
-        loads=loads_of(section),
+        loads=loads,
         **common(section),
     )
 
@@ -99,15 +117,6 @@ def common(section: sections.Chained) -> dict[str, Any]:
 def restitution_of(section: sections.Chained | sections.EquivalentBlock) -> tuple[Any, Any]:
     """The choices for the impacts that end the positive and the negative branch."""
     return (section.restitution.positive, section.restitution.negative)
-
-
-def loads_of(section: sections.Chained) -> tuple[Load, ...]:
-    """The loads of a mechanism that have a place of their own."""
-    return tuple(
-        load_of(i, load, section.direction)
-        for i, load in enumerate(section.loads, start=1)
-        if not isinstance(load, sections.OverburdenLoad)
-    )
 
 
 def hinges_of(hinges: sections.Hinges | None, section: sections.Chained) -> Any:

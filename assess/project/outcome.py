@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from scipy.constants import g
 
 from assess.codes.check import Check
+from assess.loads import Force, Load, PointMass, pull_at_rest
 from assess.mechanisms.chain import Chain, Point, mirrored
 from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.statics import verge
@@ -32,6 +33,7 @@ from assess.results import (
     Drawing,
     Factor,
     HistoryResult,
+    LoadResult,
     MechanismResult,
     NamedPoint,
     OscillatorResult,
@@ -192,7 +194,18 @@ def mechanism_result(
         histories=tuple(history for level in histories for history in level),
         suites=tuple(suite_result(level) for level in histories),
         envelope=None,
+        loads=tuple(load_result(load) for load in mechanism.positive.loads),
     )
+
+
+def load_result(load: Load) -> LoadResult:
+    """A load as used, and how it was found."""
+    source = load.source or "given"
+    if isinstance(load, PointMass):
+        return LoadResult(load.name, "mass", load.block, load.at, load.mass, load.bearing, None, source)
+    if isinstance(load, Force):
+        return LoadResult(load.name, "force", load.block, load.at, None, None, load.force, source)
+    return LoadResult(load.name, "tie", load.block, load.at, None, None, pull_at_rest(load), source)
 
 
 def suite_result(histories: Sequence[HistoryResult]) -> SuiteResult:

@@ -156,6 +156,8 @@ def _plain(value: Any, folder: Path) -> Any:
     """A value as JSON holds it."""
     if isinstance(value, Path):
         return relative(value, folder)
+    if isinstance(value, BaseModel):
+        return {name: _plain(getattr(value, name), folder) for name in type(value).model_fields}
     return [_plain(item, folder) for item in value] if isinstance(value, tuple) else value
 
 

@@ -55,6 +55,7 @@ KINDS: dict[str, Kind] = {
     "stress": Kind("stress", "pascal", "Pa", "1.0 MPa"),
     "stiffness": Kind("stiffness per area", "pascal/meter", "Pa/m", "10 GPa/m"),
     "density": Kind("density", "kilogram/meter**3", "kg/m^3", "2240 kg/m^3"),
+    "mass per area": Kind("mass per area", "kilogram/meter**2", "kg/m^2", "80 kg/m^2"),
     "inertia": Kind("moment of inertia", "kilogram*meter**2", "kg*m^2", "5200 kg*m^2"),
     "angle": Kind("angle", "radian", "rad", "30 deg", only=_ANGLES),
     "frequency": Kind("frequency", "1/second", "Hz", "2.5 Hz", never=_TURNS),

@@ -6,7 +6,7 @@ The sentence below a key is its description in the JSON Schema and in the messag
 from assess.project.sections.analysis import PROCEDURES
 from assess.project.sections.bodies import Body, BoxBody, DirectBody, Material, MeshBody, ProfileBody
 from assess.project.sections.content import Content
-from assess.project.sections.loads import ForceLoad, LoadTable, MassLoad, OverburdenLoad, TieLoad
+from assess.project.sections.loads import BodyLoad, ForceLoad, LoadTable, MassLoad, OverburdenLoad, TieLoad
 from assess.project.sections.mechanisms import (
     Chained,
     CutPlane,
@@ -25,6 +25,7 @@ __all__ = [
     "PROCEDURES",
     "Asce7Spectrum",
     "Body",
+    "BodyLoad",
     "BoxBody",
     "Chained",
     "Content",

@@ -12,6 +12,7 @@ from assess.project.quantities import Name
 from assess.project.section import Section, listed, wrong
 from assess.project.sections.analysis import Analysis, Procedures, Records, Report
 from assess.project.sections.bodies import BodySection, DirectBody, Material
+from assess.project.sections.loads import BodyLoad
 from assess.project.sections.mechanisms import Chained, MechanismSection
 from assess.project.sections.site import Building, Site
 
@@ -72,7 +73,22 @@ class Content(Section):
             twice = sorted({body for body in used if used.count(body) > 1})
             if twice:
                 raise wrong(("mechanisms", name, "blocks"), f"{listed(tuple(twice))} named twice; a body moves once")
+            if isinstance(mechanism, Chained):
+                self._bodies_are_loads(name, mechanism, set(used))
         return self
+
+    def _bodies_are_loads(self, name: str, mechanism: Chained, moving: set[str]) -> None:
+        """Refuse a body as load that does not exist, is part of the mechanism, or loads the same block already."""
+        taken: set[tuple[str, int]] = set()
+        for place, load in enumerate(mechanism.loads):
+            if not isinstance(load, BodyLoad):
+                continue
+            key = ("mechanisms", name, "loads", place, "body")
+            if load.body not in self.bodies:
+                raise wrong(key, f"no such body; {_known('bodies', self.bodies)}")
+            if load.body in moving or (load.body, load.block) in taken:
+                raise wrong(key, "it is part of a block, or a load of this block already; name another body")
+            taken.add((load.body, load.block))
 
 
 def _known(table: str, names: Mapping[str, Any]) -> str:

@@ -6,7 +6,18 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Discriminator, Field, StrictBool, StrictInt, Tag, WithJsonSchema, model_validator
 
-from assess.project.quantities import AnyDirection, Length, Point, PositiveForce, PositiveMass
+from assess.geometry.touch import TOLERANCE
+from assess.project.quantities import (
+    AnyDirection,
+    Length,
+    Name,
+    Point,
+    PositiveAreaMass,
+    PositiveForce,
+    PositiveLength,
+    PositiveMass,
+    Share,
+)
 from assess.project.section import Section, listed, wrong
 from assess.project.units import KINDS, si_value
 
@@ -106,8 +117,60 @@ class OverburdenLoad(Section):
     """of the load from mid-thickness of the top towards `direction`"""
 
 
-LoadTable = MassLoad | ForceLoad | TieLoad | OverburdenLoad
-LOADS = ("mass", "force", "tie", "overburden")
+class BodyLoad(Section):
+    """A floor, roof or vault given as a body: what it puts on the block is found where it touches it."""
+
+    kind: Literal["body"]
+    """"body\""""
+    body: Name
+    """the name of a table [bodies.NAME] that is not part of the block"""
+    role: Literal["floor", "roof", "vault"] = "floor"
+    """"floor" (weight), or "roof" or "vault" (weight and thrust)"""
+    tolerance: PositiveLength = TOLERANCE
+    """faces this near each other touch"""
+    share: Share | None = None
+    """part of the body that this block carries, in (0, 1]; by statics from what else carries it if absent"""
+    bearing: StrictBool | None = None
+    """true: the block carries weight; false: it is only pushed; as the contact shows if absent"""
+    at: Point | None = None
+    """where it acts: [x, y, z], or [distance along the direction, elevation]; centroid of the contact if absent"""
+    mass: PositiveMass | None = None
+    """of the whole body; its volume times the density of its material if absent"""
+    thrust: PositiveForce | None = None
+    """of a roof or vault on this block, along the direction of motion, outwards; from its shape if absent"""
+    span: PositiveLength | None = None
+    """of a roof or vault along its thrust; from its bounding box if absent"""
+    rise: PositiveLength | None = None
+    """of the ridge or crown above the springing; from the bounding box if absent"""
+    tied: StrictBool = False
+    """true: ties or tie-beams take the thrust"""
+    vault: Literal["barrel", "quadripartite"] | None = None
+    """as the faces of the mesh show if absent"""
+    construction: Annotated[StrictInt, Field(ge=1, le=5)] | None = None
+    """weight of a vault by Ungewitter's case 1 to 5 over its intrados, in place of the mesh's volume"""
+    fill: PositiveAreaMass | None = None
+    """fill and plaster over the plan of a vault, beside its own weight, like "80 kg/m^2\""""
+    block: BlockIndex = 0
+    """which block it acts on, from 0 at the base"""
+
+    @model_validator(mode="after")
+    def _keys_belong_together(self) -> BodyLoad:
+        for key in ("thrust", "span", "rise", "tied"):
+            if self.role == "floor" and self.given(key):
+                raise wrong(key, 'only a roof or a vault has a thrust; write role = "roof" or "vault", or remove it')
+        for key in ("vault", "construction", "fill"):
+            if self.role != "vault" and self.given(key):
+                raise wrong(key, 'only of a vault; write role = "vault", or remove it')
+        instead = {"thrust": ("tied", "span", "rise"), "mass": ("construction", "fill")}
+        for number, keys in instead.items():
+            for key in keys:
+                if getattr(self, key) and getattr(self, number) is not None:
+                    raise wrong(key, f"beside {number}, which leaves nothing for it to say; remove one of them")
+        return self
+
+
+LoadTable = MassLoad | ForceLoad | TieLoad | OverburdenLoad | BodyLoad
+LOADS = ("mass", "force", "tie", "overburden", "body")
 
 
 def _load_tag(values: Any) -> str | None:
@@ -119,7 +182,8 @@ LoadSection = Annotated[
     Annotated[MassLoad, Tag("<mass>")]
     | Annotated[ForceLoad, Tag("<force>")]
     | Annotated[TieLoad, Tag("<tie>")]
-    | Annotated[OverburdenLoad, Tag("<overburden>")],
+    | Annotated[OverburdenLoad, Tag("<overburden>")]
+    | Annotated[BodyLoad, Tag("<body>")],
     Discriminator(
         _load_tag,
         custom_error_type="project",

@@ -172,7 +172,7 @@ class Chained(Section):
     sides: Literal["one", "two"] = "two"
     """"two", or "one": positive rotation only, the building behind stops the other"""
     loads: tuple[LoadSection, ...] = ()
-    """[ { kind = "mass" | "force" | "tie" | "overburden", … }, … ]"""
+    """[ { kind = "mass" | "force" | "tie" | "overburden" | "body", … }, … ]"""
     restitution: Restitution = Field(default_factory=Restitution)
     """a number in [0, 1], a name, or { positive, negative }"""
 

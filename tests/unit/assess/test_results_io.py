@@ -17,6 +17,7 @@ from assess.results import (
     Curve,
     Drawing,
     Input,
+    LoadResult,
     MechanismResult,
     NamedPoint,
     Notice,
@@ -51,6 +52,7 @@ def mechanism() -> MechanismResult:
     return MechanismResult(
         "w", "<b>&", "single-block", "two", "exact", drawing, oscillator(), None, curve, ({"hinge": "A", "x": [1.5]},),
         AmplificationResult("none", ()), (check(),), (), (), None, "given",
+        (LoadResult("<i>", "mass", 0, (0.1, 2.0), 5.0, True, None, "given"),),
     )  # fmt: skip
 
 

@@ -18,6 +18,7 @@ from assess.results import (
     Factor,
     HistoryResult,
     Input,
+    LoadResult,
     MechanismResult,
     NamedPoint,
     Notice,
@@ -273,6 +274,14 @@ def rectangle(thickness: float, height: float, base: float) -> Drawing:
     return Drawing((outline,), hinges, (), (0.0, base + height / 2))
 
 
+def loads() -> tuple[LoadResult, ...]:
+    found = 'share 0.5 (statics; the rest on "<b>rear & $x$"); bears on 0.8 m2'
+    return (
+        LoadResult("floor <beam>", "mass", 0, (0.2, 6.1), 1160.0, True, None, found),
+        LoadResult("=cmd()", "force", 0, (0.2, 6.4), None, None, (8250.5, -120.0), "given"),
+    )
+
+
 def mechanism(
     name: str, label: str, kind: str, *, sides: str, records: tuple[RecordResult, ...], weak: bool
 ) -> MechanismResult:
@@ -303,6 +312,7 @@ def mechanism(
         suites(history),
         None,
         "Housner 1963, thesis eq. 3.44" if two else "given",
+        () if two else loads(),
     )
 
 

@@ -9,7 +9,7 @@ from scipy.spatial.transform import Rotation
 
 from assess.errors import GeometryError
 from assess.geometry import mesh
-from assess.geometry.cut import Parts, divide, inclined, level
+from assess.geometry.cut import Parts, common, divide, gap, halves, inclined, level
 from assess.geometry.planar import base_of_section, lowest_corners, planar, slope_across, turns_about_a_corner
 from assess.geometry.solid import Solid, box, joined, polyhedron, profile
 
@@ -306,3 +306,32 @@ def test_both_sides_make_the_whole():
         assert mass == pytest.approx(tower().mass, rel=1e-12)
         np.testing.assert_allclose(centroid, tower().centroid, rtol=0.0, atol=1e-12)
         assert max(part.centroid[2] for part in parts.below) < min(part.centroid[2] for part in parts.above)
+
+
+def test_what_two_bodies_share():
+    one, other = wall(), wall(base=(0.8, 1.0, 3.0))  # 0.2 m x 2 m x 5.2 m in common
+    shared = common(one, other)
+    assert shared.volume == pytest.approx(0.2 * 2.0 * 5.2, rel=1e-9)
+    assert shared.part == pytest.approx(shared.volume / 24.6, rel=1e-9)
+    normals = np.cross(shared.corners[:, 1] - shared.corners[:, 0], shared.corners[:, 2] - shared.corners[:, 0]) / 2.0
+    of_other = normals[shared.of_second].sum(axis=0)  # left, near and under side of the other body
+    np.testing.assert_allclose(of_other, (-2.0 * 5.2, -0.2 * 5.2, -0.2 * 2.0), rtol=1e-9)
+    assert common(one, wall(base=(2.0, 0.0, 0.0))) is None
+    assert common(one, wall(base=(1.0, 0.0, 0.0))) is None  # they only touch
+
+
+def test_distance_of_two_bodies():
+    assert gap(wall(), wall(base=(4.0, 6.0, 0.0))) == pytest.approx(np.hypot(3.0, 3.0), rel=1e-9)
+    assert gap(wall(), wall(base=(0.5, 0.0, 0.0))) == 0.0
+
+
+def test_halves_of_a_body_about_an_upright_plane():
+    body = tower()
+    normal = np.array([0.6, 0.8, 0.0])
+    behind, before = halves(body, point=body.centroid, normal=normal)
+    assert behind.mass + before.mass == pytest.approx(body.mass, rel=1e-9)
+    centre = (behind.mass * behind.centroid + before.mass * before.centroid) / body.mass
+    np.testing.assert_allclose(centre, body.centroid, atol=1e-9)
+    reach = float(body.centroid @ normal)
+    assert (behind.vertices @ normal).max() == pytest.approx(reach, abs=1e-9)
+    assert (before.vertices @ normal).min() == pytest.approx(reach, abs=1e-9)

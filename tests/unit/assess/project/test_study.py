@@ -236,7 +236,7 @@ def test_direction_of_a_force_is_seen_in_the_plane_of_motion(tmp_path):
         ('{ kind = "tie", force = "5 kN", at = [0, 1] }', "either anchor or direction"),
         ('{ kind = "tie", force = "5 kN", at = [0, 1], direction = [0, 0, 0] }', "no direction"),
         ('{ kind = "mass", mass = 1, at = [0, 1], block = 1 }', "must be 0 or less"),
-        ('{ kind = "body", body = "floor" }', "not a supported load"),
+        ('{ kind = "body", body = "floor" }', "no such body"),
     ],
 )
 def test_wrong_loads_are_refused_in_one_line(tmp_path, load, words):

@@ -1,0 +1,125 @@
+"""How much of a body a block carries, and where: statics of a rigid body on what it bears on."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.constants import g
+
+from assess.errors import GeometryError
+from assess.geometry.cut import gap
+from assess.geometry.solid import Solid
+from assess.geometry.touch import TOLERANCE, Contact, together, touch
+
+FloatArray = NDArray[np.float64]
+
+ACROSS = 0.7  # cosine: an upright face within 45 degrees of square to the axis of a vault is one it springs from
+
+
+@dataclass(frozen=True)
+class Support:
+    """How a body meets a block and the other bodies that carry it.
+
+    contact : with the block
+    others : contact of each other body that carries it, by name
+    """
+
+    contact: Contact
+    others: Mapping[str, Contact]
+
+
+@dataclass(frozen=True)
+class Overburden:
+    """The weight on a block of the bodies that it carries: its size [N], and where it acts [3] [m]."""
+
+    force: float
+    at: FloatArray
+
+
+def support(
+    body: Solid, *, block: Sequence[Solid], others: Iterable[Solid], tolerance: float = TOLERANCE
+) -> Support | None:
+    """How a body meets the solids of a block and the other solids; None where it does not touch the block."""
+    met = (touch(solid, body, tolerance=tolerance) for solid in block)
+    contact = together([each for each in met if each is not None])
+    if contact is None:
+        return None
+    found = {other.name: touch(other, body, tolerance=tolerance) for other in others}
+    return Support(contact, {name: each for name, each in found.items() if each is not None})
+
+
+def shares(contacts: Sequence[Contact], *, centroid: FloatArray) -> FloatArray:
+    """The part of a body's weight that goes to each contact [n], their sum 1.
+
+    The body is rigid and each contact yields in proportion to its area A. With d the place of a contact in plan from
+    their common centre, and e that of the body's centroid, equilibrium of weight and of both moments gives
+
+        r = A / sum A + A d . K+ e        K = sum A d d^T
+
+    Two contacts are a beam on two supports whatever their areas: r = 1 - x / l along the line between them. K+ is the
+    pseudo-inverse: moments that the contacts cannot take (across that line, or about a single one) are left out.
+    A negative part is one that would have to hold the body down.
+    """
+    A = np.array([each.area for each in contacts])
+    at = np.array([each.centroid[:2] for each in contacts])
+    middle = A @ at / A.sum()
+    d, e = at - middle, centroid[:2] - middle
+    return np.asarray(A / A.sum() + A * (d @ (np.linalg.pinv((A * d.T) @ d, rcond=1e-9) @ e)), dtype=np.float64)
+
+
+def share_of(found: Support, *, centroid: FloatArray) -> float:
+    """The part of a body's weight that goes to the block: 0 where it would have to hold the body down, at most 1."""
+    r = shares([found.contact, *found.others.values()], centroid=centroid)
+    return float(np.clip(r[0], 0.0, 1.0))
+
+
+def carrying(found: Support, *, axis: FloatArray | None = None) -> Support:
+    """The same without those of the others that the body only pushes against.
+
+    axis : along which a vault springs [3]; its faces across that carry it though they are upright
+    """
+    others = {name: each for name, each in found.others.items() if carries(each, axis=axis)}
+    return Support(found.contact, others)
+
+
+def carries(contact: Contact, *, axis: FloatArray | None) -> bool:
+    """Whether weight goes through a contact: where it bears, or where a vault springs from it along the axis [3]."""
+    return contact.bearing or (axis is not None and abs(float(contact.normal @ axis)) > ACROSS)
+
+
+def overburden(
+    bodies: Sequence[Solid], *, block: Sequence[Solid], others: Sequence[Solid], tolerance: float = TOLERANCE
+) -> Overburden:
+    """The weight that bodies put on a block, at the centroid of their contacts weighed by what each brings.
+
+    Raises
+    ------
+    GeometryError : a body does not bear on the block, or there is none
+    """
+    weights, places = [], []
+    for body in bodies:
+        found = support(body, block=block, others=others, tolerance=tolerance)
+        if found is None or not found.contact.bearing:
+            raise GeometryError(f'body "{body.name}": it does not bear on the block; {nearest(body, block=block)}')
+        weights.append(g * body.mass * share_of(carrying(found), centroid=body.centroid))
+        places.append(found.contact.centroid)
+    if not weights:
+        raise GeometryError("overburden: it has no bodies; name at least one")
+    force = float(sum(weights))
+    return Overburden(force, np.asarray(np.array(weights) @ np.array(places) / force, dtype=np.float64))
+
+
+def nearest(body: Solid, *, block: Sequence[Solid]) -> str:
+    """How far a body that does not load the block is from it, and what to do."""
+    if any((touch(body, solid) or _NONE).bearing for solid in block):
+        return "the block stands on it, so it is no load of the block; remove it from `loads`"
+    distance = min(gap(solid, body) for solid in block)
+    if distance == 0.0:
+        return "they meet along an edge or at a point only; move it onto or into the block"
+    return f"it lies {distance:.3g} m away; move it, or raise `tolerance`"
+
+
+_NONE = Contact(0.0, np.zeros(3), np.zeros(3), bearing=False)

@@ -1,0 +1,235 @@
+"""What a floor, roof or vault puts on a block: its weight where they touch, and its thrust (thesis 3.2.2)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.constants import g
+
+from assess.bearing import Support, carries, carrying, nearest, share_of, support
+from assess.errors import GeometryError
+from assess.geometry.covering import extent
+from assess.geometry.cut import common
+from assess.geometry.solid import Solid
+from assess.loads import Force, Load, Point, PointMass
+from assess.project import sections
+from assess.project.coverings import Arch, Thrust, arch_of, thrust_of, weight
+from assess.project.plane import point_in_plane
+
+FloatArray = NDArray[np.float64]
+
+OVERLAP = 5e-3  # of the smaller body's volume: bodies that share less are taken to touch
+BETWEEN = 1 / 8  # of the span: a contact this near its middle holds both feet of a roof or vault
+SAME_PLACE = 0.1  # of the smaller body's volume: a body that shares more with the block is another state of it
+BY_ITSELF = ("give `at` and `bearing`", "give it a mesh, box or profile, or write mass and force loads")
+
+
+@dataclass(frozen=True)
+class Surroundings:
+    """Where a load stands.
+
+    block : solids of the block that it loads, as cut; others : the project's other solids
+    along : unit vector of the motion [3]; where : what an error names
+    """
+
+    block: tuple[Solid, ...]
+    others: tuple[Solid, ...]
+    along: FloatArray
+    where: str
+
+
+@dataclass(frozen=True)
+class Brought:
+    """The loads that bodies bring, and sentences on what is doubtful of them."""
+
+    loads: tuple[Load, ...]
+    doubts: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Case:
+    """A body as load: its entry, its solid (None for direct values), where it meets what, and its shape as an arch.
+
+    side : how far from the middle of its span a roof or vault meets the block, over the span, positive with the
+        motion [-]
+    """
+
+    load: sections.BodyLoad
+    body: Solid | None
+    found: Support | None
+    arch: Arch | None
+    side: float
+    where: str
+
+    @property
+    def one_foot(self) -> bool:
+        """Whether the block holds one foot of a roof or vault, and something else the other."""
+        return abs(self.side) > BETWEEN
+
+    @property
+    def springs(self) -> FloatArray | None:
+        """The axis along which a vault springs from upright faces too [3]; None for other bodies."""
+        return self.arch.axis if self.arch is not None and self.load.role == "vault" else None
+
+
+@dataclass(frozen=True)
+class Part:
+    """The part of a body that the block carries, where that is from, and what is doubtful of it."""
+
+    share: float
+    source: str
+    doubts: tuple[str, ...] = ()
+
+
+def body_loads(load: sections.BodyLoad, *, body: Solid | None, mass: float, around: Surroundings) -> Brought:
+    """The point mass of a body, and the force of its thrust if it has one.
+
+    body : None for direct values; mass : of the whole body by its table [kg]
+
+    Raises
+    ------
+    GeometryError : the body touches nothing of the block, has no geometry where it needs one, or would lift off
+    """
+    found, doubts = beside_the_block(met(load, body, around=around), around=around)
+    covering = body if load.role != "floor" else None
+    arch = None if covering is None else arch_of(load, covering, along=around.along)
+    at = place_of(load, found, along=around.along)
+    side = 0.0 if covering is None else side_of(covering, found, arch, at, along=around.along)
+    case = Case(load, body, found, arch, side, where=f'{around.where}: load "{load.body}"')
+    whole, of = weight(load, body, mass=mass)
+    bearing, how = bearing_of(case)
+    part = part_of(case, bearing=bearing)
+    source, pushed = [of, part.source, how], list[Force]()
+    if covering is not None:
+        thrust = thrust_on(case, V=g * part.share * whole, along=around.along)
+        force = Force(f"{load.body} (thrust)", (thrust.size, 0.0), at, load.block, thrust.source)
+        pushed += [force] if thrust.size else []
+        source += [] if thrust.size else [thrust.source]
+    carried = PointMass(load.body, part.share * whole, at, bearing, load.block, "; ".join(source))
+    return Brought((carried, *pushed), tuple(f'load "{load.body}": {text}' for text in (*doubts, *part.doubts)))
+
+
+def overlaps(bodies: Sequence[Solid]) -> Iterator[str]:
+    """A sentence for each two of the bodies that overlap, so that what they share is weighed twice."""
+    for i, one in enumerate(bodies):
+        for other in bodies[i + 1 :]:
+            shared = common(one, other)
+            if shared is not None and shared.part > OVERLAP:
+                yield (
+                    f'bodies "{one.name}" and "{other.name}" overlap by {shared.volume:.3g} m3, which is weighed with '
+                    "both; cut one back"
+                )
+
+
+def met(load: sections.BodyLoad, body: Solid | None, *, around: Surroundings) -> Support | None:
+    """Where the body meets the block and others; None where it does not, and the user says all that follows from it."""
+    given = load.at is not None and load.bearing is not None
+    place, shape = BY_ITSELF
+    where = f'{around.where}: load "{load.body}"'
+    if body is None or not around.block:
+        whose = "it" if body is None else "the block"
+        if load.role != "floor":
+            raise GeometryError(f"{where}: {whose} has no geometry, from which a thrust could be found; {shape}")
+        if not given:
+            raise GeometryError(f"{where}: {whose} has no geometry, so it is not known where they touch; {place}")
+        return None
+    found = support(body, block=around.block, others=around.others, tolerance=load.tolerance)
+    if found is None and not given:
+        raise GeometryError(f"{where} touches nothing of the block: {nearest(body, block=around.block)}, or {place}")
+    return found
+
+
+def beside_the_block(found: Support | None, *, around: Surroundings) -> tuple[Support | None, list[str]]:
+    """The contacts without those with bodies that stand where the block does; a sentence for each that overlaps it."""
+    if found is None:
+        return None, []
+    kept, doubts = dict(found.others), []
+    for other in (solid for solid in around.others if solid.name in found.others):
+        shared = [each for solid in around.block if (each := common(solid, other)) is not None]
+        part, volume = max((each.part for each in shared), default=0.0), sum(each.volume for each in shared)
+        if part > SAME_PLACE:
+            del kept[other.name]
+            doubts.append(f'body "{other.name}" stands where the block does; it is not taken to carry a part of this')
+        elif part > OVERLAP:
+            doubts.append(f'body "{other.name}", which it touches too, overlaps the block by {volume:.3g} m3')
+    return Support(found.contact, kept), doubts
+
+
+def bearing_of(case: Case) -> tuple[bool, str]:
+    """Whether the block carries the body or is only pushed, and where that is from."""
+    words = {True: "bears", False: "only pushes"}
+    given = case.load.bearing
+    if case.found is None:
+        return bool(given), f"{words[bool(given)]} (given)"
+    contact = case.found.contact
+    shown = carries(contact, axis=case.springs)
+    seen = f"{words[shown]} on {contact.area:.3g} m2"
+    return (shown, seen) if given is None else (given, f"{words[given]} (given; by its contact it {seen})")
+
+
+def part_of(case: Case, *, bearing: bool) -> Part:
+    """The part of the body that the block carries."""
+    carried = None if case.found is None else carrying(case.found, axis=case.springs)
+    statics = None
+    if case.body is not None and carried is not None and carried.others:
+        statics = share_of(carried, centroid=case.body.centroid)
+    if case.load.share is not None:
+        beside = "" if statics is None else f"; by statics {statics:.3g}"
+        return Part(case.load.share, f"share {case.load.share:.3g} (given{beside})")
+    if not bearing:
+        doubts = ("nothing in the project carries its weight",) if statics is None else ()
+        return Part(1.0, "all of it pushes, its weight is carried elsewhere (thesis 3.2.2)", doubts)
+    if statics is None or carried is None:
+        return alone(case)
+    if statics == 0.0:
+        raise GeometryError(f"{case.where}: by statics it lifts off the block; give share, or bearing = false")
+    names = ", ".join(f'"{name}"' for name in carried.others)
+    return Part(statics, f"share {statics:.3g} (statics; the rest on {names})")
+
+
+def alone(case: Case) -> Part:
+    """The part of a body that nothing else in the project carries: all, or half where it has another foot."""
+    nothing = "nothing else in the project carries it"
+    if case.arch is not None and case.one_foot:
+        doubt = f"{nothing}; half of it is taken, since its other foot must stand on something: else give share"
+        return Part(0.5, "share 0.5 (its other foot is not in the project)", (doubt,))
+    return Part(1.0, f"share 1 ({nothing})", (f"{nothing}, so its whole weight is on the block: else give share",))
+
+
+def place_of(load: sections.BodyLoad, found: Support | None, *, along: FloatArray) -> Point:
+    """Where the load acts, in the plane of motion [m]."""
+    at = load.at
+    if at is None:
+        assert found is not None  # `met` asks for one of the two
+        at = tuple(found.contact.centroid.tolist())
+    return point_in_plane(at, along.tolist())
+
+
+def side_of(covering: Solid, found: Support | None, arch: Arch | None, at: Point, *, along: FloatArray) -> float:
+    """How far from the middle of its span a covering meets the block, over the span; positive with the motion."""
+    axis, place = along, at[0]
+    if found is not None and arch is not None:
+        axis, place = arch.axis, float(found.contact.centroid @ arch.axis)
+    low, high = extent(covering, axis=axis)
+    return (place - (low + high) / 2.0) / (high - low)
+
+
+def thrust_on(case: Case, *, V: float, along: FloatArray) -> Thrust:
+    """The thrust of a roof or vault on the block, outwards; V: what it stands on it with [N]."""
+    given = case.load.thrust is not None
+    if given and not case.one_foot:
+        raise GeometryError(
+            f"{case.where}: it meets the block about the middle of its span, so it is not clear which way is outwards; "
+            'write the thrust as a load of kind = "force"'
+        )
+    if not given and not bearing_of(case)[0]:
+        return Thrust(0.0, "no thrust: it does not stand on the block")
+    found = thrust_of(case.load, case.arch, along=along, V=V)
+    if not found.size:
+        return found
+    if not case.one_foot:
+        return Thrust(0.0, "no thrust: both its feet stand on the block, or none near its ends")
+    return Thrust(float(np.copysign(found.size, case.side)), f"{found.source}, outwards")

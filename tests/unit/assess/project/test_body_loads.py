@@ -346,3 +346,16 @@ def test_hostile_names_appear_as_text(tmp_path):
 def test_thrust_that_overturns_the_wall_is_refused(tmp_path):
     with pytest.raises(MechanismError, match="already falling"):
         parameters(study_of(tmp_path, ROOF, 'body = "roof", role = "roof", thrust = "400 kN"'))
+
+
+def test_a_floor_on_the_upper_block_of_a_cracked_wall(tmp_path):
+    on_top = FLOOR.replace("[0, 0, 3]", "[0, 0, 6]")
+    masses = []
+    for loads in ("[]", '[{ kind = "body", body = "floor", block = 1 }]'):
+        text = PROJECT.format(bodies=on_top, mechanism=f"crack = 2.5\nloads = {loads}")
+        (tmp_path / "project.toml").write_text(text.replace("single-block", "two-block"))
+        (result,) = parameters(build(load(tmp_path)))
+        masses.append(result.oscillator.mass_kg)
+    (floor,) = result.loads
+    assert (floor.block, floor.bearing, floor.at) == (1, True, (pytest.approx(2.8), pytest.approx(6.0)))
+    assert masses[1] - masses[0] == pytest.approx(500 * 5.8 * 4 * 0.2 / 2, rel=1e-9)

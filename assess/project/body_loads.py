@@ -102,7 +102,7 @@ def body_loads(load: sections.BodyLoad, *, body: Solid | None, mass: float, arou
     whole, of = weight(load, body, mass=mass)
     bearing, how = bearing_of(case)
     part = part_of(case, bearing=bearing)
-    source, pushed = [of, part.source, how], list[Force]()
+    source, pushed = [of, part.source, how, *placed(load, found, along=around.along)], list[Force]()
     if covering is not None:
         thrust = thrust_on(case, V=g * part.share * whole, along=around.along)
         force = Force(f"{load.body} (thrust)", (thrust.size, 0.0), at, load.block, thrust.source)
@@ -206,6 +206,16 @@ def place_of(load: sections.BodyLoad, found: Support | None, *, along: FloatArra
         assert found is not None  # `met` asks for one of the two
         at = tuple(found.contact.centroid.tolist())
     return point_in_plane(at, along.tolist())
+
+
+def placed(load: sections.BodyLoad, found: Support | None, *, along: FloatArray) -> list[str]:
+    """A clause where the user's own place stands for that of the contact."""
+    if load.at is None:
+        return []
+    if found is None:
+        return ["place given"]
+    x, z = point_in_plane(found.contact.centroid.tolist(), along.tolist())
+    return [f"place given (its contact is at x = {x:.4g} m, z = {z:.4g} m)"]
 
 
 def side_of(covering: Solid, found: Support | None, arch: Arch | None, at: Point, *, along: FloatArray) -> float:

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import shapely
 
-from assess.geometry.outline import outline
+from assess.geometry.outline import distance, outline
 
 SQUARE = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
 FACES = np.array([[0, 1, 2], [0, 2, 3]])
@@ -51,3 +51,13 @@ def test_points_on_straight_sides_go_and_flat_corners_stay() -> None:
     points = np.array([[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [2.0, 1.0], [1.0, 1.0 + bend], [0.0, 1.0]])
     fan = np.array([[0, 1, 5], [1, 4, 5], [1, 2, 4], [2, 3, 4]])
     assert outline(points, fan) == (((0.0, 0.0), (2.0, 0.0), (2.0, 1.0), (1.0, 1.0 + bend), (0.0, 1.0), (0.0, 0.0)),)
+
+
+def test_distance_to_an_outline():
+    rings = (
+        ((0.0, 0.0), (1.0, 0.0), (1.0, 4.0), (0.0, 4.0), (0.0, 0.0)),
+        ((3.0, 0.0), (4.0, 0.0), (4.0, 1.0), (3.0, 0.0)),
+    )
+    assert distance(rings, (0.5, 2.0)) == 0.0
+    assert distance(rings, (-3.0, 8.0)) == 5.0
+    assert distance(rings, (2.5, 0.0)) == 0.5

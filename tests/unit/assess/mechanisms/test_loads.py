@@ -11,7 +11,7 @@ from scipy.constants import g
 from assess.errors import MechanismError
 from assess.geometry.planar import planar, planar_direct, planar_joined
 from assess.geometry.solid import box
-from assess.loads import Force, PointMass, Tie
+from assess.loads import Force, PointMass, Tie, pull_at_rest
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.virtual_work import oscillator
 from assess.oscillator import linearise, multiplier, participation_ratio, restoring
@@ -135,3 +135,8 @@ def test_tables_reach_the_point_of_linearisation_under_a_strong_thrust():
 def test_loads_that_leave_nothing_to_rock_are_refused(load, words):
     with pytest.raises(MechanismError, match=words):
         rocker(load)
+
+
+def test_pull_of_a_tie_at_rest():
+    assert pull_at_rest(Tie("tie", 5000.0, (1.0, 4.0), anchor=(-3.0, 7.0))) == pytest.approx((-4000.0, 3000.0))
+    assert pull_at_rest(Tie("tie", 5000.0, (1.0, 4.0), direction=(0.6, -0.8))) == pytest.approx((3000.0, -4000.0))

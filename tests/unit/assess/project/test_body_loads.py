@@ -106,6 +106,7 @@ def test_numbers_of_the_user_override_what_is_found_and_both_are_told(tmp_path):
     own = 'body = "floor", share = 0.3, bearing = false, at = [2.5, 4.0], mass = "3 t"'
     (floor,) = loads_of(tmp_path, FLOOR, own)
     assert (floor.mass, floor.bearing, floor.at) == (pytest.approx(900.0), False, (2.5, 4.0))
+    assert "place given (its contact is at x = 2.8 m, z = 3 m)" in floor.source
     assert "3000 kg (given; by its table 2320 kg)" in floor.source
     assert "share 0.3 (given; by statics 0.5)" in floor.source
     assert "only pushes (given; by its contact it bears on 0.8 m2)" in floor.source
@@ -359,3 +360,10 @@ def test_a_floor_on_the_upper_block_of_a_cracked_wall(tmp_path):
     (floor,) = result.loads
     assert (floor.block, floor.bearing, floor.at) == (1, True, (pytest.approx(2.8), pytest.approx(6.0)))
     assert masses[1] - masses[0] == pytest.approx(500 * 5.8 * 4 * 0.2 / 2, rel=1e-9)
+
+
+def test_a_tie_anchored_where_it_holds_is_refused(tmp_path):
+    tie = 'loads = [{ kind = "tie", force = "5 kN", at = [3, 0, 5], anchor = [3, 2, 5] }]'
+    (tmp_path / "project.toml").write_text(PROJECT.format(bodies="", mechanism=tie))
+    with pytest.raises(GeometryError, match='"tie 1": seen in the plane of motion its anchor is where it holds'):
+        build(load(tmp_path))

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 import shapely
 
 from assess.geometry.outline import Outline
+from assess.loads import Load
 from assess.mechanisms.chain import Chain, Point, written
 from assess.mechanisms.statics import verge
 
@@ -23,6 +24,17 @@ def loose_hinges(hinges: Sequence[Point], outlines: Sequence[Outline], *, mark: 
             gap = float(areas[block].distance(shapely.Point(hinge)))
             if gap > NEAR * float(areas[block].length) / 4.0:
                 yield f"hinge {letter}{mark} at {written(hinge)} is {gap:.3g} m away from block {block}; check it"
+
+
+def across_the_crack(loads: Sequence[Load], elevation: float) -> Iterator[str]:
+    """A sentence for each load of a wall of two blocks that lies on the other side of the crack than its block."""
+    for load in loads:
+        side = int(load.at[1] >= elevation)
+        if load.block != side:
+            yield (
+                f'load "{load.name}" at {written(load.at)} acts on block {load.block}, yet the crack is at z = '
+                f"{elevation:.4g} m; write block = {side} if it moves with that one"
+            )
 
 
 def pulling_supports(chain: Chain, *, mark: str = "") -> Iterator[str]:

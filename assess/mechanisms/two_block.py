@@ -18,7 +18,7 @@ from assess.geometry.planar import PlanarBody, top
 from assess.loads import Load
 from assess.mechanisms.assembly import assembled
 from assess.mechanisms.chain import Block, Chain, Point, mirrored_chain, written
-from assess.mechanisms.doubts import loose_hinges
+from assess.mechanisms.doubts import across_the_crack, loose_hinges
 from assess.mechanisms.impact import RestitutionChoice
 from assess.mechanisms.mechanism import Mechanism, Sides
 
@@ -63,6 +63,7 @@ def two_block(
         outlines=outlines,
         notices=(
             *notices,
+            *across_the_crack(loads, front[1][1]),
             *loose_hinges(hinges or (), outlines),
             *loose_hinges(hinges_negative or (), outlines, mark="'"),
         ),

@@ -12,6 +12,7 @@ from assess.loads import Force, Load, PointMass, Tie
 from assess.project import sections
 from assess.project.bodies import Piece, Solids
 from assess.project.body_loads import Brought, Surroundings, body_loads, overlaps
+from assess.project.overburdens import overburden_of
 from assess.project.plane import point_in_plane, unit_in_plane
 
 IN_THE_AIR = 0.05  # of the block's size: a load farther outside it is not on the block
@@ -20,7 +21,7 @@ IN_THE_AIR = 0.05  # of the block's size: a load farther outside it is not on th
 def loads_of(
     name: str, section: sections.Chained, pieces: Sequence[Piece], content: sections.Content, solids: Solids
 ) -> Brought:
-    """The loads of the mechanism `name` that have a place of their own; pieces: its blocks, or all of them in one.
+    """The loads of the mechanism `name`; pieces: its blocks, or all of them in one.
 
     Raises GeometryError for a body that touches nothing of its block.
     """
@@ -28,6 +29,17 @@ def loads_of(
     doubts: list[str] = []
     for number, load in enumerate(section.loads, start=1):
         if isinstance(load, sections.OverburdenLoad):
+            loads.append(
+                overburden_of(
+                    number,
+                    load,
+                    piece=pieces[-1],
+                    solids=solids,
+                    moving=[body for block in section.blocks for body in block],
+                    direction=section.direction,
+                    where=f'mechanism "{name}"',
+                )
+            )
             continue
         piece = pieces[min(load.block, len(pieces) - 1)]
         if isinstance(load, sections.BodyLoad):

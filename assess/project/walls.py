@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 
@@ -11,9 +11,9 @@ from scipy.constants import g
 
 from assess.errors import MechanismError
 from assess.geometry.cut import Parts, divide, level
-from assess.geometry.planar import PlanarBody, base_of_section, planar, top
+from assess.geometry.planar import base_of_section, planar, top
 from assess.geometry.solid import Solid
-from assess.loads import Force, Load
+from assess.loads import Force, Load, PointMass
 from assess.mechanisms.chain import Block, Chain, mirrored_chain
 from assess.mechanisms.crack import ARM, crack_ratio, least
 from assess.mechanisms.motion import move
@@ -74,7 +74,6 @@ def cracked(
 
     Raises MechanismError where there is nothing to find the crack from, or it does not lie in the wall.
     """
-    loads = (*loads, *overburdens(section, pieces[-1].body))
     if len(pieces) == 2:
         return Wall((pieces[0], pieces[1]), loads, ())
     whole = pieces[0]
@@ -102,25 +101,15 @@ def material_of(block: Sequence[str], content: sections.Content) -> str:
     return next(body.material for body in bodies if not isinstance(body, sections.DirectBody))
 
 
-def overburdens(section: sections.TwoBlock, body: PlanarBody) -> Iterator[Force]:
-    """Vertical loads at the top of the upper block, dead and without mass (thesis 3.2.3)."""
-    for number, load in enumerate(section.loads, start=1):
-        if isinstance(load, sections.OverburdenLoad):
-            head = top(body)
-            if head is None:
-                raise MechanismError(f"loads[{number}]: a body without geometry has no top; give a force with `at`")
-            middle = ((head[0][0] + head[1][0]) / 2.0 + load.eccentricity, head[0][1])
-            yield Force(f"overburden {number}", (0.0, -load.force), middle, block=1)
-
-
 def panel_of(section: sections.TwoBlock, whole: Piece, loads: Sequence[Load], *, strength: float) -> Panel:
-    """The box around a wall and the load on it."""
+    """The box around a wall and the load on it: forces on the upper block and masses that bear, as if at the top."""
     points = np.concatenate([solid.vertices for solid in whole.solids])
     along = np.array(section.direction) / np.linalg.norm(section.direction)
     x, y = points @ along, points @ np.array([-along[1], along[0], 0.0])
-    pressing = [load for load in loads if isinstance(load, Force) and load.force[1] < 0.0]
-    overburden = -sum(load.force[1] for load in pressing)
-    moment = -sum(load.force[1] * load.at[0] for load in pressing)
+    pressing = [(-load.force[1], load.at[0]) for load in loads if isinstance(load, Force) and load.block == 1]
+    pressing += [(g * load.mass, load.at[0]) for load in loads if isinstance(load, PointMass) and load.bearing]
+    overburden = sum(force for force, _ in pressing)
+    moment = sum(force * at for force, at in pressing)
     middle = float(x.min() + x.max()) / 2.0
     return Panel(
         low=float(x.min()),

@@ -12,7 +12,7 @@ from assess.project.quantities import Name
 from assess.project.section import Section, listed, wrong
 from assess.project.sections.analysis import Analysis, Procedures, Records, Report
 from assess.project.sections.bodies import BodySection, DirectBody, Material
-from assess.project.sections.loads import BodyLoad
+from assess.project.sections.loads import BodyLoad, OverburdenLoad
 from assess.project.sections.mechanisms import Chained, MechanismSection
 from assess.project.sections.site import Building, Site
 
@@ -81,6 +81,9 @@ class Content(Section):
         """Refuse a body as load that does not exist, is part of the mechanism, or loads the same block already."""
         taken: set[tuple[str, int]] = set()
         for place, load in enumerate(mechanism.loads):
+            if isinstance(load, OverburdenLoad) and not set(load.bodies) <= set(self.bodies) - moving:
+                known = _known("bodies", self.bodies)
+                raise wrong(("mechanisms", name, "loads", place, "bodies"), f"no body beside the wall; {known}")
             if not isinstance(load, BodyLoad):
                 continue
             key = ("mechanisms", name, "loads", place, "body")

@@ -111,10 +111,18 @@ class OverburdenLoad(Section):
 
     kind: Literal["overburden"]
     """"overburden\""""
-    force: PositiveForce
+    force: PositiveForce | None = None
     """vertical load, like "40 kN\""""
-    eccentricity: Length = 0.0
-    """of the load from mid-thickness of the top towards `direction`"""
+    bodies: tuple[Name, ...] = ()
+    """or what stands on the wall: its weight, by its share, where it touches"""
+    eccentricity: Length | None = None
+    """of the load from mid-thickness of the top towards `direction`; 0, or where the bodies touch, if absent"""
+
+    @model_validator(mode="after")
+    def _one_of_them(self) -> OverburdenLoad:
+        if (self.force is None) == (not self.bodies):
+            raise wrong("force", "give either force, or the bodies that press")
+        return self
 
 
 class BodyLoad(Section):

@@ -1,0 +1,51 @@
+"""The entries `overburden` of a wall of two blocks: dead vertical loads at its top, without mass (thesis 3.2.3)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from assess.bearing import overburden
+from assess.errors import GeometryError
+from assess.geometry.planar import top
+from assess.loads import Force
+from assess.project import sections
+from assess.project.bodies import Piece, Solids
+from assess.project.plane import point_in_plane
+
+UPPER = 1  # the block it stands on
+
+
+def overburden_of(
+    number: int,
+    load: sections.OverburdenLoad,
+    *,
+    piece: Piece,
+    solids: Solids,
+    moving: Sequence[str],
+    direction: Sequence[float],
+    where: str,
+) -> Force:
+    """One overburden of the wall whose upper block is `piece`, or is cut from it; moving: names of the wall's bodies.
+
+    Raises GeometryError for a wall without geometry, and for a body that does not bear on it.
+    """
+    name = f"overburden {number}"
+    head = top(piece.body)
+    if head is None:
+        raise GeometryError(f'{where}: {name}: the wall has no geometry, so no top; write a load of kind = "force"')
+    middle, elevation = (head[0][0] + head[1][0]) / 2.0, head[0][1]
+    if load.force is not None:
+        at = (middle + (load.eccentricity or 0.0), elevation)
+        return Force(name, (0.0, -load.force), at, UPPER)
+    carried = []
+    for body in load.bodies:
+        solid = solids[body]
+        if solid is None:
+            raise GeometryError(f'{where}: {name}: body "{body}" has no geometry; give its weight as `force`')
+        carried.append(solid)
+    others = [solid for key, solid in solids.items() if solid is not None and key not in (*moving, *load.bodies)]
+    found = overburden(carried, block=piece.solids, others=others)
+    x = point_in_plane(found.at.tolist(), direction)[0]
+    x = x if load.eccentricity is None else middle + load.eccentricity
+    source = f"weight of {', '.join(load.bodies)} on the wall, {x - middle:+.3g} m from mid-thickness"
+    return Force(name, (0.0, -found.force), (x, elevation), UPPER, source)

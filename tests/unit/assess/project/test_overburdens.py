@@ -1,0 +1,81 @@
+"""What presses on a wall of two blocks: by numbers and by the bodies that stand on it."""
+
+from __future__ import annotations
+
+import pytest
+from scipy.constants import g
+
+from assess.errors import GeometryError, ProjectError
+from assess.project.build import build
+from assess.project.schema import load
+
+PROJECT = """
+[materials.m]
+density = 1800
+[bodies.wall]
+material = "m"
+box = { thickness = 0.4, length = 3, height = 4 }
+[bodies.other]
+material = "m"
+box = { thickness = 0.4, length = 3, height = 4, base = [5, 0, 0] }
+[bodies.floor]
+material = "m"
+box = { thickness = 5.1, length = 3, height = 0.2, base = [2.55, 0, 4] }
+[mechanisms.wall]
+kind = "two-block"
+blocks = ["wall"]
+"""
+
+
+def mechanism(tmp_path, lines):
+    (tmp_path / "project.toml").write_text(PROJECT + lines)
+    (found,) = build(load(tmp_path)).mechanisms
+    return found
+
+
+def test_a_floor_on_two_walls_brings_its_half_where_it_bears(tmp_path):
+    wall = mechanism(tmp_path, 'loads = [{ kind = "overburden", bodies = ["floor"] }]')
+    (force,) = wall.positive.loads
+    contact = 0.1  # it covers 0 to 0.2 m of the wall, and 4.8 to 5.1 m of the other
+    far = (4.8 + 5.1) / 2
+    weight = 1800 * 5.1 * 3 * 0.2 * g
+    assert force.force[1] == pytest.approx(-weight * (far - 2.55) / (far - contact), rel=1e-9)
+    assert force.at == pytest.approx((contact, 4.0), abs=1e-9)
+    assert force.block == 1
+    n = -force.force[1] / (1800 * 0.4 * 3 * 4 * g)
+    place = 0.5 + 0.1 / 0.4  # the worse face: xi = 0.75 for the side that the load is away from
+    ratio = (1 + n) ** 0.5 / ((1 + n) ** 0.5 + ((1 - place) * n) ** 0.5)
+    assert wall.positive.hinges[1][1] == pytest.approx(4 * ratio, rel=1e-9)
+
+
+def test_an_eccentricity_that_is_given_overrides_the_contact(tmp_path):
+    wall = mechanism(tmp_path, 'loads = [{ kind = "overburden", bodies = ["floor"], eccentricity = "-0.05 m" }]')
+    assert wall.positive.loads[0].at == pytest.approx((-0.05, 4.0), abs=1e-12)
+
+
+def test_a_mass_that_bears_on_the_upper_block_holds_the_crack_down_as_a_force_does(tmp_path):
+    by_force = mechanism(tmp_path, 'loads = [{ kind = "overburden", force = "20 kN" }]')
+    mass = f'loads = [{{ kind = "mass", mass = {20e3 / g}, at = [0, 4], block = 1 }}]'
+    assert mechanism(tmp_path, mass).positive.hinges[1] == pytest.approx(by_force.positive.hinges[1], rel=1e-12)
+
+
+def test_a_load_across_the_crack_is_pointed_out(tmp_path):
+    wall = mechanism(tmp_path, 'crack = 2.5\nloads = [{ kind = "mass", mass = 900, at = [0, 3.9] }]')
+    assert any("write block = 1" in text for text in wall.notices)
+
+
+@pytest.mark.parametrize(
+    ("loads", "error", "words"),
+    [
+        ('{ kind = "overburden" }', ProjectError, "give either force, or the bodies"),
+        ('{ kind = "overburden", force = "1 kN", bodies = ["floor"] }', ProjectError, "give either force"),
+        ('{ kind = "overburden", bodies = ["wall"] }', ProjectError, "no body beside the wall"),
+        ('{ kind = "overburden", bodies = ["roof"] }', ProjectError, "no body beside the wall"),
+        ('{ kind = "overburden", bodies = ["other"] }', GeometryError, "does not bear on the block"),
+        ('{ kind = "overburden", force = "-4 kN" }', ProjectError, "greater than 0"),
+    ],
+)
+def test_wrong_overburdens_are_refused_in_one_line(tmp_path, loads, error, words):
+    with pytest.raises(error, match=words) as refused:
+        mechanism(tmp_path, f"loads = [{loads}]")
+    assert "\n" not in str(refused.value)

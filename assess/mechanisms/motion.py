@@ -41,6 +41,8 @@ from assess.mechanisms.chain import Chain, Point
 FloatArray = NDArray[np.float64]
 ComplexArray = NDArray[np.complex128]
 
+TOUCH = 1e-12  # of a cosine: a portal of two equal columns just touches its flat place, which rounding may hide
+
 
 @dataclass(frozen=True)
 class Motion:
@@ -116,7 +118,12 @@ def limit(chain: Chain) -> float:
         product = 2 * abs(span) * abs(lead)
         reached = [(abs(span) ** 2 + abs(lead) ** 2 - chord**2) / product for chord in chords] if product else []
         start = float(np.angle(span / lead)) if product else 0.0
-    turns = [float(sign * np.arccos(k) - start) for k in reached if abs(k) <= 1.0 for sign in (1, -1)]
+    turns = [
+        float(sign * np.arccos(min(max(k, -1.0), 1.0)) - start)
+        for k in reached
+        if abs(k) <= 1.0 + TOUCH
+        for sign in (1, -1)
+    ]
     return min([turn % (2 * np.pi) for turn in turns] + [np.pi])
 
 

@@ -23,7 +23,7 @@ from assess.oscillator import Branch, Oscillator
 FloatArray = NDArray[np.float64]
 
 NODES = 257  # of a branch table; a block's cubic splines are then exact to 1e-11 of their largest value
-FLAT = 1e-9  # of the geometric limit: a loop is never taken quite to it, where its rates grow without bound
+FLAT = 1e-6  # of the geometric limit: a loop is never taken quite to it, where its rates grow without bound
 REACH = 1.5  # tables end at this many overturning rotations
 
 

@@ -1,0 +1,93 @@
+"""Makris & Vassiliou 2013, EESD 42:281: free-standing columns capped with a rigid beam.
+
+With gamma = m_beam / (N m_column) the frame rocks as a single block of the columns' slenderness with
+p_frame / p = sqrt((1 + 2 gamma) / (1 + 3 gamma)), p^2 = 3g / 4R; the beam does not change the uplift acceleration
+g tan(alpha); restitution (1 - 1.5 sin^2(alpha) + 3 gamma cos(2 alpha)) / (1 + 3 gamma).
+"""
+
+from __future__ import annotations
+
+from math import atan2, cos, hypot, sin, sqrt, tan
+
+import numpy as np
+import pytest
+from scipy.constants import g
+
+from assess.mechanisms.virtual_work import oscillator
+from assess.oscillator import linearise, multiplier, participation_ratio, restoring
+from assess.project.build import build
+from assess.project.schema import load
+
+B, H = 0.9, 5.4  # width and height of a column
+
+
+def portal(folder, gamma, *, span=4.0, x=0.0):
+    """Two columns of density 2400 under a beam of gamma times their mass, in a project file."""
+    beam, length = 0.8, span + B
+    (folder / "project.toml").write_text(f"""
+[materials.column]
+density = 2400
+[materials.beam]
+density = {gamma * 2 * 2400 * B * H / (beam * length)!r}
+[bodies.left]
+material = "column"
+box = {{ thickness = {B}, length = 1.1, height = {H}, base = [{x}, 0, 0] }}
+[bodies.right]
+material = "column"
+box = {{ thickness = {B}, length = 1.1, height = {H}, base = [{x + span}, 0, 0] }}
+[bodies.beam]
+material = "beam"
+box = {{ thickness = {length}, length = 1.1, height = {beam}, base = [{x + span / 2}, 0, {H}] }}
+[mechanisms.p]
+kind = "four-hinge"
+blocks = ["left", "beam", "right"]
+hinges = {{ A = [{x + B / 2}, 0], B = [{x - B / 2}, {H}], C = [{x + span - B / 2}, {H}], D = [{x + span + B / 2}, 0] }}
+[mechanisms.p.hinges_negative]
+A = [{x - B / 2}, 0]
+B = [{x + B / 2}, {H}]
+C = [{x + span + B / 2}, {H}]
+D = [{x + span - B / 2}, 0]
+""")
+    (mechanism,) = build(load(folder)).mechanisms
+    return mechanism
+
+
+@pytest.mark.parametrize("gamma", [0.01, 0.3, 1.0, 7.0])
+def test_frame_is_one_larger_block(tmp_path, gamma):
+    R, alpha = hypot(B, H) / 2, atan2(B, H)
+    p = sqrt(3 * g / (4 * R))
+    rocker = oscillator(portal(tmp_path, gamma))
+    assert rocker.mass == pytest.approx(2 * 2400 * B * H * 1.1 * (1 + gamma), rel=1e-12)
+    for side in rocker.branches:
+        form = linearise(side)
+        assert form.p / p == pytest.approx(sqrt((1 + 2 * gamma) / (1 + 3 * gamma)), rel=1e-8)
+        assert (form.multiplier, side.overturning) == pytest.approx((alpha, alpha), rel=1e-8)
+        assert multiplier(side)[0] == pytest.approx(tan(alpha), rel=1e-12)
+        eta = (1 - 1.5 * sin(alpha) ** 2 + 3 * gamma * cos(2 * alpha)) / (1 + 3 * gamma)
+        assert side.restitution == pytest.approx(eta, rel=1e-12)
+
+
+def test_gamma_of_one_has_the_published_ratio(tmp_path):
+    form = linearise(oscillator(portal(tmp_path, 1.0)).positive)
+    assert form.p / sqrt(3 * g / (2 * hypot(B, H))) == pytest.approx(0.8660, abs=5e-5)
+
+
+def test_direct_equivalence_holds_at_every_rotation(tmp_path):
+    """Not only linearised: I does not change, the restoring moment is a sine, and both directions are alike."""
+    alpha, R = atan2(B, H), hypot(B, H) / 2
+    rocker = oscillator(portal(tmp_path, 0.6))
+    phi = np.linspace(0.0, 1.4 * alpha, 40)
+    size = g * R * 2 * 2400 * B * H * 1.1 * (1 + 2 * 0.6)
+    for side in rocker.branches:
+        np.testing.assert_allclose(restoring(side, phi), size * np.sin(alpha - phi), rtol=0.0, atol=1e-9 * size)
+        np.testing.assert_allclose(side.inertia, side.inertia[0], rtol=1e-11)
+    assert participation_ratio(rocker.positive, mass=rocker.mass) < 1.0  # the beam moves twice as far as the columns
+
+
+@pytest.mark.parametrize("x", [0.1, -4.12, 1.69, 3.33])
+@pytest.mark.parametrize("span", [1.33, 2.0, 6.36])
+def test_tables_are_made_wherever_the_portal_stands(tmp_path, span, x):
+    """Equal columns touch a flat place, and rounding of the hinges must not carry the search of phi_ov across it."""
+    side = oscillator(portal(tmp_path, 0.6, span=span, x=x)).positive
+    assert np.isfinite(side.inertia).all()
+    assert side.overturning == pytest.approx(atan2(B, H), rel=1e-9)

@@ -1,0 +1,133 @@
+"""Oppenheim 1992, EESD 21:1005: an arch of 157.5 degrees, R = 10 m, t/R = 0.15, in seven voussoirs.
+
+It starts to move at 0.370 g. With joints elsewhere, 8 or 16 voussoirs, it does so at 0.3538 g.
+"""
+
+from __future__ import annotations
+
+from math import cos, pi, radians, sin
+
+import numpy as np
+import pytest
+
+from assess.mechanisms.arch import weakest
+from assess.mechanisms.chain import Block, mirrored
+from assess.mechanisms.virtual_work import oscillator
+from assess.oscillator import multiplier
+from assess.project.build import build
+from assess.project.schema import load
+
+R, T, ANGLE = 10.0, 1.5, radians(157.5)
+INNER, OUTER = R - T / 2, R + T / 2
+
+
+def arch(count):
+    """Sectors of a ring, per metre and unit density, from left to right, and their joints from inside to outside."""
+    angles = pi / 2 + np.linspace(ANGLE / 2, -ANGLE / 2, count + 1)
+    half = ANGLE / count / 2
+    mass = half * (OUTER**2 - INNER**2)
+    reach = 2 / 3 * (OUTER**3 - INNER**3) / (OUTER**2 - INNER**2) * sin(half) / half
+    polar = half * (OUTER**4 - INNER**4) / 2 - mass * reach**2
+    middles = (angles[1:] + angles[:-1]) / 2
+    voussoirs = [Block(mass, (reach * cos(a), reach * sin(a)), polar) for a in middles]
+    return voussoirs, [((INNER * cos(a), INNER * sin(a)), (OUTER * cos(a), OUTER * sin(a))) for a in angles]
+
+
+@pytest.mark.parametrize(("count", "published", "digits"), [(7, 0.370, 5e-4), (8, 0.3538, 5e-5), (16, 0.3538, 5e-5)])
+def test_least_multiplier_of_analytic_voussoirs(count, published, digits):
+    assert weakest(*arch(count), name="arch").multiplier == pytest.approx(published, abs=digits)
+
+
+def test_joints_that_hinge_are_those_of_the_paper():
+    """Seven voussoirs: hinges at the left springing outside, then inside and outside, and at the right springing."""
+    found = weakest(*arch(7), name="arch")
+    sides = [round(float(np.hypot(*at)), 6) for at in found.hinges]
+    assert sides in ([INNER, OUTER] * 2, [OUTER, INNER] * 2)
+    assert found.joints[-1] == 7
+
+
+def test_more_joints_never_make_it_stronger():
+    values = [weakest(*arch(count), name="arch").multiplier for count in (4, 8, 16, 32)]
+    assert values == sorted(values, reverse=True)
+
+
+def test_the_order_of_the_ends_of_joints_does_not_matter():
+    voussoirs, joints = arch(7)
+    turned = weakest(voussoirs, [joint[::-1] for joint in joints], name="arch")
+    assert turned == weakest(voussoirs, joints, name="arch")
+
+
+def ring(*, pieces=280):
+    """The arch's profile, of short chords; corners lie at every joint of 7 and 8 voussoirs."""
+    angles = pi / 2 + np.linspace(ANGLE / 2, -ANGLE / 2, pieces + 1)
+    outside = [(OUTER * cos(a), OUTER * sin(a)) for a in angles]
+    return [*outside, *((INNER * cos(a), INNER * sin(a)) for a in angles[::-1])]
+
+
+def project(folder, count, *, body, direction="[1, 0, 0]", centre="[0, 0]"):
+    (folder / "project.toml").write_text(f"""
+[materials.m]
+density = 2000
+[bodies.arch]
+material = "m"
+{body}
+[mechanisms.arch]
+kind = "four-hinge"
+blocks = ["arch"]
+hinges = "minimum"
+direction = {direction}
+joints = {{ centre = {centre}, first = "168.75 deg", last = "11.25 deg", count = {count} }}
+""")
+    (mechanism,) = build(load(folder)).mechanisms
+    return mechanism
+
+
+def profile_of():
+    return f"length = 2.0\nprofile = {[[float(x), float(z)] for x, z in ring()]!r}"
+
+
+@pytest.mark.parametrize(("count", "published", "digits"), [(7, 0.370, 5e-4), (8, 0.3538, 1e-4)])
+def test_profile_of_a_project_file(tmp_path, count, published, digits):
+    mechanism = project(tmp_path, count, body=profile_of())
+    rocker = oscillator(mechanism)
+    analytic = weakest(*arch(count), name="arch")
+    for side in rocker.branches:
+        assert multiplier(side)[0] == pytest.approx(published, abs=digits)
+        assert multiplier(side)[0] == pytest.approx(analytic.multiplier, rel=1e-4)  # chords for arcs
+    np.testing.assert_allclose(mechanism.positive.hinges, analytic.hinges, rtol=0.0, atol=1e-9)
+    for one, other in zip(mechanism.positive.hinges, mechanism.negative.hinges, strict=True):
+        assert one == pytest.approx(other, abs=1e-9)  # a symmetric arch is alike each way
+    assert mechanism.restitution[0] == pytest.approx(mechanism.restitution[1], rel=1e-9)
+    assert f"uplift multiplier {multiplier(rocker.positive)[0]:.4g}" in mechanism.notices[0]
+
+
+def test_mesh_of_a_project_file_in_another_place_and_direction(tmp_path):
+    """The same arch as an OBJ in millimetres along y, with its centre off the origin; joints are in its own plane."""
+    corners = ring(pieces=56)
+    n = len(corners)
+    lines = [f"v {1000 * y!r} {1000 * (3.0 + x)!r} {1000 * (1.5 + z)!r}" for y in (1.0, -1.0) for x, z in corners]
+    for k in range(n):
+        j = (k + 1) % n
+        lines += [f"f {k + 1} {j + 1} {n + j + 1}", f"f {k + 1} {n + j + 1} {n + k + 1}"]
+    half = n // 2
+    for k in range(half - 1):
+        a, b, c, d = k, k + 1, n - 2 - k, n - 1 - k
+        lines += [f"f {a + 1} {d + 1} {c + 1}", f"f {a + 1} {c + 1} {b + 1}"]
+        lines += [f"f {n + a + 1} {n + c + 1} {n + d + 1}", f"f {n + a + 1} {n + b + 1} {n + c + 1}"]
+    (tmp_path / "arch.obj").write_text("\n".join(lines) + "\n")
+    body = 'mesh = "arch.obj"\nmesh_unit = "mm"'
+    mechanism = project(tmp_path, 7, body=body, direction="[0, 2, 0]", centre="[3.0, 1.5]")
+    assert multiplier(oscillator(mechanism).positive)[0] == pytest.approx(0.370, abs=1e-3)
+    expected = [(x + 3.0, z + 1.5) for x, z in weakest(*arch(7), name="arch").hinges]
+    np.testing.assert_allclose(mechanism.positive.hinges, expected, rtol=0.0, atol=1e-5)
+    back = [(x - 3.0, z + 1.5) for x, z in weakest(*arch(7), name="arch").hinges]
+    np.testing.assert_allclose(mechanism.negative.hinges, back, rtol=0.0, atol=1e-5)
+
+
+def test_the_weakest_mirrors_with_the_arch():
+    """A lopsided arch: heavier to the right; to be pushed to the left is to push its mirror image to the right."""
+    voussoirs, joints = arch(9)
+    heavy = [Block(each.mass * (1 + k / 9), each.centroid, each.inertia) for k, each in enumerate(voussoirs)]
+    image = [Block(each.mass, mirrored(each.centroid), each.inertia) for each in heavy[::-1]]
+    flipped = [(mirrored(a), mirrored(b)) for a, b in joints[::-1]]
+    assert weakest(heavy, joints, name="a").multiplier != pytest.approx(weakest(image, flipped, name="a").multiplier)

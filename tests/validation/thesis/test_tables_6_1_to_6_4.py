@@ -1,0 +1,96 @@
+"""Thesis Tables 6.1-6.4, the vertical forces of the hinges, against `statics.verge`.
+
+The program takes them when the mechanism is about to move, so with the horizontal forces of the uplift multiplier. The
+tables share a beam out in halves, which is then exact only where its centroid is level with its hinges, midway. They
+leave out that each hinge also passes on a horizontal force, except the thrust T at the apex of 6.4.
+Misprint: F_4 of Table 6.3 is W_3 + W_2 / 2, for hinge 4 is under the second column; printed W_1 + W_2 / 2.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scipy.constants import g
+from scipy.optimize import brentq
+
+from assess.loads import Force
+from assess.mechanisms.chain import Block, Chain
+from assess.mechanisms.statics import verge
+
+
+def vertical(chain):
+    """Forces up of the hinges on the block above, of D on the ground [N], and on D's block then."""
+    up = verge(chain).forces[:, 1]
+    return np.append(up[:-1], -up[-1]) if len(chain.blocks) == 3 else up
+
+
+def test_table_6_1_two_blocks_under_overburden():
+    W1, W2, F = 31000.0, 24000.0, 52000.0
+    for place in (0.0, 0.2, 0.4):
+        load = Force("F", (0.0, -F), (place, 4.0), block=1)
+        blocks = Block(W1 / g, (0.2, 1.1), 900.0), Block(W2 / g, (0.2, 3.1), 700.0)
+        chain = Chain(blocks, ((0.4, 0.0), (0.0, 2.2), (0.4, 4.0)), (load,))
+        # hinge 3 is between the wall and what presses on it: the support beside it carries nothing upright
+        np.testing.assert_allclose(vertical(chain), [F + W1 + W2, F + W2, 0.0], rtol=1e-12, atol=1e-9 * F)
+
+
+def frame(W1, W2, W3, *, over=(2.3, 4.0), right=4.6):
+    """Columns 0.8 m thick and 4 m high, up to x = `right`, and a beam with its centroid at `over`."""
+    blocks = (
+        Block(W1 / g, (0.4, 2.0), 500.0),
+        Block(W2 / g, over, 900.0),
+        Block(W3 / g, (right - 0.4, 2.0), 500.0),
+    )
+    return Chain(blocks, ((0.8, 0.0), (0.0, 4.0), (right - 0.8, 4.0), (right, 0.0)))
+
+
+def test_table_6_2_symmetric_frame():
+    W1, W2 = 40000.0, 90000.0
+    up = vertical(frame(W1, W2, W1, over=(1.9, 4.0)))
+    np.testing.assert_allclose(
+        up, [W1 + W2 / 2, W2 / 2, -W2 / 2, W1 + W2 / 2], rtol=1e-12
+    )  # at C: on the beam's far end
+
+
+def test_table_6_3_asymmetric_frame_and_its_misprint():
+    W1, W2, W3 = 40000.0, 90000.0, 70000.0
+    a, b, _, d = vertical(frame(W1, W2, W3, over=(1.9, 4.0)))
+    assert (a, b) == pytest.approx((W1 + W2 / 2, W2 / 2), rel=1e-12)
+    assert d == pytest.approx(W3 + W2 / 2, rel=1e-12)
+    assert abs(d / (W1 + W2 / 2) - 1) > 0.3  # as printed
+    assert a + d == pytest.approx(W1 + W2 + W3, rel=1e-12)
+
+
+def test_halves_of_tables_6_2_and_6_3_by_moments_of_the_beam():
+    """Elsewhere: F_3 (x_C - x_B) = W_2 (x_G - x_B) + lambda W_2 (z_G - z_B)."""
+    W1, W2, W3 = 40000.0, 90000.0, 70000.0
+    chain = frame(W1, W2, W3, over=(2.3, 4.35))
+    far = (W2 * 2.3 + verge(chain).multiplier * W2 * 0.35) / 3.8
+    np.testing.assert_allclose(np.abs(vertical(chain)), [W1 + W2 - far, W2 - far, far, W3 + far], rtol=1e-12)
+
+
+def vault(wall):
+    """Two equal halves of a vault of 5 t on a wall of `wall` kg: hinge B at the apex, C at the wall, D below."""
+    halves = Block(2500.0, (1.15, 7.9), 1500.0), Block(2500.0, (3.85, 7.9), 1500.0)
+    return Chain((*halves, Block(wall, (5.5, 3.7), 1e4)), ((0.0, 7.0), (2.5, 8.3), (5.0, 7.0), (6.2, 0.0)))
+
+
+def test_table_6_4_side_aisle_vault():
+    """Holds for equal halves without shear at the apex: for the wall whose vault pushes it over by itself."""
+    wall = brentq(lambda mass: verge(vault(mass)).multiplier, 1e2, 1e6, xtol=1e-9, rtol=1e-15)
+    W1 = W2 = 2500.0 * g
+    T = W1 * 1.15 / 1.3  # half the vault about A, thrust at the apex
+    forces = verge(vault(wall)).forces
+    np.testing.assert_allclose(forces[:, 1], [W1, 0.0, -W2, -(W2 + wall * g)], rtol=1e-9, atol=1e-6)
+    np.testing.assert_allclose(np.abs(forces[:, 0]), T, rtol=1e-9)
+    assert wall * g * (6.2 - 5.5) + W2 * 1.2 == pytest.approx(T * 7.0, rel=1e-9)  # the wall about D
+
+
+def test_table_6_4_has_shear_at_the_apex_where_the_ground_shakes():
+    W = 2500.0 * g
+    chain = vault(40000.0)
+    multiplier, shear = verge(chain).multiplier, verge(chain).forces[1, 1]
+    assert multiplier > 0.05
+    a, _, c, d = np.abs(verge(chain).forces[:, 1])
+    np.testing.assert_allclose([a, c, d], [W + shear, W - shear, W - shear + 40000.0 * g], rtol=1e-12)
+    assert abs(shear) > 0.01 * W

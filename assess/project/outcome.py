@@ -119,7 +119,7 @@ def oscillator_result(branch: Branch, *, mass: float) -> OscillatorResult:
 
 def linearised_result(linear: Linearised) -> LinearisedResult:
     """The kinematic constants of the linearised branch."""
-    rounding = 1e-12 * linear.stiffness  # of the table at phi_cr, where a mechanism without forces has no moment
+    rounding = 1e-9 * linear.stiffness * linear.critical  # of the table at phi_cr, where without forces M = 0
     return LinearisedResult(
         inertia_kg_m2=linear.inertia,
         stiffness_n_m_per_rad=linear.stiffness,

@@ -153,7 +153,7 @@ def _at_rest(axes: Axes, drawing: Drawing, window: Window, layout: Layout) -> No
     _direction(axes, layout)
     shafts = [end for load in drawing.loads for end in shaft(arrow_ends(load, window.arrow))]
     drawn = [each.at for each in _labels(axes, [(at, "", INK) for at in shafts], layout)]
-    write(axes, _labels(axes, names(drawing), layout), window=_points(layout), drawn=drawn)
+    write(axes, _labels(axes, names(drawing, window), layout), window=_points(layout), drawn=drawn)
 
 
 def coloured(drawing: Drawing) -> list[tuple[NamedPoint, str]]:
@@ -163,13 +163,16 @@ def coloured(drawing: Drawing) -> list[tuple[NamedPoint, str]]:
     return list(zip(drawing.hinges, colours, strict=True))
 
 
-def names(drawing: Drawing) -> list[tuple[Point, str, str]]:
-    """What is named at rest, where, and in which colour: hinges, centroids, loads."""
+def names(drawing: Drawing, window: Window) -> list[tuple[Point, str, str]]:
+    """What is named at rest, where, and in which colour: hinges, centroids, loads (an arrow at its free end)."""
     made = [(hinge.at, label(hinge.name, 14), colour) for hinge, colour in coloured(drawing)]
     if len(drawing.centroids) > 1:
         made += [(at, f"G{place}", INK) for place, at in enumerate(drawing.centroids, start=1)]
     made.append((drawing.centroid, "G", INK))
-    return made + [(load.at, label(load.name, 24), LOAD) for load in drawing.loads]
+    for load in drawing.loads:
+        tail, head = arrow_ends(load, window.arrow) or (load.at, load.at)
+        made.append(({"force": tail, "tie": head, "mass": load.at}[load.kind], label(load.name, 24), LOAD))
+    return made
 
 
 def shaft(ends: tuple[Point, ...]) -> list[Point]:

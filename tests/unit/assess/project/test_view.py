@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import json
+from math import cos, pi, sin
 from pathlib import Path
 
 import numpy as np
 import pytest
 import trimesh
+from shapely import Polygon
 
 from assess.geometry.planar import planar
 from assess.geometry.scene import Scene
@@ -24,6 +26,10 @@ density = 1800
 [bodies.wall]
 material = "brick"
 box = { thickness = 0.6, length = 3.0, height = 4.0, base = [100.0, 50.0, 0.0] }
+[bodies.vault]
+material = "brick"
+profile = PROFILE
+length = 2.0
 [bodies.numbers]
 mass = 1000.0
 centroid = [0.0, 2.0]
@@ -36,6 +42,15 @@ kind = "single-block"
 blocks = ["wall"]
 direction = [0, -1, 0]
 cut = 1.5
+[mechanisms.cracked]
+kind = "two-block"
+blocks = ["wall"]
+crack = 2.5
+[mechanisms.arch]
+kind = "four-hinge"
+blocks = ["vault"]
+hinges = "minimum"
+joints = { centre = [0, 0], first = "160 deg", last = "20 deg", count = 9 }
 [mechanisms.numbers]
 kind = "single-block"
 blocks = ["numbers"]
@@ -50,10 +65,19 @@ radius = 2.84
 
 
 @pytest.fixture(scope="module")
-def views(tmp_path_factory):
+def results(tmp_path_factory):
     path: Path = tmp_path_factory.mktemp("view") / "project.toml"
-    path.write_text(PROJECT)
-    return {each.name: each.view for each in running.parameters(build(load(path)))}
+    path.write_text(PROJECT.replace("PROFILE", str([*ring(3.4), *ring(2.6)[::-1]])))
+    return {each.name: each for each in running.parameters(build(load(path)))}
+
+
+def ring(radius):
+    return [[radius * cos(turn), radius * sin(turn)] for turn in np.linspace(0.0, pi, 61)]
+
+
+@pytest.fixture(scope="module")
+def views(results):
+    return {name: each.view for name, each in results.items()}
 
 
 def mesh(seen, *, block):
@@ -90,6 +114,37 @@ def test_a_cut_body_moves_above_the_section(views):
     assert first[:, 1] == pytest.approx(48.5)  # the edge towards -y
     assert second[:, 1] == pytest.approx(51.5)
     assert seen.direction == (0.0, -1.0, 0.0)
+
+
+def test_a_cracked_wall_is_two_blocks_and_nothing_stays(views):
+    seen = views["cracked"]
+    assert mesh(seen, block=0).volume == pytest.approx(0.6 * 3.0 * 2.5)
+    assert mesh(seen, block=1).volume == pytest.approx(0.6 * 3.0 * 1.5)
+    assert set(seen.block_of) == {0, 1}
+    assert [axis.name for axis in seen.axes] == ["A", "B", "C", "A'", "B'", "C'"]
+    (ring,) = (np.array(section) for section in seen.sections)
+    assert np.all(ring[:, 2] == 2.5)
+
+
+def test_an_arch_is_three_blocks_on_what_stays_and_whole(views):
+    seen = views["arch"]
+    assert set(seen.block_of) == {-1, 0, 1, 2}
+    total = sum(mesh(seen, block=block).volume for block in (-1, 0, 1, 2))
+    section = Polygon([*ring(3.4), *ring(2.6)[::-1]]).area
+    assert total == pytest.approx(2.0 * section, rel=1e-4)  # coordinates are rounded
+
+
+def test_each_direction_of_an_arch_turns_its_own_voussoirs(results):
+    drawing = results["arch"].drawing
+    back = drawing.displaced_negative
+    assert drawing.block_of == drawing.displaced.block_of
+    assert len(drawing.blocks) == 9
+    assert sorted(set(back.block_of) - {-1}) == [0, 1, 2]
+    assert back.block_of == drawing.block_of[::-1]  # a symmetric arch; A' is at the far springing
+    for side in (drawing.displaced, back):
+        for ring_then, ring_now, block in zip(drawing.blocks, side.blocks, side.block_of, strict=True):
+            assert Polygon(ring_now).area == pytest.approx(Polygon(ring_then).area, rel=1e-9)
+            assert (ring_now == ring_then) == (block == -1)
 
 
 def test_a_scan_is_simplified_for_the_results_only():

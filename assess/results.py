@@ -13,6 +13,8 @@ from assess.codes.check import BranchName, Check
 SCHEMA_VERSION = 1
 Floats = tuple[float, ...]
 Point = tuple[float, float]
+Place = tuple[float, float, float]
+Ring = tuple[Point, ...]
 
 
 @dataclass(frozen=True)
@@ -92,13 +94,96 @@ class NamedPoint:
 
 
 @dataclass(frozen=True)
-class Drawing:
-    """The mechanism in its plane of motion, to scale [m]: closed outlines of the blocks, hinges, loads, centroid."""
+class DrawnLoad:
+    """A load in the plane of motion: where it acts [m], and the unit vector it pushes or pulls along.
 
-    blocks: tuple[tuple[Point, ...], ...]
+    towards is None for a mass that is not bearing: it has no force at rest.
+    """
+
+    name: str
+    at: Point
+    kind: Literal["mass", "force", "tie"]
+    towards: Point | None
+
+
+@dataclass(frozen=True)
+class Displaced:
+    """The mechanism after a rotation of its leading block, as seen in the plane of motion, not mirrored [m].
+
+    blocks, loads and centroids follow the order of the drawing at rest; hinges are those of the branch that turns, and
+    block_of tells its blocks.
+    """
+
+    rotation_rad: float
+    blocks: tuple[Ring, ...]
+    block_of: tuple[int, ...]
     hinges: tuple[NamedPoint, ...]
-    loads: tuple[NamedPoint, ...]
+    loads: tuple[DrawnLoad, ...]
+    centroids: tuple[Point, ...]
+
+
+@dataclass(frozen=True)
+class Drawing:
+    """The mechanism in its plane of motion, to scale [m]: closed outlines of the blocks, hinges, loads, centroid.
+
+    block_of: the block of the positive branch that each outline belongs to, from 0 at the base, -1 where it does not
+    move (an arch may join other voussoirs to blocks each way); centroids: of each block; displaced and
+    displaced_negative: turned to either side, far enough to be seen and no farther than overturning; fixed: outlines of
+    masonry that stays, as what lies under a cut.
+    """
+
+    blocks: tuple[Ring, ...]
+    hinges: tuple[NamedPoint, ...]
+    loads: tuple[DrawnLoad, ...]
     centroid: Point
+    block_of: tuple[int, ...]
+    centroids: tuple[Point, ...]
+    displaced: Displaced
+    displaced_negative: Displaced | None
+    fixed: tuple[Ring, ...]
+
+
+@dataclass(frozen=True)
+class Axis:
+    """The axis of rotation at a hinge: its two ends [m]."""
+
+    name: str
+    ends: tuple[Place, Place]
+
+
+@dataclass(frozen=True)
+class View:
+    """The bodies of a mechanism in space [m], simplified and rounded for drawing; not for calculation.
+
+    triangles: indices into vertices, anticlockwise seen from outside; block_of: the block that each triangle belongs
+    to, from 0 at the base, -1 where it does not move. sections: closed rings where cuts pass through the masonry.
+    size: of the bounding box across x, y, z. given: how many triangles the bodies have before they are simplified.
+    """
+
+    vertices: tuple[Place, ...]
+    triangles: tuple[tuple[int, int, int], ...]
+    block_of: tuple[int, ...]
+    axes: tuple[Axis, ...]
+    sections: tuple[tuple[Place, ...], ...]
+    direction: Place
+    size: Place
+    given: int
+
+
+@dataclass(frozen=True)
+class LinearisedResult:
+    """Kinematic constants of a branch linearised at critical_rad (thesis 3.4-3.12): I, K, B, M, phi_cr, phi_ov.
+
+    uplift_multiplier: lambda of 3.11, to which thesis tables refer; the exact one stands beside it in the oscillator.
+    """
+
+    inertia_kg_m2: float
+    stiffness_n_m_per_rad: float
+    excitation_kg_m: float
+    moment_n_m: float
+    critical_rad: float
+    overturning_rad: float
+    uplift_multiplier: float
 
 
 @dataclass(frozen=True)
@@ -116,6 +201,7 @@ class OscillatorResult:
     critical_rad: float
     equilibrium_rad: float
     restitution: float
+    linearised: LinearisedResult
 
 
 @dataclass(frozen=True)
@@ -224,6 +310,7 @@ class MechanismResult:
     sides: Literal["one", "two"]
     equation: Literal["exact", "linearised"]
     drawing: Drawing
+    view: View | None
     oscillator: OscillatorResult
     oscillator_negative: OscillatorResult | None
     curve: Curve

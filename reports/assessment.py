@@ -9,7 +9,7 @@ from typing import Literal
 from assess.results import MechanismResult, Results
 from reports import governing, sentences, sheets, tables
 from reports.document import Block, Document, Figure, Items, Section, Signatures, Table, Text
-from reports.figures import capacity, comparison, history, pga_rotation, sketch, spectrum
+from reports.figures import capacity, comparison, history, pga_rotation, sketch, spectrum, view
 from reports.numerals import numeral
 
 LONG = 120  # characters; longer titles and names are shortened where they head something and printed once in full
@@ -104,21 +104,26 @@ def _mechanism(mechanism: MechanismResult, name: str) -> list[Section]:
 
 
 def _shape(mechanism: MechanismResult, name: str) -> Section:
-    caption = (
-        "The mechanism in its plane of motion, to scale: blocks at rest (shaded) and turned by half the overturning "
-        "rotation (dashed), hinges (circles), centroid G, sense of positive rotation +φ."
-    )
     curve = (
         "Capacity curve: restoring moment and load multiplier λ over rotation. The dot marks the overturning rotation."
     )
     blocks = (
         Text((sentences.description(mechanism),)),
-        Figure(f"{name}-sketch", caption, partial(sketch.draw, mechanism)),
+        Figure(f"{name}-sketch", sentences.sketch(mechanism), partial(sketch.draw, mechanism)),
+        *_view(mechanism, name),
         *_filled(tables.loads(mechanism, name=f"{name}-loads")),
         tables.parameters(mechanism, name=f"{name}-parameters"),
         Figure(f"{name}-capacity", curve, partial(capacity.draw, mechanism)),
     )
     return Section(f"Mechanism: {tables.name_of(mechanism)}", 0, blocks, starts_page=True)
+
+
+def _view(mechanism: MechanismResult, name: str) -> list[Block]:
+    seen = mechanism.view
+    if seen is None:
+        return []
+    draw = partial(view.draw, seen, len(mechanism.drawing.displaced.hinges))
+    return [Figure(f"{name}-view", sentences.view(seen), draw)]
 
 
 def _answer(mechanism: MechanismResult, name: str) -> Section:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from assess.codes.check import Check
-from assess.results import MechanismResult, Results
+from assess.results import MechanismResult, Results, View
 from reports import governing
 from reports.lettering import shortened
 from reports.numerals import numeral
@@ -109,6 +109,38 @@ def _says(check: Check, words: str) -> bool:
         *(f"{s.clause} {s.description}" for s in check.steps),
     )
     return any(words in text.lower() for text in texts)
+
+
+def sketch(mechanism: MechanismResult) -> str:
+    """What the drawing of a mechanism shows."""
+    drawing = mechanism.drawing
+    back = drawing.displaced_negative
+    turned = f"turned by φ = {drawing.displaced.rotation_rad:.2g} rad in its direction"
+    turned += "" if back is None else f" and by φ = {back.rotation_rad:.2g} rad against it"
+    hinges = "hinges A, B, … (circles, red)" if len(drawing.displaced.hinges) > 1 else "hinge A (circle, red)"
+    hinges += "" if back is None else " and those of the negative branch (blue, with a prime)"
+    loads = (
+        "; loads: a dot for a mass, an arrow for a force, a tie or a weight that is carried" if drawing.loads else ""
+    )
+    centroids = "Centroid (cross) G"
+    centroids = "Centroids of the blocks G1, G2, … and of all G" if len(drawing.centroids) > 1 else centroids
+    stays = " Grey masonry does not move." if drawing.fixed else ""
+    return (
+        f"The mechanism in its plane of motion, to scale, at rest and {turned} (dashed: at rest). "
+        f"{centroids}; {hinges}{loads}.{stays}"
+    )
+
+
+def view(seen: View) -> str:
+    """What the picture of the bodies shows."""
+    wide, long, high = (f"{length:.3g}" for length in seen.size)
+    stays = " Grey masonry does not move." if -1 in seen.block_of else ""
+    cut = " Thin dashes: the section where it parts." if seen.sections else ""
+    light = "" if len(seen.triangles) == seen.given else f" Simplified for drawing from {seen.given} triangles."
+    return (
+        f"The bodies in space, {wide} × {long} × {high} m along x, y and z: axis of rotation (red), of the negative "
+        f"branch (blue, dashed), and direction of motion (arrow).{stays}{cut}{light}"
+    )
 
 
 def _failure(mechanism: MechanismResult) -> str:

@@ -20,7 +20,10 @@ from reports.lettering import FAMILY, printable, shortened
 WIDTH = 6.7  # of the text on the page [in]
 INK, MUTED, GRID = "#1b2733", "#6b7680", "#d7dce1"
 PASS, FAIL = "#00694c", "#b3380e"
-STONE, STONE_EDGE = "#d9cdb8", "#6f6350"
+STONE_EDGE, LOAD = "#6f6350", "#6b4c9a"
+POSITIVE, NEGATIVE = "#c1121f", "#0072b2"  # the branches
+BLOCKS = ("#d9cdb8", "#a8977a", "#efe8db")  # from the base upwards, told apart in grey too
+FIXED = "#dfe2e5"  # masonry that stays
 
 _RC: dict[Any, Any] = {
     "font.family": [FAMILY],
@@ -95,12 +98,19 @@ def sheet(height: float, *, width: float = WIDTH) -> Figure:
     return figure
 
 
+def bare_sheet(height: float, *, width: float = WIDTH) -> Figure:
+    """An empty figure of `width` x `height` [in] whose panels are placed by hand; made within `styled`."""
+    figure = Figure(figsize=(width, height))
+    FigureCanvasAgg(figure)
+    return figure
+
+
 def settled(figure: Figure) -> Figure:
     """The figure laid out once and for all: drawing it again costs no second layout."""
     engine = figure.get_layout_engine()
     if engine is not None:
         engine.execute(figure)
-        figure.set_layout_engine("none")
+        figure.set_layout_engine(None)
     return figure
 
 

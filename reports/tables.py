@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from operator import attrgetter
 
 from assess.codes.check import Check
 from assess.results import (
@@ -31,9 +32,15 @@ PARAMETERS: tuple[tuple[str, str, str], ...] = (
     ("uplift_multiplier", "Load multiplier at uplift, λ", "-"),
     ("overturning_rad", "Overturning rotation, rigid, φₒᵥ", "rad"),
     ("overturning_flexible_rad", "Overturning rotation with its interface", "rad"),
-    ("critical_rad", "Rotation about which the equation is linearised", "rad"),
     ("equilibrium_rad", "Rotation at rest", "rad"),
     ("restitution", "Coefficient of restitution, η", "-"),
+    ("critical_rad", "Rotation about which the equation is linearised, φ_cr", "rad"),
+    ("linearised.inertia_kg_m2", "Linearised: inertia, I", "kg m²"),
+    ("linearised.stiffness_n_m_per_rad", "Linearised: stiffness, K", "N m/rad"),
+    ("linearised.excitation_kg_m", "Linearised: excitation, B", "kg m"),
+    ("linearised.moment_n_m", "Linearised: moment of the given forces, M", "N m"),
+    ("linearised.overturning_rad", "Linearised: overturning rotation, φₒᵥ = φ_cr − M/K", "rad"),
+    ("linearised.uplift_multiplier", "Linearised: load multiplier, λ = K φₒᵥ / (g B)", "-"),
 )
 
 
@@ -441,5 +448,5 @@ def _rocking(rotation: float | None) -> Cell:
 
 
 def _parameter(branch: OscillatorResult | None, key: str) -> Cell:
-    value: float | None = getattr(branch, key, None)
+    value: float | None = None if branch is None else attrgetter(key)(branch)
     return value

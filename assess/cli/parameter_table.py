@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from dataclasses import fields
 
 from assess.cli.text_table import text_table
-from assess.results import MechanismResult, OscillatorResult
+from assess.results import LinearisedResult, MechanismResult, OscillatorResult
 
 _SHORT = (
     "mechanism",
@@ -21,6 +21,22 @@ _SHORT = (
     "restitution",
     "mass [kg]",
 )
+_CONSTANTS = (
+    "linearised",
+    "branch",
+    "I [kg m2]",
+    "K [N m/rad]",
+    "B [kg m]",
+    "M [N m]",
+    "phi_cr [rad]",
+    "phi_ov [rad]",
+    "lambda [-]",
+)
+
+
+def parameters_text(mechanisms: tuple[MechanismResult, ...]) -> str:
+    """The main parameters of each branch, and below them the kinematic constants of its linearised equation."""
+    return f"{table_text(mechanisms)}\n{constants_text(mechanisms)}"
 
 
 def table_text(mechanisms: tuple[MechanismResult, ...]) -> str:
@@ -30,15 +46,27 @@ def table_text(mechanisms: tuple[MechanismResult, ...]) -> str:
     )
 
 
+def constants_text(mechanisms: tuple[MechanismResult, ...]) -> str:
+    """I, K, B, M, phi_cr and phi_ov of each branch linearised (thesis 3.4-3.12), rounded for reading."""
+    rows = [
+        [mechanism.name, branch, *(f"{getattr(o.linearised, field.name):.5g}" for field in fields(LinearisedResult))]
+        for mechanism in mechanisms
+        for branch, o in _branches(mechanism)
+    ]
+    return text_table(_CONSTANTS, rows)
+
+
 def csv_text(mechanisms: tuple[MechanismResult, ...]) -> str:
     """All parameters of each branch at full precision, under their names of results.json."""
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
-    names = [field.name for field in fields(OscillatorResult)]
-    writer.writerow(["name", "label", "kind", "sides", "branch", *names])
+    names = [field.name for field in fields(OscillatorResult) if field.name != "linearised"]
+    constants = [field.name for field in fields(LinearisedResult)]
+    writer.writerow(["name", "label", "kind", "sides", "branch", *names, *(f"linearised_{name}" for name in constants)])
     for m in mechanisms:
-        for branch, parameters in _branches(m):
-            writer.writerow([m.name, m.label, m.kind, m.sides, branch, *(getattr(parameters, name) for name in names)])
+        for branch, o in _branches(m):
+            numbers = [getattr(o, name) for name in names] + [getattr(o.linearised, name) for name in constants]
+            writer.writerow([m.name, m.label, m.kind, m.sides, branch, *numbers])
     return text.getvalue()
 
 

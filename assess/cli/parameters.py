@@ -20,10 +20,10 @@ def parameters(
     from assess.project.schema import load
 
     loaded = load(project)
-    from assess.cli.parameter_table import csv_text, table_text
+    from assess.cli.parameter_table import csv_text, parameters_text
     from assess.project.build import build
     from assess.project.run import parameters as of_study
     from assess.results_io import dumps_mechanisms
 
-    text = dumps_mechanisms if as_json else csv_text if as_csv else table_text
+    text = dumps_mechanisms if as_json else csv_text if as_csv else parameters_text
     print(text(of_study(build(loaded))), end="")

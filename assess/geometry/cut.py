@@ -65,11 +65,13 @@ class Parts:
     """What lies above and below a cut.
 
     above, below : the bodies on each side, each as cut; foot : corners of the section between them [k, 3] [m]
+    section : its outer borders, closed rings [k, 3] [m]
     """
 
     above: tuple[Solid, ...]
     below: tuple[Solid, ...]
     foot: FloatArray
+    section: tuple[FloatArray, ...]
 
 
 def level(elevation: float) -> Plane:
@@ -137,9 +139,10 @@ def divide(solids: Sequence[Solid], plane: Plane, *, where: str) -> Parts:
     if not areas:
         lowest = min((float(solid.vertices[:, 2].min()) for solid in over), default=float(high[2]))
         raise GeometryError(f"{where}: {plane} passes through no masonry; what lies above begins at z = {lowest:.6g} m")
-    section = np.unique(shapely.get_coordinates(areas), axis=0)
-    foot = np.column_stack([section, np.zeros(len(section))]) @ axes + origin
-    return Parts(tuple(over), tuple(under), foot)
+    corners = np.unique(shapely.get_coordinates(areas), axis=0)
+    rings = [shapely.get_coordinates(shapely.get_exterior_ring(part)) for part in areas]
+    foot, *section = (np.column_stack([each, np.zeros(len(each))]) @ axes + origin for each in (corners, *rings))
+    return Parts(tuple(over), tuple(under), foot, tuple(section))
 
 
 def common(first: Solid, second: Solid) -> Common | None:

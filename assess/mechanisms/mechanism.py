@@ -23,7 +23,8 @@ class Mechanism:
     restitution : what the impact that ends the positive and the negative branch leaves of the velocity [-]
     restitution_source : the formula it comes from, or "given"
     elevation : of the base hinge above the origin of the project [m]
-    outlines : of each block, its closed polygons in the plane of motion [m], not mirrored
+    outlines : of each block (of each part, where the chains have parts), its closed polygons in the plane of motion
+        [m], not mirrored
     notices : sentences the engineer must read (a rule that did not hold)
     """
 

@@ -23,17 +23,21 @@ FloatArray = NDArray[np.float64]
 Line = tuple[Point, Point]
 
 
-def hinged_arch(name: str, section: sections.FourHinge, piece: Piece, *, sides: Sides, **common: Any) -> Mechanism:
+def hinged_arch(
+    name: str, section: sections.FourHinge, piece: Piece, *, sides: Sides, **common: Any
+) -> tuple[Mechanism, list[Piece]]:
     """The four-hinge mechanism of one body that opens at the joints where it resists least, for each direction.
 
-    For negative rotation hinge A is at the far springing, so that both directions of a symmetric arch are alike.
+    For negative rotation hinge A is at the far springing, so that both directions of a symmetric arch are alike. The
+    outlines, and the pieces beside the mechanism, are the voussoirs: each direction joins others of them to blocks.
 
     Raises MechanismError or GeometryError where a joint misses the body, or no four joints make a mechanism.
     """
-    voussoirs, joints = voussoirs_of(piece.solids, lines_of(section), section.direction, where=f'mechanism "{name}"')
+    pieces, joints = voussoirs_of(piece, lines_of(section), section.direction, where=f'mechanism "{name}"')
+    voussoirs = [each.body for each in pieces]
     plain = [block_of(body) for body in voussoirs]
     front = weakest(plain, joints, name=name)
-    bodies, positive = hinged(voussoirs, front)
+    _, positive = hinged(voussoirs, front)
     negative, notices = None, [told(front, "positive", len(joints), flip=False)]
     if sides == "two":
         turned = [replace(block, centroid=mirrored(block.centroid)) for block in plain[::-1]]
@@ -41,8 +45,9 @@ def hinged_arch(name: str, section: sections.FourHinge, piece: Piece, *, sides: 
         a, b, c, d = (mirrored(hinge) for hinge in back.hinges)
         negative = mirrored_back(hinged(voussoirs[::-1], replace(back, hinges=(a, b, c, d)))[1])
         notices.append(told(back, "negative", len(joints), flip=True))
-    outlines = tuple(body.outline for body in bodies)
-    return assembled(name, "four-hinge", positive, negative, outlines=outlines, notices=notices, **common)
+    outlines = tuple(body.outline for body in voussoirs)
+    made = assembled(name, "four-hinge", positive, negative, outlines=outlines, notices=notices, **common)
+    return made, pieces
 
 
 def mirrored_back(chain: Chain) -> Chain:
@@ -73,21 +78,22 @@ def lines_of(section: sections.FourHinge) -> list[Line]:
 
 
 def voussoirs_of(
-    solids: Sequence[Solid], lines: Sequence[Line], direction: Sequence[float], *, where: str
-) -> tuple[list[PlanarBody], list[Joint]]:
+    piece: Piece, lines: Sequence[Line], direction: Sequence[float], *, where: str
+) -> tuple[list[Piece], list[Joint]]:
     """The body between its joints, and the ends of each joint at the faces of the body."""
     along = np.append(np.array(direction[:2]) / np.linalg.norm(direction), 0.0)
     normals = ahead(lines)
-    rest, joints, bodies = tuple(solids), [], []
+    rest, joints, pieces, beyond = piece.solids, [], [], piece.fixed
     for number, (line, normal) in enumerate(zip(lines, normals, strict=True), start=1):
         parts = side(rest, line, normal if number == 1 else -normal, along, where=f"{where}: joint {number}")
         joints.append(ends_of(parts.foot, line, along))
         if number == 1:
-            rest = parts.above
+            rest, beyond = parts.above, (*beyond, *parts.below)
         else:
-            bodies.append(as_voussoir(parts.above, direction, number - 1))
+            pieces.append(Piece(as_voussoir(parts.above, direction, number - 1), parts.above, None))
             rest = parts.below
-    return bodies, joints
+    pieces[-1] = replace(pieces[-1], fixed=(*beyond, *rest))
+    return pieces, joints
 
 
 def side(solids: Sequence[Solid], line: Line, normal: FloatArray, along: FloatArray, *, where: str) -> Parts:

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
+import numpy as np
+
 from assess.errors import GeometryError
 from assess.geometry import mesh
 from assess.geometry.cut import Parts, Plane, divide, inclined, level
@@ -19,6 +21,7 @@ from assess.geometry.planar import (
     slope_across,
     turns_about_a_corner,
 )
+from assess.geometry.scene import Scene
 from assess.geometry.solid import Solid, box, profile
 from assess.project import sections
 
@@ -31,13 +34,16 @@ class Piece:
     """One block of a mechanism, as cut.
 
     body : in the plane of motion; solids : what it is made of, none for direct values; foot : corners of the face it
-    stands on [k, 3] [m], None without geometry; cut : whether that face is a cut
+    stands on [k, 3] [m], None without geometry; cut : whether that face is a cut; section : its rings [k, 3] [m];
+    fixed : what lies beyond the cut and stays
     """
 
     body: PlanarBody
     solids: tuple[Solid, ...]
     foot: FloatArray | None
     cut: bool = False
+    section: tuple[FloatArray, ...] = ()
+    fixed: tuple[Solid, ...] = ()
 
 
 def solid_of(name: str, body: sections.Body, materials: Mapping[str, sections.Material]) -> Solid | None:
@@ -90,13 +96,26 @@ def whole(block: Sequence[str], direction: Sequence[float], content: sections.Co
 def upper(name: str, block: Sequence[str], plane: Plane, direction: Sequence[float], solids: Solids) -> Piece:
     """What of a block lies above a cut."""
     parts = divide(solids_to_cut(name, block, solids), plane, where=f'mechanism "{name}"')
-    return standing_on(parts, direction)
+    return replace(standing_on(parts, direction), fixed=parts.below)
 
 
 def standing_on(parts: Parts, direction: Sequence[float]) -> Piece:
     """The upper side of a cut as a block."""
     body = as_one([planar(solid, direction=direction) for solid in parts.above])
-    return Piece(replace(body, base=base_of_section(parts.foot, direction=direction)), parts.above, parts.foot, True)
+    body = replace(body, base=base_of_section(parts.foot, direction=direction))
+    return Piece(body, parts.above, parts.foot, True, parts.section)
+
+
+def scene_of(pieces: Sequence[Piece], direction: Sequence[float]) -> Scene | None:
+    """The blocks of a mechanism in space, None where none of them has geometry."""
+    if not any(piece.solids for piece in pieces):
+        return None
+    return Scene(
+        members=tuple(piece.solids for piece in pieces),
+        fixed=tuple(solid for piece in pieces for solid in piece.fixed),
+        sections=tuple(ring for piece in pieces for ring in piece.section),
+        direction=np.array(direction) / np.linalg.norm(direction),
+    )
 
 
 def crosses(block: Sequence[str], plane: Plane, solids: Solids) -> bool:

@@ -43,7 +43,8 @@ def study_of(project: Project) -> Study:
     site, building = content.site, content.building
     spectrum = None if site is None else spectrum_of(site)
     solids = {name: solid_of(name, body, content.materials) for name, body in content.bodies.items()}
-    mechanisms = tuple(mechanism_of(name, section, content, solids) for name, section in content.mechanisms.items())
+    built = [mechanism_of(name, section, content, solids) for name, section in content.mechanisms.items()]
+    mechanisms = tuple(each.mechanism for each in built)
     synthetic = content.records.synthetic
     return Study(
         spectrum=spectrum,
@@ -56,6 +57,7 @@ def study_of(project: Project) -> Study:
         procedures=content.analysis.procedures,
         options=CodeOptions(dmi2008=Dmi2008Options(**content.procedures.dmi2008.model_dump())),
         mechanisms=mechanisms,
+        scenes={each.mechanism.name: each.scene for each in built if each.scene is not None},
         equations={name: equation_of(section, content) for name, section in content.mechanisms.items()},
         inputs=tuple(inputs_of(project)),
         resolved=resolved(project),

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 from assess.errors import MechanismError
+from assess.geometry.scene import Scene
 from assess.loads import Load
 from assess.mechanisms.chain import Point
 from assess.mechanisms.equivalent_block import equivalent_block
@@ -16,24 +17,35 @@ from assess.mechanisms.single_block import single_block
 from assess.mechanisms.two_block import two_block
 from assess.project import sections
 from assess.project.arches import hinged_arch
-from assess.project.bodies import Piece, Solids, doubts_of, pieces_of
+from assess.project.bodies import Piece, Solids, doubts_of, pieces_of, scene_of
 from assess.project.loading import loads_of
 from assess.project.plane import point_in_plane
 from assess.project.walls import cracked
 
+Parted = tuple[Mechanism, Sequence[Piece]]  # a mechanism, and the piece of masonry of each of its outlines
 
-def mechanism_of(name: str, section: sections.Mechanism, content: sections.Content, solids: Solids) -> Mechanism:
+
+@dataclass(frozen=True)
+class Built:
+    """A mechanism, and its bodies in space where it has any."""
+
+    mechanism: Mechanism
+    scene: Scene | None
+
+
+def mechanism_of(name: str, section: sections.Mechanism, content: sections.Content, solids: Solids) -> Built:
     """The mechanism of one table [mechanisms.NAME]."""
     if isinstance(section, sections.EquivalentBlock):
         own = section.model_dump(include={"p", "uplift", "radius", "mass", "elevation", "label", "sides"})
-        return equivalent_block(name, **own, restitution=restitution_of(section))
+        return Built(equivalent_block(name, **own, restitution=restitution_of(section)), None)
     pieces = pieces_of(name, section, content, solids)
     brought = loads_of(name, section, pieces, content, solids)
     try:
-        mechanism = BUILDERS[type(section)](name, section, pieces, content, loads=brought.loads)
+        mechanism, members = BUILDERS[type(section)](name, section, pieces, content, loads=brought.loads)
     except MechanismError as error:
         raise error if str(error).startswith("mechanism ") else MechanismError(f'mechanism "{name}": {error}') from None
-    return replace(mechanism, notices=(*mechanism.notices, *brought.doubts))
+    told = replace(mechanism, notices=(*mechanism.notices, *brought.doubts))
+    return Built(told, scene_of(members, section.direction))
 
 
 def of_one_block(
@@ -43,10 +55,10 @@ def of_one_block(
     content: sections.Content,
     *,
     loads: tuple[Load, ...],
-) -> Mechanism:
+) -> Parted:
     """A single block about the edges of its base."""
     front, back = hinges_of(section.hinges, section), hinges_of(section.hinges_negative, section)
-    return single_block(
+    mechanism = single_block(
         name,
         pieces[0].body,
         hinge=front[0] if front else None,
@@ -55,6 +67,7 @@ def of_one_block(
         notices=() if front else tuple(doubts_of(pieces[0], section.direction)),
         **common(section),
     )
+    return mechanism, pieces
 
 
 def of_two_blocks(
@@ -64,12 +77,12 @@ def of_two_blocks(
     content: sections.Content,
     *,
     loads: tuple[Load, ...],
-) -> Mechanism:
+) -> Parted:
     """A wall held at base and top, of two bodies or of one that cracks."""
     front, back = hinges_of(section.hinges, section), hinges_of(section.hinges_negative, section)
     wall = cracked(name, section, pieces, content, loads, front=front)
     doubts = () if front else tuple(text for piece in wall.pieces for text in doubts_of(piece, section.direction))
-    return two_block(
+    mechanism = two_block(
         name,
         wall.pieces[0].body,
         wall.pieces[1].body,
@@ -79,6 +92,7 @@ def of_two_blocks(
         notices=(*wall.notices, *dict.fromkeys(doubts)),
         **common(section),
     )
+    return mechanism, wall.pieces
 
 
 def of_four_hinges(
@@ -88,11 +102,11 @@ def of_four_hinges(
     content: sections.Content,
     *,
     loads: tuple[Load, ...],
-) -> Mechanism:
+) -> Parted:
     """Three blocks between four hinges that are given, or an arch whose hinges are looked for."""
     if not isinstance(section.hinges, sections.FourHinges):
         return hinged_arch(name, section, pieces[0], **common(section))
-    return four_hinge(
+    mechanism = four_hinge(
         name,
         [piece.body for piece in pieces],
         hinges=hinges_of(section.hinges, section),
@@ -100,9 +114,10 @@ def of_four_hinges(
         loads=loads,
         **common(section),
     )
+    return mechanism, pieces
 
 
-BUILDERS: dict[type[sections.Chained], Callable[..., Mechanism]] = {
+BUILDERS: dict[type[sections.Chained], Callable[..., Parted]] = {
     sections.SingleBlock: of_one_block,
     sections.TwoBlock: of_two_blocks,
     sections.FourHinge: of_four_hinges,

@@ -10,12 +10,13 @@ from numpy.typing import NDArray
 from scipy.constants import g
 
 from assess.codes.check import Check
+from assess.geometry.scene import Scene
 from assess.loads import Force, Load, PointMass, pull_at_rest
-from assess.mechanisms.chain import Chain, Point, mirrored
 from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.statics import verge
 from assess.oscillator import (
     Branch,
+    Linearised,
     Oscillator,
     displacement,
     equivalent_block,
@@ -23,19 +24,20 @@ from assess.oscillator import (
     multiplier,
     participating_mass,
 )
+from assess.project.drawing import drawing
 from assess.project.motions import Motion
 from assess.project.study import Equation
+from assess.project.view import view
 from assess.results import (
     AmplificationResult,
     BranchCurve,
     ComparisonRow,
     Curve,
-    Drawing,
     Factor,
     HistoryResult,
+    LinearisedResult,
     LoadResult,
     MechanismResult,
-    NamedPoint,
     OscillatorResult,
     RecordResult,
     RecordSpectrum,
@@ -96,24 +98,6 @@ def record_result(motion: Motion, spectrum: Spectrum) -> RecordResult:
     )
 
 
-def drawing(mechanism: Mechanism) -> Drawing:
-    """The mechanism to scale in its plane of motion."""
-    hinges = named_hinges(mechanism.positive, "", mirror=False)
-    if mechanism.negative is not None:
-        hinges += named_hinges(mechanism.negative, "'", mirror=True)
-    mass = sum(block.mass for block in mechanism.positive.blocks)
-    x, z = (sum(block.mass * block.centroid[i] for block in mechanism.positive.blocks) / mass for i in (0, 1))
-    loads = tuple(NamedPoint(load.name, load.at) for load in mechanism.positive.loads)
-    rings = tuple(ring for block in mechanism.outlines for ring in block)
-    return Drawing(rings, hinges, loads, (x, z))
-
-
-def named_hinges(chain: Chain, mark: str, *, mirror: bool) -> tuple[NamedPoint, ...]:
-    """Hinges A, B, … of a chain; those of the negative branch carry a prime and are mirrored back."""
-    places: list[Point] = [mirrored(hinge) if mirror else hinge for hinge in chain.hinges]
-    return tuple(NamedPoint(f"{chr(ord('A') + i)}{mark}", place) for i, place in enumerate(places))
-
-
 def oscillator_result(branch: Branch, *, mass: float) -> OscillatorResult:
     """The rocking parameters of one branch."""
     block, linear = equivalent_block(branch, mass=mass), linearise(branch)
@@ -129,6 +113,21 @@ def oscillator_result(branch: Branch, *, mass: float) -> OscillatorResult:
         critical_rad=branch.critical,
         equilibrium_rad=0.0,
         restitution=branch.restitution,
+        linearised=linearised_result(linear),
+    )
+
+
+def linearised_result(linear: Linearised) -> LinearisedResult:
+    """The kinematic constants of the linearised branch."""
+    rounding = 1e-9 * linear.stiffness * linear.critical  # of the table at phi_cr, where without forces M = 0
+    return LinearisedResult(
+        inertia_kg_m2=linear.inertia,
+        stiffness_n_m_per_rad=linear.stiffness,
+        excitation_kg_m=linear.excitation,
+        moment_n_m=0.0 if abs(linear.moment) <= rounding else linear.moment,
+        critical_rad=linear.critical,
+        overturning_rad=linear.overturning,
+        uplift_multiplier=linear.multiplier,
     )
 
 
@@ -168,13 +167,14 @@ def mechanism_result(
     oscillator: Oscillator,
     *,
     equation: Equation,
+    scene: Scene | None = None,
     checks: Sequence[Check] = (),
     histories: Sequence[Sequence[HistoryResult]] = (),
 ) -> MechanismResult:
-    """One mechanism with its checks and its histories [level][record]."""
+    """One mechanism with its checks and its histories [level][record]; `scene` has its bodies in space."""
     positive, negative, mass = oscillator.positive, oscillator.negative, oscillator.mass
     records = [history.record for history in histories[0]] if histories else []
-    drawn = drawing(mechanism)
+    drawn = drawing(mechanism, oscillator, scene)
     return MechanismResult(
         name=mechanism.name,
         label=mechanism.label,
@@ -183,6 +183,7 @@ def mechanism_result(
         equation=equation,
         restitution_source=mechanism.restitution_source,
         drawing=drawn,
+        view=None if scene is None else view(mechanism, scene),
         oscillator=oscillator_result(positive, mass=mass),
         oscillator_negative=None if negative is None else oscillator_result(negative, mass=mass),
         curve=Curve(branch_curve(positive, mass=mass), None if negative is None else branch_curve(negative, mass=mass)),

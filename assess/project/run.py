@@ -60,7 +60,12 @@ def run(study: Study, *, jobs: int = 0, progress: Progress = lambda stage, done,
 def parameters(study: Study) -> tuple[MechanismResult, ...]:
     """Every mechanism with its rocking parameters and capacity curve; no analysis."""
     return tuple(
-        mechanism_result(mechanism, oscillator(mechanism), equation=study.equations[mechanism.name])
+        mechanism_result(
+            mechanism,
+            oscillator(mechanism),
+            equation=study.equations[mechanism.name],
+            scene=study.scenes.get(mechanism.name),
+        )
         for mechanism in study.mechanisms
     )
 
@@ -81,6 +86,7 @@ def assessed(
         mechanism,
         shaken.oscillator,
         equation=shaken.equation,
+        scene=study.scenes.get(mechanism.name),
         checks=checks_of(study, shaken.oscillator, context),
         histories=governing_trace(shaken, rocked.histories, motions),
     )

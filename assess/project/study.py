@@ -7,6 +7,7 @@ from typing import Literal
 
 from assess.codes.context import Building
 from assess.codes.registry import CodeOptions
+from assess.geometry.scene import Scene
 from assess.mechanisms.mechanism import Mechanism
 from assess.results import Input, Notice, Resolved
 from records.record import Record
@@ -32,6 +33,7 @@ class Study:
     spectrum : the site's elastic spectrum at its own PGA; None where the project has no site
     levels : PGA at which demands are compared, rising [m/s2]
     equations : the equation of motion of each mechanism's histories, by name
+    scenes : the bodies in space of each mechanism that has geometry, by name
     """
 
     spectrum: Spectrum | None
@@ -45,6 +47,7 @@ class Study:
     options: CodeOptions
     mechanisms: tuple[Mechanism, ...]
     equations: dict[str, Equation]
+    scenes: dict[str, Scene]
     inputs: tuple[Input, ...]
     resolved: dict[str, Resolved]
     notices: tuple[Notice, ...]

@@ -10,9 +10,8 @@ from numpy.typing import NDArray
 from scipy.constants import g
 
 from assess.results import BranchCurve, MechanismResult
-from reports.style import FAIL, MUTED, sheet, styled
+from reports.style import FAIL, MUTED, NEGATIVE, POSITIVE, sheet, styled
 
-_POSITIVE, _NEGATIVE = "#0072b2", "#d55e00"
 _UNITS = ((1e6, "MN m"), (1e3, "kN m"), (1.0, "N m"))
 
 
@@ -22,8 +21,8 @@ def draw(mechanism: MechanismResult) -> Figure:
     with styled():
         figure = sheet(2.35)
         moment, multiplier = figure.subplots(1, 2)
-        branches = [(positive, _POSITIVE, "-", "positive branch")]
-        branches += [] if negative is None else [(negative, _NEGATIVE, "--", "negative branch, mirrored")]
+        branches = [(positive, POSITIVE, "-", "positive branch")]
+        branches += [] if negative is None else [(negative, NEGATIVE, "--", "negative branch, mirrored")]
         size, unit = _unit(positive)
         for branch, colour, dash, name in branches:
             rotation = np.asarray(branch.rotation_rad)

@@ -1,118 +1,274 @@
-"""The mechanism in its plane of motion, to scale."""
+"""The mechanism in its plane of motion, to scale: at rest, and turned to each side to which it rocks."""
 
 from __future__ import annotations
 
-from math import cos, floor, log10, sin
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from math import ceil
 
+import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
-from matplotlib.patches import FancyArrowPatch, Polygon
+from matplotlib.patches import Polygon
+from matplotlib.ticker import MaxNLocator
 
-from assess.results import Drawing, MechanismResult, Point
-from reports.style import FAIL, INK, MUTED, STONE, STONE_EDGE, label, sheet, styled
+from assess.results import Displaced, Drawing, DrawnLoad, MechanismResult, NamedPoint, Point
+from reports.labels import Label, write
+from reports.style import (
+    BLOCKS,
+    FIXED,
+    INK,
+    LOAD,
+    MUTED,
+    NEGATIVE,
+    POSITIVE,
+    STONE_EDGE,
+    WIDTH,
+    bare_sheet,
+    label,
+    styled,
+)
+
+INCH = 72.0  # pt
+TALLEST = 4.1  # of the figure [in]
+LEFT, BOTTOM, TOP, GAP = 0.5, 0.42, 0.42, 0.3  # around and between the panels [in]
+NARROWEST = 1.45  # a panel [in], for the words above and below it
+ARROW = 0.16  # length of a load's arrow, as a part of the mechanism's size
+
+
+@dataclass(frozen=True)
+class Window:
+    """What every panel shows: lower left and upper right corner [m], and the length of a load's arrow [m]."""
+
+    low: Point
+    high: Point
+    arrow: float
+
+    @property
+    def size(self) -> tuple[float, float]:
+        """Width and height [m]."""
+        return self.high[0] - self.low[0], self.high[1] - self.low[1]
+
+
+@dataclass(frozen=True)
+class Layout:
+    """How the panels stand: columns, inches to the metre, and the size of a panel [in]."""
+
+    columns: int
+    scale: float
+    panel: tuple[float, float]
 
 
 def draw(mechanism: MechanismResult) -> Figure:
-    """Blocks at rest (shaded) and turned (outline), hinges, loads, centroid, sense of positive rotation, scale bar."""
+    """One panel at rest with hinges, loads and centroids named, one for each side to which the mechanism rocks."""
     drawing = mechanism.drawing
+    turned = [each for each in (drawing.displaced, drawing.displaced_negative) if each is not None]
+    count = 1 + len(turned)
+    window = shown(drawing)
+    layout = arranged(count, window.size)
+    rows = ceil(count / layout.columns)
     with styled():
-        figure = sheet(3.25, width=4.6)
-        axes = figure.subplots()
-        for outline in drawing.blocks:
-            axes.add_patch(Polygon(outline, facecolor=STONE, edgecolor=STONE_EDGE, linewidth=1.0))
-        if len(drawing.blocks) == 1 and drawing.hinges:
-            _turned(axes, drawing, 0.5 * mechanism.oscillator.overturning_rad)
-        _sense(axes, drawing)
-        _ground(axes, drawing)
-        _names(axes, drawing)
-        _frame(axes, drawing)
+        figure = bare_sheet(rows * (layout.panel[1] + BOTTOM + TOP))
+        panels = [panel(figure, place, layout, rows, window) for place in range(count)]
+        _at_rest(panels[0], drawing, window, layout)
+        for axes, displaced, colour in zip(panels[1:], turned, (POSITIVE, NEGATIVE), strict=False):
+            _turned(axes, drawing, displaced, colour, window, layout)
         return figure
 
 
-def turned(point: Point, *, about: Point, angle: float) -> Point:
-    """`point` after a rotation by `angle` [rad] about `about` that topples towards +x (clockwise in x-z)."""
-    x, z = point[0] - about[0], point[1] - about[1]
-    return about[0] + x * cos(angle) + z * sin(angle), about[1] - x * sin(angle) + z * cos(angle)
+def shown(drawing: Drawing) -> Window:
+    """The window that holds the mechanism at rest and displaced, with room for names."""
+    scenes = [each for each in (drawing, drawing.displaced, drawing.displaced_negative) if each is not None]
+    points = np.array([point for scene in scenes for point in corners(scene)])
+    arrow = ARROW * float(np.ptp(points, axis=0).max())
+    ends = [end for scene in scenes for load in scene.loads for end in arrow_ends(load, arrow)]
+    points = np.concatenate([points, np.array(ends).reshape(-1, 2)])
+    size = float(np.ptp(points, axis=0).max())
+    (left, low), (right, high) = points.min(axis=0).tolist(), points.max(axis=0).tolist()
+    return Window((left - 0.1 * size, low - 0.09 * size), (right + 0.1 * size, high + 0.06 * size), arrow)
 
 
-def _turned(axes: Axes, drawing: Drawing, angle: float) -> None:
-    pivot = drawing.hinges[0].at
-    ghost = [turned(point, about=pivot, angle=angle) for point in drawing.blocks[0]]
-    axes.add_patch(Polygon(ghost, facecolor="none", edgecolor=FAIL, linewidth=0.9, linestyle=(0, (4, 2))))
+def corners(scene: Drawing | Displaced) -> Iterator[Point]:
+    """Every point that is drawn, but for arrows."""
+    yield from (point for ring in scene.blocks for point in ring)
+    yield from (hinge.at for hinge in scene.hinges)
+    yield from (load.at for load in scene.loads)
+    yield from scene.centroids
 
 
-def _sense(axes: Axes, drawing: Drawing) -> None:
-    (left, right), (bottom, top) = _extent(drawing)
-    size = max(right - left, top - bottom)
-    middle, height = 0.5 * (left + right), top + 0.06 * size
-    bow = FancyArrowPatch(
-        (middle - 0.04 * size, height),
-        (middle + 0.2 * size, height - 0.05 * size),
-        connectionstyle="arc3,rad=-0.3",
-        arrowstyle="-|>",
-        mutation_scale=9,
-        color=FAIL,
-        linewidth=1.1,
-    )
-    axes.add_patch(bow)
-    axes.annotate("+φ", (middle + 0.22 * size, height - 0.03 * size), color=FAIL, fontsize=8)
+def arrow_ends(load: DrawnLoad, length: float) -> tuple[Point, ...]:
+    """Tail and head [m] of the arrow of a load: a force pushes onto its point, a tie or a weight pulls from it."""
+    if load.towards is None:
+        return ()
+    (x, z), (along, up) = load.at, load.towards
+    sign = -1.0 if load.kind == "force" else 1.0
+    far = (x + sign * length * along, z + sign * length * up)
+    return (far, load.at) if load.kind == "force" else (load.at, far)
 
 
-def _ground(axes: Axes, drawing: Drawing) -> None:
-    xs, zs = _extent(drawing)
-    margin = 0.25 * max(xs[1] - xs[0], 0.3 * (zs[1] - zs[0]))
-    axes.plot([xs[0] - margin, xs[1] + margin], [zs[0], zs[0]], color=INK, linewidth=1.2, zorder=1)
+def arranged(count: int, size: tuple[float, float]) -> Layout:
+    """The number of columns in which `count` panels of a window's size [m] are drawn largest."""
+    wide, high = size
+    made = []
+    for columns in range(1, count + 1):
+        rows = ceil(count / columns)
+        width = (WIDTH - LEFT - GAP * columns) / columns
+        height = TALLEST / rows - BOTTOM - TOP
+        scale = min(width / wide, height / high)
+        made.append(Layout(columns, scale, (max(scale * wide, NARROWEST), scale * high)))
+    return max(made, key=lambda layout: layout.scale)
 
 
-def _names(axes: Axes, drawing: Drawing) -> None:
-    axes.plot(*drawing.centroid, marker="+", markersize=9, markeredgewidth=1.3, color=INK)
-    axes.annotate("G", drawing.centroid, xytext=(-10, 4), textcoords="offset points", fontsize=8)
-    for place, hinge in enumerate(drawing.hinges):
-        axes.plot(*hinge.at, marker="o", markersize=5.5, color="white", markeredgecolor=INK, markeredgewidth=1.2)
-        side = -1 if place % 2 else 1
-        align = "left" if side > 0 else "right"
-        axes.annotate(
-            label(hinge.name, 14), hinge.at, xytext=(6 * side, -11), textcoords="offset points", ha=align, fontsize=8
-        )
-    for load in drawing.loads:
-        axes.plot(*load.at, marker="v", markersize=5.5, color=MUTED)
-        axes.annotate(label(load.name, 18), load.at, xytext=(6, 5), textcoords="offset points", color=MUTED)
-
-
-def _frame(axes: Axes, drawing: Drawing) -> None:
-    xs, zs = _extent(drawing)
-    size = max(xs[1] - xs[0], zs[1] - zs[0])
-    half = max(0.62 * (xs[1] - xs[0]), 0.55 * size)
-    middle = 0.5 * (xs[0] + xs[1])
-    axes.set_xlim(middle - half, middle + half)
-    axes.set_ylim(zs[0] - 0.17 * size, zs[1] + 0.13 * size)
-    axes.set_aspect("equal")
+def panel(figure: Figure, place: int, layout: Layout, rows: int, window: Window) -> Axes:
+    """The axes of one panel: equal scale, in metres."""
+    wide, high = layout.panel
+    row, column = divmod(place, layout.columns)
+    tall = rows * (high + BOTTOM + TOP)
+    spare = WIDTH - LEFT - GAP * layout.columns - wide * layout.columns
+    left = LEFT + 0.5 * spare + column * (wide + GAP)
+    low = (rows - 1 - row) * (high + BOTTOM + TOP) + BOTTOM
+    axes = figure.add_axes((left / WIDTH, low / tall, wide / WIDTH, high / tall))
+    middle, half = 0.5 * (window.low[0] + window.high[0]), 0.5 * wide / layout.scale
+    axes.set(xlim=(middle - half, middle + half), ylim=(window.low[1], window.high[1]))
     axes.grid(visible=False)
-    axes.set(xlabel="distance along the direction of motion x [m]", ylabel="elevation z [m]")
-    _scale_bar(axes, left=middle - 0.94 * half, base=zs[0] - 0.13 * size, length=scale_length(size))
+    axes.xaxis.set_major_locator(MaxNLocator(4, steps=[1, 2, 5, 10]))
+    axes.yaxis.set_major_locator(MaxNLocator(6, steps=[1, 2, 5, 10]))
+    axes.tick_params(labelleft=column == 0)
+    axes.set(xlabel="x [m]", ylabel="elevation z [m]" if column == 0 else "")
+    return axes
 
 
-def scale_length(size: float) -> float:
-    """A round length (1, 2 or 5 times a power of ten) of about a quarter of `size` [same unit]."""
-    power = 10.0 ** floor(log10(size / 4))
-    return max(step * power for step in (1, 2, 5) if step * power <= size / 4)
+def _at_rest(axes: Axes, drawing: Drawing, window: Window, layout: Layout) -> None:
+    axes.set_title("at rest", loc="left")
+    _ground(axes, drawing, window)
+    for ring, block in zip(drawing.blocks, drawing.block_of, strict=True):
+        axes.add_patch(Polygon(ring, facecolor=shade(block), edgecolor=STONE_EDGE, linewidth=0.9))
+    _centroids(axes, drawing.centroids)
+    if len(drawing.centroids) > 1:
+        axes.plot(*drawing.centroid, marker="x", markersize=5, markeredgewidth=1.2, color=INK)
+    _loads(axes, drawing.loads, window)
+    for hinge, colour in coloured(drawing):
+        _hinge(axes, hinge, colour)
+    _direction(axes, layout)
+    shafts = [end for load in drawing.loads for end in shaft(arrow_ends(load, window.arrow))]
+    drawn = [each.at for each in _labels(axes, [(at, "", INK) for at in shafts], layout)]
+    write(axes, _labels(axes, names(drawing, window), layout), window=_points(layout), drawn=drawn)
 
 
-def _scale_bar(axes: Axes, *, left: float, base: float, length: float) -> None:
-    axes.plot([left, left + length], [base, base], color=INK, linewidth=2.5, solid_capstyle="butt")
+def coloured(drawing: Drawing) -> list[tuple[NamedPoint, str]]:
+    """The hinges with the colour of their branch."""
+    count = len(drawing.displaced.hinges)
+    colours = [POSITIVE] * count + [NEGATIVE] * (len(drawing.hinges) - count)
+    return list(zip(drawing.hinges, colours, strict=True))
+
+
+def names(drawing: Drawing, window: Window) -> list[tuple[Point, str, str]]:
+    """What is named at rest, where, and in which colour: hinges, centroids, loads (an arrow at its free end)."""
+    made = [(hinge.at, label(hinge.name, 14), colour) for hinge, colour in coloured(drawing)]
+    if len(drawing.centroids) > 1:
+        made += [(at, f"G{place}", INK) for place, at in enumerate(drawing.centroids, start=1)]
+    made.append((drawing.centroid, "G", INK))
+    for load in drawing.loads:
+        tail, head = arrow_ends(load, window.arrow) or (load.at, load.at)
+        made.append(({"force": tail, "tie": head, "mass": load.at}[load.kind], label(load.name, 24), LOAD))
+    return made
+
+
+def shaft(ends: tuple[Point, ...]) -> list[Point]:
+    """Points along an arrow, close enough together that no name fits between them."""
+    if not ends:
+        return []
+    (x0, z0), (x1, z1) = ends
+    return [(x0 + part * (x1 - x0), z0 + part * (z1 - z0)) for part in (0.0, 0.25, 0.5, 0.75, 1.0)]
+
+
+def _turned(axes: Axes, drawing: Drawing, displaced: Displaced, colour: str, window: Window, layout: Layout) -> None:
+    side = "positive" if colour == POSITIVE else "negative"
+    axes.set_title(f"{side} side\nφ = {displaced.rotation_rad:.2g} rad", loc="left")
+    _ground(axes, drawing, window)
+    for ring, block in zip(displaced.blocks, displaced.block_of, strict=True):
+        axes.add_patch(Polygon(ring, facecolor=shade(block), edgecolor=STONE_EDGE, linewidth=0.9))
+    for ring in drawing.blocks:
+        axes.add_patch(Polygon(ring, facecolor="none", edgecolor=MUTED, linewidth=0.7, linestyle=(0, (3, 2))))
+    _centroids(axes, displaced.centroids)
+    _loads(axes, displaced.loads, window)
+    for hinge in displaced.hinges:
+        _hinge(axes, hinge, colour)
+    named = [(hinge.at, label(hinge.name, 14), colour) for hinge in displaced.hinges]
+    write(axes, _labels(axes, named, layout), window=_points(layout))
+
+
+def shade(block: int) -> str:
+    """The colour of a block, from 0 at the base; grey where it does not move."""
+    return FIXED if block < 0 else BLOCKS[block % len(BLOCKS)]
+
+
+def _points(layout: Layout) -> tuple[float, float]:
+    return layout.panel[0] * INCH, layout.panel[1] * INCH
+
+
+def _labels(axes: Axes, named: Sequence[tuple[Point, str, str]], layout: Layout) -> list[Label]:
+    """Labels with their points as distances from the panel's corner [pt]."""
+    (left, _), (low, _) = axes.get_xlim(), axes.get_ylim()
+    scale = layout.scale * INCH
+    return [Label(text, ((at[0] - left) * scale, (at[1] - low) * scale), colour) for at, text, colour in named]
+
+
+def _ground(axes: Axes, drawing: Drawing, window: Window) -> None:
+    """What the mechanism stands on: masonry that stays, or level ground, hatched below."""
+    for ring in drawing.fixed:
+        axes.add_patch(Polygon(ring, facecolor=FIXED, edgecolor=MUTED, linewidth=0.6, zorder=0.6))
+    if drawing.fixed:
+        return
+    low = min(z for _, z in (*(hinge.at for hinge in drawing.hinges), *(p for ring in drawing.blocks for p in ring)))
+    left, right = axes.get_xlim()
+    step = 0.025 * max(window.size)
+    starts = np.arange(left + step, right, step)
+    strokes = [((x, low), (x - step, low - step)) for x in starts.tolist()]
+    axes.add_collection(LineCollection(strokes, colors=MUTED, linewidths=0.4, zorder=0.5), autolim=False)
+    axes.plot([left, right], [low, low], color=INK, linewidth=1.0, zorder=1)
+
+
+def _hinge(axes: Axes, hinge: NamedPoint, colour: str) -> None:
+    axes.plot(*hinge.at, marker="o", markersize=5, color="white", markeredgecolor=colour, markeredgewidth=1.3)
+
+
+def _centroids(axes: Axes, centroids: Sequence[Point]) -> None:
+    for at in centroids:
+        axes.plot(*at, marker="+", markersize=8, markeredgewidth=1.2, color=INK)
+
+
+def _loads(axes: Axes, loads: Sequence[DrawnLoad], window: Window) -> None:
+    """A dot for a mass, an arrow for what has a direction."""
+    style = {"arrowstyle": "-|>", "color": LOAD, "linewidth": 1.1, "shrinkA": 0, "shrinkB": 0}
+    for load in loads:
+        if load.kind == "mass":
+            axes.plot(*load.at, marker="o", markersize=4.5, color=LOAD)
+        if load.towards is not None:
+            tail, head = arrow_ends(load, window.arrow)
+            axes.annotate("", head, xytext=tail, arrowprops=style, annotation_clip=False)
+
+
+def _direction(axes: Axes, layout: Layout) -> None:
+    """The direction of motion, along +x, above the panel."""
+    arrow = {"arrowstyle": "-|>", "color": INK, "linewidth": 1.0, "shrinkA": 0, "shrinkB": 0}
+    right, height = layout.panel[0] * INCH, layout.panel[1] * INCH + 9.0
     axes.annotate(
-        f"{length:g} m", (left + length / 2, base), xytext=(0, 4), textcoords="offset points", ha="center", fontsize=7
+        "",
+        (right, height),
+        xytext=(right - 22.0, height),
+        xycoords="axes points",
+        textcoords="axes points",
+        arrowprops=arrow,
+        annotation_clip=False,
     )
-    arrow = {"arrowstyle": "-|>", "color": INK, "linewidth": 1.0, "shrinkA": 2, "shrinkB": 0}
     axes.annotate(
-        "", (0.97, 0.06), xytext=(0.84, 0.06), xycoords="axes fraction", textcoords="axes fraction", arrowprops=arrow
+        "direction",
+        (right - 25.0, height),
+        xycoords="axes points",
+        ha="right",
+        va="center",
+        fontsize=6.5,
+        annotation_clip=False,
     )
-    axes.annotate("direction", (0.83, 0.06), xycoords="axes fraction", ha="right", va="center")
-
-
-def _extent(drawing: Drawing) -> tuple[tuple[float, float], tuple[float, float]]:
-    points = [point for outline in drawing.blocks for point in outline]
-    points += [drawing.centroid, *(hinge.at for hinge in drawing.hinges), *(load.at for load in drawing.loads)]
-    xs, zs = [x for x, _ in points], [z for _, z in points]
-    width = max(max(xs) - min(xs), max(zs) - min(zs), 1e-6)
-    return (min(xs), max(max(xs), min(xs) + 1e-3 * width)), (min(zs), max(max(zs), min(zs) + 1e-3 * width))

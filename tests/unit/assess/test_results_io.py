@@ -12,11 +12,15 @@ from assess.codes.check import Check, PgaCurve, Step
 from assess.errors import ResultsError
 from assess.results import (
     AmplificationResult,
+    Axis,
     BranchCurve,
     ComparisonRow,
     Curve,
+    Displaced,
     Drawing,
+    DrawnLoad,
     Input,
+    LinearisedResult,
     LoadResult,
     MechanismResult,
     NamedPoint,
@@ -26,12 +30,14 @@ from assess.results import (
     Resolved,
     Results,
     SpectrumResult,
+    View,
 )
 from assess.results_io import dumps, dumps_mechanisms, loads, read
 
 
 def oscillator() -> OscillatorResult:
-    return OscillatorResult(1000.0, 5000.0, 2.0, 0.1, 1.7, None, 0.1, None, 0.1, 0.0, 0.95)
+    linearised = LinearisedResult(5000.0, 14450.0, 2000.0, 0.0, 0.1, 0.1, 0.074)
+    return OscillatorResult(1000.0, 5000.0, 2.0, 0.1, 1.7, None, 0.1, None, 0.1, 0.0, 0.95, linearised)
 
 
 def check() -> Check:
@@ -47,11 +53,17 @@ def check() -> Check:
 
 
 def mechanism() -> MechanismResult:
-    drawing = Drawing((((0.0, 0.0), (1.0, 0.0), (1.0, 4.0)),), (NamedPoint("A", (1.0, 0.0)),), (), (0.5, 2.0))
+    ring, hinge, load = ((0.0, 0.0), (1.0, 0.0), (1.0, 4.0)), NamedPoint("A", (1.0, 0.0)), ("f", (1.0, 3.0), "force")
+    loads = (DrawnLoad(*load, (-0.6, 0.8)), DrawnLoad("m", (1.0, 4.0), "mass", None))
+    displaced = Displaced(0.1, (ring,), (0,), (hinge,), loads, ((0.5, 2.0),))
+    drawing = Drawing((ring,), (hinge,), loads, (0.5, 2.0), (0,), ((0.5, 2.0),), displaced, None, ())
+    corners = ((0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (1.0, 1.0, 4.0))
+    axis = Axis("A", (corners[1], corners[2]))
+    view = View(corners, ((0, 1, 2),), (0,), (axis,), (corners,), (1.0, 0.0, 0.0), (1.0, 1.0, 4.0), 1)
     curve = Curve(BranchCurve(*[(0.0, 0.1, 0.2)] * 6), None)
     return MechanismResult(
-        "w", "<b>&", "single-block", "two", "exact", drawing, oscillator(), None, curve, ({"hinge": "A", "x": [1.5]},),
-        AmplificationResult("none", ()), (check(),), (), (), None, "given",
+        "w", "<b>&", "single-block", "two", "exact", drawing, view, oscillator(), None, curve,
+        ({"hinge": "A", "x": [1.5]},), AmplificationResult("none", ()), (check(),), (), (), None, "given",
         (LoadResult("<i>", "mass", 0, (0.1, 2.0), 5.0, True, None, "given"),),
     )  # fmt: skip
 

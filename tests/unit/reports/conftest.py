@@ -11,18 +11,23 @@ from scipy.constants import g
 from assess.codes.check import Check, PgaCurve, Step
 from assess.results import (
     AmplificationResult,
+    Axis,
     BranchCurve,
     ComparisonRow,
     Curve,
+    Displaced,
     Drawing,
+    DrawnLoad,
     Factor,
     HistoryResult,
     Input,
+    LinearisedResult,
     LoadResult,
     MechanismResult,
     NamedPoint,
     Notice,
     OscillatorResult,
+    Point,
     Program,
     RecordResult,
     RecordSpectrum,
@@ -31,6 +36,7 @@ from assess.results import (
     SpectrumResult,
     SuiteResult,
     Trace,
+    View,
 )
 
 LEVELS = (0.067, 0.2, 0.45)
@@ -72,6 +78,7 @@ def oscillator(mass: float, radius: float, alpha: float, p: float, *, flexible: 
         alpha,
         0.0,
         1 - 1.5 * float(np.sin(alpha)) ** 2,
+        LinearisedResult(inertia, p**2 * inertia, mass * radius, 0.0, alpha, alpha, alpha),
     )
 
 
@@ -267,11 +274,48 @@ def record(number: int) -> RecordResult:
     )
 
 
-def rectangle(thickness: float, height: float, base: float) -> Drawing:
+def turned(points: tuple[Point, ...], about: float, base: float, angle: float) -> tuple[Point, ...]:
+    """The points after a rotation by `angle` towards +x about (about, base)."""
+    s, c = np.sin(angle), np.cos(angle)
+    return tuple(
+        (float(about + (x - about) * c + (z - base) * s), float(base - (x - about) * s + (z - base) * c))
+        for x, z in points
+    )
+
+
+def rectangle(thickness: float, height: float, base: float, *, two: bool) -> Drawing:
     t = thickness / 2
     outline = ((-t, base), (t, base), (t, base + height), (-t, base + height))
-    hinges = (NamedPoint("A", (t, base)), NamedPoint("A′", (-t, base)))
-    return Drawing((outline,), hinges, (), (0.0, base + height / 2))
+    centre = (0.0, base + height / 2)
+    hinges = (NamedPoint("A", (t, base)), NamedPoint("A′", (-t, base)))[: 2 if two else 1]
+    loads = () if two else (DrawnLoad("floor beam", (t, 0.9 * height), "mass", (0.0, -1.0)),)
+    sides = [
+        Displaced(
+            0.07,
+            (turned(outline, hinge.at[0], base, angle),),
+            (0,),
+            (hinge,),
+            tuple(replace(load, at=turned((load.at,), hinge.at[0], base, angle)[0]) for load in loads),
+            turned((centre,), hinge.at[0], base, angle),
+        )
+        for hinge, angle in zip(hinges, (0.07, -0.07), strict=False)
+    ]
+    return Drawing((outline,), hinges, loads, centre, (0,), (centre,), sides[0], sides[1] if two else None, ())
+
+
+def box_view(thickness: float, height: float) -> View:
+    """A box on a base: eight corners each, the upper one moves."""
+    x, y = thickness / 2, 1.5
+    corners = [(i, j) for i in (-x, x) for j in (-y, y)]
+    vertices = [(i, j, z) for z in (0.0, 4.77, 4.77, 4.77 + height) for i, j in corners]
+    box = [(0, 1, 3), (0, 3, 2), (4, 7, 5), (4, 6, 7), (0, 5, 1), (0, 4, 5)]
+    box += [(2, 3, 7), (2, 7, 6), (0, 2, 6), (0, 6, 4), (1, 5, 7), (1, 7, 3)]
+    triangles = [(a + start, b + start, c + start) for start in (0, 8) for a, b, c in box]
+    axes = (Axis("A", ((x, -y, 4.77), (x, y, 4.77))), Axis("A′", ((-x, -y, 4.77), (-x, y, 4.77))))
+    section = tuple((i, j, 4.77) for i, j in (corners[0], corners[1], corners[3], corners[2], corners[0]))
+    size = (thickness, 3.0, 4.77 + height)
+    owner = (-1,) * 12 + (0,) * 12
+    return View(tuple(vertices), tuple(triangles), owner, axes, (section,), (1.0, 0.0, 0.0), size, 24)
 
 
 def loads() -> tuple[LoadResult, ...]:
@@ -291,9 +335,8 @@ def mechanism(
         block_curve(mass, radius, alpha, p),
         oscillator(mass, radius, alpha, p, flexible=None if two else 0.92 * alpha),
     )
-    drawing = rectangle(2 * radius * np.sin(alpha), 2 * radius * np.cos(alpha), 4.77 if two else 0.0)
-    if not two:
-        drawing = replace(drawing, hinges=drawing.hinges[:1], loads=(NamedPoint("floor beam", (0.2, 6.1)),))
+    thickness, height = 2 * radius * float(np.sin(alpha)), 2 * radius * float(np.cos(alpha))
+    drawing = rectangle(thickness, height, 4.77 if two else 0.0, two=two)
     history = histories(alpha, records, sides=sides, falls=weak)
     return MechanismResult(
         name,
@@ -302,6 +345,7 @@ def mechanism(
         sides,  # type: ignore[arg-type]
         "exact" if two else "linearised",
         drawing,
+        box_view(thickness, height) if two else None,
         parameters,
         parameters if two else None,
         Curve(curve, curve if two else None),

@@ -120,7 +120,12 @@ def test_parameters_as_table_json_and_csv_agree(project: Path, capsys: pytest.Ca
     assert float(rows[0]["p_eq_per_s"]) == wall["oscillator"]["p_eq_per_s"]
     assert f"{wall['oscillator']['radius_m']:.4f}" in table
     assert mechanisms[1]["oscillator"]["p_eq_per_s"] == pytest.approx(1.6)
-    assert len(table.splitlines()) == 4
+    parameters, constants = table.split("\n\n")
+    assert len(parameters.splitlines()) == len(constants.splitlines()) == 4
+    linear = wall["oscillator"]["linearised"]
+    assert linear["stiffness_n_m_per_rad"] / linear["inertia_kg_m2"] == pytest.approx(float(rows[0]["p_eq_per_s"]) ** 2)
+    assert float(rows[0]["linearised_stiffness_n_m_per_rad"]) == linear["stiffness_n_m_per_rad"]
+    assert f"{linear['stiffness_n_m_per_rad']:.5g}" in constants
 
 
 def test_json_and_csv_exclude_each_other(project: Path) -> None:

@@ -1,19 +1,71 @@
-"""The sketch: rotation and scale bar."""
+"""The sketch: every panel to one scale, names where there is room."""
 
 from __future__ import annotations
 
-import math
+from dataclasses import replace
 
+import numpy as np
 import pytest
+from matplotlib.patches import Polygon
 
-from reports.figures.sketch import scale_length, turned
-
-
-def test_positive_rotation_topples_towards_positive_x() -> None:
-    x, z = turned((0.0, 2.0), about=(0.5, 0.0), angle=math.pi / 2)
-    assert (x, z) == pytest.approx((2.5, 0.5))
+from assess.results import Drawing, NamedPoint, Results
+from reports.figures.sketch import arranged, draw, shown
 
 
-@pytest.mark.parametrize(("size", "length"), [(4.0, 1.0), (8.7, 2.0), (0.3, 0.05), (50.0, 10.0)])
-def test_scale_bars_are_round(size: float, length: float) -> None:
-    assert scale_length(size) == pytest.approx(length)
+def rings(axes) -> list[np.ndarray]:
+    return [patch.get_xy()[:-1] for patch in axes.patches if isinstance(patch, Polygon)]
+
+
+def test_one_panel_at_rest_and_one_for_each_side(results: Results) -> None:
+    two, one = (draw(mechanism) for mechanism in results.mechanisms)
+    assert [axes.get_title(loc="left").splitlines()[0] for axes in two.axes] == [
+        "at rest",
+        "positive side",
+        "negative side",
+    ]
+    assert len(one.axes) == 2
+
+
+def test_all_panels_have_one_scale_and_it_is_true(results: Results) -> None:
+    figure = draw(results.mechanisms[0])
+    for axes in figure.axes:
+        box = axes.get_window_extent()
+        across = box.width / np.ptp(axes.get_xlim())
+        assert box.height / np.ptp(axes.get_ylim()) == pytest.approx(across, rel=1e-9)
+    scales = [axes.get_window_extent().width / np.ptp(axes.get_xlim()) for axes in figure.axes]
+    assert scales == pytest.approx([scales[0]] * 3, rel=1e-9)
+
+
+def test_displaced_panels_show_the_displaced_shape_over_the_one_at_rest(results: Results) -> None:
+    drawing = results.mechanisms[0].drawing
+    figure = draw(results.mechanisms[0])
+    displaced, rest = rings(figure.axes[1])
+    assert displaced == pytest.approx(np.array(drawing.displaced.blocks[0]))
+    assert rest == pytest.approx(np.array(drawing.blocks[0]))
+    assert rings(figure.axes[0])[0] == pytest.approx(np.array(drawing.blocks[0]))
+
+
+def test_nothing_lies_outside_the_window(results: Results) -> None:
+    drawing = results.mechanisms[0].drawing
+    window = shown(drawing)
+    points = np.concatenate([drawing.blocks[0], drawing.displaced.blocks[0], drawing.displaced_negative.blocks[0]])
+    assert np.all(points > window.low)
+    assert np.all(points < window.high)
+
+
+@pytest.mark.parametrize(("size", "columns"), [((2.0, 9.0), 3), ((12.0, 5.0), 2), ((40.0, 2.0), 1)])
+def test_wide_mechanisms_stand_under_one_another(size: tuple[float, float], columns: int) -> None:
+    layout = arranged(3, size)
+    assert layout.columns == columns
+    assert layout.panel[0] * columns <= 6.7
+    assert layout.panel[0] >= layout.scale * size[0] * (1 - 1e-12)
+
+
+def test_hinges_are_coloured_by_branch_whatever_they_are_called(results: Results) -> None:
+    mechanism = results.mechanisms[0]
+    drawing: Drawing = mechanism.drawing
+    named = replace(drawing, hinges=tuple(NamedPoint("$x'", hinge.at) for hinge in drawing.hinges))
+    figure = draw(replace(mechanism, drawing=named))
+    names = [text for text in figure.axes[0].texts if text.get_text() == "$x'"]
+    assert len(names) == 2
+    assert names[0].get_color() != names[1].get_color()

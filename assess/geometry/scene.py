@@ -1,0 +1,30 @@
+"""The bodies of a mechanism in space: what turns, member by member, and what stays."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from assess.geometry.solid import Solid
+
+FloatArray = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Scene:
+    """The bodies of a mechanism.
+
+    Attributes
+    ----------
+    members : the solids of each of the mechanism's outlines, in their order
+    fixed : solids that do not move, as what lies under a cut
+    sections : where cuts pass through the masonry: closed rings [k, 3] [m]
+    direction : of motion, a horizontal unit vector [3]
+    """
+
+    members: tuple[tuple[Solid, ...], ...]
+    fixed: tuple[Solid, ...]
+    sections: tuple[FloatArray, ...]
+    direction: FloatArray

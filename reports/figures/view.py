@@ -1,0 +1,153 @@
+"""The bodies of a mechanism in space, with the axes they turn about: a parallel projection, farthest faces first."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import cos, radians, sin
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.collections import PathCollection
+from matplotlib.colors import to_rgb
+from matplotlib.figure import Figure
+from matplotlib.path import Path
+from numpy.typing import NDArray
+
+from assess.results import View
+from reports.faces import Faces, drawn_edges, farthest_first, front
+from reports.style import BLOCKS, FIXED, INK, NEGATIVE, POSITIVE, STONE_EDGE, WIDTH, bare_sheet, label, styled
+
+FloatArray = NDArray[np.float64]
+
+INCH = 72.0  # pt
+TALLEST, WIDEST = 3.3, 5.2  # of the picture [in]
+TURNED, RAISED = radians(38), radians(22)  # the eye, off the normal of the plane of motion and above the horizon
+LIGHT = (0.35, 0.75, 0.55)  # to the right, up and towards the eye
+DARKEST = 0.62  # of its colour: a face turned away from the light
+BEYOND = 0.07  # of the bodies' size: how far an axis is drawn beyond them
+SHARP, SHARP_IN_SCANS = radians(35), radians(65)  # angle between faces from which on their common edge is drawn
+SEAM, EDGE = 0.3, 0.6  # width of the line around a face in its own colour, and of a sharp edge [pt]
+
+
+@dataclass(frozen=True)
+class Camera:
+    """A parallel projection: the unit vectors to the right, up and to the eye [3, 3], and inches to the metre."""
+
+    frame: FloatArray
+    origin: FloatArray
+    scale: float
+
+    def seen(self, points: FloatArray) -> FloatArray:
+        """Points [k, 3] [m] as right, up [pt] from the lower left corner of the picture, and towards the eye [m]."""
+        placed = points @ self.frame.T
+        return np.column_stack([(placed[:, :2] - self.origin) * self.scale * INCH, placed[:, 2]])
+
+
+def draw(view: View, positive: int) -> Figure:
+    """The bodies, the axes of rotation (the first `positive` of them of the positive branch), sections, direction."""
+    vertices = np.array(view.vertices)
+    size = float(max(view.size))
+    lines = [extended(np.array(axis.ends), BEYOND * size) for axis in view.axes]
+    arrow = direction(vertices, np.array(view.direction), size)
+    camera, (wide, high) = framed(np.array(view.direction), [vertices, arrow, *lines])
+    with styled():
+        figure = bare_sheet(high)
+        axes = figure.add_axes((0.5 * (1.0 - wide / WIDTH), 0.0, wide / WIDTH, 1.0))
+        axes.set(xlim=(0.0, wide * INCH), ylim=(0.0, high * INCH))
+        axes.set_axis_off()
+        _bodies(axes, view, camera)
+        for ring in view.sections:
+            axes.plot(*camera.seen(np.array(ring))[:, :2].T, color=INK, linewidth=0.8, linestyle=(0, (2, 1.5)))
+        _axes(axes, view, camera, lines, positive)
+        _arrow(axes, *camera.seen(arrow)[:, :2], colour=INK, width=1.6)
+        _triad(axes, camera)
+        return figure
+
+
+def framed(direction: FloatArray, sets: Sequence[FloatArray]) -> tuple[Camera, tuple[float, float]]:
+    """The camera that shows all points of the sets as large as the picture may be, and the picture's size [in]."""
+    along, up = direction, np.array([0.0, 0.0, 1.0])
+    across = np.array([-along[1], along[0], 0.0])
+    level = sin(TURNED) * along - cos(TURNED) * across
+    eye = cos(RAISED) * level + sin(RAISED) * up
+    right = cos(TURNED) * along + sin(TURNED) * across
+    frame = np.array([right, np.cross(eye, right), eye])
+    placed = np.concatenate(sets) @ frame[:2].T
+    low, high = placed.min(axis=0), placed.max(axis=0)
+    margin, triad = 0.25, 0.75  # in
+    scale = float(min((WIDEST - 2 * margin - triad) / (high[0] - low[0]), (TALLEST - 2 * margin) / (high[1] - low[1])))
+    wide, tall = (high - low) * scale + 2 * margin
+    return Camera(frame, low - np.array([margin + triad, margin]) / scale, scale), (float(wide) + triad, float(tall))
+
+
+def extended(ends: FloatArray, length: float) -> FloatArray:
+    """A line by its ends [2, 3], made longer by a length [m] at both."""
+    way = ends[1] - ends[0]
+    step = way * length / (float(np.linalg.norm(way)) or 1.0)
+    return np.array([ends[0] - step, ends[1] + step])
+
+
+def direction(vertices: FloatArray, along: FloatArray, size: float) -> FloatArray:
+    """The ends [2, 3] of the arrow along the direction of motion, out of the leading face."""
+    low, high = vertices.min(axis=0), vertices.max(axis=0)
+    middle = 0.5 * (low + high)
+    start = middle + (float((vertices @ along).max()) - middle @ along) * along
+    start[2] = low[2] + 0.75 * (high[2] - low[2])
+    return np.array([start, start + 0.25 * size * along])
+
+
+def _bodies(axes: Axes, view: View, camera: Camera) -> None:
+    """The faces that look at the eye, farthest first, each with the edges that belong to it."""
+    vertices, triangles = np.array(view.vertices), np.array(view.triangles)
+    sharp = SHARP if len(triangles) == view.given else SHARP_IN_SCANS
+    edges = drawn_edges(vertices, triangles, eye=camera.frame[2], sharp=sharp)
+    every = Faces(vertices[triangles], edges, np.array(view.block_of))
+    faces = front(every, camera.frame[2])
+    seen = camera.seen(faces.corners.reshape(-1, 3))[:, :2].reshape(-1, 3, 2)
+    colours, edge = shaded(faces, camera), to_rgb(STONE_EDGE)
+    paths, inks, widths = [], [], []
+    for place in farthest_first(faces.corners @ camera.frame.T):
+        paths.append(Path(np.vstack([seen[place], seen[place][:1]]), closed=True))
+        sides = [Path(seen[place][[side, (side + 1) % 3]]) for side in np.flatnonzero(faces.edges[place])]
+        paths += sides
+        inks += [colours[place], *[edge] * len(sides)]
+        widths += [SEAM, *[EDGE] * len(sides)]
+    axes.add_collection(
+        PathCollection(paths, facecolors=inks, edgecolors=inks, linewidths=widths, joinstyle="round"), autolim=False
+    )
+
+
+def shaded(faces: Faces, camera: Camera) -> list[tuple[float, float, float]]:
+    """The colour of each face: of its block, darker the less it looks to the light."""
+    light = np.array(LIGHT) / np.linalg.norm(LIGHT) @ camera.frame
+    bright = DARKEST + (1.0 - DARKEST) * np.clip(faces.normals @ light, 0.0, 1.0)
+    plain = np.array([to_rgb(FIXED if block < 0 else BLOCKS[block % len(BLOCKS)]) for block in faces.owner.tolist()])
+    return [(r, g, b) for r, g, b in np.round(plain * bright[:, None], 4).tolist()]
+
+
+def _axes(axes: Axes, view: View, camera: Camera, lines: Sequence[FloatArray], positive: int) -> None:
+    """The axes of rotation, those of the negative branch dashed, with their names at the end nearer the eye."""
+    for place, (axis, line) in enumerate(zip(view.axes, lines, strict=True)):
+        colour, dash = (POSITIVE, "-") if place < positive else (NEGATIVE, "--")
+        seen = camera.seen(line)
+        far, near = seen[np.argsort(seen[:, 2]), :2]
+        axes.plot(*seen[:, :2].T, color=colour, linestyle=dash, linewidth=1.5)
+        out = (near - far) / (float(np.linalg.norm(near - far)) or 1.0)
+        axes.annotate(
+            label(axis.name, 14), tuple(near + 7.0 * out), ha="center", va="center", color=colour, fontsize=7.5
+        )
+
+
+def _arrow(axes: Axes, start: FloatArray, end: FloatArray, *, colour: str, width: float) -> None:
+    style = {"arrowstyle": "-|>", "color": colour, "linewidth": width, "shrinkA": 0, "shrinkB": 0}
+    axes.annotate("", tuple(end), xytext=tuple(start), arrowprops=style, annotation_clip=False)
+
+
+def _triad(axes: Axes, camera: Camera) -> None:
+    """The axes of the project in the lower left corner."""
+    origin = np.array([26.0, 20.0])
+    for place, name in enumerate("xyz"):
+        way = camera.frame[:2, place]
+        _arrow(axes, origin, origin + 20.0 * way, colour=INK, width=0.8)
+        axes.annotate(name, tuple(origin + 27.0 * way), ha="center", va="center", fontsize=7)

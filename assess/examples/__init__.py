@@ -34,8 +34,12 @@ EXAMPLES: dict[str, Example] = {
         "columns, tower and temple in the Gorkha earthquake of 2015, the tower also from meshes",
         nepal_monuments.meshes,
     ),
-    "san_leonardo_church": Example("church of San Leonardo Limosino, Emilia: apse and façade, eleven mechanisms by tables"),
-    "san_leonardo_spire": Example("its spire from a mesh, with inclined cracks by height and angle", san_leonardo_spire.meshes),
+    "san_leonardo_church": Example(
+        "church of San Leonardo Limosino, Emilia: apse and façade, eleven mechanisms by tables"
+    ),
+    "san_leonardo_spire": Example(
+        "its spire from a mesh, with inclined cracks by height and angle", san_leonardo_spire.meshes
+    ),
     "san_leonardo_tower": Example("its bell tower: spire, corners and belfry, eleven mechanisms by tables"),
     "single_wall": Example("one free-standing wall, as small as a project can be"),
 }

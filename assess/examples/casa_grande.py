@@ -18,6 +18,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from math import cos, pi, sin
 
 import numpy as np
@@ -49,7 +50,7 @@ class Target:
 
 @dataclass(frozen=True)
 class Band:
-    """Eroded band: the wall is narrowest at `elevation`, `width` across about x = `centre`, within `reach` of it [m]."""
+    """Eroded band: the wall is narrowest at `elevation`, `width` across about x = `centre`; it ends at `reach` [m]."""
 
     elevation: float
     width: float
@@ -101,8 +102,7 @@ def _rows(wall: Wall) -> FloatArray:
     """Elevations of the rows of the mesh; bands and corners of the wall's elevation lie on a row each [m]."""
     fixed = sorted({*wall.elevations, *(band.elevation for band in wall.bands)})
     pieces = [
-        np.linspace(low, high, max(3, round((high - low) / ROW)), endpoint=False)
-        for low, high in zip(fixed, fixed[1:], strict=False)
+        np.linspace(low, high, max(3, round((high - low) / ROW)), endpoint=False) for low, high in pairwise(fixed)
     ]
     return np.concatenate([*pieces, fixed[-1:]])
 
@@ -150,7 +150,11 @@ def misfit(wall: Wall, targets: Sequence[Target]) -> FloatArray:
 
 def solved(form: Callable[[FloatArray], Wall], guess: Sequence[float], targets: Sequence[Target]) -> Wall:
     """The wall of a `form` with as many free sizes as it takes to meet the targets."""
-    found = root(lambda sizes: misfit(form(sizes), targets), guess, tol=1e-13)
+
+    def distance(sizes: FloatArray) -> FloatArray:
+        return misfit(form(sizes), targets)
+
+    found = root(distance, guess, tol=1e-13)
     return form(found.x)
 
 
@@ -159,7 +163,14 @@ def _band(target: Target, centre: float, reach: float) -> Band:
 
 
 def wall_on(
-    target: Target, *, length: float, reach: float, lean: float, broken: float, seed: float, thickness: float = THICKNESS
+    target: Target,
+    *,
+    length: float,
+    reach: float,
+    lean: float,
+    broken: float,
+    seed: float,
+    thickness: float = THICKNESS,
 ) -> Wall:
     """The wall with one band, `length` long on average above it [m]: its height, flare and the band's centre solved."""
 

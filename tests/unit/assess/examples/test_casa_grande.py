@@ -53,7 +53,9 @@ def test_a_wall_from_its_mesh_has_the_published_parameters(wall, side, mechanism
     assert block.slenderness == pytest.approx(slenderness, rel=1e-9)
     assert linearise(branch).p == pytest.approx(p, rel=1e-6)  # K by the spline of the table
     assert np.sqrt(rocker.mass * g * block.radius / block.inertia) == pytest.approx(p, rel=1e-9)
-    assert branch.restitution == pytest.approx(restitution, abs=0.0065)  # not fitted; 0.0064 at W6: p, lambda, R0 rounded
+    assert branch.restitution == pytest.approx(
+        restitution, abs=0.0065
+    )  # not fitted; 0.0064 at W6: p, lambda, R0 rounded
     assert mechanisms[wall].elevation == pytest.approx(elevation, abs=1e-9)
 
 
@@ -82,7 +84,7 @@ def test_an_uncut_mesh_by_trimesh(wall, project):
 
 @pytest.mark.parametrize("wall", RAISED)
 def test_the_hinges_of_an_eroded_band_lie_inside_the_faces(wall, mechanisms, project):
-    """Erosion "effectively reduces the wall section by 33-50 %" (Mehrotra, section 8.3); here by 27-55 % of the widest."""
+    """Erosion "reduces the wall section by 33-50 %" (Mehrotra, section 8.3); here by 27-55 % of the widest."""
     half = PUBLISHED[wall][3] * np.sin(PUBLISHED[wall][1])
     ring = np.array(mechanisms[wall].outlines[0])
     hinge, other = mechanisms[wall].positive.hinges[0][0], -mechanisms[wall].negative.hinges[0][0]

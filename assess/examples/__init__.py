@@ -40,7 +40,9 @@ EXAMPLES: dict[str, Example] = {
     "san_leonardo_spire": Example(
         "its spire from a mesh, with inclined cracks by height and angle", san_leonardo_spire.meshes
     ),
-    "san_leonardo_tower": Example("its bell tower: spire, corners and belfry, eleven mechanisms by tables"),
+    "san_leonardo_tower": Example(
+        "its bell tower: spire, corners and belfry, eleven mechanisms by tables and a frame of blocks"
+    ),
     "single_wall": Example("one free-standing wall, as small as a project can be"),
 }
 

@@ -86,7 +86,7 @@ def test_an_uncut_mesh_by_trimesh(wall, project):
 def test_the_hinges_of_an_eroded_band_lie_inside_the_faces(wall, mechanisms, project):
     """Erosion "reduces the wall section by 33-50 %" (Mehrotra, section 8.3); here by 27-55 % of the widest."""
     half = PUBLISHED[wall][3] * np.sin(PUBLISHED[wall][1])
-    ring = np.array(mechanisms[wall].outlines[0])
+    ring = np.array(mechanisms[wall].outlines[0][0])
     hinge, other = mechanisms[wall].positive.hinges[0][0], -mechanisms[wall].negative.hinges[0][0]
     assert hinge - other == pytest.approx(2 * half, rel=1e-9)
     assert ring[:, 0].max() - hinge > 0.1

@@ -21,8 +21,8 @@ def new(
     from assess.examples import EXAMPLES, copy_example
 
     if list_examples:
-        for name, about in EXAMPLES.items():
-            print(f"{name:14} {about}")
+        for name, each in EXAMPLES.items():
+            print(f"{name:20} {each.about}")
         return
     if folder is None:
         raise typer.BadParameter("give the folder to make, or --list")

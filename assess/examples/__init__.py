@@ -1,22 +1,54 @@
-"""Runnable projects shipped with the program, one folder each."""
+"""Runnable projects shipped with the program: a folder each in projects/, and a module for those with meshes."""
 
 from __future__ import annotations
 
 import shutil
 import tempfile
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from difflib import get_close_matches
 from pathlib import Path
 
 from assess.errors import ProjectError
+from assess.examples import casa_grande, nepal_monuments, san_leonardo_spire
+from assess.examples.surface import Surface, ply
 
-EXAMPLES: dict[str, str] = {
-    "casa_grande": "Great House of the Casa Grande Ruins, Arizona: eight earthen walls, seven artificial records",
-    "single_wall": "one free-standing wall, as small as a project can be",
+Meshes = Callable[[], Mapping[str, Surface]]
+
+
+@dataclass(frozen=True)
+class Example:
+    """What it shows, in one line; and the meshes to make for it, each by its path in the folder."""
+
+    about: str
+    meshes: Meshes = dict
+
+
+EXAMPLES: dict[str, Example] = {
+    "casa_grande": Example(
+        "Great House of Casa Grande, Arizona: eight mechanisms of seven eroded walls", casa_grande.meshes
+    ),
+    "casa_grande_table": Example("the same eight mechanisms by the parameters of a published table"),
+    "lnec_houses": Example("brick and stone house of the LNEC shaking-table tests: six mechanisms by a table"),
+    "nepal_monuments": Example(
+        "columns, tower and temple in the Gorkha earthquake of 2015, the tower also from meshes",
+        nepal_monuments.meshes,
+    ),
+    "san_leonardo_church": Example(
+        "church of San Leonardo Limosino, Emilia: apse and façade, eleven mechanisms by tables"
+    ),
+    "san_leonardo_spire": Example(
+        "its spire from a mesh, with inclined cracks by height and angle", san_leonardo_spire.meshes
+    ),
+    "san_leonardo_tower": Example(
+        "its bell tower: spire, corners and belfry, eleven mechanisms by tables and a frame of blocks"
+    ),
+    "single_wall": Example("one free-standing wall, as small as a project can be"),
 }
 
 
 def copy_example(name: str, folder: Path) -> Path:
-    """Copy the example `name` into `folder`, whole or not at all; the path of its project file.
+    """Write the example `name` into `folder`, whole or not at all; the path of its project file.
 
     Raises ProjectError for an unknown name, and for a folder that exists and is not empty.
     """
@@ -28,21 +60,24 @@ def copy_example(name: str, folder: Path) -> Path:
         raise ProjectError(f"{folder}: is a file; give the name of a new folder")
     if folder.is_dir() and any(folder.iterdir()):
         raise ProjectError(f"{folder}: is not empty; give the name of a new folder")
-    _copy(source(name), folder)
+    _write(name, folder)
     return folder / "project.toml"
 
 
 def source(name: str) -> Path:
-    """Where the example lies in the program."""
-    return Path(__file__).parent / name
+    """Where the example lies in the program, without its meshes."""
+    return Path(__file__).parent / "projects" / name
 
 
-def _copy(example: Path, folder: Path) -> None:
+def _write(name: str, folder: Path) -> None:
     folder = folder.absolute()
     folder.parent.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(prefix=".assess-partial-", dir=folder.parent) as stage:
         made = Path(stage) / "made"
-        shutil.copytree(example, made, ignore=shutil.ignore_patterns("__pycache__"))
+        shutil.copytree(source(name), made)
+        for path, surface in EXAMPLES[name].meshes().items():
+            (made / path).parent.mkdir(exist_ok=True)
+            (made / path).write_bytes(ply(surface))
         folder.mkdir(exist_ok=True)
         for child in made.iterdir():
             child.rename(folder / child.name)

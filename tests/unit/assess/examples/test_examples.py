@@ -1,42 +1,77 @@
-"""The shipped examples load, and say what their sources say."""
+"""The shipped examples are listed, are written whole, load, and hold together from check to results."""
 
-from math import pi
+import json
+import re
 from pathlib import Path
 
-import numpy as np
 import pytest
-import trimesh
-from scipy.constants import g
 
+from assess import cli
 from assess.errors import ProjectError
 from assess.examples import EXAMPLES, copy_example, source
-from assess.examples.tapered_wall import WALL_0A, ascii_stl, tapered_wall
 from assess.project.schema import load
-from assess.project.sections import Asce7Spectrum, EquivalentBlock, MeshBody
 
-# Mehrotra (2019), Tables 8.2 and 8.3: p [1/s], lambda [rad], restitution, R0 [m], elevation [m]
-TABLE = {
-    "W0a": (1.60, 0.14, 0.97, 2.84, 0.0),
-    "W0b": (3.36, 0.54, 0.62, 0.62, 4.98),
-    "W1": (2.15, 0.25, 0.90, 1.75, 3.11),
-    "W2": (1.60, 0.23, 0.92, 2.88, 0.0),
-    "W3": (1.62, 0.20, 0.94, 2.71, 0.0),
-    "W4": (2.67, 0.34, 0.83, 1.04, 3.76),
-    "W5": (1.63, 0.24, 0.92, 2.72, 0.0),
-    "W6": (2.26, 0.21, 0.94, 1.46, 4.77),
-}
+
+@pytest.fixture(scope="module")
+def examples(tmp_path_factory) -> dict[str, Path]:
+    """Each example's project file."""
+    folder = tmp_path_factory.mktemp("examples")
+    return {name: copy_example(name, folder / name) for name in EXAMPLES}
+
+
+def assess(*words) -> int:
+    """The command's exit code."""
+    with pytest.raises(SystemExit) as ended:
+        cli.main([str(word) for word in words])
+    return int(ended.value.code or 0)
+
+
+def test_every_folder_of_examples_is_listed_once_in_one_line(capsys) -> None:
+    assert {path.parent.name for path in source("x").parent.glob("*/project.toml")} == set(EXAMPLES)
+    assert assess("new", "--list") == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert [line.split()[0] for line in lines] == list(EXAMPLES)
+    assert all(re.fullmatch(r"\w+ +\S.{20,98}", line) for line in lines)
+
+
+def test_an_example_is_written_whole(tmp_path: Path) -> None:
+    file = copy_example("casa_grande", tmp_path / "deep" / "new")
+    assert [p.name for p in (tmp_path / "deep").iterdir()] == ["new"]
+    assert sorted(p.name for p in file.parent.iterdir()) == ["README.md", "project.toml", "walls"]
 
 
 @pytest.mark.parametrize("name", EXAMPLES)
-def test_example_is_copied_and_loads(name: str, tmp_path: Path) -> None:
-    file = copy_example(name, tmp_path / "deep" / "new")
-    assert load(file).content.mechanisms
-    assert sorted(p.name for p in (tmp_path / "deep").iterdir()) == ["new"]
+def test_the_same_example_is_the_same_bytes(name: str, examples: dict[str, Path], tmp_path: Path) -> None:
+    again = copy_example(name, tmp_path / "again").parent
+    first = examples[name].parent
+    for path in (p for p in again.rglob("*") if p.is_file()):
+        assert path.read_bytes() == (first / path.relative_to(again)).read_bytes()
 
 
-def test_every_folder_of_examples_is_listed() -> None:
-    folders = {path.parent.name for path in source("x").parent.glob("*/project.toml")}
-    assert folders == set(EXAMPLES)
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_every_mechanism_of_a_readme_is_in_its_project(name: str, examples: dict[str, Path]) -> None:
+    readme = (examples[name].parent / "README.md").read_text(encoding="utf-8")
+    named = set(re.findall(r"^\| `([\w-]+)`", readme, flags=re.MULTILINE))
+    assert named <= set(load(examples[name]).content.mechanisms)
+    assert named or name == "single_wall"
+
+
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_an_example_runs_from_check_to_results(name: str, examples: dict[str, Path], tmp_path: Path, capsys) -> None:
+    project = examples[name].parent / "short.toml"
+    text, found = re.subn(r"count = \d+", "count = 1", examples[name].read_text(encoding="utf-8"))
+    text, levels = re.subn(r'levels = \[("[^"]+").*\]', r"levels = [\1]", text)
+    assert (found, levels) == (1, 1)
+    project.write_text(text.replace("[analysis]", '[analysis]\nprocedures = ["dmi2008-linear"]'), encoding="utf-8")
+    assert assess("check", project) == 0
+    assert assess("parameters", project, "--json") == 0
+    printed = capsys.readouterr().out
+    assert assess("run", project, "-o", tmp_path / "out", "--no-report") in (0, 1)
+    results = json.loads((tmp_path / "out" / "results.json").read_text())
+    for mechanism in results["mechanisms"]:
+        assert mechanism["name"] in printed
+        assert len(mechanism["histories"]) == 1
+        assert all(check["verdict"] != "not-applicable" for check in mechanism["checks"])
 
 
 def test_empty_folder_is_filled_and_others_are_refused(tmp_path: Path) -> None:
@@ -47,61 +82,4 @@ def test_empty_folder_is_filled_and_others_are_refused(tmp_path: Path) -> None:
         copy_example("casa_grande", tmp_path / "project.toml")
     with pytest.raises(ProjectError, match='did you mean "casa_grande"'):
         copy_example("casa_grand", tmp_path / "x")
-    assert [p.name for p in tmp_path.iterdir()] == ["project.toml"]
-
-
-@pytest.mark.parametrize("wall", TABLE)
-def test_casa_grande_has_the_published_parameters(wall: str) -> None:
-    mechanism = load(source("casa_grande")).content.mechanisms[wall]
-    assert isinstance(mechanism, EquivalentBlock)
-    p, slenderness, _, radius, elevation = TABLE[wall]
-    assert (mechanism.p, mechanism.uplift, mechanism.radius, mechanism.elevation) == (p, slenderness, radius, elevation)
-
-
-def test_casa_grande_has_the_published_site() -> None:
-    content = load(source("casa_grande")).content
-    assert content.site is not None
-    spectrum = content.site.spectrum
-    assert isinstance(spectrum, Asce7Spectrum)
-    assert spectrum.s_ds == pytest.approx(2 / 3 * 0.25 * g, abs=0.5e-4 * g)
-    assert spectrum.s_d1 == pytest.approx(2 / 3 * 0.08 * g, abs=0.5e-4 * g)
-    assert spectrum.t_l == 6.0
-    assert content.analysis.levels == pytest.approx([0.1 * g, 0.2 * g, 0.3 * g])
-
-
-def mesh_of_wall_0a() -> trimesh.Trimesh:
-    content = load(source("casa_grande")).content
-    body = content.bodies["wall-0a"]
-    assert isinstance(body, MeshBody)
-    assert body.mesh_unit == 1.0
-    return trimesh.load_mesh(body.mesh)
-
-
-def test_mesh_of_wall_0a_has_the_published_parameters() -> None:
-    """Volume integrals by trimesh: R0 and slenderness within 1e-6 of Table 8.2, and p as well."""
-    mesh = mesh_of_wall_0a()
-    assert mesh.is_watertight
-    half_base, z_c = mesh.extents[0] / 2, mesh.center_mass[2]
-    radius = np.hypot(half_base, z_c)
-    inertia = mesh.moment_inertia[1, 1] / mesh.volume + radius**2
-    assert mesh.bounds[0, 2] == 0.0
-    assert radius == pytest.approx(2.84, rel=1e-6)
-    assert np.arctan2(half_base, z_c) == pytest.approx(0.14, rel=1e-6)
-    assert np.sqrt(g * radius / inertia) == pytest.approx(1.60, rel=1e-6)
-
-
-def test_shipped_mesh_is_what_the_function_makes() -> None:
-    made = trimesh.load_mesh(trimesh.util.wrap_as_stream(ascii_stl(WALL_0A, name="wall_0a")), file_type="stl_ascii")
-    np.testing.assert_allclose(made.triangles, mesh_of_wall_0a().triangles, rtol=0, atol=1e-12)
-
-
-def test_without_taper_the_wall_is_a_rectangle() -> None:
-    """p^2 = 3 g / 4 R (Housner 1963) is a rectangle's."""
-    wall = tapered_wall(p=float(np.sqrt(3 * g / (4 * 2.0))) * (1 - 1e-12), slenderness=pi / 12, radius=2.0, length=1.0)
-    assert wall.top == pytest.approx(wall.base, rel=1e-6)
-    assert wall.height == pytest.approx(4.0 * np.cos(pi / 12), rel=1e-6)
-
-
-def test_taper_beyond_a_triangle_is_refused() -> None:
-    with pytest.raises(ValueError, match="different signs"):
-        tapered_wall(p=1.0, slenderness=0.14, radius=2.84, length=3.0)
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["README.md", "project.toml"]

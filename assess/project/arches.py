@@ -30,7 +30,7 @@ def hinged_arch(name: str, section: sections.FourHinge, piece: Piece, *, sides: 
 
     Raises MechanismError or GeometryError where a joint misses the body, or no four joints make a mechanism.
     """
-    voussoirs, joints = voussoirs_of(piece.solids, lines_of(section), section.direction, where=f'mechanism "{name}"')
+    voussoirs, joints = voussoirs_of(piece.solids, lines_of(section), section.towards, where=f'mechanism "{name}"')
     plain = [block_of(body) for body in voussoirs]
     front = weakest(plain, joints, name=name)
     bodies, positive = hinged(voussoirs, front)

@@ -301,8 +301,26 @@ class LoadResult:
 
 
 @dataclass(frozen=True)
+class DirectionSweep:
+    """What resists rotation towards each direction, where the weakest was sought.
+
+    angle_deg [n]: from +x towards +y, rising; uplift_multiplier [n]: at rest; weakest_deg: the angle chosen, the
+    smallest of the least multiplier; variation: 1 - least / largest multiplier; flat_deg: how much of the circle is
+    within one percent of the least.
+    """
+
+    angle_deg: Floats
+    uplift_multiplier: Floats
+    p_eq_per_s: Floats
+    overturning_rad: Floats
+    weakest_deg: float
+    variation: float
+    flat_deg: float
+
+
+@dataclass(frozen=True)
 class MechanismResult:
-    """Everything about one mechanism."""
+    """Everything about one mechanism; direction_sweep is None where its direction was given."""
 
     name: str
     label: str
@@ -322,6 +340,32 @@ class MechanismResult:
     envelope: dict[str, Any] | None
     restitution_source: str
     loads: tuple[LoadResult, ...]
+    direction_sweep: DirectionSweep | None
+
+
+@dataclass(frozen=True)
+class SweepResult:
+    """One mechanism for several values of one number of the project.
+
+    value [n]: in `unit`, as the user wrote it, "-" for none. Parameters [n]: of the branch that uplifts first.
+    demand_capacity [n]: the largest of all checks of a code and all levels; None where the mechanism overturned
+    (overturned is true) or no check applies. controlling: the case that is worst, from 0. governs: whether that case
+    stands for the mechanism in `mechanisms` and in the comparison, as the worst of the mechanism's sweeps does.
+    """
+
+    mechanism: str
+    key: str
+    unit: str
+    value: Floats
+    p_eq_per_s: Floats
+    uplift_multiplier: tuple[float | None, ...]
+    overturning_rad: Floats
+    restitution: Floats
+    demand_capacity: tuple[float | None, ...]
+    overturned: tuple[bool, ...]
+    capacity_pga_g: tuple[float | None, ...]
+    controlling: int
+    governs: bool
 
 
 @dataclass(frozen=True)
@@ -358,3 +402,4 @@ class Results:
     mechanisms: tuple[MechanismResult, ...]
     critical: dict[str, Any] | None
     comparison: tuple[ComparisonRow, ...]
+    sweeps: tuple[SweepResult, ...]

@@ -6,8 +6,8 @@ import re
 from functools import partial
 from typing import Literal
 
-from assess.results import MechanismResult, Results
-from reports import governing, sentences, sheets, tables
+from assess.results import MechanismResult, Results, SweepResult
+from reports import governing, sentences, sheets, sweeps, tables
 from reports.document import Block, Document, Figure, Items, Section, Signatures, Table, Text
 from reports.figures import capacity, comparison, history, pga_rotation, sketch, spectrum, view
 from reports.numerals import numeral
@@ -28,7 +28,7 @@ def assessment(results: Results) -> Document:
     title = project(results, "title") or "Rocking assessment"
     chapters = [_verdict(results), _basis(results), *_site(results)]
     for place, mechanism in enumerate(results.mechanisms, start=1):
-        chapters += _mechanism(mechanism, stem(mechanism.name, place))
+        chapters += _mechanism(mechanism, results.sweeps, stem(mechanism.name, place))
     chapters += [*_comparison(results), _limits(results), _signatures(results)]
     return Document(
         title=title,
@@ -93,9 +93,11 @@ def _site(results: Results) -> list[Section]:
     return [Section("Site and ground motion", 0, tuple(blocks))] if blocks else []
 
 
-def _mechanism(mechanism: MechanismResult, name: str) -> list[Section]:
+def _mechanism(mechanism: MechanismResult, swept: tuple[SweepResult, ...], name: str) -> list[Section]:
+    own = [sweep for sweep in swept if sweep.mechanism == mechanism.name]
     chapters = [
         _shape(mechanism, name),
+        sweeps.studies(own, name=name),
         _answer(mechanism, name),
         _histories(mechanism, name),
         _sheets(mechanism, name),
@@ -109,6 +111,7 @@ def _shape(mechanism: MechanismResult, name: str) -> Section:
     )
     blocks = (
         Text((sentences.description(mechanism),)),
+        *sweeps.weakest(mechanism, name=name),
         Figure(f"{name}-sketch", sentences.sketch(mechanism), partial(sketch.draw, mechanism)),
         *_view(mechanism, name),
         *_filled(tables.loads(mechanism, name=f"{name}-loads")),
@@ -178,7 +181,8 @@ def _comparison(results: Results) -> list[Section]:
         "Demand over capacity of every mechanism by every procedure; right of the line the check fails. Open markers "
         "are informative readings, a cross marks overturning, an arrow a ratio beyond the axis."
     )
-    blocks = (Figure("comparison", caption, draw), tables.side_by_side(results))
+    standing = sweeps.standing(results.sweeps, names)
+    blocks = (*standing, Figure("comparison", caption, draw), tables.side_by_side(results))
     return [Section("Comparison of the mechanisms", 0, blocks, starts_page=True)]
 
 

@@ -18,4 +18,4 @@ def check(project: ProjectPath) -> None:
     from assess.project.run import parameters
 
     study = build(loaded)
-    print(description(loaded, parameters(study), study.notices), end="")
+    print(description(loaded, parameters(study), study.sweeps, study.notices), end="")

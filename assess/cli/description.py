@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
-from assess.cli.parameter_table import table_text
+from assess.cli.parameter_table import table_text, weakest_text
 from assess.project.messages import printable
 from assess.project.schema import Project
+from assess.project.study import Sweep
 from assess.results import LoadResult, MechanismResult, NamedPoint, Notice
 
 
-def description(project: Project, mechanisms: tuple[MechanismResult, ...], notices: tuple[Notice, ...]) -> str:
-    """The site, each mechanism with its geometry, loads and interfaces, the table of rocking parameters, warnings."""
+def description(
+    project: Project, mechanisms: tuple[MechanismResult, ...], sweeps: tuple[Sweep, ...], notices: tuple[Notice, ...]
+) -> str:
+    """The site, each mechanism with its geometry, loads and interfaces, sweeps, the table of parameters, warnings."""
     title = printable(project.content.title) or "no title"
     lines = [f"{project.path}: {title}", _site(project), _motions(project), ""]
     for mechanism in mechanisms:
         lines += [*_mechanism(mechanism), ""]
+    lines += [*map(_sweep, sweeps), *[""] * bool(sweeps)]
     return "\n".join(lines) + "\n" + table_text(mechanisms) + warned(notices)
 
 
@@ -39,6 +43,7 @@ def _mechanism(m: MechanismResult) -> list[str]:
     interface = ", ".join(dict.fromkeys(str(i["model"]) for i in m.interfaces)) or "rigid"
     return [
         f"{printable(m.name)}{label}: {m.kind}, {sides}, {m.equation} equation",
+        *_direction(m),
         f"  hinges      {_points(m.drawing.hinges)}",
         f"  centroid    {_at(m.drawing.centroid)}",
         *_loads(m.loads),
@@ -57,6 +62,17 @@ def _size(load: LoadResult) -> str:
         return f"{load.mass_kg:.6g} kg, {'bearing' if load.bearing else 'horizontal inertia only'}"
     along, up = load.force_n or (0.0, 0.0)
     return f"{load.kind} {along / 1e3:.4g} kN along the direction, {up / 1e3:.4g} kN up"
+
+
+def _sweep(sweep: Sweep) -> str:
+    names = ", ".join(printable(mechanism.name) for mechanism in sweep.cases[0].study.mechanisms)
+    values = ", ".join(f"{case.value:.6g}" for case in sweep.cases)
+    unit = "" if sweep.unit == "-" else f" {sweep.unit}"
+    return f"sweep of {printable(sweep.key)}: {values}{unit}, of {names}"
+
+
+def _direction(mechanism: MechanismResult) -> list[str]:
+    return [] if mechanism.direction_sweep is None else [f"  direction   {weakest_text(mechanism.direction_sweep)}"]
 
 
 def _points(points: tuple[NamedPoint, ...]) -> str:

@@ -8,7 +8,8 @@ from collections.abc import Iterator
 from dataclasses import fields
 
 from assess.cli.text_table import text_table
-from assess.results import LinearisedResult, MechanismResult, OscillatorResult
+from assess.project.messages import printable
+from assess.results import DirectionSweep, LinearisedResult, MechanismResult, OscillatorResult
 
 _SHORT = (
     "mechanism",
@@ -54,6 +55,20 @@ def constants_text(mechanisms: tuple[MechanismResult, ...]) -> str:
         for branch, o in _branches(mechanism)
     ]
     return text_table(_CONSTANTS, rows)
+
+
+def directions_text(mechanisms: tuple[MechanismResult, ...]) -> str:
+    """A line for each mechanism whose direction was sought."""
+    sought = [(m.name, m.direction_sweep) for m in mechanisms if m.direction_sweep is not None]
+    return "".join(f"{printable(name)}: {weakest_text(found)}\n" for name, found in sought)
+
+
+def weakest_text(found: DirectionSweep) -> str:
+    """The weakest direction, and how flat the minimum is."""
+    return (
+        f"weakest towards {found.weakest_deg:.6g} deg from +x, of {len(found.angle_deg)} directions; the multiplier is "
+        f"within 1 % of the least over {found.flat_deg:.3g} deg, the least {found.variation:.2%} below the largest"
+    )
 
 
 def csv_text(mechanisms: tuple[MechanismResult, ...]) -> str:

@@ -14,16 +14,21 @@ def parameters(
     as_json: Annotated[bool, typer.Option("--json", help="Print the mechanisms as in results.json.")] = False,
     as_csv: Annotated[bool, typer.Option("--csv", help="Print the table as CSV, at full precision.")] = False,
 ) -> None:
-    """Print the rocking parameters of each mechanism; no analysis."""
+    """Print the rocking parameters of each mechanism, and of each case of its sweeps; no analysis."""
     if as_json and as_csv:
         raise typer.BadParameter("--json and --csv exclude each other")
     from assess.project.schema import load
 
     loaded = load(project)
-    from assess.cli.parameter_table import csv_text, parameters_text
+    from assess.cli.parameter_table import csv_text, directions_text, parameters_text
     from assess.project.build import build
+    from assess.project.run import case_parameters
     from assess.project.run import parameters as of_study
     from assess.results_io import dumps_mechanisms
 
     text = dumps_mechanisms if as_json else csv_text if as_csv else parameters_text
-    print(text(of_study(build(loaded))), end="")
+    study = build(loaded)
+    mechanisms = of_study(study)
+    print(text((*mechanisms, *case_parameters(study))), end="")
+    if text is parameters_text:
+        print(directions_text(mechanisms), end="")

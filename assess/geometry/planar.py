@@ -6,7 +6,7 @@ The plane's coordinates are x, the distance along the direction of motion from t
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -54,6 +54,19 @@ def planar(solid: Solid, *, direction: Sequence[float]) -> PlanarBody:
     GeometryError : the direction is zero, not horizontal or not finite
     """
     along = _horizontal(direction)
+    points = np.column_stack([solid.vertices @ along, solid.vertices[:, 2]])
+    rings = outline(points, solid.triangles[:, ::-1])  # x to z turns away from a viewer who looks across `along`
+    return replace(planar_unseen(solid, direction=direction), outline=rings)
+
+
+def planar_unseen(solid: Solid, *, direction: Sequence[float]) -> PlanarBody:
+    """The same without an outline, which takes most of the time.
+
+    Raises
+    ------
+    GeometryError : the direction is zero, not horizontal or not finite
+    """
+    along = _horizontal(direction)
     across = np.array([-along[1], along[0], 0.0])
     points = np.column_stack([solid.vertices @ along, solid.vertices[:, 2]])
     return PlanarBody(
@@ -61,7 +74,7 @@ def planar(solid: Solid, *, direction: Sequence[float]) -> PlanarBody:
         mass=solid.mass,
         centroid=(float(solid.centroid @ along), float(solid.centroid[2])),
         inertia=float(across @ solid.inertia @ across),
-        outline=outline(points, solid.triangles[:, ::-1]),  # x to z turns away from a viewer who looks along `across`
+        outline=(),
         base=_base(points, size=float(np.ptp(solid.vertices, axis=0).max())),
     )
 

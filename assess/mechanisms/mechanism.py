@@ -7,6 +7,7 @@ from typing import Literal
 
 from assess.geometry.outline import Outline
 from assess.mechanisms.chain import Chain
+from assess.mechanisms.directions import Directions
 
 Sides = Literal["one", "two"]
 
@@ -26,6 +27,7 @@ class Mechanism:
     outlines : of each block (of each part, where the chains have parts), its closed polygons in the plane of motion
         [m], not mirrored
     notices : sentences the engineer must read (a rule that did not hold)
+    directions : the resistance towards each direction where the weakest was sought, else None
     """
 
     name: str
@@ -39,3 +41,4 @@ class Mechanism:
     elevation: float
     outlines: tuple[Outline, ...]
     notices: tuple[str, ...] = ()
+    directions: Directions | None = None

@@ -33,7 +33,7 @@ def hinged_arch(
 
     Raises MechanismError or GeometryError where a joint misses the body, or no four joints make a mechanism.
     """
-    pieces, joints = voussoirs_of(piece, lines_of(section), section.direction, where=f'mechanism "{name}"')
+    pieces, joints = voussoirs_of(piece, lines_of(section), section.towards, where=f'mechanism "{name}"')
     voussoirs = [each.body for each in pieces]
     plain = [block_of(body) for body in voussoirs]
     front = weakest(plain, joints, name=name)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from math import cos, sin
 
 import numpy as np
 
@@ -25,6 +26,10 @@ from assess.geometry.scene import Scene
 from assess.geometry.solid import Solid, box, profile
 from assess.project import sections
 
+ASKEW = (
+    "the base touches its extreme line in the direction of motion at a point, not along an edge; if the body stands "
+    "askew to `direction`, turn one to the other: a corner as hinge overestimates the resistance"
+)
 LEVEL = 0.01  # m: an extreme line that rises by less is level
 Solids = Mapping[str, Solid | None]
 
@@ -72,16 +77,14 @@ def pieces_of(name: str, section: sections.Chained, content: sections.Content, s
 
     Raises GeometryError where the cut misses all of them, or crosses a body without geometry.
     """
-    plane = cut_of(section.cut, where=f'mechanism "{name}"')
+    plane = cut_of(section, where=f'mechanism "{name}"')
     if plane is None:
-        return tuple(whole(block, section.direction, content, solids) for block in section.blocks)
+        return tuple(whole(block, section.towards, content, solids) for block in section.blocks)
     crossed = [crosses(block, plane, solids) for block in section.blocks]
     if len(section.blocks) == 1 or not any(crossed):
         crossed = [True, *crossed[1:]]  # one must be: `divide` says why it is not
     return tuple(
-        upper(name, block, plane, section.direction, solids)
-        if cut
-        else whole(block, section.direction, content, solids)
+        upper(name, block, plane, section.towards, solids) if cut else whole(block, section.towards, content, solids)
         for block, cut in zip(section.blocks, crossed, strict=True)
     )
 
@@ -129,10 +132,17 @@ def as_one(bodies: Sequence[PlanarBody]) -> PlanarBody:
     return bodies[0] if len(bodies) == 1 else planar_joined(bodies, name=" + ".join(body.name for body in bodies))
 
 
-def cut_of(cut: float | sections.CutPlane | None, *, where: str) -> Plane | None:
-    """The plane of the key `cut`; raises GeometryError where its normal does not point up."""
+def cut_of(section: sections.Chained, *, where: str) -> Plane | None:
+    """The plane of the key `cut`; raises GeometryError where its normal does not point up.
+
+    A crack inclined by a positive angle falls towards the direction.
+    """
+    cut = section.cut
     if isinstance(cut, sections.CutPlane):
         return inclined(cut.point, cut.normal, where=where)
+    if isinstance(cut, sections.CutAngle):
+        x, y, _ = np.asarray(section.towards) / np.linalg.norm(section.towards)
+        return inclined(cut.point, (sin(cut.angle) * x, sin(cut.angle) * y, cos(cut.angle)), where=where)
     return None if cut is None else level(cut)
 
 
@@ -155,10 +165,7 @@ def doubts_of(piece: Piece, direction: Sequence[float]) -> Iterator[str]:
     if piece.foot is None:
         return
     if turns_about_a_corner(piece.foot, direction=direction):
-        yield (
-            "the base touches its extreme line in the direction of motion at a point, not along an edge; if the body "
-            "stands askew to `direction`, turn one to the other: a corner as hinge overestimates the resistance"
-        )
+        yield ASKEW
     rise = slope_across(piece.foot, direction=direction) if piece.cut else 0.0
     if rise > LEVEL:
         yield (

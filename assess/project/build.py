@@ -3,27 +3,39 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Iterator, Sequence
-from dataclasses import replace
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from assess.codes.context import Building
 from assess.codes.dmi2008.clauses import Options as Dmi2008Options
 from assess.codes.registry import CodeOptions
-from assess.errors import AssessError
+from assess.errors import ProjectError
+from assess.geometry.solid import Solid
 from assess.project import sections
 from assess.project.bodies import solid_of
-from assess.project.mechanisms import mechanism_of
+from assess.project.dependents import dependents
+from assess.project.directions import directed
+from assess.project.messages import located, shown
 from assess.project.notices import notices_of
 from assess.project.schema import Project, relative, resolved
-from assess.project.study import Artificial, Equation, Study
+from assess.project.study import Artificial, Case, Equation, Study, Sweep
+from assess.project.variations import Variant, Variation
 from assess.results import Input
 from records.reading import read
 from records.record import Record
 from spectra.asce7 import design_spectrum
-from spectra.errors import SpectrumError
 from spectra.spectrum import Spectrum, scaled_to_pga
 from spectra.table import read_table
+
+
+@dataclass(frozen=True)
+class Files:
+    """What the files of a project hold: bodies by name, None without geometry; the site's spectrum; records."""
+
+    solids: Mapping[str, Solid | None]
+    spectrum: Spectrum | None
+    records: tuple[Record, ...]
 
 
 def build(project: Project) -> Study:
@@ -31,38 +43,83 @@ def build(project: Project) -> Study:
 
     Raises AssessError, SpectrumError or RecordError, each one line with the file, for what cannot be assessed.
     """
-    try:
+    with located(str(project.path)):
         return study_of(project)
-    except (AssessError, SpectrumError) as error:
-        raise type(error)(f"{project.path}: {error}") from None
 
 
 def study_of(project: Project) -> Study:
     """The same, with errors that do not name the project file."""
     content = project.content
-    site, building = content.site, content.building
-    spectrum = None if site is None else spectrum_of(site)
+    spectrum = None if content.site is None else spectrum_of(content.site)
     solids = {name: solid_of(name, body, content.materials) for name, body in content.bodies.items()}
-    built = [mechanism_of(name, section, content, solids) for name, section in content.mechanisms.items()]
-    mechanisms = tuple(each.mechanism for each in built)
-    synthetic = content.records.synthetic
-    return Study(
-        spectrum=spectrum,
-        vertical_ratio=0.0 if site is None else site.vertical_ratio,
-        building=None if building is None else Building(**building.model_dump()),
-        records=records_of(project),
-        artificial=None if synthetic is None else Artificial(synthetic.count, synthetic.seed, synthetic.duration),
-        scale_to=content.records.scale_to,
-        levels=levels_of(content.analysis.levels, spectrum),
-        procedures=content.analysis.procedures,
-        options=CodeOptions(dmi2008=Dmi2008Options(**content.procedures.dmi2008.model_dump())),
-        mechanisms=mechanisms,
-        scenes={each.mechanism.name: each.scene for each in built if each.scene is not None},
-        equations={name: equation_of(section, content) for name, section in content.mechanisms.items()},
+    files = Files(solids, spectrum, records_of(content.records, project.folder))
+    study = part_of(content, files, names=content.mechanisms)
+    return replace(
+        study,
         inputs=tuple(inputs_of(project)),
         resolved=resolved(project),
-        notices=tuple(notices_of(content, solids, mechanisms)),
+        notices=tuple(notices_of(content, solids, study.mechanisms)),
+        sweeps=tuple(sweep_of(variation, project, files) for variation in project.variations),
     )
+
+
+def part_of(content: sections.Content, files: Files, *, names: Iterable[str]) -> Study:
+    """The study of the mechanisms `names` of a project, without what is said about its file."""
+    site, building, synthetic = content.site, content.building, content.records.synthetic
+    chosen = {name: content.mechanisms[name] for name in names}
+    built = [directed(name, section, content, files.solids) for name, section in chosen.items()]
+    return Study(
+        spectrum=files.spectrum,
+        vertical_ratio=0.0 if site is None else site.vertical_ratio,
+        building=None if building is None else Building(**building.model_dump()),
+        records=files.records,
+        artificial=None if synthetic is None else Artificial(synthetic.count, synthetic.seed, synthetic.duration),
+        scale_to=content.records.scale_to,
+        levels=levels_of(content.analysis.levels, files.spectrum),
+        procedures=content.analysis.procedures,
+        options=CodeOptions(dmi2008=Dmi2008Options(**content.procedures.dmi2008.model_dump())),
+        mechanisms=tuple(each.mechanism for each in built),
+        scenes={each.mechanism.name: each.scene for each in built if each.scene is not None},
+        equations={name: equation_of(section, content) for name, section in chosen.items()},
+        inputs=(),
+        resolved={},
+        notices=(),
+        sweeps=(),
+    )
+
+
+def sweep_of(variation: Variation, project: Project, files: Files) -> Sweep:
+    """The cases of one sweep, each with the mechanisms that depend on its key."""
+    names = dependents(project.content, variation.path)
+    if not names:
+        raise ProjectError(f"{variation.where}.key: {shown(variation.key)}: no mechanism depends on it; name another")
+    cases = tuple(case_of(variant, project, files, names=names) for variant in variation.variants)
+    return Sweep(variation.key, variation.unit, cases)
+
+
+def case_of(variant: Variant, project: Project, files: Files, *, names: tuple[str, ...]) -> Case:
+    """One case of a sweep: the mechanisms `names` with its value."""
+    with located(variant.name):
+        study = part_of(variant.content, reread(variant.content, project, files), names=names)
+    return Case(variant.value, variant.name, study)
+
+
+def reread(content: sections.Content, project: Project, files: Files) -> Files:
+    """The files of a case: what a case has not changed is not read again."""
+    whole = project.content
+    solids = {
+        name: files.solids[name] if same_body(name, content, whole) else solid_of(name, body, content.materials)
+        for name, body in content.bodies.items()
+    }
+    spectrum = files.spectrum if content.site == whole.site or content.site is None else spectrum_of(content.site)
+    same = content.records == whole.records
+    return Files(solids, spectrum, files.records if same else records_of(content.records, project.folder))
+
+
+def same_body(name: str, case: sections.Content, whole: sections.Content) -> bool:
+    """Whether a body and its material are those of the whole project."""
+    material = getattr(case.bodies[name], "material", "")
+    return case.bodies[name] == whole.bodies[name] and case.materials.get(material) == whole.materials.get(material)
 
 
 def spectrum_of(site: sections.Site) -> Spectrum:
@@ -91,11 +148,10 @@ def equation_of(section: sections.Mechanism, content: sections.Content) -> Equat
     return content.analysis.equation or default
 
 
-def records_of(project: Project) -> tuple[Record, ...]:
-    """The records of every file, each with its path as the project file would write it."""
-    section = project.content.records
+def records_of(section: sections.Records, folder: Path) -> tuple[Record, ...]:
+    """The records of every file, each with its path as the project file in `folder` would write it."""
     found = [record for path in section.files for record in read(path, unit=section.unit)]
-    return uniquely_named([replace(one, path=relative(Path(one.path), project.folder)) for one in found])
+    return uniquely_named([replace(one, path=relative(Path(one.path), folder)) for one in found])
 
 
 def uniquely_named(records: Sequence[Record]) -> tuple[Record, ...]:

@@ -36,7 +36,7 @@ def loads_of(
                     piece=pieces[-1],
                     solids=solids,
                     moving=[body for block in section.blocks for body in block],
-                    direction=section.direction,
+                    direction=section.towards,
                     where=f'mechanism "{name}"',
                 )
             )
@@ -46,7 +46,7 @@ def loads_of(
             around = surroundings(name, section, load, piece, solids)
             brought = body_loads(load, body=solids[load.body], mass=mass_of(load.body, content, solids), around=around)
         else:
-            brought = Brought((load_of(number, load, section.direction),), ())
+            brought = Brought((load_of(number, load, section.towards),), ())
         loads += brought.loads
         doubts += (*brought.doubts, *in_the_air(brought.loads, piece.body.outline))
     carried = dict.fromkeys(load.body for load in section.loads if isinstance(load, sections.BodyLoad))
@@ -60,7 +60,7 @@ def surroundings(
     """What stands around a body that loads a piece of the mechanism `name`."""
     own = {solid.name for solid in piece.solids} | {load.body}
     others = tuple(solid for key, solid in solids.items() if solid is not None and key not in own)
-    along = np.asarray(section.direction) / np.linalg.norm(section.direction)
+    along = np.asarray(section.towards) / np.linalg.norm(section.towards)
     return Surroundings(piece.solids, others, along, where=f'mechanism "{name}"')
 
 

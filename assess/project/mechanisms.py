@@ -45,7 +45,7 @@ def mechanism_of(name: str, section: sections.Mechanism, content: sections.Conte
     except MechanismError as error:
         raise error if str(error).startswith("mechanism ") else MechanismError(f'mechanism "{name}": {error}') from None
     told = replace(mechanism, notices=(*mechanism.notices, *brought.doubts))
-    return Built(told, scene_of(members, section.direction))
+    return Built(told, scene_of(members, section.towards))
 
 
 def of_one_block(
@@ -64,7 +64,7 @@ def of_one_block(
         hinge=front[0] if front else None,
         hinge_negative=back[0] if back else None,
         loads=loads,
-        notices=() if front else tuple(doubts_of(pieces[0], section.direction)),
+        notices=() if front else tuple(doubts_of(pieces[0], section.towards)),
         **common(section),
     )
     return mechanism, pieces
@@ -81,7 +81,7 @@ def of_two_blocks(
     """A wall held at base and top, of two bodies or of one that cracks."""
     front, back = hinges_of(section.hinges, section), hinges_of(section.hinges_negative, section)
     wall = cracked(name, section, pieces, content, loads, front=front)
-    doubts = () if front else tuple(text for piece in wall.pieces for text in doubts_of(piece, section.direction))
+    doubts = () if front else tuple(text for piece in wall.pieces for text in doubts_of(piece, section.towards))
     mechanism = two_block(
         name,
         wall.pieces[0].body,
@@ -138,5 +138,5 @@ def hinges_of(hinges: sections.Hinges | None, section: sections.Chained) -> Any:
     """Hinges A, B, ... as (distance along `direction` from the origin, elevation) [m]; None where not given."""
     if hinges is None:
         return None
-    points: tuple[Point, ...] = tuple(point_in_plane(at, section.direction) for _, at in hinges)
+    points: tuple[Point, ...] = tuple(point_in_plane(at, section.towards) for _, at in hinges)
     return points

@@ -12,6 +12,7 @@ from scipy.constants import g
 from assess.codes.check import Check
 from assess.geometry.scene import Scene
 from assess.loads import Force, Load, PointMass, pull_at_rest
+from assess.mechanisms.directions import Directions
 from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.statics import verge
 from assess.oscillator import (
@@ -33,6 +34,7 @@ from assess.results import (
     BranchCurve,
     ComparisonRow,
     Curve,
+    DirectionSweep,
     Factor,
     HistoryResult,
     LinearisedResult,
@@ -182,6 +184,7 @@ def mechanism_result(
         sides=mechanism.sides,
         equation=equation,
         restitution_source=mechanism.restitution_source,
+        direction_sweep=None if mechanism.directions is None else direction_sweep(mechanism.directions),
         drawing=drawn,
         view=None if scene is None else view(mechanism, scene),
         oscillator=oscillator_result(positive, mass=mass),
@@ -207,6 +210,19 @@ def load_result(load: Load) -> LoadResult:
     if isinstance(load, Force):
         return LoadResult(load.name, "force", load.block, load.at, None, None, load.force, source)
     return LoadResult(load.name, "tie", load.block, load.at, None, None, pull_at_rest(load), source)
+
+
+def direction_sweep(found: Directions) -> DirectionSweep:
+    """The search for the weakest direction."""
+    return DirectionSweep(
+        angle_deg=found.angle,
+        uplift_multiplier=found.multiplier,
+        p_eq_per_s=found.p,
+        overturning_rad=found.overturning,
+        weakest_deg=found.weakest,
+        variation=found.variation,
+        flat_deg=found.flat,
+    )
 
 
 def suite_result(histories: Sequence[HistoryResult]) -> SuiteResult:

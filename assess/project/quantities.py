@@ -5,9 +5,19 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from pathlib import Path
-from typing import Annotated, Any, TypeVar
+from typing import Annotated, Any, Literal, TypeVar
 
-from pydantic import AfterValidator, BeforeValidator, Field, StrictInt, StrictStr, ValidationInfo, WithJsonSchema
+from pydantic import (
+    AfterValidator,
+    BeforeValidator,
+    Discriminator,
+    Field,
+    StrictInt,
+    StrictStr,
+    Tag,
+    ValidationInfo,
+    WithJsonSchema,
+)
 
 from assess.project.units import KINDS, SMALLEST, si_value
 from spectra.columns import ACCELERATION_UNITS, ColumnError, factor_of
@@ -25,18 +35,19 @@ def _described(kind: str) -> WithJsonSchema:
     return WithJsonSchema({"type": ["number", "string"], "description": words})
 
 
-Length = Annotated[float, _read("length"), _described("length")]
-Mass = Annotated[float, _read("mass"), _described("mass")]
-Time = Annotated[float, _read("time"), _described("time")]
-Acceleration = Annotated[float, _read("acceleration"), _described("acceleration")]
-Force = Annotated[float, _read("force"), _described("force")]
-Stress = Annotated[float, _read("stress"), _described("stress")]
-Density = Annotated[float, _read("density"), _described("density")]
-Inertia = Annotated[float, _read("inertia"), _described("inertia")]
-AreaMass = Annotated[float, _read("mass per area"), _described("mass per area")]
-Rate = Annotated[float, _read("rate"), _described("rate")]
-Angle = Annotated[float, _read("angle"), _described("angle")]
-Ratio = Annotated[float, _read("ratio"), _described("ratio")]
+# the kind stands beside its reader, so that the unit of a key can be told from the type of the key
+Length = Annotated[float, _read("length"), _described("length"), KINDS["length"]]
+Mass = Annotated[float, _read("mass"), _described("mass"), KINDS["mass"]]
+Time = Annotated[float, _read("time"), _described("time"), KINDS["time"]]
+Acceleration = Annotated[float, _read("acceleration"), _described("acceleration"), KINDS["acceleration"]]
+Force = Annotated[float, _read("force"), _described("force"), KINDS["force"]]
+Stress = Annotated[float, _read("stress"), _described("stress"), KINDS["stress"]]
+Density = Annotated[float, _read("density"), _described("density"), KINDS["density"]]
+Inertia = Annotated[float, _read("inertia"), _described("inertia"), KINDS["inertia"]]
+AreaMass = Annotated[float, _read("mass per area"), _described("mass per area"), KINDS["mass per area"]]
+Rate = Annotated[float, _read("rate"), _described("rate"), KINDS["rate"]]
+Angle = Annotated[float, _read("angle"), _described("angle"), KINDS["angle"]]
+Ratio = Annotated[float, _read("ratio"), _described("ratio"), KINDS["ratio"]]
 
 PositiveLength = Annotated[Length, Field(gt=0)]
 PositiveMass = Annotated[Mass, Field(gt=0)]
@@ -62,7 +73,7 @@ def _coordinate(value: Any) -> float:
     return si_value(value, KINDS["length"])
 
 
-Coordinate = Annotated[float, BeforeValidator(_coordinate), _described("length")]
+Coordinate = Annotated[float, BeforeValidator(_coordinate), _described("length"), KINDS["length"]]
 PlanePoint = tuple[Coordinate, Coordinate]
 SpacePoint = tuple[Coordinate, Coordinate, Coordinate]
 Count = Annotated[StrictInt, Field(ge=1)]
@@ -96,6 +107,20 @@ def _horizontal(direction: tuple[float, ...]) -> tuple[float, ...]:
 
 
 Direction = Annotated[tuple[Ratio, Ratio, Ratio], AfterValidator(_horizontal)]
+
+SoughtDirection = Annotated[
+    Annotated[Direction, Tag("<given>")] | Annotated[Literal["sweep"], Tag("<sought>")],
+    Discriminator(lambda value: "<sought>" if isinstance(value, str) else "<given>"),
+]
+
+
+def _less_than_upright(angle: float) -> float:
+    if not abs(angle) < math.pi / 2:
+        raise ValueError("not between -90 deg and 90 deg; measure the crack from the horizontal")
+    return angle
+
+
+Inclination = Annotated[Angle, AfterValidator(_less_than_upright)]
 
 
 def _named(text: str) -> str:

@@ -2,58 +2,49 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Mapping
+from dataclasses import replace
 from importlib.metadata import version
 
-from assess.codes.check import Check
-from assess.codes.context import Context
-from assess.codes.registry import procedure
 from assess.errors import ProjectError
-from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.virtual_work import oscillator
-from assess.oscillator import Oscillator
-from assess.project.histories import Rocking, Shaken, governing_trace, rocking, suite_of
+from assess.project.assessing import Progress, mechanisms_assessed
+from assess.project.messages import located
 from assess.project.motions import Motion, motions_of
 from assess.project.outcome import comparison, mechanism_result, record_result, spectrum_result
 from assess.project.study import Study
+from assess.project.sweeping import Swept, case_notices, case_text, controlling_cases, sweep_results, swept
 from assess.results import SCHEMA_VERSION, MechanismResult, Notice, Program, Results
 from spectra.spectrum import Spectrum
 
 NAME = "rocking-assess"
-HISTORY_PROCEDURE = "asce43-05-history"
-Progress = Callable[[str, int, int], None]
 
 
 def run(study: Study, *, jobs: int = 0, progress: Progress = lambda stage, done, total: None) -> Results:
-    """The results of `study`; `jobs` threads, 0 for all cores. `progress` is told (stage, done, total)."""
+    """The results of `study`; `jobs` threads, 0 for all cores. `progress` is told (stage, done, total).
+
+    The controlling case of a mechanism that is swept stands for it.
+    """
     spectrum = required_spectrum(study)
     progress("ground motions", 0, 1)
     motions = motions_of(study, spectrum)
-    shaken = [Shaken(m.name, oscillator(m), study.equations[m.name]) for m in study.mechanisms]
-    rocked = rocking(
-        shaken,
-        motions,
-        levels=study.levels,
-        site_pga=spectrum.pga,
-        scanned=HISTORY_PROCEDURE in study.procedures,
-        threads=jobs,
-        progress=progress,
-    )
-    mechanisms = tuple(
-        assessed(study, spectrum, motions, mechanism, one, rocked[mechanism.name])
-        for mechanism, one in zip(study.mechanisms, shaken, strict=True)
-    )
+    sweeps = swept(study, motions, jobs=jobs, progress=progress)
+    standing = controlling_cases(sweeps)
+    alone = replace(study, mechanisms=tuple(m for m in study.mechanisms if m.name not in standing))
+    own = {one.name: one for one in mechanisms_assessed(alone, spectrum, motions, jobs=jobs, progress=progress)}
+    mechanisms = tuple(own.get(m.name) or standing[m.name].worst for m in study.mechanisms)
     return Results(
         schema_version=SCHEMA_VERSION,
         program=Program(NAME, version(NAME)),
         inputs=study.inputs,
-        warnings=(*study.notices, *suite_notices(motions)),
+        warnings=(*notices_of(study, standing), *suite_notices(motions)),
         project=study.resolved,
         spectrum=spectrum_result(spectrum),
         records=tuple(record_result(motion, spectrum) for motion in motions),
         mechanisms=mechanisms,
         critical=None,
         comparison=comparison(mechanisms),
+        sweeps=sweep_results(sweeps, standing),
     )
 
 
@@ -70,6 +61,17 @@ def parameters(study: Study) -> tuple[MechanismResult, ...]:
     )
 
 
+def case_parameters(study: Study) -> tuple[MechanismResult, ...]:
+    """The same for every case of every sweep, named with the case."""
+    found = []
+    for sweep in study.sweeps:
+        for case in sweep.cases:
+            with located(case.name):
+                each = parameters(case.study)
+            found += [replace(one, name=f"{one.name}, {case_text(sweep, case, one.name)}") for one in each]
+    return tuple(found)
+
+
 def required_spectrum(study: Study) -> Spectrum:
     """The site's spectrum, or the one line that asks for it."""
     if study.spectrum is None:
@@ -77,42 +79,11 @@ def required_spectrum(study: Study) -> Spectrum:
     return study.spectrum
 
 
-def assessed(
-    study: Study, spectrum: Spectrum, motions: tuple[Motion, ...], mechanism: Mechanism, shaken: Shaken, rocked: Rocking
-) -> MechanismResult:
-    """One mechanism through every procedure, with its histories."""
-    context = context_of(study, spectrum, mechanism, rocked)
-    return mechanism_result(
-        mechanism,
-        shaken.oscillator,
-        equation=shaken.equation,
-        scene=study.scenes.get(mechanism.name),
-        checks=checks_of(study, shaken.oscillator, context),
-        histories=governing_trace(shaken, rocked.histories, motions),
-    )
-
-
-def context_of(study: Study, spectrum: Spectrum, mechanism: Mechanism, rocked: Rocking) -> Context:
-    """What the procedures may know of one mechanism."""
-    ground = study.building.ground_elevation if study.building is not None else 0.0
-    suites = tuple(
-        suite_of(histories, pga=level) for level, histories in zip(study.levels, rocked.histories, strict=True)
-    )
-    return Context(
-        spectrum=spectrum,
-        levels=study.levels,
-        vertical_ratio=study.vertical_ratio,
-        elevation=mechanism.elevation - ground,
-        building=study.building,
-        suites=suites,
-        linearised=study.equations[mechanism.name] == "linearised",
-        incremental=tuple(sorted((*rocked.scan, *suites), key=lambda suite: suite.pga)) if rocked.scan else (),
-    )
-
-
-def checks_of(study: Study, rocker: Oscillator, context: Context) -> tuple[Check, ...]:
-    """The answers of every procedure of the study, in its order."""
-    return tuple(check for name in study.procedures for check in procedure(name, study.options)(rocker, context))
+def notices_of(study: Study, standing: Mapping[str, Swept]) -> tuple[Notice, ...]:
+    """The notices of the study, where those of a mechanism that is swept are its controlling case's."""
+    replaced = {f"mechanisms.{name}" for name in standing}
+    kept = [notice for notice in study.notices if notice.where not in replaced]
+    return (*kept, *(notice for swept in standing.values() for notice in case_notices(swept)))
 
 
 def suite_notices(motions: tuple[Motion, ...]) -> tuple[Notice, ...]:

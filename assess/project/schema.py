@@ -17,11 +17,13 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from pydantic import BaseModel, ValidationError
+from pydantic import ValidationError
 
 from assess.errors import ProjectError
 from assess.project.messages import one_line, printable, shown
+from assess.project.section import Section
 from assess.project.sections.content import Content
+from assess.project.variations import Variation, variations
 from assess.results import Resolved
 
 FORMAT = 1
@@ -35,11 +37,13 @@ class Project:
 
     content : its tables, every quantity an SI float, every path absolute or below `folder`
     path : the project file; sha256 : of its bytes
+    variations : its sweeps, each with the content of every case
     """
 
     content: Content
     path: Path
     sha256: str
+    variations: tuple[Variation, ...]
 
     @property
     def folder(self) -> Path:
@@ -57,11 +61,12 @@ def load(path: Path | str) -> Project:
     try:
         raw = _upgraded(_toml(_text(data)))
         content = Content.model_validate(raw, context={"folder": file.parent})
+        varied = variations(content, raw, file.parent)
     except ValidationError as error:
         raise ProjectError(f"{file}: {one_line(error, raw=raw)}") from None
     except ProjectError as error:
         raise ProjectError(f"{file}: {error}") from None
-    return Project(content, file, hashlib.sha256(data).hexdigest())
+    return Project(content, file, hashlib.sha256(data).hexdigest(), varied)
 
 
 def _project_file(path: Path) -> Path:
@@ -141,10 +146,10 @@ def resolved(project: Project) -> dict[str, Resolved]:
 
 
 def _resolved(key: str, value: Any, given: bool, folder: Path) -> Iterator[tuple[str, Resolved]]:
-    if isinstance(value, BaseModel):
-        for name in type(value).model_fields:
-            stated = given and name in value.model_fields_set
-            yield from _resolved(f"{key}.{name}".lstrip("."), getattr(value, name), stated, folder)
+    if isinstance(value, Section):
+        names = zip(type(value).model_fields, value.entries().items(), strict=True)
+        for name, (written, item) in names:
+            yield from _resolved(f"{key}.{written}".lstrip("."), item, given and value.given(name), folder)
     elif isinstance(value, Mapping):
         for name, item in value.items():
             yield from _resolved(f"{key}.{name}", item, given, folder)
@@ -156,8 +161,8 @@ def _plain(value: Any, folder: Path) -> Any:
     """A value as JSON holds it."""
     if isinstance(value, Path):
         return relative(value, folder)
-    if isinstance(value, BaseModel):
-        return {name: _plain(getattr(value, name), folder) for name in type(value).model_fields}
+    if isinstance(value, Section):
+        return {key: _plain(item, folder) for key, item in value.entries().items()}
     return [_plain(item, folder) for item in value] if isinstance(value, tuple) else value
 
 

@@ -7,6 +7,7 @@ from difflib import get_close_matches
 from typing import Any, ClassVar
 
 from pydantic import BaseModel, ConfigDict, model_validator
+from pydantic.fields import FieldInfo
 from pydantic_core import PydanticCustomError
 
 
@@ -28,14 +29,19 @@ class Section(BaseModel):
     model_config = ConfigDict(frozen=True, extra="forbid", use_attribute_docstrings=True)
     planned: ClassVar[Mapping[str, str]] = {}
 
+    @classmethod
+    def table_keys(cls) -> dict[str, FieldInfo]:
+        """The keys of the table as the file writes them; `from` is the alias of a field, as Python keeps the word."""
+        return {field.alias or name: field for name, field in cls.model_fields.items()}
+
     @model_validator(mode="before")
     @classmethod
     def _keys_are_known(cls, values: Any) -> Any:
         if isinstance(values, dict):
             for key in values:
-                if key not in cls.model_fields:
+                if key not in cls.table_keys():
                     raise wrong(key, cls._unknown(key))
-            for key, field in cls.model_fields.items():
+            for key, field in cls.table_keys().items():
                 if field.is_required() and key not in values:
                     raise wrong(key, f"missing; {field.description}")
         return values
@@ -44,12 +50,16 @@ class Section(BaseModel):
     def _unknown(cls, key: str) -> str:
         if key in cls.planned:
             return f"not supported by this version; {cls.planned[key]}"
-        near = get_close_matches(key, cls.model_fields, n=1)
+        near = get_close_matches(key, cls.table_keys(), n=1)
         return (
             f'unknown key; did you mean "{near[0]}"?'
             if near
-            else f"unknown key; known here: {', '.join(cls.model_fields)}"
+            else f"unknown key; known here: {', '.join(cls.table_keys())}"
         )
+
+    def entries(self) -> dict[str, Any]:
+        """Every key of the table with its value, defaults included."""
+        return {field.alias or name: getattr(self, name) for name, field in type(self).model_fields.items()}
 
     def given(self, key: str) -> bool:
         """Whether the user wrote `key`, rather than its default standing in."""

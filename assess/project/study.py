@@ -34,6 +34,7 @@ class Study:
     levels : PGA at which demands are compared, rising [m/s2]
     equations : the equation of motion of each mechanism's histories, by name
     scenes : the bodies in space of each mechanism that has geometry, by name
+    sweeps : parametric studies; a case has none
     """
 
     spectrum: Spectrum | None
@@ -51,3 +52,26 @@ class Study:
     inputs: tuple[Input, ...]
     resolved: dict[str, Resolved]
     notices: tuple[Notice, ...]
+    sweeps: tuple[Sweep, ...]
+
+
+@dataclass(frozen=True)
+class Case:
+    """One value of a sweep: in the sweep's unit, named by table, key and value, and the study of what it changes."""
+
+    value: float
+    name: str
+    study: Study
+
+
+@dataclass(frozen=True)
+class Sweep:
+    """Several values of one number of the project.
+
+    key : the number; unit : of its values, as the user wrote it, "-" for none
+    cases : one for each value, in the user's order, each with the mechanisms that depend on the key
+    """
+
+    key: str
+    unit: str
+    cases: tuple[Case, ...]

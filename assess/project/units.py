@@ -79,6 +79,14 @@ class QuantityError(ProjectError):
     """A quantity cannot be read; the text says what is wrong and the remedy, its caller adds the key and the value."""
 
 
+def number_and_unit(text: str) -> tuple[float, str]:
+    """The number in front of a quantity and the unit behind it, as typed. Raises QuantityError."""
+    match = _NUMBER.match(text)
+    if len(text) > _LONGEST or match is None:
+        raise QuantityError("not a number with a unit")
+    return float(match[1]), text[match.end() :].strip()
+
+
 def si_value(value: Any, kind: Kind) -> float:
     """The SI value of `value`, a number or a string with a unit. Raises QuantityError."""
     if isinstance(value, str):

@@ -91,7 +91,7 @@ def cracked(
     else:
         elevation, notice = float(crack), ""
     parts = divide(whole.solids, level(elevation), where=f'mechanism "{name}", crack')
-    lower, upper = below(parts, whole, section.direction), standing_on(parts, section.direction)
+    lower, upper = below(parts, whole, section.towards), standing_on(parts, section.towards)
     return Wall((lower, upper), loads, (notice,) if notice else ())
 
 
@@ -104,7 +104,7 @@ def material_of(block: Sequence[str], content: sections.Content) -> str:
 def panel_of(section: sections.TwoBlock, whole: Piece, loads: Sequence[Load], *, strength: float) -> Panel:
     """The box around a wall and the load on it: forces on the upper block and masses that bear, as if at the top."""
     points = np.concatenate([solid.vertices for solid in whole.solids])
-    along = np.array(section.direction) / np.linalg.norm(section.direction)
+    along = np.array(section.towards) / np.linalg.norm(section.towards)
     x, y = points @ along, points @ np.array([-along[1], along[0], 0.0])
     pressing = [(-load.force[1], load.at[0]) for load in loads if isinstance(load, Force) and load.block == 1]
     pressing += [(g * load.mass, load.at[0]) for load in loads if isinstance(load, PointMass) and load.bearing]
@@ -163,8 +163,8 @@ def by_search(section: sections.TwoBlock, whole: Piece, panel: Panel, loads: Seq
 def uplift(section: sections.TwoBlock, whole: Piece, panel: Panel, loads: tuple[Load, ...], elevation: float) -> float:
     """The multiplier that opens a crack at `elevation` [m], the least of the sides that rock."""
     parts = divide(whole.solids, level(elevation), where="crack")
-    blocks = (weight_of(parts.below, section.direction), weight_of(parts.above, section.direction))
-    base, joint, head = whole.body.base, base_of_section(parts.foot, direction=section.direction), top(whole.body)
+    blocks = (weight_of(parts.below, section.towards), weight_of(parts.above, section.towards))
+    base, joint, head = whole.body.base, base_of_section(parts.foot, direction=section.towards), top(whole.body)
     assert base is not None  # a piece with solids has a base and a top
     assert head is not None
     found = []

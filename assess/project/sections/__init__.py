@@ -3,12 +3,13 @@
 The sentence below a key is its description in the JSON Schema and in the message when it is missing.
 """
 
-from assess.project.sections.analysis import PROCEDURES
+from assess.project.sections.analysis import PROCEDURES, Records
 from assess.project.sections.bodies import Body, BoxBody, DirectBody, Material, MeshBody, ProfileBody
 from assess.project.sections.content import Content
 from assess.project.sections.loads import BodyLoad, ForceLoad, LoadTable, MassLoad, OverburdenLoad, TieLoad
 from assess.project.sections.mechanisms import (
     Chained,
+    CutAngle,
     CutPlane,
     EquivalentBlock,
     FourHinge,
@@ -20,6 +21,7 @@ from assess.project.sections.mechanisms import (
     TwoBlock,
 )
 from assess.project.sections.site import Asce7Spectrum, Site, TableSpectrum
+from assess.project.sections.sweeps import Sweep
 
 __all__ = [
     "PROCEDURES",
@@ -29,6 +31,7 @@ __all__ = [
     "BoxBody",
     "Chained",
     "Content",
+    "CutAngle",
     "CutPlane",
     "DirectBody",
     "EquivalentBlock",
@@ -44,8 +47,10 @@ __all__ = [
     "OverburdenLoad",
     "ProfileBody",
     "RadialJoints",
+    "Records",
     "SingleBlock",
     "Site",
+    "Sweep",
     "TableSpectrum",
     "TieLoad",
     "TwoBlock",

@@ -17,6 +17,7 @@ from assess.project.quantities import (
     unique,
 )
 from assess.project.section import Section
+from assess.project.sections.sweeps import Sweep, Sweeps
 
 Procedure = Literal[
     "asce43-05-spectrum",
@@ -68,6 +69,13 @@ class Analysis(Section):
     """code procedures to apply; all if absent"""
     equation: Literal["exact", "linearised"] | None = None
     """equation of motion of the histories; if absent exact, and linearised for equivalent blocks"""
+    sweep: Sweeps = ()
+    """parametric studies: { key, values } or { key, from, to, count }, one or a list"""
+
+    @property
+    def sweeps(self) -> tuple[Sweep, ...]:
+        """Every sweep, in order."""
+        return self.sweep if isinstance(self.sweep, tuple) else (self.sweep,)
 
 
 class Dmi2008(Section):

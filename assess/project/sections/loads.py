@@ -40,6 +40,7 @@ GivenForce = Annotated[
     tuple[float, float] | float,
     BeforeValidator(_force),
     WithJsonSchema({"description": 'like "10 kN" with a direction, or ["8 kN", "-3 kN"]: along the direction, up'}),
+    KINDS["force"],
 ]
 
 

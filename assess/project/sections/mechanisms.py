@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from typing import Annotated, Any, ClassVar, Literal, Self
 
 from pydantic import (
@@ -19,7 +19,7 @@ from pydantic import (
 
 from assess.project.quantities import (
     Angle,
-    Direction,
+    Inclination,
     Length,
     Name,
     PlanePoint,
@@ -28,6 +28,7 @@ from assess.project.quantities import (
     PositiveMass,
     PositiveRate,
     Ratio,
+    SoughtDirection,
     SpacePoint,
     Uplift,
     unique,
@@ -56,6 +57,7 @@ RestitutionValue = Annotated[
     float | Literal["thesis", "housner", "sorrentino", "momentum"],
     BeforeValidator(_restitution),
     Field(description='a number in [0, 1], or "thesis", "housner", "sorrentino", "momentum"'),
+    KINDS["ratio"],
 ]
 
 
@@ -122,6 +124,7 @@ Crack = Annotated[
     float | Literal["sorrentino", "minimum"],
     BeforeValidator(_crack),
     WithJsonSchema({"description": 'an elevation like "2.4 m", or "sorrentino", "minimum"'}),
+    KINDS["length"],
 ]
 
 
@@ -131,12 +134,34 @@ class CutPlane(Section):
     point: SpacePoint
     """a point of the plane [x, y, z]"""
     normal: tuple[Ratio, Ratio, Ratio]
-    """square to the plane, to the side that moves: [nx, ny, nz] with nz > 0"""
+    """square to the plane, to the side that moves: [nx, ny, nz] with nz > 0; or give angle"""
+
+
+class CutAngle(Section):
+    """A crack inclined in the plane of motion."""
+
+    point: SpacePoint
+    """a point of the plane [x, y, z]"""
+    angle: Inclination
+    """from the horizontal, like "60 deg": where positive, the crack falls towards the direction"""
+
+    @model_validator(mode="before")
+    @classmethod
+    def _one_inclination(cls, values: Any) -> Any:
+        if isinstance(values, dict) and "normal" in values:
+            raise wrong("normal", "beside angle; remove one of them")
+        return values
+
+
+def _cut_tag(value: Any) -> str:
+    if isinstance(value, CutAngle) or (isinstance(value, dict) and "angle" in value):
+        return "<angle>"
+    return "<plane>" if isinstance(value, dict | CutPlane) else "<elevation>"
 
 
 Cut = Annotated[
-    Annotated[Length, Tag("<elevation>")] | Annotated[CutPlane, Tag("<plane>")],
-    Discriminator(lambda value: "<plane>" if isinstance(value, dict | CutPlane) else "<elevation>"),
+    Annotated[Length, Tag("<elevation>")] | Annotated[CutPlane, Tag("<plane>")] | Annotated[CutAngle, Tag("<angle>")],
+    Discriminator(_cut_tag),
 ]
 
 
@@ -149,6 +174,11 @@ BlockNames = Annotated[tuple[Name, ...], Field(min_length=1), AfterValidator(uni
 
 
 Blocks = Annotated[tuple[BlockNames, ...], BeforeValidator(_block_names)]
+
+
+def _pairs(section: Section) -> list[str]:
+    """The keys that hold two numbers."""
+    return [key for key, at in section.entries().items() if isinstance(at, tuple) and len(at) == 2]
 
 
 class Chained(Section):
@@ -165,16 +195,38 @@ class Chained(Section):
     """bodies from the base on; an entry may join several that move as one, [["wall", "buttress"]]"""
     label: StrictStr = ""
     """what the report calls it; the name of the table if absent"""
-    direction: Direction = (1.0, 0.0, 0.0)
-    """horizontal; positive rotation topples this way"""
+    direction: SoughtDirection = (1.0, 0.0, 0.0)
+    """horizontal, positive rotation topples this way; or "sweep": the direction in which it is weakest"""
     cut: Cut | None = None
-    """only what lies above moves: an elevation like "4.77 m", or { point, normal } of an inclined crack"""
+    """only what lies above moves: an elevation like "4.77 m", or a crack, { point, normal } or { point, angle }"""
     sides: Literal["one", "two"] = "two"
     """"two", or "one": positive rotation only, the building behind stops the other"""
     loads: tuple[LoadSection, ...] = ()
     """[ { kind = "mass" | "force" | "tie" | "overburden" | "body", … }, … ]"""
     restitution: Restitution = Field(default_factory=Restitution)
     """a number in [0, 1], a name, or { positive, negative }"""
+
+    @property
+    def towards(self) -> tuple[float, float, float]:
+        """The direction as a vector; where it is sought, one is put in its place before anyone asks."""
+        assert self.direction != "sweep"
+        return self.direction
+
+    @model_validator(mode="after")
+    def _nothing_turns_with_a_sought_direction(self) -> Self:
+        for key in self._turning() if self.direction == "sweep" else ():
+            raise wrong(key, 'two numbers depend on the direction, which is "sweep"; give three, or the direction')
+        return self
+
+    def _turning(self) -> Iterator[tuple[str | int, ...]]:
+        """The keys given in the plane of motion, by two numbers: of hinges, of loads, and the joints of an arch."""
+        for name, value in self.entries().items():
+            if isinstance(value, Hinges):
+                yield from ((name, key) for key in _pairs(value))
+            if name == "loads":
+                yield from ((name, place, key) for place, load in enumerate(value) for key in _pairs(load))
+            if name == "joints" and value is not None:
+                yield (name,)
 
     @model_validator(mode="after")
     def _loads_find_their_block(self) -> Self:

@@ -30,6 +30,7 @@ from assess.results import (
     Resolved,
     Results,
     SpectrumResult,
+    SweepResult,
     View,
 )
 from assess.results_io import dumps, dumps_mechanisms, loads, read
@@ -64,7 +65,7 @@ def mechanism() -> MechanismResult:
     return MechanismResult(
         "w", "<b>&", "single-block", "two", "exact", drawing, view, oscillator(), None, curve,
         ({"hinge": "A", "x": [1.5]},), AmplificationResult("none", ()), (check(),), (), (), None, "given",
-        (LoadResult("<i>", "mass", 0, (0.1, 2.0), 5.0, True, None, "given"),),
+        (LoadResult("<i>", "mass", 0, (0.1, 2.0), 5.0, True, None, "given"),), None,
     )  # fmt: skip
 
 
@@ -86,6 +87,11 @@ def results() -> Results:
         mechanisms=(mechanism(),),
         critical=None,
         comparison=(ComparisonRow("w", 0.1, "asce43-05-spectrum", None, 0.5, None),),
+        sweeps=(
+            SweepResult(
+                "w", "a.b", "deg", (1, 2.5), *[(0.5, 0.6)] * 4, (None, 1.2), (True, False), (0.1, None), 0, True
+            ),
+        ),
     )
 
 

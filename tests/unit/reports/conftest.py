@@ -15,6 +15,7 @@ from assess.results import (
     BranchCurve,
     ComparisonRow,
     Curve,
+    DirectionSweep,
     Displaced,
     Drawing,
     DrawnLoad,
@@ -35,6 +36,7 @@ from assess.results import (
     Results,
     SpectrumResult,
     SuiteResult,
+    SweepResult,
     Trace,
     View,
 )
@@ -357,7 +359,14 @@ def mechanism(
         None,
         "Housner 1963, thesis eq. 3.44" if two else "given",
         () if two else loads(),
+        round_tower() if two else None,
     )
+
+
+def round_tower() -> DirectionSweep:
+    angle = tuple(5.0 * k for k in range(72))
+    multiplier = tuple(float(0.141 * (1 + 0.004 * k % 7)) for k in range(72))
+    return DirectionSweep(angle, multiplier, (1.6,) * 72, (0.14,) * 72, 0.0, 0.027, 131.25)
 
 
 def make_results() -> Results:
@@ -414,6 +423,23 @@ def make_results() -> Results:
         mechanisms,
         None,
         comparison,
+        (
+            SweepResult(
+                mechanism="parapet",
+                key="mechanisms.parapet.uplift",
+                unit="-",
+                value=(0.09, 0.13, 0.17),
+                p_eq_per_s=(1.61, 1.62, 1.63),
+                uplift_multiplier=(0.0901, 0.1302, 0.1703),
+                overturning_rad=(0.0904, 0.1305, 0.1706),
+                restitution=(0.951, 0.952, 0.953),
+                demand_capacity=(None, 1.31, 0.87),
+                overturned=(True, False, False),
+                capacity_pga_g=(None, 0.231, 0.292),
+                controlling=0,
+                governs=True,
+            ),
+        ),
     )
 
 

@@ -64,7 +64,7 @@ def results_of(path: Path, *checks: Check) -> Results:
     mechanisms = running.parameters(build(load(path)))
     first = replace(mechanisms[0], checks=checks)
     warnings = (Notice("fc", "procedures.dmi2008", "FC is 1.00"),)
-    return Results(1, Program("assess", "0"), (), warnings, {}, None, (), (first, *mechanisms[1:]), None, ())
+    return Results(1, Program("assess", "0"), (), warnings, {}, None, (), (first, *mechanisms[1:]), None, (), ())
 
 
 @pytest.fixture
@@ -214,3 +214,42 @@ def test_hostile_names_stay_on_their_line(project: Path) -> None:
     text = summary(replace(results, mechanisms=hostile))
     assert "\x1b" not in text
     assert max(map(len, text.splitlines())) < 80
+
+
+SWEPT = """
+[bodies.tower]
+material = "brick"
+box = { thickness = 4.0, length = 3.0, height = 9.0 }
+[mechanisms.tower]
+kind = "single-block"
+blocks = ["tower"]
+direction = "sweep"
+[analysis.sweep]
+key = "bodies.tower.box.height"
+values = ["9 m", "12 m"]
+"""
+
+
+def test_check_and_parameters_list_the_cases_and_the_direction(
+    project: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    project.write_text(PROJECT + SWEPT)
+    assert ended("check", project) == 0
+    out = capsys.readouterr().out
+    assert "sweep of bodies.tower.box.height: 9, 12 m, of tower" in out
+    assert "direction   weakest towards 90 deg from +x, of 72 directions" in out
+    assert ended("parameters", project) == 0
+    out = capsys.readouterr().out
+    assert "tower, tower.box.height = 12 m" in out
+    assert out.count("weakest towards") == 1
+    assert ended("parameters", project, "--json") == 0
+    found = json.loads(capsys.readouterr().out)
+    assert [m["name"] for m in found[-2:]] == ["tower, tower.box.height = 9 m", "tower, tower.box.height = 12 m"]
+    assert found[2]["direction_sweep"]["weakest_deg"] == 90.0
+    assert found[0]["direction_sweep"] is None
+
+
+def test_a_case_that_cannot_stand_is_one_line(project: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    project.write_text(PROJECT + SWEPT.replace('"12 m"', '"-12 m"'))
+    assert ended("parameters", project) == 2
+    assert 'analysis.sweep: bodies.tower.box.height = "-12 m": must be greater than 0' in capsys.readouterr().err

@@ -1,0 +1,35 @@
+"""The plan of what a body stands on: its convex hull, and the directions its edges face."""
+
+from __future__ import annotations
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+
+FloatArray = NDArray[np.float64]
+
+MOST = 180  # edges: the shortest of a finer hull change its support by less than one part in a thousand
+SHORT = 1e-9  # of the hull's size: edges shorter than this are rounding
+
+
+def edge_normals(points: FloatArray) -> FloatArray:
+    """Angles [k] [deg], 0 to 360 from +x towards +y, rising, that the edges of the convex hull of `points` face.
+
+    Parameters
+    ----------
+    points : x, y and perhaps more of each [n, 2 or more] [m]
+
+    Returns
+    -------
+    the angles of at most MOST edges, the longest; none where the points lie on a line
+    """
+    hull = shapely.MultiPoint(np.asarray(points)[:, :2]).convex_hull
+    if not isinstance(hull, shapely.Polygon):
+        return np.empty(0)
+    corners = shapely.get_coordinates(shapely.orient_polygons(hull))
+    edges = np.diff(corners, axis=0)
+    length = np.hypot(*edges.T)
+    longest = np.argsort(-length, kind="stable")[:MOST]
+    kept = edges[longest[length[longest] > SHORT * length.sum()]]
+    outward = np.degrees(np.arctan2(-kept[:, 0], kept[:, 1]))  # anticlockwise: the outside lies to the right
+    return np.unique(np.round(outward, 12) % 360.0)  # rounded, for -1e-15 % 360 is 360

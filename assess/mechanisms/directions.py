@@ -1,0 +1,49 @@
+"""What resists the rotation of a mechanism towards each horizontal direction."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import cos, radians, sin
+
+import numpy as np
+
+FLAT = 1.01  # multipliers up to this many times the least are nearly as weak
+STEPS = 3600  # of the circle on which they are counted
+
+Vector = tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class Directions:
+    """What resists rotation towards each direction of a circle.
+
+    Attributes
+    ----------
+    angle : of the direction from +x towards +y, rising [n] [deg]
+    multiplier : lambda at rest of the rotation towards it [n] [-]
+    p : p_eq [n] [1/s]; overturning : phi_ov [n] [rad]
+    weakest : the angle of the least multiplier, the smallest of equals [deg]
+    """
+
+    angle: tuple[float, ...]
+    multiplier: tuple[float, ...]
+    p: tuple[float, ...]
+    overturning: tuple[float, ...]
+    weakest: float
+
+    @property
+    def variation(self) -> float:
+        """1 - least / largest multiplier [-]: 0 for a body that is the same from all sides."""
+        return 1.0 - min(self.multiplier) / max(self.multiplier)
+
+    @property
+    def flat(self) -> float:
+        """How much of the circle [deg] is within one percent of the least multiplier, linear between the angles."""
+        circle = np.arange(STEPS) * (360.0 / STEPS)
+        around = np.interp(circle, self.angle, self.multiplier, period=360.0)
+        return float(np.count_nonzero(around <= FLAT * min(self.multiplier)) * (360.0 / STEPS))
+
+
+def towards(angle: float) -> Vector:
+    """The horizontal unit vector at `angle` [deg] from +x towards +y."""
+    return (round(cos(radians(angle)), 15), round(sin(radians(angle)), 15), 0.0)

@@ -1,0 +1,133 @@
+"""Mechanisms whose direction is sought: `direction = "sweep"`."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from typing import TypeVar
+
+import numpy as np
+
+from assess.errors import AssessError, MechanismError
+from assess.geometry.cut import divide
+from assess.geometry.footprint import edge_normals
+from assess.geometry.planar import FloatArray, base_of_section, lowest_corners, planar_unseen
+from assess.geometry.solid import Solid
+from assess.mechanisms.directions import Directions, Vector, towards
+from assess.mechanisms.mechanism import Mechanism
+from assess.mechanisms.virtual_work import branch
+from assess.oscillator import linearise, multiplier
+from assess.project import sections
+from assess.project.bodies import ASKEW, Piece, Solids, as_one, cut_of
+from assess.project.loading import loads_of
+from assess.project.mechanisms import Built, mechanism_of, of_one_block
+
+S = TypeVar("S", bound=sections.Chained)
+
+STEP = 5.0  # deg between directions, besides those that the edges of the base face
+SAME = 1e-6  # deg: directions this near are one
+TIE = 1e-9  # multipliers this near the least are as weak
+
+
+def directed(name: str, section: sections.Mechanism, content: sections.Content, solids: Solids) -> Built:
+    """The mechanism of one table [mechanisms.NAME], in its weakest direction where that is sought."""
+    if isinstance(section, sections.EquivalentBlock) or section.direction != "sweep":
+        return mechanism_of(name, section, content, solids)
+    standing = standing_of(name, section, solids)
+    if isinstance(section, sections.SingleBlock) and not isinstance(section.cut, sections.CutAngle):
+        block = standing_block(name, section, standing)
+        found = directions(block_towards(name, section, block, content, solids), angles(block.foot))
+    else:  # the crack turns with the direction, and with it the blocks
+        plan = np.concatenate([solid.vertices for solid in standing])
+        found = directions(
+            lambda way: mechanism_of(name, facing(section, way), content, solids).mechanism, angles(plan)
+        )
+    built = mechanism_of(name, facing(section, towards(found.weakest)), content, solids)
+    notices = tuple(text for text in built.mechanism.notices if text != ASKEW)  # every direction has been looked at
+    return replace(built, mechanism=replace(built.mechanism, directions=found, notices=notices))
+
+
+def standing_of(name: str, section: sections.Chained, solids: Solids) -> tuple[Solid, ...]:
+    """The solids of all blocks; raises MechanismError for a body of direct values, which has one plane only."""
+    found = []
+    for body in (body for block in section.blocks for body in block):
+        solid = solids[body]
+        if solid is None:
+            raise MechanismError(
+                f'mechanism "{name}": direction = "sweep", but body "{body}" has no geometry; give it a mesh, box or '
+                "profile, or give the direction"
+            )
+        found.append(solid)
+    return tuple(found)
+
+
+def angles(foot: FloatArray) -> tuple[float, ...]:
+    """Directions [deg] to look at for a body that stands on the points [k, 2 or 3]: even steps and its edges' normals.
+
+    Where the multiplier of a block has a minimum, the hinge passes from one corner to the next: over an edge, or
+    in every direction of a round base.
+    """
+    even = np.arange(0.0, 360.0, STEP)
+    normals = edge_normals(foot)
+    apart = np.abs((normals[:, None] - even[None, :] + 180.0) % 360.0 - 180.0).min(axis=1, initial=360.0) > SAME
+    return tuple(np.sort(np.concatenate([even, normals[apart]])).tolist())
+
+
+@dataclass(frozen=True)
+class Standing:
+    """A block as cut, before it is seen from a direction: its solids and the corners [k, 3] [m] it stands on."""
+
+    solids: tuple[Solid, ...]
+    foot: FloatArray
+
+
+def standing_block(name: str, section: sections.SingleBlock, solids: tuple[Solid, ...]) -> Standing:
+    """The block above its cut, which is the same in every direction."""
+    plane = cut_of(section, where=f'mechanism "{name}"')
+    if plane is None:
+        return Standing(solids, lowest_corners(solids))
+    parts = divide(solids, plane, where=f'mechanism "{name}"')
+    return Standing(parts.above, parts.foot)
+
+
+def block_towards(
+    name: str, section: sections.SingleBlock, standing: Standing, content: sections.Content, solids: Solids
+) -> Callable[[Vector], Mechanism]:
+    """The single block towards any direction; cut once, and not drawn."""
+
+    def block(direction: Vector) -> Mechanism:
+        body = as_one([planar_unseen(solid, direction=direction) for solid in standing.solids])
+        body = replace(body, base=base_of_section(standing.foot, direction=direction))
+        pieces = [Piece(body, standing.solids, None)]
+        faced = facing(section, direction)
+        brought = loads_of(name, faced, pieces, content, solids)
+        return of_one_block(name, faced, pieces, content, loads=brought.loads)[0]
+
+    return block
+
+
+def facing(section: S, direction: Vector) -> S:
+    """The same table with its direction given."""
+    return section.model_copy(update={"direction": direction})
+
+
+def directions(mechanism_towards: Callable[[Vector], Mechanism], around: Sequence[float]) -> Directions:
+    """The mechanism's resistance to positive rotation towards each of the angles `around` [n] [deg], rising.
+
+    The smallest angle of the least multiplier is the weakest; opposite angles are the two signs of one plane.
+
+    Raises
+    ------
+    AssessError : towards one of them it cannot rock as described; the angle is named
+    """
+    rows = []
+    for angle in around:
+        try:
+            mechanism = mechanism_towards(towards(angle))
+            leading = branch(mechanism.positive, restitution=mechanism.restitution[0], name=mechanism.name)
+        except AssessError as error:
+            raise type(error)(f'{error} (direction = "sweep", here {angle:.6g} deg from +x)') from None
+        rows.append((float(multiplier(leading)[0]), linearise(leading).p, leading.overturning))
+    multipliers, p, overturning = zip(*rows, strict=True)
+    weakest = next(a for a, value in zip(around, multipliers, strict=True) if value <= min(multipliers) + TIE)
+    return Directions(tuple(around), multipliers, p, overturning, weakest)

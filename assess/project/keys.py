@@ -1,0 +1,126 @@
+"""The keys of a project file that hold numbers: found, looked up, and given another value."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from difflib import get_close_matches
+from functools import reduce
+from typing import Any, get_args
+
+from pydantic.fields import FieldInfo
+
+from assess.errors import ProjectError
+from assess.project.messages import printable, shown
+from assess.project.section import Section
+from assess.project.sections.content import Content
+from assess.project.units import Kind
+
+_NOT_SWEPT = (("analysis", "sweep"), ("format",))
+Key = tuple[str | int, ...]
+Given = int | float | str
+
+
+@dataclass(frozen=True)
+class Place:
+    """What stands at a key: the value as it was read, and what it measures where that is known."""
+
+    path: Key
+    value: Any
+    kind: Kind | None
+
+    @property
+    def is_number(self) -> bool:
+        """Whether the key holds a number or could."""
+        return self.kind is not None or _number(self.value)
+
+
+def places_of(content: Content) -> dict[str, Place]:
+    """Every key of the project, with dots and items of lists counted from 0, defaults included."""
+    return {".".join(map(str, place.path)): place for place in _places((), content, None)}
+
+
+def _places(path: Key, value: Any, kind: Kind | None) -> Iterator[Place]:
+    """Every key below `path` that may be swept."""
+    if path in _NOT_SWEPT:
+        return
+    if path:
+        yield Place(path, value, kind)
+    if isinstance(value, Section):
+        kinds = {name: _kind(field) for name, field in type(value).table_keys().items()}
+        for name, item in value.entries().items():
+            yield from _places((*path, name), item, kinds[name])
+    elif isinstance(value, Mapping):
+        for name, item in value.items():
+            yield from _places((*path, name), item, None)
+    elif isinstance(value, tuple):
+        for index, item in enumerate(value):
+            yield from _places((*path, index), item, kind)
+
+
+def _kind(field: FieldInfo) -> Kind | None:
+    """What a key measures, from the metadata of its type; None where that is not one thing."""
+    found = {each for each in field.metadata if isinstance(each, Kind)} | set(_kinds(field.annotation))
+    return found.pop() if len(found) == 1 else None
+
+
+def _kinds(annotation: Any) -> Iterator[Kind]:
+    yield from (each for each in getattr(annotation, "__metadata__", ()) if isinstance(each, Kind))
+    for part in get_args(annotation):
+        yield from _kinds(part)
+
+
+def place_of(key: str, places: Mapping[str, Place], *, where: str) -> Place:
+    """The place a sweep names; raises ProjectError where there is none, or no number."""
+    numbers = [name for name, place in places.items() if place.is_number]
+    place = places.get(key)
+    if place is not None and (place.is_number or isinstance(place.value, Section)):
+        return place
+    what = "unknown key" if place is None else "holds no number"
+    near = get_close_matches(key, numbers, n=1)
+    remedy = f'did you mean "{printable(near[0])}"?' if near else 'name one like "bodies.NAME.box.height"'
+    raise ProjectError(f"{where}.key: {shown(key)}: {what}; {remedy}")
+
+
+def with_value(node: Any, path: Sequence[str | int], value: Given, resolved: Any) -> Any:
+    """A copy of `node` with `value` at `path`; what the file leaves out on the way is taken as it was `resolved`."""
+    if not path:
+        return value
+    step, *rest = path
+    if isinstance(resolved, tuple):
+        items = list(node) if isinstance(node, list) else list(_plain(resolved))
+        items[int(step)] = with_value(items[int(step)], rest, value, resolved[int(step)])
+        return items
+    table = dict(node) if isinstance(node, Mapping) else {} if node is None else dict(_plain(resolved))
+    table[str(step)] = with_value(table.get(str(step)), rest, value, _below(resolved, step))
+    return table
+
+
+def _below(value: Any, step: str | int) -> Any:
+    """One step into what the schema read."""
+    return value.entries()[str(step)] if isinstance(value, Section) else value[step]
+
+
+def _plain(value: Any) -> Any:
+    """What was read as a file would say it."""
+    if isinstance(value, Section):
+        return {key: _plain(item) for key, item in value.entries().items() if item is not None}
+    if isinstance(value, Mapping):
+        return {key: _plain(item) for key, item in value.items()}
+    return [_plain(item) for item in value] if isinstance(value, tuple) else value
+
+
+def value_at(content: Content, path: Key) -> Any:
+    """What the schema read at a key."""
+    return reduce(_below, path, content)
+
+
+def one_number(value: Any) -> bool:
+    """Whether a key holds a number, or a table that spreads one number over its keys, like restitution."""
+    if isinstance(value, Section):
+        return all(_number(item) for _, item in value)
+    return _number(value)
+
+
+def _number(value: Any) -> bool:
+    return isinstance(value, int | float) and not isinstance(value, bool)

@@ -1,0 +1,183 @@
+"""The cases of the sweeps of a study, and which of them controls.
+
+The controlling case of a mechanism is the one with the largest demand over capacity of all checks of a code that
+apply, at all levels (overturning before any ratio); of equals, or where no check applies, the one with the least PGA
+at capacity; then the one with the least multiplier at uplift; then the first. Where several sweeps change one
+mechanism, the worst of their controlling cases stands for it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from math import inf
+
+from assess.codes.check import Check
+from assess.project.assessing import Progress, mechanisms_assessed
+from assess.project.messages import located
+from assess.project.motions import Motion, motions_of
+from assess.project.study import Case, Study, Sweep
+from assess.results import MechanismResult, Notice, OscillatorResult, SweepResult
+
+
+@dataclass(frozen=True)
+class Swept:
+    """One mechanism in all cases of one sweep [n]: what was found, and the case that controls, from 0."""
+
+    sweep: Sweep
+    results: tuple[MechanismResult, ...]
+    controlling: int
+
+    @property
+    def mechanism(self) -> str:
+        """Its name."""
+        return self.results[0].name
+
+    @property
+    def worst(self) -> MechanismResult:
+        """The mechanism in the controlling case."""
+        return self.results[self.controlling]
+
+    @property
+    def case(self) -> Case:
+        """The controlling case."""
+        return self.sweep.cases[self.controlling]
+
+
+def swept(study: Study, motions: tuple[Motion, ...], *, jobs: int, progress: Progress) -> tuple[Swept, ...]:
+    """Every mechanism that a sweep changes, in all its cases, sweep after sweep."""
+    total = sum(len(sweep.cases) for sweep in study.sweeps)
+    found: list[Swept] = []
+    done = 0
+    for sweep in study.sweeps:
+        cases = []
+        for case in sweep.cases:
+            progress("cases of sweeps", done, total)
+            with located(case.name):
+                cases.append(case_assessed(case, study, motions, jobs=jobs))
+            done += 1
+        each = zip(*cases, strict=True)  # mechanism by mechanism
+        found += [Swept(sweep, results, controlling(results)) for results in each]
+    return tuple(found)
+
+
+def case_assessed(case: Case, study: Study, motions: tuple[Motion, ...], *, jobs: int) -> tuple[MechanismResult, ...]:
+    """The mechanisms of one case under its motions, those of the study where the case does not change them."""
+    spectrum = case.study.spectrum
+    assert spectrum is not None  # no number takes the site away
+    same = all(getattr(case.study, key) == getattr(study, key) for key in ("artificial", "scale_to"))
+    shared = same and spectrum is study.spectrum and case.study.records is study.records
+    moving = motions if shared else motions_of(case.study, spectrum)
+    return mechanisms_assessed(case.study, spectrum, moving, jobs=jobs, progress=lambda stage, done, total: None)
+
+
+def controlling(results: Sequence[MechanismResult]) -> int:
+    """Which of the cases controls, from 0: the first of the most severe."""
+    return max(range(len(results)), key=lambda place: (severity(results[place]), -place))
+
+
+def severity(mechanism: MechanismResult) -> tuple[float, float, float]:
+    """What the controlling case has the largest of: demand over capacity, then less PGA, then less multiplier."""
+    checks = of_code(mechanism)
+    ratio, capacity = worst_ratio(checks), least_capacity(checks)
+    uplift = weaker(mechanism).uplift_multiplier
+    return (
+        -1.0 if ratio is None else rounded(ratio),
+        -inf if capacity is None else -rounded(capacity),
+        -inf if uplift is None else -rounded(uplift),
+    )
+
+
+def rounded(value: float) -> float:
+    """To nine figures, so that cases that differ by rounding are equals."""
+    return float(f"{value:.9g}")
+
+
+def of_code(mechanism: MechanismResult) -> list[Check]:
+    """The checks that decide."""
+    return [check for check in mechanism.checks if check.role == "code"]
+
+
+def worst_ratio(checks: Sequence[Check]) -> float | None:
+    """The largest demand over capacity of the checks that apply; None where none does."""
+    return max((ratio_of(check) for check in checks if check.verdict != "not-applicable"), default=None)
+
+
+def least_capacity(checks: Sequence[Check]) -> float | None:
+    """The least PGA at capacity [g]; None where no check knows one."""
+    return min((check.capacity_pga_g for check in checks if check.capacity_pga_g is not None), default=None)
+
+
+def ratio_of(check: Check) -> float:
+    """Demand over capacity [-], infinite where the body overturned."""
+    if check.ratio is not None:
+        return check.ratio
+    return inf if check.verdict == "fail" else 0.0
+
+
+def weaker(mechanism: MechanismResult) -> OscillatorResult:
+    """The branch that uplifts first, the positive one of equals."""
+    branches = [mechanism.oscillator, mechanism.oscillator_negative]
+    known = [branch for branch in branches if branch is not None]
+    return min(known, key=lambda branch: inf if branch.uplift_multiplier is None else branch.uplift_multiplier)
+
+
+def controlling_cases(sweeps: Sequence[Swept]) -> dict[str, Swept]:
+    """By mechanism the sweep whose controlling case stands for it: the most severe, the first of equals."""
+    standing: dict[str, Swept] = {}
+    for one in sweeps:
+        before = standing.get(one.mechanism)
+        if before is None or severity(one.worst) > severity(before.worst):
+            standing[one.mechanism] = one
+    return standing
+
+
+def case_notices(swept: Swept) -> Iterator[Notice]:
+    """Which case stands for the mechanism, and the notices of that case."""
+    where, sweep = f"mechanisms.{swept.mechanism}", swept.sweep
+    case = f"{sweep.key} = {value_text(sweep, swept.case)}"
+    text = f"swept: the controlling one of {len(sweep.cases)} cases, {case}, stands for the mechanism"
+    yield Notice("sweep", where, text)
+    for mechanism in swept.case.study.mechanisms:
+        if mechanism.name == swept.mechanism:
+            yield from (Notice("mechanism", where, notice) for notice in mechanism.notices)
+
+
+def case_text(sweep: Sweep, case: Case, mechanism: str) -> str:
+    """A case in a few words: the key below its table or the mechanism's own, and the value."""
+    key = sweep.key
+    for table in (f"mechanisms.{mechanism}.", "bodies.", "materials."):
+        key = key.removeprefix(table)
+    return f"{key} = {value_text(sweep, case)}"
+
+
+def value_text(sweep: Sweep, case: Case) -> str:
+    """The value of a case with its unit."""
+    return f"{case.value:.6g}" + ("" if sweep.unit == "-" else f" {sweep.unit}")
+
+
+def sweep_results(sweeps: Sequence[Swept], standing: Mapping[str, Swept]) -> tuple[SweepResult, ...]:
+    """The sweeps as the results hold them."""
+    return tuple(sweep_result(one, governs=standing[one.mechanism] is one) for one in sweeps)
+
+
+def sweep_result(swept: Swept, *, governs: bool) -> SweepResult:
+    """One mechanism over the values of one sweep, by the branch that uplifts first in each case."""
+    branches = [weaker(result) for result in swept.results]
+    checks = [of_code(result) for result in swept.results]
+    ratios = [worst_ratio(each) for each in checks]
+    return SweepResult(
+        mechanism=swept.mechanism,
+        key=swept.sweep.key,
+        unit=swept.sweep.unit,
+        value=tuple(case.value for case in swept.sweep.cases),
+        p_eq_per_s=tuple(branch.p_eq_per_s for branch in branches),
+        uplift_multiplier=tuple(branch.uplift_multiplier for branch in branches),
+        overturning_rad=tuple(branch.overturning_rad for branch in branches),
+        restitution=tuple(branch.restitution for branch in branches),
+        demand_capacity=tuple(None if ratio == inf else ratio for ratio in ratios),
+        overturned=tuple(ratio == inf for ratio in ratios),
+        capacity_pga_g=tuple(least_capacity(each) for each in checks),
+        controlling=swept.controlling,
+        governs=governs,
+    )

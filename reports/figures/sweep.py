@@ -1,0 +1,46 @@
+"""A parametric study: what changes with the number that is swept."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
+
+from assess.results import SweepResult
+from reports.style import FAIL, label, sheet, styled
+
+Values = Sequence[float | None]
+
+
+def draw(sweep: SweepResult) -> Figure:
+    """Multiplier [-], frequency parameter [1/s] and, where checks apply, demand / capacity [-] over the values."""
+    panels: list[tuple[Values, str]] = [
+        (sweep.uplift_multiplier, "load multiplier at uplift λ [-]"),
+        (sweep.p_eq_per_s, "frequency parameter p [1/s]"),
+    ]
+    assessed = any(ratio is not None for ratio in sweep.demand_capacity)
+    panels += [(sweep.demand_capacity, "demand / capacity [-]")] if assessed else []
+    with styled():
+        figure = sheet(2.3)
+        for axes, (values, name) in zip(figure.subplots(1, len(panels)), panels, strict=True):
+            _curve(axes, sweep, values)
+            axes.set_ylabel(name)
+            axes.xaxis.set_major_locator(MaxNLocator(5))
+        if assessed:
+            axes.axhline(1.0, color=FAIL, linewidth=0.8)
+        figure.supxlabel(label(f"{sweep.key} [{sweep.unit}]", 90), fontsize=7.5)
+        return figure
+
+
+def _curve(axes: Axes, sweep: SweepResult, values: Values) -> None:
+    """The values in the order of what is swept, those that are known; the controlling case is marked."""
+    known = sorted((x, y) for x, y in zip(sweep.value, values, strict=True) if y is not None)
+    axes.plot([x for x, _ in known], [y for _, y in known], marker="o", markersize=3, color="#0072b2", linewidth=1.0)
+    axes.set_ylim(
+        0.0, 1.15 * max((y for _, y in known), default=1.0) or 1.0
+    )  # from 0: noise must not look like a trend
+    x, y = sweep.value[sweep.controlling], values[sweep.controlling]
+    if y is not None:
+        axes.plot([x], [y], "o", markersize=8, markerfacecolor="none", markeredgecolor=FAIL)

@@ -339,7 +339,7 @@ def test_hostile_names_appear_as_text(tmp_path):
     name = "<b>&floor\\u0007 $x$ =cmd()\\n"
     hostile = FLOOR.replace("bodies.floor", f'bodies."{name}"')
     study = study_of(tmp_path, hostile, f'body = "{name}"')
-    shown = description(load(tmp_path), parameters(study), study.notices)
+    shown = description(load(tmp_path), parameters(study), (), study.notices)
     assert "<b>&floor\\x07 $x$ =cmd()\\n at x = 2.8 m" in shown
     assert all(line.isprintable() for line in shown.splitlines())
 

@@ -217,8 +217,9 @@ def _manifold(solid: Solid, points: FloatArray) -> Any:
 def _axes(normal: FloatArray) -> FloatArray:
     """Rows are the axes of the plane's own frame, the third its normal [3, 3]; the project's for a level plane."""
     n1, n2, n3 = normal
-    turn = 1.0 / (1.0 + n3)  # the shortest turn from z to the normal; n3 > -1
-    first = np.array([1.0 - n1 * n1 * turn, -n1 * n2 * turn, -n1])
+    sense = np.copysign(1.0, n3)  # the shortest turn from z to the normal, or from -z to one that points down
+    turn = 1.0 / (1.0 + abs(n3))
+    first = np.array([1.0 - n1 * n1 * turn, -n1 * n2 * turn, -sense * n1])
     return np.array([first, np.cross(normal, first), normal])
 
 

@@ -43,7 +43,8 @@ def weakest(voussoirs: Sequence[Block], joints: Sequence[Joint], *, name: str) -
 
     Raises
     ------
-    MechanismError : fewer than three voussoirs, or no four joints make a mechanism that resists
+    MechanismError : fewer than three voussoirs, no four joints make a mechanism that resists, or the arch does not
+        stand under its own weight
     """
     if len(joints) < 4 or len(joints) != len(voussoirs) + 1:
         raise MechanismError(
@@ -55,6 +56,12 @@ def weakest(voussoirs: Sequence[Block], joints: Sequence[Joint], *, name: str) -
     found = [(_multipliers(voussoirs, ends, chosen, face=face), face) for face in (0, 1)]
     values, face = min(found, key=lambda each: float(each[0].min()))
     best = int(values.argmin())
+    if values[best] == -np.inf:
+        falling = ", ".join(str(joint + 1) for joint in chosen[best])
+        raise MechanismError(
+            f'mechanism "{name}": already falling: its own weight opens joints {falling}, counted from the first; '
+            "the arch is too thin, or its joints are not those it has"
+        )
     if not np.isfinite(values[best]):
         raise MechanismError(
             f'mechanism "{name}": no four of its joints make a mechanism that resists; check the joints'
@@ -80,7 +87,10 @@ def block_of(body: PlanarBody) -> Block:
 
 
 def _multipliers(voussoirs: Sequence[Block], ends: ComplexArray, chosen: IntArray, *, face: int) -> FloatArray:
-    """Uplift multiplier of each choice of four joints [k, 4], the first hinge on `face`; inf where it cannot move."""
+    """Uplift multiplier of each choice of four joints [k, 4], the first hinge on `face`.
+
+    inf where it cannot move that way, or is not driven by a push along +x; -inf where it falls by its own weight.
+    """
     hinges = np.stack([ends[chosen[:, n], (face + n) % 2] for n in range(4)], axis=1)
     others = np.stack([ends[chosen[:, n], (face + n + 1) % 2] for n in range(4)], axis=1)
     arms = np.diff(hinges, axis=1)
@@ -96,9 +106,11 @@ def _multipliers(voussoirs: Sequence[Block], ends: ComplexArray, chosen: IntArra
     relative = np.diff(np.concatenate([still, turning, still], axis=1), axis=1)
     opening = -1j * relative * (others - hinges)
     ahead = _ahead(voussoirs, ends)[chosen]
-    admissible = np.all((opening * np.conj(ahead)).real > 0.0, axis=1) & (work.imag > 0.0) & (work.real > 0.0)
+    opens = np.all((opening * np.conj(ahead)).real > 0.0, axis=1) & np.isfinite(work)
+    admissible = opens & (work.real > 0.0)
     values = np.full(len(chosen), np.inf)
     values[admissible] = work.imag[admissible] / work.real[admissible]
+    values[opens & (work.imag <= 0.0)] = -np.inf
     return values
 
 

@@ -50,8 +50,9 @@ def least(multiplier: Callable[[float], float], *, low: float, high: float) -> f
     best = int(np.argmin(values))
     if best in (0, STATIONS - 1):
         raise MechanismError(
-            f"the least multiplier is at an end, at z = {stations[best]:.4g} m, so no crack between base and top "
-            "controls"
+            f'crack = "minimum": the least multiplier is at an end, at z = {stations[best]:.4g} m, so no crack between '
+            "base and top controls; give an overburden load, the material's tensile_strength, a crack elevation, or "
+            "hinges"
         )
     found = minimize_scalar(
         multiplier, bounds=(stations[best - 1], stations[best + 1]), method="bounded", options={"xatol": 1e-6 * high}

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from assess.errors import GeometryError
 from assess.geometry.cut import Parts, Plane, divide
 from assess.geometry.planar import PlanarBody, planar
 from assess.geometry.solid import Solid
@@ -21,6 +23,8 @@ from assess.project.bodies import Piece, as_one
 
 FloatArray = NDArray[np.float64]
 Line = tuple[Point, Point]
+
+APART = 1e-6  # of the longest joint: points this near are one
 
 
 def hinged_arch(
@@ -80,20 +84,43 @@ def lines_of(section: sections.FourHinge) -> list[Line]:
 def voussoirs_of(
     piece: Piece, lines: Sequence[Line], direction: Sequence[float], *, where: str
 ) -> tuple[list[Piece], list[Joint]]:
-    """The body between its joints, and the ends of each joint at the faces of the body."""
+    """The body between its joints, and the ends of each joint at the faces of the body.
+
+    The ends of the first joint are those of the first voussoir: the sheet through it may touch the far springing too.
+    """
+    if not piece.solids:
+        raise GeometryError(f"{where}: its body has no geometry to open at joints; give it a mesh, box or profile")
+    require_apart(lines, where=where)
     along = np.append(np.array(direction[:2]) / np.linalg.norm(direction), 0.0)
     normals = ahead(lines)
-    rest, joints, pieces, beyond = piece.solids, [], [], piece.fixed
-    for number, (line, normal) in enumerate(zip(lines, normals, strict=True), start=1):
-        parts = side(rest, line, normal if number == 1 else -normal, along, where=f"{where}: joint {number}")
+    near = side(piece.solids, lines[0], normals[0], along, where=f"{where}: joint 1")
+    rest, joints, pieces = near.above, [], []
+    for number, (line, normal) in enumerate(zip(lines[1:], normals[1:], strict=True), start=2):
+        if not rest:
+            raise GeometryError(
+                f"{where}: joint {number} lies beyond the end of the body; remove it or mend the joints"
+            )
+        parts = side(rest, line, -normal, along, where=f"{where}: joint {number}")
+        pieces.append(Piece(as_voussoir(parts.above, direction, number - 1), parts.above, None))
         joints.append(ends_of(parts.foot, line, along))
-        if number == 1:
-            rest, beyond = parts.above, (*beyond, *parts.below)
-        else:
-            pieces.append(Piece(as_voussoir(parts.above, direction, number - 1), parts.above, None))
-            rest = parts.below
-    pieces[-1] = replace(pieces[-1], fixed=(*beyond, *rest))
-    return pieces, joints
+        rest = parts.below
+    springing = side(pieces[0].solids, lines[0], normals[0], along, where=f"{where}: joint 1").foot
+    pieces[-1] = replace(pieces[-1], fixed=(*piece.fixed, *near.below, *rest))
+    return pieces, [ends_of(springing, lines[0], along), *joints]
+
+
+def require_apart(lines: Sequence[Line], *, where: str) -> None:
+    """Raise GeometryError for a joint without length, or two of them in one place."""
+    middles = [np.add(a, b) / 2.0 for a, b in lines]
+    size = max(float(np.hypot(*np.subtract(b, a))) for a, b in lines)
+    for number, (a, b) in enumerate(lines, start=1):
+        if np.hypot(*np.subtract(b, a)) <= APART * size:
+            raise GeometryError(f"{where}: joint {number} begins and ends at {written(a)}; give two points of its line")
+    for number, (one, other) in enumerate(pairwise(middles), start=1):
+        if np.hypot(*(other - one)) <= APART * size:
+            raise GeometryError(
+                f"{where}: joints {number} and {number + 1} have one middle, {written(tuple(one))}; move one"
+            )
 
 
 def side(solids: Sequence[Solid], line: Line, normal: FloatArray, along: FloatArray, *, where: str) -> Parts:

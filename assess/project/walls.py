@@ -91,6 +91,8 @@ def cracked(
     else:
         elevation, notice = float(crack), ""
     parts = divide(whole.solids, level(elevation), where=f'mechanism "{name}", crack')
+    if not parts.below:
+        raise MechanismError(f"the crack at z = {elevation:.4g} m is at the foot of the wall; give one above it")
     lower, upper = below(parts, whole, section.towards), standing_on(parts, section.towards)
     return Wall((lower, upper), loads, (notice,) if notice else ())
 

@@ -108,8 +108,30 @@ class RadialJoints(Section):
     count: Annotated[StrictInt, Field(ge=3, le=200)]
     """number of voussoirs between them"""
 
+    @model_validator(mode="after")
+    def _ends_are_apart(self) -> Self:
+        if self.first == self.last:
+            raise wrong("last", "is the first joint again; give the angle of the other springing")
+        return self
+
 
 Line = tuple[PlanePoint, PlanePoint]
+Joints = Annotated[
+    Annotated[RadialJoints, Tag("<radial>")] | Annotated[tuple[Line, ...], Tag("<lines>")],
+    Discriminator(lambda value: "<radial>" if isinstance(value, dict | RadialJoints) else "<lines>"),
+]
+
+
+def _minimum(value: Any) -> Any:
+    if value != "minimum":
+        raise ValueError('not hinges; write { A, B, C, D }, each a point, or "minimum" for an arch')
+    return value
+
+
+ArchHinges = Annotated[
+    Annotated[FourHinges, Tag("<hinges>")] | Annotated[Literal["minimum"], BeforeValidator(_minimum), Tag("<minimum>")],
+    Discriminator(lambda value: "<hinges>" if isinstance(value, dict | FourHinges) else "<minimum>"),
+]
 
 
 def _crack(value: Any) -> float | str:
@@ -283,11 +305,11 @@ class FourHinge(Chained):
     """"four-hinge\""""
     blocks: Annotated[Blocks, Field(min_length=1, max_length=3)]
     """the bodies A-B, B-C and C-D; or one arch, with joints and hinges = "minimum\""""
-    hinges: FourHinges | Literal["minimum"]
+    hinges: ArchHinges
     """hinges A, B, C, D of positive rotation, or "minimum": where the arch resists least"""
     hinges_negative: FourHinges | None = None
     """hinges A, B, C, D of negative rotation"""
-    joints: RadialJoints | tuple[Line, ...] | None = None
+    joints: Joints | None = None
     """of an arch, in order: [[[x, z], [x, z]], …], or { centre, first, last, count } for radial ones"""
 
     @model_validator(mode="after")
@@ -301,7 +323,11 @@ class FourHinge(Chained):
                     "beside one-sided rocking; remove it",
                 )
                 raise wrong("hinges_negative", two if self.sides == "two" else one)
+            if self.joints is not None:
+                raise wrong("joints", 'are for an arch with hinges = "minimum"; remove one of them')
             return self
+        if self.hinges_negative is not None:
+            raise wrong("hinges_negative", 'are looked for too with hinges = "minimum"; remove them')
         if len(self.blocks) != 1 or self.joints is None:
             raise wrong("joints", 'hinges = "minimum" needs one arch in blocks, and joints where it may open')
         if self.loads:

@@ -1,0 +1,415 @@
+"""What must hold for every mechanism of blocks, in both directions."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from math import cos, pi, sin
+
+import numpy as np
+import pytest
+from scipy.constants import g
+from scipy.integrate import quad
+
+from assess.dynamics.history import free_rocking
+from assess.errors import MechanismError
+from assess.geometry.planar import planar_direct, planar_joined
+from assess.loads import Force, PointMass, Tie
+from assess.loads import mirrored as mirrored_load
+from assess.mechanisms.arch import hinged, weakest
+from assess.mechanisms.chain import Block, Chain, mirrored, mirrored_chain
+from assess.mechanisms.four_hinge import four_hinge
+from assess.mechanisms.impact import impact
+from assess.mechanisms.motion import move, place
+from assess.mechanisms.single_block import single_block
+from assess.mechanisms.statics import verge
+from assess.mechanisms.two_block import two_block
+from assess.mechanisms.virtual_work import branch, oscillator, virtual_work
+from assess.oscillator import energy, interpolant, linearise, multiplier
+from assess.project.build import build
+from assess.project.schema import load
+
+TABLES = ("rotation", "inertia", "restoring", "excitation", "participation", "lift")
+
+
+@dataclass(frozen=True)
+class Case:
+    """Blocks with the hinges of each direction, as they stand, and their loads."""
+
+    blocks: tuple
+    front: tuple
+    back: tuple
+    loads: tuple = ()
+
+    def chains(self):
+        return Chain(self.blocks, self.front, self.loads), mirrored_chain(self.blocks, self.back, self.loads)
+
+    def mechanism(self, *, weld=lambda body: body, restitution="momentum"):
+        bodies = [weld(body_of(block)) for block in self.blocks]
+        more = {"loads": self.loads, "restitution": (restitution, restitution)}
+        if len(bodies) == 1:
+            return single_block("m", *bodies, hinge=self.front[0], hinge_negative=self.back[0], **more)
+        if len(bodies) == 2:
+            return two_block("m", *bodies, hinges=self.front, hinges_negative=self.back, **more)
+        return four_hinge("m", bodies, hinges=self.front, hinges_negative=self.back, **more)
+
+
+def body_of(block):
+    return planar_direct(mass=block.mass, centroid=block.centroid, inertia=block.inertia, name="b")
+
+
+def rectangle(x, z, width, height, *, density=2000.0):
+    """A block of 1 m length by its lower left corner."""
+    mass = density * width * height
+    return Block(mass, (x + width / 2, z + height / 2), mass * (width**2 + height**2) / 12)
+
+
+def arch():
+    """An arch of nine voussoirs, lopsided, and the hinges found for it each way."""
+    angles = np.linspace(0.93 * pi, 0.12 * pi, 10)
+    joints = [((5.0 * cos(a), 5 * sin(a)), ((5.9 + k / 20) * cos(a), (5.9 + k / 20) * sin(a)))
+              for k, a in enumerate(angles)]  # fmt: skip
+    voussoirs = []
+    for k in range(9):
+        middle, reach = (angles[k] + angles[k + 1]) / 2, 5.5 + k / 40
+        block = Block(1000.0 + 40 * k, (reach * cos(middle), reach * sin(middle)), 300.0)
+        voussoirs.append(body_of(block))
+    found = weakest([Block(v.mass, v.centroid, v.inertia) for v in voussoirs], joints, name="a")
+    chain = hinged(voussoirs, found)[1]
+    lower, upper = (tuple(joints[k][face] for k in found.joints) for face in (0, 1))
+    back = tuple(
+        (upper, lower)[k % 2][k] if lower[0] == found.hinges[0] else (lower, upper)[k % 2][k] for k in range(4)
+    )
+    return Case(chain.blocks, chain.hinges, back)
+
+
+WALL = rectangle(-0.4, 0.0, 0.8, 5.0)
+LEANING = Block(9000.0, (0.15, 2.6), 21000.0)
+HALVES = rectangle(-0.25, 0.0, 0.5, 2.6), rectangle(-0.25, 2.6, 0.5, 1.6)
+PORTAL = rectangle(0.0, 0.0, 0.8, 4.0), rectangle(0.0, 4.0, 4.6, 0.7), rectangle(3.8, 0.0, 0.8, 4.0)
+UNEVEN = rectangle(0.0, 0.0, 0.8, 4.0), Block(7000.0, (2.4, 4.9), 15000.0), rectangle(3.6, 1.2, 1.0, 3.4)
+EDGES = ((0.25, 0.0), (-0.25, 2.6), (0.25, 4.2)), ((-0.25, 0.0), (0.25, 2.6), (-0.25, 4.2))
+LEGS = ((0.8, 0.0), (0.0, 4.0), (3.6, 4.6), (4.6, 1.2)), ((0.0, 0.0), (0.8, 4.0), (4.6, 4.6), (3.6, 1.2))
+
+CASES = {
+    "wall": Case((WALL,), ((0.4, 0.0),), ((-0.4, 0.0),)),
+    "leaning wall": Case((LEANING,), ((0.7, 0.2),), ((-0.5, 0.0),)),
+    "wall with loads": Case((WALL,), ((0.4, 0.0),), ((-0.4, 0.0),), (
+        PointMass("floor", 900.0, (0.2, 4.0), True), PointMass("roof", 400.0, (-0.1, 4.8), False),
+        Force("thrust", (1500.0, -600.0), (-0.4, 3.5)), Tie("tie", 2500.0, (0.4, 4.5), anchor=(-4.0, 4.2), both=True),
+        Tie("slack one way", 1800.0, (-0.4, 3.0), direction=(-0.8, 0.6)),
+    )),
+    "two blocks": Case(HALVES, *EDGES),
+    "two blocks, load off centre": Case(HALVES, *EDGES, (
+        Force("overburden", (0.0, -21000.0), (0.15, 4.2), block=1), PointMass("floor", 700.0, (0.1, 2.0), True),
+        PointMass("beside", 300.0, (-0.2, 3.0), False, 1), Tie("tie", 900.0, (0.25, 3.4), anchor=(-2.0, 3.3), block=1),
+    )),
+    "symmetric portal": Case(PORTAL, ((0.8, 0.0), (0.0, 4.0), (3.8, 4.0), (4.6, 0.0)),
+                             ((0.0, 0.0), (0.8, 4.0), (4.6, 4.0), (3.8, 0.0))),
+    "asymmetric portal": Case(UNEVEN, *LEGS),
+    "portal with loads": Case(UNEVEN, *LEGS, (
+        PointMass("roof", 2000.0, (1.7, 5.4), True, 1), PointMass("wall beside", 500.0, (4.2, 3.0), False, 2),
+        Force("vault", (1100.0, -400.0), (0.8, 3.0)), Force("lift", (-200.0, 500.0), (4.4, 4.0), block=2),
+        Tie("tie", 1500.0, (0.4, 3.8), anchor=(7.0, 3.8)),
+        Tie("stay", 900.0, (3.0, 4.8), direction=(-0.6, -0.8), block=1),
+    )),
+    "arch": arch(),
+}  # fmt: skip
+EVERY = pytest.mark.parametrize("case", CASES.values(), ids=CASES)
+
+
+def sides(case):
+    """Each chain with its branch."""
+    return [(chain, branch(chain, restitution=0.9, name="m")) for chain in case.chains()]
+
+
+def potential(chain, rotation):
+    """Sum of m g z of what the blocks bear, less the work of forces, and the pull of taut ties times their length."""
+    motion, total = move(chain, rotation), 0.0
+    for number, block in enumerate(chain.blocks):
+        total = total + block.mass * g * place(motion, block=number, at=block.centroid).z
+    for each in chain.loads:
+        at = place(motion, block=each.block, at=each.at)
+        if isinstance(each, PointMass):
+            total = total + each.bearing * each.mass * g * at.z
+        elif isinstance(each, Force):
+            total = total - each.force[0] * at.x - each.force[1] * at.z
+        elif taut(chain, each):
+            total = total + each.pull * stretch(each, at)
+    return total
+
+
+def stretch(tie, at):
+    """Length of a tie, or of its part along its direction."""
+    if tie.anchor is None:
+        return -tie.direction[0] * at.x - tie.direction[1] * at.z
+    return np.hypot(tie.anchor[0] - at.x, tie.anchor[1] - at.z)
+
+
+def taut(chain, tie):
+    """A tie is slack on the branch where it shortens."""
+    length = stretch(tie, place(move(chain, np.array([0.0, 1e-6])), block=tie.block, at=tie.at))
+    return tie.both or length[1] > length[0]
+
+
+@EVERY
+def test_restoring_moment_is_the_slope_of_the_whole_potential(case):
+    """To 1e-8, by differences of eighth order; without loads it is that of the weights alone."""
+    weights, step = {1: 4 / 5, 2: -1 / 5, 3: 4 / 105, 4: -1 / 280}, 4e-3
+    for chain, side in sides(case):
+        phi = side.rotation[::16]
+        bare = replace(chain, loads=tuple(each for each in chain.loads if isinstance(each, PointMass)))
+        work = virtual_work(chain, phi)
+        for of, found in ((chain, work.restoring), (bare, work.weight)):
+            slope = sum(w * (potential(of, phi + k * step) - potential(of, phi - k * step)) for k, w in weights.items())
+            np.testing.assert_allclose(found, slope / step, rtol=1e-8, atol=1e-8 * np.abs(found).max())
+        assert work.weight == pytest.approx(g * work.lift, rel=1e-14)
+
+
+@EVERY
+def test_energy_of_the_table_is_the_potential_climbed(case):
+    for chain, side in sides(case):
+        phi = np.linspace(0.0, side.rotation[-1], 37)
+        climbed = potential(chain, phi) - potential(chain, np.zeros(1))
+        np.testing.assert_allclose(energy(side, phi), climbed, rtol=1e-8, atol=1e-9 * np.abs(climbed).max())
+
+
+@EVERY
+def test_kinetic_energy_and_momentum_by_differences_of_places(case):
+    """I phi'^2 is twice the kinetic energy; B and C are the slopes of the first moments of mass."""
+    step = 1e-5
+    for chain, _ in sides(case):
+        phi, moved = np.array([0.01, 0.05]), []
+        work = virtual_work(chain, phi)
+        for rotation in (phi - step, phi + step):
+            motion = move(chain, rotation)
+            points = [(b.mass, b.mass, place(motion, block=k, at=b.centroid)) for k, b in enumerate(chain.blocks)]
+            points += [(one.mass, one.mass * one.bearing, place(motion, block=one.block, at=one.at))
+                       for one in chain.loads if isinstance(one, PointMass)]  # fmt: skip
+            moved.append((points, motion.angle))
+        (before, old), (after, new) = moved
+        along = [(m, (b.x - a.x) / (2 * step)) for (m, _, a), (_, _, b) in zip(before, after, strict=True)]
+        up = [(m, (b.z - a.z) / (2 * step)) for (_, m, a), (_, _, b) in zip(before, after, strict=True)]
+        turning = sum(b.inertia * r**2 for b, r in zip(chain.blocks, (new - old) / (2 * step), strict=True))
+        kinetic = turning + sum(m * v**2 for m, v in (*along, *up))
+        np.testing.assert_allclose(work.inertia, kinetic, rtol=1e-7)
+        np.testing.assert_allclose(work.excitation, sum(m * v for m, v in along), rtol=1e-7)
+        np.testing.assert_allclose(work.participation, sum(m * v**2 for m, v in along), rtol=1e-7)
+        scale = sum(m for m, _ in up) * 5.0
+        np.testing.assert_allclose(work.lift, sum(m * v for m, v in up), rtol=1e-7, atol=1e-8 * scale)
+
+
+@EVERY
+def test_balance_of_every_block_gives_the_multiplier_of_virtual_work(case):
+    for chain, side in sides(case):
+        assert verge(chain).multiplier == pytest.approx(multiplier(side)[0], rel=1e-12)
+
+
+def image(case):
+    """The whole mirrored in the vertical through the origin."""
+    return Case(
+        tuple(Block(b.mass, mirrored(b.centroid), b.inertia) for b in case.blocks),
+        tuple(mirrored(each) for each in case.back),
+        tuple(mirrored(each) for each in case.front),
+        tuple(mirrored_load(each) for each in case.loads),
+    )
+
+
+@EVERY
+def test_mirror_image_has_the_branches_the_other_way_round(case):
+    one, two = case.mechanism(), image(case).mechanism()
+    assert one.restitution == pytest.approx(two.restitution[::-1], rel=1e-12)
+    first, second = oscillator(one), oscillator(two)
+    for a, b in ((first.positive, second.negative), (first.negative, second.positive)):
+        assert (a.overturning, a.critical) == pytest.approx((b.overturning, b.critical), rel=1e-12)
+        same_tables(a, b, 1e-11)
+
+
+def same_tables(a, b, tolerance, tables=TABLES):
+    for name in tables:
+        expected = getattr(a, name)
+        np.testing.assert_allclose(
+            getattr(b, name), expected, rtol=tolerance, atol=tolerance * np.abs(expected).max(), err_msg=name
+        )
+
+
+def scaled(case, s):
+    """Lengths times s: masses times s^3, inertias s^5, forces s^3."""
+    loads = []
+    for each in case.loads:
+        at = tuple(s * x for x in each.at)
+        if isinstance(each, PointMass):
+            loads.append(replace(each, at=at, mass=s**3 * each.mass))
+        elif isinstance(each, Force):
+            loads.append(replace(each, at=at, force=tuple(s**3 * x for x in each.force)))
+        else:
+            anchor = each.anchor and tuple(s * x for x in each.anchor)
+            loads.append(replace(each, at=at, anchor=anchor, pull=s**3 * each.pull))
+    blocks = tuple(Block(s**3 * b.mass, tuple(s * x for x in b.centroid), s**5 * b.inertia) for b in case.blocks)
+    front, back = (tuple((s * x, s * z) for x, z in hinges) for hinges in (case.front, case.back))
+    return Case(blocks, front, back, tuple(loads))
+
+
+@EVERY
+@pytest.mark.parametrize("s", [0.1, 3.7])
+def test_lengths_times_s(case, s):
+    """p^2 goes with 1/s; multiplier, rotations and restitution stay."""
+    one, two = case.mechanism(), scaled(case, s).mechanism()
+    assert two.restitution == pytest.approx(one.restitution, rel=1e-12)
+    for a, b in zip(oscillator(one).branches, oscillator(two).branches, strict=True):
+        first, second = linearise(a), linearise(b)
+        assert second.p**2 * s == pytest.approx(first.p**2, rel=1e-9)
+        assert (second.multiplier, second.overturning) == pytest.approx((first.multiplier, first.overturning), rel=1e-9)
+        assert b.overturning == pytest.approx(a.overturning, rel=1e-11)
+        np.testing.assert_allclose(multiplier(b), multiplier(a), rtol=1e-9, atol=1e-9)
+
+
+def welded(body):
+    """Three bodies of uneven size, one far out, that are this one when they move together."""
+    m, (x, z), J = body.mass, body.centroid, body.inertia
+    arms = np.array([(0.3, 0.4), (-0.2, 0.1), (0.0, 0.0)]) * np.sqrt(J / m)
+    masses = np.array([0.3, 0.25, 0.45]) * m
+    arms[2] = -(masses[:2] @ arms[:2]) / masses[2]
+    left = (J - masses @ (arms**2).sum(axis=1)) / 3
+    parts = [
+        planar_direct(mass=float(mass), centroid=(float(x + dx), float(z + dz)), inertia=float(left), name="part")
+        for mass, (dx, dz) in zip(masses, arms, strict=True)
+    ]
+    return planar_joined(parts, name=body.name)
+
+
+@EVERY
+def test_blocks_of_welded_bodies_are_the_same_mechanism(case):
+    one, two = case.mechanism(), case.mechanism(weld=welded)
+    assert two.restitution == pytest.approx(one.restitution, rel=1e-9)
+    for a, b in zip(oscillator(one).branches, oscillator(two).branches, strict=True):
+        same_tables(a, b, 1e-9)
+
+
+@EVERY
+def test_a_bearing_mass_is_a_body_welded_on(case):
+    """Without rotary inertia, on the last block; only in sum m x'^2 it counts at its own place."""
+    last = len(case.blocks) - 1
+    at = tuple(x + d for x, d in zip(case.blocks[last].centroid, (0.1, 0.5), strict=True))
+    mass = case.blocks[last].mass / 5
+    bodies = [body_of(case.blocks[last]), planar_direct(mass=mass, centroid=at, inertia=0.0, name="floor")]
+    joint = planar_joined(bodies, name="b")
+    block = Block(joint.mass, joint.centroid, joint.inertia)
+    heavier = replace(case, blocks=(*case.blocks[:-1], block))
+    loaded = replace(case, loads=(*case.loads, PointMass("floor", mass, at, True, last)))
+    assert heavier.mechanism().restitution == pytest.approx(loaded.mechanism().restitution, rel=1e-12)
+    for (_, a), (_, b) in zip(sides(heavier), sides(loaded), strict=True):
+        same_tables(a, b, 1e-11, tables=[name for name in TABLES if name != "participation"])
+
+
+@pytest.mark.parametrize("rule", ["momentum", "thesis"])
+@EVERY
+def test_no_impact_adds_energy(case, rule):
+    """1/2 I phi'^2 of the branch that follows, after the impact, is at most that of the branch before."""
+    kept = case.mechanism(restitution=rule).restitution
+    before, after = (virtual_work(chain, np.zeros(1)).inertia[0] for chain in case.chains())
+    for factor, (ending, starting) in zip(kept, ((before, after), (after, before)), strict=True):
+        assert 0.0 <= factor**2 * starting <= ending * (1 + 1e-12)
+
+
+def test_no_impact_of_a_crowd_adds_energy():
+    """Random blocks and hinges: momentum kept over the mechanism, or refused as too stocky."""
+    rng, seen = np.random.default_rng(3), 0
+    for _ in range(200):
+        blocks = tuple(
+            Block(b.mass * rng.uniform(0.2, 5), jogged(b.centroid, rng, 0.2), b.inertia * rng.uniform(0.2, 5))
+            for b in UNEVEN
+        )
+        front, back = (tuple(jogged(hinge, rng, 0.3) for hinge in hinges) for hinges in LEGS)
+        ending, starting = Chain(blocks, front), mirrored_chain(blocks, back)
+        try:
+            kept = impact("momentum", ending=ending, starting=starting, kind="four-hinge", name="m")
+        except MechanismError:
+            continue
+        seen += 1
+        before, after = (virtual_work(chain, np.zeros(1)).inertia[0] for chain in (ending, starting))
+        assert kept.value**2 * after <= before * (1 + 1e-12)
+    assert seen > 100
+
+
+def jogged(point, rng, by):
+    return (point[0] + rng.uniform(-by, by), point[1] + rng.uniform(-by, by))
+
+
+@pytest.mark.parametrize("name", ["leaning wall", "two blocks", "asymmetric portal", "arch"])
+def test_free_motion_keeps_its_energy_between_impacts(name):
+    """The exact equation, with I' phi'^2 / 2: peaks and impact velocities, through impacts that keep restitution."""
+    rocker = oscillator(CASES[name].mechanism())
+    start = 0.6 * rocker.positive.overturning
+    found = free_rocking(rocker, rotation=start, duration=12.0)
+    assert found.peak_rotation.size >= 4
+    peaks = np.concatenate([[start], found.peak_rotation])
+    for number in range(4):
+        side = rocker.branches[int(peaks[number] < 0)]
+        other = rocker.branches[int(peaks[number + 1] < 0)]
+        speed = abs(found.impact_velocity[number])
+        assert energy(side, abs(peaks[number])) == pytest.approx(0.5 * side.inertia[0] * speed**2, rel=1e-7)
+        left = 0.5 * other.inertia[0] * (side.restitution * speed) ** 2
+        assert energy(other, abs(peaks[number + 1])) == pytest.approx(left, rel=1e-7)
+
+
+@pytest.mark.parametrize("name", ["leaning wall", "two blocks", "asymmetric portal", "arch"])
+def test_time_to_the_first_impact_by_quadrature(name):
+    """t = integral of sqrt(I / 2 (E_0 - E)) d phi, with phi = phi_0 (1 - u^2) against the singular end."""
+    rocker = oscillator(CASES[name].mechanism())
+    side, start = rocker.positive, 0.6 * rocker.positive.overturning
+    top, inertia = float(energy(side, start)), interpolant(side.rotation, side.inertia)
+
+    def pace(u):
+        phi = start * (1 - u**2)
+        return 2 * start * u * np.sqrt(inertia(phi) / (2 * (top - energy(side, phi))))
+
+    time = quad(pace, 1e-7, 1.0, epsabs=1e-12, epsrel=1e-10)[0]
+    found = free_rocking(rocker, rotation=start, duration=2 * time)
+    assert found.impact_time[0] == pytest.approx(time, rel=1e-6)  # 1e-7 of the start is left out
+
+
+BOX = """
+[bodies.{name}]
+material = "m"
+box = {{ thickness = {t}, length = 1.0, height = {h}, base = [{x}, 0, {z}] }}
+"""
+TAILS = {
+    "two-block": """
+[mechanisms.m]
+kind = "two-block"
+blocks = {blocks}
+loads = [{{ kind = "overburden", force = "21 kN", eccentricity = 0.1 }}]
+""",
+    "four-hinge": """
+[mechanisms.m]
+kind = "four-hinge"
+blocks = {blocks}
+hinges = {{ A = [0.8, 0], B = [0, 4], C = [3.6, 4], D = [4.6, 0] }}
+hinges_negative = {{ A = [0, 0], B = [0.8, 4], C = [4.6, 4], D = [3.6, 0] }}
+""",
+}
+BOXES = {
+    "two-block": [("a", 0.5, 2.6, 0.0, 0.0), ("b", 0.5, 1.6, 0.0, 2.6)],
+    "four-hinge": [("a", 0.8, 4.0, 0.4, 0.0), ("b", 4.6, 0.7, 2.3, 4.0), ("c", 1.0, 4.0, 4.1, 0.0)],
+}
+
+
+def project_of(kind, share):
+    """Each box, with `share` < 1 cut into a lower and an upper part that move as one."""
+    text, blocks = "[materials.m]\ndensity = 2000\n", []
+    for name, t, h, x, z in BOXES[kind]:
+        parts = [(f"{name}1", share * h, z), (f"{name}2", h - share * h, z + share * h)][: 2 if share < 1 else 1]
+        blocks.append([part for part, _, _ in parts])
+        text += "".join(BOX.format(name=part, t=t, h=high, x=x, z=low) for part, high, low in parts)
+    return text + TAILS[kind].format(blocks=str(blocks).replace("'", '"'))
+
+
+@pytest.mark.parametrize("kind", BOXES)
+def test_a_block_of_several_bodies_in_a_project_file(tmp_path, kind):
+    found = []
+    for share in (1.0, 0.37):
+        (tmp_path / "project.toml").write_text(project_of(kind, share))
+        found.append(build(load(tmp_path)).mechanisms[0])
+    assert found[0].restitution == pytest.approx(found[1].restitution, rel=1e-9)
+    for a, b in zip(*(oscillator(each).branches for each in found), strict=True):
+        same_tables(a, b, 1e-9)

@@ -8,7 +8,7 @@ from typing import Any
 from assess.project.keys import Key
 from assess.project.section import Section
 from assess.project.sections.content import Content
-from assess.project.sections.loads import BodyLoad
+from assess.project.sections.loads import BodyLoad, OverburdenLoad
 
 
 def dependents(content: Content, path: Key) -> tuple[str, ...]:
@@ -31,8 +31,9 @@ def _bodies(mechanism: Section, content: Content) -> set[str]:
 
 
 def _carries_bodies(mechanism: Section) -> bool:
-    """Whether a body loads the mechanism: what it rests on besides may be any other body of the project."""
-    return any(isinstance(load, BodyLoad) for load in getattr(mechanism, "loads", ()))
+    """Whether bodies load the mechanism: what they rest on besides may be any other body of the project."""
+    loads = getattr(mechanism, "loads", ())
+    return any(isinstance(load, BodyLoad) or (isinstance(load, OverburdenLoad) and load.bodies) for load in loads)
 
 
 def _texts(value: Any) -> Iterator[str]:

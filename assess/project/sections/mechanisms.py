@@ -200,7 +200,8 @@ Blocks = Annotated[tuple[BlockNames, ...], BeforeValidator(_block_names)]
 
 def _pairs(section: Section) -> list[str]:
     """The keys that hold two numbers."""
-    return [key for key, at in section.entries().items() if isinstance(at, tuple) and len(at) == 2]
+    tuples = {key: at for key, at in section.entries().items() if isinstance(at, tuple) and len(at) == 2}
+    return [key for key, at in tuples.items() if all(isinstance(number, float) for number in at)]
 
 
 class Chained(Section):

@@ -12,7 +12,7 @@ from scipy.constants import g
 from assess.bearing import Support, carries, carrying, nearest, share_of, support
 from assess.errors import GeometryError
 from assess.geometry.covering import extent
-from assess.geometry.cut import common
+from assess.geometry.boolean import common
 from assess.geometry.solid import Solid
 from assess.loads import Force, Load, Point, PointMass
 from assess.project import sections

@@ -120,9 +120,9 @@ def _sound(vertices: FloatArray, triangles: IntArray, *, where: str) -> FloatArr
     if triangles.min() < 0 or triangles.max() >= len(vertices):
         wrong = int(triangles[(triangles < 0) | (triangles >= len(vertices))][0])
         raise GeometryError(f"{where}: a triangle uses vertex {wrong} of {len(vertices)}; export the mesh again")
-    used = np.zeros(len(vertices), dtype=np.bool_)
-    used[triangles] = True
-    bad = np.flatnonzero(used & ~np.isfinite(vertices).all(axis=1))
+    if np.isfinite(vertices).all():
+        return vertices
+    bad = np.setdiff1d(np.unique(triangles), np.flatnonzero(np.isfinite(vertices).all(axis=1)))
     if len(bad):
         at = ", ".join(f"{value:g}" for value in vertices[bad[0]])
         raise GeometryError(f"{where}: {len(bad)} vertices are not finite, the first at ({at}); export the mesh again")

@@ -42,7 +42,10 @@ def counted_once(surface: Surface, *, where: str) -> tuple[Surface, tuple[str, .
     """
     told: tuple[str, ...] = ()
     if volume(*surface) < 0.0:
-        surface, told = (surface[0], surface[1][:, ::-1]), ("its triangles faced inwards and were turned (volume +0 %)",)
+        surface, told = (
+            (surface[0], surface[1][:, ::-1]),
+            ("its triangles faced inwards and were turned (volume +0 %)",),
+        )
     shells = separated(surface)
     if len(shells) == 1:
         return surface, told

@@ -18,4 +18,4 @@ def refuse_cut_short(file: Path) -> None:
         content.seek(0, 2)
         content.seek(max(0, content.tell() - 1000))
         if END not in content.read().replace(b" ", b""):
-            raise ValueError(f"it does not end as it must, is it whole?")
+            raise ValueError("it does not end as it must, is it whole?")

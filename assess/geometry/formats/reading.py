@@ -71,8 +71,8 @@ def chosen(content: MeshFile, element: str | None, *, where: str) -> tuple[Part,
     bare = [(*each.names, "one without name")[0] for each in found if not len(each.triangles)]
     if bare:
         raise GeometryError(
-            f"{where}: {len(bare)} of its surfaces have no mesh ({', '.join(bare[:LISTED])}); save the file in a shaded "
-            "view, or mesh them there"
+            f"{where}: {len(bare)} of its surfaces have no mesh ({', '.join(bare[:LISTED])}); save the file in a "
+            "shaded view, or mesh them there"
         )
     if element is not None and not found:
         names = list(dict.fromkeys(each.names[0] for each in content.parts if each.names))

@@ -119,7 +119,7 @@ def _manifold(surface: Surface, *, where: str) -> Any:
     from manifold3d import Error, Manifold, Mesh64
 
     vertices, triangles = surface
-    body = Manifold(Mesh64(np.ascontiguousarray(vertices), np.ascontiguousarray(triangles.astype(np.uint64))))
+    body = Manifold(Mesh64(np.array(vertices, order="C"), np.array(triangles, dtype=np.uint64, order="C")))
     if body.status() != Error.NoError:
         raise GeometryError(f"{where} cannot be cut, united or set against another ({body.status().name}); is its surface closed?")
     return body

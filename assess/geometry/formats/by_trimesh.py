@@ -49,8 +49,13 @@ def read_ply(file: Path) -> MeshFile:
 def read_off(file: Path) -> MeshFile:
     """Object File Format, text."""
     from trimesh.exchange.off import load_off
+    from trimesh.util import comment_strip, decode_text
 
-    return _plain(load_off(_content(file)))
+    loaded = load_off(_content(file))
+    announced = int(comment_strip(decode_text(file.read_bytes())).split("OFF", 1)[1].split()[1])
+    if len(loaded["faces"]) < announced:
+        raise ValueError(f"it announces {announced} faces and has {len(loaded['faces'])}")
+    return _plain(loaded)
 
 
 def read_glb(file: Path) -> MeshFile:

@@ -22,6 +22,7 @@ check: .venv/installed     ## style, types, direction of imports
 
 bench: .venv/installed     ## speed, as ratios measured in one run
 	$(BIN)/python tests/benchmarks/bench_dynamics.py
+	$(BIN)/python tests/benchmarks/bench_mesh.py
 
 lock:                      ## for developers, with uv: pin every dependency with its hashes
 	uv pip compile pyproject.toml --group dev --universal --python-version 3.11 --generate-hashes --quiet --output-file requirements.lock

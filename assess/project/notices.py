@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from assess.codes.dmi2008.clauses import ON_GROUND
 from assess.geometry import mesh
+from assess.geometry.formats.reading import WITHOUT_UNIT
 from assess.geometry.solid import Solid
 from assess.mechanisms.mechanism import Mechanism
 from assess.project import sections
@@ -53,5 +54,7 @@ def _of_body(name: str, solid: Solid, body: sections.Body) -> Iterator[Notice]:
 
 
 def mesh_unit_of(body: sections.Body) -> float | None:
-    """The unit that a mesh was read in, where the project states it or a metre stands in for it; else None."""
-    return (body.mesh_unit or 1.0) if isinstance(body, sections.MeshBody) else None
+    """The unit that a mesh was read in [m], where the project states it or a metre stands in for it; else None."""
+    if not isinstance(body, sections.MeshBody):
+        return None
+    return body.mesh_unit or (1.0 if body.mesh.suffix.lower() in WITHOUT_UNIT else None)

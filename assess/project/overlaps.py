@@ -19,8 +19,9 @@ LEAST = 1e-6  # of the smaller body: a common volume below this is rounding wher
 def overlaps_of(content: sections.Content, solids: Mapping[str, Solid | None]) -> Iterator[Notice]:
     """A notice for each two bodies of a mechanism that overlap, with the volume that counts twice."""
     for name, section in content.mechanisms.items():
-        blocks = section.blocks if isinstance(section, sections.SingleBlock) else ()
-        bodies = [solid for block in blocks for body in block if (solid := solids[body]) is not None]
+        blocks = () if isinstance(section, sections.EquivalentBlock) else section.blocks
+        names = dict.fromkeys(body for block in blocks for body in block)
+        bodies = [solid for body in names if (solid := solids[body]) is not None]
         for one, other in combinations(bodies, 2):
             shared = shared_volume(one, other)
             smaller = min((one, other), key=lambda solid: volume(solid.vertices, solid.triangles))

@@ -27,6 +27,7 @@ READERS: Mapping[str, Reader] = {
     ".3dm": read_3dm,
     ".ifc": read_ifc,
 }
+WITHOUT_UNIT = (".stl", ".obj", ".ply", ".off")  # formats that do not say theirs
 EXTRAS = {".step": "step", ".stp": "step", ".3dm": "rhino", ".ifc": "ifc"}  # of this package, that installs the reader
 LISTED = 8  # names of a file's parts that an error lists
 

@@ -121,7 +121,9 @@ def _manifold(surface: Surface, *, where: str) -> Any:
     vertices, triangles = surface
     body = Manifold(Mesh64(np.array(vertices, order="C"), np.array(triangles, dtype=np.uint64, order="C")))
     if body.status() != Error.NoError:
-        raise GeometryError(f"{where} cannot be cut, united or set against another ({body.status().name}); is its surface closed?")
+        raise GeometryError(
+            f"{where} cannot be cut, united or set against another ({body.status().name}); is its surface closed?"
+        )
     return body
 
 

@@ -133,7 +133,7 @@ def _overlaps_united(shells: list[Surface], *, where: str) -> tuple[list[Surface
     before = sum(volume(*shell) for shell in shells)
     told = (
         f"its {len(shells)} closed shells, some of which overlap (near {place(at)} m), united, so that what they share "
-        f"counts once ({moved_by(before, volume(*whole))})"
+        f"counts once; a cavity would face inwards ({moved_by(before, volume(*whole))})"
     )
     return [whole], (told,)
 

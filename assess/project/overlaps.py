@@ -2,44 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import combinations
 
-import numpy as np
-
-from assess.geometry.boolean import common_volume
+from assess.geometry.boolean import common
 from assess.geometry.solid import Solid
-from assess.geometry.surface import volume
 from assess.project import sections
 from assess.results import Notice
 
-LEAST = 1e-6  # of the smaller body: a common volume below this is rounding where bodies touch
+OVERLAP = 5e-3  # of the smaller body's volume: bodies that share less are taken to touch
+
+
+def overlaps(bodies: Sequence[Solid]) -> Iterator[str]:
+    """A sentence for each two of the bodies that overlap, so that what they share is weighed twice."""
+    for one, other in combinations(bodies, 2):
+        shared = common(one, other)
+        if shared is not None and shared.part > OVERLAP:
+            size = f"{shared.volume:.3g} m3, {100.0 * shared.part:.3g} % of the smaller"
+            yield f'bodies "{one.name}" and "{other.name}" overlap by {size}, which is weighed with both; cut one back'
 
 
 def overlaps_of(content: sections.Content, solids: Mapping[str, Solid | None]) -> Iterator[Notice]:
-    """A notice for each two bodies of a mechanism that overlap, with the volume that counts twice."""
+    """A notice for each two bodies of a mechanism's blocks that overlap."""
     for name, section in content.mechanisms.items():
         blocks = () if isinstance(section, sections.EquivalentBlock) else section.blocks
         names = dict.fromkeys(body for block in blocks for body in block)
-        bodies = [solid for body in names if (solid := solids[body]) is not None]
-        for one, other in combinations(bodies, 2):
-            shared = shared_volume(one, other)
-            smaller = min((one, other), key=lambda solid: volume(solid.vertices, solid.triangles))
-            share = shared / volume(smaller.vertices, smaller.triangles)
-            if share > LEAST:
-                yield Notice(
-                    "overlap",
-                    f"mechanisms.{name}",
-                    f'bodies "{one.name}" and "{other.name}" overlap: {shared:.3g} m3, {100.0 * share:.3g} % of '
-                    f'"{smaller.name}", counts twice; shape them so that they only touch',
-                )
-
-
-def shared_volume(one: Solid, other: Solid) -> float:
-    """Volume [m3] inside both bodies; none where their boxes only touch."""
-    low = np.maximum(one.vertices.min(axis=0), other.vertices.min(axis=0))
-    high = np.minimum(one.vertices.max(axis=0), other.vertices.max(axis=0))
-    if (high <= low).any():
-        return 0.0
-    where = f'bodies "{one.name}" and "{other.name}":'
-    return common_volume((one.vertices, one.triangles), (other.vertices, other.triangles), where=where)
+        for text in overlaps([solid for body in names if (solid := solids[body]) is not None]):
+            yield Notice("overlap", f"mechanisms.{name}", text)

@@ -29,6 +29,7 @@ READERS: Mapping[str, Reader] = {
 }
 WITHOUT_UNIT = (".stl", ".obj", ".ply", ".off")  # formats that do not say theirs
 EXTRAS = {".step": "step", ".stp": "step", ".3dm": "rhino", ".ifc": "ifc"}  # of this package, that installs the reader
+LONGEST = 40  # letters of such a name
 LISTED = 8  # names of a file's parts that an error lists
 
 
@@ -69,18 +70,23 @@ def chosen(content: MeshFile, element: str | None, *, where: str) -> tuple[Part,
     GeometryError : no part is called so, or a part is a surface without its mesh
     """
     found = tuple(each for each in content.parts if element is None or element in each.names)
-    bare = [(*each.names, "one without name")[0] for each in found if not len(each.triangles)]
+    bare = [_shown((*each.names, "one without name")[0]) for each in found if not len(each.triangles)]
     if bare:
         raise GeometryError(
             f"{where}: {len(bare)} of its surfaces have no mesh ({', '.join(bare[:LISTED])}); save the file in a "
             "shaded view, or mesh them there"
         )
     if element is not None and not found:
-        names = list(dict.fromkeys(each.names[0] for each in content.parts if each.names))
+        names = list(dict.fromkeys(_shown(each.names[0]) for each in content.parts if each.names))
         more = f" and {len(names) - LISTED} more" if len(names) > LISTED else ""
         known = f"known: {', '.join(names[:LISTED])}{more}" if names else "its parts have no names; remove the key"
         raise GeometryError(f'{where}: it has no element "{element}"; {known}')
     return found
+
+
+def _shown(name: str) -> str:
+    """A name that came with a file, fit for one line."""
+    return "".join(letter for letter in name if letter.isprintable())[:LONGEST]
 
 
 def _install(ending: str, missing: ModuleNotFoundError, *, where: str) -> str:

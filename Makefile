@@ -11,7 +11,7 @@ demo: .venv/installed      ## the main job on the shipped example; the last line
 	$(BIN)/assess run $(DEMO) -o $(DEMO)/results || test $$? -eq 1
 	@echo $(DEMO)/results/report.pdf
 
-test: .venv/installed      ## every test but the benchmarks
+test: .venv/installed .venv/cad      ## every test but the benchmarks
 	$(BIN)/python -m pytest
 
 check: .venv/installed     ## style, types, direction of imports
@@ -23,13 +23,20 @@ check: .venv/installed     ## style, types, direction of imports
 bench: .venv/installed     ## speed, as ratios measured in one run
 	$(BIN)/python tests/benchmarks/bench_dynamics.py
 	$(BIN)/python tests/benchmarks/bench_mechanisms.py
+	$(BIN)/python tests/benchmarks/bench_mesh.py
 
 lock:                      ## for developers, with uv: pin every dependency with its hashes
 	uv pip compile pyproject.toml --group dev --universal --python-version 3.11 --generate-hashes --quiet --output-file requirements.lock
+	uv pip compile pyproject.toml --extra cad --constraint requirements.lock --universal --python-version 3.11 --generate-hashes --quiet --output-file requirements-cad.lock
 
 .venv/installed: requirements.lock pyproject.toml
 	@$(PYTHON) -c 'import sys; sys.exit(0 if sys.version_info >= (3, 11) else "Python 3.11 or newer is needed; say which with: make PYTHON=python3.12 …")'
 	$(PYTHON) -m venv .venv
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes --requirement requirements.lock
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation --editable .
+	@touch $@
+
+.venv/cad: requirements-cad.lock .venv/installed  # readers of STEP, Rhino and IFC files, 330 MB, for their tests only
+	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes --requirement requirements-cad.lock \
+		|| echo "the readers of STEP, Rhino and IFC files do not install here; their tests will be skipped"
 	@touch $@

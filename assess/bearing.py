@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from scipy.constants import g
 
 from assess.errors import GeometryError
-from assess.geometry.cut import gap
+from assess.geometry.boolean import gap
 from assess.geometry.solid import Solid
 from assess.geometry.touch import TOLERANCE, Contact, together, touch
 

@@ -1,26 +1,19 @@
-"""Bodies cut along a plane: what lies above, and the section it stands on; what two bodies share, their distance.
-
-The only door to manifold3d.
-"""
+"""Bodies cut along a plane: what lies above, and the section it stands on."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 import shapely
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from assess.errors import GeometryError
+from assess.geometry.boolean import split
 from assess.geometry.planar import BASE_TOLERANCE
 from assess.geometry.solid import THINNEST, Solid, polyhedron
-
-FloatArray = NDArray[np.float64]
-IntArray = NDArray[np.int64]
-BoolArray = NDArray[np.bool_]
-Surface = tuple[FloatArray, IntArray]
+from assess.geometry.surface import FloatArray, IntArray, Surface
 
 FLATTEST = 1e-6  # vertical part of a unit normal: below this a plane is upright and has no side above
 ON_PLANE = 1e-9  # of the bodies' size: faces this near the plane lie in it
@@ -43,21 +36,6 @@ class Plane:
             return f"the cut at z = {self.point[2]:.6g} m"
         at, to = (", ".join(f"{value + 0.0:.6g}" for value in v) for v in (self.point, self.normal))
         return f"the cut through ({at}) m with normal ({to})"
-
-
-@dataclass(frozen=True)
-class Common:
-    """What two bodies share.
-
-    corners : of the triangles of its surface, anticlockwise seen from outside [m, 3, 3] [m]
-    of_second : which of them are part of the second body's surface [m]; volume : [m3]
-    part : volume over that of the smaller body [-]
-    """
-
-    corners: FloatArray
-    of_second: BoolArray
-    volume: float
-    part: float
 
 
 @dataclass(frozen=True)
@@ -145,41 +123,6 @@ def divide(solids: Sequence[Solid], plane: Plane, *, where: str) -> Parts:
     return Parts(tuple(over), tuple(under), foot, tuple(section))
 
 
-def common(first: Solid, second: Solid) -> Common | None:
-    """What two bodies share, None where they share nothing.
-
-    Raises
-    ------
-    GeometryError : a surface is not that of a solid
-    """
-    if _bounds_gap(first, second) > 0.0:
-        return None
-    origin = (first.vertices.min(axis=0) + first.vertices.max(axis=0)) / 2.0
-    one, two = (_manifold(solid, solid.vertices - origin).as_original() for solid in (first, second))
-    shared = one ^ two
-    volume, smaller = float(shared.volume()), min(float(one.volume()), float(two.volume()))
-    if volume <= THINNEST * smaller:  # faces that only touch leave a film
-        return None
-    mesh = shared.to_mesh64()
-    corners = np.array(mesh.vert_properties, dtype=np.float64)[:, :3][np.array(mesh.tri_verts, dtype=np.int64)]
-    ends = np.array(mesh.run_index, dtype=np.int64) // 3
-    of_second = np.repeat(np.array(mesh.run_original_id, dtype=np.int64) == two.original_id(), ends[1:] - ends[:-1])
-    return Common(corners + origin, of_second, volume, volume / smaller)
-
-
-def gap(first: Solid, second: Solid) -> float:
-    """The shortest distance between two bodies [m]; 0 where they touch or overlap.
-
-    Raises
-    ------
-    GeometryError : a surface is not that of a solid
-    """
-    origin = (first.vertices.min(axis=0) + first.vertices.max(axis=0)) / 2.0
-    one, two = (_manifold(solid, solid.vertices - origin) for solid in (first, second))
-    reach = np.concatenate([first.vertices, second.vertices])
-    return float(one.min_gap(two, float(np.linalg.norm(np.ptp(reach, axis=0))) + 1.0))
-
-
 def halves(solid: Solid, *, point: ArrayLike, normal: ArrayLike) -> tuple[Solid, ...]:
     """The parts of a body behind and before an upright plane through a point [3]; normal: unit vector [3].
 
@@ -192,26 +135,6 @@ def halves(solid: Solid, *, point: ArrayLike, normal: ArrayLike) -> tuple[Solid,
     placed = (solid.vertices - origin) @ axes.T
     front, back = _split(solid, placed, where=f'body "{solid.name}"')
     return tuple(_part(solid, points @ axes + origin, faces) for points, faces in (back, front) if len(faces))
-
-
-def _bounds_gap(first: Solid, second: Solid) -> float:
-    """The largest distance between the bounding boxes along an axis [m]; negative where they overlap."""
-    low_a, high_a, low_b, high_b = (
-        end(solid.vertices, axis=0) for solid in (first, second) for end in (np.min, np.max)
-    )
-    return float(np.maximum(low_b - high_a, low_a - high_b).max())
-
-
-def _manifold(solid: Solid, points: FloatArray) -> Any:
-    """The body with its vertices at the points [n, 3], as manifold3d has it."""
-    from manifold3d import Error, Manifold, Mesh64
-
-    body = Manifold(Mesh64(points, solid.triangles.astype(np.uint64)))
-    if body.status() != Error.NoError:
-        raise GeometryError(
-            f'body "{solid.name}" cannot be set against another ({body.status().name}); is its surface closed?'
-        )
-    return body
 
 
 def _axes(normal: FloatArray) -> FloatArray:
@@ -243,27 +166,13 @@ def _refuse_miss(heights: Sequence[FloatArray], plane: Plane, reach: tuple[float
 
 
 def _split(solid: Solid, points: FloatArray, *, where: str) -> tuple[Surface, Surface]:
-    """Closed surfaces above and below z = 0 of a body whose vertices stand at the points [n, 3].
-
-    Each is the remainder of taking away the other side: there manifold3d drops faces of the body that lie in the
-    plane with nothing behind them, which the part it cuts out keeps as a film without volume.
-    """
+    """Closed surfaces above and below z = 0 of a body whose vertices stand at the points [n, 3]."""
     whole: Surface = (points, solid.triangles)
     if points[:, 2].min() >= 0.0:
         return whole, _NOTHING
     if points[:, 2].max() <= 0.0:
         return _NOTHING, whole
-    from manifold3d import Error, Manifold, Mesh64
-
-    body = Manifold(Mesh64(points, solid.triangles.astype(np.uint64)))
-    if body.status() != Error.NoError:
-        raise GeometryError(f"{where} cannot be cut ({body.status().name}); is its surface closed?")
-    meshes = [body.split_by_plane((0.0, 0.0, side), 0.0)[1].to_mesh64() for side in (-1.0, 1.0)]
-    upper, lower = (
-        (np.array(each.vert_properties, dtype=np.float64)[:, :3], np.array(each.tri_verts, dtype=np.int64))
-        for each in meshes
-    )
-    return upper, lower
+    return split(whole, where=where)
 
 
 def _part(whole: Solid, vertices: FloatArray, triangles: IntArray) -> Solid:

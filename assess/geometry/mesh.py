@@ -1,64 +1,83 @@
-"""Bodies from mesh files. The only door to trimesh, which reads the files; it is not asked to mend anything."""
+"""Bodies from mesh files: read, set upright and to scale, mended where need be."""
 
 from __future__ import annotations
 
-import io
-from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from assess.errors import GeometryError
+from assess.geometry.formats.parts import MeshFile, Up, together
+from assess.geometry.formats.reading import chosen, read
+from assess.geometry.repair import mended
 from assess.geometry.solid import Solid, polyhedron
-from assess.geometry.surface import check_closed, check_shells, merged
+from assess.geometry.sounding import doubts_of
+from assess.geometry.surface import merged
 
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
 
 LARGEST = 500.0  # m: no masonry body is longer
 SMALLEST = 0.01  # m: none is shorter
+USUAL = 5.0  # m: a body's usual length
 COARSE = 1e-4  # of the body's size: rounding of coordinates that moves results
+SAME_UNIT = 1e-6  # of a unit: units that differ by less are one
+UNITS = {"mm": 1e-3, "cm": 1e-2, "in": 0.0254, "ft": 0.3048, "m": 1.0}  # m
 
 
-def load(path: Path | str, *, density: float, name: str, scale: float = 1.0) -> Solid:
-    """The solid inside the closed triangle mesh of a file, STL (text or binary), OBJ or PLY.
+def load(
+    path: Path | str,
+    *,
+    density: float,
+    name: str,
+    scale: float | None = None,
+    up: Up | None = None,
+    element: str | None = None,
+) -> Solid:
+    """The solid inside the triangle meshes of a file; its `trail` says what was done to make them one closed surface.
 
-    Vertices at equal positions are merged; nothing is repaired. Several shells are well when they do not overlap.
+    Vertices at equal positions are merged. A good mesh is not changed otherwise.
 
     Parameters
     ----------
-    path : of the file
+    path : of the file; its ending says its format
     density : [kg/m3]
     name : the body's name in the project
-    scale : length of the file's unit [m]
+    scale : length of the file's unit [m]; the file's own if absent, the metre where it has none
+    up : the axis of the file that points up; the format's if absent, z where it has none
+    element : only the part of the file of this name or identifier; all parts if absent
 
     Raises
     ------
-    GeometryError : the file is missing, of another kind, unreadable or without triangles; the mesh is open, has edges
-        of three triangles or more, is not wound alike, is inside out, without volume, or has overlapping shells; a
-        coordinate is not finite; scale or density is not positive
+    GeometryError : the file is missing, of another kind, unreadable, without triangles or such an element; the mesh
+        cannot be closed or has no volume; a coordinate is not finite; scale or density is not positive
     """
     file = Path(path)
     where = f'body "{name}": mesh {file.name}'
-    if not (np.isfinite(scale) and scale > 0.0):
-        raise GeometryError(f"{where}: its unit is {scale:g} m; give a positive finite length")
-    vertices, triangles = _read(file, where=where)
-    points, faces = merged(_sound(vertices, triangles, where=where) * scale, triangles)
-    if not len(faces):
+    content = read(file, where=where)
+    unit, doubts = _unit(content, scale, where=where)
+    vertices, triangles = together(chosen(content, element, where=where))
+    placed = _upright(_sound(vertices, triangles, where=where) * unit, up=up or content.up or "z")
+    surface = merged(placed, triangles)
+    if not len(surface[1]):
         raise GeometryError(f"{where}: all its triangles have shrunk to lines or points; export it with more digits")
-    check_closed(points, faces, where=where)
-    solid = polyhedron(points, faces, density=density, name=name)
-    check_shells(points, faces, where=where)
-    return solid
+    surface, told = mended(surface, where=where)
+    solid = polyhedron(*surface, density=density, name=name)
+    trail = (*doubts, *told, *doubts_of(surface, where=where))
+    return replace(solid, trail=trail)
 
 
-def suspicious(solid: Solid) -> str | None:
-    """A sentence for the warnings where size or coordinates of a mesh suggest a slip; None where nothing does."""
+def suspicious(solid: Solid, *, unit: float | None = None) -> str | None:
+    """A sentence for the warnings where size or coordinates of a mesh suggest a slip; None where nothing does.
+
+    unit : length that the mesh was read in [m]; None for a body that is no mesh
+    """
     size = float(np.ptp(solid.vertices, axis=0).max())
     if not SMALLEST <= size <= LARGEST:
-        return f'body "{solid.name}" measures {size:.4g} m at its longest; is the unit of the mesh right?'
+        hint = "" if unit is None else _likely_unit(size / unit)
+        return f'body "{solid.name}" measures {size:.4g} m at its longest; is its unit right?{hint}'
     farthest = float(np.abs(solid.vertices).max())
     rounding = farthest * float(np.finfo(np.float32).eps)
     if rounding > COARSE * size and np.array_equal(solid.vertices, solid.vertices.astype(np.float32)):
@@ -69,54 +88,29 @@ def suspicious(solid: Solid) -> str | None:
     return None
 
 
-def _read(file: Path, *, where: str) -> tuple[FloatArray, IntArray]:
-    """Vertices [n, 3] and triangles [m, 3] as the file has them, all its parts together."""
-    readers = _readers()
-    if file.suffix.lower() not in readers:
-        known = ", ".join(readers)
-        raise GeometryError(f'{where}: files of kind "{file.suffix}" are not read; export it as one of {known}')
-    try:
-        content = file.read_bytes()
-    except OSError as problem:
-        raise GeometryError(f"{where}: {problem.strerror or problem} ({file}); check the path") from None
-    try:
-        loaded = readers[file.suffix.lower()](io.BytesIO(content))
-        parts = list(loaded["geometry"].values()) if "geometry" in loaded else [loaded]
-        return _together([part for part in parts if len(part.get("faces", ()))])
-    except Exception as problem:  # the readers raise whatever a broken file leads them to
-        reason = f" ({problem})" if str(problem) else ""
-        kind = file.suffix[1:].upper()
-        text = f"{where}: it cannot be read as {kind}{reason:.120}; export it again as STL, OBJ or PLY"
-        raise GeometryError(" ".join(text.split())) from None
+def _likely_unit(length: float) -> str:
+    """A hint which unit gives a length in the file's unit the size of a body; empty where none does."""
+    likely = min(UNITS, key=lambda name: abs(np.log(length * UNITS[name] / USUAL)))
+    size = length * UNITS[likely]
+    return f' With mesh_unit = "{likely}" it would measure {size:.4g} m' if SMALLEST <= size <= LARGEST else ""
 
 
-def _readers() -> dict[str, Callable[[io.BytesIO], dict[str, Any]]]:
-    """Reader of each file kind. The format readers are called themselves: trimesh's own objects merge and drop."""
-    from trimesh.exchange.obj import load_obj
-    from trimesh.exchange.ply import load_ply
-    from trimesh.exchange.stl import load_stl
-
-    return {
-        ".stl": load_stl,
-        ".obj": lambda content: load_obj(content, skip_materials=True),
-        ".ply": lambda content: load_ply(content, skip_materials=True),
-    }
+def _upright(vertices: FloatArray, *, up: Up) -> FloatArray:
+    """The vertices [n, 3] with z up, whichever axis is in the file: a quarter turn about x."""
+    return vertices if up == "z" else vertices[:, [0, 2, 1]] * [1.0, -1.0, 1.0]
 
 
-def _together(parts: list[dict[str, Any]]) -> tuple[FloatArray, IntArray]:
-    """The parts of a file as one mesh."""
-    vertices = [np.asarray(part["vertices"], dtype=np.float64).reshape(-1, 3) for part in parts]
-    starts = np.cumsum([0, *(len(each) for each in vertices)])[: len(parts)]
-    triangles = [_fans(part["faces"]) + start for part, start in zip(parts, starts, strict=True)]
-    nothing = np.empty((0, 3))
-    return np.concatenate([nothing, *vertices]), np.concatenate([nothing.astype(np.int64), *triangles])
-
-
-def _fans(faces: ArrayLike) -> IntArray:
-    """Triangles [m (k - 2), 3] of faces of k corners [m, k]: fans from the first corner."""
-    corners = np.asarray(faces, dtype=np.int64)
-    fans = [corners[:, [0, i, i + 1]] for i in range(1, corners.shape[1] - 1)]
-    return np.concatenate([np.empty((0, 3), dtype=np.int64), *fans])
+def _unit(content: MeshFile, given: float | None, *, where: str) -> tuple[float, tuple[str, ...]]:
+    """Length of the mesh's unit [m]: the one given, the file's own or the metre; and a sentence where they differ."""
+    if given is not None and not (np.isfinite(given) and given > 0.0):
+        raise GeometryError(f"{where}: its unit is {given:g} m; give a positive finite length")
+    if given is None:
+        return content.unit or 1.0, ()
+    if content.unit is None or abs(content.unit / given - 1.0) < SAME_UNIT:
+        return given, ()
+    return given, (
+        f"its unit is taken to be {given:g} m, as the project says, though the file says {content.unit:g} m",
+    )
 
 
 def _sound(vertices: FloatArray, triangles: IntArray, *, where: str) -> FloatArray:
@@ -126,9 +120,9 @@ def _sound(vertices: FloatArray, triangles: IntArray, *, where: str) -> FloatArr
     if triangles.min() < 0 or triangles.max() >= len(vertices):
         wrong = int(triangles[(triangles < 0) | (triangles >= len(vertices))][0])
         raise GeometryError(f"{where}: a triangle uses vertex {wrong} of {len(vertices)}; export the mesh again")
-    used = np.zeros(len(vertices), dtype=np.bool_)
-    used[triangles] = True
-    bad = np.flatnonzero(used & ~np.isfinite(vertices).all(axis=1))
+    if np.isfinite(vertices).all():
+        return vertices
+    bad = np.setdiff1d(np.unique(triangles), np.flatnonzero(np.isfinite(vertices).all(axis=1)))
     if len(bad):
         at = ", ".join(f"{value:g}" for value in vertices[bad[0]])
         raise GeometryError(f"{where}: {len(bad)} vertices are not finite, the first at ({at}); export the mesh again")

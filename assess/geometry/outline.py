@@ -16,6 +16,8 @@ Outline = tuple[tuple[Point, ...], ...]
 
 FLAT = 1e-12  # of the body's size squared: triangles smaller than this in projection are seen edge-on
 STRAIGHT = 1e-9  # of the body's size: corners flatter than this are no corners
+AT_ONCE = 1000  # triangles united at least, before others are looked up in their union
+SQUARES = 64  # of the coarse grid, along the body
 PER_CELL = 4  # triangles in a cell of the grid that finds the rim
 
 
@@ -39,12 +41,10 @@ def outline(points: FloatArray, triangles: IntArray) -> Outline:
     middle = (points.min(axis=0) + points.max(axis=0)) / 2.0
     size = float(np.ptp(points, axis=0).max())
     corners = _facing(points - middle, triangles, smallest=FLAT * size**2)
-    polygons = np.asarray(shapely.polygons(corners), dtype=np.object_)
     rim = _rim(corners.mean(axis=1), size=size)
-    body = _filled(polygons[rim])
-    shapely.prepare(body)
-    others = polygons[~rim]
-    whole = _filled([body, *others[~shapely.covers(body, others)]])
+    body = _grown(shapely.MultiPolygon(), corners[rim])
+    others = corners[~rim]
+    whole = _grown(body, others[~_well_inside(body, others, size=size)])
     rings = [_ring(part, straight=STRAIGHT * size) + middle for part in shapely.get_parts(whole)]
     return tuple(sorted(tuple((float(x), float(z)) for x, z in ring) for ring in rings))
 
@@ -75,6 +75,38 @@ def _spread(cells: BoolArray) -> BoolArray:
     """The cells and their eight neighbours."""
     wide = cells | np.roll(cells, 1, axis=0) | np.roll(cells, -1, axis=0)
     return np.asarray(wide | np.roll(wide, 1, axis=1) | np.roll(wide, -1, axis=1), dtype=np.bool_)
+
+
+def _well_inside(body: shapely.Geometry, corners: FloatArray, *, size: float) -> BoolArray:
+    """Which of the triangles [k, 3, 2] lie in squares of a coarse grid that the body covers: a quick look [k]."""
+    edges = np.linspace(-0.5, 0.5, SQUARES + 1) * size
+    low, high = np.meshgrid(edges[:-1], edges[:-1], indexing="ij"), np.meshgrid(edges[1:], edges[1:], indexing="ij")
+    shapely.prepare(body)
+    covered = shapely.covers(body, shapely.box(low[0], low[1], high[0], high[1]))
+    a, b, c = (corners[:, i] for i in range(3))
+    first, last = (
+        ((find(find(a, b), c) / size + 0.5) * SQUARES).astype(np.int64).clip(0, SQUARES - 1)
+        for find in (np.minimum, np.maximum)
+    )
+    (i, j), (k, m) = first.T, last.T
+    all_four = covered[i, j] & covered[i, m] & covered[k, j] & covered[k, m]
+    return np.asarray(all_four & (k - i <= 1) & (m - j <= 1), dtype=np.bool_)
+
+
+def _grown(body: shapely.Geometry, corners: FloatArray) -> shapely.Geometry:
+    """The union of a body and triangles [k, 3, 2], without its holes.
+
+    The larger triangles first, because they cover many of the smaller.
+    """
+    polygons = np.asarray(shapely.polygons(corners), dtype=np.object_)
+    left = polygons[np.argsort(-shapely.area(polygons), kind="stable")]
+    while True:
+        shapely.prepare(body)
+        left = left[~shapely.covers(body, left)]
+        if not len(left):
+            return body
+        many = max(AT_ONCE, len(left) // 3)
+        body, left = _filled([body, *left[:many]]), left[many:]
 
 
 def _filled(polygons: Sequence[shapely.Geometry] | NDArray[np.object_]) -> shapely.Geometry:

@@ -39,6 +39,7 @@ class Solid:
     inertia : tensor about the centroid, products with their minus sign [3, 3] [kg m2]
     vertices : of the surface [n, 3] [m]
     triangles : vertex indices, anticlockwise seen from outside [m, 3]
+    trail : what was done to the mesh it was read from, sentences
     """
 
     name: str
@@ -47,6 +48,7 @@ class Solid:
     inertia: FloatArray
     vertices: FloatArray
     triangles: IntArray
+    trail: tuple[str, ...] = ()
 
 
 def box(*, thickness: float, length: float, height: float, base: Sequence[float], density: float, name: str) -> Solid:

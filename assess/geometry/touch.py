@@ -9,7 +9,7 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
-from assess.geometry.cut import common
+from assess.geometry.boolean import common
 from assess.geometry.solid import THINNEST, Solid
 
 FloatArray = NDArray[np.float64]

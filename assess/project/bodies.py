@@ -57,7 +57,9 @@ def solid_of(name: str, body: sections.Body, materials: Mapping[str, sections.Ma
         return None
     density = materials[body.material].density
     if isinstance(body, sections.MeshBody):
-        return mesh.load(body.mesh, density=density, name=name, scale=body.mesh_unit)
+        return mesh.load(
+            body.mesh, density=density, name=name, scale=body.mesh_unit, up=body.mesh_up, element=body.element
+        )
     if isinstance(body, sections.BoxBody):
         return box(**body.box.model_dump(), density=density, name=name)
     return profile(body.profile, length=body.length, density=density, name=name)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -11,17 +10,17 @@ from scipy.constants import g
 
 from assess.bearing import Support, carries, carrying, nearest, share_of, support
 from assess.errors import GeometryError
+from assess.geometry.boolean import common
 from assess.geometry.covering import extent
-from assess.geometry.cut import common
 from assess.geometry.solid import Solid
 from assess.loads import Force, Load, Point, PointMass
 from assess.project import sections
 from assess.project.coverings import Arch, Thrust, arch_of, thrust_of, weight
+from assess.project.overlaps import OVERLAP
 from assess.project.plane import point_in_plane
 
 FloatArray = NDArray[np.float64]
 
-OVERLAP = 5e-3  # of the smaller body's volume: bodies that share less are taken to touch
 BETWEEN = 1 / 8  # of the span: a contact this near its middle holds both feet of a roof or vault
 SAME_PLACE = 0.1  # of the smaller body's volume: a body that shares more with the block is another state of it
 BY_ITSELF = ("give `at` and `bearing`", "give it a mesh, box or profile, or write mass and force loads")
@@ -110,18 +109,6 @@ def body_loads(load: sections.BodyLoad, *, body: Solid | None, mass: float, arou
         source += [] if thrust.size else [thrust.source]
     carried = PointMass(load.body, part.share * whole, at, bearing, load.block, "; ".join(source))
     return Brought((carried, *pushed), tuple(f'load "{load.body}": {text}' for text in (*doubts, *part.doubts)))
-
-
-def overlaps(bodies: Sequence[Solid]) -> Iterator[str]:
-    """A sentence for each two of the bodies that overlap, so that what they share is weighed twice."""
-    for i, one in enumerate(bodies):
-        for other in bodies[i + 1 :]:
-            shared = common(one, other)
-            if shared is not None and shared.part > OVERLAP:
-                yield (
-                    f'bodies "{one.name}" and "{other.name}" overlap by {shared.volume:.3g} m3, which is weighed with '
-                    "both; cut one back"
-                )
 
 
 def met(load: sections.BodyLoad, body: Solid | None, *, around: Surroundings) -> Support | None:

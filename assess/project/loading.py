@@ -11,8 +11,9 @@ from assess.geometry.outline import Outline, distance
 from assess.loads import Force, Load, PointMass, Tie
 from assess.project import sections
 from assess.project.bodies import Piece, Solids
-from assess.project.body_loads import Brought, Surroundings, body_loads, overlaps
+from assess.project.body_loads import Brought, Surroundings, body_loads
 from assess.project.overburdens import overburden_of
+from assess.project.overlaps import overlaps
 from assess.project.plane import point_in_plane, unit_in_plane
 
 IN_THE_AIR = 0.05  # of the block's size: a load farther outside it is not on the block

@@ -6,9 +6,11 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from assess.codes.dmi2008.clauses import ON_GROUND
 from assess.geometry import mesh
+from assess.geometry.formats.reading import WITHOUT_UNIT
 from assess.geometry.solid import Solid
 from assess.mechanisms.mechanism import Mechanism
 from assess.project import sections
+from assess.project.overlaps import overlaps_of
 from assess.results import Notice
 
 
@@ -17,9 +19,9 @@ def notices_of(
 ) -> Iterator[Notice]:
     """What the engineer should know before reading any result."""
     for name, solid in solids.items():
-        doubt = None if solid is None else mesh.suspicious(solid)
-        if doubt:
-            yield Notice("size", f"bodies.{name}", doubt)
+        if solid is not None:
+            yield from _of_body(name, solid, content.bodies[name])
+    yield from overlaps_of(content, solids)
     for mechanism in mechanisms:
         for text in mechanism.notices:
             yield Notice("mechanism", f"mechanisms.{mechanism.name}", text)
@@ -40,3 +42,19 @@ def notices_of(
             "FC = 1.00 stands for knowledge level LC3; where crushing of the masonry is not modelled, as here, "
             "Circolare 617/2009 asks for the FC of LC1, 1.35",
         )
+
+
+def _of_body(name: str, solid: Solid, body: sections.Body) -> Iterator[Notice]:
+    """What was done to the mesh of a body, and a size or place that suggests a slip."""
+    if isinstance(body, sections.MeshBody) and solid.trail:
+        yield Notice("mesh", f"bodies.{name}", f"{body.mesh.name}: {'; '.join(solid.trail)}")
+    doubt = mesh.suspicious(solid, unit=mesh_unit_of(body))
+    if doubt:
+        yield Notice("size", f"bodies.{name}", doubt)
+
+
+def mesh_unit_of(body: sections.Body) -> float | None:
+    """The unit that a mesh was read in [m], where the project states it or a metre stands in for it; else None."""
+    if not isinstance(body, sections.MeshBody):
+        return None
+    return body.mesh_unit or (1.0 if body.mesh.suffix.lower() in WITHOUT_UNIT else None)

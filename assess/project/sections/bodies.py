@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal
 
 from pydantic import Discriminator, Field, Tag
 
@@ -52,14 +52,21 @@ class Box(Section):
 
 
 class MeshBody(Section):
-    """A body bounded by a closed triangle mesh."""
+    """A body bounded by a triangle mesh, which is mended where it is not closed; a warning then says how.
+
+    In the project z points up. glTF files have y up and are in metres by their standard; they are turned.
+    """
 
     material: Name
     """the name of a table [materials.NAME]"""
     mesh: InputFile
-    """closed triangle mesh: STL, OBJ or PLY"""
-    mesh_unit: LengthUnit = 1.0
-    """unit of the mesh's coordinates, like "mm"; metre if absent"""
+    """triangle mesh: STL, OBJ, PLY, OFF, GLB, glTF or 3MF; with extra packages STEP, Rhino .3dm or IFC"""
+    mesh_unit: LengthUnit | None = None
+    """unit of the mesh's coordinates, like "mm"; the file's own if absent, metre where it has none"""
+    mesh_up: Literal["y", "z"] | None = None
+    """axis of the file that points up; "y" for glTF and "z" for all others if absent"""
+    element: Name | None = None
+    """only the part of the file of this name or GlobalId; all its parts if absent"""
 
 
 class BoxBody(Section):

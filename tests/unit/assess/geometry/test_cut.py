@@ -9,7 +9,8 @@ from scipy.spatial.transform import Rotation
 
 from assess.errors import GeometryError
 from assess.geometry import mesh
-from assess.geometry.cut import Parts, common, divide, gap, halves, inclined, level
+from assess.geometry.boolean import common, gap
+from assess.geometry.cut import Parts, divide, halves, inclined, level
 from assess.geometry.planar import base_of_section, lowest_corners, planar, slope_across, turns_about_a_corner
 from assess.geometry.solid import Solid, box, joined, polyhedron, profile
 

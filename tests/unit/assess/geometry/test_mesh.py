@@ -1,5 +1,6 @@
-"""Bodies from mesh files: the same box by every way in, and every mesh that is refused."""
+"""Bodies from mesh files: the same box by every way in, and what is mended or refused."""
 
+import re
 import struct
 import time
 from collections.abc import Sequence
@@ -11,6 +12,7 @@ from numpy.typing import ArrayLike
 from scipy.spatial.transform import Rotation
 
 from assess.errors import GeometryError
+from assess.geometry.formats.parts import Up
 from assess.geometry.mesh import load, suspicious
 from assess.geometry.planar import planar
 from assess.geometry.solid import Solid, box, joined, polyhedron, profile
@@ -188,78 +190,143 @@ def refused(folder: Path, vertices: ArrayLike, triangles: ArrayLike, *, text: st
         assert str(caught.value).startswith('body "wall"')
 
 
-def test_an_open_mesh_is_refused(tmp_path: Path) -> None:
-    text = r"mesh .*: it is open: 3 boundary edges; close the surface .the first runs from .* to .* m."
-    refused(tmp_path, WALL.vertices, WALL.triangles[1:], text=text)
-    a, b = WALL.vertices[WALL.triangles[0]][:2]
-    with pytest.raises(GeometryError) as caught:
-        loaded(tmp_path, WALL.vertices, WALL.triangles[1:])
-    places = ["(" + ", ".join(f"{value:g}" for value in point) + ")" for point in (a, b)]
-    assert sum(place in str(caught.value) for place in places) >= 1
+def repaired(folder: Path, vertices: ArrayLike, triangles: ArrayLike, *, volume: float, text: str) -> Solid:
+    """What is read from every format: of this volume, and the sentence that says what was done."""
+    for file in EXACT:
+        found = loaded(folder, vertices, triangles, file=file)
+        assert found.mass == pytest.approx(volume * DENSITY, rel=1e-12), file
+        assert re.search(text, "; ".join(found.trail)), found.trail
+    return found
 
 
-def test_a_mesh_not_wound_alike_is_refused(tmp_path: Path) -> None:
+def test_a_good_mesh_is_not_touched(tmp_path: Path) -> None:
+    found = loaded(tmp_path, WALL.vertices, WALL.triangles)
+    assert found.trail == ()
+    order = np.lexsort(WALL.vertices.T)
+    np.testing.assert_array_equal(found.vertices, WALL.vertices[order])
+    np.testing.assert_array_equal(found.vertices[found.triangles], WALL.vertices[WALL.triangles])
+
+
+def test_a_missing_triangle_is_closed(tmp_path: Path) -> None:
+    text = r"1 hole of 3 edges, .* m2, closed .the first around .* m; volume \+8.33 %"  # one of 12 equal cones
+    found = repaired(tmp_path, WALL.vertices, WALL.triangles[1:], volume=31.875, text=text)
+    same(found, WALL, rtol=1e-12)
+
+
+def test_a_mesh_that_is_largely_open_is_refused_with_number_and_place(tmp_path: Path) -> None:
+    sheet = WALL.triangles[:2]
+    text = (
+        r"mesh .*: it is open: 4 open edges around 1 hole, the largest around .0.5, -1.25, 6.25. m, 50 % of the surface"
+    )
+    refused(tmp_path, WALL.vertices, sheet, text=text)
+
+
+def test_triangles_are_turned_alike(tmp_path: Path) -> None:
+    turned = np.array([5, 8])
     triangles = WALL.triangles.copy()
-    triangles[5] = triangles[5, ::-1]
-    refused(tmp_path, WALL.vertices, triangles, text="not wound alike at 3 edges; unify the normals")
+    triangles[turned] = triangles[turned, ::-1]
+    found = repaired(tmp_path, WALL.vertices, triangles, volume=31.875, text="2 triangles turned to run like")
+    same(found, WALL, rtol=1e-12)
 
 
-def test_an_inverted_mesh_is_refused(tmp_path: Path) -> None:
-    refused(tmp_path, WALL.vertices, WALL.triangles[:, ::-1], text=r"inside out .volume -31.875 m3.; flip its normals")
+def test_an_inverted_mesh_is_turned(tmp_path: Path) -> None:
+    found = repaired(
+        tmp_path, WALL.vertices, WALL.triangles[:, ::-1], volume=31.875, text="faced inwards and were turned"
+    )
+    same(found, WALL, rtol=1e-12)
+    outer, inner = block(0.0, 0.0, 0.0, size=(4.0, 4.0, 4.0)), block(0.5, 0.0, 1.0, size=(2.0, 2.0, 2.0))
+    vertices, triangles = soup(outer, inwards(inner))
+    repaired(tmp_path, vertices, triangles[:, ::-1], volume=56.0, text="faced inwards and were turned")
 
 
-def test_edges_of_more_than_two_triangles_are_refused(tmp_path: Path) -> None:
-    parts = soup(block(0.0, 0.0, 0.0), block(1.0, 1.0, 0.0))  # share one vertical edge
-    refused(tmp_path, *parts, text="1 edge shared by three or more triangles; separate")
-    refused(tmp_path, *soup(WALL, WALL), text="18 edges shared by three or more")
+def test_boxes_that_share_an_edge_or_a_face_are_two(tmp_path: Path) -> None:
+    for other in (block(1.0, 1.0, 0.0), block(1.0, 0.0, 0.0)):
+        found = loaded(tmp_path, *soup(block(0.0, 0.0, 0.0), other))
+        assert (found.mass, found.trail) == (pytest.approx(2.0 * DENSITY, rel=1e-14), ())
+
+
+def test_double_triangles_count_once(tmp_path: Path) -> None:
+    repaired(tmp_path, *soup(WALL, WALL), volume=31.875, text="12 double triangles left out .volume -100 %")
+    both_sides = np.concatenate([WALL.triangles, WALL.triangles[:, ::-1]])
+    repaired(tmp_path, WALL.vertices, both_sides, volume=31.875, text="12 double triangles left out")
 
 
 def test_a_mesh_without_volume_is_refused(tmp_path: Path) -> None:
     refused(tmp_path, [[0, 0, 0], [1, 0, 0], [0, 0, 1]], [[0, 1, 2], [0, 2, 1]], text="encloses no volume")
-    refused(tmp_path, WALL.vertices * [0.0, 1.0, 1.0], WALL.triangles, text="shared by three|no volume|not wound alike")
+    refused(tmp_path, WALL.vertices * [0.0, 1.0, 1.0], WALL.triangles, text="no volume")
     refused(tmp_path, [[0, 0, 0]] * 3, [[0, 1, 2]], text="shrunk to lines or points")
 
 
 @pytest.mark.parametrize(
-    ("where", "size"),
+    ("where", "size", "volume"),
     [
-        ((0.3, 0.2, 0.4), (1.0, 1.0, 1.0)),  # at a corner
-        ((0.5, 0.0, 0.0), (1.0, 1.0, 1.0)),  # pushed in with four faces flush
-        ((0.0, 0.0, 0.0), (0.5, 3.0, 1.0)),  # a cross, top and bottom flush
-        ((0.0, 0.0, 0.5), (0.25, 0.25, 3.0)),  # a bar through the top face
-        ((0.25, 0.0, 0.0), (0.5, 0.5, 0.5)),  # inside, two faces flush
-        ((0.0, 0.0, -0.99999), (1.0, 1.0, 1.0)),  # by a hundredth of a millimetre
+        ((0.3, 0.2, 0.4), (1.0, 1.0, 1.0), 2.0 - 0.7 * 0.8 * 0.6),  # at a corner
+        ((0.5, 0.0, 0.0), (1.0, 1.0, 1.0), 1.5),  # pushed in with four faces flush
+        ((0.0, 0.0, 0.0), (0.5, 3.0, 1.0), 2.0),  # a cross, top and bottom flush
+        ((0.0, 0.0, 0.5), (0.25, 0.25, 3.0), 1.0 + 0.25**2 * 2.5),  # a bar through the top face
+        ((0.25, 0.0, 0.0), (0.5, 0.5, 0.5), 1.0),  # inside, two faces flush
+        ((0.0, 0.0, 0.0), (1.0, 1.0, 2.0), 2.0),  # around, five faces flush and the same corners
+        ((0.0, 0.0, -0.99999), (1.0, 1.0, 1.0), 1.99999),  # by a hundredth of a millimetre
     ],
 )
 @pytest.mark.parametrize("angle", [0.0, 0.7])
-def test_overlapping_shells_are_refused(
-    tmp_path: Path, where: tuple[float, float, float], size: tuple[float, float, float], angle: float
+def test_overlapping_shells_are_united(
+    tmp_path: Path,
+    where: tuple[float, float, float],
+    size: tuple[float, float, float],
+    volume: float,
+    angle: float,
 ) -> None:
     vertices, triangles = soup(block(0.0, 0.0, 0.0), block(*where, size=size))
     turn = Rotation.from_rotvec([angle, 2.0 * angle, -angle]).as_matrix()
-    refused(tmp_path, vertices @ turn.T, triangles, text="overlap, near .* would count twice|lies inside another")
+    found = loaded(tmp_path, vertices @ turn.T, triangles, file="text.ply")
+    assert found.mass == pytest.approx(volume * DENSITY, rel=1e-9)
+    assert "closed shells, some of which overlap" in found.trail[0]
+    moved = 100.0 * (volume - (1.0 + np.prod(size))) / volume
+    assert f"(volume {moved:+.3g} %)" in found.trail[0]
 
 
-def test_a_shell_inside_another_is_refused_unless_it_is_a_cavity(tmp_path: Path) -> None:
+def test_a_shell_inside_another_counts_once_unless_it_is_a_cavity(tmp_path: Path) -> None:
     outer, inner = block(0.0, 0.0, 0.0, size=(4.0, 4.0, 4.0)), block(0.5, 0.0, 1.0, size=(2.0, 2.0, 2.0))
-    refused(tmp_path, *soup(outer, inner), text="shell 2, around .0.5, 0, 2. m, lies inside another")
-    refused(tmp_path, *soup(outer, inwards(block(9.0, 0.0, 0.0))), text="shell 2, around .9, 0, 0.5. m, is inside out")
+    repaired(tmp_path, *soup(outer, inner), volume=64.0, text="2 closed shells, .* united, .* .volume -12.5 %")
+    text = "1 closed shell inside out turned .the first around .9, 0, 0.5. m"
+    repaired(tmp_path, *soup(outer, inwards(block(9.0, 0.0, 0.0))), volume=65.0, text=text)
+    repaired(
+        tmp_path, *soup(outer, inwards(block(0.0, 0.0, 4.0))), volume=65.0, text="1 closed shell inside out turned"
+    )
 
 
-def test_cavities_that_break_through_or_meet_are_refused(tmp_path: Path) -> None:
+def test_cavities_that_break_through_or_meet_are_taken_off_once(tmp_path: Path) -> None:
     outer = block(0.0, 0.0, 0.0, size=(4.0, 4.0, 4.0))
     through = block(0.0, 0.0, 1.0, size=(2.0, 2.0, 3.1))
-    refused(tmp_path, *soup(outer, inwards(through)), text="overlap|inside out")
-    slot = block(0.0, 0.0, 1.0, size=(6.0, 1.0, 1.0))
-    refused(tmp_path, *soup(outer, inwards(slot)), text="overlap|inside out")
+    repaired(tmp_path, *soup(outer, inwards(through)), volume=64.0 - 12.0, text="overlap")
     pair = [inwards(block(x, 0.0, 1.0, size=(1.0, 1.0, 1.0))) for x in (-0.4, 0.4)]
-    refused(tmp_path, *soup(outer, *pair), text="overlap|inside out")
+    repaired(tmp_path, *soup(outer, *pair), volume=64.0 - 1.8, text="overlap")
 
 
-def test_a_flat_shell_beside_a_body_is_refused(tmp_path: Path) -> None:
+def test_a_flat_shell_beside_a_body_is_left_out(tmp_path: Path) -> None:
     vertices = np.concatenate([WALL.vertices, [[9.0, 0.0, 0.0], [9.0, 1.0, 0.0], [9.0, 0.0, 1.0]]])
     triangles = np.concatenate([WALL.triangles, [[8, 9, 10], [8, 10, 9]]])
-    refused(tmp_path, vertices, triangles, text="shell 2, around .* encloses no volume; remove it")
+    repaired(tmp_path, vertices, triangles, volume=31.875, text="1 closed shell without volume left out")
+
+
+def test_a_surface_that_cuts_itself_is_refused(tmp_path: Path) -> None:
+    """A prism over a star that is wound twice around its middle: the pentagon there counts twice."""
+    turn = 4.0 * np.pi * np.arange(5) / 5.0
+    ring = np.column_stack([np.cos(turn), np.zeros(5), np.sin(turn)])
+    k, q = np.arange(5), (np.arange(5) + 1) % 5
+    ends = np.column_stack([k, q, np.full(5, 10)]), np.column_stack([q + 5, k + 5, np.full(5, 11)])
+    sides = np.concatenate([np.column_stack([k, k + 5, q]), np.column_stack([q, k + 5, q + 5])])
+    vertices = np.concatenate([ring, np.add(ring, [0.0, 2.0, 0.0]), [[0.0, 0.0, 0.0], [0.0, 2.0, 0.0]]])
+    triangles = np.concatenate([*ends, sides])
+    refused(tmp_path, vertices, triangles, text=r"cuts itself, near .* so that about \d+ % of its volume counts twice")
+
+
+@pytest.mark.parametrize("up", ["y", "z"])
+def test_the_axis_that_points_up_is_turned_to_z(tmp_path: Path, up: Up) -> None:
+    turned = WALL.vertices if up == "z" else WALL.vertices @ Rotation.from_euler("x", -90, degrees=True).as_matrix().T
+    (tmp_path / "wall.obj").write_bytes(obj(turned, WALL.triangles))
+    same(load(tmp_path / "wall.obj", density=DENSITY, name="wall", up=up), WALL, rtol=1e-12)
 
 
 @pytest.mark.parametrize("value", [float("nan"), float("inf")])
@@ -324,11 +391,16 @@ def test_scale_and_density_must_be_positive(tmp_path: Path) -> None:
         load(tmp_path / "wall.obj", density=-1.0, name="wall")
 
 
-def test_a_size_that_suggests_a_wrong_unit_is_told() -> None:
+def test_a_size_that_suggests_a_wrong_unit_is_told_with_the_likely_one() -> None:
     assert suspicious(WALL) is None
-    for factor in (1000.0, 0.001):
-        sentence = suspicious(polyhedron(WALL.vertices * factor, WALL.triangles, density=DENSITY, name="wall"))
-        assert sentence == f'body "wall" measures {8.5 * factor:.4g} m at its longest; is the unit of the mesh right?'
+    for factor, unit, hint in (
+        (1000.0, 1.0, ' With mesh_unit = "mm" it would measure 8.5 m'),
+        (0.001, 0.001, ' With mesh_unit = "m" it would measure 8.5 m'),
+        (1000.0, None, ""),
+    ):
+        body = polyhedron(WALL.vertices * factor, WALL.triangles, density=DENSITY, name="wall")
+        wanted = f'body "wall" measures {8.5 * factor:.4g} m at its longest; is its unit right?{hint}'
+        assert suspicious(body, unit=unit) == wanted
 
 
 def test_single_precision_far_from_the_origin_is_told(tmp_path: Path) -> None:

@@ -1,0 +1,133 @@
+"""Closed surfaces cut, united and intersected; the distance between them. The only door to manifold3d."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import groupby
+from typing import Any
+
+import numpy as np
+
+from assess.errors import GeometryError
+from assess.geometry.solid import THINNEST, Solid
+from assess.geometry.surface import BoolArray, FloatArray, Surface, merged, volume
+
+
+@dataclass(frozen=True)
+class Common:
+    """What two bodies share.
+
+    corners : of the triangles of its surface, anticlockwise seen from outside [m, 3, 3] [m]
+    of_second : which of them are part of the second body's surface [m]; volume : [m3]
+    part : volume over that of the smaller body [-]
+    """
+
+    corners: FloatArray
+    of_second: BoolArray
+    volume: float
+    part: float
+
+
+def split(surface: Surface, *, where: str) -> tuple[Surface, Surface]:
+    """What lies above z = 0 and what lies below.
+
+    Each is the remainder of taking away the other side: there manifold3d drops faces of the body that lie in the
+    plane with nothing behind them, which the part it cuts out keeps as a film without volume.
+
+    Raises
+    ------
+    GeometryError : the surface is not closed
+    """
+    body = _manifold(surface, where=where)
+    upper, lower = (_surface(body.split_by_plane((0.0, 0.0, side), 0.0)[1]) for side in (-1.0, 1.0))
+    return upper, lower
+
+
+def united(shells: Sequence[Surface], *, where: str) -> Surface:
+    """One surface around what closed shells stand for, the larger laid down first, each over those before it.
+
+    Shells that face outwards add material, those that face inwards (cavities) take it away; so a cavity empties the
+    body around it, and a body within a cavity stands in it.
+    """
+    from manifold3d import Manifold, OpType
+
+    middle = shells[0][0].mean(axis=0)  # coordinates far from the origin cost no digits
+    sized = sorted(((volume(*shell), shell) for shell in shells), key=lambda each: -abs(each[0]))
+    whole = Manifold()
+    for material, group in groupby(sized, key=lambda each: each[0] > 0.0):
+        bodies = [_manifold(_towards((v - middle, t), outwards=material), where=where) for _, (v, t) in group]
+        whole = Manifold.batch_boolean([whole, *bodies], OpType.Add if material else OpType.Subtract)
+    vertices, triangles = _surface(whole)
+    return merged(vertices + middle, triangles)
+
+
+def common(first: Solid, second: Solid) -> Common | None:
+    """What two bodies share, None where they share nothing.
+
+    Raises
+    ------
+    GeometryError : a surface is not that of a solid
+    """
+    if _bounds_gap(first, second) > 0.0:
+        return None
+    origin = (first.vertices.min(axis=0) + first.vertices.max(axis=0)) / 2.0
+    one, two = (_placed(solid, origin).as_original() for solid in (first, second))
+    shared = one ^ two
+    volume, smaller = float(shared.volume()), min(float(one.volume()), float(two.volume()))
+    if volume <= THINNEST * smaller:  # faces that only touch leave a film
+        return None
+    mesh = shared.to_mesh64()
+    corners = np.array(mesh.vert_properties, dtype=np.float64)[:, :3][np.array(mesh.tri_verts, dtype=np.int64)]
+    ends = np.array(mesh.run_index, dtype=np.int64) // 3
+    of_second = np.repeat(np.array(mesh.run_original_id, dtype=np.int64) == two.original_id(), ends[1:] - ends[:-1])
+    return Common(corners + origin, of_second, volume, volume / smaller)
+
+
+def gap(first: Solid, second: Solid) -> float:
+    """The shortest distance between two bodies [m]; 0 where they touch or overlap.
+
+    Raises
+    ------
+    GeometryError : a surface is not that of a solid
+    """
+    origin = (first.vertices.min(axis=0) + first.vertices.max(axis=0)) / 2.0
+    one, two = (_placed(solid, origin) for solid in (first, second))
+    reach = np.concatenate([first.vertices, second.vertices])
+    return float(one.min_gap(two, float(np.linalg.norm(np.ptp(reach, axis=0))) + 1.0))
+
+
+def _bounds_gap(first: Solid, second: Solid) -> float:
+    """The largest distance between the bounding boxes along an axis [m]; negative where they overlap."""
+    low_a, high_a, low_b, high_b = (
+        end(solid.vertices, axis=0) for solid in (first, second) for end in (np.min, np.max)
+    )
+    return float(np.maximum(low_b - high_a, low_a - high_b).max())
+
+
+def _placed(solid: Solid, origin: FloatArray) -> Any:
+    """The body about an origin [3], as manifold3d has it."""
+    return _manifold((solid.vertices - origin, solid.triangles), where=f'body "{solid.name}"')
+
+
+def _towards(surface: Surface, *, outwards: bool) -> Surface:
+    vertices, triangles = surface
+    return vertices, triangles if outwards else triangles[:, ::-1]
+
+
+def _manifold(surface: Surface, *, where: str) -> Any:
+    from manifold3d import Error, Manifold, Mesh64
+
+    vertices, triangles = surface
+    body = Manifold(Mesh64(np.array(vertices, order="C"), np.array(triangles, dtype=np.uint64, order="C")))
+    if body.status() != Error.NoError:
+        raise GeometryError(
+            f"{where} cannot be cut, united or set against another ({body.status().name}); is its surface closed?"
+        )
+    return body
+
+
+def _surface(body: Any) -> Surface:
+    mesh = body.to_mesh64()
+    vertices: FloatArray = np.array(mesh.vert_properties, dtype=np.float64)[:, :3]
+    return vertices, np.array(mesh.tri_verts, dtype=np.int64)

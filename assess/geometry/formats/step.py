@@ -1,0 +1,47 @@
+"""STEP files (ISO 10303-21). The only door to cascadio, which meshes them with Open CASCADE."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import replace
+from pathlib import Path
+
+from assess.geometry.formats.by_trimesh import read_glb
+from assess.geometry.formats.part21 import refuse_cut_short
+from assess.geometry.formats.parts import MeshFile
+
+ANGULAR = 0.05  # rad: largest turn between neighbouring facets; a circle's area is then 0.04 % small
+LINEAR = 0.01  # of an edge's length: largest distance of a facet from its surface
+
+
+def read_step(file: Path) -> MeshFile:
+    """The solids of a STEP file as meshes, in metres whatever the file's unit; single precision, by way of glTF."""
+    import cascadio
+
+    refuse_cut_short(file)
+    with tempfile.TemporaryDirectory() as folder:
+        glb = Path(folder) / "meshed.glb"
+        with _unheard():
+            failed = cascadio.step_to_glb(str(file), str(glb), LINEAR, ANGULAR, True)
+        if failed or not glb.is_file():
+            raise ValueError("Open CASCADE finds no shape in it")
+        return replace(read_glb(glb), up="z")
+
+
+@contextmanager
+def _unheard() -> Iterator[None]:
+    """Keep off the standard streams what Open CASCADE writes there; the error it returns says the same."""
+    kept = {stream: os.dup(stream) for stream in (1, 2)}
+    nowhere = os.open(os.devnull, os.O_WRONLY)
+    try:
+        for stream in kept:
+            os.dup2(nowhere, stream)
+        yield
+    finally:
+        for stream, saved in kept.items():
+            os.dup2(saved, stream)
+            os.close(saved)
+        os.close(nowhere)

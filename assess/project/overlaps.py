@@ -1,0 +1,31 @@
+"""Bodies of one mechanism that share space, so that their masonry counts twice."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import combinations
+
+from assess.geometry.boolean import common
+from assess.geometry.solid import Solid
+from assess.project import sections
+from assess.results import Notice
+
+OVERLAP = 5e-3  # of the smaller body's volume: bodies that share less are taken to touch
+
+
+def overlaps(bodies: Sequence[Solid]) -> Iterator[str]:
+    """A sentence for each two of the bodies that overlap, so that what they share is weighed twice."""
+    for one, other in combinations(bodies, 2):
+        shared = common(one, other)
+        if shared is not None and shared.part > OVERLAP:
+            size = f"{shared.volume:.3g} m3, {100.0 * shared.part:.3g} % of the smaller"
+            yield f'bodies "{one.name}" and "{other.name}" overlap by {size}, which is weighed with both; cut one back'
+
+
+def overlaps_of(content: sections.Content, solids: Mapping[str, Solid | None]) -> Iterator[Notice]:
+    """A notice for each two bodies of a mechanism's blocks that overlap."""
+    for name, section in content.mechanisms.items():
+        blocks = () if isinstance(section, sections.EquivalentBlock) else section.blocks
+        names = dict.fromkeys(body for block in blocks for body in block)
+        for text in overlaps([solid for body in names if (solid := solids[body]) is not None]):
+            yield Notice("overlap", f"mechanisms.{name}", text)

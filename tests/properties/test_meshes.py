@@ -1,0 +1,151 @@
+"""What must hold for the oscillator of any mesh: it depends on the body, not on how the mesh stands or is divided."""
+
+from __future__ import annotations
+
+import time
+
+import numpy as np
+import pytest
+from scipy.constants import g
+from scipy.spatial import ConvexHull
+from scipy.spatial.transform import Rotation
+
+from assess.geometry.cut import divide, level
+from assess.geometry.planar import PlanarBody, planar, planar_joined
+from assess.geometry.repair import mended
+from assess.geometry.solid import Solid, box, polyhedron, profile
+from assess.geometry.surface import merged
+from assess.mechanisms.single_block import single_block
+from assess.mechanisms.virtual_work import oscillator
+from assess.oscillator import Branch, Oscillator
+
+DENSITY = 2100.0
+X = (1.0, 0.0, 0.0)
+
+
+def boulder() -> Solid:
+    """A convex body without symmetry that stands on a level face."""
+    points = np.random.default_rng(3).normal(size=(60, 3)) * [0.8, 1.5, 3.0] + [0.0, 0.0, 4.0]
+    points = points[points[:, 2] > 0.5]
+    foot = np.array([[-0.9, -1.0, 0.0], [0.8, -1.2, 0.0], [1.1, 1.0, 0.0], [-0.7, 1.3, 0.0]])
+    cloud = np.vstack([points, foot])
+    hull = ConvexHull(cloud)
+    corners = cloud[hull.simplices]
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    outwards = np.einsum("mi,mi->m", normals, hull.equations[:, :3]) > 0.0
+    faces = np.where(outwards[:, None], hull.simplices, hull.simplices[:, ::-1])
+    return polyhedron(cloud, faces, density=DENSITY, name="boulder")
+
+
+ARCHED = [
+    [-2.0, 0.0],
+    [-0.8, 0.0],
+    [-0.8, 1.5],
+    [0.0, 2.3],
+    [0.8, 1.5],
+    [0.8, 0.0],
+    [2.0, 0.0],
+    [2.0, 4.5],
+    [-2.0, 5.0],
+]
+BODIES = {
+    "wall": box(thickness=0.6, length=4.0, height=4.5, base=(0.0, 0.0, 0.0), density=DENSITY, name="wall"),
+    "leaning pier": profile([[-0.5, 0], [0.5, 0], [0.7, 3], [0.1, 3]], length=1.0, density=DENSITY, name="pier"),
+    "pierced wall": profile(ARCHED, length=0.6, density=DENSITY, name="pierced"),
+    "boulder": boulder(),
+}
+EVERY = pytest.mark.parametrize("body", BODIES.values(), ids=BODIES)
+
+
+def rocking(*bodies: Solid, direction: tuple[float, float, float] = X) -> Oscillator:
+    """The bodies as one block on the ground."""
+    seen = [planar(each, direction=direction) for each in bodies]
+    return oscillator(single_block("m", seen[0] if len(seen) == 1 else planar_joined(seen, name="block")))
+
+
+def meshed(vertices: np.ndarray, triangles: np.ndarray) -> Solid:
+    """A body by the way of a mesh file."""
+    surface, told = mended(merged(vertices, triangles), where="mesh")
+    assert told == ()
+    return polyhedron(*surface, density=DENSITY, name="mesh")
+
+
+def finer(solid: Solid, *, times: int) -> tuple[np.ndarray, np.ndarray]:
+    """Every triangle cut into four at the middles of its edges, several times; loose triangles."""
+    corners = solid.vertices[solid.triangles]
+    for _ in range(times):
+        a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
+        ab, bc, ca = (a + b) / 2.0, (b + c) / 2.0, (c + a) / 2.0
+        four = [(a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca)]
+        corners = np.concatenate([np.stack(each, axis=1) for each in four])
+    return corners.reshape(-1, 3), np.arange(3 * len(corners)).reshape(-1, 3)
+
+
+def alike(found: Oscillator, wanted: Oscillator, *, rtol: float = 1e-9) -> None:
+    """Every column of both branches."""
+    assert found.mass == pytest.approx(wanted.mass, rel=rtol)
+    for one, other in ((found.positive, wanted.positive), (found.negative, wanted.negative)):
+        assert isinstance(one, Branch)
+        assert isinstance(other, Branch)
+        for name, column in vars(other).items():
+            size = float(np.max(np.abs(column)))
+            np.testing.assert_allclose(getattr(one, name), column, rtol=0.0, atol=rtol * size, err_msg=name)
+
+
+def of_g(branch: Branch) -> np.ndarray:
+    """lambda = restoring / (g B) at every node."""
+    return branch.restoring / (g * branch.excitation)
+
+
+@EVERY
+def test_a_finer_mesh_changes_nothing(body: Solid) -> None:
+    alike(rocking(meshed(*finer(body, times=3))), rocking(body))
+
+
+@EVERY
+@pytest.mark.parametrize("angle", [0.3, 1.1, 2.0, -2.7])
+def test_a_mesh_turned_with_its_direction_and_moved_changes_nothing(body: Solid, angle: float) -> None:
+    turn = Rotation.from_euler("z", angle).as_matrix()
+    there = meshed(body.vertices @ turn.T + [35.0, -20.0, 12.0], body.triangles)
+    alike(rocking(there, direction=tuple((turn @ X).tolist())), rocking(body))
+
+
+@EVERY
+@pytest.mark.parametrize("s", [0.25, 3.0])
+def test_lengths_times_s_divide_p_squared_by_s_and_leave_lambda(body: Solid, s: float) -> None:
+    small, large = rocking(body), rocking(meshed(body.vertices * s, body.triangles))
+    for one, other in ((large.positive, small.positive), (large.negative, small.negative)):
+        assert one is not None
+        assert other is not None
+        np.testing.assert_allclose(one.rotation, other.rotation, rtol=0.0, atol=1e-9)
+        size = float(np.max(np.abs(of_g(other))))
+        np.testing.assert_allclose(of_g(one), of_g(other), rtol=0.0, atol=1e-9 * size)
+        squares = one.restoring / one.inertia * s, other.restoring / other.inertia
+        np.testing.assert_allclose(squares[0], squares[1], rtol=0.0, atol=1e-9 * float(np.max(np.abs(squares[1]))))
+
+
+@EVERY
+def test_a_block_split_into_welded_bodies_changes_nothing(body: Solid) -> None:
+    """Cut at a level by manifold3d; the parts joined again."""
+    parts = divide([body], level(0.4 * float(body.vertices[:, 2].max())), where="split")
+    alike(rocking(*parts.below, *parts.above), rocking(body))
+
+
+def test_a_mesh_of_twenty_thousand_triangles_is_quick() -> None:
+    """The whole way from triangles to the oscillator; a million are in the benchmarks."""
+    vertices, triangles = finer(BODIES["boulder"], times=5)
+    assert len(triangles) > 20_000
+    start = time.perf_counter()
+    found = rocking(meshed(vertices, triangles))
+    seconds = time.perf_counter() - start
+    alike(found, rocking(BODIES["boulder"]))
+    assert seconds < 2.0, f"{seconds:.2f} s; about 0.15 s on an idle machine"
+
+
+def test_planar_bodies_know_their_outline() -> None:
+    """The mesh's outline is that of the body, whatever its triangles."""
+    body = BODIES["boulder"]
+    coarse, fine = (planar(each, direction=X) for each in (body, meshed(*finer(body, times=2))))
+    assert isinstance(coarse, PlanarBody)
+    assert len(coarse.outline) == len(fine.outline) == 1
+    np.testing.assert_allclose(fine.outline[0], coarse.outline[0], rtol=0.0, atol=1e-9)

@@ -1,0 +1,79 @@
+"""IFC files made with ifcopenshell."""
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from assess.errors import GeometryError
+from assess.geometry.mesh import load
+
+ifcopenshell: Any = pytest.importorskip("ifcopenshell", reason="the extra 'ifc' is not installed")
+
+
+def building(file: Path, *, prefix: str | None) -> dict[str, str]:
+    """Two walls, one with a door, and a space; returns the GlobalId of each by name."""
+    import ifcopenshell.api.context as context
+    import ifcopenshell.api.feature as feature
+    import ifcopenshell.api.project as project
+    import ifcopenshell.api.root as root
+    import ifcopenshell.api.unit as unit
+
+    model = project.create_file()
+    root.create_entity(model, ifc_class="IfcProject", name="house")
+    unit.assign_unit(model, units=[unit.add_si_unit(model, unit_type="LENGTHUNIT", prefix=prefix)])
+    whole = context.add_context(model, context_type="Model")
+    body = context.add_context(
+        model, context_type="Model", context_identifier="Body", target_view="MODEL_VIEW", parent=whole
+    )
+    north = element(model, body, "IfcWall", "north", at=(0, 0, 0), size=(3.0, 1.25, 8.0))
+    south = element(model, body, "IfcWall", "south", at=(0, 20, 0), size=(4.0, 1.25, 8.0))
+    element(model, body, "IfcSpace", "hall", at=(0, 2, 0), size=(4.0, 10.0, 8.0))
+    door = element(model, body, "IfcOpeningElement", "door", at=(1, 0, 0), size=(1.0, 1.25, 2.0))
+    feature.add_feature(model, feature=door, element=north)
+    model.write(str(file))
+    return {"north": north.GlobalId, "south": south.GlobalId}
+
+
+def element(model: Any, body: Any, kind: str, name: str, *, at: tuple[float, ...], size: tuple[float, ...]) -> Any:
+    import ifcopenshell.api.geometry as geometry
+    import ifcopenshell.api.root as root
+
+    made = root.create_entity(model, ifc_class=kind, name=name)
+    place = np.eye(4)
+    place[:3, 3] = at
+    geometry.edit_object_placement(model, product=made, matrix=place)
+    length, thickness, height = size
+    shape = geometry.add_wall_representation(model, context=body, length=length, height=height, thickness=thickness)
+    geometry.assign_representation(model, product=made, representation=shape)
+    return made
+
+
+@pytest.mark.parametrize("prefix", ["MILLI", None])
+def test_elements_are_chosen_by_name_or_identifier_in_metres(tmp_path: Path, prefix: str | None) -> None:
+    file = tmp_path / "house.ifc"
+    identifiers = building(file, prefix=prefix)
+    south, north = 4.0 * 1.25 * 8.0, 3.0 * 1.25 * 8.0 - 1.0 * 1.25 * 2.0
+    for name, volume in ((None, south + north), ("south", south), ("north", north), (identifiers["north"], north)):
+        found = load(file, density=1.0, name="wall", element=name)
+        assert found.mass == pytest.approx(volume, rel=1e-9)
+        assert found.trail == ()
+    assert load(file, density=1.0, name="wall", element="south").vertices[:, 1].min() == pytest.approx(20.0, rel=1e-9)
+    with pytest.raises(GeometryError, match='it has no element "hall"; known: north, south'):
+        load(file, density=1.0, name="wall", element="hall")
+
+
+@pytest.mark.parametrize("part", [0.0, 0.3, 0.6, 0.99])
+def test_an_ifc_file_cut_short_is_refused(tmp_path: Path, part: float) -> None:
+    building(tmp_path / "house.ifc", prefix=None)
+    content = (tmp_path / "house.ifc").read_bytes()
+    (tmp_path / "short.ifc").write_bytes(content[: int(part * len(content))])
+    with pytest.raises(GeometryError, match=r'body "wall": mesh short.ifc: it cannot be read as IFC .it does not end'):
+        load(tmp_path / "short.ifc", density=1.0, name="wall")
+
+
+def test_text_that_only_ends_like_one_is_refused(tmp_path: Path) -> None:
+    (tmp_path / "junk.ifc").write_text("hello\nEND-ISO-10303-21;\n")
+    with pytest.raises(GeometryError, match=r'body "wall": mesh junk.ifc: it cannot be read as IFC'):
+        load(tmp_path / "junk.ifc", density=1.0, name="wall")

@@ -1,0 +1,169 @@
+"""Bodies from project files: meshes of every kind and state, several bodies and densities, openings, leaning walls."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from assess.errors import GeometryError, ProjectError
+from assess.geometry.solid import Solid, box, joined, profile
+from assess.project.build import build
+from assess.project.run import parameters, run
+from assess.project.schema import load, resolved
+from assess.project.study import Study
+from assess.results import Notice
+
+HEAD = """
+[materials.stone]
+density = 2400
+[materials.rubble]
+density = 1800
+"""
+MECHANISM = '\n[mechanisms.m]\nkind = "single-block"\nblocks = [{blocks}]\n'
+SITE = """
+[site.spectrum]
+code = "asce7-16"
+s_ds = "0.5 g"
+s_d1 = "0.2 g"
+t_l = 6
+[records.synthetic]
+count = 1
+duration = "8 s"
+[analysis]
+procedures = ["asce43-05-spectrum"]
+"""
+
+
+def obj(solid: Solid, *, faces: slice = slice(None)) -> str:
+    """A surface as Wavefront OBJ."""
+    places = [f"v {x!r} {y!r} {z!r}" for x, y, z in solid.vertices.tolist()]
+    return "\n".join([*places, *(f"f {a} {b} {c}" for a, b, c in (solid.triangles[faces] + 1).tolist()), ""])
+
+
+def wall(**changes: object) -> Solid:
+    form = {"thickness": 0.6, "length": 4.0, "height": 4.5, "base": (0.0, 0.0, 0.0), "density": 2400.0, "name": "wall"}
+    return box(**(form | changes))  # type: ignore[arg-type]
+
+
+def study(folder: Path, bodies: str, *, blocks: str = '["w"]', more: str = "") -> Study:
+    (folder / "project.toml").write_text(HEAD + bodies + MECHANISM.format(blocks=blocks) + more)
+    return build(load(folder))
+
+
+def of_bodies(made: Study) -> list[Notice]:
+    """The notices on bodies."""
+    return [notice for notice in made.notices if notice.code in ("mesh", "size", "overlap")]
+
+
+def body(name: str, form: str, *, material: str = "stone") -> str:
+    return f'\n[bodies.{name}]\nmaterial = "{material}"\n{form}\n'
+
+
+def box_form(thickness: float, height: float, *, x: float = 0.0, z: float = 0.0, length: float = 4.0) -> str:
+    return f"box = {{ thickness = {thickness}, length = {length}, height = {height}, base = [{x}, 0, {z}] }}"
+
+
+def test_a_mended_mesh_is_told_in_the_results(tmp_path: Path) -> None:
+    pair = joined([wall(), wall(height=1.0, base=(0.3, 0.0, 4.0))], name="pair")  # the cornice is half a metre in
+    (tmp_path / "wall.obj").write_text(obj(pair))
+    made = study(tmp_path, body("w", 'mesh = "wall.obj"'), more=SITE)
+    results = run(made)
+    (notice,) = [notice for notice in results.warnings if notice.code == "mesh"]
+    assert notice.where == "bodies.w"
+    volume, shared = 0.6 * 4 * 5.5, 0.3 * 4 * 0.5
+    assert notice.text.startswith("wall.obj: its 2 closed shells, some of which overlap")
+    assert f"(volume {-100 * shared / (volume - shared):+.3g} %)" in notice.text
+    assert results.mechanisms[0].oscillator.mass_kg == pytest.approx(2400 * (volume - shared), rel=1e-12)
+
+
+def test_a_good_mesh_is_the_box_and_nothing_is_told(tmp_path: Path) -> None:
+    (tmp_path / "wall.obj").write_text(obj(wall()))
+    made = study(tmp_path, body("w", 'mesh = "wall.obj"'))
+    assert of_bodies(made) == []
+    by_box = study(tmp_path, body("w", box_form(0.6, 4.5)))
+    (found,), (wanted,) = parameters(made), parameters(by_box)
+    assert found.oscillator.p_eq_per_s == pytest.approx(wanted.oscillator.p_eq_per_s, rel=1e-12)
+
+
+def test_unit_up_and_element_of_a_mesh(tmp_path: Path) -> None:
+    turned = wall().vertices[:, [0, 2, 1]] * [1000.0, 1000.0, -1000.0]  # y up, in millimetres
+    upright = Solid("wall", 0.0, np.zeros(3), np.zeros((3, 3)), turned, wall().triangles)
+    (tmp_path / "wall.obj").write_text(obj(upright))
+    made = study(tmp_path, body("w", 'mesh = "wall.obj"\nmesh_unit = "mm"\nmesh_up = "y"'))
+    assert parameters(made)[0].oscillator.mass_kg == pytest.approx(2400 * 0.6 * 4 * 4.5, rel=1e-12)
+    stated = resolved(load(tmp_path))
+    assert [stated[f"bodies.w.{key}"].value for key in ("mesh_unit", "mesh_up", "element")] == [0.001, "y", None]
+    with pytest.raises(GeometryError, match=r'body "w": mesh wall.obj: it has no element "tower"'):
+        study(tmp_path, body("w", 'mesh = "wall.obj"\nelement = "tower"'))
+    with pytest.raises(ProjectError, match=r'bodies.w.mesh_up: "x": not allowed; write "y" or "z"'):
+        study(tmp_path, body("w", 'mesh = "wall.obj"\nmesh_up = "x"'))
+
+
+def test_a_wrong_unit_is_told_with_the_likely_one(tmp_path: Path) -> None:
+    (tmp_path / "wall.obj").write_text(obj(wall(thickness=600.0, length=4000.0, height=4500.0)))
+    (notice,) = of_bodies(study(tmp_path, body("w", 'mesh = "wall.obj"')))
+    assert (notice.code, notice.where) == ("size", "bodies.w")
+    assert 'With mesh_unit = "mm" it would measure 4.5 m' in notice.text
+
+
+def test_several_bodies_of_several_densities(tmp_path: Path) -> None:
+    made = study(
+        tmp_path,
+        body("w", box_form(0.6, 4.5)) + body("v", box_form(0.4, 2.0, x=0.5), material="rubble"),
+        blocks='["w", "v"]',
+    )
+    one, other = 2400 * 0.6 * 4 * 4.5, 1800 * 0.4 * 4 * 2.0
+    (block,) = made.mechanisms[0].positive.blocks
+    assert block.mass == pytest.approx(one + other, rel=1e-12)
+    wanted = ((other * 0.5) / (one + other), (one * 2.25 + other * 1.0) / (one + other))
+    np.testing.assert_allclose(block.centroid, wanted, rtol=1e-12, atol=0.0)
+    assert of_bodies(made) == []  # they touch
+    np.testing.assert_allclose(made.mechanisms[0].positive.hinges[0], (0.7, 0.0), rtol=1e-12, atol=1e-12)
+
+
+@pytest.mark.parametrize(("x", "told"), [(0.4, "0.8 m3, 25 %"), (0.0, "3.2 m3, 100 %"), (0.5, None)])
+def test_overlapping_bodies_are_told_by_name_and_volume(tmp_path: Path, x: float, told: str | None) -> None:
+    bodies = body("w", box_form(0.6, 4.5)) + body("v", box_form(0.4, 2.0, x=x), material="rubble")
+    notices = of_bodies(study(tmp_path, bodies, blocks='["w", "v"]'))
+    if told is None:
+        assert notices == []
+        return
+    (notice,) = notices
+    assert (notice.code, notice.where) == ("overlap", "mechanisms.m")
+    assert notice.text.startswith(f'bodies "w" and "v" overlap by {told} of the smaller')
+
+
+def test_a_wall_with_an_opening(tmp_path: Path) -> None:
+    """A profile across the wall with a doorway, as a mesh that lies along x: the solid less the door."""
+    outline = [[-2, 0], [-0.5, 0], [-0.5, 2.1], [0.5, 2.1], [0.5, 0], [2, 0], [2, 4.5], [-2, 4.5]]
+    pierced = profile(outline, length=0.6, density=2400.0, name="w")
+    (tmp_path / "wall.obj").write_text(obj(pierced))
+    made = study(tmp_path, body("w", 'mesh = "wall.obj"'), more="direction = [0, 1, 0]\n")
+    whole, door = 2400 * 4 * 4.5 * 0.6, 2400 * 1.0 * 2.1 * 0.6
+    (block,) = made.mechanisms[0].positive.blocks
+    assert block.mass == pytest.approx(whole - door, rel=1e-12)
+    assert block.centroid[1] == pytest.approx((whole * 2.25 - door * 1.05) / (whole - door), rel=1e-12)
+    about = whole * (0.6**2 + 4.5**2) / 12 + whole * (2.25 - block.centroid[1]) ** 2
+    about -= door * (0.6**2 + 2.1**2) / 12 + door * (1.05 - block.centroid[1]) ** 2
+    assert block.inertia == pytest.approx(about, rel=1e-12)
+
+
+def test_a_leaning_wall(tmp_path: Path) -> None:
+    """Sheared by 0.1 over its height: it resists more against its lean than with it."""
+    made = study(tmp_path, body("w", "profile = [[-0.3, 0], [0.3, 0], [0.75, 4.5], [0.15, 4.5]]\nlength = 4"))
+    (found,) = parameters(made)
+    assert found.oscillator.uplift_multiplier == pytest.approx((0.3 - 0.225) / 2.25, rel=1e-9)
+    assert found.oscillator_negative is not None
+    assert found.oscillator_negative.uplift_multiplier == pytest.approx((0.3 + 0.225) / 2.25, rel=1e-9)
+
+
+def test_an_open_mesh_is_one_line_with_the_file(tmp_path: Path) -> None:
+    (tmp_path / "wall.obj").write_text(obj(wall(), faces=slice(0, 6)))
+    with pytest.raises(GeometryError) as caught:
+        study(tmp_path, body("w", 'mesh = "wall.obj"'))
+    line = str(caught.value)
+    assert "\n" not in line
+    assert line.startswith(f'{tmp_path / "project.toml"}: body "w": mesh wall.obj: it is open: ')
+    assert "open edges around" in line

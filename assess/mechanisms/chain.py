@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from math import hypot
 
 from assess.errors import MechanismError
 from assess.loads import Load, PointMass
 from assess.loads import mirrored as mirrored_load
+from assess.mechanisms.joint import Joint
 
 Point = tuple[float, float]
 
@@ -33,6 +34,7 @@ class Chain:
     One block has the hinge A at its base and a free end. Two blocks have A, B between them and C at the top, which
     slides on the vertical. Three blocks have A, B, C and D, which is fixed as A is.
 
+    joints : what lies under each hinge, None where it is rigid; empty where all are
     parts : what the blocks are welded of, each with the number of its block, or None where it stands still; needed
         only for an impact between chains that divide the same masonry in different ways
     """
@@ -41,6 +43,7 @@ class Chain:
     hinges: tuple[Point, ...]
     loads: tuple[Load, ...] = ()
     parts: tuple[tuple[Block, int | None], ...] = ()
+    joints: tuple[Joint | None, ...] = ()
 
     @property
     def mass(self) -> float:
@@ -59,12 +62,18 @@ def mirrored(point: Point) -> Point:
     return (-point[0], point[1])
 
 
-def mirrored_chain(blocks: Sequence[Block], hinges: Sequence[Point], loads: Sequence[Load] = ()) -> Chain:
-    """The chain of the negative branch in its own sign, from blocks, hinges and loads as they stand."""
+def mirrored_chain(
+    blocks: Sequence[Block],
+    hinges: Sequence[Point],
+    loads: Sequence[Load] = (),
+    joints: Sequence[Joint | None] = (),
+) -> Chain:
+    """The chain of the negative branch in its own sign, from blocks, hinges, loads and joints as they stand."""
     return Chain(
         tuple(Block(block.mass, mirrored(block.centroid), block.inertia) for block in blocks),
         tuple(mirrored(hinge) for hinge in hinges),
         tuple(mirrored_load(load) for load in loads),
+        joints=tuple(joint and replace(joint, inward=mirrored(joint.inward)) for joint in joints),
     )
 
 

@@ -80,10 +80,9 @@ def move(chain: Chain, rotation: FloatArray) -> Motion:
     if len(chain.blocks) == 1:
         still = np.zeros((1, rotation.size))
         return Motion(rotation, rotation[None, :], still + 1.0, still, hinges)
-    close, share = (_slide, _slider_share) if len(chain.blocks) == 2 else (_close, _pinned_share)
-    turned = np.concatenate([arms[:1] * lead, close(arms, arms[0] * lead)])
-    rate = np.concatenate([np.ones((1, rotation.size)), share(turned, -turned[0])])
-    bend = np.concatenate([np.zeros((1, rotation.size)), share(turned, 1j * np.sum(turned * rate**2, axis=0))])
+    turned = closed(arms, lead=arms[0] * lead, span=arms.sum(axis=0))
+    rate = np.concatenate([np.ones((1, rotation.size)), shares(turned, -turned[0])])
+    bend = np.concatenate([np.zeros((1, rotation.size)), shares(turned, 1j * np.sum(turned * rate**2, axis=0))])
     angle = np.concatenate([rotation[None, :], -np.angle(turned[1:] / arms[1:])])
     return Motion(rotation, angle, rate, bend, hinges)
 
@@ -127,16 +126,33 @@ def limit(chain: Chain) -> float:
     return min([turn % (2 * np.pi) for turn in turns] + [np.pi])
 
 
-def _slide(arms: ComplexArray, lead: ComplexArray) -> ComplexArray:
-    """The second arm [1, n] of a chain on a slider whose first stands at `lead` [n]: its horizontal part is given."""
-    level = (arms[0] + arms[1]).real - lead.real
+def closed(arms: ComplexArray, *, lead: ComplexArray, span: ComplexArray) -> ComplexArray:
+    """The arms of two or three blocks turned so that they close the loop [blocks, n] [m].
+
+    arms : from hinge to hinge at rest [blocks, n or 1]; lead : the first one as it stands [n]; span : from the first
+    hinge to the last one [n or 1]; of two blocks, on a slider, its horizontal part counts.
+    """
+    close = _slide if len(arms) == 2 else _close
+    return np.concatenate([lead[None, :], close(arms, span - lead)])
+
+
+def shares(turned: ComplexArray, load: ComplexArray) -> FloatArray:
+    """The turnings [blocks - 1, n] of all blocks but the first whose sum(arm turning) is the load [n].
+
+    Of two blocks, on a slider, it is only its horizontal part, the imaginary one, since -i turns an arm.
+    """
+    return (_slider_share if len(turned) == 2 else _pinned_share)(turned, load)
+
+
+def _slide(arms: ComplexArray, chord: ComplexArray) -> ComplexArray:
+    """The second arm [1, n] of a chain on a slider, whose horizontal part is that of the chord [n]."""
+    level = chord.real
     return np.asarray(level + 1j * np.sign(arms[1].imag) * np.sqrt(np.abs(arms[1]) ** 2 - level**2))[None, :]
 
 
-def _close(arms: ComplexArray, lead: ComplexArray) -> ComplexArray:
+def _close(arms: ComplexArray, chord: ComplexArray) -> ComplexArray:
     """The second and third arms [2, n] of a pinned chain: the corner C of the triangle over the chord from B to D."""
     b, c = np.abs(arms[1]), np.abs(arms[2])
-    chord = arms.sum(axis=0) - lead
     length = np.abs(chord)
     along = (length**2 + b**2 - c**2) / (2 * length)
     side = np.sign((arms[1] * np.conj(arms[1] + arms[2])).imag)

@@ -1,0 +1,394 @@
+"""A chain whose hinges press on joints that give way: where it stands, what its joints carry, how it moves on.
+
+Each joint closes by u at its edge and turns by psi; its stress puts the resultant at a distance a inside the edge (see
+`interfaces.contact`). The closings follow from equilibrium at a given rotation phi, held by a moment on the leading
+block, so that phi alone describes the chain, and V(phi) is the potential energy of weights and joints together.
+
+    normal force      N_i = work of the loads for a unit closing of joint i with phi held
+    restoring         dV/dphi - M = -work of the loads for a unit rate of phi
+
+In both the blocks turn about the points where the resultants pass, so that the joints do no work. V is never
+differentiated through a(phi): as the joints are in equilibrium, that derivative is nothing (tested with the energy of
+the joints). Inertia is that of the true motion, in which the faces turn about `Contact.pivot`. Closings count from the
+state of rest, in which the geometry was measured.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from math import hypot
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.constants import g
+
+from assess.errors import MechanismError
+from assess.interfaces.contact import Contact, contact, semi_flexible_shift
+from assess.loads import Force, Load, PointMass, Tie, pull_at_rest
+from assess.mechanisms.chain import Chain, hinge_names
+from assess.mechanisms.joint import PAIRS, Joint, Pair
+from assess.mechanisms.motion import closed, move, place, shares
+from assess.mechanisms.virtual_work import Work, pulled, virtual_work
+
+FloatArray = NDArray[np.float64]
+ComplexArray = NDArray[np.complex128]
+Contacts = tuple[Contact | None, ...]
+
+ROUNDS = 60
+SETTLED = 1e-14  # of the chain's size: what moves by less from round to round is found
+FOUND = 1e-11  # of the same: and so is what moves by less, but does not come nearer any more
+BACK = 1e-9  # rad: a joint that turns back by more would open at its hinge
+AT_HINGE = 1e-6  # of the chain's size: a load this near the hinge at the top of a wall comes through its joint
+PLASTIC = 1.0  # rad: any rotation, for a rigid joint with a strength
+
+
+@dataclass(frozen=True)
+class Posture:
+    """Where the blocks stand at n rotations.
+
+    turn : exp(-i theta) of each block [blocks, n]; angle : theta [blocks, n] [rad]
+    corner : of the pressing block at each hinge, x + iz [hinges, n] [m]
+    """
+
+    turn: ComplexArray
+    angle: FloatArray
+    corner: ComplexArray
+
+
+@dataclass(frozen=True)
+class Balance:
+    """The joints in equilibrium at n rotations.
+
+    posture; normal_force : on each joint [hinges, n] [N]; contacts : None for a rigid joint
+    closing : of the edge of each joint [hinges, n] [m]
+    """
+
+    posture: Posture
+    normal_force: FloatArray
+    contacts: Contacts
+    closing: FloatArray
+
+
+@dataclass(frozen=True)
+class Held:
+    """A chain held at n rotations.
+
+    work : the sums of virtual work; relative : rotation psi of each joint [hinges, n] [rad]
+    normal_force : on each joint [hinges, n] [N]; contacts : None for a rigid joint
+    """
+
+    work: Work
+    relative: FloatArray
+    normal_force: FloatArray
+    contacts: Contacts
+
+
+@dataclass(frozen=True)
+class Field:
+    """Velocities of the blocks: of a point of each [blocks, n] [m] and its rate of turning [blocks, n]."""
+
+    points: ComplexArray
+    velocity: ComplexArray
+    rate: FloatArray
+
+    def at(self, block: int, place: ComplexArray) -> ComplexArray:
+        """Velocity [n] of a point of a block."""
+        return np.asarray(self.velocity[block] - 1j * self.rate[block] * (place - self.points[block]))
+
+
+@dataclass(frozen=True)
+class FlexibleChain:
+    """A chain with its joints, to be asked at many rotations; name : of the mechanism, for errors."""
+
+    chain: Chain
+    name: str
+
+    def held(self, rotation: FloatArray) -> Held:
+        """The chain in equilibrium at `rotation` [n] [rad], none negative.
+
+        Raises MechanismError where a joint finds no equilibrium, InterfaceError where it is pulled or overloaded.
+        """
+        found = self.balance(rotation)
+        posture, models = found.posture, {joint.model for joint in self.joints if joint}
+        resting = self._field(self._points(found, "resultant"), lead=1.0)
+        pivots: Literal["resultant", "pivot"] = "resultant" if "flexible-thesis" in models else "pivot"
+        moving = self._field(self._points(found, pivots), lead=1.0)
+        work = self._work(found, resting, moving)
+        if "semi-flexible" in models:
+            fixed = virtual_work(self.fixed, rotation)
+            work = replace(work, inertia=fixed.inertia, participation=fixed.participation)
+        return Held(work, self._relative(posture), found.normal_force, found.contacts)
+
+    @cached_property
+    def fixed(self) -> Chain:
+        """The rigid chain with each hinge at a_SF inside its edge; a rigid joint with a strength: at its resultant."""
+        forces = self.balance(np.zeros(1)).normal_force[:, 0]
+        inside = np.array([
+            _fixed_shift(joint, float(force), where=where) if joint else 0.0
+            for joint, force, where in zip(self.joints, forces, self._places, strict=True)
+        ])  # fmt: skip
+        hinges = tuple((float(at.real), float(at.imag)) for at in self.hinges + inside * self.inward)
+        return replace(self.chain, hinges=hinges, joints=())
+
+    @cached_property
+    def joints(self) -> tuple[Joint | None, ...]:
+        """One for each hinge."""
+        return self.chain.joints or (None,) * len(self.chain.hinges)
+
+    @cached_property
+    def pairs(self) -> tuple[Pair, ...]:
+        """Of each hinge the block that holds the face and the one that presses."""
+        return PAIRS[len(self.chain.blocks)]
+
+    @cached_property
+    def hinges(self) -> ComplexArray:
+        """At rest, x + iz [hinges] [m]."""
+        return np.array([complex(*hinge) for hinge in self.chain.hinges])
+
+    @cached_property
+    def inward(self) -> ComplexArray:
+        """Unit vector from each hinge along its joint at rest [hinges]; 0 where it is rigid."""
+        return np.array([complex(*joint.inward) if joint else 0j for joint in self.joints])
+
+    @cached_property
+    def sense(self) -> FloatArray:
+        """1 where the joint turns clockwise, -1 where it turns back [hinges]."""
+        rate = move(self.chain, np.zeros(1)).rate[:, 0]
+        return np.array([
+            np.copysign(1.0, rate[pressing] - (0.0 if face is None else rate[face])) for face, pressing in self.pairs
+        ])  # fmt: skip
+
+    @cached_property
+    def normal(self) -> ComplexArray:
+        """Unit vector from each face to the block that presses on it [hinges]: where the joint opens to, inside."""
+        return np.asarray(-1j * self.sense * self.inward)
+
+    @cached_property
+    def size(self) -> float:
+        """Of the chain [m]."""
+        points = [*self.chain.hinges, *(block.centroid for block in self.chain.blocks)]
+        return hypot(*np.ptp(np.array(points), axis=0))
+
+    @cached_property
+    def at_top(self) -> tuple[Load, ...]:
+        """Loads that come through the joint at the top of a wall of two blocks."""
+        if len(self.chain.blocks) != 2 or self.joints[2] is None:
+            return ()
+        x, z = self.chain.hinges[2]
+        return tuple(
+            load
+            for load in self.chain.loads
+            if load.block == 1 and hypot(load.at[0] - x, load.at[1] - z) <= AT_HINGE * self.size
+        )
+
+    @cached_property
+    def slack(self) -> tuple[Load, ...]:
+        """Ties that shorten when the chain leaves rest, and so do not pull."""
+        leaving = move(self.chain, np.zeros(1))
+        ties = [load for load in self.chain.loads if isinstance(load, Tie)]
+        return tuple(tie for tie in ties if not pulled(tie, place(leaving, block=tie.block, at=tie.at)).any())
+
+    @cached_property
+    def rest(self) -> FloatArray:
+        """Closing of each joint at rest [hinges] [m]."""
+        return self._settled(np.zeros(1), np.zeros(len(self.joints))).closing[:, 0]
+
+    @cached_property
+    def _places(self) -> list[str]:
+        return [f'mechanism "{self.name}", interface {letter}' for letter in hinge_names(self.chain)]
+
+    # ------------------------------------------------------------------------------------------------- equilibrium
+
+    def balance(self, rotation: FloatArray) -> Balance:
+        """The joints in equilibrium at `rotation` [n] [rad]."""
+        return self._settled(rotation, self.rest)
+
+    def _settled(self, rotation: FloatArray, rest: FloatArray) -> Balance:
+        """Round by round from rigid joints: what a joint closes moves the others by little, so each round gains digits.
+
+        rest : closings from which sinking counts [hinges]; at rotation 0 nothing has sunk.
+        """
+        shape = (len(self.joints), rotation.size)
+        sunk, inside, last = np.zeros(shape), np.zeros(shape), np.inf
+        for _ in range(ROUNDS):
+            posture = self._posture(rotation, sunk)
+            normal = self._normal_forces(posture, posture.corner + inside * self._faces(posture))
+            contacts = self._contacts(posture, normal)
+            closing = _each(contacts, "closing", shape)
+            was, sunk = (sunk, inside), (closing - rest[:, None]) * (rotation > 0.0)
+            inside = _each(contacts, "resultant", shape)
+            change = max(float(np.abs(new - old).max()) for old, new in zip(was, (sunk, inside), strict=True))
+            if change <= SETTLED * self.size or (change <= FOUND * self.size and change >= last):
+                self._require_open(posture)
+                return Balance(posture, normal, contacts, closing)
+            last = change
+        raise MechanismError(
+            f'mechanism "{self.name}": its joints find no equilibrium (they still move by {last:.2g} m); check their '
+            "stiffness and strength"
+        )
+
+    def _posture(self, rotation: FloatArray, sunk: FloatArray) -> Posture:
+        """The blocks at `rotation` [n] with the joints sunk [hinges, n] [m]: a loop of arms with those offsets."""
+        h, offset = self.hinges[:, None], sunk * self.normal[:, None]
+        lead, base = np.exp(-1j * rotation), h[0] - offset[0]
+        if len(h) == 1:
+            return Posture(lead[None, :], rotation[None, :], base[None, :])
+        arms = [h[1] - h[0] - offset[1], np.broadcast_to(h[2] - h[1], rotation.shape)]
+        if len(h) == 4:
+            arms.append(h[3] - h[2] + offset[2])
+        span = h[-1] - offset[-1] - base
+        turned = closed(np.array(arms), lead=arms[0] * lead, span=span)
+        turn = turned / np.array(arms)
+        turn = turn / np.abs(turn)
+        corner = [base, base + turned[0], base + turned[0] + turned[1], base + turned.sum(axis=0)]
+        return Posture(turn, -np.angle(turn), np.array(corner[: len(h)]))
+
+    def _faces(self, posture: Posture) -> ComplexArray:
+        """From each corner along the face it presses on, for each metre of the pressing face [hinges, n].
+
+        A pressure on a point of the turned face acts where that is seen square to the held one, cos psi as far away.
+        What slides is kept at the corner, in line with the held face, so it has no arm about this point.
+        """
+        level = np.ones_like(posture.turn[0])
+        held = [level if face is None else posture.turn[face] for face, _ in self.pairs]
+        return np.asarray(self.inward[:, None] * np.array(held) * np.cos(self._relative(posture)))
+
+    def _relative(self, posture: Posture) -> FloatArray:
+        """Rotation psi of each joint [hinges, n] [rad]."""
+        turned = [
+            posture.angle[pressing] - (0.0 if face is None else posture.angle[face]) for face, pressing in self.pairs
+        ]
+        return self.sense[:, None] * np.array(turned)
+
+    def _contacts(self, posture: Posture, normal: FloatArray) -> Contacts:
+        """The contact of each joint under its force [hinges, n] [N]."""
+        psi = self._relative(posture)
+        found: list[Contact | None] = []
+        for joint, force, turned, where in zip(self.joints, normal, psi, self._places, strict=True):
+            if joint is None:
+                found.append(None)
+                continue
+            slope = np.sin(np.clip(turned, 0.0, np.pi / 2))
+            found.append(contact(joint.section, joint.law, normal_force=force, rotation=slope, where=where))
+        return tuple(found)
+
+    def _require_open(self, posture: Posture) -> None:
+        """Raise MechanismError where a joint would open at its hinge."""
+        for joint, turned, where in zip(self.joints, self._relative(posture), self._places, strict=True):
+            if joint and turned.min() < -BACK:
+                raise MechanismError(
+                    f"{where}: its faces turn by {-turned.min():.3g} rad away from the hinge, which would open there; "
+                    "put the hinge at the other face"
+                )
+
+    def _normal_forces(self, posture: Posture, points: ComplexArray) -> FloatArray:
+        """N of each joint [hinges, n] [N], 0 for rigid ones: work of the loads when it closes alone with phi held."""
+        forces = np.zeros(points.shape)
+        for i, ((face, _), joint) in enumerate(zip(self.pairs, self.joints, strict=True)):
+            if joint is None:
+                continue
+            if self._is_roof(i):
+                forces[i] = -sum(_weight(load) for load in self.at_top)
+                continue
+            normal = self.normal[i] * (1.0 if face is None else posture.turn[face])
+            jump = np.zeros(points.shape, dtype=np.complex128)
+            jump[i] = normal if i > 1 else -normal  # beyond the middle of the chain the pressing block comes first
+            forces[i] = self._worked(posture, self._field(points, lead=0.0, jump=jump), points, self.chain.loads)
+        return forces
+
+    def _is_roof(self, hinge: int) -> bool:
+        return hinge == 2 and len(self.chain.blocks) == 2
+
+    # ------------------------------------------------------------------------------------------------ virtual work
+
+    def _points(self, found: Balance, what: Literal["resultant", "pivot"]) -> ComplexArray:
+        """Where each hinge is for this purpose [hinges, n]."""
+        return found.posture.corner + _each(found.contacts, what, found.closing.shape) * self._faces(found.posture)
+
+    def _field(self, points: ComplexArray, *, lead: float, jump: ComplexArray | None = None) -> Field:
+        """The blocks turning about points [hinges, n], the first at the rate `lead`.
+
+        jump : velocity of what lies beyond each hinge against what lies before it [hinges, n]
+        """
+        blocks, n = len(self.chain.blocks), points.shape[1]
+        jumps = np.zeros_like(points) if jump is None else jump
+        rate = np.full((1, n), lead)
+        if blocks > 1:
+            arms = np.diff(points, axis=0)[:blocks]
+            rate = np.concatenate([rate, shares(arms, -lead * arms[0] - 1j * jumps.sum(axis=0))])
+            steps = -1j * rate[:-1] * arms[: blocks - 1]
+            velocity = np.cumsum(np.concatenate([jumps[:1], steps + jumps[1:blocks]]), axis=0)
+        else:
+            velocity = jumps[:1]
+        return Field(points[:blocks], velocity, rate)
+
+    def _place(self, posture: Posture, block: int, at: complex) -> ComplexArray:
+        """Where a point of a block is [n], given at rest."""
+        corner = (0, 1, 3)[block]
+        return np.asarray(posture.corner[corner] + (at - self.hinges[corner]) * posture.turn[block])
+
+    def _worked(
+        self, posture: Posture, field: Field, points: ComplexArray, loads: Sequence[Load], *, weights: bool = True
+    ) -> FloatArray:
+        """Work of the loads, and of the weights, in a field [n] [N m or N]."""
+        work = np.zeros(points.shape[1])
+        for number, block in enumerate(self.chain.blocks if weights else ()):
+            work -= block.mass * g * field.at(number, self._place(posture, number, complex(*block.centroid))).imag
+        for load in loads:
+            here = points[2] if load in self.at_top else self._place(posture, load.block, complex(*load.at))
+            work += (np.conj(self._force(load, here)) * field.at(load.block, here)).real
+        return work
+
+    def _force(self, load: Load, here: ComplexArray) -> ComplexArray:
+        """The force of a load where it is now [n] [N]."""
+        if isinstance(load, PointMass):
+            return np.full_like(here, -1j * g * load.mass * load.bearing)
+        if isinstance(load, Force):
+            return np.full_like(here, complex(*load.force))
+        if load in self.slack:
+            return np.zeros_like(here)
+        if load.anchor is None:
+            return np.full_like(here, complex(*pull_at_rest(load)))
+        towards = complex(*load.anchor) - here
+        return load.pull * towards / np.abs(towards)
+
+    def _work(self, found: Balance, resting: Field, moving: Field) -> Work:
+        """The sums: weights and forces in the field about the resultants, masses in the field of the true motion."""
+        posture, points = found.posture, self._points(found, "resultant")
+        masses = [load for load in self.chain.loads if isinstance(load, PointMass)]
+        given = [load for load in self.chain.loads if not isinstance(load, PointMass)]
+        weight = -self._worked(posture, resting, points, masses)
+        moment = self._worked(posture, resting, points, given, weights=False)
+        inertia, excitation, participation, lift = np.zeros((4, weight.size))
+        bodies = [(b.mass, complex(*b.centroid), True, b.inertia, k) for k, b in enumerate(self.chain.blocks)]
+        bodies += [(load.mass, complex(*load.at), load.bearing, 0.0, load.block) for load in masses]
+        for mass, at, bearing, turned, number in bodies:
+            v = moving.at(number, self._place(posture, number, at))
+            excitation += mass * v.real
+            participation += mass * v.real**2
+            inertia += mass * (v.real**2 + bearing * v.imag**2) + turned * moving.rate[number] ** 2
+            lift += mass * bearing * v.imag
+        return Work(inertia, weight, moment, excitation, participation, lift)
+
+
+def _each(contacts: Contacts, name: str, shape: tuple[int, ...]) -> FloatArray:
+    """One of the arrays of every contact [hinges, n]; zeros where a joint is rigid."""
+    return np.array([np.zeros(shape[1]) if found is None else getattr(found, name) for found in contacts])
+
+
+def _weight(load: Load) -> float:
+    """What a load presses up with [N]; down is negative."""
+    if isinstance(load, PointMass):
+        return -g * load.mass * load.bearing
+    return (load.force if isinstance(load, Force) else pull_at_rest(load))[1]
+
+
+def _fixed_shift(joint: Joint, force: float, *, where: str) -> float:
+    """Where the hinge of a joint is taken to be fixed, inside its edge [m]."""
+    if joint.model == "rigid":
+        found = contact(joint.section, joint.law, normal_force=force, rotation=PLASTIC, where=where)
+        return float(found.resultant[0])
+    return semi_flexible_shift(joint.section, joint.law, normal_force=force, where=where)

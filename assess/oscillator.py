@@ -35,6 +35,7 @@ class Branch:
     restitution : |velocity after| / |velocity before| of the impact that ends this branch [-]
     overturning : phi_ov, rigid: the first rotation > 0 where restoring goes from + to - [rad]
     critical : phi_cr, where the linearised equation is made: dV/dphi = 0 [rad]
+    overturning_flexible : the same as overturning, of the interfaces in use [rad]; None where they are rigid
     """
 
     rotation: FloatArray
@@ -46,6 +47,12 @@ class Branch:
     restitution: float
     overturning: float
     critical: float
+    overturning_flexible: float | None = None
+
+    @property
+    def unstable(self) -> float:
+        """Where the restoring moment of the table falls to zero [rad]."""
+        return self.overturning if self.overturning_flexible is None else self.overturning_flexible
 
 
 @dataclass(frozen=True)
@@ -54,11 +61,14 @@ class Oscillator:
 
     positive, negative : the branches; negative is None for one-sided rocking
     mass : total moved mass, bearing or not [kg]
+    equilibrium : phi_e, the rotation at rest from which both branches count [rad]; not zero where a flexible joint
+        carries an eccentric load
     """
 
     positive: Branch
     negative: Branch | None
     mass: float
+    equilibrium: float = 0.0
 
     @property
     def branches(self) -> tuple[Branch, ...]:

@@ -274,9 +274,12 @@ def by_crushing_depth(table: Table, given: Given, z: float, hint: IntArray) -> t
 
 
 def finder(function: Callable[..., tuple[float, float]]) -> Callable[..., float]:
-    """The search for where an increasing function, given with its derivative, reaches a target."""
+    """The search for where an increasing function, given with its derivative, reaches a target.
 
-    @reachable
+    Each has a name of its own: numba knows compiled functions by name and types, and would take one from the cache for
+    another that is compiled afresh.
+    """
+
     def find(table: Table, given: Given, target: float, start: float, high: float, hint: IntArray) -> float:
         """Where it does, between 0 and `high`.
 
@@ -301,7 +304,8 @@ def finder(function: Callable[..., tuple[float, float]]) -> Callable[..., float]
                 break
         return x
 
-    return find
+    find.__qualname__ = f"find_{function.__name__}"
+    return reachable(find)
 
 
 find_closing = finder(by_closing)

@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from assess.geometry.outline import Outline
 from assess.mechanisms.chain import Chain, require_movable
 from assess.mechanisms.doubts import pulling_supports
+from assess.mechanisms.flexible import FlexibleChain
 from assess.mechanisms.impact import RestitutionChoice, impact
 from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.virtual_work import require_stable
@@ -33,10 +34,9 @@ def assembled(
         require_movable(chain, name=name)
         require_stable(chain, name=name)
     pulling = [text for mark, chain in chains.items() for text in pulling_supports(chain, mark=mark)]
-    kept = impact(restitution[0], ending=positive, starting=negative, kind=kind, name=name)
-    back = (
-        kept if negative is None else impact(restitution[1], ending=negative, starting=positive, kind=kind, name=name)
-    )
+    hit, other = turning_about(positive, name=name), negative and turning_about(negative, name=name)
+    kept = impact(restitution[0], ending=hit, starting=other, kind=kind, name=name)
+    back = kept if other is None else impact(restitution[1], ending=other, starting=hit, kind=kind, name=name)
     return Mechanism(
         name=name,
         label=label or name,
@@ -50,6 +50,11 @@ def assembled(
         outlines=outlines,
         notices=(*notices, *pulling, *sorted({kept.notice, back.notice} - {""})),
     )
+
+
+def turning_about(chain: Chain, *, name: str) -> Chain:
+    """The rigid chain of an impact: with joints, about their fixed hinges a_SF inside the edges (6.60, 6.67, 6.72)."""
+    return FlexibleChain(chain, name).fixed if chain.joints else chain
 
 
 def _sources(positive: Restitution, negative: Restitution) -> str:

@@ -4,18 +4,17 @@ Each joint closes by u at its edge and turns by psi; its stress puts the resulta
 `interfaces.contact`). The closings follow from equilibrium at a given rotation phi, held by a moment on the leading
 block, so that phi alone describes the chain, and V(phi) is the potential energy of weights and joints together.
 
-    normal force      N_i = work of the loads for a unit closing of joint i with phi held
-    restoring         dV/dphi - M = -work of the loads for a unit rate of phi
+    normal force      of every joint, by the balance of forces and moments on every block
+    restoring         dV/dphi - M, the moment that holds the leading block
 
-In both the blocks turn about the points where the resultants pass, so that the joints do no work. V is never
-differentiated through a(phi): as the joints are in equilibrium, that derivative is nothing (tested with the energy of
-the joints). Inertia is that of the true motion, in which the faces turn about `Contact.pivot`. Closings count from the
-state of rest, in which the geometry was measured.
+with each hinge where the resultant of its joint passes. V is never differentiated
+through a(phi): as the joints are in equilibrium, that derivative is nothing (tested with the energy of the joints).
+Inertia is that of the true motion, in which the faces turn about `Contact.pivot`, but for the little by which forces
+change as it moves. Closings count from the state of rest, in which the geometry was measured.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from math import hypot
@@ -113,14 +112,12 @@ class FlexibleChain:
         """
         found = self.balance(rotation)
         posture, models = found.posture, {joint.model for joint in self.joints if joint}
-        resting = self._field(self._points(found, "resultant"), lead=1.0)
         pivots: Literal["resultant", "pivot"] = "resultant" if "flexible-thesis" in models else "pivot"
-        moving = self._field(self._points(found, pivots), lead=1.0)
-        work = self._work(found, resting, moving)
+        work = self._work(found, self._field(self._points(found, pivots)))
         if "semi-flexible" in models:
             fixed = virtual_work(self.fixed, rotation)
             work = replace(work, inertia=fixed.inertia, participation=fixed.participation)
-        return Held(work, self._relative(posture), found.normal_force, found.contacts)
+        return Held(work, self.relative(posture), found.normal_force, found.contacts)
 
     @cached_property
     def fixed(self) -> Chain:
@@ -207,24 +204,28 @@ class FlexibleChain:
         return self._settled(rotation, self.rest)
 
     def _settled(self, rotation: FloatArray, rest: FloatArray) -> Balance:
-        """Round by round from rigid joints: what a joint closes moves the others by little, so each round gains digits.
+        """Round by round, each of which gains digits, since what one joint closes moves the others by little.
 
-        rest : closings from which sinking counts [hinges]; at rotation 0 nothing has sunk.
+        rest : closings from which sinking counts [hinges]; at rotation 0 nothing has sunk. From the second round on the
+        step is corrected by what the last two rounds changed (Anderson 1965, with one step of memory).
         """
         shape = (len(self.joints), rotation.size)
-        sunk, inside, last = np.zeros(shape), np.zeros(shape), np.inf
+        now, before, change, last = np.zeros((2, *shape)), None, np.inf, np.inf
         for _ in range(ROUNDS):
-            posture = self._posture(rotation, sunk)
-            normal = self._normal_forces(posture, posture.corner + inside * self._faces(posture))
+            posture = self._posture(rotation, now[0])
+            points = posture.corner + now[1] * self._faces(posture)
+            normal = self._normal_forces(posture, self._reactions(points, *self._loads(posture, points)))
             contacts = self._contacts(posture, normal)
             closing = _each(contacts, "closing", shape)
-            was, sunk = (sunk, inside), (closing - rest[:, None]) * (rotation > 0.0)
-            inside = _each(contacts, "resultant", shape)
-            change = max(float(np.abs(new - old).max()) for old, new in zip(was, (sunk, inside), strict=True))
+            found = np.array([(closing - rest[:, None]) * (rotation > 0.0), _each(contacts, "resultant", shape)])
+            residual = found - now
+            change = float(np.abs(residual).max())
             if change <= SETTLED * self.size or (change <= FOUND * self.size and change >= last):
                 self._require_open(posture)
                 return Balance(posture, normal, contacts, closing)
-            last = change
+            last, after = change, (found, residual)
+            now = found if before is None else found - _memory(residual, before[1]) * (found - before[0])
+            before = after
         raise MechanismError(
             f'mechanism "{self.name}": its joints find no equilibrium (they still move by {last:.2g} m); check their '
             "stiffness and strength"
@@ -254,18 +255,18 @@ class FlexibleChain:
         """
         level = np.ones_like(posture.turn[0])
         held = [level if face is None else posture.turn[face] for face, _ in self.pairs]
-        return np.asarray(self.inward[:, None] * np.array(held) * np.cos(self._relative(posture)))
+        return np.asarray(self.inward[:, None] * np.array(held) * np.cos(self.relative(posture)))
 
-    def _relative(self, posture: Posture) -> FloatArray:
+    def relative(self, posture: Posture) -> FloatArray:
         """Rotation psi of each joint [hinges, n] [rad]."""
         turned = [
             posture.angle[pressing] - (0.0 if face is None else posture.angle[face]) for face, pressing in self.pairs
         ]
-        return self.sense[:, None] * np.array(turned)
+        return np.asarray(self.sense[:, None] * np.array(turned), dtype=np.float64)
 
     def _contacts(self, posture: Posture, normal: FloatArray) -> Contacts:
         """The contact of each joint under its force [hinges, n] [N]."""
-        psi = self._relative(posture)
+        psi = self.relative(posture)
         found: list[Contact | None] = []
         for joint, force, turned, where in zip(self.joints, normal, psi, self._places, strict=True):
             if joint is None:
@@ -277,30 +278,69 @@ class FlexibleChain:
 
     def _require_open(self, posture: Posture) -> None:
         """Raise MechanismError where a joint would open at its hinge."""
-        for joint, turned, where in zip(self.joints, self._relative(posture), self._places, strict=True):
+        for joint, turned, where in zip(self.joints, self.relative(posture), self._places, strict=True):
             if joint and turned.min() < -BACK:
                 raise MechanismError(
                     f"{where}: its faces turn by {-turned.min():.3g} rad away from the hinge, which would open there; "
                     "put the hinge at the other face"
                 )
 
-    def _normal_forces(self, posture: Posture, points: ComplexArray) -> FloatArray:
-        """N of each joint [hinges, n] [N], 0 for rigid ones: work of the loads when it closes alone with phi held."""
-        forces = np.zeros(points.shape)
+    def _loads(
+        self, posture: Posture, points: ComplexArray, *, given: bool | None = None
+    ) -> tuple[ComplexArray, FloatArray]:
+        """Force on each block and its moment about the origin, anticlockwise [blocks, n] [N, N m].
+
+        given : the given forces and ties alone, or weights alone; None for all
+        """
+        blocks, n = len(self.chain.blocks), points.shape[1]
+        force, moment = np.zeros((blocks, n), dtype=np.complex128), np.zeros((blocks, n))
+        for number, block in enumerate(() if given else self.chain.blocks):
+            force[number] = -1j * g * block.mass
+            moment[number] = -g * block.mass * self._place(posture, number, complex(*block.centroid)).real
+        for load in self.chain.loads:
+            if given is not None and given == isinstance(load, PointMass):
+                continue
+            here = points[2] if load in self.at_top else self._place(posture, load.block, complex(*load.at))
+            pull = self._force(load, here)
+            force[load.block] += pull
+            moment[load.block] += _cross(here, pull)
+        return force, moment
+
+    def _reactions(self, points: ComplexArray, force: ComplexArray, moment: FloatArray) -> ComplexArray:
+        """Force at each hinge on what lies beyond it [hinges, n] [N], the leading block held by a moment.
+
+        Every block k keeps its balance: P_k - P_(k+1) + F_k = 0, and the same with moments, but for the leading one.
+        """
+        if len(force) == 1:
+            return -force
+        arm, turn = points[1] - points[2], _cross(points[1], force[1]) - moment[1]
+        if len(force) == 2:
+            last = -turn / arm.imag + 0j  # the support at the top pushes along only
+            return np.array([last - force[0] - force[1], last - force[1], last])
+        other, back = points[2] - points[3], _cross(points[3], force[2]) - moment[2]
+        third = (turn * other - back * arm) / _cross(arm, other)
+        return np.array([third - force[0] - force[1], third - force[1], third, third + force[2]])
+
+    def _normal_forces(self, posture: Posture, reactions: ComplexArray) -> FloatArray:
+        """N of each joint [hinges, n] [N], 0 where it is rigid."""
+        forces = np.zeros(reactions.shape)
         for i, ((face, _), joint) in enumerate(zip(self.pairs, self.joints, strict=True)):
             if joint is None:
                 continue
-            if self._is_roof(i):
+            if len(self.chain.blocks) == i == 2:
                 forces[i] = -sum(_weight(load) for load in self.at_top)
                 continue
             normal = self.normal[i] * (1.0 if face is None else posture.turn[face])
-            jump = np.zeros(points.shape, dtype=np.complex128)
-            jump[i] = normal if i > 1 else -normal  # beyond the middle of the chain the pressing block comes first
-            forces[i] = self._worked(posture, self._field(points, lead=0.0, jump=jump), points, self.chain.loads)
+            away = -1.0 if i > 1 else 1.0  # beyond the middle of the chain the pressing block comes before its face
+            forces[i] = away * (np.conj(normal) * reactions[i]).real
         return forces
 
-    def _is_roof(self, hinge: int) -> bool:
-        return hinge == 2 and len(self.chain.blocks) == 2
+    def _holding(self, posture: Posture, points: ComplexArray, *, given: bool) -> FloatArray:
+        """The clockwise moment that holds the leading block against the given loads or the weights [n] [N m]."""
+        force, moment = self._loads(posture, points, given=given)
+        reactions = self._reactions(points, force, moment)
+        passed_on = _cross(points[1], reactions[1]) if len(force) > 1 else 0.0
+        return np.asarray(_cross(points[0], reactions[0]) + moment[0] - passed_on, dtype=np.float64)
 
     # ------------------------------------------------------------------------------------------------ virtual work
 
@@ -308,39 +348,21 @@ class FlexibleChain:
         """Where each hinge is for this purpose [hinges, n]."""
         return found.posture.corner + _each(found.contacts, what, found.closing.shape) * self._faces(found.posture)
 
-    def _field(self, points: ComplexArray, *, lead: float, jump: ComplexArray | None = None) -> Field:
-        """The blocks turning about points [hinges, n], the first at the rate `lead`.
-
-        jump : velocity of what lies beyond each hinge against what lies before it [hinges, n]
-        """
+    def _field(self, points: ComplexArray) -> Field:
+        """The blocks turning about points [hinges, n], the first one at the rate 1."""
         blocks, n = len(self.chain.blocks), points.shape[1]
-        jumps = np.zeros_like(points) if jump is None else jump
-        rate = np.full((1, n), lead)
+        rate = np.ones((1, n))
+        velocity = np.zeros((1, n), dtype=np.complex128)
         if blocks > 1:
             arms = np.diff(points, axis=0)[:blocks]
-            rate = np.concatenate([rate, shares(arms, -lead * arms[0] - 1j * jumps.sum(axis=0))])
-            steps = -1j * rate[:-1] * arms[: blocks - 1]
-            velocity = np.cumsum(np.concatenate([jumps[:1], steps + jumps[1:blocks]]), axis=0)
-        else:
-            velocity = jumps[:1]
+            rate = np.concatenate([rate, shares(arms, -arms[0])])
+            velocity = np.concatenate([velocity, np.cumsum(-1j * rate[:-1] * arms[: blocks - 1], axis=0)])
         return Field(points[:blocks], velocity, rate)
 
     def _place(self, posture: Posture, block: int, at: complex) -> ComplexArray:
         """Where a point of a block is [n], given at rest."""
         corner = (0, 1, 3)[block]
         return np.asarray(posture.corner[corner] + (at - self.hinges[corner]) * posture.turn[block])
-
-    def _worked(
-        self, posture: Posture, field: Field, points: ComplexArray, loads: Sequence[Load], *, weights: bool = True
-    ) -> FloatArray:
-        """Work of the loads, and of the weights, in a field [n] [N m or N]."""
-        work = np.zeros(points.shape[1])
-        for number, block in enumerate(self.chain.blocks if weights else ()):
-            work -= block.mass * g * field.at(number, self._place(posture, number, complex(*block.centroid))).imag
-        for load in loads:
-            here = points[2] if load in self.at_top else self._place(posture, load.block, complex(*load.at))
-            work += (np.conj(self._force(load, here)) * field.at(load.block, here)).real
-        return work
 
     def _force(self, load: Load, here: ComplexArray) -> ComplexArray:
         """The force of a load where it is now [n] [N]."""
@@ -355,15 +377,12 @@ class FlexibleChain:
         towards = complex(*load.anchor) - here
         return load.pull * towards / np.abs(towards)
 
-    def _work(self, found: Balance, resting: Field, moving: Field) -> Work:
-        """The sums: weights and forces in the field about the resultants, masses in the field of the true motion."""
+    def _work(self, found: Balance, moving: Field) -> Work:
+        """The sums: what holds weights and forces, and the masses in the field of the true motion."""
         posture, points = found.posture, self._points(found, "resultant")
-        masses = [load for load in self.chain.loads if isinstance(load, PointMass)]
-        given = [load for load in self.chain.loads if not isinstance(load, PointMass)]
-        weight = -self._worked(posture, resting, points, masses)
-        moment = self._worked(posture, resting, points, given, weights=False)
-        inertia, excitation, participation, lift = np.zeros((4, weight.size))
+        inertia, excitation, participation, lift = np.zeros((4, points.shape[1]))
         bodies = [(b.mass, complex(*b.centroid), True, b.inertia, k) for k, b in enumerate(self.chain.blocks)]
+        masses = [load for load in self.chain.loads if isinstance(load, PointMass)]
         bodies += [(load.mass, complex(*load.at), load.bearing, 0.0, load.block) for load in masses]
         for mass, at, bearing, turned, number in bodies:
             v = moving.at(number, self._place(posture, number, at))
@@ -371,7 +390,21 @@ class FlexibleChain:
             participation += mass * v.real**2
             inertia += mass * (v.real**2 + bearing * v.imag**2) + turned * moving.rate[number] ** 2
             lift += mass * bearing * v.imag
-        return Work(inertia, weight, moment, excitation, participation, lift)
+        weight = self._holding(posture, points, given=False)
+        return Work(inertia, weight, -self._holding(posture, points, given=True), excitation, participation, lift)
+
+
+def _cross(a: ComplexArray, b: ComplexArray) -> FloatArray:
+    """Moment about the origin of forces b at places a, anticlockwise [n]."""
+    return np.asarray((np.conj(a) * b).imag)
+
+
+def _memory(residual: FloatArray, before: FloatArray) -> FloatArray:
+    """How much of the last step to take back, for each rotation [n]: what makes the residual [2, hinges, n] least."""
+    step = residual - before
+    square = np.sum(step * step, axis=(0, 1))
+    share = np.sum(residual * step, axis=(0, 1)) / np.where(square > 0.0, square, 1.0)
+    return np.asarray(share, dtype=np.float64)
 
 
 def _each(contacts: Contacts, name: str, shape: tuple[int, ...]) -> FloatArray:

@@ -16,8 +16,8 @@ PAIRS: dict[int, tuple[Pair, ...]] = {
     2: ((None, 0), (0, 1), (None, 1)),
     3: ((None, 0), (0, 1), (2, 1), (None, 2)),
 }
-"""By the number of blocks, for each hinge: the block whose face stays with the joint (None: ground, or the support at the
-top of a wall), and the block whose corner presses on it. It is the block nearer to the ground that holds the face."""
+"""By the number of blocks, for each hinge: the block whose face stays with the joint (None: ground, or the support at
+the top of a wall), and the block whose corner presses on it. The block nearer to the ground holds the face."""
 
 
 @dataclass(frozen=True)

@@ -42,3 +42,8 @@ class Mechanism:
     outlines: tuple[Outline, ...]
     notices: tuple[str, ...] = ()
     directions: Directions | None = None
+
+    @property
+    def flexible(self) -> bool:
+        """Whether a hinge presses on a joint that gives way."""
+        return any(joint is not None for joint in self.positive.joints)

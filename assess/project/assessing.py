@@ -8,7 +8,7 @@ from assess.codes.check import Check
 from assess.codes.context import Context
 from assess.codes.registry import procedure
 from assess.mechanisms.mechanism import Mechanism
-from assess.mechanisms.virtual_work import oscillator
+from assess.mechanisms.oscillation import oscillator
 from assess.oscillator import Oscillator
 from assess.project.histories import Rocking, Shaken, governing_trace, rocking, suite_of
 from assess.project.motions import Motion

@@ -15,7 +15,7 @@ from assess.geometry.planar import FloatArray, base_of_section, lowest_corners, 
 from assess.geometry.solid import Solid
 from assess.mechanisms.directions import Directions, Vector, towards
 from assess.mechanisms.mechanism import Mechanism
-from assess.mechanisms.virtual_work import branch
+from assess.mechanisms.table import branch
 from assess.oscillator import linearise, multiplier
 from assess.project import sections
 from assess.project.bodies import ASKEW, Piece, Solids, as_one, cut_of

@@ -7,7 +7,7 @@ from dataclasses import replace
 from importlib.metadata import version
 
 from assess.errors import ProjectError
-from assess.mechanisms.virtual_work import oscillator
+from assess.mechanisms.oscillation import oscillator
 from assess.project.assessing import Progress, mechanisms_assessed
 from assess.project.messages import located
 from assess.project.motions import Motion, motions_of

@@ -13,7 +13,8 @@ import numpy as np
 
 from assess.loads import Force, PointMass, Tie
 from assess.mechanisms.chain import Block, Chain
-from assess.mechanisms.virtual_work import branch, virtual_work
+from assess.mechanisms.table import branch
+from assess.mechanisms.virtual_work import virtual_work
 
 POINTS = 500
 LOWER, UPPER = Block(2000.0, (0.0, 1.3), 1200.0), Block(1600.0, (0.0, 3.4), 600.0)

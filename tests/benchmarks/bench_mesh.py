@@ -15,8 +15,8 @@ import numpy as np
 
 from assess.geometry.mesh import load
 from assess.geometry.planar import planar
+from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block
-from assess.mechanisms.virtual_work import oscillator
 
 Grid = tuple[np.ndarray, np.ndarray]  # vertices [n, 3], triangles [m, 3]
 

@@ -20,10 +20,12 @@ from assess.mechanisms.chain import Block, Chain, mirrored, mirrored_chain
 from assess.mechanisms.four_hinge import four_hinge
 from assess.mechanisms.impact import impact
 from assess.mechanisms.motion import move, place
+from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.statics import verge
+from assess.mechanisms.table import branch
 from assess.mechanisms.two_block import two_block
-from assess.mechanisms.virtual_work import branch, oscillator, virtual_work
+from assess.mechanisms.virtual_work import virtual_work
 from assess.oscillator import energy, interpolant, linearise, multiplier
 from assess.project.build import build
 from assess.project.schema import load

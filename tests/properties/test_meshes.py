@@ -15,8 +15,8 @@ from assess.geometry.planar import PlanarBody, planar, planar_joined
 from assess.geometry.repair import mended
 from assess.geometry.solid import Solid, box, polyhedron, profile
 from assess.geometry.surface import merged
+from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block
-from assess.mechanisms.virtual_work import oscillator
 from assess.oscillator import Branch, Oscillator
 
 DENSITY = 2100.0

@@ -13,8 +13,8 @@ from assess.codes.registry import PROCEDURES, CodeOptions, procedure
 from assess.errors import ProcedureError
 from assess.geometry.planar import planar_direct
 from assess.mechanisms.equivalent_block import equivalent_block
+from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block
-from assess.mechanisms.virtual_work import oscillator
 from spectra.asce7 import design_spectrum
 from spectra.table import table_spectrum
 

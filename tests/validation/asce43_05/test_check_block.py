@@ -15,8 +15,8 @@ from assess.codes.asce43_05.clauses import (
 )
 from assess.geometry.planar import planar
 from assess.geometry.solid import box
+from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block
-from assess.mechanisms.virtual_work import oscillator
 
 ALPHA = 0.1973955598
 # theta / alpha: f1, SA_CAP [g], f_e [Hz] at g = 9.81

@@ -20,8 +20,8 @@ from assess.codes.dmi2008.clauses import (
 )
 from assess.geometry.planar import planar
 from assess.geometry.solid import box
+from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block
-from assess.mechanisms.virtual_work import oscillator
 from spectra.asce7 import design_spectrum
 
 

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.mechanisms.virtual_work import oscillator
+from assess.mechanisms.oscillation import oscillator
 from assess.oscillator import linearise, multiplier, participation_ratio, restoring
 from assess.project.build import build
 from assess.project.schema import load

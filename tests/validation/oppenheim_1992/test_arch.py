@@ -12,7 +12,7 @@ import pytest
 
 from assess.mechanisms.arch import weakest
 from assess.mechanisms.chain import Block, mirrored
-from assess.mechanisms.virtual_work import oscillator
+from assess.mechanisms.oscillation import oscillator
 from assess.oscillator import multiplier
 from assess.project.build import build
 from assess.project.schema import load

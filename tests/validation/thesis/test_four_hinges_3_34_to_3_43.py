@@ -20,7 +20,8 @@ from scipy.constants import g
 from scipy.optimize import brentq
 
 from assess.mechanisms.chain import Block, Chain, mirrored_chain
-from assess.mechanisms.virtual_work import branch, virtual_work
+from assess.mechanisms.table import branch
+from assess.mechanisms.virtual_work import virtual_work
 from assess.oscillator import linearise
 from assess.project.build import build
 from assess.project.schema import load

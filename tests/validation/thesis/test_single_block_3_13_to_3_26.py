@@ -16,8 +16,10 @@ from scipy.constants import g
 from assess.geometry.planar import planar_direct
 from assess.loads import Force, PointMass
 from assess.mechanisms.chain import Block, Chain
+from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block
-from assess.mechanisms.virtual_work import branch, oscillator, virtual_work
+from assess.mechanisms.table import branch
+from assess.mechanisms.virtual_work import virtual_work
 from assess.oscillator import linearise, multiplier
 from assess.project.build import build
 from assess.project.schema import load

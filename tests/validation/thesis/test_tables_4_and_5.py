@@ -18,7 +18,7 @@ from assess.examples.san_leonardo_spire import RADIUS, WALL, spire
 from assess.geometry.cut import divide, inclined
 from assess.geometry.planar import base_of_section, planar
 from assess.geometry.solid import polyhedron
-from assess.mechanisms.virtual_work import oscillator
+from assess.mechanisms.oscillation import oscillator
 from assess.oscillator import equivalent_block, linearise
 from assess.project.build import build
 from assess.project.schema import load

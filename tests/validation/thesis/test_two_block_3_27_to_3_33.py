@@ -19,7 +19,8 @@ from assess.errors import MechanismError
 from assess.loads import Force
 from assess.mechanisms.chain import Block, Chain
 from assess.mechanisms.crack import crack_ratio
-from assess.mechanisms.virtual_work import branch, oscillator
+from assess.mechanisms.oscillation import oscillator
+from assess.mechanisms.table import branch
 from assess.oscillator import linearise, multiplier
 from assess.project.build import build
 from assess.project.schema import load

@@ -12,7 +12,7 @@ from scipy.constants import g
 from assess.examples import copy_example
 from assess.examples.casa_grande import TABLE, misfit, wall_0, walls
 from assess.mechanisms.mechanism import Mechanism
-from assess.mechanisms.virtual_work import oscillator
+from assess.mechanisms.oscillation import oscillator
 from assess.oscillator import equivalent_block, linearise
 from assess.project.build import build
 from assess.project.schema import load

@@ -12,8 +12,8 @@ from assess.errors import MechanismError
 from assess.geometry.planar import planar, planar_direct, planar_joined
 from assess.geometry.solid import box
 from assess.loads import Force, PointMass, Tie, pull_at_rest
+from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block
-from assess.mechanisms.virtual_work import oscillator
 from assess.oscillator import linearise, multiplier, participation_ratio, restoring
 
 T, L, H, RHO = 0.8, 2.0, 5.0, 1900.0

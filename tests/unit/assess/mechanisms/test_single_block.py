@@ -15,9 +15,10 @@ from assess.geometry.solid import box
 from assess.mechanisms.chain import Block, Chain
 from assess.mechanisms.equivalent_block import equivalent_block
 from assess.mechanisms.motion import move, place
+from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.rest import plain_block
 from assess.mechanisms.single_block import single_block
-from assess.mechanisms.virtual_work import oscillator, virtual_work
+from assess.mechanisms.virtual_work import virtual_work
 from assess.oscillator import energy, linearise, participation_ratio, restoring
 from assess.oscillator import equivalent_block as at_rest
 

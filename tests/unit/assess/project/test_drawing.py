@@ -15,8 +15,8 @@ from assess.geometry.solid import box
 from assess.loads import Force, PointMass, Tie
 from assess.mechanisms.chain import Block, Chain, mirrored_chain
 from assess.mechanisms.mechanism import Mechanism
+from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block
-from assess.mechanisms.virtual_work import oscillator
 from assess.oscillator import Branch, Oscillator
 from assess.project.drawing import SEEN, drawing
 

@@ -103,7 +103,7 @@ def test_scaling_to_a_table_that_ends_early_uses_the_periods_it_has(tmp_path):
 def test_the_scan_begins_below_uplift_whatever_the_records_scale(tmp_path):
     study = study_of(tmp_path, records=f'{QUIET}\nscale_to = "none"', amplitude=5.0)
     motions = motions_of(study, study.spectrum)
-    from assess.mechanisms.virtual_work import oscillator
+    from assess.mechanisms.oscillation import oscillator
 
     shaken = Shaken("m", oscillator(study.mechanisms[0]), "exact")
     scan = scan_of(shaken, motions, site_pga=study.spectrum.pga, threads=1)

@@ -1,0 +1,216 @@
+"""From a mechanism on flexible joints to its oscillator: rest, and a table for each branch that counts from there.
+
+A joint in full contact answers to any rotation, so the restoring moment of a symmetric mechanism begins at zero and
+passes through rest smoothly. Under an eccentric load the mechanism stands at a rotation phi_e of one of its branches;
+the branch on the other side then begins with the way back from phi_e to zero, seen in its own sign:
+
+    other branch:  rotation 0 ... phi_e   the first chain from phi_e back to 0, moments and lifts with the other sign
+                   from phi_e on          the second chain from 0
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from assess.errors import MechanismError
+from assess.interfaces.contact import thresholds
+from assess.mechanisms.chain import Chain
+from assess.mechanisms.flexible import FlexibleChain
+from assess.mechanisms.mechanism import Mechanism
+from assess.mechanisms.motion import limit
+from assess.mechanisms.table import FLAT, NODES, REACH, branch
+from assess.mechanisms.virtual_work import Work
+from assess.oscillator import Branch, Oscillator, interpolant
+
+FloatArray = NDArray[np.float64]
+
+FINE = 0.05  # step of the table over rotation, as moments go with the power -1/2 of it
+COARSE = 1.0 / 128.0  # largest step, of the table's length
+FIRST = 6  # steps up to the first change of regime
+ZERO = 1e-9  # of the rigid restoring moment at rest: less is none
+NEAR = 1e-4  # of a root found on the table: so near to it the moment is asked for again
+JUST = 1e-6  # of the table's length: a rotation that has just begun
+TINY = 1e-300  # rad: less than any rotation
+CORRECTIONS = 4  # of the places where joints open and crush
+
+
+@dataclass(frozen=True)
+class Side:
+    """A chain on its joints, and the same with rigid ones."""
+
+    flexible: FlexibleChain
+    rigid: Branch
+
+    @cached_property
+    def end(self) -> float:
+        """Of the table [rad]."""
+        reach = limit(self.flexible.chain) * (1.0 - FLAT)
+        return min(REACH * self.rigid.overturning, 0.5 * (self.rigid.overturning + reach))
+
+    @cached_property
+    def changes(self) -> list[float]:
+        """Rotations [rad] at which joints open or begin to crush.
+
+        At first by their forces and rates at rest, then corrected by those at the rotation found.
+        """
+        joints = [(number, joint) for number, joint in enumerate(self.flexible.joints) if joint is not None]
+        places = np.full((len(joints), 2), JUST * self.end)
+        for _ in range(CORRECTIONS):
+            balance = self.flexible.balance(places.ravel())
+            turned = self.flexible.relative(balance.posture)
+            for row, (number, joint) in enumerate(joints):
+                for column, at in enumerate((2 * row, 2 * row + 1)):
+                    force, psi = float(balance.normal_force[number, at]), turned[number, at]
+                    slope = thresholds(joint.section, joint.law, normal_force=force)[column]
+                    places[row, column] *= np.arcsin(min(slope, 1.0)) / max(psi, TINY)
+            places = np.clip(places, JUST * self.end, self.end)
+        return [float(each) for each in places.ravel() if JUST * self.end < each < self.end]
+
+    @cached_property
+    def rotation(self) -> FloatArray:
+        """Nodes [n] [rad]: fine where joints open and crush, with two at one place where that begins, for the kink."""
+        if not self.changes:
+            return np.linspace(0.0, self.end, NODES)
+        nodes, least = [0.0], min(self.changes)
+        for end in (*sorted(self.changes), self.end):
+            start = nodes[-1]
+            while nodes[-1] < end:
+                step = FINE * nodes[-1] if nodes[-1] >= least else least / FIRST
+                nodes.append(nodes[-1] + min(step, COARSE * self.end))
+            if len(nodes) > 2 and nodes[-2] > max(start, nodes[-1] - 2.0 * (nodes[-1] - end)):
+                nodes.pop()
+            nodes[-1] = end
+            nodes.append(end)
+        return np.array(nodes[:-1])
+
+    @cached_property
+    def work(self) -> Work:
+        """The sums of virtual work at the nodes."""
+        return self.flexible.held(self.rotation).work
+
+    @cached_property
+    def pushed(self) -> bool:
+        """Whether its loads push it this way at rest."""
+        return bool(self.work.restoring[0] < -ZERO * self.rigid.restoring[0])
+
+    @cached_property
+    def lean(self) -> float:
+        """Where it stands when its loads push it this way [rad]; 0 where they do not.
+
+        Raises MechanismError where it finds no stand.
+        """
+        if not self.pushed:
+            return 0.0
+        found = self.fall(lambda work: -work.restoring)
+        if found is None:
+            raise MechanismError(
+                f'mechanism "{self.flexible.name}": it falls by itself: the load on its joints lies '
+                f"too far out, by {-self.work.restoring[0]:.4g} N m at rest; check loads, hinges and joints"
+            )
+        return found
+
+    def fall(self, value: Callable[[Work], FloatArray]) -> float | None:
+        """The first rotation where a sum goes from + to - [rad]; None where it never does."""
+        values = value(self.work)
+        falling = np.flatnonzero((values[:-1] > 0.0) & (values[1:] <= 0.0))
+        if not falling.size:
+            return None
+        low, high = self.rotation[falling[0]], self.rotation[falling[0] + 1]
+        roots = np.clip(interpolant(self.rotation, values).roots(extrapolate=False), low, high)
+        near = float(roots[np.argmin(np.abs(roots - 0.5 * (low + high)))])
+        places = near * np.array([1.0 - NEAR, 1.0, 1.0 + NEAR])
+        before, at, after = value(self.flexible.held(places).work)
+        return near - float(at * 2.0 * NEAR * near / (after - before))
+
+    def columns(self, *, back_from: float | None = None) -> FloatArray:
+        """A table [6, n] by rotation, or from a rotation back to zero, counted from there with the other sign."""
+        rotation, work = self.rotation, self.work
+        if back_from is not None:
+            kept = rotation < (1.0 - 0.5 * FINE) * back_from
+            rotation = np.append(rotation[kept], back_from)[::-1]
+            work = self.flexible.held(rotation).work
+        columns = np.array([
+            rotation, work.inertia, work.restoring, work.excitation, work.participation, work.lift,
+        ])  # fmt: skip
+        if back_from is not None:
+            columns[0] = back_from - columns[0]
+            columns[[2, 5]] *= -1.0
+        return columns
+
+
+def flexible_oscillator(mechanism: Mechanism) -> Oscillator:
+    """The mechanism on its joints as the dynamics and the codes see it.
+
+    Raises MechanismError where it finds no stable rest, or never overturns.
+    """
+    name, (first, second) = mechanism.name, mechanism.restitution
+    positive = side_of(mechanism.positive, name=name, restitution=first)
+    if mechanism.negative is None:
+        return Oscillator(table(positive, None), None, mechanism.positive.mass, equilibrium=positive.lean)
+    negative = side_of(mechanism.negative, name=name, restitution=second)
+    if positive.pushed and negative.pushed:
+        raise MechanismError(f'mechanism "{name}": its loads push it off its rest both ways; check them')
+    return Oscillator(
+        positive=table(positive, negative),
+        negative=table(negative, positive),
+        mass=mechanism.positive.mass,
+        equilibrium=positive.lean - negative.lean,
+    )
+
+
+def side_of(chain: Chain, *, name: str, restitution: float) -> Side:
+    """One side of a mechanism."""
+    return Side(FlexibleChain(chain, name), branch(replace(chain, joints=()), restitution=restitution, name=name))
+
+
+def table(side: Side, other: Side | None) -> Branch:
+    """The branch of one side, which counts from where the mechanism stands.
+
+    Raises MechanismError where the moment never falls to zero.
+    """
+    overturning, critical = side.fall(lambda work: work.restoring), side.fall(lambda work: work.weight)
+    if overturning is None or critical is None:
+        raise MechanismError(
+            f'mechanism "{side.flexible.name}": on its joints the restoring moment does not fall to zero before '
+            f"{side.end:.3g} rad; check hinges, ties and joints"
+        )
+    shift = side.lean
+    columns = side.columns()
+    if shift:
+        columns = columns[:, columns[0] > (1.0 + 0.5 * FINE) * shift]
+        columns = np.concatenate([_at(side, shift), columns], axis=1)
+    elif other is not None and other.lean:
+        shift = -other.lean
+        back = other.columns(back_from=other.lean)
+        back[0] += shift
+        columns = np.concatenate([back, columns], axis=1)
+    columns[0] -= shift
+    if abs(columns[2, 0]) <= ZERO * side.rigid.restoring[0]:
+        columns[2, 0] = 0.0
+    columns.flags.writeable = False
+    phi, inertia, restoring, excitation, participation, lift = columns
+    return Branch(
+        phi,
+        inertia,
+        restoring,
+        excitation,
+        participation,
+        lift,
+        restitution=side.rigid.restitution,
+        overturning=side.rigid.overturning,
+        critical=critical - shift,
+        overturning_flexible=overturning - shift,
+    )
+
+
+def _at(side: Side, rotation: float) -> FloatArray:
+    """One row of a table [6, 1]."""
+    work = side.flexible.held(np.array([rotation])).work
+    return np.array([
+        [rotation], work.inertia, work.restoring, work.excitation, work.participation, work.lift,
+    ])  # fmt: skip

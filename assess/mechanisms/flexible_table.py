@@ -13,6 +13,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -35,7 +36,7 @@ FIRST = 6  # steps up to the first change of regime
 ZERO = 1e-9  # of the rigid restoring moment at rest: less is none
 NEAR = 1e-4  # of a root found on the table: so near to it the moment is asked for again
 JUST = 1e-6  # of the table's length: a rotation that has just begun
-TINY = 1e-300  # rad: less than any rotation
+FEWEST = 4  # nodes of a piece between two changes of regime: a cubic
 CORRECTIONS = 4  # of the places where joints open and crush
 
 
@@ -54,9 +55,9 @@ class Side:
 
     @cached_property
     def changes(self) -> list[float]:
-        """Rotations [rad] at which joints open or begin to crush.
+        """Rotations [rad] at which joints open or begin to crush, in order.
 
-        At first by their forces and rates at rest, then corrected by those at the rotation found.
+        At first by their forces and rates at rest, then corrected by those at the rotations found.
         """
         joints = [(number, joint) for number, joint in enumerate(self.flexible.joints) if joint is not None]
         places = np.full((len(joints), 2), JUST * self.end)
@@ -65,28 +66,31 @@ class Side:
             turned = self.flexible.relative(balance.posture)
             for row, (number, joint) in enumerate(joints):
                 for column, at in enumerate((2 * row, 2 * row + 1)):
-                    force, psi = float(balance.normal_force[number, at]), turned[number, at]
+                    force, psi = float(balance.normal_force[number, at]), float(turned[number, at])
                     slope = thresholds(joint.section, joint.law, normal_force=force)[column]
-                    places[row, column] *= np.arcsin(min(slope, 1.0)) / max(psi, TINY)
-            places = np.clip(places, JUST * self.end, self.end)
-        return [float(each) for each in places.ravel() if JUST * self.end < each < self.end]
+                    places[row, column] *= np.arcsin(min(slope, 1.0)) / psi if psi > 0.0 else 1.0
+            places = np.minimum(places, self.end)
+        return sorted({float(each) for each in places.ravel() if 0.0 < each < self.end})
 
     @cached_property
     def rotation(self) -> FloatArray:
         """Nodes [n] [rad]: fine where joints open and crush, with two at one place where that begins, for the kink."""
         if not self.changes:
             return np.linspace(0.0, self.end, NODES)
-        nodes, least = [0.0], min(self.changes)
-        for end in (*sorted(self.changes), self.end):
-            start = nodes[-1]
-            while nodes[-1] < end:
-                step = FINE * nodes[-1] if nodes[-1] >= least else least / FIRST
-                nodes.append(nodes[-1] + min(step, COARSE * self.end))
-            if len(nodes) > 2 and nodes[-2] > max(start, nodes[-1] - 2.0 * (nodes[-1] - end)):
-                nodes.pop()
-            nodes[-1] = end
-            nodes.append(end)
-        return np.array(nodes[:-1])
+        ends = [0.0, *self.changes, self.end]
+        return np.concatenate([self._piece(*between, least=ends[1]) for between in pairwise(ends)])
+
+    def _piece(self, start: float, end: float, *, least: float) -> FloatArray:
+        """Nodes from one change of regime to the next; least: the first change of all."""
+        nodes = [start]
+        while nodes[-1] < end:
+            step = FINE * nodes[-1] if nodes[-1] >= least else least / FIRST
+            nodes.append(nodes[-1] + min(step, COARSE * self.end))
+        if len(nodes) < FEWEST:
+            return np.linspace(start, end, FEWEST)
+        stretched = start + (np.array(nodes) - start) * ((end - start) / (nodes[-1] - start))
+        stretched[-1] = end
+        return stretched
 
     @cached_property
     def work(self) -> Work:

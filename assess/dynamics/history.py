@@ -62,7 +62,7 @@ class Peaks:
     ----------
     max_rotation : rotation of largest |rotation| / phi_ov, signed [rad]; where overturned, what was reached before
         the run ended (meaningless as a maximum)
-    max_ratio : |rotation| / phi_ov of its branch [-]; phi_ov is that of the equation used
+    max_ratio : |rotation| / phi_ov of its branch [-]; phi_ov is that of the equation used, and of rigid interfaces
     time_of_max : [s]; 0 where the body never moved
     impacts : until overturning, or until the free motion after the record has peaked on each side or come to rest
     overturned : it can no longer return; having been beyond phi_ov is not enough
@@ -142,7 +142,9 @@ def peaks(
         for done in pool.map(work, parts):
             if progress is not None:
                 progress(done)
-    return _peaks(found, checked, _overturning(oscillators, equation=equation))
+    return _peaks(
+        found, checked, _overturning(oscillators, equation=equation), _reference(oscillators, equation=equation)
+    )
 
 
 def trace(
@@ -184,9 +186,9 @@ def free_rocking(
 
 def _exact_branches(oscillator: Oscillator) -> FloatArray:
     """The columns of `kernel.branch` [2, 7] by the tables; the end of a table means overturned."""
-    rows = _rows(oscillator, [branch.overturning for branch in oscillator.branches])
+    rows = _rows(oscillator, [branch.unstable for branch in oscillator.branches])
     for row, branch in zip(rows, oscillator.branches, strict=False):
-        phi_ov, E = branch.overturning, float(energy(branch, np.array(branch.overturning)))
+        phi_ov, E = branch.unstable, float(energy(branch, np.array(branch.unstable)))
         row[kernel.THRESHOLD] = branch.restoring[0] / branch.excitation[0]
         row[kernel.RATE] = (
             math.sqrt(2.0 * _positive(E, "work up to the overturning rotation", "J") / branch.inertia[0]) / phi_ov
@@ -229,7 +231,7 @@ def _rows(oscillator: Oscillator, overturning: list[float]) -> FloatArray:
 
 def _check_branch(branch: Branch, *, following: Branch) -> None:
     """A branch that can rock: it rests on still ground, has mass, and an impact adds no energy."""
-    _positive(float(branch.overturning), "overturning rotation", "rad")
+    _positive(float(branch.unstable), "overturning rotation", "rad")
     _positive(float(np.min(branch.inertia)), "least inertia", "kg m2")
     _positive(float(branch.excitation[0]), "excitation at rest", "kg m")
     if branch.restoring[0] < 0.0:
@@ -255,6 +257,13 @@ def _positive(value: float, name: str, unit: str) -> float:
 def _overturning(oscillators: Sequence[Oscillator], *, equation: Equation) -> FloatArray:
     """phi_ov of both sides by the equation used [oscillators, 2] [rad]; 0 for a side that is not there."""
     return np.array([_BRANCHES[equation](o)[:, kernel.OVERTURNING] for o in oscillators]).reshape(-1, 2)
+
+
+def _reference(oscillators: Sequence[Oscillator], *, equation: Equation) -> FloatArray:
+    """phi_ov that ratios are given by [oscillators, 2] [rad]: of rigid interfaces, where the equation knows of them."""
+    if equation == "linearised":
+        return _overturning(oscillators, equation=equation)
+    return np.array([[b.overturning for b in o.branches] + [0.0] * (2 - len(o.branches)) for o in oscillators])
 
 
 def _motions(motions: Sequence[Record]) -> tuple[FloatArray, IntArray, FloatArray, FloatArray]:
@@ -297,7 +306,7 @@ def _tables(oscillators: Sequence[Oscillator]) -> tuple[FloatArray, IntArray, In
     for o, oscillator in enumerate(oscillators):
         for side, branch in enumerate(oscillator.branches):
             rows.append(_segments(branch))
-            smooth.append(start + _smooth(branch.rotation))
+            smooth.append(start + _smooth(branch))
             spans[o, side] = start, start + branch.rotation.size - 2
             start += branch.rotation.size - 1
     empty = np.empty((0, 14)), np.empty((0, 2), dtype=np.int64)
@@ -309,7 +318,7 @@ def _segments(branch: Branch) -> FloatArray:
 
     I y'' + 1/2 I' y'^2 + R / phi_ov = -B / phi_ov a
     """
-    phi_ov = branch.overturning
+    phi_ov = branch.unstable
     rows = np.empty((branch.rotation.size - 1, 14))
     rows[:, kernel.LEFT], rows[:, kernel.RIGHT] = branch.rotation[:-1] / phi_ov, branch.rotation[1:] / phi_ov
     powers = phi_ov ** np.arange(3.0, -1.0, -1.0)[:, None]
@@ -322,11 +331,16 @@ def _segments(branch: Branch) -> FloatArray:
     return rows
 
 
-def _smooth(rotation: FloatArray) -> IntArray:
-    """First and last segment of the piece between jumps that each segment lies in [segments, 2]."""
-    width = np.diff(rotation)
+def _smooth(branch: Branch) -> IntArray:
+    """First and last segment of the piece between jumps that each segment lies in [segments, 2].
+
+    Where two nodes at one rotation have the same values there is a kink and no jump: steps may pass it.
+    """
+    width = np.diff(branch.rotation)
     index = np.arange(width.size)
-    jumps = np.flatnonzero(width == 0.0)
+    jumps = np.flatnonzero(
+        (width == 0.0) & (np.diff([branch.restoring, branch.excitation, branch.inertia]) != 0.0).any(axis=0)
+    )
     before, after = np.searchsorted(jumps, index, side="right") - 1, np.searchsorted(jumps, index)
     first = np.where(before >= 0, np.r_[jumps, 0][before] + 1, 0)
     last = np.where(after < jumps.size, np.r_[jumps, 0][after] - 1, width.size - 1)
@@ -363,14 +377,14 @@ def _parts(jobs: Jobs, motions: Sequence[Record]) -> list[slice]:
     return [slice(first, last) for first, last in pairwise(cuts) if last > first]
 
 
-def _peaks(found: FloatArray, jobs: Jobs, overturning: FloatArray) -> Peaks:
+def _peaks(found: FloatArray, jobs: Jobs, overturning: FloatArray, reference: FloatArray) -> Peaks:
     """The kernel's rows as named columns."""
     side = found[:, kernel.SIDE].astype(np.int64)
     overturned = found[:, kernel.OVERTURNED] > 0.0
-    ratio = found[:, kernel.RATIO]
+    rotation = found[:, kernel.RATIO] * overturning[jobs.oscillator, side]
     return Peaks(
-        _frozen((1 - 2 * side) * ratio * overturning[jobs.oscillator, side]),
-        _frozen(ratio.copy()),
+        _frozen((1 - 2 * side) * rotation),
+        _frozen(rotation / reference[jobs.oscillator, side]),
         _frozen(found[:, kernel.TIME].copy()),
         _frozen(found[:, kernel.IMPACTS].astype(np.int64)),
         _frozen(overturned),

@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 
 from assess.geometry.outline import Outline
 from assess.mechanisms.chain import Chain, require_movable
 from assess.mechanisms.doubts import pulling_supports
 from assess.mechanisms.flexible import FlexibleChain
 from assess.mechanisms.impact import RestitutionChoice, impact
+from assess.mechanisms.joint import Joint
 from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.virtual_work import require_stable
 from assess.restitution import Restitution
+
+INSIDE = ", about hinges a_SF inside the edges"
 
 
 def assembled(
@@ -34,9 +38,7 @@ def assembled(
         require_movable(chain, name=name)
         require_stable(chain, name=name)
     pulling = [text for mark, chain in chains.items() for text in pulling_supports(chain, mark=mark)]
-    hit, other = turning_about(positive, name=name), negative and turning_about(negative, name=name)
-    kept = impact(restitution[0], ending=hit, starting=other, kind=kind, name=name)
-    back = kept if other is None else impact(restitution[1], ending=other, starting=hit, kind=kind, name=name)
+    kept, back = impacts(restitution, positive, negative, kind=kind, name=name)
     return Mechanism(
         name=name,
         label=label or name,
@@ -52,9 +54,46 @@ def assembled(
     )
 
 
-def turning_about(chain: Chain, *, name: str) -> Chain:
-    """The rigid chain of an impact: with joints, about their fixed hinges a_SF inside the edges (6.60, 6.67, 6.72)."""
-    return FlexibleChain(chain, name).fixed if chain.joints else chain
+def on_joints(
+    mechanism: Mechanism,
+    positive: tuple[Joint | None, ...],
+    negative: tuple[Joint | None, ...],
+    *,
+    restitution: tuple[RestitutionChoice, RestitutionChoice],
+) -> Mechanism:
+    """A rigid mechanism put on joints, one or None for each hinge of each branch, in that branch's own sign.
+
+    Its impacts are those of the blocks turning about fixed hinges, a_SF inside the edges (thesis 6.60, 6.67, 6.72).
+
+    Raises MechanismError or InterfaceError where a joint cannot carry what presses on it.
+    """
+    name, kind = mechanism.name, mechanism.kind
+    front = replace(mechanism.positive, joints=positive)
+    back = mechanism.negative and replace(mechanism.negative, joints=negative)
+    fixed = FlexibleChain(front, name).fixed, back and FlexibleChain(back, name).fixed
+    kept, returned = impacts(restitution, *fixed, kind=kind, name=name)
+    return replace(
+        mechanism,
+        positive=front,
+        negative=back,
+        restitution=(kept.value, returned.value),
+        restitution_source=_sources(kept, returned) + INSIDE * (kept.source != "given"),
+    )
+
+
+def impacts(
+    choices: tuple[RestitutionChoice, RestitutionChoice],
+    positive: Chain,
+    negative: Chain | None,
+    *,
+    kind: str,
+    name: str,
+) -> tuple[Restitution, Restitution]:
+    """The coefficients of the impacts that end the positive and the negative branch."""
+    kept = impact(choices[0], ending=positive, starting=negative, kind=kind, name=name)
+    if negative is None:
+        return kept, kept
+    return kept, impact(choices[1], ending=negative, starting=positive, kind=kind, name=name)
 
 
 def _sources(positive: Restitution, negative: Restitution) -> str:

@@ -40,7 +40,7 @@ ROUNDS = 60
 SETTLED = 1e-14  # of the chain's size: what moves by less from round to round is found
 FOUND = 1e-11  # of the same: and so is what moves by less, but does not come nearer any more
 BACK = 1e-9  # rad: a joint that turns back by more would open at its hinge
-AT_HINGE = 1e-6  # of the chain's size: a load this near the hinge at the top of a wall comes through its joint
+AT_HINGE = 1e-6  # of a wall's height: a load this near the hinge at the top of a wall comes through its joint
 PLASTIC = 1.0  # rad: any rotation, for a rigid joint with a strength
 
 
@@ -174,12 +174,7 @@ class FlexibleChain:
         """Loads that come through the joint at the top of a wall of two blocks."""
         if len(self.chain.blocks) != 2 or self.joints[2] is None:
             return ()
-        x, z = self.chain.hinges[2]
-        return tuple(
-            load
-            for load in self.chain.loads
-            if load.block == 1 and hypot(load.at[0] - x, load.at[1] - z) <= AT_HINGE * self.size
-        )
+        return through_top(self.chain)
 
     @cached_property
     def slack(self) -> tuple[Load, ...]:
@@ -405,6 +400,13 @@ def _memory(residual: FloatArray, before: FloatArray) -> FloatArray:
     square = np.sum(step * step, axis=(0, 1))
     share = np.sum(residual * step, axis=(0, 1)) / np.where(square > 0.0, square, 1.0)
     return np.asarray(share, dtype=np.float64)
+
+
+def through_top(chain: Chain) -> tuple[Load, ...]:
+    """Loads that stand at the hinge at the top of a wall of two blocks, and so come through its joint."""
+    x, z = chain.hinges[2]
+    near = AT_HINGE * (z - chain.hinges[0][1])
+    return tuple(load for load in chain.loads if load.block == 1 and hypot(load.at[0] - x, load.at[1] - z) <= near)
 
 
 def _each(contacts: Contacts, name: str, shape: tuple[int, ...]) -> FloatArray:

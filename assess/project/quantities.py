@@ -66,6 +66,18 @@ Damping = Annotated[Ratio, Field(gt=0, lt=1)]
 Uplift = Annotated[Ratio, Field(gt=0, lt=math.pi / 2)]
 
 
+def _or_infinite(kind: str) -> BeforeValidator:
+    def read(value: Any) -> float:
+        endless = value == math.inf or (isinstance(value, str) and value.strip().lower() in ("inf", "infinite"))
+        return math.inf if endless else si_value(value, KINDS[kind])
+
+    return BeforeValidator(read)
+
+
+Strength = Annotated[float, Field(gt=0), _or_infinite("stress"), _described("stress"), KINDS["stress"]]
+JointStiffness = Annotated[float, Field(gt=0), _or_infinite("stiffness"), _described("stiffness"), KINDS["stiffness"]]
+
+
 def _coordinate(value: Any) -> float:
     """A length that may be no more than rounding about 0, as exported coordinates are."""
     if isinstance(value, float) and abs(value) < SMALLEST:

@@ -6,6 +6,7 @@ The sentence below a key is its description in the JSON Schema and in the messag
 from assess.project.sections.analysis import PROCEDURES, Records
 from assess.project.sections.bodies import Body, BoxBody, DirectBody, Material, MeshBody, ProfileBody
 from assess.project.sections.content import Content
+from assess.project.sections.interfaces import Interface, Shape
 from assess.project.sections.loads import BodyLoad, ForceLoad, LoadTable, MassLoad, OverburdenLoad, TieLoad
 from assess.project.sections.mechanisms import (
     Chained,
@@ -39,6 +40,7 @@ __all__ = [
     "FourHinge",
     "FourHinges",
     "Hinges",
+    "Interface",
     "LoadTable",
     "MassLoad",
     "Material",
@@ -48,6 +50,7 @@ __all__ = [
     "ProfileBody",
     "RadialJoints",
     "Records",
+    "Shape",
     "SingleBlock",
     "Site",
     "Sweep",

@@ -17,6 +17,7 @@ from pydantic import (
     model_validator,
 )
 
+from assess.mechanisms.chain import HINGES
 from assess.project.quantities import (
     Angle,
     Inclination,
@@ -34,6 +35,7 @@ from assess.project.quantities import (
     unique,
 )
 from assess.project.section import Section, listed, wrong
+from assess.project.sections.interfaces import Interface, Letter
 from assess.project.sections.loads import LoadSection, OverburdenLoad
 from assess.project.units import KINDS, si_value
 
@@ -208,8 +210,6 @@ class Chained(Section):
     """What all mechanisms of blocks share."""
 
     planned: ClassVar[Mapping[str, str]] = {
-        "interface": "the interface is rigid; remove it",
-        "interfaces": "the interface is rigid; remove it",
         "amplification": "histories act on the mechanism's base as they are; remove it",
     }
 
@@ -228,6 +228,22 @@ class Chained(Section):
     """[ { kind = "mass" | "force" | "tie" | "overburden" | "body", … }, … ]"""
     restitution: Restitution = Field(default_factory=Restitution)
     """a number in [0, 1], a name, or { positive, negative }"""
+    interface: Interface = Field(default_factory=Interface)
+    """what the hinges press on: { model = "flexible", stiffness = "10 GPa/m", strength, shape }"""
+    interfaces: dict[Letter, Interface] = Field(default_factory=dict)
+    """the same for single hinges of a chain, { A = { … }, B = { … } }"""
+
+    @model_validator(mode="after")
+    def _interfaces_are_at_hinges(self) -> Self:
+        known = "ABCD"[: HINGES[self.moving]]
+        for letter in self.interfaces:
+            if letter not in known:
+                raise wrong(("interfaces", letter), f"no such hinge; known: {', '.join(known)}")
+        return self
+
+    def interface_at(self, letter: str) -> Interface:
+        """What the hinge of this letter presses on."""
+        return {str(hinge): at for hinge, at in self.interfaces.items()}.get(letter, self.interface)
 
     @property
     def towards(self) -> tuple[float, float, float]:

@@ -190,4 +190,3 @@ def test_resultant_leaves_the_plane_of_motion(degrees):
     product = (I_x - I_y) * np.sin(angle) * np.cos(angle)  # of depth and offset to the left, by turning the axes
     found = contact(section, Law(K, F), normal_force=W, rotation=[0.5 * opening, opening, 0.05])
     np.testing.assert_allclose(found.sideways[:2], -K * found.rotation[:2] * product / W, rtol=EXACT, atol=EXACT)
-    print(degrees, found.sideways)

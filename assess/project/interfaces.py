@@ -1,0 +1,293 @@
+"""The keys `interface` and `interfaces`: the joints that the hinges of a mechanism press on."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from math import inf
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+
+from assess.errors import GeometryError, MechanismError
+from assess.geometry.cut import Plane, divide, in_plane
+from assess.geometry.solid import Solid
+from assess.interfaces.contact import contact, sideways_doubt
+from assess.interfaces.law import Law
+from assess.interfaces.section import Section
+from assess.interfaces.shapes import annulus, circle, hollow_rectangle, polygon, rectangle
+from assess.mechanisms.assembly import on_joints
+from assess.mechanisms.chain import Chain, Point, hinge_names
+from assess.mechanisms.flexible import FlexibleChain, through_top
+from assess.mechanisms.impact import RestitutionChoice
+from assess.mechanisms.joint import PAIRS, Joint
+from assess.mechanisms.mechanism import Mechanism
+from assess.project import sections
+from assess.project.arches import lines_of
+from assess.project.bodies import Piece, cut_of
+
+FloatArray = NDArray[np.float64]
+Vector = tuple[float, float]
+
+UP, DOWN, AHEAD = (0.0, 1.0), (0.0, -1.0), (1.0, 0.0)
+NEAR = 0.02  # of the depth of a contact: a hinge farther from its edge is told
+TURNED = 0.05  # rad: where the resultant of an unsymmetric contact is looked at
+ON_LINE = 1e-6  # m: a hinge this near the line of a joint is on it
+
+
+@dataclass(frozen=True)
+class Bed:
+    """The plane of a joint, and where the faces touch there.
+
+    normal : from the held face to the pressing block, in the plane of motion; region : in coordinates of the plane
+    """
+
+    normal: Vector
+    plane: Plane
+    region: shapely.MultiPolygon
+
+
+def put_on_joints(
+    mechanism: Mechanism,
+    section: sections.Chained,
+    pieces: Sequence[Piece],
+    content: sections.Content,
+    *,
+    restitution: tuple[RestitutionChoice, RestitutionChoice],
+) -> Mechanism:
+    """The mechanism on the interfaces of its table; as it is where all of them are rigid and without limit of strength.
+
+    Raises GeometryError where a contact is not found, MechanismError or InterfaceError where one cannot carry its load.
+    """
+    chains = [chain for chain in (mechanism.positive, mechanism.negative) if chain is not None]
+    interfaces = [section.interface_at(letter) for letter in hinge_names(mechanism.positive)]
+    if all(interface.model == "rigid" and interface.strength in (None, inf) for interface in interfaces):
+        return mechanism
+    doubts: list[str] = []
+    joints = [
+        tuple(
+            joint_at(number, chain, mechanism.name, section, interface, pieces, content, sign=sign, doubts=doubts)
+            for number, interface in enumerate(interfaces)
+        )
+        for chain, sign in zip(chains, (1.0, -1.0), strict=False)
+    ]
+    found = on_joints(mechanism, joints[0], joints[-1] if len(joints) > 1 else (), restitution=restitution)
+    notices = dict.fromkeys((*found.notices, *doubts, *sideways(found)))
+    return replace(found, notices=tuple(notices))
+
+
+def joint_at(
+    number: int,
+    chain: Chain,
+    name: str,
+    section: sections.Chained,
+    interface: sections.Interface,
+    pieces: Sequence[Piece],
+    content: sections.Content,
+    *,
+    sign: float,
+    doubts: list[str],
+) -> Joint | None:
+    """The joint under one hinge of a chain in its own sign; None where it is rigid or carries nothing.
+
+    sign : -1 for the branch that is mirrored; doubts : sentences are added to it
+    """
+    letter = hinge_names(chain)[number]
+    what = f"interface {letter}" + "'" * (sign < 0)
+    where = f'mechanism "{name}", {what}'
+    law = law_of(interface, material_of(section, content), where=where)
+    if law is None or bears_nothing(chain, number):
+        return None
+    if interface.model != "rigid" and law.strength == inf and interface.strength is None:
+        doubts.append(f"interface {letter}: no strength is known, so its joint never crushes; give strength")
+    view = View.of(section.towards, sign=sign)
+    sense = float(FlexibleChain(chain, name).sense[number])
+    if isinstance(interface.shape, sections.Shape):
+        normal = DOWN if at_top(chain, number) else UP
+        return Joint(_inward(normal, sense), shaped(interface.shape, view), law, interface.model)
+    bed = bed_at(number, chain.hinges[number], section, pieces, view, where=where)
+    inward = _inward(bed.normal, sense)
+    out = in_plane(bed.plane, -view.world(inward))
+    found = polygon(bed.region, direction=out)
+    aside = view.beyond(bed, chain.hinges[number], out)
+    if abs(aside) > NEAR * found.depth:
+        doubts.append(
+            f"{what}: the hinge lies {abs(aside):.3g} m {'inside' if aside > 0.0 else 'outside'} the edge of its "
+            f"contact, which is {found.depth:.3g} m deep; pressure is counted from the hinge on"
+        )
+    return Joint(inward, found, law, interface.model)
+
+
+def law_of(interface: sections.Interface, material: sections.Material | None, *, where: str) -> Law | None:
+    """Stiffness and strength, None for a rigid joint without limit of strength."""
+    strength = interface.strength
+    if interface.model == "rigid":
+        return None if strength in (None, inf) else Law(strength=strength or inf)
+    if strength is None:
+        strength = (material and material.compressive_strength) or inf
+    if interface.stiffness is not None:
+        return Law(interface.stiffness, strength)
+    if material is None or material.young_modulus is None:
+        raise MechanismError(
+            f"{where}: course_thickness needs young_modulus of the material; give it, or stiffness instead"
+        )
+    return Law(material.young_modulus / (interface.course_thickness or inf), strength)
+
+
+def material_of(section: sections.Chained, content: sections.Content) -> sections.Material | None:
+    """That of the first body of a mechanism that has one."""
+    bodies = (content.bodies[name] for block in section.blocks for name in block)
+    return next((content.materials[b.material] for b in bodies if not isinstance(b, sections.DirectBody)), None)
+
+
+def at_top(chain: Chain, number: int) -> bool:
+    """Whether a hinge is the support at the top of a wall."""
+    return len(chain.blocks) == number == 2
+
+
+def bears_nothing(chain: Chain, number: int) -> bool:
+    """Whether it is the support at the top of a wall, and no load comes through it."""
+    return at_top(chain, number) and not through_top(chain)
+
+
+def shaped(shape: sections.Shape, view: View) -> Section:
+    """A contact of given sizes, seen in the direction of motion."""
+    if shape.rectangle is not None:
+        return rectangle(*shape.rectangle)
+    if shape.hollow_rectangle is not None:
+        thickness, length, *inner = shape.hollow_rectangle
+        return hollow_rectangle(thickness, length, inner=(inner[0], inner[1]))
+    if shape.circle is not None:
+        return circle(shape.circle)
+    if shape.annulus is not None:
+        return annulus(shape.annulus[0], inner=shape.annulus[1])
+    return polygon(shapely.Polygon(shape.polygon), direction=view.along[:2])
+
+
+# --------------------------------------------------------------------------------------------------------- the contact
+
+
+@dataclass(frozen=True)
+class View:
+    """The plane of motion of one branch in space.
+
+    along : unit vector of its motion [3]; sign : -1 where that is against the direction
+    """
+
+    along: FloatArray
+    sign: float
+
+    @classmethod
+    def of(cls, direction: Sequence[float], *, sign: float) -> View:
+        """The plane of a direction, or of the one against it."""
+        return cls(sign * np.array(direction) / np.linalg.norm(direction), sign)
+
+    def world(self, vector: Vector) -> FloatArray:
+        """A vector or place (x, z) of the branch in space [3]."""
+        return np.asarray(vector[0] * self.along + vector[1] * np.array([0.0, 0.0, 1.0]))
+
+    def plane(self, at: Point, normal: Vector) -> Plane:
+        """The plane through a point, square to a direction."""
+        return Plane(self.world(at), self.world(normal))
+
+    def beyond(self, bed: Bed, hinge: Point, out: FloatArray) -> float:
+        """How far a contact reaches beyond a hinge in a direction of its plane [2] [m]."""
+        unit = out / np.linalg.norm(out)
+        at = in_plane(bed.plane, self.world(hinge) - bed.plane.point) @ unit
+        return float((shapely.get_coordinates(bed.region) @ unit).max() - at)
+
+
+def bed_at(
+    number: int, hinge: Point, section: sections.Chained, pieces: Sequence[Piece], view: View, *, where: str
+) -> Bed:
+    """Where a hinge presses: on the ground or the cut, on the support at the top, or on the block beside it."""
+    face, pressing = PAIRS[len(pieces)][number]
+    over = pieces[pressing].solids
+    under = () if face is None else pieces[face].solids
+    if not over or (face is not None and not under):
+        raise GeometryError(
+            f"{where}: its body has no geometry, so its contact is not known; give shape, like "
+            "{ rectangle = [thickness, length] }"
+        )
+    if face is not None:
+        return bed_between(over, under, hinge, section, view, where=where)
+    if (len(pieces), number) == (2, 2):
+        return bed_of_top(over, hinge, view, where=where)
+    plane = cut_of(section, where=where) if pieces[pressing].cut else None
+    if plane is None:
+        lowest = min(float(solid.vertices[:, 2].min()) for solid in over)
+        plane = view.plane((hinge[0], lowest), UP)
+    tilt = np.array([plane.normal @ view.along, plane.normal[2]])
+    x, z = tilt / np.linalg.norm(tilt)
+    return Bed((float(x), float(z)), plane, divide(over, plane, where=where).region)
+
+
+def bed_of_top(solids: Sequence[Solid], hinge: Point, view: View, *, where: str) -> Bed:
+    """The top of a wall: the foot of the wall upside down."""
+    turned = [
+        replace(solid, vertices=solid.vertices * [1.0, 1.0, -1.0], triangles=solid.triangles[:, ::-1])
+        for solid in solids
+    ]
+    lowest = min(float(solid.vertices[:, 2].min()) for solid in turned)
+    region = divide(turned, view.plane((hinge[0], lowest), UP), where=where).region
+    return Bed(DOWN, view.plane((hinge[0], -lowest), UP), region)
+
+
+def bed_between(
+    over: Sequence[Solid],
+    under: Sequence[Solid],
+    hinge: Point,
+    section: sections.Chained,
+    view: View,
+    *,
+    where: str,
+) -> Bed:
+    """Where two blocks touch in a level or upright plane through the hinge, or in the plane of an arch's joint."""
+    for normal in (UP, AHEAD, *_across_joints(hinge, section, view)):
+        plane = view.plane(hinge, normal)
+        try:
+            region = divide([*over, *under], plane, where=where).region
+        except GeometryError:
+            continue  # nothing of them touches there
+        high, low = (max(float((s.centroid - plane.point) @ plane.normal) for s in each) for each in (over, under))
+        way = 1.0 if high > low else -1.0
+        bed = Bed((way * normal[0], way * normal[1]), plane, region)
+        along = in_plane(plane, view.world((normal[1], -normal[0])))
+        if min(abs(view.beyond(bed, hinge, side)) for side in (along, -along)) <= NEAR * np.sqrt(region.area):
+            return bed
+    raise GeometryError(
+        f"{where}: its blocks do not touch in a level or upright plane with an edge at the hinge ({hinge[0]:.4g}, "
+        f"{hinge[1]:.4g}) m; give shape"
+    )
+
+
+def _across_joints(hinge: Point, section: sections.Chained, view: View) -> Iterator[Vector]:
+    """Normals of the joints of an arch that pass through a hinge."""
+    lines = lines_of(section) if isinstance(section, sections.FourHinge) and section.joints is not None else []
+    for line in lines:
+        a, b = np.array(line) * [view.sign, 1.0]
+        way = (b - a) / np.hypot(*(b - a))
+        arm = np.subtract(hinge, a)
+        if abs(float(way[0] * arm[1] - way[1] * arm[0])) <= ON_LINE:
+            yield (float(-way[1]), float(way[0]))
+
+
+def _inward(normal: Vector, sense: float) -> Vector:
+    """From a hinge to where its joint opens, by the normal of the held face and the sense of turning."""
+    return (-sense * normal[1] + 0.0, sense * normal[0] + 0.0)
+
+
+def sideways(mechanism: Mechanism) -> Iterator[str]:
+    """Sentences on contacts that are not symmetric about the plane of motion."""
+    for chain, mark in ((mechanism.positive, ""), (mechanism.negative, "'")):
+        if chain is None:
+            continue
+        forces = FlexibleChain(chain, mechanism.name).balance(np.zeros(1)).normal_force[:, 0]
+        for letter, joint, force in zip(hinge_names(chain), chain.joints, forces, strict=True):
+            if joint is None:
+                continue
+            found = contact(joint.section, joint.law, normal_force=float(force), rotation=[0.0, TURNED])
+            doubt = sideways_doubt(joint.section, found)
+            if doubt:
+                yield f"interface {letter}{mark}: {doubt}"

@@ -1,0 +1,61 @@
+"""The tables `interface` and `interfaces` of a mechanism."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal, Self
+
+from pydantic import Discriminator, Field, Tag, model_validator
+
+from assess.project.quantities import JointStiffness, PlanePoint, PositiveLength, Strength
+from assess.project.section import Section, wrong
+
+Letter = Literal["A", "B", "C", "D"]
+
+
+class Shape(Section):
+    """The contact by one of its sizes, the first along the direction of motion, the second across."""
+
+    rectangle: tuple[PositiveLength, PositiveLength] | None = None
+    """[thickness, length]"""
+    hollow_rectangle: tuple[PositiveLength, PositiveLength, PositiveLength, PositiveLength] | None = None
+    """[thickness, length, inner thickness, inner length]"""
+    circle: PositiveLength | None = None
+    """diameter"""
+    annulus: tuple[PositiveLength, PositiveLength] | None = None
+    """[diameter, inner diameter]"""
+    polygon: Annotated[tuple[PlanePoint, ...], Field(min_length=3)] | None = None
+    """corners [[x, y], …] in plan"""
+
+    @model_validator(mode="after")
+    def _one(self) -> Self:
+        given = [key for key, value in self.entries().items() if value is not None]
+        if len(given) != 1:
+            raise wrong(given[-1] if given else "rectangle", f"one shape is needed, not {len(given)}")
+        return self
+
+
+class Interface(Section):
+    """What a hinge presses on."""
+
+    model: Literal["rigid", "flexible", "semi-flexible", "flexible-thesis"] = "rigid"
+    """"rigid" (with strength: crushing only), "flexible", "semi-flexible", or "flexible-thesis" (inertia)"""
+    stiffness: JointStiffness | None = None
+    """normal stiffness per area, like "10 GPa/m"; or give course_thickness"""
+    course_thickness: PositiveLength | None = None
+    """thickness of the layer that yields: stiffness = young_modulus of the material / course_thickness"""
+    strength: Strength | None = None
+    """in compression, like "1 MPa", or "inf"; the material's if absent (not for a rigid one)"""
+    shape: Annotated[
+        Annotated[Literal["outline"], Tag("<outline>")] | Annotated[Shape, Tag("<shape>")],
+        Discriminator(lambda value: "<shape>" if isinstance(value, dict | Shape) else "<outline>"),
+    ] = "outline"
+    """"outline" of the mesh at the hinge, or { rectangle | hollow_rectangle | circle | annulus | polygon = … }"""
+
+    @model_validator(mode="after")
+    def _stiffness_is_given_once(self) -> Self:
+        given = [key for key in ("stiffness", "course_thickness") if getattr(self, key) is not None]
+        if self.model == "rigid" and given:
+            raise wrong(given[0], 'is for flexible interfaces; write model = "flexible", or remove it')
+        if self.model != "rigid" and len(given) != 1:
+            raise wrong("stiffness", "give either stiffness or course_thickness")
+        return self

@@ -319,6 +319,22 @@ class DirectionSweep:
 
 
 @dataclass(frozen=True)
+class BranchMoment:
+    """A moment-rotation curve."""
+
+    rotation_rad: Floats
+    restoring_n_m: Floats
+
+
+@dataclass(frozen=True)
+class InterfaceCurves:
+    """Moments of the positive branch by simpler interfaces, to set beside its own: rigid, and hinges fixed at a_SF."""
+
+    rigid: BranchMoment
+    fixed_hinges: BranchMoment
+
+
+@dataclass(frozen=True)
 class MechanismResult:
     """Everything about one mechanism; direction_sweep is None where its direction was given."""
 
@@ -341,6 +357,7 @@ class MechanismResult:
     restitution_source: str
     loads: tuple[LoadResult, ...]
     direction_sweep: DirectionSweep | None
+    interface_curves: InterfaceCurves | None
 
 
 @dataclass(frozen=True)

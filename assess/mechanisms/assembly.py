@@ -8,7 +8,7 @@ from dataclasses import replace
 from assess.geometry.outline import Outline
 from assess.mechanisms.chain import Chain, require_movable
 from assess.mechanisms.doubts import pulling_supports
-from assess.mechanisms.flexible import FlexibleChain
+from assess.mechanisms.flexible import FlexibleChain, through_top
 from assess.mechanisms.impact import RestitutionChoice, impact
 from assess.mechanisms.joint import Joint
 from assess.mechanisms.mechanism import Mechanism
@@ -68,8 +68,8 @@ def on_joints(
     Raises MechanismError or InterfaceError where a joint cannot carry what presses on it.
     """
     name, kind = mechanism.name, mechanism.kind
-    front = replace(mechanism.positive, joints=positive)
-    back = mechanism.negative and replace(mechanism.negative, joints=negative)
+    front = replace(mechanism.positive, joints=bearing(mechanism.positive, positive))
+    back = mechanism.negative and replace(mechanism.negative, joints=bearing(mechanism.negative, negative))
     fixed = FlexibleChain(front, name).fixed, back and FlexibleChain(back, name).fixed
     kept, returned = impacts(restitution, *fixed, kind=kind, name=name)
     return replace(
@@ -79,6 +79,11 @@ def on_joints(
         restitution=(kept.value, returned.value),
         restitution_source=_sources(kept, returned) + INSIDE * (kept.source != "given"),
     )
+
+
+def bearing(chain: Chain, joints: tuple[Joint | None, ...]) -> tuple[Joint | None, ...]:
+    """The joints without that at the top of a wall where no load comes through it."""
+    return (*joints[:2], None) if len(chain.blocks) == 2 and not through_top(chain) else joints
 
 
 def impacts(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from math import inf
+from math import dist, inf
 
 import numpy as np
 import shapely
@@ -19,7 +19,7 @@ from assess.interfaces.section import Section
 from assess.interfaces.shapes import annulus, circle, hollow_rectangle, polygon, rectangle
 from assess.mechanisms.assembly import on_joints
 from assess.mechanisms.chain import Chain, Point, hinge_names
-from assess.mechanisms.flexible import FlexibleChain, through_top
+from assess.mechanisms.flexible import FlexibleChain
 from assess.mechanisms.impact import RestitutionChoice
 from assess.mechanisms.joint import PAIRS, Joint
 from assess.mechanisms.mechanism import Mechanism
@@ -33,6 +33,7 @@ Vector = tuple[float, float]
 UP, DOWN, AHEAD = (0.0, 1.0), (0.0, -1.0), (1.0, 0.0)
 NEAR = 0.02  # of the depth of a contact: a hinge farther from its edge is told
 TURNED = 0.05  # rad: where the resultant of an unsymmetric contact is looked at
+ON_MIDDLE = 1e-3  # of the depth of a contact: a load this near its middle comes through it
 ON_LINE = 1e-6  # m: a hinge this near the line of a joint is on it
 
 
@@ -72,7 +73,12 @@ def put_on_joints(
         )
         for chain, sign in zip(chains, (1.0, -1.0), strict=False)
     ]
-    found = on_joints(mechanism, joints[0], joints[-1] if len(joints) > 1 else (), restitution=restitution)
+    loaded = replace(
+        mechanism,
+        positive=through_joint(mechanism.positive, joints[0]),
+        negative=mechanism.negative and through_joint(mechanism.negative, joints[-1]),
+    )
+    found = on_joints(loaded, joints[0], joints[-1] if len(joints) > 1 else (), restitution=restitution)
     notices = dict.fromkeys((*found.notices, *doubts, *sideways(found)))
     return replace(found, notices=tuple(notices))
 
@@ -97,7 +103,7 @@ def joint_at(
     what = f"interface {letter}" + "'" * (sign < 0)
     where = f'mechanism "{name}", {what}'
     law = law_of(interface, material_of(section, content), where=where)
-    if law is None or bears_nothing(chain, number):
+    if law is None:
         return None
     if interface.model != "rigid" and law.strength == inf and interface.strength is None:
         doubts.append(f"interface {letter}: no strength is known, so its joint never crushes; give strength")
@@ -146,9 +152,21 @@ def at_top(chain: Chain, number: int) -> bool:
     return len(chain.blocks) == number == 2
 
 
-def bears_nothing(chain: Chain, number: int) -> bool:
-    """Whether it is the support at the top of a wall, and no load comes through it."""
-    return at_top(chain, number) and not through_top(chain)
+def through_joint(chain: Chain, joints: Sequence[Joint | None]) -> Chain:
+    """The chain with what lies on the middle of the joint at the top of a wall moved to its hinge.
+
+    At rest its resultant is in the middle all the same, and moves to the edge as the wall turns.
+    """
+    joint = joints[-1]
+    if len(chain.blocks) != 2 or joint is None:
+        return chain
+    hinge, inside = chain.hinges[2], joint.section.centroid
+    middle = (hinge[0] + inside * joint.inward[0], hinge[1] + inside * joint.inward[1])
+    near = ON_MIDDLE * joint.section.depth
+    loads = tuple(
+        replace(load, at=hinge) if load.block == 1 and dist(load.at, middle) <= near else load for load in chain.loads
+    )
+    return replace(chain, loads=loads)
 
 
 def shaped(shape: sections.Shape, view: View) -> Section:

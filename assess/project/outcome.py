@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,7 +14,7 @@ from assess.geometry.scene import Scene
 from assess.loads import Force, Load, PointMass, pull_at_rest
 from assess.mechanisms.directions import Directions
 from assess.mechanisms.mechanism import Mechanism
-from assess.mechanisms.statics import verge
+from assess.mechanisms.table import branch
 from assess.oscillator import (
     Branch,
     Linearised,
@@ -26,6 +26,7 @@ from assess.oscillator import (
     participating_mass,
 )
 from assess.project.drawing import drawing
+from assess.project.joint_results import interface_curves, interface_results
 from assess.project.motions import Motion
 from assess.project.study import Equation
 from assess.project.view import view
@@ -100,20 +101,20 @@ def record_result(motion: Motion, spectrum: Spectrum) -> RecordResult:
     )
 
 
-def oscillator_result(branch: Branch, *, mass: float) -> OscillatorResult:
-    """The rocking parameters of one branch."""
-    block, linear = equivalent_block(branch, mass=mass), linearise(branch)
+def oscillator_result(branch: Branch, *, mass: float, rigid: Branch, equilibrium: float) -> OscillatorResult:
+    """The rocking parameters of one branch; rigid: the same with rigid interfaces; equilibrium: phi_e in its sign."""
+    block, linear = equivalent_block(rigid, mass=mass), linearise(branch)
     return OscillatorResult(
         mass_kg=mass,
         inertia_kg_m2=block.inertia,
         radius_m=block.radius,
         slenderness_rad=block.slenderness,
         p_eq_per_s=linear.p,
-        uplift_multiplier=float(multiplier(branch)[0]),
+        uplift_multiplier=float(multiplier(branch)[0]) if branch.restoring[0] > 0.0 else None,
         overturning_rad=branch.overturning,
-        overturning_flexible_rad=None,
+        overturning_flexible_rad=branch.overturning_flexible,
         critical_rad=branch.critical,
-        equilibrium_rad=0.0,
+        equilibrium_rad=equilibrium + 0.0,
         restitution=branch.restitution,
         linearised=linearised_result(linear),
     )
@@ -145,23 +146,12 @@ def branch_curve(branch: Branch, *, mass: float) -> BranchCurve:
     )
 
 
-def pressed(mechanism: Mechanism) -> list[float]:
-    """Vertical force on each hinge of both branches when it is about to move [N], compression positive."""
+def rigid_branches(mechanism: Mechanism, oscillator: Oscillator) -> tuple[Branch, ...]:
+    """The branches of the mechanism with rigid interfaces."""
+    if not mechanism.flexible:
+        return oscillator.branches
     chains = [chain for chain in (mechanism.positive, mechanism.negative) if chain is not None]
-    return [abs(float(force[1])) for chain in chains for force in verge(chain).forces]
-
-
-def rigid_interface(hinge: str, normal_force: float) -> dict[str, Any]:
-    """A rigid contact: no opening before uplift, no crushing, so no curve."""
-    return {
-        "hinge": hinge,
-        "model": "rigid",
-        "normal_force_n": normal_force,
-        "area_m2": None,
-        "opening_rad": 0.0,
-        "crushing_rad": None,
-        "curve": None,
-    }
+    return tuple(branch(replace(chain, joints=()), restitution=1.0, name=mechanism.name) for chain in chains)
 
 
 def mechanism_result(
@@ -177,6 +167,7 @@ def mechanism_result(
     positive, negative, mass = oscillator.positive, oscillator.negative, oscillator.mass
     records = [history.record for history in histories[0]] if histories else []
     drawn = drawing(mechanism, oscillator, scene)
+    rigid = rigid_branches(mechanism, oscillator)
     return MechanismResult(
         name=mechanism.name,
         label=mechanism.label,
@@ -187,12 +178,13 @@ def mechanism_result(
         direction_sweep=None if mechanism.directions is None else direction_sweep(mechanism.directions),
         drawing=drawn,
         view=None if scene is None else view(mechanism, scene),
-        oscillator=oscillator_result(positive, mass=mass),
-        oscillator_negative=None if negative is None else oscillator_result(negative, mass=mass),
+        oscillator=oscillator_result(positive, mass=mass, rigid=rigid[0], equilibrium=oscillator.equilibrium),
+        oscillator_negative=None
+        if negative is None
+        else oscillator_result(negative, mass=mass, rigid=rigid[-1], equilibrium=-oscillator.equilibrium),
         curve=Curve(branch_curve(positive, mass=mass), None if negative is None else branch_curve(negative, mass=mass)),
-        interfaces=tuple(
-            rigid_interface(hinge.name, force) for hinge, force in zip(drawn.hinges, pressed(mechanism), strict=True)
-        ),
+        interfaces=interface_results(mechanism, oscillator, [hinge.name for hinge in drawn.hinges]),
+        interface_curves=interface_curves(mechanism, rigid) if mechanism.flexible else None,
         amplification=AmplificationResult("none", tuple(Factor(record, 1.0) for record in records)),
         checks=tuple(checks),
         histories=tuple(history for level in histories for history in level),

@@ -1,0 +1,103 @@
+"""The joints of a mechanism in the results tree."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import isfinite
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from assess.interfaces.contact import thresholds
+from assess.mechanisms.chain import Chain
+from assess.mechanisms.flexible import FlexibleChain
+from assess.mechanisms.mechanism import Mechanism
+from assess.mechanisms.statics import verge
+from assess.mechanisms.table import branch
+from assess.oscillator import Branch, Oscillator
+from assess.results import BranchMoment, InterfaceCurves
+
+FloatArray = NDArray[np.float64]
+
+POINTS = 200  # of a curve, at most
+
+
+def interface_results(mechanism: Mechanism, oscillator: Oscillator, names: Sequence[str]) -> tuple[dict[str, Any], ...]:
+    """Every hinge of both branches: what it presses with, and how its contact opens and crushes."""
+    chains = [chain for chain in (mechanism.positive, mechanism.negative) if chain is not None]
+    found: list[dict[str, Any]] = []
+    for chain, side in zip(chains, oscillator.branches, strict=True):
+        if chain.joints:
+            found += _flexible(chain, side, names[len(found) :], mechanism.name)
+        else:
+            forces = verge(chain).forces
+            found += [_rigid(names[len(found) + i], abs(float(force[1]))) for i, force in enumerate(forces)]
+    return tuple(found)
+
+
+def _rigid(hinge: str, normal_force: float) -> dict[str, Any]:
+    """A rigid contact: no opening before uplift, no crushing, so no curve; its force when about to move."""
+    return {
+        "hinge": hinge,
+        "model": "rigid",
+        "normal_force_n": normal_force,
+        "area_m2": None,
+        "stiffness_pa_m": None,
+        "strength_pa": None,
+        "opening_rad": 0.0,
+        "crushing_rad": None,
+        "curve": None,
+    }
+
+
+def _flexible(chain: Chain, side: Branch, names: Sequence[str], name: str) -> list[dict[str, Any]]:
+    """The joints of one chain; forces at rest, rotations of the joints themselves."""
+    step = -(-side.rotation.size // POINTS)
+    rotation = np.unique(side.rotation)[::step]
+    flexible = FlexibleChain(chain, name)
+    held, rest = flexible.held(rotation), flexible.balance(np.zeros(1)).normal_force[:, 0]
+    found = []
+    for number, joint in enumerate(chain.joints):
+        force = float(rest[number])
+        contact = held.contacts[number]
+        if joint is None or contact is None:
+            found.append(_rigid(names[number], abs(float(verge(chain).forces[number][1]))))
+            continue
+        opening, crushing = thresholds(joint.section, joint.law, normal_force=force)
+        found.append({
+            "hinge": names[number],
+            "model": joint.model,
+            "normal_force_n": force,
+            "area_m2": joint.section.area,
+            "depth_m": joint.section.depth,
+            "stiffness_pa_m": _finite(joint.law.stiffness),
+            "strength_pa": _finite(joint.law.strength),
+            "opening_rad": _finite(opening),
+            "crushing_rad": _finite(crushing),
+            "curve": {
+                "rotation_rad": tuple(held.relative[number].tolist()),
+                "mechanism_rotation_rad": tuple(rotation.tolist()),
+                "resultant_m": tuple(contact.resultant.tolist()),
+                "peak_stress_pa": tuple(contact.peak_stress.tolist()),
+                "open_share": tuple((contact.open_area / joint.section.area).tolist()),
+                "crushed_share": tuple((contact.crushed_area / joint.section.area).tolist()),
+            },
+        })  # fmt: skip
+    return found
+
+
+def _finite(value: float) -> float | None:
+    """The value, None for an infinite one."""
+    return float(value) if isfinite(value) else None
+
+
+def interface_curves(mechanism: Mechanism, rigid: Sequence[Branch]) -> InterfaceCurves:
+    """The moment of the positive branch with rigid joints, and about its fixed hinges a_SF, beside its own curve."""
+    chain = FlexibleChain(mechanism.positive, mechanism.name).fixed
+    fixed = branch(chain, restitution=1.0, name=mechanism.name)
+    return InterfaceCurves(rigid=_moment(rigid[0]), fixed_hinges=_moment(fixed))
+
+
+def _moment(side: Branch) -> BranchMoment:
+    return BranchMoment(tuple(side.rotation.tolist()), tuple(side.restoring.tolist()))

@@ -155,6 +155,20 @@ def multiplier(branch: Branch) -> FloatArray:
     return branch.restoring / (g * branch.excitation)
 
 
+def resisted(branch: Branch) -> float:
+    """lambda that linear checks compare with [-]: at rest, or the largest where a joint answers to any rotation."""
+    values = multiplier(branch)
+    return float(values[0] if branch.overturning_flexible is None or branch.restoring[0] > 0.0 else values.max())
+
+
+def elastic_frequency(branch: Branch) -> float | None:
+    """Frequency of small motions about rest [Hz]; None where rest has a threshold."""
+    if branch.restoring[0] > 0.0:
+        return None
+    stiffness = float(interpolant(branch.rotation, branch.restoring)(0.0, 1))
+    return float(np.sqrt(max(stiffness, 0.0) / branch.inertia[0]) / (2 * np.pi))
+
+
 def participating_mass(branch: Branch) -> FloatArray:
     """M* = B^2 / sum m x'^2 at the nodes [n] [kg]."""
     return branch.excitation**2 / branch.participation
@@ -170,6 +184,36 @@ def equivalent_block(branch: Branch, *, mass: float) -> SingleBlock:
     height, half_width = branch.excitation[0] / mass, branch.restoring[0] / (mass * g)
     radius, slenderness = float(np.hypot(height, half_width)), float(np.arctan2(half_width, height))
     return SingleBlock(mass, radius, slenderness, float(branch.inertia[0]))
+
+
+def block_at(branch: Branch, rotation: float, *, mass: float) -> SingleBlock:
+    """The single block with the mechanism's restoring moment, excitation and inertia at a rotation [rad].
+
+    For a plain block it is the same at every rotation; on a flexible joint it is thesis 6.50-6.52.
+    """
+    R, B, inertia = (
+        float(interpolant(branch.rotation, values)(rotation))
+        for values in (branch.restoring, branch.excitation, branch.inertia)
+    )
+    return SingleBlock(mass, float(np.hypot(R / g, B)) / mass, rotation + float(np.arctan2(R / g, B)), inertia)
+
+
+def plain_branch(block: SingleBlock, *, restitution: float, end: float = 1.5) -> Branch:
+    """The table of a plain block, as far as `end` times its slenderness."""
+    M, R, alpha = block.mass, block.radius, block.slenderness
+    phi = np.linspace(0.0, end * alpha, 257)
+    up, along = M * R * np.sin(alpha - phi), M * R * np.cos(alpha - phi)
+    return Branch(
+        rotation=phi,
+        inertia=np.full_like(phi, block.inertia),
+        restoring=g * up,
+        excitation=along,
+        participation=along**2 / M,
+        lift=up,
+        restitution=restitution,
+        overturning=alpha,
+        critical=alpha,
+    )
 
 
 def linearise(branch: Branch) -> Linearised:

@@ -200,6 +200,7 @@ class OscillatorResult:
     overturning_flexible_rad: float | None
     critical_rad: float
     equilibrium_rad: float
+    elastic_frequency_hz: float | None
     restitution: float
     linearised: LinearisedResult
 

@@ -6,6 +6,8 @@ from assess.cli.parameter_table import table_text, weakest_text
 from assess.project.messages import printable
 from assess.project.schema import Project
 from assess.project.study import Sweep
+from typing import Any
+
 from assess.results import LoadResult, MechanismResult, NamedPoint, Notice
 
 
@@ -40,16 +42,38 @@ def _motions(project: Project) -> str:
 def _mechanism(m: MechanismResult) -> list[str]:
     label = f" ({printable(m.label)})" if m.label and m.label != m.name else ""
     sides = "two-sided" if m.sides == "two" else "one-sided"
-    interface = ", ".join(dict.fromkeys(str(i["model"]) for i in m.interfaces)) or "rigid"
     return [
         f"{printable(m.name)}{label}: {m.kind}, {sides}, {m.equation} equation",
         *_direction(m),
         f"  hinges      {_points(m.drawing.hinges)}",
         f"  centroid    {_at(m.drawing.centroid)}",
         *_loads(m.loads),
-        f"  interface   {interface}",
+        *_interfaces(m),
         f"  impacts     {printable(m.restitution_source)}",
     ]
+
+
+def _interfaces(m: MechanismResult) -> list[str]:
+    yielding = [interface for interface in m.interfaces if interface["curve"] is not None]
+    if not yielding:
+        return ["  interface   rigid"]
+    lines = [f"  {'interfaces' if i == 0 else '':<11} {_interface(each)}" for i, each in enumerate(yielding)]
+    rest = m.oscillator
+    if rest.elastic_frequency_hz is not None:
+        lines.append(f"  rest        at {rest.equilibrium_rad:.4g} rad; small motions at {rest.elastic_frequency_hz:.4g} Hz")
+    return lines
+
+
+def _interface(found: dict[str, Any]) -> str:
+    stiffness = "rigid" if found["stiffness_pa_m"] is None else f"{found['stiffness_pa_m'] / 1e9:.4g} GPa/m"
+    strength = "no crushing" if found["strength_pa"] is None else f"{found['strength_pa'] / 1e6:.4g} MPa"
+    opens, crushes = (
+        "never" if found[key] is None else f"at {found[key]:.3g} rad" for key in ("opening_rad", "crushing_rad")
+    )
+    return (
+        f"{found['hinge']}: {found['model']}, {stiffness}, {strength}; {found['area_m2']:.4g} m2, {found['depth_m']:.4g} m "
+        f"deep, under {found['normal_force_n'] / 1e3:.4g} kN at rest; opens {opens}, crushes {crushes}"
+    )
 
 
 def _loads(loads: tuple[LoadResult, ...]) -> list[str]:

@@ -20,6 +20,7 @@ from assess.oscillator import (
     Linearised,
     Oscillator,
     displacement,
+    elastic_frequency,
     equivalent_block,
     linearise,
     multiplier,
@@ -115,6 +116,7 @@ def oscillator_result(branch: Branch, *, mass: float, rigid: Branch, equilibrium
         overturning_flexible_rad=branch.overturning_flexible,
         critical_rad=branch.critical,
         equilibrium_rad=equilibrium + 0.0,
+        elastic_frequency_hz=elastic_frequency(branch),
         restitution=branch.restitution,
         linearised=linearised_result(linear),
     )

@@ -15,9 +15,10 @@ from dataclasses import dataclass
 
 import numpy as np
 from scipy.constants import g
+from scipy.optimize import brentq
 
 from assess.codes.relation import PgaRelation, relation
-from assess.oscillator import Branch, FloatArray, energy, equivalent_block
+from assess.oscillator import Branch, FloatArray, block_at, energy, equivalent_block
 from spectra.spectrum import Spectrum
 
 EDITION = "ASCE/SEI 43-05"
@@ -26,7 +27,7 @@ CAVEAT = "Appendix A.2 was not checked against the printed standard: its equatio
 
 @dataclass(frozen=True)
 class Options:
-    """allowable_ratio: allowable rotation over the rigid overturning rotation [-]."""
+    """allowable_ratio: allowable rotation over the overturning rotation, of the interfaces in use [-]."""
 
     allowable_ratio: float = 0.5
 
@@ -73,6 +74,17 @@ def thesis_limit_ratio(branch: Branch, *, mass: float) -> float:
     return float(k * block.slenderness / np.sin(2 * block.slenderness))
 
 
+def thesis_limit(branch: Branch, *, mass: float) -> float:
+    """theta_lim [rad] on a flexible joint: where it is the ratio above times alpha, both of the block at theta_lim."""
+
+    def excess(rotation: float) -> float:
+        block = block_at(branch, rotation, mass=mass)
+        k = block.inertia / (mass * block.radius**2)
+        return rotation - k * block.slenderness**2 / float(np.sin(2 * block.slenderness))
+
+    return float(brentq(excess, 1e-3 * branch.unstable, branch.unstable, xtol=1e-12))
+
+
 def pga_relation(branch: Branch, spectrum: Spectrum, *, damping: float, f_v: float, uplift: float) -> PgaRelation:
     """PGA(theta): where SA_H,CAP equals the spectrum's ordinate at f_e and `damping`, scaled with its PGA.
 
@@ -88,7 +100,7 @@ def pga_relation(branch: Branch, spectrum: Spectrum, *, damping: float, f_v: flo
 
     return relation(
         pga_of,
-        overturning=branch.overturning,
+        overturning=branch.unstable,
         uplift=uplift,
         period_of=period_of,
         longest_period=spectrum.longest_period,

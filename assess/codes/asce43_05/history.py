@@ -23,12 +23,13 @@ LEAST_RECORDS = 5
 def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tuple[Check, ...]:
     """One check for each level that has a suite of time histories."""
     curve = pga_curve(context.incremental)
-    at_collapse = pga_at_collapse(context.incremental, options.allowable_ratio)
+    allowable = options.allowable_ratio * min(branch.unstable / branch.overturning for branch in oscillator.branches)
+    at_collapse = pga_at_collapse(context.incremental, allowable)
     return tuple(
         _check(
             oscillator,
             suite,
-            options.allowable_ratio,
+            allowable,
             curve=curve,
             at_collapse=at_collapse,
             uplift=uplift_multiplier(oscillator, linearised=context.linearised),

@@ -17,15 +17,17 @@ from assess.codes.asce43_05.clauses import (
     effective_frequency,
     pga_relation,
     stored_work,
+    thesis_limit,
     thesis_limit_ratio,
     vertical_factor,
 )
 from assess.codes.check import BranchName, Check, Role, Step
 from assess.codes.context import Context
 from assess.codes.governing import governing
+from assess.codes.plain import plain
 from assess.codes.relation import PgaRelation, as_curve, demand
 from assess.codes.spectral import Answer, spectral_answer
-from assess.oscillator import Branch, Oscillator, multiplier
+from assess.oscillator import Branch, Oscillator, multiplier, resisted
 
 THESIS_DAMPING = 0.05
 A2 = "ASCE 43-05 A.2"
@@ -85,7 +87,8 @@ def assess_thesis(oscillator: Oscillator, context: Context, *, options: Options)
             starts_at=0.0,
         )
 
-    return _checks(oscillator, context, reading)
+    like = plain(oscillator, lambda branch: thesis_limit(branch, mass=oscillator.mass))
+    return _checks(like, context, reading)
 
 
 def _checks(oscillator: Oscillator, context: Context, reading_of: Callable[[Branch], Reading]) -> tuple[Check, ...]:
@@ -98,12 +101,12 @@ def _checks(oscillator: Oscillator, context: Context, reading_of: Callable[[Bran
 def _check(
     oscillator: Oscillator, branch: Branch, name: BranchName, context: Context, reading: Reading, level: float
 ) -> Check:
-    a = float(multiplier(branch)[0])
+    a, lifts = resisted(branch), float(multiplier(branch)[0])
     f_v = vertical_factor(a, context.vertical_ratio)
     curve = pga_relation(branch, context.spectrum, damping=reading.damping, f_v=f_v, uplift=reading.starts_at)
-    allowable = reading.allowable_ratio * branch.overturning
+    allowable = reading.allowable_ratio * branch.unstable
     rotation = demand(curve, level)
-    answer = spectral_answer(rotation, allowable, curve=curve, level=level, uplift=a * g, context=context)
+    answer = spectral_answer(rotation, allowable, curve=curve, level=level, uplift=lifts * g, context=context)
     if reading.allowable_ratio > 1.0:
         answer = Answer(
             "not-applicable", "the empirical limit of rotation lies beyond overturning: outside its range", None
@@ -127,8 +130,8 @@ def _check(
         verdict=answer.verdict,
         reason=answer.reason,
         capacity_pga_g=answer.capacity_pga_g,
-        uplift_pga_g=a,
-        capacity_rotation_ratio=reading.allowable_ratio,
+        uplift_pga_g=lifts,
+        capacity_rotation_ratio=allowable / branch.overturning,
         rotation_ratio=None if rotation is None else rotation / branch.overturning,
         pga_curve=as_curve(curve, branch),
         steps=_steps(oscillator, branch, context, reading, curve=curve, level=level, f_v=f_v, rotation=rotation),
@@ -151,13 +154,13 @@ def _steps(
 
     Where the spectrum ends before that, they stand where it ends; a sheet without a known ordinate ends with theta.
     """
-    a, mass, I0 = float(multiplier(branch)[0]), oscillator.mass, float(branch.inertia[0])
+    a, mass, I0 = resisted(branch), oscillator.mass, float(branch.inertia[0])
     h = float(branch.excitation[0]) / mass
     C1 = I0 / (mass * h**2)
-    limit = reading.allowable_ratio * branch.overturning
+    limit = reading.allowable_ratio * branch.unstable
     start = f"{branch.restoring[0]:.5g} / (9.80665 · {branch.excitation[0]:.5g})"
     vertical = f"√(1 + ({a:.5g} · {context.vertical_ratio:.3g})²)"
-    limited = f"{reading.allowable_ratio:.4g} · {branch.overturning:.5g}"
+    limited = f"{reading.allowable_ratio:.4g} · {branch.unstable:.5g}"
     damped = reading.damping_formula, reading.damping_numbers, reading.damping
     block = (
         Step("h", "height of the centroid", A2, "B0 / M", f"{branch.excitation[0]:.5g} / {mass:.5g}", h, "m"),

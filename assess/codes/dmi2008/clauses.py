@@ -16,7 +16,7 @@ from scipy.optimize import brentq
 
 from assess.codes.check import Step, Verdict
 from assess.codes.context import Context
-from assess.oscillator import Branch, displacement, interpolant, multiplier, participation_ratio
+from assess.oscillator import Branch, displacement, interpolant, multiplier, participation_ratio, resisted
 
 EDITION = "DM 14.01.2008, Circolare 617/2009"
 CAVEAT = "clause numbers of C8A.4 not checked against the printed circular"
@@ -59,13 +59,13 @@ class Floor:
 
 def activation(branch: Branch, *, mass: float, confidence_factor: float) -> float:
     """a0* = alpha0 g / (e* FC) [m/s2] (C8A.4.1.2)."""
-    return float(multiplier(branch)[0]) * g / (participation_ratio(branch, mass=mass) * confidence_factor)
+    return resisted(branch) * g / (participation_ratio(branch, mass=mass) * confidence_factor)
 
 
 def capacity_of(branch: Branch, *, mass: float, confidence_factor: float) -> Capacity:
     """e*, a0*, d0*, du* = 0.4 d0*, ds* = 0.4 du*, as* on the model's own curve, Ts = 2 pi sqrt(ds*/as*) (C8A.4.2.2)."""
     e = participation_ratio(branch, mass=mass)
-    d0 = float(displacement(branch, np.array(branch.overturning), mass=mass)) / e
+    d0 = float(displacement(branch, np.array(branch.unstable), mass=mass)) / e
     ds = ULTIMATE * ULTIMATE * d0
     rotation = rotation_at(branch, ds * e, mass=mass)
     as_ = float(_multiplier_at(branch, rotation)) * g / (e * confidence_factor)
@@ -76,7 +76,7 @@ def capacity_of(branch: Branch, *, mass: float, confidence_factor: float) -> Cap
 def rotation_at(branch: Branch, moved: float, *, mass: float) -> float:
     """Rotation [rad] at which the control point has moved by `moved` [m], up to the overturning rotation."""
     integral = interpolant(branch.rotation, branch.excitation).antiderivative()
-    return float(brentq(lambda phi: float(integral(phi)) / mass - moved, 0.0, branch.overturning, xtol=1e-15))
+    return float(brentq(lambda phi: float(integral(phi)) / mass - moved, 0.0, branch.unstable, xtol=1e-15))
 
 
 def _multiplier_at(branch: Branch, rotation: float) -> float:
@@ -142,14 +142,15 @@ def uplift_pga(branch: Branch, context: Context, *, confidence_factor: float) ->
 
 def activation_steps(branch: Branch, *, mass: float, confidence_factor: float) -> tuple[Step, ...]:
     """alpha0, e*, FC and a0* as the calculation sheets print them."""
-    alpha0, e = float(multiplier(branch)[0]), participation_ratio(branch, mass=mass)
+    alpha0, e = resisted(branch), participation_ratio(branch, mass=mass)
     B0, moment, participation = branch.excitation[0], branch.restoring[0], branch.participation[0]
     a0 = activation(branch, mass=mass, confidence_factor=confidence_factor)
     shares = f"{B0:.5g}² / ({participation:.5g} · {mass:.5g})"
-    start = f"{moment:.5g} / (9.80665 · {B0:.5g})"
+    rest = f"{moment:.5g} / (9.80665 · {B0:.5g})"
+    formula, start = ("(V'(0) − M) / (g B0)", rest) if moment > 0.0 else ("largest (V' − M) / (g B)", "of the curve")
     divided = f"{alpha0:.5g} · 9.80665 / ({e:.5g} · {confidence_factor:g})"
     return (
-        Step("α0", "multiplier that starts the mechanism", "C8A.4.1", "(V'(0) − M) / (g B0)", start, alpha0, "-"),
+        Step("α0", "multiplier that starts the mechanism", "C8A.4.1", formula, start, alpha0, "-"),
         Step("e*", "fraction of participating mass", "C8A.4.1.2", "(Σ m δx)² / (M Σ m δx²)", shares, e, "-"),
         Step("FC", "confidence factor", "C8A.1.1", "given", f"{confidence_factor:g}", confidence_factor, "-"),
         Step("a0*", "acceleration of activation", "C8A.4.1.2", "α0 g / (e* FC)", divided, a0, "m/s2"),

@@ -109,7 +109,7 @@ def _curve(branch: Branch, cap: Capacity, wanted: Demands | None, *, mass: float
     def pga_of(rotation: FloatArray) -> FloatArray:
         return displacement(branch, rotation, mass=mass) / (cap.e * wanted.largest)
 
-    return as_curve(relation(pga_of, overturning=branch.overturning, uplift=uplift), branch)
+    return as_curve(relation(pga_of, overturning=branch.unstable, uplift=uplift), branch)
 
 
 def _verdict(demanded: float | None, cap: Capacity, context: Context) -> tuple[Verdict, str]:
@@ -142,7 +142,7 @@ def _steps(
             "displacement where a* = 0",
             CLAUSE,
             "∫ B dφ / (M e*) to φ_ov",
-            f"φ_ov = {branch.overturning:.5g}",
+            f"φ_ov = {branch.unstable:.5g}",
             cap.d0,
             "m",
         ),

@@ -12,6 +12,7 @@ from assess.codes.check import BranchName, Check, Step
 from assess.codes.context import Context
 from assess.codes.dmi2008.clauses import CAVEAT, DAMPING, EDITION, ULTIMATE, Options
 from assess.codes.governing import governing
+from assess.codes.plain import plain
 from assess.codes.relation import PgaRelation, as_curve, demand, relation
 from assess.codes.spectral import spectral_answer
 from assess.oscillator import Branch, FloatArray, Oscillator, displacement, linearise, multiplier
@@ -23,14 +24,14 @@ def thesis_relation(branch: Branch, context: Context, *, mass: float) -> PgaRela
     x = phi / phi_ov, d_u = x d0, lambda and the curve linearised, rigid. The clause has d_s, not d_u, under the
     root; with d_u the eight walls of Table 8.6 come out within rounding (the letter is higher by about 1.6).
     """
-    d0 = float(displacement(branch, np.array(branch.overturning), mass=mass))
+    d0 = float(displacement(branch, np.array(branch.unstable), mass=mass))
     linear = linearise(branch)
 
     def secant(rotation: FloatArray) -> FloatArray:
-        return linear.multiplier * g * (1 - ULTIMATE * rotation / branch.overturning)
+        return linear.multiplier * g * (1 - ULTIMATE * rotation / branch.unstable)
 
     def period_of(rotation: FloatArray) -> FloatArray:
-        return np.asarray(2 * np.pi * np.sqrt(rotation / branch.overturning * d0 / secant(rotation)))
+        return np.asarray(2 * np.pi * np.sqrt(rotation / branch.unstable * d0 / secant(rotation)))
 
     def pga_of(rotation: FloatArray) -> FloatArray:
         ordinate = context.spectrum.acceleration(period_of(rotation), damping=DAMPING)
@@ -38,7 +39,7 @@ def thesis_relation(branch: Branch, context: Context, *, mass: float) -> PgaRela
 
     return relation(
         pga_of,
-        overturning=branch.overturning,
+        overturning=branch.unstable,
         period_of=period_of,
         longest_period=context.spectrum.longest_period,
     )
@@ -46,10 +47,11 @@ def thesis_relation(branch: Branch, context: Context, *, mass: float) -> PgaRela
 
 def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tuple[Check, ...]:
     """The thesis' reading (8.3.2), at the ground, FC = 1, no threshold of uplift; informative."""
+    like = plain(oscillator, lambda branch: ULTIMATE * branch.unstable)
 
     def one(branch: Branch, name: BranchName, level: float) -> Check:
         curve = thesis_relation(branch, context, mass=oscillator.mass)
-        allowable = ULTIMATE * branch.overturning
+        allowable = ULTIMATE * branch.unstable
         rotation = demand(curve, level)
         uplift = float(multiplier(branch)[0]) * g
         answer = spectral_answer(rotation, allowable, curve=curve, level=level, uplift=uplift, context=context)
@@ -72,16 +74,14 @@ def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tup
             reason=answer.reason,
             capacity_pga_g=answer.capacity_pga_g,
             uplift_pga_g=uplift / g,
-            capacity_rotation_ratio=ULTIMATE,
+            capacity_rotation_ratio=allowable / branch.overturning,
             rotation_ratio=None if rotation is None else rotation / branch.overturning,
             pga_curve=as_curve(curve, branch),
-            steps=_steps(
-                oscillator, branch, context, level=level, rotation=rotation, at_collapse=answer.capacity_pga_g
-            ),
+            steps=_steps(like, branch, context, level=level, rotation=rotation, at_collapse=answer.capacity_pga_g),
             caveat=CAVEAT,
         )
 
-    return governing(oscillator, context.levels, one)
+    return governing(like, context.levels, one)
 
 
 def _steps(
@@ -94,7 +94,7 @@ def _steps(
     at_collapse: float | None,
 ) -> tuple[Step, ...]:
     linear = linearise(branch)
-    d0 = float(displacement(branch, np.array(branch.overturning), mass=oscillator.mass))
+    d0 = float(displacement(branch, np.array(branch.unstable), mass=oscillator.mass))
     a_s = linear.multiplier * g * (1 - ULTIMATE**2)
     period = float(2 * np.pi * np.sqrt(ULTIMATE * d0 / a_s))
     ratio = None if rotation is None else rotation / branch.overturning
@@ -103,7 +103,7 @@ def _steps(
     start = f"φ_cr = {linear.critical:.5g} rad"
     steps = (
         Step("λ", "multiplier, linearised", "thesis 3.11", "(K φ_cr − M) / (g B)", start, linear.multiplier, "-"),
-        Step("d0", "displacement at overturning", source, "∫ B dφ / M", f"φ_ov = {branch.overturning:.5g}", d0, "m"),
+        Step("d0", "displacement at overturning", source, "∫ B dφ / M", f"φ_ov = {branch.unstable:.5g}", d0, "m"),
         Step("a_s", "acceleration at 0.4 d_u, d_u = 0.4 d0", source, "λ g (1 − 0.4 · 0.4)", multiplied, a_s, "m/s2"),
         Step("T", "period, with d_u (the clause: d_s)", source, "2π √(d_u / a_s)", root, period, "s"),
         Step("φ/φ_ov", "rotation at the level", source, "PGA(φ) = level", f"level {level / g:.4g} g", ratio, "-"),

@@ -10,19 +10,17 @@ from scipy.constants import g
 
 from assess.bearing import Support, carries, carrying, nearest, share_of, support
 from assess.errors import GeometryError
-from assess.geometry.boolean import common
 from assess.geometry.covering import extent
 from assess.geometry.solid import Solid
 from assess.loads import Force, Load, Point, PointMass
 from assess.project import sections
 from assess.project.coverings import Arch, Thrust, arch_of, thrust_of, weight
-from assess.project.overlaps import OVERLAP
+from assess.project.overlaps import OVERLAP, SAME_PLACE, shared_with
 from assess.project.plane import point_in_plane
 
 FloatArray = NDArray[np.float64]
 
 BETWEEN = 1 / 8  # of the span: a contact this near its middle holds both feet of a roof or vault
-SAME_PLACE = 0.1  # of the smaller body's volume: a body that shares more with the block is another state of it
 BY_ITSELF = ("give `at` and `bearing`", "give it a mesh, box or profile, or write mass and force loads")
 
 
@@ -135,8 +133,7 @@ def beside_the_block(found: Support | None, *, around: Surroundings) -> tuple[Su
         return None, []
     kept, doubts = dict(found.others), []
     for other in (solid for solid in around.others if solid.name in found.others):
-        shared = [each for solid in around.block if (each := common(solid, other)) is not None]
-        part, volume = max((each.part for each in shared), default=0.0), sum(each.volume for each in shared)
+        part, volume = shared_with(around.block, other)
         if part > SAME_PLACE:
             del kept[other.name]
             doubts.append(f'body "{other.name}" stands where the block does; it is not taken to carry a part of this')

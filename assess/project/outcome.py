@@ -14,7 +14,7 @@ from assess.geometry.scene import Scene
 from assess.loads import Force, Load, PointMass, pull_at_rest
 from assess.mechanisms.directions import Directions
 from assess.mechanisms.mechanism import Mechanism
-from assess.mechanisms.statics import verge
+from assess.mechanisms.statics import compressions
 from assess.oscillator import (
     Branch,
     Linearised,
@@ -146,9 +146,9 @@ def branch_curve(branch: Branch, *, mass: float) -> BranchCurve:
 
 
 def pressed(mechanism: Mechanism) -> list[float]:
-    """Vertical force on each hinge of both branches when it is about to move [N], compression positive."""
+    """Vertical force on each hinge of both branches when it is about to move [N]; negative where it pulls."""
     chains = [chain for chain in (mechanism.positive, mechanism.negative) if chain is not None]
-    return [abs(float(force[1])) for chain in chains for force in verge(chain).forces]
+    return [force for chain in chains for force in compressions(chain)]
 
 
 def rigid_interface(hinge: str, normal_force: float) -> dict[str, Any]:

@@ -56,6 +56,9 @@ def least(multiplier: Callable[[float], float], *, low: float, high: float) -> f
             "hinges"
         )
     found = minimize_scalar(
-        multiplier, bounds=(stations[best - 1], stations[best + 1]), method="bounded", options={"xatol": FINE * (high - low)}
+        multiplier,
+        bounds=(stations[best - 1], stations[best + 1]),
+        method="bounded",
+        options={"xatol": FINE * (high - low)},
     )
     return float(found.x)

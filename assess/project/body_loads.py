@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -72,6 +73,10 @@ class Case:
         return self.arch.axis if self.arch is not None and self.load.role == "vault" else None
 
 
+Meeting = tuple[Support | None, list[str]]
+Meet = Callable[[sections.BodyLoad, Solid | None, Surroundings], Meeting]
+
+
 @dataclass(frozen=True)
 class Part:
     """The part of a body that the block carries, where that is from, and what is doubtful of it."""
@@ -81,16 +86,26 @@ class Part:
     doubts: tuple[str, ...] = ()
 
 
-def body_loads(load: sections.BodyLoad, *, body: Solid | None, mass: float, around: Surroundings) -> Brought:
+def meeting(load: sections.BodyLoad, body: Solid | None, around: Surroundings) -> Meeting:
+    """Where a body meets the block and what else carries it, whichever way the motion goes; and what is doubtful.
+
+    Raises GeometryError where the body touches nothing of the block, or has no geometry where it needs one.
+    """
+    return beside_the_block(met(load, body, around=around), around=around)
+
+
+def body_loads(
+    load: sections.BodyLoad, *, body: Solid | None, mass: float, around: Surroundings, meet: Meet = meeting
+) -> Brought:
     """The point mass of a body, and the force of its thrust if it has one.
 
-    body : None for direct values; mass : of the whole body by its table [kg]
+    body : None for direct values; mass : of the whole body by its table [kg]; meet : finds where it meets the block
 
     Raises
     ------
     GeometryError : the body touches nothing of the block, has no geometry where it needs one, or would lift off
     """
-    found, doubts = beside_the_block(met(load, body, around=around), around=around)
+    found, doubts = meet(load, body, around)
     covering = body if load.role != "floor" else None
     arch = None if covering is None else arch_of(load, covering, along=around.along)
     at = place_of(load, found, along=around.along)
@@ -127,7 +142,7 @@ def met(load: sections.BodyLoad, body: Solid | None, *, around: Surroundings) ->
     return found
 
 
-def beside_the_block(found: Support | None, *, around: Surroundings) -> tuple[Support | None, list[str]]:
+def beside_the_block(found: Support | None, *, around: Surroundings) -> Meeting:
     """The contacts without those with bodies that stand where the block does; a sentence for each that overlaps it."""
     if found is None:
         return None, []

@@ -19,6 +19,7 @@ from assess.mechanisms.virtual_work import branch
 from assess.oscillator import linearise, multiplier
 from assess.project import sections
 from assess.project.bodies import ASKEW, LEVEL, Piece, Solids, as_one, cut_of
+from assess.project.body_loads import Meeting, Surroundings, meeting
 from assess.project.loading import loads_of
 from assess.project.mechanisms import Built, mechanism_of, of_one_block
 
@@ -115,14 +116,20 @@ def standing_block(name: str, section: sections.SingleBlock, solids: tuple[Solid
 def block_towards(
     name: str, section: sections.SingleBlock, standing: Standing, content: sections.Content, solids: Solids
 ) -> Callable[[Vector], Mechanism]:
-    """The single block towards any direction; cut once, and not drawn."""
+    """The single block towards any direction; cut once, met by its loads once, and not drawn."""
+    known: dict[str, Meeting] = {}
+
+    def meet(load: sections.BodyLoad, body: Solid | None, around: Surroundings) -> Meeting:
+        if load.body not in known:
+            known[load.body] = meeting(load, body, around)
+        return known[load.body]
 
     def block(direction: Vector) -> Mechanism:
         body = as_one([planar_unseen(solid, direction=direction) for solid in standing.solids])
         body = replace(body, base=base_of_section(standing.foot, direction=direction))
         pieces = [Piece(body, standing.solids, None)]
         faced = facing(section, direction)
-        brought = loads_of(name, faced, pieces, content, solids)
+        brought = loads_of(name, faced, pieces, content, solids, meet=meet)
         return of_one_block(name, faced, pieces, content, loads=brought.loads)[0]
 
     return block

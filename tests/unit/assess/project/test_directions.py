@@ -6,7 +6,9 @@ import numpy as np
 import pytest
 import trimesh
 
+from assess import bearing
 from assess.errors import MechanismError, ProjectError
+from assess.geometry.touch import touch
 from assess.mechanisms.directions import Directions
 from assess.mechanisms.mechanism import Mechanism
 from assess.project.build import build
@@ -121,6 +123,21 @@ def test_loads_count_in_every_direction(tmp_path: Path) -> None:
     found = sought(tmp_path, SQUARE, f"loads = [{{ kind = 'mass', mass = {mass}, at = [0, -1.5, 10] }}]")
     assert found.weakest == 270.0
     assert min(found.multiplier) == pytest.approx((1.5 - 0.1 * 0.0) / (5.0 + 0.1 * 10.0), rel=1e-12)
+
+
+def test_a_floor_counts_in_every_direction_and_is_met_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """It bears on 0.5 m of the top, beside one face; where it meets the tower does not turn with the direction."""
+    met = []
+    monkeypatch.setattr(
+        bearing, "touch", lambda block, body, **more: met.append(body.name) or touch(block, body, **more)
+    )
+    floor = "[bodies.floor]\nmaterial = 'm'\nbox = { thickness = 4, length = 3, height = 0.5, base = [3, 0, 10] }"
+    found = sought(tmp_path, SQUARE, f"sides = 'one'\nloads = [{{ kind = 'body', body = 'floor' }}]\n{floor}")
+    assert met.count("floor") <= 2  # while seeking, and for the mechanism in the direction that was chosen
+    at = np.radians(found.angle)
+    tower, laid = 3 * 3 * 10, 4 * 3 * 0.5
+    resisting = (tower + laid) * 1.5 * (np.abs(np.cos(at)) + np.abs(np.sin(at))) - laid * 1.25 * np.cos(at)
+    np.testing.assert_allclose(found.multiplier, resisting / (tower * 5 + laid * 10), rtol=1e-9)
 
 
 def least_by_brute_force(body: trimesh.Trimesh, normal: np.ndarray) -> float:

@@ -97,14 +97,17 @@ def overburden(
 
     Raises
     ------
-    GeometryError : a body does not bear on the block, or there is none
+    GeometryError : a body does not bear on the block or would lift off it, or there is none
     """
     weights, places = [], []
     for body in bodies:
         found = support(body, block=block, others=others, tolerance=tolerance)
         if found is None or not found.contact.bearing:
             raise GeometryError(f'body "{body.name}": it does not bear on the block; {nearest(body, block=block)}')
-        weights.append(g * body.mass * share_of(carrying(found), centroid=body.centroid))
+        share = share_of(carrying(found), centroid=body.centroid)
+        if share == 0.0:
+            raise GeometryError(f'body "{body.name}": by statics it lifts off the block; give its load as a force')
+        weights.append(g * body.mass * share)
         places.append(found.contact.centroid)
     if not weights:
         raise GeometryError("overburden: it has no bodies; name at least one")

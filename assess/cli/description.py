@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from assess.cli.parameter_table import table_text, weakest_text
 from assess.project.messages import printable
 from assess.project.schema import Project
 from assess.project.study import Sweep
-from typing import Any
-
 from assess.results import LoadResult, MechanismResult, NamedPoint, Notice
 
 
@@ -60,7 +60,9 @@ def _interfaces(m: MechanismResult) -> list[str]:
     lines = [f"  {'interfaces' if i == 0 else '':<11} {_interface(each)}" for i, each in enumerate(yielding)]
     rest = m.oscillator
     if rest.elastic_frequency_hz is not None:
-        lines.append(f"  rest        at {rest.equilibrium_rad:.4g} rad; small motions at {rest.elastic_frequency_hz:.4g} Hz")
+        lines.append(
+            f"  rest        at {rest.equilibrium_rad:.4g} rad; small motions at {rest.elastic_frequency_hz:.4g} Hz"
+        )
     return lines
 
 
@@ -71,8 +73,8 @@ def _interface(found: dict[str, Any]) -> str:
         "never" if found[key] is None else f"at {found[key]:.3g} rad" for key in ("opening_rad", "crushing_rad")
     )
     return (
-        f"{found['hinge']}: {found['model']}, {stiffness}, {strength}; {found['area_m2']:.4g} m2, {found['depth_m']:.4g} m "
-        f"deep, under {found['normal_force_n'] / 1e3:.4g} kN at rest; opens {opens}, crushes {crushes}"
+        f"{found['hinge']}: {found['model']}, {stiffness}, {strength}; {found['area_m2']:.4g} m2, "
+        f"{found['depth_m']:.4g} m deep, under {found['normal_force_n'] / 1e3:.4g} kN at rest; opens {opens}, crushes {crushes}"
     )
 
 

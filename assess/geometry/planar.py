@@ -126,11 +126,11 @@ def top(body: PlanarBody) -> Base | None:
     return (low[0], -low[1]), (high[0], -high[1])
 
 
-def lowest_corners(solids: Sequence[Solid]) -> FloatArray:
-    """Vertices [k, 3] of the lowest face that the solids, at least one, stand on together."""
+def lowest_corners(solids: Sequence[Solid], *, within: float = 0.0) -> FloatArray:
+    """Vertices [k, 3] of the lowest face of the solids, at least one, together; or `within` [m] above the lowest."""
     points = np.concatenate([solid.vertices for solid in solids])
-    size = float(np.ptp(points, axis=0).max())
-    return np.asarray(points[points[:, 2] <= points[:, 2].min() + BASE_TOLERANCE * size], dtype=np.float64)
+    reach = max(within, BASE_TOLERANCE * float(np.ptp(points, axis=0).max()))
+    return np.asarray(points[points[:, 2] <= points[:, 2].min() + reach], dtype=np.float64)
 
 
 def base_of_section(foot: FloatArray, *, direction: Sequence[float]) -> Base:

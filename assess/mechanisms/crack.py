@@ -12,6 +12,7 @@ from assess.errors import MechanismError
 
 STATIONS = 41  # of the search, before it is refined
 MARGIN = 0.02  # of the height: no crack is looked for nearer to base or top
+FINE = 1e-6  # of the height: how near the search comes
 ARM = 0.5  # of the thickness: lever arm of the tensile block at the crack, in eq. 3.27
 
 
@@ -55,6 +56,9 @@ def least(multiplier: Callable[[float], float], *, low: float, high: float) -> f
             "hinges"
         )
     found = minimize_scalar(
-        multiplier, bounds=(stations[best - 1], stations[best + 1]), method="bounded", options={"xatol": 1e-6 * high}
+        multiplier,
+        bounds=(stations[best - 1], stations[best + 1]),
+        method="bounded",
+        options={"xatol": FINE * (high - low)},
     )
     return float(found.x)

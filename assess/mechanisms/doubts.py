@@ -8,8 +8,8 @@ import shapely
 
 from assess.geometry.outline import Outline
 from assess.loads import Load
-from assess.mechanisms.chain import Chain, Point, written
-from assess.mechanisms.statics import verge
+from assess.mechanisms.chain import Chain, Point, hinge_names, written
+from assess.mechanisms.statics import compressions
 
 NEAR = 0.01  # of the size of a block: a hinge this far outside it still touches it
 
@@ -39,10 +39,8 @@ def across_the_crack(loads: Sequence[Load], elevation: float) -> Iterator[str]:
 
 def pulling_supports(chain: Chain, *, mark: str = "") -> Iterator[str]:
     """A sentence for each hinge on the ground that would have to hold its block down when the chain starts to move."""
-    up = verge(chain).forces[:, 1]
-    supports = {"A": up[0], "D": -up[-1]} if len(chain.blocks) == 3 else {"A": up[0]}
-    for letter, force in supports.items():
-        if force < 0.0:
+    for letter, force in zip(hinge_names(chain), compressions(chain), strict=True):
+        if letter in "AD" and force < 0.0:
             yield (
                 f"hinge {letter}{mark} would have to pull its block down with {-force:.4g} N when the mechanism "
                 "starts, which masonry cannot: check hinges and loads"

@@ -96,6 +96,6 @@ def _edge(body: PlanarBody, towards: Literal["positive", "negative"], *, name: s
     if width <= 1e-6 * hypot(body.centroid[0] - low[0], body.centroid[1] - low[1]):
         raise MechanismError(
             f'mechanism "{name}": the body touches the ground on an edge or a point (width {width:.3g} m), '
-            "so it has no base to rock on; give hinges, or mend the geometry"
+            "so it has no base to rock on; give hinges, a cut just above, or mend the geometry"
         )
     return high if towards == "positive" else low

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -44,6 +45,17 @@ def verge(chain: Chain) -> Verge:
     solved = np.zeros(2 * hinges + 1)
     solved[free] = np.linalg.solve(rows[:, free], right)
     return Verge(float(solved[-1]), solved[:-1].reshape(-1, 2))
+
+
+def compressions(chain: Chain) -> tuple[float, ...]:
+    """The vertical force [N] with which each hinge presses the blocks it joins together; negative where it pulls.
+
+    Of two blocks the one with the higher centroid stands on the other; the ground carries both A and D.
+    """
+    ground = float("-inf")
+    heights = [ground, *(block.centroid[1] for block in chain.blocks), ground]
+    up = verge(chain).forces[:, 1]
+    return tuple(float(u if high >= low else -u) + 0.0 for u, (low, high) in zip(up, pairwise(heights), strict=False))
 
 
 def _moment_arms(at: Point) -> FloatArray:

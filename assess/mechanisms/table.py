@@ -50,7 +50,7 @@ def branch(chain: Chain, *, restitution: float, name: str) -> Branch:
         last = "the body lies level with its hinge" if len(chain.blocks) == 1 else "its blocks can turn no further"
         raise MechanismError(
             f'mechanism "{name}": the restoring moment does not fall to zero before {last}, at {edge:.3g} rad; it '
-            "cannot overturn as described: check hinges and ties"
+            "cannot overturn as described: check hinges and loads"
         )
     end = min(max(REACH * overturning, 1.05 * critical), 0.5 * (max(overturning, critical) + edge))
     rotation = np.linspace(0.0, end, NODES)

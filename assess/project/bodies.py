@@ -31,6 +31,7 @@ ASKEW = (
     "askew to `direction`, turn one to the other: a corner as hinge overestimates the resistance"
 )
 LEVEL = 0.01  # m: an extreme line that rises by less is level
+UNEVEN = 0.05  # of its width: by how much a base may be narrower than the body just above it
 Solids = Mapping[str, Solid | None]
 
 
@@ -173,4 +174,18 @@ def doubts_of(piece: Piece, direction: Sequence[float]) -> Iterator[str]:
         yield (
             f"the cut slopes across the direction of motion and its extreme line rises by {rise:.3g} m; the hinge is "
             "taken level at the middle of that line: turn `direction` to the slope of the crack"
+        )
+    if not piece.cut:
+        yield from uneven(piece.solids, direction)
+
+
+def uneven(solids: Sequence[Solid], direction: Sequence[float]) -> Iterator[str]:
+    """A sentence where the lowest face is much narrower than what lies hardly higher: a base that is not plane."""
+    faces = (lowest_corners(solids), lowest_corners(solids, within=LEVEL))
+    ends = [base_of_section(face, direction=direction) for face in faces]
+    width, wide = (high[0] - low[0] for low, high in ends)
+    if width < (1.0 - UNEVEN) * wide:
+        yield (
+            f"the base is the lowest face alone, {width:.3g} m wide, yet within {1e3 * LEVEL:.3g} mm above it the body "
+            f"is {wide:.3g} m wide; if it stands on all of that, make it plane by a cut"
         )

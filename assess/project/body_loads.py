@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,19 +11,17 @@ from scipy.constants import g
 
 from assess.bearing import Support, carries, carrying, nearest, share_of, support
 from assess.errors import GeometryError
-from assess.geometry.boolean import common
 from assess.geometry.covering import extent
 from assess.geometry.solid import Solid
 from assess.loads import Force, Load, Point, PointMass
 from assess.project import sections
 from assess.project.coverings import Arch, Thrust, arch_of, thrust_of, weight
-from assess.project.overlaps import OVERLAP
+from assess.project.overlaps import OVERLAP, SAME_PLACE, shared_with
 from assess.project.plane import point_in_plane
 
 FloatArray = NDArray[np.float64]
 
 BETWEEN = 1 / 8  # of the span: a contact this near its middle holds both feet of a roof or vault
-SAME_PLACE = 0.1  # of the smaller body's volume: a body that shares more with the block is another state of it
 BY_ITSELF = ("give `at` and `bearing`", "give it a mesh, box or profile, or write mass and force loads")
 
 
@@ -74,6 +73,10 @@ class Case:
         return self.arch.axis if self.arch is not None and self.load.role == "vault" else None
 
 
+Meeting = tuple[Support | None, list[str]]
+Meet = Callable[[sections.BodyLoad, Solid | None, Surroundings], Meeting]
+
+
 @dataclass(frozen=True)
 class Part:
     """The part of a body that the block carries, where that is from, and what is doubtful of it."""
@@ -83,16 +86,26 @@ class Part:
     doubts: tuple[str, ...] = ()
 
 
-def body_loads(load: sections.BodyLoad, *, body: Solid | None, mass: float, around: Surroundings) -> Brought:
+def meeting(load: sections.BodyLoad, body: Solid | None, around: Surroundings) -> Meeting:
+    """Where a body meets the block and what else carries it, whichever way the motion goes; and what is doubtful.
+
+    Raises GeometryError where the body touches nothing of the block, or has no geometry where it needs one.
+    """
+    return beside_the_block(met(load, body, around=around), around=around)
+
+
+def body_loads(
+    load: sections.BodyLoad, *, body: Solid | None, mass: float, around: Surroundings, meet: Meet = meeting
+) -> Brought:
     """The point mass of a body, and the force of its thrust if it has one.
 
-    body : None for direct values; mass : of the whole body by its table [kg]
+    body : None for direct values; mass : of the whole body by its table [kg]; meet : finds where it meets the block
 
     Raises
     ------
     GeometryError : the body touches nothing of the block, has no geometry where it needs one, or would lift off
     """
-    found, doubts = beside_the_block(met(load, body, around=around), around=around)
+    found, doubts = meet(load, body, around)
     covering = body if load.role != "floor" else None
     arch = None if covering is None else arch_of(load, covering, along=around.along)
     at = place_of(load, found, along=around.along)
@@ -129,14 +142,13 @@ def met(load: sections.BodyLoad, body: Solid | None, *, around: Surroundings) ->
     return found
 
 
-def beside_the_block(found: Support | None, *, around: Surroundings) -> tuple[Support | None, list[str]]:
+def beside_the_block(found: Support | None, *, around: Surroundings) -> Meeting:
     """The contacts without those with bodies that stand where the block does; a sentence for each that overlaps it."""
     if found is None:
         return None, []
     kept, doubts = dict(found.others), []
     for other in (solid for solid in around.others if solid.name in found.others):
-        shared = [each for solid in around.block if (each := common(solid, other)) is not None]
-        part, volume = max((each.part for each in shared), default=0.0), sum(each.volume for each in shared)
+        part, volume = shared_with(around.block, other)
         if part > SAME_PLACE:
             del kept[other.name]
             doubts.append(f'body "{other.name}" stands where the block does; it is not taken to carry a part of this')

@@ -18,13 +18,19 @@ from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.table import branch
 from assess.oscillator import linearise, multiplier
 from assess.project import sections
-from assess.project.bodies import ASKEW, Piece, Solids, as_one, cut_of
+from assess.project.bodies import ASKEW, LEVEL, Piece, Solids, as_one, cut_of
+from assess.project.body_loads import Meeting, Surroundings, meeting
 from assess.project.loading import loads_of
 from assess.project.mechanisms import Built, mechanism_of, of_one_block
 
 S = TypeVar("S", bound=sections.Chained)
 
+CORNER = (
+    "the cut slopes, so in most directions the block turns about one corner of it and slides along the crack beyond: "
+    "check that the crack can be as smooth as that"
+)
 STEP = 5.0  # deg between directions, besides those that the edges of the base face
+BESIDE = 0.01  # deg: of the normal of an edge that rises
 SAME = 1e-6  # deg: directions this near are one
 TIE = 1e-9  # multipliers this near the least are as weak
 
@@ -34,17 +40,20 @@ def directed(name: str, section: sections.Mechanism, content: sections.Content, 
     if isinstance(section, sections.EquivalentBlock) or section.direction != "sweep":
         return mechanism_of(name, section, content, solids)
     standing = standing_of(name, section, solids)
+    told: tuple[str, ...] = ()
     if isinstance(section, sections.SingleBlock) and not isinstance(section.cut, sections.CutAngle):
         block = standing_block(name, section, standing)
-        found = directions(block_towards(name, section, block, content, solids), angles(block.foot))
+        found = directions(block_towards(name, section, block, content, solids), angles(normals_of(block.foot)))
+        told = (CORNER,) if sloping(block.foot) else ()
     else:  # the crack turns with the direction, and with it the blocks
         plan = np.concatenate([solid.vertices for solid in standing])
         found = directions(
-            lambda way: mechanism_of(name, facing(section, way), content, solids).mechanism, angles(plan)
+            lambda way: mechanism_of(name, facing(section, way), content, solids).mechanism,
+            angles(edge_normals(plan)),
         )
     built = mechanism_of(name, facing(section, towards(found.weakest)), content, solids)
-    notices = tuple(text for text in built.mechanism.notices if text != ASKEW)  # every direction has been looked at
-    return replace(built, mechanism=replace(built.mechanism, directions=found, notices=notices))
+    kept = (text for text in built.mechanism.notices if text != ASKEW)  # every direction has been looked at
+    return replace(built, mechanism=replace(built.mechanism, directions=found, notices=(*kept, *told)))
 
 
 def standing_of(name: str, section: sections.Chained, solids: Solids) -> tuple[Solid, ...]:
@@ -61,16 +70,30 @@ def standing_of(name: str, section: sections.Chained, solids: Solids) -> tuple[S
     return tuple(found)
 
 
-def angles(foot: FloatArray) -> tuple[float, ...]:
-    """Directions [deg] to look at for a body that stands on the points [k, 2 or 3]: even steps and its edges' normals.
+def angles(normals: FloatArray) -> tuple[float, ...]:
+    """Directions [deg] to look at: even steps, and those given [k], that the edges of what the body stands on face.
 
     Where the multiplier of a block has a minimum, the hinge passes from one corner to the next: over an edge, or
     in every direction of a round base.
     """
     even = np.arange(0.0, 360.0, STEP)
-    normals = edge_normals(foot)
     apart = np.abs((normals[:, None] - even[None, :] + 180.0) % 360.0 - 180.0).min(axis=1, initial=360.0) > SAME
     return tuple(np.sort(np.concatenate([even, normals[apart]])).tolist())
+
+
+def sloping(foot: FloatArray) -> bool:
+    """Whether the corners [k, 3] of what a body stands on lie at different elevations."""
+    return float(np.ptp(foot[:, 2])) > LEVEL
+
+
+def normals_of(foot: FloatArray) -> FloatArray:
+    """What the edges between the corners [k, 3] face [deg]; on a slope also just beside, where one end is the hinge.
+
+    There the lower end has the larger height to the centroid over it, and so the least multiplier.
+    """
+    normals = edge_normals(foot)
+    beside = [normals + turn for turn in (-BESIDE, 0.0, BESIDE)]
+    return np.unique(np.concatenate(beside) % 360.0) if sloping(foot) else normals
 
 
 @dataclass(frozen=True)
@@ -93,14 +116,20 @@ def standing_block(name: str, section: sections.SingleBlock, solids: tuple[Solid
 def block_towards(
     name: str, section: sections.SingleBlock, standing: Standing, content: sections.Content, solids: Solids
 ) -> Callable[[Vector], Mechanism]:
-    """The single block towards any direction; cut once, and not drawn."""
+    """The single block towards any direction; cut once, met by its loads once, and not drawn."""
+    known: dict[str, Meeting] = {}
+
+    def meet(load: sections.BodyLoad, body: Solid | None, around: Surroundings) -> Meeting:
+        if load.body not in known:
+            known[load.body] = meeting(load, body, around)
+        return known[load.body]
 
     def block(direction: Vector) -> Mechanism:
         body = as_one([planar_unseen(solid, direction=direction) for solid in standing.solids])
         body = replace(body, base=base_of_section(standing.foot, direction=direction))
         pieces = [Piece(body, standing.solids, None)]
         faced = facing(section, direction)
-        brought = loads_of(name, faced, pieces, content, solids)
+        brought = loads_of(name, faced, pieces, content, solids, meet=meet)
         return of_one_block(name, faced, pieces, content, loads=brought.loads)[0]
 
     return block

@@ -13,7 +13,7 @@ from assess.interfaces.contact import thresholds
 from assess.mechanisms.chain import Chain
 from assess.mechanisms.flexible import FlexibleChain
 from assess.mechanisms.mechanism import Mechanism
-from assess.mechanisms.statics import verge
+from assess.mechanisms.statics import compressions
 from assess.mechanisms.table import branch
 from assess.oscillator import Branch, Oscillator
 from assess.results import BranchMoment, InterfaceCurves
@@ -31,13 +31,13 @@ def interface_results(mechanism: Mechanism, oscillator: Oscillator, names: Seque
         if chain.joints:
             found += _flexible(chain, side, names[len(found) :], mechanism.name)
         else:
-            forces = verge(chain).forces
-            found += [_rigid(names[len(found) + i], abs(float(force[1]))) for i, force in enumerate(forces)]
+            forces = compressions(chain)
+            found += [_rigid(name, force) for name, force in zip(names[len(found) :], forces, strict=False)]
     return tuple(found)
 
 
 def _rigid(hinge: str, normal_force: float) -> dict[str, Any]:
-    """A rigid contact: no opening before uplift, no crushing, so no curve; its force when about to move."""
+    """A rigid contact: no opening before uplift, no crushing, so no curve; its force when about to move, negative where it pulls."""
     return {
         "hinge": hinge,
         "model": "rigid",
@@ -62,7 +62,7 @@ def _flexible(chain: Chain, side: Branch, names: Sequence[str], name: str) -> li
         force = float(rest[number])
         contact = held.contacts[number]
         if joint is None or contact is None:
-            found.append(_rigid(names[number], abs(float(verge(chain).forces[number][1]))))
+            found.append(_rigid(names[number], compressions(chain)[number]))
             continue
         opening, crushing = thresholds(joint.section, joint.law, normal_force=force)
         found.append({

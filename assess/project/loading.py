@@ -11,7 +11,7 @@ from assess.geometry.outline import Outline, distance
 from assess.loads import Force, Load, PointMass, Tie
 from assess.project import sections
 from assess.project.bodies import Piece, Solids
-from assess.project.body_loads import Brought, Surroundings, body_loads
+from assess.project.body_loads import Brought, Meet, Surroundings, body_loads, meeting
 from assess.project.overburdens import overburden_of
 from assess.project.overlaps import overlaps
 from assess.project.plane import point_in_plane, unit_in_plane
@@ -20,9 +20,15 @@ IN_THE_AIR = 0.05  # of the block's size: a load farther outside it is not on th
 
 
 def loads_of(
-    name: str, section: sections.Chained, pieces: Sequence[Piece], content: sections.Content, solids: Solids
+    name: str,
+    section: sections.Chained,
+    pieces: Sequence[Piece],
+    content: sections.Content,
+    solids: Solids,
+    *,
+    meet: Meet = meeting,
 ) -> Brought:
-    """The loads of the mechanism `name`; pieces: its blocks, or all of them in one.
+    """The loads of the mechanism `name`; pieces: its blocks, or all of them in one; meet: finds contacts of bodies.
 
     Raises GeometryError for a body that touches nothing of its block.
     """
@@ -45,7 +51,8 @@ def loads_of(
         piece = pieces[min(load.block, len(pieces) - 1)]
         if isinstance(load, sections.BodyLoad):
             around = surroundings(name, section, load, piece, solids)
-            brought = body_loads(load, body=solids[load.body], mass=mass_of(load.body, content, solids), around=around)
+            mass = mass_of(load.body, content, solids)
+            brought = body_loads(load, body=solids[load.body], mass=mass, around=around, meet=meet)
         else:
             brought = Brought((load_of(number, load, section.towards),), ())
         loads += brought.loads

@@ -7,9 +7,11 @@ from collections.abc import Sequence
 from assess.bearing import overburden
 from assess.errors import GeometryError
 from assess.geometry.planar import top
+from assess.geometry.solid import Solid
 from assess.loads import Force
 from assess.project import sections
 from assess.project.bodies import Piece, Solids
+from assess.project.overlaps import SAME_PLACE, shared_with
 from assess.project.plane import point_in_plane
 
 UPPER = 1  # the block it stands on
@@ -37,15 +39,21 @@ def overburden_of(
     if load.force is not None:
         at = (middle + (load.eccentricity or 0.0), elevation)
         return Force(name, (0.0, -load.force), at, UPPER)
-    carried = []
-    for body in load.bodies:
-        solid = solids[body]
-        if solid is None:
-            raise GeometryError(f'{where}: {name}: body "{body}" has no geometry; give its weight as `force`')
-        carried.append(solid)
-    others = [solid for key, solid in solids.items() if solid is not None and key not in (*moving, *load.bodies)]
+    carried = [pressing(body, solids, where=f"{where}: {name}") for body in load.bodies]
+    beside = [solid for key, solid in solids.items() if solid is not None and key not in (*moving, *load.bodies)]
+    states = [solid.name for solid in beside if shared_with(piece.solids, solid)[0] > SAME_PLACE]
+    others = [solid for solid in beside if solid.name not in states]
     found = overburden(carried, block=piece.solids, others=others)
     x = point_in_plane(found.at.tolist(), direction)[0]
     x = x if load.eccentricity is None else middle + load.eccentricity
     source = f"weight of {', '.join(load.bodies)} on the wall, {x - middle:+.3g} m from mid-thickness"
+    source += f"; not shared with {', '.join(states)}, which stands where the wall does" if states else ""
     return Force(name, (0.0, -found.force), (x, elevation), UPPER, source)
+
+
+def pressing(body: str, solids: Solids, *, where: str) -> Solid:
+    """The solid of a body that presses; raises GeometryError for one of direct values."""
+    solid = solids[body]
+    if solid is None:
+        raise GeometryError(f'{where}: body "{body}" has no geometry; give its weight as `force`')
+    return solid

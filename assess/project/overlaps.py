@@ -11,6 +11,7 @@ from assess.project import sections
 from assess.results import Notice
 
 OVERLAP = 5e-3  # of the smaller body's volume: bodies that share less are taken to touch
+SAME_PLACE = 0.1  # of the smaller body's volume: a body that shares more with a block is another state of it
 
 
 def overlaps(bodies: Sequence[Solid]) -> Iterator[str]:
@@ -20,6 +21,12 @@ def overlaps(bodies: Sequence[Solid]) -> Iterator[str]:
         if shared is not None and shared.part > OVERLAP:
             size = f"{shared.volume:.3g} m3, {100.0 * shared.part:.3g} % of the smaller"
             yield f'bodies "{one.name}" and "{other.name}" overlap by {size}, which is weighed with both; cut one back'
+
+
+def shared_with(block: Sequence[Solid], other: Solid) -> tuple[float, float]:
+    """What a body shares with the solids of a block: the largest part of the smaller [-], and the volume [m3]."""
+    shared = [each for solid in block if (each := common(solid, other)) is not None]
+    return max((each.part for each in shared), default=0.0), sum(each.volume for each in shared)
 
 
 def overlaps_of(content: sections.Content, solids: Mapping[str, Solid | None]) -> Iterator[Notice]:

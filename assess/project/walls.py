@@ -21,6 +21,7 @@ from assess.mechanisms.two_block import Hinges
 from assess.mechanisms.virtual_work import virtual_work
 from assess.project import sections
 from assess.project.bodies import Piece, as_one, standing_on
+from assess.project.overburdens import UPPER
 from assess.project.plane import point_in_plane
 
 
@@ -104,12 +105,13 @@ def material_of(block: Sequence[str], content: sections.Content) -> str:
 
 
 def panel_of(section: sections.TwoBlock, whole: Piece, loads: Sequence[Load], *, strength: float) -> Panel:
-    """The box around a wall and the load on it: forces on the upper block and masses that bear, as if at the top."""
+    """The box around a wall and the load on it: forces and bearing masses of the upper block, as if at the top."""
     points = np.concatenate([solid.vertices for solid in whole.solids])
     along = np.array(section.towards) / np.linalg.norm(section.towards)
     x, y = points @ along, points @ np.array([-along[1], along[0], 0.0])
-    pressing = [(-load.force[1], load.at[0]) for load in loads if isinstance(load, Force) and load.block == 1]
-    pressing += [(g * load.mass, load.at[0]) for load in loads if isinstance(load, PointMass) and load.bearing]
+    upper = [load for load in loads if load.block == UPPER]
+    pressing = [(-load.force[1], load.at[0]) for load in upper if isinstance(load, Force)]
+    pressing += [(g * load.mass, load.at[0]) for load in upper if isinstance(load, PointMass) and load.bearing]
     overburden = sum(force for force, _ in pressing)
     moment = sum(force * at for force, at in pressing)
     middle = float(x.min() + x.max()) / 2.0

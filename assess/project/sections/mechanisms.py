@@ -41,6 +41,7 @@ from assess.project.units import KINDS, si_value
 
 MECHANISMS = ("single-block", "two-block", "four-hinge", "equivalent-block")
 CRACKS = ("sorrentino", "minimum")
+MOST_VOUSSOIRS = 80  # of an arch: all choices of four of its joints are looked at, which takes seconds
 RESTITUTIONS = ("thesis", "housner", "sorrentino", "momentum")
 
 
@@ -107,7 +108,7 @@ class RadialJoints(Section):
     """angle of the first joint above the direction, like "168.75 deg\""""
     last: Angle
     """angle of the last joint, like "11.25 deg\""""
-    count: Annotated[StrictInt, Field(ge=3, le=200)]
+    count: Annotated[StrictInt, Field(ge=3, le=MOST_VOUSSOIRS)]
     """number of voussoirs between them"""
 
     @model_validator(mode="after")
@@ -119,7 +120,8 @@ class RadialJoints(Section):
 
 Line = tuple[PlanePoint, PlanePoint]
 Joints = Annotated[
-    Annotated[RadialJoints, Tag("<radial>")] | Annotated[tuple[Line, ...], Tag("<lines>")],
+    Annotated[RadialJoints, Tag("<radial>")]
+    | Annotated[tuple[Line, ...], Field(max_length=MOST_VOUSSOIRS + 1), Tag("<lines>")],
     Discriminator(lambda value: "<radial>" if isinstance(value, dict | RadialJoints) else "<lines>"),
 ]
 

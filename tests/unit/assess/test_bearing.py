@@ -80,6 +80,13 @@ def test_overburden_of_two_floors_is_what_a_beam_and_a_free_body_bring():
     np.testing.assert_allclose(found.at, (0.3, y, 4.0), atol=1e-9)
 
 
+def test_a_body_that_would_lift_off_is_no_overburden():
+    """It leans out beyond the far wall, so that it lies on that one alone."""
+    out = joined([cuboid((0.3, 1, 4), (7, 3, 4.3), "beam"), cuboid((8, 1, 4), (9, 3, 9), "heap", 9e3)], name="crane")
+    with pytest.raises(GeometryError, match='"crane": by statics it lifts off the block'):
+        overburden([out], block=[FRONT], others=[REAR])
+
+
 @pytest.mark.parametrize(
     ("bodies", "words"),
     [

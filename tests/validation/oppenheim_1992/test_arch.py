@@ -10,6 +10,7 @@ from math import cos, pi, radians, sin
 import numpy as np
 import pytest
 
+from assess.errors import ProjectError
 from assess.mechanisms.arch import weakest
 from assess.mechanisms.chain import Block, mirrored
 from assess.mechanisms.oscillation import oscillator
@@ -48,6 +49,23 @@ def test_hinges_alternate_between_intrados_and_extrados_from_springing_to_spring
 def test_more_joints_never_make_it_stronger():
     values = [weakest(*arch(count), name="arch").multiplier for count in (4, 8, 16, 32)]
     assert values == sorted(values, reverse=True)
+
+
+def test_choices_looked_at_in_portions_are_all_looked_at(monkeypatch):
+    whole = weakest(*arch(16), name="arch")
+    monkeypatch.setattr("assess.mechanisms.arch.AT_ONCE", 7)
+    assert weakest(*arch(16), name="arch") == whole
+
+
+@pytest.mark.parametrize("count", [81, 10_000])
+def test_more_voussoirs_than_can_be_searched_are_refused(tmp_path, count):
+    with pytest.raises(ProjectError, match=r"joints\.count: .*must be 80 or less"):
+        project(tmp_path, count, body=profile_of())
+    lines = [[[0, 0], [1, k]] for k in range(82)]
+    radial = f'{{ centre = [0, 0], first = "168.75 deg", last = "11.25 deg", count = {count} }}'
+    (tmp_path / "project.toml").write_text((tmp_path / "project.toml").read_text().replace(radial, str(lines)))
+    with pytest.raises(ProjectError, match=r"joints: .*81"):
+        load(tmp_path)
 
 
 def test_the_order_of_the_ends_of_joints_does_not_matter():

@@ -201,7 +201,7 @@ def test_constants_of_the_linearised_equation(frame):
 
 
 def test_last_term_of_3_43_is_misprinted():
-    """An asymmetric frame: 81 kN m printed where the slope at rest is 129 kN m, and 6 kN m at phi_cr where it is 0.
+    """An asymmetric frame: the print is a third short of the slope at rest, and not zero at phi_cr.
 
     Where the columns are alike f_BC = 0: then the print would leave the second column out.
     """
@@ -213,7 +213,8 @@ def test_last_term_of_3_43_is_misprinted():
     assert -right[0] == pytest.approx(exact[0], rel=1e-12)
     assert abs(right[1]) < 1e-9 * exact[0]
     assert abs(exact[1]) < 1e-9 * exact[0]
-    assert [exact[0], -wrong[0], wrong[1]] == pytest.approx([129431.97, 81023.23, 6067.14], abs=0.01)
+    assert -wrong[0] < 0.67 * exact[0]
+    assert abs(wrong[1]) > 0.04 * exact[0]
     alike = FRAMES["symmetric, +"]
     assert alike.f_bc(alike.angle(*"AB")) == pytest.approx(0.0, abs=1e-12)
 

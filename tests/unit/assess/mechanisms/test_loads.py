@@ -128,7 +128,7 @@ def test_tables_reach_the_point_of_linearisation_under_a_strong_thrust():
     ("load", "words"),
     [
         (Force("thrust", (30000.0, 0.0), (0.0, 4.5)), "already falling"),
-        (Tie("tie", 1e7, (0.4, 4.5), direction=(-0.6, 0.8)), "hinges and ties"),
+        (Tie("tie", 1e7, (0.4, 4.5), direction=(-0.6, 0.8)), "hinges and loads"),
         (PointMass("floor", 90000.0, (0.9, 4.0), True), "already falling in positive"),
     ],
 )

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import shapely
 
 from assess.errors import GeometryError, ProjectError
 from assess.geometry.solid import Solid, box, joined, profile
@@ -133,6 +134,64 @@ def test_overlapping_bodies_are_told_by_name_and_volume(tmp_path: Path, x: float
     (notice,) = notices
     assert (notice.code, notice.where) == ("overlap", "mechanisms.m")
     assert notice.text.startswith(f'bodies "w" and "v" overlap by {told} of the smaller')
+
+
+CHAINS = {
+    "two-block": """["w"], ["v"]]
+""",
+    "four-hinge": """["w"], ["v"], ["u"]]
+hinges = { A = [0.3, 0], B = [-0.3, 4.3], C = [3.7, 4.3], D = [4.3, 0] }
+hinges_negative = { A = [-0.3, 0], B = [0.3, 4.3], C = [4.3, 4.3], D = [3.7, 0] }
+""",
+}
+
+
+@pytest.mark.parametrize(("kind", "width", "pairs"), [("two-block", 0.6, ["w v"]), ("four-hinge", 4.6, ["w v", "v u"])])
+@pytest.mark.parametrize("deep", [0.2, 0.0])
+def test_blocks_of_one_chain_that_overlap_are_told(
+    tmp_path: Path, kind: str, width: float, pairs: list[str], deep: float
+) -> None:
+    """The upper block is as deep in the lower ones as that, 0.6 m x 4 m each; or stands on them."""
+    over = box_form(width, 1.2, x=(width - 0.6) / 2, z=4.5 - deep)
+    bodies = body("w", box_form(0.6, 4.5)) + body("v", over) + body("u", box_form(0.6, 4.5, x=4.0))
+    chain = f'[mechanisms.m]\nkind = "{kind}"\nblocks = [{CHAINS[kind]}'
+    (tmp_path / "project.toml").write_text(HEAD + bodies + chain)
+    notices = of_bodies(build(load(tmp_path)))
+    told = [(each.code, each.where, each.text.split(", which")[0]) for each in notices]
+    shared = f"0.48 m3, {100 * deep * 0.6 * 4 / min(0.6 * 4 * 4.5, width * 4 * 1.2):.3g} % of the smaller"
+    named = ['bodies "{}" and "{}"'.format(*pair.split()) for pair in pairs if deep]
+    assert told == [("overlap", "mechanisms.m", f"{names} overlap by {shared}") for names in named]
+
+
+HOLLOW = [[-1, 0], [-0.4, 0], [-0.4, 1.5], [0.6, 1.5], [0.6, 0], [1, 0], [1, 6], [-1, 6]]
+UNDERCUT = [[-0.7, 0], [1, 0], [1, 6], [-1, 6], [-1, 0.8], [-0.7, 0.5]]
+
+
+@pytest.mark.parametrize(("outline", "feet"), [(HOLLOW, (-1.0, 1.0)), (UNDERCUT, (-0.7, 1.0))])
+def test_hinges_and_radius_of_a_hollow_and_an_eroded_base(
+    tmp_path: Path, outline: list[list[float]], feet: tuple[float, float]
+) -> None:
+    """The extreme points of what stands on the ground; the centroid is shapely's."""
+    made = study(tmp_path, body("w", f"profile = {outline}\nlength = 3"))
+    (found,) = parameters(made)
+    centre = shapely.Polygon(outline).centroid
+    for branch, foot in ((found.oscillator_negative, feet[0]), (found.oscillator, feet[1])):
+        assert branch is not None
+        assert branch.radius_m == pytest.approx(np.hypot(centre.x - foot, centre.y), rel=1e-12)
+    assert not any("lowest face" in text for text in made.mechanisms[0].notices)
+
+
+def test_a_base_that_is_not_plane_is_told(tmp_path: Path) -> None:
+    """Half of the foot is a tenth of a millimetre short, as in a mesh that was drawn or scanned so."""
+    stepped = [[-1, 0.0001], [0, 0.0001], [0, 0], [1, 0], [1, 6], [-1, 6]]
+    (mechanism,) = study(tmp_path, body("w", f"profile = {stepped}\nlength = 3")).mechanisms
+    assert mechanism.negative is not None
+    assert mechanism.negative.hinges[0][0] == 0.0
+    assert any("lowest face alone, 1 m wide" in text and "is 2 m wide" in text for text in mechanism.notices)
+    cut = study(tmp_path, body("w", f"profile = {stepped}\nlength = 3"), more="cut = 0.0002\n").mechanisms[0]
+    assert cut.negative is not None
+    assert cut.negative.hinges[0][0] == pytest.approx(1.0, rel=1e-12)
+    assert not any("lowest face" in text for text in cut.notices)
 
 
 def test_a_wall_with_an_opening(tmp_path: Path) -> None:

@@ -6,7 +6,9 @@ import numpy as np
 import pytest
 import trimesh
 
+from assess import bearing
 from assess.errors import MechanismError, ProjectError
+from assess.geometry.touch import touch
 from assess.mechanisms.directions import Directions
 from assess.mechanisms.mechanism import Mechanism
 from assess.project.build import build
@@ -121,6 +123,52 @@ def test_loads_count_in_every_direction(tmp_path: Path) -> None:
     found = sought(tmp_path, SQUARE, f"loads = [{{ kind = 'mass', mass = {mass}, at = [0, -1.5, 10] }}]")
     assert found.weakest == 270.0
     assert min(found.multiplier) == pytest.approx((1.5 - 0.1 * 0.0) / (5.0 + 0.1 * 10.0), rel=1e-12)
+
+
+def test_a_floor_counts_in_every_direction_and_is_met_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """It bears on 0.5 m of the top, beside one face; where it meets the tower does not turn with the direction."""
+    met = []
+    monkeypatch.setattr(
+        bearing, "touch", lambda block, body, **more: met.append(body.name) or touch(block, body, **more)
+    )
+    floor = "[bodies.floor]\nmaterial = 'm'\nbox = { thickness = 4, length = 3, height = 0.5, base = [3, 0, 10] }"
+    found = sought(tmp_path, SQUARE, f"sides = 'one'\nloads = [{{ kind = 'body', body = 'floor' }}]\n{floor}")
+    assert met.count("floor") <= 2  # while seeking, and for the mechanism in the direction that was chosen
+    at = np.radians(found.angle)
+    tower, laid = 3 * 3 * 10, 4 * 3 * 0.5
+    resisting = (tower + laid) * 1.5 * (np.abs(np.cos(at)) + np.abs(np.sin(at))) - laid * 1.25 * np.cos(at)
+    np.testing.assert_allclose(found.multiplier, resisting / (tower * 5 + laid * 10), rtol=1e-9)
+
+
+def least_by_brute_force(body: trimesh.Trimesh, normal: np.ndarray) -> float:
+    """The least multiplier over 7200 directions of what lies above a plane through (0, 0, 3), cut by trimesh."""
+    part = body.slice_plane([0, 0, 3], normal, cap=True)
+    foot = part.vertices[np.abs((part.vertices - [0, 0, 3]) @ normal) < 1e-9]
+    at = np.radians(np.arange(0.0, 360.0, 0.05))
+    along = np.array([np.cos(at), np.sin(at)])
+    reach, behind = foot[:, :2] @ along, part.center_mass[:2] @ along
+    hinge = reach.argmax(axis=0)
+    return float(((reach.max(axis=0) - behind) / (part.center_mass[2] - foot[hinge, 2])).min())
+
+
+@pytest.mark.parametrize("tilt", [(0.0, 0.0), (0.3, -0.2), (-0.45, 0.1), (0.2, 0.4)])
+@pytest.mark.parametrize("seed", [1, 2])
+def test_the_weakest_of_bodies_of_chance_by_brute_force(tmp_path: Path, tilt: tuple[float, float], seed: int) -> None:
+    """Above an inclined plane the hinge jumps in elevation from corner to corner."""
+    rng = np.random.default_rng(seed)
+    low, high = rng.uniform(-2, 2, (9, 2)), rng.uniform(-1, 1, (7, 2))
+    body = trimesh.convex.convex_hull(
+        np.concatenate([np.column_stack([low, np.zeros(9)]), np.column_stack([high, np.full(7, 8.0)])])
+    )
+    body.export(tmp_path / "body.obj", digits=17)
+    normal = np.array([*tilt, 1.0])
+    cut = f"cut = {{ point = [0, 0, 3], normal = {normal.tolist()} }}\nsides = 'one'"
+    mechanism = built(tmp_path, 'mesh = "body.obj"', cut)
+    found = mechanism.directions
+    assert found is not None
+    assert any("turns about one corner" in text for text in mechanism.notices) == any(tilt)
+    least = least_by_brute_force(body, normal / np.linalg.norm(normal))
+    assert min(found.multiplier) == pytest.approx(least, rel=2e-3)  # a step of 0.05 deg beside a corner
 
 
 @pytest.mark.parametrize("cut", ["cut = 4", "cut = { point = [0, 0, 4], normal = [0, 0, 1] }"])

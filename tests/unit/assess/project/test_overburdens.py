@@ -53,6 +53,34 @@ def test_an_eccentricity_that_is_given_overrides_the_contact(tmp_path):
     assert wall.positive.loads[0].at == pytest.approx((-0.05, 4.0), abs=1e-12)
 
 
+def test_another_state_of_the_wall_carries_nothing_of_what_presses(tmp_path):
+    loads = 'loads = [{ kind = "overburden", bodies = ["floor"] }]\n'
+    eroded = """[bodies.eroded]
+material = "m"
+box = { thickness = 0.3, length = 3, height = 4 }
+"""
+    alone, beside = mechanism(tmp_path, loads), mechanism(tmp_path, loads + eroded)
+    assert beside.positive.loads[0].force == pytest.approx(alone.positive.loads[0].force, rel=1e-12)
+    assert "not shared with eroded, which stands where the wall does" in beside.positive.loads[0].source
+
+
+def test_a_mass_on_the_lower_block_does_not_hold_the_crack_down(tmp_path):
+    """Eq. 3.27 knows the load that presses on the crack, which is that of the upper block."""
+    press = '{ kind = "overburden", force = "20 kN" }'
+    low = mechanism(tmp_path, f'loads = [{press}, {{ kind = "mass", mass = 5000, at = [0, 1], block = 0 }}]')
+    assert low.positive.hinges[1] == pytest.approx(mechanism(tmp_path, f"loads = [{press}]").positive.hinges[1])
+
+
+def test_the_search_is_as_near_wherever_the_wall_stands(tmp_path):
+    found = []
+    for base in (0.0, -4.0, 1000.0):
+        lines = 'crack = "minimum"\nloads = [{ kind = "overburden", force = "20 kN" }]'
+        placed = PROJECT.replace("height = 4 }", f"height = 4, base = [0, 0, {base}] }}", 1)
+        (tmp_path / "project.toml").write_text(placed + lines)
+        found.append(build(load(tmp_path)).mechanisms[0].positive.hinges[1][1] - base)
+    assert found == pytest.approx([found[0]] * 3, abs=2e-5)  # 1e-6 of the height, and the flatness of a minimum
+
+
 def test_a_mass_that_bears_on_the_upper_block_holds_the_crack_down_as_a_force_does(tmp_path):
     by_force = mechanism(tmp_path, 'loads = [{ kind = "overburden", force = "20 kN" }]')
     mass = f'loads = [{{ kind = "mass", mass = {20e3 / g}, at = [0, 4], block = 1 }}]'

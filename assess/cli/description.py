@@ -72,9 +72,10 @@ def _interface(found: dict[str, Any]) -> str:
     opens, crushes = (
         "never" if found[key] is None else f"at {found[key]:.3g} rad" for key in ("opening_rad", "crushing_rad")
     )
+    force = f"{found['normal_force_n'] / 1e3:.4g} kN"
     return (
         f"{found['hinge']}: {found['model']}, {stiffness}, {strength}; {found['area_m2']:.4g} m2, "
-        f"{found['depth_m']:.4g} m deep, under {found['normal_force_n'] / 1e3:.4g} kN at rest; opens {opens}, crushes {crushes}"
+        f"{found['depth_m']:.4g} m deep, under {force} at rest; opens {opens}, crushes {crushes}"
     )
 
 

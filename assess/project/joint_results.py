@@ -37,7 +37,7 @@ def interface_results(mechanism: Mechanism, oscillator: Oscillator, names: Seque
 
 
 def _rigid(hinge: str, normal_force: float) -> dict[str, Any]:
-    """A rigid contact: no opening before uplift, no crushing, so no curve; its force when about to move, negative where it pulls."""
+    """A rigid contact without curve; its force when about to move, negative where it pulls."""
     return {
         "hinge": hinge,
         "model": "rigid",

@@ -37,7 +37,7 @@ ComplexArray = NDArray[np.complex128]
 Contacts = tuple[Contact | None, ...]
 
 ROUNDS = 60
-SETTLED = 1e-14  # of the chain's size: what moves by less from round to round is found
+SETTLED = 1e-13  # of the chain's size: what moves by less from round to round is found
 FOUND = 1e-11  # of the same: and so is what moves by less, but does not come nearer any more
 BACK = 1e-9  # rad: a joint that turns back by more would open at its hinge
 AT_HINGE = 1e-6  # of a wall's height: a load this near the hinge at the top of a wall comes through its joint

@@ -26,7 +26,7 @@ from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.motion import limit
 from assess.mechanisms.table import FLAT, NODES, REACH, branch
 from assess.mechanisms.virtual_work import Work
-from assess.oscillator import Branch, Oscillator, interpolant
+from assess.oscillator import Branch, Oscillator
 
 FloatArray = NDArray[np.float64]
 
@@ -37,6 +37,7 @@ ZERO = 1e-9  # of the rigid restoring moment at rest: less is none
 NEAR = 1e-4  # of a root found on the table: so near to it the moment is asked for again
 JUST = 1e-6  # of the table's length: a rotation that has just begun
 FEWEST = 4  # nodes of a piece between two changes of regime: a cubic
+SAME = 1e-9  # of the largest of them: places that move by less are found
 CORRECTIONS = 4  # of the places where joints open and crush
 
 
@@ -62,14 +63,16 @@ class Side:
         joints = [(number, joint) for number, joint in enumerate(self.flexible.joints) if joint is not None]
         places = np.full((len(joints), 2), JUST * self.end)
         for _ in range(CORRECTIONS):
-            balance = self.flexible.balance(places.ravel())
+            balance, before = self.flexible.balance(places.ravel()), places.copy()
             turned = self.flexible.relative(balance.posture)
             for row, (number, joint) in enumerate(joints):
                 for column, at in enumerate((2 * row, 2 * row + 1)):
                     force, psi = float(balance.normal_force[number, at]), float(turned[number, at])
                     slope = thresholds(joint.section, joint.law, normal_force=force)[column]
                     places[row, column] *= np.arcsin(min(slope, 1.0)) / psi if psi > 0.0 else 1.0
-            places = np.minimum(places, self.end)
+            was, places = before, np.minimum(places, self.end)
+            if np.abs(places - was).max() <= SAME * places.max():
+                break
         return sorted({float(each) for each in places.ravel() if 0.0 < each < self.end})
 
     @cached_property
@@ -124,9 +127,7 @@ class Side:
         falling = np.flatnonzero((values[:-1] > 0.0) & (values[1:] <= 0.0))
         if not falling.size:
             return None
-        low, high = self.rotation[falling[0]], self.rotation[falling[0] + 1]
-        roots = np.clip(interpolant(self.rotation, values).roots(extrapolate=False), low, high)
-        near = float(roots[np.argmin(np.abs(roots - 0.5 * (low + high)))])
+        near = _crossing(self.rotation, values, int(falling[0]))
         places = near * np.array([1.0 - NEAR, 1.0, 1.0 + NEAR])
         before, at, after = value(self.flexible.held(places).work)
         return near - float(at * 2.0 * NEAR * near / (after - before))
@@ -156,7 +157,8 @@ def flexible_oscillator(mechanism: Mechanism) -> Oscillator:
     positive = side_of(mechanism.positive, name=name, restitution=first)
     if mechanism.negative is None:
         return Oscillator(table(positive, None), None, mechanism.positive.mass, equilibrium=positive.lean)
-    negative = side_of(mechanism.negative, name=name, restitution=second)
+    alike = same_chain(mechanism.positive, mechanism.negative) and first == second
+    negative = positive if alike else side_of(mechanism.negative, name=name, restitution=second)
     if positive.pushed and negative.pushed:
         raise MechanismError(f'mechanism "{name}": its loads push it off its rest both ways; check them')
     return Oscillator(
@@ -177,7 +179,8 @@ def table(side: Side, other: Side | None) -> Branch:
 
     Raises MechanismError where the moment never falls to zero.
     """
-    overturning, critical = side.fall(lambda work: work.restoring), side.fall(lambda work: work.weight)
+    overturning = side.fall(lambda work: work.restoring)
+    critical = side.fall(lambda work: work.weight) if side.work.moment.any() else overturning
     if overturning is None or critical is None:
         raise MechanismError(
             f'mechanism "{side.flexible.name}": on its joints the restoring moment does not fall to zero before '
@@ -209,6 +212,42 @@ def table(side: Side, other: Side | None) -> Branch:
         overturning=side.rigid.overturning,
         critical=critical - shift,
         overturning_flexible=overturning - shift,
+    )
+
+
+def _crossing(rotation: FloatArray, values: FloatArray, k: int) -> float:
+    """Where falling values pass zero after node k: by the cubic, rotation over values, through the nodes around."""
+    first = min(max(k - 1, 0), rotation.size - 4)
+    x, y = rotation[first : first + 4], values[first : first + 4]
+    if np.all(np.diff(y) < 0.0):
+        near = sum(
+            x[i] * np.prod([y[j] / (y[j] - y[i]) for j in range(4) if j != i]) for i in range(4)
+        )  # Lagrange's polynomial at zero
+        if rotation[k] <= near <= rotation[k + 1]:
+            return float(near)
+    a, b = values[k], values[k + 1]
+    return float(rotation[k] + (rotation[k + 1] - rotation[k]) * a / (a - b))
+
+
+def same_chain(one: Chain, other: Chain) -> bool:
+    """Whether two chains, each in its own sign, are alike to the last digit."""
+    if (one.blocks, one.hinges, one.loads, len(one.joints)) != (
+        other.blocks,
+        other.hinges,
+        other.loads,
+        len(other.joints),
+    ):
+        return False
+    return all(
+        a is b
+        or (
+            a is not None
+            and b is not None
+            and (a.inward, a.law, a.model, a.section.depth) == (b.inward, b.law, b.model, b.section.depth)
+            and np.array_equal(a.section.pieces, b.section.pieces)
+            and np.array_equal(a.section.discs, b.section.discs)
+        )
+        for a, b in zip(one.joints, other.joints, strict=True)
     )
 
 

@@ -4,6 +4,7 @@ AssessError                what a user can mend; the command line prints its one
 ├── ProjectError           the project file: missing, unreadable, unknown key, wrong unit or value
 ├── GeometryError          a body or mesh: open, inverted, degenerate
 ├── MechanismError         a mechanism that cannot rock: no base, already falling, impossible hinges
+├── InterfaceError         a contact that cannot carry its load: pulled, crushed at rest, without stiffness
 ├── ProcedureError         a code procedure asked outside its range
 └── ResultsError           a results file that cannot be read
 
@@ -26,6 +27,10 @@ class GeometryError(AssessError):
 
 class MechanismError(AssessError):
     """A mechanism cannot rock as described: no base, already falling, impossible hinges."""
+
+
+class InterfaceError(AssessError):
+    """A contact cannot carry what presses on it: no compression, more than it bears, no stiffness."""
 
 
 class ProcedureError(AssessError):

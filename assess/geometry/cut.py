@@ -44,12 +44,14 @@ class Parts:
 
     above, below : the bodies on each side, each as cut; foot : corners of the section between them [k, 3] [m]
     section : its outer borders, closed rings [k, 3] [m]
+    region : that section, in coordinates of the plane [m]; `heading` is a direction in them
     """
 
     above: tuple[Solid, ...]
     below: tuple[Solid, ...]
     foot: FloatArray
     section: tuple[FloatArray, ...]
+    region: shapely.MultiPolygon
 
 
 def level(elevation: float) -> Plane:
@@ -120,7 +122,7 @@ def divide(solids: Sequence[Solid], plane: Plane, *, where: str) -> Parts:
     corners = np.unique(shapely.get_coordinates(areas), axis=0)
     rings = [shapely.get_coordinates(shapely.get_exterior_ring(part)) for part in areas]
     foot, *section = (np.column_stack([each, np.zeros(len(each))]) @ axes + origin for each in (corners, *rings))
-    return Parts(tuple(over), tuple(under), foot, tuple(section))
+    return Parts(tuple(over), tuple(under), foot, tuple(section), shapely.MultiPolygon(areas))
 
 
 def halves(solid: Solid, *, point: ArrayLike, normal: ArrayLike) -> tuple[Solid, ...]:
@@ -135,6 +137,17 @@ def halves(solid: Solid, *, point: ArrayLike, normal: ArrayLike) -> tuple[Solid,
     placed = (solid.vertices - origin) @ axes.T
     front, back = _split(solid, placed, where=f'body "{solid.name}"')
     return tuple(_part(solid, points @ axes + origin, faces) for points, faces in (back, front) if len(faces))
+
+
+def heading(plane: Plane, direction: ArrayLike) -> FloatArray:
+    """A horizontal direction as a unit vector [2] in the coordinates of a cut's region.
+
+    It is square to the axis of rotation, or to its image where the cut is not level across the direction.
+    """
+    axes = _axes(plane.normal)
+    across = axes @ np.cross([0.0, 0.0, 1.0], np.asarray(direction, dtype=np.float64))
+    unit = np.array([across[1], -across[0]])
+    return np.asarray(unit / np.linalg.norm(unit), dtype=np.float64)
 
 
 def _axes(normal: FloatArray) -> FloatArray:

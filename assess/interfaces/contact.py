@@ -1,0 +1,162 @@
+"""The contact of two faces that turn against each other: where the resultant presses, how far it is open or crushed.
+
+One solver for every section and regime (full or partial contact, elastic or crushed); thesis 6.2-6.45 are its special
+cases. The rotation is that of one face relative to the other and compresses the edge at depth 0; for the other sense
+take the `mirrored` section.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import inf, isfinite
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from assess.errors import InterfaceError
+from assess.interfaces import kernel
+from assess.interfaces.law import Law
+from assess.interfaces.section import Section, mirrored
+
+FloatArray = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Contact:
+    """The contact at n rotations, read-only arrays [n].
+
+    Attributes
+    ----------
+    rotation : phi [rad]; normal_force : N [N]
+    resultant : distance of the resultant from the compressed edge, a_f [m]
+    sideways : of the resultant from the centroid along the axis of rotation, positive to the left of the direction of
+        rocking [m]; zero where the section is symmetric about the plane of motion
+    pivot : distance from the compressed edge of the line about which the faces turn at that instant under a constant
+        force, d closing / d rotation: the centroid of what is elastic [m]
+    closing : of the compressed edge, u_e [m]
+    depth : in contact, a [m]; crushed_depth : a_2 [m]
+    peak_stress : at the compressed edge [Pa]; infinite for a rigid joint without limit of strength
+    open_area, crushed_area : [m2]
+    """
+
+    rotation: FloatArray
+    normal_force: FloatArray
+    resultant: FloatArray
+    sideways: FloatArray
+    pivot: FloatArray
+    closing: FloatArray
+    depth: FloatArray
+    crushed_depth: FloatArray
+    peak_stress: FloatArray
+    open_area: FloatArray
+    crushed_area: FloatArray
+
+
+def contact(
+    section: Section, law: Law, *, normal_force: ArrayLike, rotation: ArrayLike, where: str = "interface"
+) -> Contact:
+    """The contact under a normal force [N], one or [n], at rotations >= 0, one or [n] [rad].
+
+    A rigid joint (infinite stiffness) has the limits of a stiff one: the plastic block, or the edge itself. At rest
+    its resultant may be anywhere between there and the centroid; reported is what holds as soon as it turns.
+
+    Parameters
+    ----------
+    where : what an error names
+
+    Raises
+    ------
+    InterfaceError : no compression, a force the section cannot carry, no stiffness or strength, a negative rotation
+    """
+    forces, turns = (np.atleast_1d(np.asarray(each, dtype=np.float64)) for each in (normal_force, rotation))
+    _refuse_rotation(turns, where=where)
+    _refuse_load(section, law, forces, where=where)
+    columns = np.empty((11, max(turns.size, forces.size)))
+    columns[0], columns[1] = turns, forces
+    found = np.empty((columns.shape[1], 9))
+    kernel.touch(section.table, float(law.stiffness), float(law.strength), columns[1], columns[0], found)
+    columns[2:] = found.T
+    columns.setflags(write=False)
+    return Contact(*columns)
+
+
+def thresholds(section: Section, law: Law, *, normal_force: float, where: str = "interface") -> tuple[float, float]:
+    """Rotations at which the far edge opens and at which the compressed edge starts to crush [rad]; inf: never.
+
+    The stress missing to the strength is that of the mirrored section under the force missing to its bearing capacity.
+    So what opens the one crushes the other, and two formulas hold for all regimes, also where crushing comes first
+    (thesis 6.2-6.4 and its like for other shapes are the case of opening first).
+
+    Raises
+    ------
+    InterfaceError : as for `contact`
+    """
+    _refuse_load(section, law, np.array([float(normal_force)]), where=where)
+    k, f, N = law.stiffness, law.strength, float(normal_force)
+    if k == inf:
+        return 0.0, 0.0 if f < inf else inf
+    far = section.depth - section.centroid
+    opening = N / (k * section.area * far)
+    if f == inf:
+        return opening, inf
+    if opening * k * section.depth <= f:
+        return opening, f / (k * kernel.crushing_depth(section.table, N / f))
+    missing = f * section.area - N
+    crushing = missing / (k * section.area * section.centroid)
+    return f / (k * kernel.crushing_depth(mirrored(section).table, missing / f)), crushing
+
+
+def semi_flexible_shift(section: Section, law: Law, *, normal_force: float, where: str = "interface") -> float:
+    """Distance of the fixed hinge from the compressed edge, a_SF: the resultant's when crushing starts [m].
+
+    It does not depend on the stiffness, and is zero for infinite strength (thesis 6.3.1.2).
+
+    Raises
+    ------
+    InterfaceError : as for `contact`
+    """
+    _refuse_load(section, law, np.array([float(normal_force)]), where=where)
+    if law.strength == inf:
+        return 0.0
+    any_joint = Law(stiffness=law.strength / section.depth, strength=law.strength)
+    _, crushing = thresholds(section, any_joint, normal_force=normal_force)
+    return float(contact(section, any_joint, normal_force=normal_force, rotation=crushing).resultant[0])
+
+
+def sideways_doubt(section: Section, found: Contact) -> str:
+    """A sentence where the resultant leaves the plane of motion by more than a hundredth of the breadth, or ""."""
+    largest = float(np.abs(found.sideways).max())
+    if largest <= 0.01 * section.breadth:
+        return ""
+    return (
+        f"the contact is not symmetric about the plane of motion: its resultant moves by up to {largest:.3g} m, "
+        f"{largest / section.breadth:.0%} of the section, along the axis of rotation, which turns the body out of plane"
+    )
+
+
+def _refuse_rotation(turns: FloatArray, *, where: str) -> None:
+    """Raise where a rotation is negative or not finite."""
+    wrong = turns[~(np.isfinite(turns) & (turns >= 0.0))]
+    if wrong.size:
+        raise InterfaceError(
+            f"{where}: a rotation is {wrong[0]:g} rad; give zero or more, and the mirrored section for the other sense"
+        )
+
+
+def _refuse_load(section: Section, law: Law, forces: FloatArray, *, where: str) -> None:
+    """Raise where the law is none, or the section cannot carry a force under it."""
+    for what, value, unit in (("stiffness", law.stiffness, "Pa/m"), ("strength", law.strength, "Pa")):
+        if not value > 0.0:
+            raise InterfaceError(f"{where}: its {what} is {value:g} {unit}; give a positive number, or inf")
+    wrong = forces[~(np.isfinite(forces) & (forces > 0.0))]
+    if wrong.size:
+        how = f", so it would have to pull with {-wrong[0]:g} N" if isfinite(wrong[0]) else ""
+        raise InterfaceError(
+            f"{where}: its normal force is {wrong[0]:g} N{how}; a joint without tension needs pressure"
+        )
+    most, bearing = float(forces.max()), section.area * law.strength
+    if most >= bearing:
+        raise InterfaceError(
+            f"{where}: its normal force, {most:.6g} N, is {most / bearing:.4g} times what it can carry, "
+            f"{bearing:.6g} N = {section.area:.4g} m2 x {law.strength:.4g} Pa; give it more strength or area"
+        )

@@ -60,9 +60,9 @@ def test_circle_opens_and_crushes(share):
     W = share * F * pi * R**2
     opening, crushing = thresholds(circle(2 * R), LAW, normal_force=W)
     a_c = F / (K * crushing)  # 6.4
-    assert opening == pytest.approx(W / (K * pi * R**3), rel=EXACT)  # 6.16
-    assert F / a_c * carried(a_c, R) == pytest.approx(W, rel=EXACT)  # 6.17
-    assert semi_flexible_shift(circle(2 * R), LAW, normal_force=W) == pytest.approx(shift(a_c), rel=1e-11)
+    assert opening == pytest.approx(W / (K * pi * R**3), rel=EXACT, abs=0.0)  # 6.16
+    assert F / a_c * carried(a_c, R) == pytest.approx(W, rel=EXACT, abs=0.0)  # 6.17
+    assert semi_flexible_shift(circle(2 * R), LAW, normal_force=W) == pytest.approx(shift(a_c), rel=1e-11, abs=0.0)
 
 
 @pytest.mark.parametrize("share", [0.501, 0.7, 0.99])
@@ -70,7 +70,7 @@ def test_circle_that_crushes_before_it_opens(share):
     """Full contact with crushing, which the thesis leaves out."""
     W = share * F * pi * R**2
     opening, crushing = thresholds(circle(2 * R), LAW, normal_force=W)
-    assert crushing == pytest.approx((F - W / (pi * R**2)) / (K * R), rel=EXACT)
+    assert crushing == pytest.approx((F - W / (pi * R**2)) / (K * R), rel=EXACT, abs=0.0)
     assert crushing < opening
 
 
@@ -78,7 +78,9 @@ def test_circle_that_crushes_before_it_opens(share):
 def test_circle_in_full_contact(part):
     W = 0.2 * F * pi * R**2
     phi = part * W / (K * pi * R**3)
-    assert touch(circle(2 * R), W, phi)[0] == pytest.approx(R - pi * R**4 * K * phi / (4 * W), rel=EXACT)  # 6.18
+    assert touch(circle(2 * R), W, phi)[0] == pytest.approx(
+        R - pi * R**4 * K * phi / (4 * W), rel=EXACT, abs=0.0
+    )  # 6.18
 
 
 def shift(a):
@@ -97,8 +99,8 @@ def test_circle_in_partial_contact(a):
     W = 0.3 * F * pi * R**2
     phi = W / (K * carried(a, R))  # 6.19
     a_f, depth, _ = touch(circle(2 * R), W, phi, law=Law(K))
-    assert depth == pytest.approx(a, rel=EXACT)
-    assert a_f == pytest.approx(shift(a), rel=1e-10)  # of its own terms 6.20 loses some digits at small depths
+    assert depth == pytest.approx(a, rel=EXACT, abs=0.0)
+    assert a_f == pytest.approx(shift(a), rel=1e-10, abs=0.0)  # of its own terms 6.20 loses some digits at small depths
 
 
 @pytest.mark.parametrize("share", [0.01, 0.3, 0.6])
@@ -106,8 +108,8 @@ def test_circle_all_plastic(share):
     W = share * F * pi * R**2
     a_f, _, a_lim = touch(circle(2 * R), W, 0.01, law=Law(strength=F))
     psi = arccos((R - a_lim) / R)
-    assert F * segment(psi, R) == pytest.approx(W, rel=EXACT)  # 6.21
-    assert R - a_f == pytest.approx(plastic_centre(psi), rel=1e-11)  # 6.24
+    assert F * segment(psi, R) == pytest.approx(W, rel=EXACT, abs=0.0)  # 6.21
+    assert R - a_f == pytest.approx(plastic_centre(psi), rel=1e-11, abs=0.0)  # 6.24
 
 
 def plastic_centre(psi):
@@ -134,7 +136,7 @@ def test_force_of_the_elastic_part_is_misprinted():
     assert elastic_force(a_1, a_2, printed=True) == pytest.approx(440.31e3, abs=5.0)
     W = elastic_force(a_1, a_2) + F * segment(arccos((R - a_2) / R), R)
     _, depth, crushed = touch(circle(2 * R), W, F / (K * a_1))
-    assert (depth, crushed) == pytest.approx((a_1 + a_2, a_2), rel=1e-11)
+    assert (depth, crushed) == pytest.approx((a_1 + a_2, a_2), rel=1e-11, abs=0.0)
 
 
 def moment_of_elastic_part(a_1, a_2, radius, *, printed=False):
@@ -165,9 +167,9 @@ def test_crushed_circle_in_partial_contact(a_1, a_2):
     W_1, W_2 = elastic_force(a_1, a_2), F * segment(psi_2, R)  # 6.26, 6.23
     W = W_1 + W_2  # 6.25
     a_f, depth, crushed = touch(circle(2 * R), W, phi)
-    assert (depth, crushed) == pytest.approx((a_1 + a_2, a_2), rel=1e-11)
+    assert (depth, crushed) == pytest.approx((a_1 + a_2, a_2), rel=1e-11, abs=0.0)
     x_1 = moment_of_elastic_part(a_1, a_2, R) / W_1  # 6.28
-    assert a_f == pytest.approx(R - (W_1 * x_1 + W_2 * plastic_centre(psi_2)) / W, rel=1e-8)  # 6.29
+    assert a_f == pytest.approx(R - (W_1 * x_1 + W_2 * plastic_centre(psi_2)) / W, rel=1e-8, abs=0.0)  # 6.29
     wrong = moment_of_elastic_part(a_1, a_2, R, printed=True) / W_1
     assert abs(wrong / x_1 - 1) > 0.005
 
@@ -202,8 +204,8 @@ def test_tube_opens_and_crushes(ratio, share):
     W = share * F * section.area
     opening, crushing = thresholds(section, LAW, normal_force=W)
     a_c = F / (K * crushing)
-    assert opening == pytest.approx(W / (K * pi * OUTER**3 * (1 - ratio**2)), rel=EXACT)  # 6.30
-    assert F / a_c * carried_by_tube(a_c, ratio) == pytest.approx(W, rel=1e-11)  # 6.31
+    assert opening == pytest.approx(W / (K * pi * OUTER**3 * (1 - ratio**2)), rel=EXACT, abs=0.0)  # 6.30
+    assert F / a_c * carried_by_tube(a_c, ratio) == pytest.approx(W, rel=1e-11, abs=0.0)  # 6.31
 
 
 @pytest.mark.parametrize("ratio", RATIOS)
@@ -212,7 +214,7 @@ def test_tube_in_full_contact(ratio):
     W = 0.2 * F * section.area
     for phi in np.array([0.0, 0.4, 1.0]) * thresholds(section, LAW, normal_force=W)[0]:
         expected = OUTER - pi * OUTER**4 * (1 - ratio**4) * K * phi / (4 * W)  # 6.34
-        assert touch(section, W, phi)[0] == pytest.approx(expected, rel=EXACT)
+        assert touch(section, W, phi)[0] == pytest.approx(expected, rel=EXACT, abs=0.0)
 
 
 def shift_of_tube(a, ratio, per, *, printed=False):
@@ -232,8 +234,8 @@ def test_tube_in_partial_contact(ratio):
     for a in depths(ratio):
         phi = W / (K * carried_by_tube(a, ratio))  # 6.35
         a_f, depth, _ = touch(section, W, phi, law=Law(K))
-        assert depth == pytest.approx(a, rel=1e-11)
-        assert a_f == pytest.approx(shift_of_tube(a, ratio, K * phi / W), rel=1e-9)
+        assert depth == pytest.approx(a, rel=1e-11, abs=0.0)
+        assert a_f == pytest.approx(shift_of_tube(a, ratio, K * phi / W), rel=1e-9, abs=0.0)
 
 
 def test_resultant_of_a_tube_in_partial_contact_is_misprinted():
@@ -254,9 +256,9 @@ def test_tube_all_plastic(ratio, share):
     W = share * F * section.area
     a_f, _, a_lim = touch(section, W, 0.01, law=Law(strength=F))
     psi_O, psi_I = psis(a_lim, ratio)
-    assert F * (segment(psi_O, OUTER) - segment(psi_I, OUTER * ratio)) == pytest.approx(W, rel=1e-11)  # 6.37
+    assert F * (segment(psi_O, OUTER) - segment(psi_I, OUTER * ratio)) == pytest.approx(W, rel=1e-11, abs=0.0)  # 6.37
     x_2 = 2 * F / (3 * W) * (OUTER**3 * sin(psi_O) ** 3 - (OUTER * ratio) ** 3 * sin(psi_I) ** 3)  # 6.39
-    assert OUTER - a_f == pytest.approx(x_2, rel=1e-10)
+    assert OUTER - a_f == pytest.approx(x_2, rel=1e-10, abs=0.0)
 
 
 def over_stress(a_1, a_2, ratio, amount):
@@ -299,10 +301,10 @@ def test_crushed_tube_in_partial_contact(ratio):
         W_2 = F * (segment(psi_2O, OUTER) - segment(psi_2I, r))  # 6.38
         W = W_1 + W_2
         a_f, depth, crushed = touch(tube(ratio), W, F / (K * a_1))
-        assert (depth, crushed) == pytest.approx((a_1 + a_2, a_2), rel=BY_QUADRATURE)
+        assert (depth, crushed) == pytest.approx((a_1 + a_2, a_2), rel=BY_QUADRATURE, abs=0.0)
         V = over_stress(a_1, a_2, ratio, third_of_moment)  # 6.44 with the root for its limits, integrated over x and y
         x_2 = 2 * F / (3 * W_2) * (OUTER**3 * sin(psi_2O) ** 3 - r**3 * sin(psi_2I) ** 3)  # 6.39
-        assert a_f == pytest.approx(OUTER - (V + W_2 * x_2) / W, rel=BY_QUADRATURE)  # 6.45, 6.29
+        assert a_f == pytest.approx(OUTER - (V + W_2 * x_2) / W, rel=BY_QUADRATURE, abs=0.0)  # 6.45, 6.29
 
 
 def third_of_moment(psi, r):
@@ -315,7 +317,9 @@ def test_first_moments_over_stress_are_the_integrals_of_6_27():
     for a_1, a_2 in [(0.3, 0.25), (0.9, 0.5)]:
         psi_2 = arccos((R - a_2) / R)
         level = quad(lambda z: third_of_moment(arccos((R - a_2 - a_1 * z / F) / R), R), 0, F)[0]  # noqa: B023
-        assert moment_of_elastic_part(a_1, a_2, R) == pytest.approx(level - F * third_of_moment(psi_2, R), rel=1e-8)
+        assert moment_of_elastic_part(a_1, a_2, R) == pytest.approx(
+            level - F * third_of_moment(psi_2, R), rel=1e-8, abs=0.0
+        )
 
 
 # --------------------------------------------------------------------------------------- 6.22, an approximation

@@ -131,14 +131,14 @@ def agrees(section: Section, face, *, share: float) -> None:
     for n, rotation in enumerate(phi):
         u, a_f, side, crushed, opened = expected(face, law=LAW, force=force, phi=rotation)
         D = section.depth
-        assert found.closing[n] == pytest.approx(u, rel=AGREE)
-        assert found.resultant[n] == pytest.approx(a_f, rel=AGREE)
+        assert found.closing[n] == pytest.approx(u, rel=AGREE, abs=0.0)
+        assert found.resultant[n] == pytest.approx(a_f, rel=AGREE, abs=0.0)
         assert found.sideways[n] == pytest.approx(side, rel=AGREE, abs=AGREE * D)
         assert found.crushed_area[n] == pytest.approx(crushed, rel=AGREE, abs=AGREE * section.area)
         assert found.open_area[n] == pytest.approx(opened, rel=AGREE, abs=AGREE * section.area)
-        assert found.depth[n] == pytest.approx(min(u / rotation, D), rel=AGREE)
+        assert found.depth[n] == pytest.approx(min(u / rotation, D), rel=AGREE, abs=0.0)
         assert found.crushed_depth[n] == pytest.approx(max((u - F / K) / rotation, 0.0), rel=1e-8, abs=AGREE * D)
-        assert found.peak_stress[n] == pytest.approx(min(K * u, F), rel=AGREE)
+        assert found.peak_stress[n] == pytest.approx(min(K * u, F), rel=AGREE, abs=0.0)
 
 
 @pytest.mark.parametrize("share", [0.04, 0.3, 0.62, 0.97])
@@ -163,10 +163,10 @@ def test_joint_without_limit_of_strength(name):
     for phi in thresholds(section, law, normal_force=force)[0] * np.array([0.2, 1.5, 40.0]):
         found = contact(section, law, normal_force=force, rotation=phi)
         u, a_f, side, _, opened = expected(face, law=Law(K, 1e99), force=force, phi=phi)
-        assert (found.closing[0], found.resultant[0]) == pytest.approx((u, a_f), rel=AGREE)
+        assert (found.closing[0], found.resultant[0]) == pytest.approx((u, a_f), rel=AGREE, abs=0.0)
         assert found.sideways[0] == pytest.approx(side, abs=AGREE)
         assert found.open_area[0] == pytest.approx(opened, rel=AGREE, abs=AGREE)
-        assert found.peak_stress[0] == pytest.approx(K * u, rel=AGREE)
+        assert found.peak_stress[0] == pytest.approx(K * u, rel=AGREE, abs=0.0)
         assert found.crushed_area[0] == found.crushed_depth[0] == 0.0
 
 
@@ -192,9 +192,9 @@ def test_thresholds_are_where_the_contact_opens_and_crushes(section, share):
         for phi in (opening, crushing)
     )
     assert at_opening.depth[0] == section.depth > at_opening.depth[2]
-    assert at_opening.depth[1] == pytest.approx(section.depth, rel=1e-12)
+    assert at_opening.depth[1] == pytest.approx(section.depth, rel=1e-12, abs=0.0)
     assert at_crushing.peak_stress[0] < F == at_crushing.peak_stress[2]
-    assert at_crushing.peak_stress[1] == pytest.approx(F, rel=1e-12)
+    assert at_crushing.peak_stress[1] == pytest.approx(F, rel=1e-12, abs=0.0)
     assert (opening < crushing) == (share < 1 - section.centroid / section.depth)
 
 
@@ -206,8 +206,8 @@ def test_shift_of_the_semi_flexible_hinge(section):
         law = Law(k, F)
         _, crushing = thresholds(section, law, normal_force=force)
         found = contact(section, law, normal_force=force, rotation=crushing).resultant[0]
-        assert semi_flexible_shift(section, law, normal_force=force) == pytest.approx(found, rel=1e-10)
-    assert semi_flexible_shift(section, Law(inf, F), normal_force=force) == pytest.approx(found, rel=1e-10)
+        assert semi_flexible_shift(section, law, normal_force=force) == pytest.approx(found, rel=1e-10, abs=0.0)
+    assert semi_flexible_shift(section, Law(inf, F), normal_force=force) == pytest.approx(found, rel=1e-10, abs=0.0)
     assert semi_flexible_shift(section, Law(K), normal_force=force) == 0.0
 
 
@@ -220,9 +220,9 @@ def test_at_rest_nothing_is_lost(section, phi):
     """At rest the resultant is at the centroid; turning by phi moves it by k I phi / N."""
     force = 0.4 * F * section.area
     found = contact(section, LAW, normal_force=force, rotation=phi)
-    assert found.resultant[0] == pytest.approx(section.centroid, rel=1e-8 if phi == 1e-12 else 1e-13)
-    assert found.pivot[0] == pytest.approx(section.centroid, rel=1e-13)
-    assert found.closing[0] == pytest.approx(force / (K * section.area), rel=1e-8 if phi == 1e-12 else 1e-14)
+    assert found.resultant[0] == pytest.approx(section.centroid, rel=1e-8 if phi == 1e-12 else 1e-13, abs=0.0)
+    assert found.pivot[0] == pytest.approx(section.centroid, rel=1e-13, abs=0.0)
+    assert found.closing[0] == pytest.approx(force / (K * section.area), rel=1e-8 if phi == 1e-12 else 1e-13, abs=0.0)
     assert (found.depth[0], found.open_area[0], found.crushed_area[0]) == (section.depth, 0.0, 0.0)
 
 
@@ -243,7 +243,7 @@ def test_rigid_joints_are_the_limit_of_stiff_ones(section):
     for each in fields(Contact):
         found, limit = getattr(stiff, each.name)[0], getattr(block, each.name)[0]
         assert found == pytest.approx(limit, rel=1e-4, abs=1e-5), each.name
-    assert block.crushed_area[0] == pytest.approx(force / F, rel=1e-13)
+    assert block.crushed_area[0] == pytest.approx(force / F, rel=1e-13, abs=0.0)
     edge = contact(section, Law(), normal_force=force, rotation=phi)
     assert (edge.resultant[0], edge.depth[0], edge.closing[0], edge.crushed_area[0]) == (0.0, 0.0, 0.0, 0.0)
     assert isinf(edge.peak_stress[0])
@@ -279,8 +279,8 @@ def test_plastic_block_that_ends_in_a_gap():
     piers = polygon(shapely.MultiPolygon([shapely.box(0, 0, 1, 2), shapely.box(3, 0, 4, 2)]), direction=(1.0, 0.0))
     for law in (Law(strength=F), Law(1e12, F)):
         found = contact(piers, law, normal_force=2.0 * F, rotation=0.01)
-        assert found.resultant[0] == pytest.approx(0.5, rel=1e-9)
-        assert found.crushed_area[0] == pytest.approx(2.0, rel=1e-9)
+        assert found.resultant[0] == pytest.approx(0.5, rel=1e-9, abs=0.0)
+        assert found.crushed_area[0] == pytest.approx(2.0, rel=1e-9, abs=0.0)
         assert 1.0 - 1e-7 <= found.depth[0] <= 3.0 + 1e-7
 
 

@@ -74,10 +74,10 @@ def test_whole_section(name, direction):
     region = turned(REGIONS[name], direction)
     section = polygon(REGIONS[name], direction=direction)
     low_x, low_y, high_x, high_y = region.bounds
-    assert section.depth == pytest.approx(high_x - low_x, rel=EXACT)
-    assert section.breadth == pytest.approx(high_y - low_y, rel=EXACT)
-    assert section.area == pytest.approx(region.area, rel=EXACT)
-    assert section.centroid == pytest.approx(region.centroid.x, rel=EXACT)
+    assert section.depth == pytest.approx(high_x - low_x, rel=EXACT, abs=0.0)
+    assert section.breadth == pytest.approx(high_y - low_y, rel=EXACT, abs=0.0)
+    assert section.area == pytest.approx(region.area, rel=EXACT, abs=0.0)
+    assert section.centroid == pytest.approx(region.centroid.x, rel=EXACT, abs=0.0)
 
 
 @every_region
@@ -117,8 +117,8 @@ def test_moments_up_to_each_knot(name, direction):
 def test_mirrored_is_the_opposite_direction(name, direction):
     found = mirrored(polygon(REGIONS[name], direction=direction))
     expected = polygon(REGIONS[name], direction=(-direction[0], -direction[1]))
-    assert (found.depth, found.breadth) == pytest.approx((expected.depth, expected.breadth), rel=EXACT)
-    assert (found.area, found.centroid) == pytest.approx((expected.area, expected.centroid), rel=EXACT)
+    assert (found.depth, found.breadth) == pytest.approx((expected.depth, expected.breadth), rel=EXACT, abs=0.0)
+    assert (found.area, found.centroid) == pytest.approx((expected.area, expected.centroid), rel=EXACT, abs=0.0)
     np.testing.assert_allclose(found.pieces[:, BEGIN], expected.pieces[:, BEGIN], rtol=0.0, atol=1e-14 * found.depth)
     for x in found.depth * np.random.default_rng(2).random(9):
         assert width(found, x) == pytest.approx(width(expected, x), rel=1e-12, abs=1e-12)
@@ -137,7 +137,7 @@ def test_turning_and_moving_region_and_direction_alike_changes_nothing(degrees):
     direction = cos(radians(degrees)), sin(radians(degrees))
     moved = translate(rotate(PIERCED, degrees, origin=(0, 0)), -400.0, 250.0)
     found, expected = polygon(moved, direction=direction), polygon(PIERCED, direction=(1.0, 0.0))
-    assert found.area == pytest.approx(expected.area, rel=1e-11)
+    assert found.area == pytest.approx(expected.area, rel=1e-11, abs=0.0)
     np.testing.assert_allclose(found.pieces[:, BEGIN], expected.pieces[:, BEGIN], rtol=0.0, atol=1e-12)
     np.testing.assert_allclose(found.pieces[:, A:], expected.pieces[:, A:], rtol=1e-11, atol=1e-11)
 
@@ -175,11 +175,11 @@ def test_length_of_the_direction_does_not_matter():
 
 def test_rectangle():
     section = rectangle(1.2, 3.5)
-    assert (section.depth, section.breadth, section.centroid) == pytest.approx((1.2, 3.5, 0.6), rel=EXACT)
-    assert section.area == pytest.approx(1.2 * 3.5, rel=EXACT)
-    assert rectangle(1.2, 3.5, direction=(0.0, -1.0)).depth == pytest.approx(3.5, rel=EXACT)
+    assert (section.depth, section.breadth, section.centroid) == pytest.approx((1.2, 3.5, 0.6), rel=EXACT, abs=0.0)
+    assert section.area == pytest.approx(1.2 * 3.5, rel=EXACT, abs=0.0)
+    assert rectangle(1.2, 3.5, direction=(0.0, -1.0)).depth == pytest.approx(3.5, rel=EXACT, abs=0.0)
     diagonal = rectangle(3.0, 4.0, direction=(4.0, -3.0))
-    assert (diagonal.depth, diagonal.breadth) == pytest.approx((24 / 5, 5.0), rel=EXACT)
+    assert (diagonal.depth, diagonal.breadth) == pytest.approx((24 / 5, 5.0), rel=EXACT, abs=0.0)
 
 
 def test_hollow_rectangle_is_the_polygon_with_a_hole():
@@ -192,7 +192,7 @@ def test_hollow_rectangle_is_the_polygon_with_a_hole():
 def test_discs(section):
     inner = 0.45 if len(section.discs) == 2 else 0.0
     assert (section.depth, section.breadth, section.centroid) == (1.5, 1.5, 0.75)
-    assert section.area == pytest.approx(pi * (0.75**2 - inner**2), rel=EXACT)
+    assert section.area == pytest.approx(pi * (0.75**2 - inner**2), rel=EXACT, abs=0.0)
     assert mirrored(section) is section
 
 
@@ -211,7 +211,10 @@ def test_outline_of_a_level_cut(direction, depth):
     plane = level(2.0)
     region = divide([wall], plane, where="m").region
     section = polygon(region, direction=heading(plane, direction))
-    assert (section.depth, section.area) == (pytest.approx(depth, rel=1e-12), pytest.approx(3.0, rel=1e-12))
+    assert (section.depth, section.area) == (
+        pytest.approx(depth, rel=1e-12, abs=0.0),
+        pytest.approx(3.0, rel=1e-12, abs=0.0),
+    )
 
 
 def test_compressed_edge_of_a_cut_is_the_foremost():
@@ -225,7 +228,7 @@ def test_compressed_edge_of_a_cut_is_the_foremost():
     for direction in ((1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0.3, 0.8, 0)):
         expected = polygon(scale(L_SHAPE, 1.0, -1.0, origin=(0, 0)), direction=direction[:2])
         found = polygon(region, direction=heading(plane, direction))
-        assert (found.depth, found.centroid) == pytest.approx((expected.depth, expected.centroid), rel=1e-9)
+        assert (found.depth, found.centroid) == pytest.approx((expected.depth, expected.centroid), rel=1e-9, abs=0.0)
 
 
 @pytest.mark.parametrize("slope", [0.3, -0.3])
@@ -233,8 +236,8 @@ def test_outline_of_an_inclined_cut_is_as_long_as_the_crack(slope):
     wall = box(thickness=1.0, length=3.0, height=4.0, base=(0.0, 0.0, 0.0), density=1.0, name="wall")
     plane = inclined((0.0, 0.0, 2.0), (slope, 0.0, 1.0), where="m")
     section = polygon(divide([wall], plane, where="m").region, direction=heading(plane, (1, 0, 0)))
-    assert section.depth == pytest.approx(np.hypot(1.0, slope), rel=1e-9)
-    assert section.breadth == pytest.approx(3.0, rel=1e-9)
+    assert section.depth == pytest.approx(np.hypot(1.0, slope), rel=1e-9, abs=0.0)
+    assert section.breadth == pytest.approx(3.0, rel=1e-9, abs=0.0)
 
 
 # ------------------------------------------------------------------------------------------------------------- errors

@@ -239,12 +239,17 @@ def upto(table: Table, z: float, i: int) -> tuple[float, float, float]:
 
 @compiled
 def extent(table: Table, given: Given, closing: float) -> tuple[float, float, float]:
-    """Depth crushed, depth in contact [m], and closing of the far edge, zero where that is open [m]."""
+    """Depth crushed, depth in contact [m], and closing of the far edge, zero where that is open [m].
+
+    Where the contact is crushed, the last is what makes the stress at a_2 the strength, however thin the zone is.
+    """
     k, f, phi = given
     over = closing - phi * table[2]
     a = table[2] if over >= 0.0 else closing / phi
-    a_2 = min((closing - f / k) / phi, a) if k * closing > f else 0.0
-    return a_2, a, max(over, 0.0)
+    if k * closing <= f:
+        return 0.0, a, max(over, 0.0)
+    a_2 = min((closing - f / k) / phi, a)
+    return a_2, a, max(f / k - phi * (a - a_2), 0.0) if over > 0.0 else 0.0
 
 
 @compiled

@@ -259,6 +259,21 @@ def test_rigid_block_of_a_rectangle():
     assert thresholds(rectangle(b, l), Law(), normal_force=force) == (0.0, inf)
 
 
+@pytest.mark.parametrize("stiffness", np.geomspace(1e9, 1e16, 8))
+def test_almost_all_crushed_and_the_far_edge_still_pressed(stiffness):
+    """Only the last g of the depth is elastic, down to 1e-8 of it: half of what lets the far edge open."""
+    b, l, f, phi = 1.3, 2.7, 2.1e6, 0.013  # noqa: E741
+    g = 0.5 * f / (stiffness * phi)
+    missing = stiffness * phi * l * g**2 / 2
+    force = f * b * l - missing
+    found = contact(rectangle(b, l), Law(stiffness, f), normal_force=force, rotation=phi)
+    moment = f * l * b**2 / 2 - missing * (b - g / 3)
+    assert found.open_area[0] == 0.0
+    assert found.depth[0] == b
+    assert found.crushed_depth[0] == pytest.approx(b - g, rel=1e-9, abs=0.0)
+    assert found.resultant[0] == pytest.approx(moment / force, rel=1e-12, abs=0.0)
+
+
 def test_parts_that_do_not_touch_between_which_the_contact_opens():
     """Two piers: while the gap alone opens, all force is on the near one, whose resultant does not move to its edge."""
     piers = polygon(shapely.MultiPolygon([shapely.box(0, 0, 1, 2), shapely.box(3, 0, 4, 2)]), direction=(1.0, 0.0))

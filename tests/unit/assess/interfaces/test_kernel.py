@@ -11,6 +11,7 @@ from numpy.polynomial import Polynomial
 from scipy.integrate import quad
 from scipy.special import beta, betainc
 
+from assess.interfaces import kernel
 from assess.interfaces.kernel import CLOSING, RESULTANT, crushing_depth, disc_upto, touch
 from assess.interfaces.shapes import annulus, circle, polygon, rectangle
 
@@ -58,6 +59,15 @@ def test_entry_points_as_python_give_the_same(section):
     assert crushing_depth.py_func(section.table, share) == pytest.approx(
         crushing_depth(section.table, share), rel=1e-14
     )
+
+
+def test_compiled_functions_have_names_of_their_own():
+    """numba names machine code after the function and its types: of two closures of one factory in the caches of two
+    entry points, the one loaded second was taken for the first, once both had been compiled in different processes.
+    """
+    names = [each.py_func.__qualname__ for each in vars(kernel).values() if hasattr(each, "py_func")]
+    assert len(names) > 10
+    assert not [name for name in names if "<locals>" in name]
 
 
 @every_section

@@ -259,9 +259,9 @@ def test_rigid_block_of_a_rectangle():
     assert thresholds(rectangle(b, l), Law(), normal_force=force) == (0.0, inf)
 
 
-@pytest.mark.parametrize("stiffness", np.geomspace(1e9, 1e16, 8))
+@pytest.mark.parametrize("stiffness", np.geomspace(1e9, 1e15, 7))
 def test_almost_all_crushed_and_the_far_edge_still_pressed(stiffness):
-    """Only the last g of the depth is elastic, down to 1e-8 of it: half of what lets the far edge open."""
+    """Only the last g of the depth is elastic, down to 4e-8 of it: half of what lets the far edge open."""
     b, l, f, phi = 1.3, 2.7, 2.1e6, 0.013  # noqa: E741
     g = 0.5 * f / (stiffness * phi)
     missing = stiffness * phi * l * g**2 / 2

@@ -44,7 +44,7 @@ class Parts:
 
     above, below : the bodies on each side, each as cut; foot : corners of the section between them [k, 3] [m]
     section : its outer borders, closed rings [k, 3] [m]
-    region : the same with its holes, in coordinates of the plane from its point on [m], see `in_plane`
+    region : the same with its holes, in coordinates of the plane from its point on [m], see `heading`
     """
 
     above: tuple[Solid, ...]
@@ -144,6 +144,21 @@ def halves(solid: Solid, *, point: ArrayLike, normal: ArrayLike) -> tuple[Solid,
 def in_plane(plane: Plane, vector: ArrayLike) -> FloatArray:
     """A vector [3] as it is seen in the coordinates [2] of a cut's region."""
     return np.asarray((_axes(plane.normal) @ np.asarray(vector, dtype=np.float64))[:2], dtype=np.float64)
+
+
+def heading(plane: Plane, vector: ArrayLike, *, axis: ArrayLike | None = None) -> FloatArray:
+    """The unit vector [2] in the coordinates of a cut's region that is square to the axis of rotation.
+
+    Where the cut is not level across the direction, it is square to the image of that axis.
+
+    Parameters
+    ----------
+    vector : [3], to whose side it points; axis : [3], default the horizontal one square to the vector
+    """
+    wanted = np.asarray(vector, dtype=np.float64)
+    along, up = in_plane(plane, np.cross([0.0, 0.0, 1.0], wanted) if axis is None else axis)
+    unit = np.array([up, -along]) / np.hypot(along, up)
+    return np.asarray(np.copysign(1.0, unit @ in_plane(plane, wanted)) * unit, dtype=np.float64)
 
 
 def _axes(normal: FloatArray) -> FloatArray:

@@ -42,6 +42,8 @@ BEGIN, W0, W1, V0, V1, V2, A, S, T, SUM_A, SUM_S, SUM_T = range(12)
 RADIUS, EDGE, SIGN = range(3)
 # columns of `found` [n, 9], as the attributes of `Contact`
 RESULTANT, SIDEWAYS, PIVOT, CLOSING, DEPTH, CRUSHED_DEPTH, PEAK_STRESS, OPEN_AREA, CRUSHED_AREA = range(9)
+# what `find` looks for: the closing that carries a force, the depth of a plastic block, of a triangle at the strength
+FORCE, PLASTIC, CRUSHING = range(3)
 
 LONG = 1.0 / 64.0
 """Of the depth of the section: the pieces of a shorter stretch are summed one by one, because the difference of sums
@@ -237,12 +239,17 @@ def upto(table: Table, z: float, i: int) -> tuple[float, float, float]:
 
 @compiled
 def extent(table: Table, given: Given, closing: float) -> tuple[float, float, float]:
-    """Depth crushed, depth in contact [m], and closing of the far edge, zero where that is open [m]."""
+    """Depth crushed, depth in contact [m], and closing of the far edge, zero where that is open [m].
+
+    Where the contact is crushed, the last is what makes the stress at a_2 the strength, however thin the zone is.
+    """
     k, f, phi = given
     over = closing - phi * table[2]
     a = table[2] if over >= 0.0 else closing / phi
-    a_2 = min((closing - f / k) / phi, a) if k * closing > f else 0.0
-    return a_2, a, max(over, 0.0)
+    if k * closing <= f:
+        return 0.0, a, max(over, 0.0)
+    a_2 = min((closing - f / k) / phi, a)
+    return a_2, a, max(f / k - phi * (a - a_2), 0.0) if over > 0.0 else 0.0
 
 
 @compiled
@@ -273,44 +280,44 @@ def by_crushing_depth(table: Table, given: Given, z: float, hint: IntArray) -> t
     return f / z, s / z**2
 
 
-def finder(function: Callable[..., tuple[float, float]]) -> Callable[..., float]:
-    """The search for where an increasing function, given with its derivative, reaches a target.
+@compiled
+def rising(which: int, table: Table, given: Given, x: float, hint: IntArray) -> tuple[float, float]:
+    """One of the functions above, all of which increase, and its derivative.
 
-    Each has a name of its own: numba knows compiled functions by name and types, and would take one from the cache for
-    another that is compiled afresh.
+    A number says which, and not a function handed over or closed over: numba caches no entry point with the former,
+    and the latter get one name, under which the caches of two entry points, once both are loaded, are mistaken.
     """
-
-    def find(table: Table, given: Given, target: float, start: float, high: float, hint: IntArray) -> float:
-        """Where it does, between 0 and `high`.
-
-        Newton's method inside a bracket that only shrinks. Far away its steps are taken in logarithms, in which these
-        functions, near to powers, are near to straight lines.
-        """
-        low, x, step = 0.0, start, high
-        for _ in range(200):
-            value, rate = function(table, given, x, hint)
-            if value > target:
-                high = x
-            else:
-                low = x
-            new, longest, close = x + (target - value) / rate, 0.5 * step, CLOSE
-            if not 0.5 * target < value < 2.0 * target:
-                new, longest = x * (target / value) ** (value / (x * rate)), high
-            step = abs(new - x)
-            if not (low <= new <= high and step <= longest):
-                new, step, close = 0.5 * (low + high), 0.5 * (high - low), ROUNDING
-            x = new
-            if step <= close * x:
-                break
-        return x
-
-    find.__qualname__ = f"find_{function.__name__}"
-    return reachable(find)
+    if which == FORCE:
+        return by_closing(table, given, x, hint)
+    if which == PLASTIC:
+        return by_plastic_depth(table, given, x, hint)
+    return by_crushing_depth(table, given, x, hint)
 
 
-find_closing = finder(by_closing)
-find_plastic_depth = finder(by_plastic_depth)
-find_crushing_depth = finder(by_crushing_depth)
+@reachable
+def find(which: int, table: Table, given: Given, target: float, start: float, high: float, hint: IntArray) -> float:
+    """Where one of the functions reaches a target between 0 and `high`.
+
+    Newton's method inside a bracket that only shrinks. Far away its steps are taken in logarithms, in which these
+    functions, near to powers, are near to straight lines.
+    """
+    low, x, step = 0.0, start, high
+    for _ in range(200):
+        value, rate = rising(which, table, given, x, hint)
+        if value > target:
+            high = x
+        else:
+            low = x
+        new, longest, close = x + (target - value) / rate, 0.5 * step, CLOSE
+        if not 0.5 * target < value < 2.0 * target:
+            new, longest = x * (target / value) ** (value / (x * rate)), high
+        step = abs(new - x)
+        if not (low <= new <= high and step <= longest):
+            new, step, close = 0.5 * (low + high), 0.5 * (high - low), ROUNDING
+        x = new
+        if step <= close * x:
+            break
+    return x
 
 
 @reachable
@@ -327,7 +334,7 @@ def closing(table: Table, given: Given, force: float, plastic: float, near: floa
     most, start = force / (k * area) + phi * depth, linear
     if f < math.inf:
         most, start = f / k + phi * depth, min(phi * plastic + 0.5 * f / k, linear)
-    return find_closing(table, given, force, near if 0.0 < near < most else start, most, hint)
+    return find(FORCE, table, given, force, near if 0.0 < near < most else start, most, hint)
 
 
 @reachable
@@ -370,7 +377,7 @@ def touch(table: Table, k: float, f: float, force: FloatArray, phi: FloatArray, 
         given = (k, f, phi[n])
         if f < math.inf and force[n] != last:
             last = force[n]
-            plastic = find_plastic_depth(table, given, last / f, depth * last / (f * area), depth, hint)
+            plastic = find(PLASTIC, table, given, last / f, depth * last / (f * area), depth, hint)
         if k == math.inf or f <= THIN * k * phi[n] * plastic:
             rigid(table, given, plastic, found[n])
         else:
@@ -384,4 +391,4 @@ def touch(table: Table, k: float, f: float, force: FloatArray, phi: FloatArray, 
 def crushing_depth(table: Table, share: float) -> float:
     """Depth of partial contact at which the edge starts to crush [m]; share: force over strength [m2]."""
     hint = np.zeros(2, dtype=np.int64)
-    return find_crushing_depth(table, (0.0, 0.0, 0.0), share, table[2], table[2], hint)
+    return find(CRUSHING, table, (0.0, 0.0, 0.0), share, table[2], table[2], hint)

@@ -12,9 +12,11 @@ from assess.errors import GeometryError
 from assess.interfaces.section import Section, section_of_discs, section_of_pieces
 
 FloatArray = NDArray[np.float64]
+IntArray = NDArray[np.int64]
 Direction = Sequence[float] | FloatArray
 
 THINNEST = 1e-12  # of the extent squared: a region with less area is a line
+ROUNDING = 1e-14  # of the depth: vertices no further apart are at one depth
 ALONG: Direction = (1.0, 0.0)
 
 
@@ -79,13 +81,12 @@ def _widths(edges: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
     A chord's length is the sum of the offsets of the edges it meets, those the border crosses downwards counted
     negative; so is twice the integral of the offset, of the squares.
     """
-    knots, at = np.unique(edges[:, :, 0], return_inverse=True)
-    at = at.reshape(-1, 2)
+    knots, at = _knots(edges[:, :, 0])
     spans = np.abs(at[:, 1] - at[:, 0])
     edge = np.repeat(np.arange(len(edges)), spans)
     inside = np.arange(spans.sum()) - np.repeat(np.cumsum(spans) - spans, spans)
     piece = at.min(axis=1)[edge] + inside
-    (x0, y0), (x1, y1) = edges[edge].transpose(1, 2, 0)
+    x0, x1, y0, y1 = *knots[at[edge]].T, *edges[edge, :, 1].T
     ends = knots[piece + np.array([[0], [1]])]
     y = y0 + (y1 - y0) * (ends - x0) / (x1 - x0)
     y = np.array([y[0], y.mean(axis=0), y[1]])
@@ -95,6 +96,13 @@ def _widths(edges: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
         np.array([np.bincount(piece, sign * each, minlength=pieces) for each in values]).T for values in (y, y**2 / 2.0)
     )
     return knots, np.maximum(w[:, [0, 2]], 0.0), v
+
+
+def _knots(depths: FloatArray) -> tuple[FloatArray, IntArray]:
+    """Distinct depths, increasing, and which of them each is; those apart by rounding only are one."""
+    values, at = np.unique(depths, return_inverse=True)
+    apart = np.append(True, np.diff(values) > ROUNDING * values[-1])
+    return values[apart], (np.cumsum(apart) - 1)[at].reshape(depths.shape)
 
 
 def _box(width: float, length: float) -> shapely.Polygon:

@@ -11,7 +11,7 @@ import shapely
 from numpy.typing import NDArray
 
 from assess.errors import GeometryError, MechanismError
-from assess.geometry.cut import Plane, divide, in_plane
+from assess.geometry.cut import Plane, divide, heading, in_plane
 from assess.geometry.solid import Solid
 from assess.interfaces.contact import contact, sideways_doubt
 from assess.interfaces.law import Law
@@ -114,7 +114,7 @@ def joint_at(
         return Joint(_inward(normal, sense), shaped(interface.shape, view), law, interface.model)
     bed = bed_at(number, chain.hinges[number], section, pieces, view, where=where)
     inward = _inward(bed.normal, sense)
-    out = in_plane(bed.plane, -view.world(inward))
+    out = heading(bed.plane, -view.world(inward), axis=view.axis)
     found = polygon(bed.region, direction=out)
     aside = view.beyond(bed, chain.hinges[number], out)
     if abs(aside) > NEAR * found.depth:
@@ -201,6 +201,11 @@ class View:
         """The plane of a direction, or of the one against it."""
         return cls(sign * np.array(direction) / np.linalg.norm(direction), sign)
 
+    @property
+    def axis(self) -> FloatArray:
+        """Of rotation, level across the motion [3]."""
+        return np.array([-self.along[1], self.along[0], 0.0])
+
     def world(self, vector: Vector) -> FloatArray:
         """A vector or place (x, z) of the branch in space [3]."""
         return np.asarray(vector[0] * self.along + vector[1] * np.array([0.0, 0.0, 1.0]))
@@ -211,9 +216,8 @@ class View:
 
     def beyond(self, bed: Bed, hinge: Point, out: FloatArray) -> float:
         """How far a contact reaches beyond a hinge in a direction of its plane [2] [m]."""
-        unit = out / np.linalg.norm(out)
-        at = in_plane(bed.plane, self.world(hinge) - bed.plane.point) @ unit
-        return float((shapely.get_coordinates(bed.region) @ unit).max() - at)
+        at = in_plane(bed.plane, self.world(hinge) - bed.plane.point) @ out
+        return float((shapely.get_coordinates(bed.region) @ out).max() - at)
 
 
 def bed_at(
@@ -271,7 +275,7 @@ def bed_between(
         high, low = (max(float((s.centroid - plane.point) @ plane.normal) for s in each) for each in (over, under))
         way = 1.0 if high > low else -1.0
         bed = Bed((way * normal[0], way * normal[1]), plane, region)
-        along = in_plane(plane, view.world((normal[1], -normal[0])))
+        along = heading(plane, view.world((normal[1], -normal[0])), axis=view.axis)
         if min(abs(view.beyond(bed, hinge, side)) for side in (along, -along)) <= NEAR * np.sqrt(region.area):
             return bed
     raise GeometryError(

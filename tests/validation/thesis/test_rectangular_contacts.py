@@ -38,16 +38,18 @@ def test_rectangle_that_opens_before_it_crushes(share):
     section, W = rectangle(b, l), share * F * b * l
     opening, crushing = thresholds(section, Law(K, F), normal_force=W)
     a_c = 2 * W / (F * l)  # 6.3
-    assert opening == pytest.approx(2 * W / (K * b**2 * l), rel=EXACT)  # 6.2
-    assert crushing == pytest.approx(F / (K * a_c), rel=EXACT)  # 6.4
+    assert opening == pytest.approx(2 * W / (K * b**2 * l), rel=EXACT, abs=0.0)  # 6.2
+    assert crushing == pytest.approx(F / (K * a_c), rel=EXACT, abs=0.0)  # 6.4
     for phi in np.linspace(0.0, opening, 5):
-        assert resultant(section, W, phi) == pytest.approx(b / 2 - b**3 * K * l * phi / (12 * W), rel=EXACT)  # 6.5
+        assert resultant(section, W, phi) == pytest.approx(
+            b / 2 - b**3 * K * l * phi / (12 * W), rel=EXACT, abs=0.0
+        )  # 6.5
     for phi in np.linspace(opening, crushing, 7):
-        assert resultant(section, W, phi) == pytest.approx(sqrt(2 * W / (K * l * phi)) / 3, rel=EXACT)  # 6.6
-    for phi in crushing * np.geomspace(1.0, 1e4, 9):
+        assert resultant(section, W, phi) == pytest.approx(sqrt(2 * W / (K * l * phi)) / 3, rel=EXACT, abs=0.0)  # 6.6
+    for phi in crushing * np.geomspace(1.0, 1e10, 21):
         expected = (W / (F * l) + F**3 * l / (12 * W * K**2 * phi**2)) / 2  # 6.7
-        assert resultant(section, W, phi) == pytest.approx(expected, rel=EXACT)
-    assert semi_flexible_shift(section, Law(K, F), normal_force=W) == pytest.approx(a_c / 3, rel=EXACT)
+        assert resultant(section, W, phi) == pytest.approx(expected, rel=EXACT, abs=0.0)
+    assert semi_flexible_shift(section, Law(K, F), normal_force=W) == pytest.approx(a_c / 3, rel=EXACT, abs=0.0)
 
 
 @pytest.mark.parametrize("share", [0.501, 0.7, 0.99])
@@ -56,14 +58,14 @@ def test_rectangle_that_crushes_before_it_opens(share):
     b, l = WIDE, LONG  # noqa: E741
     section, W = rectangle(b, l), share * F * b * l
     opening, crushing = thresholds(section, Law(K, F), normal_force=W)
-    assert crushing == pytest.approx(2 * (F - W / (b * l)) / (K * b), rel=EXACT)
-    assert opening == pytest.approx(F / (2 * K * (b - W / (F * l))), rel=EXACT)
+    assert crushing == pytest.approx(2 * (F - W / (b * l)) / (K * b), rel=EXACT, abs=0.0)
+    assert opening == pytest.approx(F / (2 * K * (b - W / (F * l))), rel=EXACT, abs=0.0)
     assert crushing < opening
     for phi in np.linspace(crushing, opening, 7):
         g = sqrt(2 * (F * b * l - W) / (K * phi * l))
         found = contact(section, Law(K, F), normal_force=W, rotation=phi)
         expected = (F * l * b**2 / 2 - K * phi * l * g**2 * (b - g / 3) / 2) / W
-        assert found.resultant[0] == pytest.approx(expected, rel=EXACT)
+        assert found.resultant[0] == pytest.approx(expected, rel=EXACT, abs=0.0)
         assert found.crushed_depth[0] == pytest.approx(b - g, rel=EXACT, abs=1e-13 / (1 - share))
         assert found.open_area[0] <= 1e-15
 
@@ -76,7 +78,7 @@ def test_hollow_opening(t, share):
     section = hollow(t)
     W = share * F * section.area
     opening, _ = thresholds(section, Law(K, F), normal_force=W)
-    assert opening == pytest.approx(W / (K * B * t * (L + B - 2 * t)), rel=EXACT)  # 6.8
+    assert opening == pytest.approx(W / (K * B * t * (L + B - 2 * t)), rel=EXACT, abs=0.0)  # 6.8
 
 
 def depth_at_crushing(W: float) -> float:
@@ -97,7 +99,7 @@ def test_hollow_depth_at_first_crushing(share, case):
     _, crushing = thresholds(hollow(), Law(K, F), normal_force=W)
     a_c = F / (K * crushing)  # 6.4
     assert {3: a_c <= T, 2: T < a_c < B - T, 1: B - T <= a_c <= B}[case]
-    assert a_c == pytest.approx(depth_at_crushing(W), rel=EXACT)
+    assert a_c == pytest.approx(depth_at_crushing(W), rel=EXACT, abs=0.0)
 
 
 def test_hollow_full_contact_is_misprinted():
@@ -108,7 +110,7 @@ def test_hollow_full_contact_is_misprinted():
     assert (printed, correct) == (pytest.approx(247.565, abs=5e-4), pytest.approx(122.227, abs=5e-4))
     W = 0.1 * F * hollow().area
     phi = 0.0085 * W / K  # of the example in metres below: full contact
-    assert resultant(hollow(), W, phi) == pytest.approx(b / 2 - K * phi * correct / W, rel=EXACT)
+    assert resultant(hollow(), W, phi) == pytest.approx(b / 2 - K * phi * correct / W, rel=EXACT, abs=0.0)
     assert resultant(hollow(), W, phi) == pytest.approx(1.9611, abs=5e-5)
     assert b / 2 - K * phi * printed / W == pytest.approx(0.8957, abs=5e-5)
 
@@ -145,8 +147,11 @@ def test_hollow_partial_contact(case, lowest, highest):
             2: per * t * (a**3 / 3 + a * l * t / 2 - t**2 * (a + l / 3) + 2 * t**3 / 3),  # 6.14
             3: sqrt(2 / (per * l)) / 3,  # 6.15
         }[case]
-        assert (a, found.depth[0]) == (pytest.approx(wanted, rel=EXACT), pytest.approx(wanted, rel=EXACT))
-        assert found.resultant[0] == pytest.approx(expected, rel=EXACT)
+        assert (a, found.depth[0]) == (
+            pytest.approx(wanted, rel=EXACT, abs=0.0),
+            pytest.approx(wanted, rel=EXACT, abs=0.0),
+        )
+        assert found.resultant[0] == pytest.approx(expected, rel=EXACT, abs=0.0)
 
 
 def test_hollow_partial_contact_on_the_far_wall_is_misprinted():
@@ -171,7 +176,6 @@ def test_solid_formula_for_a_crushed_hollow_section(share, excess):
     found = contact(hollow(), Law(K, F), normal_force=W, rotation=phi)
     error = (W / (F * L) + F**3 * L / (12 * W * K**2 * phi**2)) / 2 / found.resultant - 1.0
     near = found.depth <= T
-    assert near.any() == (share < 0.3)
     np.testing.assert_allclose(error[near], 0.0, atol=EXACT)
     assert near.all() == (share == 0.05)
     assert np.all(np.abs(error[found.depth > 1.001 * T]) > 1e-9)
@@ -180,7 +184,10 @@ def test_solid_formula_for_a_crushed_hollow_section(share, excess):
 
 @pytest.mark.parametrize("degrees", [0.0, 37.0, 90.0])
 def test_resultant_leaves_the_plane_of_motion(degrees):
-    """The hollow rectangle rocking off its axes, which a planar model ignores: by 0.67 m where it opens, and more."""
+    """The hollow rectangle rocking off its axes, which a planar model ignores.
+
+    0.67 m is published at 37 degrees, without the force and rotation; here it is met while the contact opens.
+    """
     angle = np.deg2rad(degrees)
     section = hollow_rectangle(B, L, inner=(B - 2 * T, L - 2 * T), direction=(np.cos(angle), np.sin(angle)))
     W = 0.2 * F * section.area
@@ -188,5 +195,10 @@ def test_resultant_leaves_the_plane_of_motion(degrees):
     I_x = (B**3 * L - (B - 2 * T) ** 3 * (L - 2 * T)) / 12
     I_y = (B * L**3 - (B - 2 * T) * (L - 2 * T) ** 3) / 12
     product = (I_x - I_y) * np.sin(angle) * np.cos(angle)  # of depth and offset to the left, by turning the axes
-    found = contact(section, Law(K, F), normal_force=W, rotation=[0.5 * opening, opening, 0.05])
-    np.testing.assert_allclose(found.sideways[:2], -K * found.rotation[:2] * product / W, rtol=EXACT, atol=EXACT)
+    found = contact(section, Law(K, F), normal_force=W, rotation=[0.5 * opening, opening])
+    np.testing.assert_allclose(found.sideways, -K * found.rotation * product / W, rtol=EXACT, atol=EXACT)
+    widest = contact(section, Law(K, F), normal_force=W, rotation=np.geomspace(opening, 0.05, 50)).sideways
+    if degrees == 37.0:
+        assert widest.min() < 0.67 < widest.max()
+    else:
+        np.testing.assert_allclose(widest, 0.0, atol=EXACT)

@@ -169,7 +169,7 @@ WRONG: dict[str, tuple[str | bytes, str]] = {
         changed("thickness", "thicknes"),
         'wall.box.thicknes: "60 cm": unknown key; did you mean',
     ),
-    "key of a later version": (changed("restitution = 0.9", "interface = {}"), "mechanisms.wall.interface: "),
+    "key of a later version": (changed("restitution = 0.9", "amplification = {}"), "mechanisms.wall.amplification: "),
     "cut of no length": (
         changed("restitution = 0.9", 'cut = "4 kg"'),
         'mechanisms.wall.cut: "4 kg": "kg" is not a unit of length',

@@ -1,0 +1,299 @@
+"""What must hold for every contact: random regions of one or two parts, with holes, in every regime."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from math import cos, log2, pi, sin
+
+import numpy as np
+import pytest
+import shapely
+from shapely.affinity import rotate, scale, translate
+
+from assess.interfaces.contact import contact, thresholds
+from assess.interfaces.law import Law
+from assess.interfaces.section import mirrored
+from assess.interfaces.shapes import annulus, circle, hollow_rectangle, polygon, rectangle
+
+K, F = 3e8, 2.5e6
+LAW = Law(K, F)
+DIRECTION = (1.0, 0.0)
+NAMED = {
+    "rectangle": rectangle(1.2, 3.0),
+    "hollow": hollow_rectangle(6.0, 8.0, inner=(3.6, 5.6), direction=(1.0, 0.4)),
+    "circle": circle(1.5),
+    "ring": annulus(1.5, inner=1.1),
+}
+SHARES = (0.03, 0.25, 0.6, 0.95)
+every_share = pytest.mark.parametrize("share", SHARES)
+every_named = pytest.mark.parametrize("section", NAMED.values(), ids=NAMED.keys())
+
+
+def star(random) -> shapely.Polygon:
+    """Concave, of 5 to 14 corners."""
+    angles = np.linspace(0, 2 * pi, random.integers(5, 15), endpoint=False) + random.random()
+    radii = random.uniform(0.4, 1.5, angles.size)
+    return shapely.Polygon(np.column_stack([radii * np.cos(angles), radii * np.sin(angles)]))
+
+
+def region(seed: int):
+    """A star; every second with a hole, every third with another part beside it."""
+    random = np.random.default_rng(seed)
+    found = star(random)
+    if seed % 2:
+        found = found.difference(scale(found, 0.3, 0.3, origin=(0, 0)))
+    if seed % 3 == 0:
+        found = shapely.union_all([found, translate(star(random), *random.uniform(3.1, 5.0, 2))])
+    return found
+
+
+every_region = pytest.mark.parametrize("seed", range(12))
+
+
+def ahead(of) -> float:
+    return of.bounds[2]
+
+
+def upto(of, z):
+    """1, x and x^2 over a region's depths up to z, x = 0 foremost in +x; by its triangles."""
+    if z <= 0.0:
+        return np.zeros(3)
+    low, high = of.bounds[1] - 1, of.bounds[3] + 1
+    part = of.intersection(shapely.box(ahead(of) - z, low, ahead(of) + 1, high))
+    corners = shapely.get_coordinates(shapely.get_parts(shapely.constrained_delaunay_triangles(part)))
+    (ax, ay), (bx, by), (cx, cy) = corners.reshape(-1, 4, 2)[:, :3].transpose(1, 2, 0)
+    areas = np.abs((bx - ax) * (cy - ay) - (cx - ax) * (by - ay)) / 2
+    x = ahead(of) - np.array([ax + bx, bx + cx, cx + ax]) / 2  # at mid-sides: exact for quadratics
+    return np.array([areas @ each.mean(axis=0) for each in (np.ones_like(x), x, x**2)])
+
+
+def force(of, law, u, phi):
+    """Of the stress clip(k (u - phi x), 0, f) [N]."""
+    total = 0.0
+    for reach, sign in ((u / phi, 1.0), ((u - law.strength / law.stiffness) / phi, -1.0)):
+        a, x, _ = upto(of, reach)
+        total += sign * law.stiffness * phi * (reach * a - x)
+    return total
+
+
+def strain_energy(of, law, u, phi):
+    """Of the joint, k u^2 / 2 an area up to the strength, then f times what is closed beyond [J]."""
+    total = 0.0
+    for reach, sign in ((u / phi, 1.0), ((u - law.strength / law.stiffness) / phi, -1.0)):
+        a, x, xx = upto(of, reach)
+        total += sign * law.stiffness * phi**2 / 2 * (reach**2 * a - 2 * reach * x + xx)
+    return total
+
+
+def rotations(section, N):
+    """Two in each of the regimes the force meets [6]."""
+    first, second = sorted(thresholds(section, LAW, normal_force=N))
+    return np.array(
+        [0.3 * first, 0.9 * first, 0.7 * first + 0.3 * second, 0.2 * first + 0.8 * second, 1.3 * second, 9 * second]
+    )
+
+
+def slope(value, at):
+    """Derivative by five points, whose rounding and truncation are both near 1e-11 of it."""
+    h = 1e-3 * at
+    return (value(at - 2 * h) - 8 * value(at - h) + 8 * value(at + h) - value(at + 2 * h)) / (12 * h)
+
+
+# --------------------------------------------------------------------------------------------------------- equilibrium
+
+
+@every_region
+@every_share
+def test_stress_carries_the_force(seed, share):
+    of = region(seed)
+    section = polygon(of, direction=DIRECTION)
+    N = share * F * section.area
+    found = contact(section, LAW, normal_force=N, rotation=rotations(section, N))
+    carried = [force(of, LAW, u, phi) for u, phi in zip(found.closing, found.rotation, strict=True)]
+    np.testing.assert_allclose(carried, N, rtol=1e-12)
+
+
+@every_region
+@every_share
+def test_moment_is_the_derivative_of_the_energy(seed, share):
+    """The joint's strain energy less the work of the force, at equilibrium: its derivative is -N a_f."""
+    of = region(seed)
+    section = polygon(of, direction=DIRECTION)
+    N = share * F * section.area
+
+    def energy(phi):
+        u = float(contact(section, LAW, normal_force=N, rotation=phi).closing[0])
+        return strain_energy(of, LAW, u, phi) - N * u
+
+    for phi in rotations(section, N):
+        found = contact(section, LAW, normal_force=N, rotation=phi)
+        assert slope(energy, phi) == pytest.approx(-N * found.resultant[0], rel=1e-9, abs=0.0)
+
+
+@pytest.mark.parametrize("seed", [1, 6])
+@pytest.mark.parametrize("share", [0.05, 0.3])
+def test_restoring_moment_is_the_derivative_of_the_full_potential(seed, share):
+    """A block on a face that turns by phi, so that depth x closes by u_e - x sin(phi): weight and joint together."""
+    of = region(seed)
+    section = polygon(of, direction=DIRECTION)
+    W, radius, slenderness = share * F * section.area, 4.0, 0.35
+
+    def potential(phi):
+        u = float(contact(section, LAW, normal_force=W, rotation=sin(phi)).closing[0])
+        return W * (radius * cos(slenderness - phi) - u) + strain_energy(of, LAW, u, sin(phi))
+
+    for phi in (0.02, 0.1, 0.2, 0.3):
+        a_f = contact(section, LAW, normal_force=W, rotation=sin(phi)).resultant[0]
+        restoring = W * (radius * sin(slenderness - phi) - a_f * cos(phi))  # thesis 6.54
+        assert slope(potential, phi) == pytest.approx(restoring, rel=1e-9, abs=1e-9 * W * a_f)
+
+
+@every_region
+@every_share
+def test_closing_follows_the_pivot(seed, share):
+    section = polygon(region(seed), direction=DIRECTION)
+    N = share * F * section.area
+
+    def closing(phi):
+        return float(contact(section, LAW, normal_force=N, rotation=phi).closing[0])
+
+    for phi in rotations(section, N):
+        pivot = contact(section, LAW, normal_force=N, rotation=phi).pivot[0]
+        assert slope(closing, phi) == pytest.approx(pivot, rel=1e-8, abs=0.0)
+
+
+# ---------------------------------------------------------------------------------------------------- order, symmetries
+
+
+def sections():
+    return [*NAMED.values(), *(polygon(region(seed), direction=DIRECTION) for seed in range(12))]
+
+
+@every_share
+def test_contact_goes_one_way(share):
+    """The resultant moves to the edge (the energy is convex), the contact opens and crushes, the edge sinks."""
+    for section in sections():
+        N = share * F * section.area
+        phi = thresholds(section, LAW, normal_force=N)[0] * np.geomspace(1e-3, 1e5, 400)
+        found = contact(section, LAW, normal_force=N, rotation=phi)
+        slack = 1e-14 * section.depth
+        assert np.all(np.diff(found.resultant) <= slack)
+        assert np.all(np.diff(found.depth) <= slack)
+        assert np.all(np.diff(found.closing) > 0.0)
+        assert np.all(np.diff(found.crushed_depth) >= -slack)
+        assert np.all((found.resultant > 0.0) & (found.resultant < section.depth))
+        assert np.all((found.crushed_depth <= found.pivot) & (found.pivot <= found.depth))
+        assert np.all(found.crushed_area + found.open_area <= section.area * (1 + 1e-14))
+        assert np.all(found.peak_stress <= F)
+
+
+@every_share
+def test_what_is_missing_to_the_strength_is_a_contact_too(share):
+    """f - sigma is the stress of the mirrored section under the force missing to f A."""
+    for section in sections():
+        N, whole = share * F * section.area, F * section.area
+        phi = rotations(section, N)
+        one = contact(section, LAW, normal_force=N, rotation=phi)
+        other = contact(mirrored(section), LAW, normal_force=whole - N, rotation=phi)
+        moment = whole * section.centroid - (whole - N) * (section.depth - other.resultant)
+        np.testing.assert_allclose(N * one.resultant, moment, rtol=1e-11, atol=1e-12 * whole * section.depth)
+        np.testing.assert_allclose(N * one.sideways, (whole - N) * other.sideways, atol=1e-11 * whole * section.breadth)
+        np.testing.assert_allclose(one.crushed_area, other.open_area, atol=1e-11 * section.area)
+
+
+@every_share
+def test_only_force_over_strength_and_strength_over_stiffness_and_rotation_matter(share):
+    for section in sections():
+        N = share * F * section.area
+        phi = rotations(section, N)
+        found = contact(section, LAW, normal_force=N, rotation=phi)
+        other = contact(section, Law(K * 700.0, F * 7.0), normal_force=N * 7.0, rotation=phi / 100.0)
+        np.testing.assert_allclose(other.resultant, found.resultant, rtol=1e-12)
+
+
+@pytest.mark.parametrize("size", [1e-3, 1e3])
+def test_larger_contact_of_the_same_shape(size):
+    """Lengths times s: the same stresses, hence s^2 the force, at the rotation k phi s = the same."""
+    for seed in range(6):
+        of = region(seed)
+        small, large = (polygon(scale(of, s, s, origin=(0, 0)), direction=DIRECTION) for s in (1.0, size))
+        N = 0.3 * F * small.area
+        phi = rotations(small, N)
+        found = contact(small, LAW, normal_force=N, rotation=phi)
+        other = contact(large, LAW, normal_force=N * size**2, rotation=phi / size)
+        np.testing.assert_allclose(other.resultant, size * found.resultant, rtol=1e-12)
+        np.testing.assert_allclose(other.sideways, size * found.sideways, rtol=1e-10, atol=1e-12 * size)
+
+
+@every_region
+def test_turned_and_moved_alike_nothing_changes(seed):
+    of, random = region(seed), np.random.default_rng(seed)
+    angle = random.uniform(0, 360)
+    moved = translate(rotate(of, angle, origin=(0, 0)), *random.uniform(-30, 30, 2))
+    one = polygon(of, direction=DIRECTION)
+    other = polygon(moved, direction=(cos(np.radians(angle)), sin(np.radians(angle))))
+    N = 0.3 * F * one.area
+    phi = rotations(one, N)
+    found, again = (contact(section, LAW, normal_force=N, rotation=phi) for section in (one, other))
+    np.testing.assert_allclose(again.resultant, found.resultant, rtol=1e-11)
+    np.testing.assert_allclose(again.sideways, found.sideways, rtol=1e-9, atol=1e-12)
+
+
+# ------------------------------------------------------------------------------------------------------------ the rates
+
+
+def orders(errors):
+    """Powers with which errors fall as the quantity doubles."""
+    return [log2(abs(coarse / fine)) for coarse, fine in pairwise(errors)]
+
+
+@every_named
+def test_stiff_joint_tends_to_the_plastic_block_with_the_square_of_its_stiffness(section):
+    N, phi = 0.2 * F * section.area, 0.05
+    block = contact(section, Law(strength=F), normal_force=N, rotation=phi).resultant[0]
+    k = 200 * F / (phi * section.depth) * 2.0 ** np.arange(4)
+    errors = [contact(section, Law(each, F), normal_force=N, rotation=phi).resultant[0] - block for each in k]
+    assert orders(errors) == pytest.approx([2.0] * 3, abs=0.02)
+
+
+def test_stiff_elastic_joint_tends_to_the_edge():
+    """A rectangle with the root of its stiffness; a circle, whose width itself begins as a root, with the power 2/5."""
+    for section, power in ((NAMED["rectangle"], 0.5), (NAMED["circle"], 0.4)):
+        found = [
+            contact(section, Law(k), normal_force=1e5, rotation=0.05).resultant[0] for k in 1e14 * 2.0 ** np.arange(4)
+        ]
+        assert orders(found) == pytest.approx([power] * 3, abs=1e-3)
+
+
+def test_strong_rigid_joint_tends_to_the_edge():
+    """The plastic block is as deep as the strength is low; in a circle, with the power 2/3."""
+    for section, power in ((NAMED["rectangle"], 1.0), (NAMED["circle"], 2 / 3)):
+        found = [
+            contact(section, Law(strength=f), normal_force=1e5, rotation=0.05).resultant[0]
+            for f in 1e10 * 2.0 ** np.arange(4)
+        ]
+        assert orders(found) == pytest.approx([power] * 3, abs=1e-3)
+
+
+@every_named
+def test_strong_joint_is_elastic_once_the_strength_is_not_reached(section):
+    phi = np.geomspace(1e-6, 1e-2, 30)
+    elastic = contact(section, Law(K), normal_force=1e5, rotation=phi)
+    strong = contact(section, Law(K, 1.001 * float(elastic.peak_stress.max())), normal_force=1e5, rotation=phi)
+    np.testing.assert_allclose(strong.resultant, elastic.resultant, rtol=1e-14)
+
+
+@pytest.mark.parametrize("share", [0.05, 0.3, 0.8])
+def test_polygon_of_many_sides_tends_to_the_circle(share):
+    """With the square of their number; of 400 sides it is within 1e-4."""
+    N, disc = share * F * pi * 0.75**2, circle(1.5)
+    phi = rotations(disc, N)
+    exact = contact(disc, LAW, normal_force=N, rotation=phi).resultant
+    errors = []
+    for n in (100, 200, 400):
+        angles = np.linspace(0, 2 * pi, n, endpoint=False)
+        of = shapely.Polygon(0.75 * np.column_stack([np.cos(angles), np.sin(angles)]))
+        errors.append(contact(polygon(of, direction=DIRECTION), LAW, normal_force=N, rotation=phi).resultant - exact)
+    for coarse, fine in pairwise(errors):
+        np.testing.assert_allclose(np.log2(np.abs(coarse / fine)), 2.0, atol=0.1)
+    np.testing.assert_allclose(errors[-1], 0.0, atol=1e-4 * 0.75)

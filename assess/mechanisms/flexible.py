@@ -112,8 +112,8 @@ class FlexibleChain:
         """
         found = self.balance(rotation)
         posture, models = found.posture, {joint.model for joint in self.joints if joint}
-        pivots: Literal["resultant", "pivot"] = "resultant" if "flexible-thesis" in models else "pivot"
-        work = self._work(found, self._field(self._points(found, pivots)))
+        centres = self._marks(found) if "flexible-thesis" in models else self._points(found, "pivot")
+        work = self._work(found, self._field(centres))
         if "semi-flexible" in models:
             fixed = virtual_work(self.fixed, rotation)
             work = replace(work, inertia=fixed.inertia, participation=fixed.participation)
@@ -184,9 +184,15 @@ class FlexibleChain:
         return tuple(tie for tie in ties if not pulled(tie, place(leaving, block=tie.block, at=tie.at)).any())
 
     @cached_property
+    def standing(self) -> Balance:
+        """The joints at rest, where each resultant is in the middle."""
+        middle = np.array([joint.section.centroid if joint else 0.0 for joint in self.joints])
+        return self._settled(np.zeros(1), np.zeros(len(self.joints)), middle[:, None])
+
+    @cached_property
     def rest(self) -> FloatArray:
         """Closing of each joint at rest [hinges] [m]."""
-        return self._settled(np.zeros(1), np.zeros(len(self.joints))).closing[:, 0]
+        return self.standing.closing[:, 0]
 
     @cached_property
     def _places(self) -> list[str]:
@@ -196,16 +202,20 @@ class FlexibleChain:
 
     def balance(self, rotation: FloatArray) -> Balance:
         """The joints in equilibrium at `rotation` [n] [rad]."""
-        return self._settled(rotation, self.rest)
+        shape = (len(self.joints), rotation.size)
+        normal = np.broadcast_to(self.standing.normal_force, shape)
+        near = self._contacts(self._posture(rotation, np.zeros(shape)), normal)
+        return self._settled(rotation, self.rest, _each(near, "resultant", shape))
 
-    def _settled(self, rotation: FloatArray, rest: FloatArray) -> Balance:
+    def _settled(self, rotation: FloatArray, rest: FloatArray, near: FloatArray) -> Balance:
         """Round by round, each of which gains digits, since what one joint closes moves the others by little.
 
-        rest : closings from which sinking counts [hinges]; at rotation 0 nothing has sunk. From the second round on the
-        step is corrected by what the last two rounds changed (Anderson 1965, with one step of memory).
+        rest : closings from which sinking counts [hinges]; at rotation 0 nothing has sunk; near : resultants to begin
+        with [hinges, n]. From the second round on the step is corrected by what the last two rounds changed (Anderson
+        1965, with one step of memory).
         """
         shape = (len(self.joints), rotation.size)
-        now, before, change, last = np.zeros((2, *shape)), None, np.inf, np.inf
+        now, before, change, last = np.array([np.zeros(shape), near]), None, np.inf, np.inf
         for _ in range(ROUNDS):
             posture = self._posture(rotation, now[0])
             points = posture.corner + now[1] * self._faces(posture)
@@ -342,6 +352,12 @@ class FlexibleChain:
     def _points(self, found: Balance, what: Literal["resultant", "pivot"]) -> ComplexArray:
         """Where each hinge is for this purpose [hinges, n]."""
         return found.posture.corner + _each(found.contacts, what, found.closing.shape) * self._faces(found.posture)
+
+    def _marks(self, found: Balance) -> ComplexArray:
+        """Where the resultant of each joint presses on the block, which the thesis takes for the hinge (6.51)."""
+        posture = found.posture
+        pressing = self.inward[:, None] * posture.turn[[block for _, block in self.pairs]]
+        return np.asarray(posture.corner + _each(found.contacts, "resultant", found.closing.shape) * pressing)
 
     def _field(self, points: ComplexArray) -> Field:
         """The blocks turning about points [hinges, n], the first one at the rate 1."""

@@ -358,7 +358,7 @@ class MechanismResult:
     restitution_source: str
     loads: tuple[LoadResult, ...]
     direction_sweep: DirectionSweep | None
-    interface_curves: InterfaceCurves | None
+    interface_curves: InterfaceCurves | None = None
 
 
 @dataclass(frozen=True)

@@ -38,7 +38,7 @@ from assess.results_io import dumps, dumps_mechanisms, loads, read
 
 def oscillator() -> OscillatorResult:
     linearised = LinearisedResult(5000.0, 14450.0, 2000.0, 0.0, 0.1, 0.1, 0.074)
-    return OscillatorResult(1000.0, 5000.0, 2.0, 0.1, 1.7, None, 0.1, None, 0.1, 0.0, 0.95, linearised)
+    return OscillatorResult(1000.0, 5000.0, 2.0, 0.1, 1.7, None, 0.1, None, 0.1, 0.0, None, 0.95, linearised)
 
 
 def check() -> Check:

@@ -79,6 +79,7 @@ def oscillator(mass: float, radius: float, alpha: float, p: float, *, flexible: 
         flexible,
         alpha,
         0.0,
+        None if flexible is None else 2.0,
         1 - 1.5 * float(np.sin(alpha)) ** 2,
         LinearisedResult(inertia, p**2 * inertia, mass * radius, 0.0, alpha, alpha, alpha),
     )

@@ -494,9 +494,7 @@ def test_only_inertia_depends_on_the_model():
 
 def test_a_body_too_heavy_for_its_joint():
     case = hardened(CASES["wall"], Law(2e8, 1.0e5))
-    with pytest.raises(
-        InterfaceError, match=r'"m", interface A: its normal force, 105912 N, is 1\.059 times'
-    ):
+    with pytest.raises(InterfaceError, match=r'"m", interface A: its normal force, 105912 N, is 1\.059 times'):
         case.flexible().held(np.zeros(1))
 
 

@@ -97,7 +97,7 @@ def gap(first: Solid, second: Solid, *, limit: float = inf) -> float:
         return limit
     origin = (first.vertices.min(axis=0) + first.vertices.max(axis=0)) / 2.0
     one, two = (_placed(solid, origin) for solid in (first, second))
-    reach = min(limit, float(KDTree(first.vertices).query(second.vertices)[0].min()) * (1.0 + THINNEST))
+    reach = min(limit, float(np.min(KDTree(first.vertices).query(second.vertices)[0])) * (1.0 + THINNEST))
     return float(one.min_gap(two, reach)) if reach > 0.0 else 0.0
 
 

@@ -205,7 +205,7 @@ def test_summary_shows_the_check_that_governs(project: Path) -> None:
         ["=wall,", "1", "0.2", "FAIL", "0.20", "n/a"],
         ["warning:", "procedures.dmi2008:", "FC", "is", "1.00"],
         ["not", "answered:", "b:", "no", "reason", "is", "known"],
-        "some check fails; 1 of 5 checks could not be answered".split(),
+        ["some", "check", "fails;", "1", "of", "5", "checks", "could", "not", "be", "answered"],
     ]
 
 

@@ -115,5 +115,5 @@ def test_a_load_beside_the_top_is_refused(tmp_path, load):
     for eccentricity in (0.2, -0.2):
         assert mechanism(tmp_path, lines.format(load, eccentricity)).positive.loads[0].at == (eccentricity, 4.0)
     for eccentricity in ("0.3", "-0.3"):
-        with pytest.raises(GeometryError, match="eccentricity -?0.3 m is 0.1 m outside the wall, whose top is 0.4 m"):
+        with pytest.raises(GeometryError, match=r"eccentricity -?0\.3 m is 0\.1 m outside the wall"):
             mechanism(tmp_path, lines.format(load, eccentricity))

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from math import inf
+from typing import Literal
 
 from assess.codes.check import Check, Verdict
 from assess.results import ComparisonRow, HistoryResult, MechanismResult, Results, Trace
+
+Outcome = Verdict | Literal["incomplete"]
 
 
 def fell(check: Check) -> bool:
@@ -38,10 +42,36 @@ def at_level(checks: tuple[Check, ...], level_pga_g: float) -> tuple[Check, ...]
     return tuple(check for check in checks if check.level_pga_g == level_pga_g)
 
 
-def verdict(checks: tuple[Check, ...]) -> Verdict:
-    """One verdict of several checks that decide: fail if any fails, pass if any passes."""
+def verdict(checks: tuple[Check, ...]) -> Outcome:
+    """One verdict of several checks that decide: fail if any fails, pass if all pass, incomplete if only some do."""
     found = {check.verdict for check in of_code(checks)}
-    return "fail" if "fail" in found else "pass" if "pass" in found else "not-applicable"
+    if "fail" in found:
+        return "fail"
+    if "pass" not in found:
+        return "not-applicable"
+    return "incomplete" if "not-applicable" in found else "pass"
+
+
+def of_all(results: Results) -> tuple[Check, ...]:
+    """The checks of every mechanism that decide."""
+    return tuple(check for mechanism in results.mechanisms for check in of_code(mechanism.checks))
+
+
+def unanswered(checks: tuple[Check, ...]) -> str:
+    """How many of the checks that decide could not be answered, of how many; empty where all were."""
+    deciding = of_code(checks)
+    silent = sum(check.verdict == "not-applicable" for check in deciding)
+    return f"{silent} of {len(deciding)} checks could not be answered" if silent else ""
+
+
+def reasons(checks: tuple[Check, ...]) -> tuple[str, ...]:
+    """Why checks that decide could not be answered, each reason once: procedure, reason, and how many they are."""
+    silent = [check for check in of_code(checks) if check.verdict == "not-applicable"]
+    counts = Counter((check.procedure, check.reason or "no reason is known") for check in silent)
+    return tuple(
+        f"{procedure}: {reason}" + (f" ({number} checks)" if number > 1 else "")
+        for (procedure, reason), number in counts.items()
+    )
 
 
 def levels(checks: tuple[Check, ...]) -> tuple[float, ...]:

@@ -19,16 +19,20 @@ _KINDS = {
 
 
 def outcome(results: Results) -> tuple[str, ...]:
-    """The outcome in plain words, and what decides it."""
+    """The outcome in plain words, and what decides it; what could not be answered is no pass."""
     judged = [m for m in results.mechanisms if governing.verdict(m.checks) != "not-applicable"]
     failing = [mechanism for mechanism in judged if governing.verdict(mechanism.checks) == "fail"]
     if not judged:
-        return ("No code procedure gave a verdict; see the remarks of the procedures.",)
+        return ("No code procedure gave a verdict:", *_unanswered(results))
+    open_ended = governing.unanswered(governing.of_all(results))
     assessed = f"{_count(len(judged), 'mechanism')} assessed"
-    if not failing:
-        return (f"{assessed}: every code check that applies passes at every level.", *_silent(results))
-    first = f"{assessed}: {len(failing)} of them {_fails(failing)} at least one code check."
-    return first, *(_failure(mechanism) for mechanism in failing[:12]), *_silent(results)
+    if failing:
+        first = f"{assessed}: {len(failing)} of them {_fails(failing)} at least one code check."
+        said = (first, *(_failure(mechanism) for mechanism in failing[:12]))
+        return (*said, *((f"Besides, {open_ended}:",) if open_ended else ()), *_unanswered(results))
+    if open_ended:
+        return (f"Incomplete: {open_ended}. The others pass at every level. Not answered:", *_unanswered(results))
+    return (f"{assessed}: every code check passes at every level.", *_unanswered(results))
 
 
 def description(mechanism: MechanismResult) -> str:
@@ -159,10 +163,12 @@ def _failure(mechanism: MechanismResult) -> str:
     )
 
 
-def _silent(results: Results) -> tuple[str, ...]:
+def _unanswered(results: Results) -> tuple[str, ...]:
+    """Why code checks could not be answered, and for which mechanisms none was."""
     silent = [m for m in results.mechanisms if governing.verdict(m.checks) == "not-applicable"]
     names = _list(dict.fromkeys(shortened(name_of(mechanism), 40) for mechanism in silent))
-    return (f"No code procedure gave a verdict for {names}.",) if silent else ()
+    found = tuple(f"{reason}." for reason in governing.reasons(governing.of_all(results))[:12])
+    return (*found, *((f"No code procedure gave a verdict for {names}.",) if silent else ()))
 
 
 def _checks(results: Results) -> list[Check]:

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
+from textwrap import wrap
 from typing import Any
 
 import matplotlib
@@ -117,3 +118,8 @@ def settled(figure: Figure) -> Figure:
 def label(text: str, limit: int = 40) -> str:
     """User text as it may stand in a figure: printable, and no longer than `limit` characters."""
     return shortened(printable(text), limit)
+
+
+def on_two_lines(text: str, width: int) -> str:
+    """User text as it may stand in a figure, on two lines where it is longer than `width` characters."""
+    return "\n".join(wrap(printable(text), width, max_lines=2, placeholder="…"))

@@ -1,6 +1,6 @@
 """The command line: one file per command, no logic. `main` is the entry point and turns every failure into one line.
 
-Exit codes: 0 done, all checks pass; 1 done, some check fails; 2 the input is wrong; 70 a bug in the program.
+Exit codes: 0 done, no check fails; 1 done, some check fails; 2 the input is wrong; 70 a bug in the program.
 """
 
 from __future__ import annotations

@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import groupby
+from math import inf
 from typing import Any
 
 import numpy as np
+from scipy.spatial import KDTree
 
 from assess.errors import GeometryError
 from assess.geometry.solid import THINNEST, Solid
@@ -84,17 +86,19 @@ def common(first: Solid, second: Solid) -> Common | None:
     return Common(corners + origin, of_second, volume, volume / smaller)
 
 
-def gap(first: Solid, second: Solid) -> float:
-    """The shortest distance between two bodies [m]; 0 where they touch or overlap.
+def gap(first: Solid, second: Solid, *, limit: float = inf) -> float:
+    """The shortest distance between two bodies [m]; 0 where they touch or overlap, `limit` where they are farther.
 
     Raises
     ------
     GeometryError : a surface is not that of a solid
     """
+    if _bounds_gap(first, second) >= limit:
+        return limit
     origin = (first.vertices.min(axis=0) + first.vertices.max(axis=0)) / 2.0
     one, two = (_placed(solid, origin) for solid in (first, second))
-    reach = np.concatenate([first.vertices, second.vertices])
-    return float(one.min_gap(two, float(np.linalg.norm(np.ptp(reach, axis=0))) + 1.0))
+    reach = min(limit, float(np.min(KDTree(first.vertices).query(second.vertices)[0])) * (1.0 + THINNEST))
+    return float(one.min_gap(two, reach)) if reach > 0.0 else 0.0
 
 
 def _bounds_gap(first: Solid, second: Solid) -> float:

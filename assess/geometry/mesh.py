@@ -65,7 +65,7 @@ def load(
         raise GeometryError(f"{where}: all its triangles have shrunk to lines or points; export it with more digits")
     surface, told = mended(surface, where=where)
     solid = polyhedron(*surface, density=density, name=name)
-    trail = (*doubts, *told, *doubts_of(surface, where=where))
+    trail = (*doubts, *_turned(content, given=up), *told, *doubts_of(surface, where=where))
     return replace(solid, trail=trail)
 
 
@@ -98,6 +98,12 @@ def _likely_unit(length: float) -> str:
 def _upright(vertices: FloatArray, *, up: Up) -> FloatArray:
     """The vertices [n, 3] with z up, whichever axis is in the file: a quarter turn about x."""
     return vertices if up == "z" else vertices[:, [0, 2, 1]] * [1.0, -1.0, 1.0]
+
+
+def _turned(content: MeshFile, *, given: Up | None) -> tuple[str, ...]:
+    """A sentence where a mesh is turned upright because its format says so, which exporters do not always heed."""
+    turned = given is None and content.up == "y"
+    return ('taken as y-up, as glTF prescribes; write mesh_up = "z" if it is not',) if turned else ()
 
 
 def _unit(content: MeshFile, given: float | None, *, where: str) -> tuple[float, tuple[str, ...]]:

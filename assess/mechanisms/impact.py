@@ -7,7 +7,7 @@ every block for a unit rate of phi. The rules differ in what they take to be kep
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import isclose
 from typing import Literal
 
@@ -173,7 +173,17 @@ def impact(choice: RestitutionChoice, *, ending: Chain, starting: Chain | None, 
         return ONE_SIDED[kind][choice](ending)
     kept = TWO_SIDED[kind][choice](ending, starting)
     _refuse_gain(kept, ending=ending, starting=starting, name=name)
-    return kept
+    return replace(kept, notice=_faster(kept, ending=ending, starting=starting)) if kept.value > 1.0 else kept
+
+
+def _faster(kept: Restitution, *, ending: Chain, starting: Chain) -> str:
+    """Why a coefficient is above 1 without a gain of energy."""
+    share = inertia(field(starting)) / inertia(field(ending))
+    return (
+        f"restitution {kept.value:.4g} is above 1 though energy is lost: the hinges of the two directions differ, and "
+        f"the branch that begins is the faster one, its inertia being {share:.3g} of that of the one that ends; the "
+        f"impact keeps {100.0 * kept.value**2 * share:.3g} % of the energy"
+    )
 
 
 def _refuse_gain(kept: Restitution, *, ending: Chain, starting: Chain, name: str) -> None:

@@ -12,11 +12,18 @@ from numpy.typing import NDArray
 from scipy.constants import g
 
 from assess.errors import MechanismError
-from assess.loads import Force, PointMass, Tie
+from assess.loads import Force, PointMass, Tie, pull_at_rest
 from assess.mechanisms.chain import Chain
 from assess.mechanisms.motion import Path, move, place
 
 FloatArray = NDArray[np.float64]
+
+FACES = {
+    1: "A lies on the face ahead",
+    2: "A and C lie on the face ahead, B on the one behind",
+    3: "as a portal sways, A and D lie on the faces ahead of its posts, B and C on those behind",
+}
+"""By the number of blocks, where hinges lie for the blocks to rise as they turn; ahead is where the branch goes."""
 
 
 @dataclass(frozen=True)
@@ -79,11 +86,33 @@ def require_stable(chain: Chain, *, name: str) -> None:
     rest = virtual_work(chain, np.zeros(1))
     if rest.restoring[0] <= 0.0:
         raise MechanismError(
-            f'mechanism "{name}": already falling: its weights resist with {rest.weight[0]:.4g} N m at rest, its '
-            f"given forces overturn with {rest.moment[0]:.4g} N m; check loads and hinges"
+            f'mechanism "{name}": already falling: its weights resist with {rest.weight[0]:.4g} N m at rest, '
+            f"{_blamed(chain, rest)}"
         )
     if rest.excitation[0] <= 0.0:
         raise MechanismError(
             f'mechanism "{name}": a push along the direction does not start it (sum m x\' = {rest.excitation[0]:.4g} '
             "kg m); its hinges move the masses the other way: check them"
         )
+
+
+def _blamed(chain: Chain, rest: Work) -> str:
+    """What makes a chain fall: the forces that overturn it, or where there are none the faces its hinges lie on."""
+    moments = {load: _moment(load, chain) for load in chain.loads if not isinstance(load, PointMass)}
+    forces = sorted((load for load, moment in moments.items() if moment > 0.0), key=lambda load: -moments[load])
+    if not forces:
+        return f"and no given force overturns it; check its hinges: {FACES[len(chain.blocks)]}"
+    named = "; ".join(_described(load) for load in forces[:3])
+    return f"its given forces overturn with {rest.moment[0]:.4g} N m: {named}; check loads and hinges"
+
+
+def _moment(load: Force | Tie, chain: Chain) -> float:
+    """Generalised moment of a force or tie at rest [N m]; positive overturns."""
+    return float(pulled(load, place(move(chain, np.zeros(1)), block=load.block, at=load.at))[0])
+
+
+def _described(load: Force | Tie) -> str:
+    """A force or tie by its name, its parts at rest, and how it was found."""
+    along, up = load.force if isinstance(load, Force) else pull_at_rest(load)
+    found = f" ({load.source})" if load.source else ""
+    return f'load "{load.name}" with H = {abs(along) / 1e3:.4g} kN, V = {up / 1e3:+.4g} kN up{found}'

@@ -58,7 +58,7 @@ def study_of(project: Project) -> Study:
         study,
         inputs=tuple(inputs_of(project)),
         resolved=resolved(project),
-        notices=tuple(notices_of(content, solids, study.mechanisms)),
+        notices=(*project.doubts, *notices_of(content, solids, study.mechanisms)),
         sweeps=tuple(sweep_of(variation, project, files) for variation in project.variations),
     )
 

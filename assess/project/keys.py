@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from difflib import get_close_matches
@@ -71,15 +72,28 @@ def _kinds(annotation: Any) -> Iterator[Kind]:
 
 
 def place_of(key: str, places: Mapping[str, Place], *, where: str) -> Place:
-    """The place a sweep names; raises ProjectError where there is none, or no number."""
-    numbers = [name for name, place in places.items() if place.is_number]
-    place = places.get(key)
+    """The place a sweep names, loads.0 or loads[1]; raises ProjectError where there is none, or no number."""
+    place = places.get(key) or places.get(counted_from_0(key))
     if place is not None and (place.is_number or isinstance(place.value, Section)):
         return place
     what = "unknown key" if place is None else "holds no number"
-    near = get_close_matches(key, numbers, n=1)
+    raise ProjectError(f"{where}.key: {shown(key)}: {what}; {_remedy(key, places)}")
+
+
+def _remedy(key: str, places: Mapping[str, Place]) -> str:
+    """What to write instead of a key that does not exist or holds no number."""
+    table, _, last = key.rpartition(".")
+    above = places.get(table)
+    if last == "angle" and table.endswith(".cut") and above is not None and isinstance(above.value, float):
+        return f'its cut is level: write cut = {{ point = [0, 0, {above.value:.6g}], angle = "0 deg" }} first'
+    near = get_close_matches(key, [name for name, place in places.items() if place.is_number], n=1)
     remedy = f'did you mean "{printable(near[0])}"?' if near else 'name one like "bodies.NAME.box.height"'
-    raise ProjectError(f"{where}.key: {shown(key)}: {what}; {remedy}")
+    return remedy + (" (loads.0 or loads[1] is the first of a list)" if ".loads" in key else "")
+
+
+def counted_from_0(key: str) -> str:
+    """A key whose items of lists are counted from 1 in brackets, as errors print them, with dots."""
+    return re.sub(r"\[([1-9][0-9]{0,3})\]", lambda found: f".{int(found[1]) - 1}", key)
 
 
 def with_value(node: Any, path: Sequence[str | int], value: Given, resolved: Any) -> Any:

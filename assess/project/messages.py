@@ -49,7 +49,7 @@ def one_line(error: ValidationError, *, raw: Mapping[str, Any]) -> str:
         if found["type"] != "default_factory_not_called":
             by_key.setdefault(_key(found, raw), found)
     key, first = next(iter(by_key.items()))
-    known, value = _look_up(raw, key)
+    known, value = look_up(raw, key)
     parts = [written(key), *([shown(value)] if known else []), _sentence(first, known=known)]
     return ": ".join(parts) + (f" (and {len(by_key) - 1} more)" if len(by_key) > 1 else "")
 
@@ -76,7 +76,7 @@ def _key(error: ErrorDetails, raw: Mapping[str, Any]) -> Key:
     below = tuple(error.get("ctx", {}).get("key", ()))
     key: list[str | int] = []
     for step in error["loc"]:
-        known, value = _look_up(raw, tuple(key))
+        known, value = look_up(raw, tuple(key))
         if not (isinstance(value, Mapping | Sequence) and not isinstance(value, str)) and known:
             break
         if not (isinstance(step, str) and step.startswith("<") and step.endswith(">") and step not in _names(value)):
@@ -88,7 +88,7 @@ def _names(value: Any) -> Mapping[str, Any]:
     return value if isinstance(value, Mapping) else {}
 
 
-def _look_up(raw: Mapping[str, Any], key: Key) -> tuple[bool, Any]:
+def look_up(raw: Mapping[str, Any], key: Key) -> tuple[bool, Any]:
     """Whether the file holds `key`, and its value."""
     value: Any = raw
     for step in key:

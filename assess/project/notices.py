@@ -10,6 +10,7 @@ from assess.geometry.formats.reading import WITHOUT_UNIT
 from assess.geometry.solid import Solid
 from assess.mechanisms.mechanism import Mechanism
 from assess.project import sections
+from assess.project.gaps import gaps_of
 from assess.project.overlaps import overlaps_of
 from assess.results import Notice
 
@@ -22,6 +23,7 @@ def notices_of(
         if solid is not None:
             yield from _of_body(name, solid, content.bodies[name])
     yield from overlaps_of(content, solids)
+    yield from gaps_of(content, solids)
     for mechanism in mechanisms:
         for text in mechanism.notices:
             yield Notice("mechanism", f"mechanisms.{mechanism.name}", text)

@@ -15,6 +15,7 @@ from assess.project.overlaps import SAME_PLACE, shared_with
 from assess.project.plane import point_in_plane
 
 UPPER = 1  # the block it stands on
+ROUNDING = 1e-9  # of the thickness: a load this near its edge is on it
 
 
 def overburden_of(
@@ -29,13 +30,14 @@ def overburden_of(
 ) -> Force:
     """One overburden of the wall whose upper block is `piece`, or is cut from it; moving: names of the wall's bodies.
 
-    Raises GeometryError for a wall without geometry, and for a body that does not bear on it.
+    Raises GeometryError for a wall without geometry, a body that does not bear on it, or a load beside its top.
     """
     name = f"overburden {number}"
     head = top(piece.body)
     if head is None:
         raise GeometryError(f'{where}: {name}: the wall has no geometry, so no top; write a load of kind = "force"')
     middle, elevation = (head[0][0] + head[1][0]) / 2.0, head[0][1]
+    require_on_top(load, thickness=head[1][0] - head[0][0], where=f"{where}: {name}")
     if load.force is not None:
         at = (middle + (load.eccentricity or 0.0), elevation)
         return Force(name, (0.0, -load.force), at, UPPER)
@@ -49,6 +51,16 @@ def overburden_of(
     source = f"weight of {', '.join(load.bodies)} on the wall, {x - middle:+.3g} m from mid-thickness"
     source += f"; not shared with {', '.join(states)}, which stands where the wall does" if states else ""
     return Force(name, (0.0, -found.force), (x, elevation), UPPER, source)
+
+
+def require_on_top(load: sections.OverburdenLoad, *, thickness: float, where: str) -> None:
+    """Raise GeometryError where the eccentricity puts a load beside the top of the wall; thickness: of the top [m]."""
+    beyond = abs(load.eccentricity or 0.0) - thickness / 2.0
+    if beyond > ROUNDING * thickness:
+        raise GeometryError(
+            f"{where}: eccentricity {load.eccentricity:.4g} m is {beyond:.3g} m outside the wall, whose top is "
+            f"{thickness:.4g} m thick; give at most {thickness / 2.0:.4g} m from mid-thickness"
+        )
 
 
 def pressing(body: str, solids: Solids, *, where: str) -> Solid:

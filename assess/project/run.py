@@ -80,9 +80,9 @@ def required_spectrum(study: Study) -> Spectrum:
 
 
 def notices_of(study: Study, standing: Mapping[str, Swept]) -> tuple[Notice, ...]:
-    """The notices of the study, where those of a mechanism that is swept are its controlling case's."""
-    replaced = {f"mechanisms.{name}" for name in standing}
-    kept = [notice for notice in study.notices if notice.where not in replaced]
+    """The notices of the study, where what a swept mechanism says of itself is what its controlling case says."""
+    replaced = {("mechanism", f"mechanisms.{name}") for name in standing}
+    kept = [notice for notice in study.notices if (notice.code, notice.where) not in replaced]
     return (*kept, *(notice for swept in standing.values() for notice in case_notices(swept)))
 
 

@@ -20,11 +20,12 @@ from typing import Any
 from pydantic import ValidationError
 
 from assess.errors import ProjectError
+from assess.project.bare_numbers import bare_numbers
 from assess.project.messages import one_line, printable, shown
 from assess.project.section import Section
 from assess.project.sections.content import Content
 from assess.project.variations import Variation, variations
-from assess.results import Resolved
+from assess.results import Notice, Resolved
 
 FORMAT = 1
 FILE_NAME = "project.toml"
@@ -38,12 +39,14 @@ class Project:
     content : its tables, every quantity an SI float, every path absolute or below `folder`
     path : the project file; sha256 : of its bytes
     variations : its sweeps, each with the content of every case
+    doubts : what looks like a slip in the file as it was written
     """
 
     content: Content
     path: Path
     sha256: str
     variations: tuple[Variation, ...]
+    doubts: tuple[Notice, ...]
 
     @property
     def folder(self) -> Path:
@@ -66,7 +69,7 @@ def load(path: Path | str) -> Project:
         raise ProjectError(f"{file}: {one_line(error, raw=raw)}") from None
     except ProjectError as error:
         raise ProjectError(f"{file}: {error}") from None
-    return Project(content, file, hashlib.sha256(data).hexdigest(), varied)
+    return Project(content, file, hashlib.sha256(data).hexdigest(), varied, tuple(bare_numbers(raw)))
 
 
 def _project_file(path: Path) -> Path:

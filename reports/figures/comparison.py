@@ -6,7 +6,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from assess.results import ComparisonRow
-from reports.style import FAIL, GRID, label, pen, sheet, styled
+from reports.style import FAIL, GRID, on_two_lines, pen, sheet, styled
 
 BEYOND = 2.5  # larger ratios are drawn at the edge [-]
 
@@ -27,7 +27,7 @@ def draw(rows: tuple[ComparisonRow, ...], names: dict[str, str], overturned: fro
             axes.set_title(f"PGA {level:.3g} g", loc="left")
         for axes in list(panels.flat)[len(levels) :]:
             axes.set_visible(False)
-        panels[0, 0].set_yticks(range(len(names)), [label(name, 22) for name in names.values()])
+        panels[0, 0].set_yticks(range(len(names)), [on_two_lines(name, 24) for name in names.values()])
         panels[0, 0].set_ylim(len(names) - 0.5, -0.5)
         figure.supxlabel("demand / capacity [-]", fontsize=7.5)
         _legend(figure, rows)

@@ -35,7 +35,7 @@ class Sweep(Section):
     """A parametric study: the mechanisms that one number of the project changes, for each of several values of it."""
 
     key: StrictStr
-    """a number of this file by its key, like "mechanisms.spire.cut.angle"; items of lists count from 0"""
+    """a number of this file by its key: "mechanisms.spire.cut.angle"; loads.0 or loads[1] is the first of a list"""
     values: Annotated[tuple[Quantity, ...], Field(min_length=1, max_length=MOST), AfterValidator(unique("value"))] = ()
     """its values, like ["45 deg", "60 deg"]; or give from, to and count"""
     start: Quantity | None = Field(None, alias="from")

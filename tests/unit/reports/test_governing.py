@@ -7,7 +7,7 @@ from dataclasses import replace
 import pytest
 
 from assess.results import Results
-from reports import governing, sentences
+from reports import governing, sentences, tables
 
 
 def test_overturning_governs_before_every_ratio(results: Results) -> None:
@@ -39,7 +39,7 @@ def test_rows_of_the_comparison_that_overturned(results: Results) -> None:
 @pytest.mark.parametrize(
     ("verdict", "words"),
     [
-        ("pass", "every code check that applies passes"),
+        ("pass", "every code check passes"),
         ("fail", "2 of them fail"),
         ("not-applicable", "No code procedure"),
     ],
@@ -50,6 +50,22 @@ def test_outcome_in_words(results: Results, verdict: str, words: str) -> None:
         for m in results.mechanisms
     )
     assert words in " ".join(sentences.outcome(replace(results, mechanisms=mechanisms)))
+
+
+def test_an_unanswered_check_is_no_pass(results: Results) -> None:
+    """All else passes: page 1 says incomplete, how many of how many, and why; the brief table says so too."""
+    passing = tuple(
+        replace(m, checks=tuple(c if c.verdict == "not-applicable" else replace(c, verdict="pass") for c in m.checks))
+        for m in results.mechanisms
+    )
+    whole = replace(results, mechanisms=passing)
+    silent = [c for m in passing for c in governing.of_code(m.checks) if c.verdict == "not-applicable"]
+    total = sum(len(governing.of_code(m.checks)) for m in passing)
+    text = " ".join(sentences.outcome(whole))
+    assert text.startswith(f"Incomplete: {len(silent)} of {total} checks could not be answered.")
+    assert f"asce43-05-history: fewer than 5 records: shown as information ({len(silent)} checks)" in text
+    assert "every code check" not in text
+    assert [row[-1] for row in tables.brief(whole).rows].count("incomplete") == len(silent) > 0
 
 
 def test_limits_name_what_is_unverified_informative_and_linearised(results: Results) -> None:

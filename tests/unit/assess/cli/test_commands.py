@@ -204,8 +204,19 @@ def test_summary_shows_the_check_that_governs(project: Path) -> None:
         ["=wall,", "1", "0.1", "pass", "0.90", "FAIL"],
         ["=wall,", "1", "0.2", "FAIL", "0.20", "n/a"],
         ["warning:", "procedures.dmi2008:", "FC", "is", "1.00"],
-        ["some", "check", "fails"],
+        ["not", "answered:", "b:", "no", "reason", "is", "known"],
+        ["some", "check", "fails;", "1", "of", "5", "checks", "could", "not", "be", "answered"],
     ]
+
+
+def test_a_run_with_unanswered_checks_is_incomplete(project: Path) -> None:
+    silent = replace(check("b", "code", "not-applicable", None), reason="3 records;\nit asks for 5")
+    lines = summary(results_of(project, check("a", "code", "pass", 0.9), silent)).splitlines()
+    assert lines[-2:] == [
+        "not answered: b: 3 records;\\nit asks for 5",
+        "incomplete: 1 of 2 checks could not be answered; no check fails",
+    ]
+    assert summary(results_of(project, check("a", "code", "pass", 0.9))).splitlines()[-1] == "all checks pass"
 
 
 def test_hostile_names_stay_on_their_line(project: Path) -> None:

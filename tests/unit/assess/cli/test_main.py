@@ -73,6 +73,11 @@ def test_every_command_has_help(command: str, capsys: pytest.CaptureFixture[str]
     assert f"Usage: assess {command}" in capsys.readouterr().out
 
 
+def test_python_finds_the_command_by_the_packages_name() -> None:
+    done = subprocess.run([sys.executable, "-m", "assess", "--version"], capture_output=True, text=True, check=True)
+    assert done.stdout.startswith("assess ")
+
+
 def test_version(capsys: pytest.CaptureFixture[str]) -> None:
     assert ended("--version") == 0
     assert capsys.readouterr().out.startswith("assess 0.")

@@ -12,8 +12,10 @@ from assess.errors import MechanismError
 from assess.geometry.planar import planar, planar_direct, planar_joined
 from assess.geometry.solid import box
 from assess.loads import Force, PointMass, Tie, pull_at_rest
+from assess.mechanisms.chain import Block, Chain
 from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block
+from assess.mechanisms.virtual_work import require_stable
 from assess.oscillator import linearise, multiplier, participation_ratio, restoring
 
 T, L, H, RHO = 0.8, 2.0, 5.0, 1900.0
@@ -127,7 +129,7 @@ def test_tables_reach_the_point_of_linearisation_under_a_strong_thrust():
 @pytest.mark.parametrize(
     ("load", "words"),
     [
-        (Force("thrust", (30000.0, 0.0), (0.0, 4.5)), "already falling"),
+        (Force("thrust", (3e4, 0.0), (0.0, 4.5)), r'falling.* 1.35e\+05 N m: load "thrust" with H = 30 kN, V = \+0 kN'),
         (Tie("tie", 1e7, (0.4, 4.5), direction=(-0.6, 0.8)), "hinges and loads"),
         (PointMass("floor", 90000.0, (0.9, 4.0), True), "already falling in positive"),
     ],
@@ -140,3 +142,11 @@ def test_loads_that_leave_nothing_to_rock_are_refused(load, words):
 def test_pull_of_a_tie_at_rest():
     assert pull_at_rest(Tie("tie", 5000.0, (1.0, 4.0), anchor=(-3.0, 7.0))) == pytest.approx((-4000.0, 3000.0))
     assert pull_at_rest(Tie("tie", 5000.0, (1.0, 4.0), direction=(0.6, -0.8))) == pytest.approx((3000.0, -4000.0))
+
+
+def test_hinges_on_the_wrong_faces_are_blamed_where_no_force_is_given():
+    halves = (Block(1000.0, (0.0, 1.0), 350.0), Block(1000.0, (0.0, 3.0), 350.0))
+    require_stable(Chain(halves, ((0.2, 0.0), (-0.2, 2.0), (0.2, 4.0))), name="wall")
+    words = "no given force overturns it; check its hinges: A and C lie on the face ahead, B on the one behind"
+    with pytest.raises(MechanismError, match=words):
+        require_stable(Chain(halves, ((-0.2, 0.0), (0.2, 2.0), (-0.2, 4.0))), name="wall")

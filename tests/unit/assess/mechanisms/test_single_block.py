@@ -109,7 +109,7 @@ def test_default_hinges_of_a_sloping_base_are_its_ends_each_at_its_elevation():
     assert mechanism.positive.hinges == ((0.4, 1.3),)
     assert mechanism.negative.hinges == ((0.4, 1.0),)  # mirrored
     assert mechanism.elevation == 1.3
-    assert mechanism.notices == ()
+    assert [text.split(" though")[0] for text in mechanism.notices] == ["restitution 1.011 is above 1"]
     r_old, r_new = np.array([-0.4, 1.2]), np.array([0.4, 1.5])  # hinge to centroid
     J = sloping.inertia
     about_new = J + sloping.mass * r_new @ r_old
@@ -188,3 +188,18 @@ def test_virtual_work_of_a_block_at_its_overturning_rotation_vanishes():
     work = virtual_work(chain, np.array([0.0, alpha, pi / 2]))
     assert work.weight[1] == pytest.approx(0.0, abs=1e-9 * work.weight[0])
     assert work.excitation[1] == pytest.approx(15200.0 * hypot(0.4, 2.5), rel=1e-12)
+
+
+def test_a_restitution_above_one_says_that_energy_is_kept():
+    """Onto a hinge 1.5 m higher: the angular momentum about it is kept, and turns a smaller inertia."""
+    m, J, height, half = 1000.0, 600.0, 2.0, 0.3
+    body = planar_direct(mass=m, centroid=(0.0, height), inertia=J, name="b")
+    mechanism = single_block(
+        "b", body, hinge=(half, 0.0), hinge_negative=(-half, 1.5), restitution=("momentum", "momentum")
+    )
+    old, new = J + m * (height**2 + half**2), J + m * ((height - 1.5) ** 2 + half**2)
+    eta = (J + m * (height * (height - 1.5) - half**2)) / new
+    assert mechanism.restitution[0] == pytest.approx(eta, rel=1e-12)
+    (told,) = [text for text in mechanism.notices if "restitution" in text]
+    assert told.startswith(f"restitution {eta:.4g} is above 1 though energy is lost")
+    assert told.endswith(f"keeps {100 * eta**2 * new / old:.3g} % of the energy")

@@ -345,7 +345,8 @@ def test_hostile_names_appear_as_text(tmp_path):
 
 
 def test_thrust_that_overturns_the_wall_is_refused(tmp_path):
-    with pytest.raises(MechanismError, match="already falling"):
+    named = r'already falling.*: load "roof \(thrust\)" with H = 400 kN, V = \+0 kN up \(thrust \(given\), outwards\)'
+    with pytest.raises(MechanismError, match=named):
         parameters(study_of(tmp_path, ROOF, 'body = "roof", role = "roof", thrust = "400 kN"'))
 
 

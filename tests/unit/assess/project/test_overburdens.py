@@ -107,3 +107,13 @@ def test_wrong_overburdens_are_refused_in_one_line(tmp_path, loads, error, words
     with pytest.raises(error, match=words) as refused:
         mechanism(tmp_path, f"loads = [{loads}]")
     assert "\n" not in str(refused.value)
+
+
+@pytest.mark.parametrize("load", ['force = "40 kN"', 'bodies = ["floor"]'])
+def test_a_load_beside_the_top_is_refused(tmp_path, load):
+    lines = 'crack = 2\nloads = [{{ kind = "overburden", {}, eccentricity = "{} m" }}]'
+    for eccentricity in (0.2, -0.2):
+        assert mechanism(tmp_path, lines.format(load, eccentricity)).positive.loads[0].at == (eccentricity, 4.0)
+    for eccentricity in ("0.3", "-0.3"):
+        with pytest.raises(GeometryError, match=r"eccentricity -?0\.3 m is 0\.1 m outside the wall"):
+            mechanism(tmp_path, lines.format(load, eccentricity))

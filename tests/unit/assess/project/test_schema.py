@@ -278,3 +278,13 @@ def test_json_schema_is_closed_and_strict() -> None:
     thickness = definitions["Box"]["properties"]["thickness"]
     assert thickness["type"] == ["number", "string"]
     assert thickness["description"] == 'size along x, like "1.25 m"'
+
+
+def test_a_bare_number_that_is_hardly_an_earthquake_is_told(tmp_path: Path) -> None:
+    slip = changed('levels = ["0.1 g", "0.2 g"]', 'levels = [0.1, 0.3, "0.01 g"]').replace('"0.25 g"', "0.15")
+    doubts = load(written(tmp_path, slip)).doubts
+    assert [(doubt.code, doubt.where, doubt.text) for doubt in doubts] == [
+        ("unit", "site.spectrum.s_d1", '0.15 m/s^2 is 0.0153 g; write "0.15 g" if that was meant'),
+        ("unit", "analysis.levels[1]", '0.1 m/s^2 is 0.0102 g; write "0.1 g" if that was meant'),
+    ]
+    assert load(written(tmp_path, PROJECT)).doubts == ()

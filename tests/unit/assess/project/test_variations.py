@@ -120,6 +120,22 @@ def test_a_range_is_even_in_its_unit(tmp_path: Path) -> None:
     assert [variant.content.records.synthetic.count for variant in whole.variants] == [2, 4, 6]  # type: ignore[union-attr]
 
 
+def test_items_of_lists_are_counted_as_errors_print_them_too(tmp_path: Path) -> None:
+    for key in ("mechanisms.wall.loads.0.mass", "mechanisms.wall.loads[1].mass"):
+        found = one(tmp_path, key, "values = [100, 200]")
+        assert (found.key, found.path) == (key, ("mechanisms", "wall", "loads", 0, "mass"))
+    for key in ("mechanisms.wall.loads[0].mass", "mechanisms.wall.loads.1.mass", "mechanisms.wall.loads[2].mass"):
+        told = refused(tmp_path, f'[analysis.sweep]\nkey = "{key}"\nvalues = [100, 200]')
+        assert "loads.0 or loads[1] is the first of a list" in told
+
+
+def test_an_angle_of_a_level_cut_says_how_to_write_one(tmp_path: Path) -> None:
+    sweep = '[analysis.sweep]\nkey = "mechanisms.wall.cut.angle"\nvalues = [1]'
+    (tmp_path / "project.toml").write_text(PROJECT.replace("restitution = 0.9", 'cut = "2 m"') + sweep)
+    with pytest.raises(ProjectError, match=r'write cut = \{ point = \[0, 0, 2\], angle = "0 deg" \} first'):
+        load(tmp_path)
+
+
 def test_names_with_dots_are_written_as_they_are(tmp_path: Path) -> None:
     found = one(tmp_path, "bodies.tower no. 1.box.height", "values = [10]")
     assert found.path == ("bodies", "tower no. 1", "box", "height")

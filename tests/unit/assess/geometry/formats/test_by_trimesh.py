@@ -118,7 +118,8 @@ def test_instances_of_a_scene_stand_in_their_places(tmp_path: Path) -> None:
     content = glb(*gltf(cube.vertices, cube.triangles, nodes, roots=[0, 1, 3]))
     whole = read(tmp_path, "scene.glb", content)
     assert whole.mass == pytest.approx((1.0 + 2.0 + 1.0) * DENSITY, rel=1e-6)
-    assert whole.trail == ()
+    assert whole.trail == ('taken as y-up, as glTF prescribes; write mesh_up = "z" if it is not',)
+    assert read(tmp_path, "scene.glb", content, up="y").trail == ()
     # a quarter turn about y takes x to -z, z to x: the scaled cube is 2 m along z at y-up (0, 0, 10 - 5)
     for name, centre, sizes in (
         ("moved", (3, 0, 0), (1, 1, 1)),

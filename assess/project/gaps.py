@@ -1,0 +1,69 @@
+"""Bodies that a mechanism takes to be joined though they touch nowhere."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import combinations, pairwise, product
+
+import numpy as np
+
+from assess.geometry.boolean import gap
+from assess.geometry.solid import Solid
+from assess.geometry.surface import linked
+from assess.geometry.touch import TOLERANCE
+from assess.project import sections
+from assess.results import Notice
+
+Pair = tuple[Solid, Solid]
+
+
+def gaps_of(content: sections.Content, solids: Mapping[str, Solid | None]) -> Iterator[Notice]:
+    """A notice for each gap in a block of several bodies, and between blocks that a hinge joins.
+
+    Bodies are looked at whole, also where a cut leaves their foot behind.
+    """
+    for name, section in content.mechanisms.items():
+        chained = () if isinstance(section, sections.EquivalentBlock) else section.blocks
+        blocks = [known(block, solids) for block in chained]
+        texts = [text for block in blocks for text in loose(block)]
+        texts += [text for one, other in pairwise(blocks) for text in parted(one, other)]
+        yield from (Notice("gap", f"mechanisms.{name}", text) for text in texts)
+
+
+def known(block: Sequence[str], solids: Mapping[str, Solid | None]) -> list[Solid]:
+    """The solids of a block; none where a body has direct values, for nobody knows where that one reaches."""
+    found = [solid for body in block if (solid := solids[body]) is not None]
+    return found if len(found) == len(block) else []
+
+
+def loose(block: Sequence[Solid]) -> Iterator[str]:
+    """A sentence for each gap that would have to be closed for the bodies of a block to hang together."""
+    pairs = list(combinations(range(len(block)), 2))
+    joined = [pair for pair in pairs if touching(block[pair[0]], block[pair[1]])]
+    while len(block) > 1:
+        group = linked(np.array(joined, dtype=np.int64).reshape(-1, 2), count=len(block))
+        across = [(i, j) for i, j in pairs if group[i] != group[j]]
+        if not across:
+            return
+        joined.append(min(across, key=lambda pair: gap(block[pair[0]], block[pair[1]])))
+        yield f"{told((block[joined[-1][0]], block[joined[-1][1]]))} as one block they are taken to be joined"
+
+
+def parted(one: Sequence[Solid], other: Sequence[Solid]) -> Iterator[str]:
+    """A sentence where two blocks with a hinge between them touch nowhere."""
+    pairs = list(product(one, other))
+    if not pairs or any(touching(*pair) for pair in pairs):
+        return
+    nearest = min(pairs, key=lambda pair: gap(*pair))
+    yield f"{told(nearest)} with a hinge between them they are taken to meet: close the gap, or check hinges and blocks"
+
+
+def touching(one: Solid, other: Solid) -> bool:
+    """Whether two bodies are as near as a joint is thick."""
+    return gap(one, other, limit=TOLERANCE) < TOLERANCE
+
+
+def told(pair: Pair) -> str:
+    """Which two bodies are apart, and by how much."""
+    one, other = pair
+    return f'bodies "{one.name}" and "{other.name}" touch nowhere: they lie {gap(one, other):.3g} m apart;'

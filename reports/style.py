@@ -47,6 +47,7 @@ _RC: dict[Any, Any] = {
     "legend.frameon": False,
     "text.color": INK,
     "text.parse_math": False,
+    "text.hinting": "none",  # letters measured as they are drawn
     "xtick.color": INK,
     "ytick.color": INK,
     "xtick.labelsize": 7,
@@ -106,20 +107,11 @@ def bare_sheet(height: float, *, width: float = WIDTH) -> Figure:
     return figure
 
 
-def settled(figure: Figure) -> Figure:
-    """The figure laid out once and for all: drawing it again costs no second layout."""
-    engine = figure.get_layout_engine()
-    if engine is not None:
-        engine.execute(figure)
-        figure.set_layout_engine(None)
-    return figure
-
-
 def label(text: str, limit: int = 40) -> str:
     """User text as it may stand in a figure: printable, and no longer than `limit` characters."""
     return shortened(printable(text), limit)
 
 
-def on_two_lines(text: str, width: int) -> str:
-    """User text as it may stand in a figure, on two lines where it is longer than `width` characters."""
-    return "\n".join(wrap(printable(text), width, max_lines=2, placeholder="…"))
+def folded(text: str, *, width: int, lines: int = 2) -> str:
+    """User text as a label of several lines of at most `width` characters."""
+    return "\n".join(wrap(printable(text), width, max_lines=lines, placeholder="…"))

@@ -38,9 +38,11 @@ Contacts = tuple[Contact | None, ...]
 
 ROUNDS = 60
 SETTLED = 1e-13  # of the chain's size: what moves by less from round to round is found
-FOUND = 1e-11  # of the same: and so is what moves by less, but does not come nearer any more
+FOUND = 1e-9  # of the same: and so is what moves by less, but does not come nearer any more
+ROUGH = 1e-7  # of the same: and what still moves by less in the end, by rounding, as very stiff joints do at rest
 BACK = 1e-9  # rad: a joint that turns back by more would open at its hinge
 AT_HINGE = 1e-6  # of a wall's height: a load this near the hinge at the top of a wall comes through its joint
+LEVEL = 1e-15  # rad: a joint that has turned by less has not, but for rounding
 PLASTIC = 1.0  # rad: any rotation, for a rigid joint with a strength
 
 
@@ -231,6 +233,9 @@ class FlexibleChain:
             last, after = change, (found, residual)
             now = found if before is None else found - _memory(residual, before[1]) * (found - before[0])
             before = after
+        if change <= ROUGH * self.size:
+            self._require_open(posture)
+            return Balance(posture, normal, contacts, closing)
         raise MechanismError(
             f'mechanism "{self.name}": its joints find no equilibrium (they still move by {last:.2g} m); check their '
             "stiffness and strength"
@@ -277,7 +282,7 @@ class FlexibleChain:
             if joint is None:
                 found.append(None)
                 continue
-            slope = np.sin(np.clip(turned, 0.0, np.pi / 2))
+            slope = np.sin(np.clip(turned, 0.0, np.pi / 2)) * (turned > LEVEL)
             found.append(contact(joint.section, joint.law, normal_force=force, rotation=slope, where=where))
         return tuple(found)
 

@@ -111,6 +111,12 @@ class Side:
 
         Raises MechanismError where it finds no stand.
         """
+        start, then = self.work.restoring[:2]
+        if start <= ZERO * self.rigid.restoring[0] and not self.pushed and then < 0.0:
+            raise MechanismError(
+                f'mechanism "{self.flexible.name}": it falls by itself: its joints are too soft to hold it upright; '
+                "give them more stiffness or area, or check loads"
+            )
         if not self.pushed:
             return 0.0
         found = self.fall(lambda work: -work.restoring)
@@ -179,6 +185,7 @@ def table(side: Side, other: Side | None) -> Branch:
 
     Raises MechanismError where the moment never falls to zero.
     """
+    shift = side.lean
     overturning = side.fall(lambda work: work.restoring)
     critical = side.fall(lambda work: work.weight) if side.work.moment.any() else overturning
     if overturning is None or critical is None:
@@ -186,7 +193,6 @@ def table(side: Side, other: Side | None) -> Branch:
             f'mechanism "{side.flexible.name}": on its joints the restoring moment does not fall to zero before '
             f"{side.end:.3g} rad; check hinges, ties and joints"
         )
-    shift = side.lean
     columns = side.columns()
     if shift:
         columns = columns[:, columns[0] > (1.0 + 0.5 * FINE) * shift]

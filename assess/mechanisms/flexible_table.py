@@ -11,7 +11,7 @@ the branch on the other side then begins with the way back from phi_e to zero, s
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from functools import cached_property
 from itertools import pairwise
 
@@ -97,8 +97,10 @@ class Side:
 
     @cached_property
     def work(self) -> Work:
-        """The sums of virtual work at the nodes."""
-        return self.flexible.held(self.rotation).work
+        """The sums of virtual work at the nodes; both nodes of a kink have the same to the last digit."""
+        rotation, at = np.unique(self.rotation, return_inverse=True)
+        found = self.flexible.held(rotation).work
+        return Work(*(getattr(found, field.name)[at] for field in fields(Work)))
 
     @cached_property
     def pushed(self) -> bool:

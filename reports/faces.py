@@ -106,8 +106,10 @@ def covering(corners: FloatArray) -> tuple[IntArray, IntArray]:
     one, other = shapely.STRtree(flat).query(flat)
     first = one < other
     one, other = one[first], other[first]
-    common = shapely.intersection(flat[one], flat[other])
     size = float(np.ptp(corners.reshape(-1, 3), axis=0).max())
+    near = ~separated(corners[one, :, :2], corners[other, :, :2], by=-0.5 * BESIDE * size)
+    one, other = one[near], other[near]
+    common = shapely.intersection(flat[one], flat[other])
     meet = shapely.area(common) > BESIDE * size**2
     one, other = one[meet], other[meet]
     at = shapely.get_coordinates(shapely.centroid(common[meet]))
@@ -115,6 +117,22 @@ def covering(corners: FloatArray) -> tuple[IntArray, IntArray]:
     apart = np.abs(gap) > BESIDE * size
     one, other, gap = one[apart], other[apart], gap[apart]
     return np.where(gap > 0.0, one, other), np.where(gap > 0.0, other, one)
+
+
+def separated(one: FloatArray, other: FloatArray, *, by: float) -> BoolArray:
+    """Whether an edge of either of two triangles in a plane [k, 3, 2] lies between them [k].
+
+    by : the gap from which on they are; a negative one lets them overlap by that much
+    """
+    found = np.zeros(len(one), dtype=np.bool_)
+    for these, those in ((one, other), (other, one)):
+        edge = np.roll(these, -1, axis=1) - these
+        outward = np.stack([edge[..., 1], -edge[..., 0]], axis=-1)
+        outward /= np.maximum(np.linalg.norm(edge, axis=-1, keepdims=True), np.finfo(np.float64).tiny)
+        turn = np.sign(edge[:, 0, 0] * edge[:, 1, 1] - edge[:, 0, 1] * edge[:, 1, 0])
+        gap = np.einsum("kvd,ked->kev", those, outward) - np.einsum("ked,ked->ke", these, outward)[..., None]
+        found |= ((gap * turn[:, None, None]).min(axis=2) > by).any(axis=1)
+    return found
 
 
 def heights(corners: FloatArray, at: FloatArray) -> FloatArray:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 from reportlab.lib.colors import HexColor
@@ -11,8 +12,9 @@ from reportlab.platypus import Table as Grid
 from reports.document import Cell, Column, Line, Sheet, Table
 from reports.lettering import shortened
 from reports.numerals import given, numeral, shown
+from reports.page import only_measured
 from reports.style import GRID, INK, MUTED
-from reports.typeset import STYLES, formula, markup, paragraph, width_of
+from reports.typeset import STYLES, Lines, formula, markup, paragraph, width_of
 
 LONGEST = 400  # characters in a cell; the whole text stands in the CSV file and the spreadsheet
 _LONGEST_STEP = 700
@@ -35,6 +37,14 @@ _LOOK: list[Any] = [
     ("NOSPLIT", (0, -3), (-1, -1)),
     ("LINEBELOW", (0, -1), (-1, -1), 0.5, HexColor(MUTED)),
 ]
+
+
+class _Grid(Grid):
+    """A table that is drawn only where it is kept: most of a report's time goes into cells."""
+
+    def draw(self) -> None:
+        if not only_measured(self.canv):
+            super().draw()
 
 
 def table_grid(table: Table, *, title: str, width: float) -> Grid:
@@ -94,9 +104,9 @@ def _cap(widths: list[float], total: float) -> float:
     return max(widths)
 
 
-def _grid(caption: str, rows: list[list[Paragraph]], widths: list[float]) -> Grid:
+def _grid(caption: str, rows: Sequence[list[Paragraph] | list[Lines]], widths: list[float]) -> Grid:
     first: list[Paragraph | str] = [paragraph(shortened(caption, 400), "caption"), *[""] * (len(widths) - 1)]
-    grid = Grid([first, *rows], colWidths=widths, repeatRows=2, hAlign="LEFT", spaceBefore=4, spaceAfter=11)
+    grid = _Grid([first, *rows], colWidths=widths, repeatRows=2, hAlign="LEFT", spaceBefore=4, spaceAfter=11)
     grid.setStyle(_LOOK)
     return grid
 
@@ -120,7 +130,7 @@ def _step(line: Line) -> list[Paragraph]:
     value = "—" if line.value is None else f"{_value(line.value)}{unit}"
     what = (_formula(line.symbol), f"{_formula(line.description)}{clause}")
     how = (f"{_formula(line.formula)}{numbers}", value)
-    return [Paragraph(cell, STYLES["cell"]) for cell in (*what, *how)]
+    return [Lines(cell, STYLES["cell"]) for cell in (*what, *how)]
 
 
 def _value(value: float) -> str:

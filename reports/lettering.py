@@ -27,12 +27,16 @@ def _glyphs() -> frozenset[int]:
 
 def visible(text: str) -> str:
     """`text` on one line with control, format and unassigned characters shown as their code: ⟨U+0007⟩."""
+    if text.isprintable():
+        return text
     spaced = " ".join(text.split()) if any(mark in text for mark in "\n\r\t\v\f") else text
     return "".join(_code(mark) if unicodedata.category(mark) in _HIDDEN else mark for mark in spaced)
 
 
 def printable(text: str) -> str:
     """`visible`, and characters that the report's font lacks or a PDF font cannot map shown as their code too."""
+    if text.isascii() and text.isprintable():
+        return text
     known = _glyphs()
     return "".join(mark if ord(mark) in known and ord(mark) <= 0xFFFF else _code(mark) for mark in visible(text))
 

@@ -45,10 +45,13 @@ class Heading(Flowable):
 
 
 class Pages(BaseDocTemplate):
-    """The document template; the page total of one pass is printed by the next."""
+    """The document template; the page total of one pass is printed by the next.
+
+    The first pass finds where the pages break; tables and figures are drawn from the second on.
+    """
 
     def __init__(self, path: Path, document: Document) -> None:
-        self.document, self.total = document, 0
+        self.document, self.total, self.passes = document, 0, 0
         super().__init__(
             str(path),
             pagesize=PAPER[document.paper],
@@ -68,6 +71,10 @@ class Pages(BaseDocTemplate):
         )
         frame = Frame(_SIDE, _BOTTOM, self.width, self.height, 0, 0, 0, 0, id="text")
         self.addPageTemplates(PageTemplate("page", [frame], onPage=self._furniture))
+
+    def beforeDocument(self) -> None:  # noqa: N802 - reportlab's name
+        """Count the passes."""
+        self.passes += 1
 
     def afterFlowable(self, flowable: Flowable) -> None:  # noqa: N802 - reportlab's name
         """Enter a heading into contents and bookmarks."""
@@ -93,6 +100,12 @@ class Pages(BaseDocTemplate):
         canvas.drawString(left, 12 * mm, self.document.program)
         canvas.drawRightString(right, 12 * mm, f"page {self.page} of {max(self.total, self.page)}")
         canvas.restoreState()
+
+
+def only_measured(canvas: Canvas) -> bool:
+    """Whether this is the first pass over the document, of which nothing is kept but the page numbers."""
+    pages = getattr(canvas, "_doctemplate", None)
+    return isinstance(pages, Pages) and pages.passes == 1
 
 
 def contents() -> TableOfContents:

@@ -105,15 +105,6 @@ def bare_sheet(height: float, *, width: float = WIDTH) -> Figure:
     return figure
 
 
-def settled(figure: Figure) -> Figure:
-    """The figure laid out once and for all: drawing it again costs no second layout."""
-    engine = figure.get_layout_engine()
-    if engine is not None:
-        engine.execute(figure)
-        figure.set_layout_engine(None)
-    return figure
-
-
 def label(text: str, limit: int = 40) -> str:
     """User text as it may stand in a figure: printable, and no longer than `limit` characters."""
     return shortened(printable(text), limit)

@@ -46,6 +46,17 @@ _INDEX = re.compile(r"(?<=[^\W\d_])_(?:\{([^{}]+)\}|([^\W_]+(?:,[^\W_]+)*))")
 _POWER = re.compile(r"\^(?:\{([^{}]+)\}|([-−]?[\w.]+))")
 
 
+class Lines(Paragraph):
+    """A paragraph that is broken into lines once for a width: a table asks for the height of a cell three times."""
+
+    _for: float | None = None
+
+    def wrap(self, availWidth: float, availHeight: float) -> tuple[float, float]:
+        if self._for != availWidth or not hasattr(self, "blPara"):  # splitting over pages takes the lines away
+            self._for, self._size = availWidth, super().wrap(availWidth, availHeight)
+        return self._size
+
+
 @cache
 def register_fonts() -> None:
     """Make the report's fonts known to reportlab, once."""
@@ -65,9 +76,9 @@ def formula(text: str) -> str:
     return _POWER.sub(lambda found: f'<super rise="2.4" size="5.2">{found[1] or found[2]}</super>', lowered)
 
 
-def paragraph(text: str, style: str) -> Paragraph:
+def paragraph(text: str, style: str) -> Lines:
     """Plain text as a paragraph in one of STYLES."""
-    return Paragraph(markup(text), STYLES[style])
+    return Lines(markup(text), STYLES[style])
 
 
 def width_of(text: str, style: str) -> float:

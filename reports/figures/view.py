@@ -109,13 +109,21 @@ def _bodies(axes: Axes, view: View, camera: Camera) -> None:
     paths, inks, widths = [], [], []
     for place in farthest_first(faces.corners @ camera.frame.T):
         paths.append(Path(np.vstack([seen[place], seen[place][:1]]), closed=True))
-        sides = [Path(seen[place][[side, (side + 1) % 3]]) for side in np.flatnonzero(faces.edges[place])]
-        paths += sides
-        inks += [colours[place], *[edge] * len(sides)]
-        widths += [SEAM, *[EDGE] * len(sides)]
+        inks.append(colours[place])
+        widths.append(SEAM)
+        if faces.edges[place].any():
+            paths.append(sides(seen[place], faces.edges[place]))
+            inks.append(edge)
+            widths.append(EDGE)
     axes.add_collection(
         PathCollection(paths, facecolors=inks, edgecolors=inks, linewidths=widths, joinstyle="round"), autolim=False
     )
+
+
+def sides(corners: FloatArray, drawn: NDArray[np.bool_]) -> Path:
+    """The edges of a triangle [3, 2] that are drawn [3], each from its corner to the next."""
+    ends = np.stack([corners, np.roll(corners, -1, axis=0)], axis=1)[drawn]
+    return Path(ends.reshape(-1, 2), [Path.MOVETO, Path.LINETO] * len(ends))
 
 
 def shaded(faces: Faces, camera: Camera) -> list[tuple[float, float, float]]:

@@ -16,6 +16,8 @@ RENDERERS = (
     "grid",
     "typeset",
     "vector",
+    "inking",
+    "svg",
     "csv",
     "spreadsheet",
     "document",

@@ -1,0 +1,121 @@
+"""The marks of a figure as an SVG file; letters are outlines, so that they look alike without the report's font."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from functools import cache
+from pathlib import Path as File
+from xml.sax.saxutils import escape, quoteattr
+
+from matplotlib.ft2font import FT2Font, LoadFlags
+from matplotlib.path import Path
+
+from reports.lettering import font_file
+from reports.vector import Letters, Rectangle, Rgba, Segment, Stroke, Traced
+
+Windows = dict[Rectangle, int]
+
+_COMMANDS = {int(Path.MOVETO): "M", int(Path.LINETO): "L", int(Path.CURVE3): "Q", int(Path.CURVE4): "C"}
+_CAP = {"projecting": "square"}
+_EM = 100.0  # size at which the outline of a letter is taken [pt]
+
+
+def write_svg(traced: Traced, path: File, *, creator: str) -> File:
+    """Write the figure to `path`; the path written. creator: name and version of the program."""
+    wide, high = f"{traced.width:g}", f"{traced.height:g}"
+    letters = dict.fromkeys((m.bold, sign) for m in traced.marks if isinstance(m, Letters) for sign in m.text)
+    clips = dict.fromkeys(m.clip for m in traced.marks if isinstance(m, Stroke) and m.clip is not None)
+    windows = {clip: place for place, clip in enumerate(clips)}
+    lines = [
+        '<?xml version="1.0" encoding="utf-8" standalone="no"?>',
+        '<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" version="1.1"'
+        f' width="{wide}pt" height="{high}pt" viewBox="0 0 {wide} {high}">',
+        f"<desc>{escape(creator)}</desc>",
+        "<defs>",
+        *(f'<path id="{_name(*letter)}" d="{_glyph(*letter)[0]}"/>' for letter in letters),
+        *(_window(clip, place) for clip, place in windows.items()),
+        "</defs>",
+        f'<g transform="matrix(1 0 0 -1 0 {high})">',
+        *(_stroke(mark, windows) if isinstance(mark, Stroke) else _line_of(mark) for mark in traced.marks),
+        "</g>",
+        "</svg>",
+    ]
+    path.write_text("\n".join(lines) + "\n", encoding="utf-8")
+    return path
+
+
+def outline(segments: Iterable[Segment]) -> str:
+    """Path data of SVG, to 0.001 of its unit."""
+    return "".join([_command(at, code) for at, code in segments])
+
+
+def _command(at: tuple[float, ...], code: int) -> str:
+    return "Z" if code == Path.CLOSEPOLY else _COMMANDS[code] + " ".join(map(_number, at))
+
+
+def _window(clip: Rectangle, place: int) -> str:
+    x, y, wide, high = map(_number, clip)
+    return f'<clipPath id="w{place}"><rect x="{x}" y="{y}" width="{wide}" height="{high}"/></clipPath>'
+
+
+def _stroke(mark: Stroke, windows: Windows) -> str:
+    clip = "" if mark.clip is None else f' clip-path="url(#w{windows[mark.clip]})"'
+    filling = _paint("fill", mark.filling)
+    return f'<path d="{outline(mark.segments)}"{clip}{filling}{_pen(mark)}/>'
+
+
+def _pen(mark: Stroke) -> str:
+    if mark.line is None:
+        return ""
+    dashes, offset = mark.dashes
+    cap = _CAP.get(mark.cap, mark.cap)
+    dashed = f' stroke-dasharray="{",".join(map(_number, dashes))}" stroke-dashoffset="{_number(offset)}"'
+    return (
+        f'{_paint("stroke", mark.line)} stroke-width="{_number(mark.width)}" stroke-linecap="{cap}"'
+        f' stroke-linejoin="{mark.join}"{dashed if dashes else ""}'
+    )
+
+
+def _paint(what: str, colour: Rgba | None) -> str:
+    if colour is None:
+        return f' {what}="none"'
+    red, green, blue, opacity = colour
+    solid = "#" + "".join(f"{round(255 * part):02x}" for part in (red, green, blue))
+    return f' {what}="{solid}"' + ("" if opacity == 1.0 else f' {what}-opacity="{_number(opacity)}"')
+
+
+def _line_of(mark: Letters) -> str:
+    """A line of text: its letters side by side, and the text itself for who cannot see them."""
+    pen, used = 0.0, []
+    for sign in mark.text:
+        used.append(f'<use xlink:href="#{_name(mark.bold, sign)}" x="{_number(pen)}"/>')
+        pen += _glyph(mark.bold, sign)[1]
+    turn = f" rotate({_number(mark.angle)})" if mark.angle else ""
+    place = f"translate({_number(mark.x)} {_number(mark.y)}){turn} scale({_number(mark.size / _EM)})"
+    label = f' role="img" aria-label={quoteattr(mark.text)}' if mark.text.strip() else ""
+    return f'<g transform="{place}"{_paint("fill", mark.colour)}{label}>{"".join(used)}</g>'
+
+
+@cache
+def _glyph(bold: bool, sign: str) -> tuple[str, float]:
+    """Outline of a letter as path data, and how far the next one is from it, at a size of 100 pt."""
+    font = _font(bold)
+    glyph = font.load_char(ord(sign), flags=LoadFlags.NO_HINTING)
+    vertices, codes = font.get_path()
+    segments = Path(vertices, codes).iter_segments(simplify=False)
+    return outline((tuple(at.tolist()), int(code)) for at, code in segments), glyph.linearHoriAdvance / 65536
+
+
+@cache
+def _font(bold: bool) -> FT2Font:
+    font = FT2Font(str(font_file("bold" if bold else "regular")))
+    font.set_size(_EM, 72)
+    return font
+
+
+def _name(bold: bool, sign: str) -> str:
+    return f"{'b' if bold else 'r'}{ord(sign):x}"
+
+
+def _number(value: float) -> str:
+    return f"{value:.3f}".rstrip("0").rstrip(".")

@@ -35,10 +35,10 @@ EXAMPLES: dict[str, Example] = {
         nepal_monuments.meshes,
     ),
     "san_leonardo_church": Example(
-        "church of San Leonardo Limosino, Emilia: apse and façade, eleven mechanisms by tables"
+        "church of San Leonardo Limosino, Emilia: apse and façade by tables, a side-aisle vault"
     ),
     "san_leonardo_spire": Example(
-        "its spire from a mesh, with inclined cracks by height and angle", san_leonardo_spire.meshes
+        "its spire from a mesh: inclined cracks by height, and a sweep over their angle", san_leonardo_spire.meshes
     ),
     "san_leonardo_tower": Example(
         "its bell tower: spire, corners and belfry, eleven mechanisms by tables and a frame of blocks"

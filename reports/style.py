@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
+from textwrap import wrap
 from typing import Any
 
 import matplotlib
@@ -46,6 +47,7 @@ _RC: dict[Any, Any] = {
     "legend.frameon": False,
     "text.color": INK,
     "text.parse_math": False,
+    "text.hinting": "none",  # letters measured as they are drawn
     "xtick.color": INK,
     "ytick.color": INK,
     "xtick.labelsize": 7,
@@ -108,3 +110,8 @@ def bare_sheet(height: float, *, width: float = WIDTH) -> Figure:
 def label(text: str, limit: int = 40) -> str:
     """User text as it may stand in a figure: printable, and no longer than `limit` characters."""
     return shortened(printable(text), limit)
+
+
+def folded(text: str, *, width: int, lines: int = 2) -> str:
+    """User text as a label of several lines of at most `width` characters."""
+    return "\n".join(wrap(printable(text), width, max_lines=lines, placeholder="…"))

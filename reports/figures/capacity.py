@@ -33,7 +33,7 @@ def draw(mechanism: MechanismResult) -> Figure:
         moment.set(xlabel="rotation φ [rad]", ylabel=f"restoring moment [{unit}]")
         multiplier.set(xlabel="rotation φ [rad]", ylabel="load multiplier λ [-]")
         for axes in (moment, multiplier):
-            axes.xaxis.set_major_locator(MaxNLocator(6))
+            axes.xaxis.set_major_locator(MaxNLocator(6, steps=[1, 2, 2.5, 5, 10]))
         moment.legend(loc="upper right")
         return figure
 

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections import Counter
+
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from assess.results import ComparisonRow
-from reports.style import FAIL, GRID, label, pen, sheet, styled
+from reports.style import FAIL, GRID, folded, label, pen, sheet, styled
 
 BEYOND = 2.5  # larger ratios are drawn at the edge [-]
 
@@ -27,11 +29,18 @@ def draw(rows: tuple[ComparisonRow, ...], names: dict[str, str], overturned: fro
             axes.set_title(f"PGA {level:.3g} g", loc="left")
         for axes in list(panels.flat)[len(levels) :]:
             axes.set_visible(False)
-        panels[0, 0].set_yticks(range(len(names)), [label(name, 22) for name in names.values()])
+        panels[0, 0].set_yticks(range(len(names)), captions(names))
         panels[0, 0].set_ylim(len(names) - 0.5, -0.5)
         figure.supxlabel("demand / capacity [-]", fontsize=7.5)
         _legend(figure, rows)
         return figure
+
+
+def captions(names: dict[str, str]) -> list[str]:
+    """What stands beside each line: the label on two lines, or where that tells two apart no more, the name."""
+    short = {name: folded(text, width=24) for name, text in names.items()}
+    times = Counter(short.values())
+    return [text if times[text] == 1 else label(name, 24) for name, text in short.items()]
 
 
 def _panel(axes: Axes, rows: list[ComparisonRow], order: list[str], overturned: frozenset[ComparisonRow]) -> None:

@@ -24,7 +24,7 @@ def draw(mechanism: MechanismResult, history: HistoryResult, trace: Trace, allow
         _peak(rotation, history)
         rotation.set(xlabel="time t [s]", ylabel="rotation φ / φₒᵥ [-]")
         rotation.set_xlim(trace.time_s[0], trace.time_s[-1])
-        rotation.legend(loc="upper left", ncols=3)
+        rotation.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), borderaxespad=0.1, ncols=3)
         return figure
 
 

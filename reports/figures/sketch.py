@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from math import ceil
 
 import numpy as np
+import shapely
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
@@ -34,6 +35,7 @@ INCH = 72.0  # pt
 TALLEST = 4.1  # of the figure [in]
 LEFT, BOTTOM, TOP, GAP = 0.5, 0.42, 0.42, 0.3  # around and between the panels [in]
 NARROWEST = 1.45  # a panel [in], for the words above and below it
+BESIDE = 0.35  # of the mechanism's size: what is shown of the masonry that stays, at either side
 ARROW = 0.16  # length of a load's arrow, as a part of the mechanism's size
 
 
@@ -78,7 +80,7 @@ def draw(mechanism: MechanismResult) -> Figure:
 
 
 def shown(drawing: Drawing) -> Window:
-    """The window that holds the mechanism at rest and displaced, with room for names."""
+    """The window that holds the mechanism at rest and displaced, the masonry beside it, and room for names."""
     scenes = [each for each in (drawing, drawing.displaced, drawing.displaced_negative) if each is not None]
     points = np.array([point for scene in scenes for point in corners(scene)])
     arrow = ARROW * float(np.ptp(points, axis=0).max())
@@ -86,7 +88,16 @@ def shown(drawing: Drawing) -> Window:
     points = np.concatenate([points, np.array(ends).reshape(-1, 2)])
     size = float(np.ptp(points, axis=0).max())
     (left, low), (right, high) = points.min(axis=0).tolist(), points.max(axis=0).tolist()
+    beside = [x for ring in drawing.fixed for x in level_with(ring, low, high)]
+    left = max(min([left, *beside]), left - BESIDE * size)
+    right = min(max([right, *beside]), right + BESIDE * size)
     return Window((left - 0.1 * size, low - 0.09 * size), (right + 0.1 * size, high + 0.06 * size), arrow)
+
+
+def level_with(ring: Sequence[Point], low: float, high: float) -> tuple[float, ...]:
+    """How far [m] a ring reaches to both sides between two elevations [m]; nothing where it does not."""
+    part = shapely.intersection(shapely.Polygon(ring), shapely.box(-1e9, low, 1e9, high))
+    return () if part.is_empty else (part.bounds[0], part.bounds[2])
 
 
 def corners(scene: Drawing | Displaced) -> Iterator[Point]:

@@ -27,7 +27,7 @@ def draw(sweep: SweepResult) -> Figure:
         for axes, (values, name) in zip(figure.subplots(1, len(panels)), panels, strict=True):
             _curve(axes, sweep, values)
             axes.set_ylabel(name)
-            axes.xaxis.set_major_locator(MaxNLocator(5))
+            axes.xaxis.set_major_locator(MaxNLocator(5, steps=[1, 2, 2.5, 5, 10]))
         if assessed:
             axes.axhline(1.0, color=FAIL, linewidth=0.8)
         figure.supxlabel(label(f"{sweep.key} [{sweep.unit}]", 90), fontsize=7.5)

@@ -27,7 +27,8 @@ LIGHT = (0.35, 0.75, 0.55)  # to the right, up and towards the eye
 DARKEST = 0.62  # of its colour: a face turned away from the light
 BEYOND = 0.07  # of the bodies' size: how far an axis is drawn beyond them
 SHARP, SHARP_IN_SCANS = radians(35), radians(65)  # angle between faces from which on their common edge is drawn
-SEAM, EDGE = 0.3, 0.6  # width of the line around a face in its own colour, and of a sharp edge [pt]
+NAME = (11.0, 8.5)  # room of the name of an axis [pt]
+SEAM, EDGE = 0.6, 0.6  # width of the line around a face in its own colour, and of a sharp edge [pt]
 
 
 @dataclass(frozen=True)
@@ -136,15 +137,23 @@ def shaded(faces: Faces, camera: Camera) -> list[tuple[float, float, float]]:
 
 def _axes(axes: Axes, view: View, camera: Camera, lines: Sequence[FloatArray], positive: int) -> None:
     """The axes of rotation, those of the negative branch dashed, with their names at the end nearer the eye."""
+    named: list[FloatArray] = []
     for place, (axis, line) in enumerate(zip(view.axes, lines, strict=True)):
         colour, dash = (POSITIVE, "-") if place < positive else (NEGATIVE, "--")
         seen = camera.seen(line)
         far, near = seen[np.argsort(seen[:, 2]), :2]
         axes.plot(*seen[:, :2].T, color=colour, linestyle=dash, linewidth=1.5)
         out = (near - far) / (float(np.linalg.norm(near - far)) or 1.0)
-        axes.annotate(
-            label(axis.name, 14), tuple(near + 7.0 * out), ha="center", va="center", color=colour, fontsize=7.5
-        )
+        name = label(axis.name, 14)
+        named.append(freed(near + (5.0 + 2.0 * len(name)) * out, named))
+        axes.annotate(name, tuple(named[-1]), ha="center", va="center", color=colour, fontsize=7.5)
+
+
+def freed(at: FloatArray, taken: Sequence[FloatArray]) -> FloatArray:
+    """The place of a name [pt], lowered where one of those taken is too near to read both."""
+    while any((np.abs(at - other) < NAME).all() for other in taken):
+        at = at - np.array([0.0, 1.0])
+    return at
 
 
 def _arrow(axes: Axes, start: FloatArray, end: FloatArray, *, colour: str, width: float) -> None:

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+import shapely
 
-from reports.faces import Faces, drawn_edges, farthest_first, front
+from reports.faces import Faces, drawn_edges, farthest_first, front, separated
 
 CUBE = np.array([(x, y, z) for x in (0.0, 1.0) for y in (0.0, 1.0) for z in (0.0, 1.0)])
 CORNER = np.array([1.0, 1.0, 1.0]) / np.sqrt(3.0)
@@ -72,3 +73,14 @@ def test_random_faces_are_drawn_as_a_depth_buffer_would_show_them(seed: int) -> 
     clear = inside.any(axis=1) & (np.sort(depth, axis=1)[:, -1] - np.sort(depth, axis=1)[:, -2] > 0.1)
     assert clear.sum() > 500
     assert np.array_equal(painted[clear], np.argmax(depth, axis=1)[clear])
+
+
+@pytest.mark.parametrize("turn", [1, -1])
+def test_triangles_are_apart_where_shapely_finds_no_common_area(turn: int) -> None:
+    rng = np.random.default_rng(1)
+    pairs = rng.uniform(0.0, 1.0, (400, 2, 3, 2)) * [[[[1.0]], [[0.7]]]]
+    pairs[:100, 1, :2] = pairs[:100, 0, 1::-1]  # a common edge
+    found = separated(pairs[:, 0, ::turn], pairs[:, 1], by=-1e-9)
+    common = shapely.area(shapely.intersection(shapely.polygons(pairs[:, 0]), shapely.polygons(pairs[:, 1])))
+    assert np.array_equal(found, common < 1e-12)
+    assert 50 < found.sum() < 350

@@ -9,7 +9,7 @@ import pytest
 from matplotlib.patches import Polygon
 
 from assess.results import Drawing, NamedPoint, Results
-from reports.figures.sketch import arranged, draw, shown
+from reports.figures.sketch import BESIDE, arranged, draw, level_with, shown
 
 
 def rings(axes) -> list[np.ndarray]:
@@ -69,3 +69,22 @@ def test_hinges_are_coloured_by_branch_whatever_they_are_called(results: Results
     names = [text for text in figure.axes[0].texts if text.get_text() == "$x'"]
     assert len(names) == 2
     assert names[0].get_color() != names[1].get_color()
+
+
+def test_masonry_that_stays_is_shown_beside_the_mechanism_up_to_a_limit(results: Results) -> None:
+    drawing = replace(results.mechanisms[0].drawing, fixed=())
+    alone = shown(drawing)
+    (left, low), (right, _) = alone.low, alone.high
+    size = (right - left) / 5
+    below = ((left - size, low - 9.0), (right, low - 9.0), (right, low - 8.0))
+    assert shown(replace(drawing, fixed=(below,))) == alone
+    wide = ((left - 99.0, low), (right, low), (right, low + 2.0), (left - 99.0, low + 2.0))
+    grown = shown(replace(drawing, fixed=(wide,)))
+    assert grown.high[0] >= alone.high[0]
+    assert 0.0 < alone.low[0] - grown.low[0] <= BESIDE * max(alone.size)
+
+
+def test_how_far_a_ring_reaches_between_two_elevations() -> None:
+    triangle = ((0.0, 0.0), (4.0, 0.0), (2.0, 2.0))
+    assert level_with(triangle, 1.0, 3.0) == pytest.approx((1.0, 3.0))
+    assert level_with(triangle, 3.0, 4.0) == ()

@@ -35,6 +35,8 @@ Run = Callable[[IntArray, IntArray, FloatArray, float, FloatArray, FloatArray, F
 
 TOLERANCE = 1e-11
 """Error allowed to one step of the exact equation, of phi / phi_ov and of its rate over the branch's own rate."""
+SAME = 1e-10
+"""Of the largest value of a table: less than this between two nodes at one rotation is rounding, and no jump."""
 CHUNK_STEPS = 500_000
 """Record steps given to a thread at a time."""
 MOST_EVENTS = 100_000
@@ -334,13 +336,13 @@ def _segments(branch: Branch) -> FloatArray:
 def _smooth(branch: Branch) -> IntArray:
     """First and last segment of the piece between jumps that each segment lies in [segments, 2].
 
-    Where two nodes at one rotation have the same values there is a kink and no jump: steps may pass it.
+    Where two nodes at one rotation have the same values, but for rounding, there is a kink and no jump: steps may pass.
     """
     width = np.diff(branch.rotation)
     index = np.arange(width.size)
-    jumps = np.flatnonzero(
-        (width == 0.0) & (np.diff([branch.restoring, branch.excitation, branch.inertia]) != 0.0).any(axis=0)
-    )
+    columns = np.array([branch.restoring, branch.excitation, branch.inertia])
+    leaps = np.abs(np.diff(columns)) > SAME * np.abs(columns).max(axis=1, keepdims=True)
+    jumps = np.flatnonzero((width == 0.0) & leaps.any(axis=0))
     before, after = np.searchsorted(jumps, index, side="right") - 1, np.searchsorted(jumps, index)
     first = np.where(before >= 0, np.r_[jumps, 0][before] + 1, 0)
     last = np.where(after < jumps.size, np.r_[jumps, 0][after] - 1, width.size - 1)

@@ -10,7 +10,7 @@ import pytest
 from scipy.constants import g
 from scipy.integrate import solve_ivp
 
-from assess.dynamics.history import free_rocking, peaks, product, trace
+from assess.dynamics.history import _smooth, free_rocking, peaks, product, trace
 from assess.geometry.planar import planar_direct
 from assess.interfaces.law import Law
 from assess.interfaces.shapes import rectangle
@@ -205,3 +205,15 @@ def test_the_ratio_is_to_overturning_of_the_rigid_wall():
     rigid = BODIES["flexible"].positive.overturning
     assert found.max_ratio[0] == pytest.approx(abs(found.max_rotation[0]) / rigid, rel=1e-12)
     assert BODIES["flexible"].positive.overturning_flexible < 0.95 * rigid
+
+
+@EVERY
+def test_a_kink_whose_two_nodes_differ_by_rounding_is_no_jump(body):
+    """The same history, to the tolerance, and no slower for ending its steps there."""
+    twice = np.flatnonzero(np.diff(body.positive.rotation) == 0.0)
+    assert twice.size
+    restoring = body.positive.restoring.copy()
+    restoring[twice + 1] += 1e-15 * restoring.max()
+    rough = replace(body, positive=replace(body.positive, restoring=restoring))
+    np.testing.assert_array_equal(_smooth(rough.positive), _smooth(body.positive))
+    assert np.ptp(_smooth(rough.positive)[:, 0]) == 0

@@ -6,7 +6,7 @@ from typing import Any
 
 from typer import BadParameter
 
-WRONG_USAGE = BadParameter.__mro__[1]  # typer does not export this parent, of unknown commands and options too
+WRONG_USAGE: Any = BadParameter.__mro__[1]  # typer does not export this parent, of unknown commands and options too
 
 
 def usage(error: Any) -> str | None:

@@ -33,7 +33,8 @@ def mended(surface: Surface, *, where: str) -> tuple[Surface, Told]:
     """The closed surface that a mesh stands for, and what was done to it, in sentences; a good one comes back as it is.
 
     Triangles are turned to run alike; double ones left out; open borders joined where they touch; plane holes of
-    at most a fifth of the surface closed; shells that are inside out turned, overlapping ones united. What remains open is refused.
+    at most a fifth of the surface closed; shells that are inside out turned, overlapping ones united. What remains
+    open is refused.
 
     Parameters
     ----------

@@ -25,7 +25,7 @@ FloatArray = NDArray[np.float64]
 Line = tuple[Point, Point]
 
 APART = 1e-6  # of the longest joint: points this near are one
-BEYOND = 0.05  # of the arch: more than this beyond its end joints is told
+BEYOND = 0.1  # of the arch: more than this beyond its end joints is told
 SKEW = 0.35  # rad: a joint farther off square to the arch is told
 
 

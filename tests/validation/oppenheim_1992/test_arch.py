@@ -155,7 +155,7 @@ def test_joints_of_a_wrong_centre_are_told_and_blamed(tmp_path):
     words = '"arch": .* % of the arch lies beyond its first and last joint .*; joint 2 is .* deg off square .*; restit'
     with pytest.raises(MechanismError, match=words):
         project(tmp_path, 8, body=profile_of(), centre="[0, 5]")
-    told = project(tmp_path, 8, body=profile_of(), centre="[0, 1]").notices[0]
-    left = asin(cos(radians(11.25)) / 10) / radians(78.75)  # of each half, on the mean radius of 10 m
+    told = project(tmp_path, 8, body=profile_of(), centre="[0, 2]").notices[0]
+    left = asin(2 * cos(radians(11.25)) / 10) / radians(78.75)  # of each half, on the mean radius of 10 m
     assert float(told.split(" %")[0]) == pytest.approx(100 * left, rel=0.05)
     assert all(text.startswith("hinges of") for text in project(tmp_path, 8, body=profile_of()).notices)

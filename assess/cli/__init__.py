@@ -25,7 +25,7 @@ def main(arguments: list[str] | None = None) -> NoReturn:
         with _interrupted_when_terminated():
             from assess.cli.app import app
 
-            app(args=arguments, prog_name="assess")
+            code = app(args=arguments, prog_name="assess", standalone_mode=False)
     except (AssessError, RecordError, SpectrumError) as error:
         _end(f"error: {error}", INPUT_IS_WRONG)
     except OSError as error:
@@ -33,8 +33,13 @@ def main(arguments: list[str] | None = None) -> NoReturn:
     except KeyboardInterrupt:
         _end("interrupted", INTERRUPTED)
     except Exception as error:
+        from assess.cli.usage import usage
+
+        wrong = usage(error)
+        if wrong:
+            _end(f"error: {wrong}", INPUT_IS_WRONG)
         _end(f"internal error: {type(error).__name__}: {error} (log: {_log()})", BUG)
-    sys.exit(0)
+    sys.exit(code or 0)
 
 
 def _end(line: str, code: int) -> NoReturn:

@@ -15,7 +15,7 @@ from assess.cli.schema import schema
 
 app = typer.Typer(
     help="Seismic safety of masonry walls: rocking dynamics beside the code checks, in a report to sign.",
-    no_args_is_help=True,
+    invoke_without_command=True,
     add_completion=False,
     rich_markup_mode=None,
     pretty_exceptions_enable=False,
@@ -38,8 +38,11 @@ def _print_version(wanted: bool) -> None:
 
 @app.callback()
 def _assess(
+    context: typer.Context,
     version: Annotated[
         bool, typer.Option("--version", callback=_print_version, is_eager=True, help="Print the version and end.")
     ] = False,
 ) -> None:
-    pass
+    if context.invoked_subcommand is None:
+        print(context.get_help())
+        raise typer.Exit(2)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from assess.cli.parameter_table import table_text, weakest_text
+from assess.mechanisms.chain import metres
 from assess.project.messages import printable
 from assess.project.schema import Project
 from assess.project.study import Sweep
@@ -107,4 +108,4 @@ def _points(points: tuple[NamedPoint, ...]) -> str:
 
 
 def _at(point: tuple[float, float]) -> str:
-    return f"x = {point[0]:.4g} m, z = {point[1]:.4g} m"
+    return f"x = {metres(point[0])} m, z = {metres(point[1])} m"

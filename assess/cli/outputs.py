@@ -25,8 +25,7 @@ def staged(folder: Path) -> Iterator[Path]:
     """A temporary folder; what the block leaves in it stands in `folder` afterwards, if the block raised nothing."""
     if folder.exists() and not folder.is_dir():
         raise AssessError(f"{folder}: is a file; give a folder for the output")
-    place = _nearest_folder(folder)
-    stage = Path(tempfile.mkdtemp(prefix=".assess-partial-", dir=place))
+    stage = _stage(folder)
     try:
         made, old = stage / "made", stage / "old"
         made.mkdir()
@@ -34,6 +33,17 @@ def staged(folder: Path) -> Iterator[Path]:
         _move_into_place(made, folder, old)
     finally:
         shutil.rmtree(stage, ignore_errors=True)
+
+
+def _stage(folder: Path) -> Path:
+    """A new folder beside what is to be written."""
+    place = _nearest_folder(folder)
+    try:
+        return Path(tempfile.mkdtemp(prefix=".assess-partial-", dir=place))
+    except OSError as error:
+        raise AssessError(
+            f"{folder}: nothing can be written in {place} ({error.strerror}); give another folder"
+        ) from None
 
 
 def _nearest_folder(folder: Path) -> Path:

@@ -32,8 +32,9 @@ Told = tuple[str, ...]
 def mended(surface: Surface, *, where: str) -> tuple[Surface, Told]:
     """The closed surface that a mesh stands for, and what was done to it, in sentences; a good one comes back as it is.
 
-    Triangles are turned to run alike; double ones left out; open borders joined where they touch; small plane holes
-    closed; shells that are inside out turned, overlapping ones united. What remains open is refused.
+    Triangles are turned to run alike; double ones left out; open borders joined where they touch; plane holes of
+    at most a fifth of the surface closed; shells that are inside out turned, overlapping ones united. What remains
+    open is refused.
 
     Parameters
     ----------
@@ -166,17 +167,19 @@ def _on_the_way(vertices: FloatArray, a: int, b: int, rim: IntArray, tree: KDTre
 
 
 def _filled(surface: Surface) -> tuple[Surface, Told]:
-    """All holes closed by planes, if they are small and nearly plane; else none."""
+    """All holes closed by planes, if they are nearly plane and no large part of the surface; else none."""
     vertices, triangles = surface
     holes = holes_of(surface)
     if not holes or _unclosable(surface, holes):
         return surface, ()
     new = (vertices, np.concatenate([triangles, *(hole.triangles for hole in holes)]))
-    size = f"{sum(hole.area for hole in holes):.3g} m2"
+    closed = sum(hole.area for hole in holes)
+    size = f"{closed:.3g} m2, {100.0 * closed / area(*new):.3g} % of the surface"
     edges = counted(sum(hole.edges for hole in holes), "edge")
     moved = moved_by(volume(*surface), volume(*new))
     first = f"the first around {place(holes[0].centre)} m"
-    return new, (f"{counted(len(holes), 'hole')} of {edges}, {size}, closed ({first}; {moved})",)
+    against = "against the open mesh, holes taken as cones to the middle of its box"
+    return new, (f"{counted(len(holes), 'hole')} of {edges}, {size}, closed by planes ({first}; {moved} {against})",)
 
 
 def _unclosable(surface: Surface, holes: list[Hole]) -> str:

@@ -15,6 +15,7 @@ from assess.mechanisms.joint import Joint
 Point = tuple[float, float]
 
 HINGES = {1: 1, 2: 3, 3: 4}  # of a chain by its number of blocks; what lies beyond the last block is in motion.py
+ROUNDING = 1e-9  # m: coordinates are no better than this
 STRAIGHT = 1e-6  # sine of an angle: three hinges this near one line are a dead point
 
 
@@ -103,7 +104,12 @@ def require_movable(chain: Chain, *, name: str) -> None:
 
 def written(point: Point) -> str:
     """A point as errors print it."""
-    return f"({point[0]:.4g}, {point[1]:.4g}) m"
+    return f"({metres(point[0])}, {metres(point[1])}) m"
+
+
+def metres(length: float) -> str:
+    """A coordinate [m] to four figures, rounding about 0 as 0."""
+    return f"{0.0 if abs(length) < ROUNDING else length:.4g}"
 
 
 def _rise(a: Point, b: Point) -> float:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
 from typing import Any
@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from assess.errors import GeometryError
+from assess.errors import GeometryError, MechanismError
 from assess.geometry.cut import Parts, Plane, divide
 from assess.geometry.planar import PlanarBody, planar
 from assess.geometry.solid import Solid
@@ -25,6 +25,8 @@ FloatArray = NDArray[np.float64]
 Line = tuple[Point, Point]
 
 APART = 1e-6  # of the longest joint: points this near are one
+BEYOND = 0.1  # of the arch: more than this beyond its end joints is told
+SKEW = 0.35  # rad: a joint farther off square to the arch is told
 
 
 def hinged_arch(
@@ -38,7 +40,19 @@ def hinged_arch(
     Raises MechanismError or GeometryError where a joint misses the body, or no four joints make a mechanism.
     """
     pieces, joints = voussoirs_of(piece, lines_of(section), section.towards, where=f'mechanism "{name}"')
-    voussoirs = [each.body for each in pieces]
+    doubts = tuple(doubtful(pieces, joints))
+    try:
+        made = hinged_at(name, [each.body for each in pieces], joints, sides=sides, **common)
+    except MechanismError as error:
+        start = f'mechanism "{name}": '
+        raise MechanismError(start + "; ".join((*doubts, str(error).removeprefix(start)))) from None
+    return replace(made, notices=(*doubts, *made.notices)), pieces
+
+
+def hinged_at(
+    name: str, voussoirs: Sequence[PlanarBody], joints: Sequence[Joint], *, sides: Sides, **common: Any
+) -> Mechanism:
+    """The mechanism of an arch of voussoirs that opens at the weakest of its joints, for each direction."""
     plain = [block_of(body) for body in voussoirs]
     front = weakest(plain, joints, name=name)
     _, positive = hinged(voussoirs, front)
@@ -50,8 +64,27 @@ def hinged_arch(
         negative = mirrored_back(hinged(voussoirs[::-1], replace(back, hinges=(a, b, c, d)))[1])
         notices.append(told(back, "negative", len(joints), flip=True))
     outlines = tuple(body.outline for body in voussoirs)
-    made = assembled(name, "four-hinge", positive, negative, outlines=outlines, notices=notices, **common)
-    return made, pieces
+    return assembled(name, "four-hinge", positive, negative, outlines=outlines, notices=notices, **common)
+
+
+def doubtful(pieces: Sequence[Piece], joints: Sequence[Joint]) -> Iterator[str]:
+    """Sentences where joints do not look like those of this arch: much of it beyond them, or not square to it."""
+    left, whole = (
+        sum(solid.mass for solid in solids)
+        for solids in (pieces[-1].fixed, [s for piece in pieces for s in (*piece.solids, *piece.fixed)])
+    )
+    if left > BEYOND * whole:
+        yield (
+            f"{100.0 * left / whole:.3g} % of the arch lies beyond its first and last joint and stands still: check "
+            "centre and angles of `joints` unless it is meant"
+        )
+    centres = [np.array(piece.body.centroid) for piece in pieces]
+    for number, ((a, b), (one, other)) in enumerate(zip(joints[1:-1], pairwise(centres), strict=True), start=2):
+        across, along = np.subtract(b, a), other - one
+        off = np.arcsin(min(1.0, abs(across @ along) / (np.hypot(*across) * np.hypot(*along))))
+        if off > SKEW:
+            yield f"joint {number} is {np.degrees(off):.3g} deg off square to the arch: check `joints`"
+            return
 
 
 def mirrored_back(chain: Chain) -> Chain:

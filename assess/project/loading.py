@@ -8,7 +8,9 @@ import numpy as np
 
 from assess.errors import GeometryError
 from assess.geometry.outline import Outline, distance
+from assess.geometry.touch import TOLERANCE
 from assess.loads import Force, Load, PointMass, Tie
+from assess.mechanisms.chain import written
 from assess.project import sections
 from assess.project.bodies import Piece, Solids
 from assess.project.body_loads import Brought, Meet, Surroundings, body_loads, meeting
@@ -57,6 +59,7 @@ def loads_of(
             brought = Brought((load_of(number, load, section.towards),), ())
         loads += brought.loads
         doubts += (*brought.doubts, *in_the_air(brought.loads, piece.body.outline))
+        doubts += moving_anchors(brought.loads, [each.body.outline for each in pieces])
     carried = dict.fromkeys(load.body for load in section.loads if isinstance(load, sections.BodyLoad))
     doubts += overlaps([solid for body in carried if (solid := solids[body]) is not None])
     return Brought(tuple(loads), tuple(dict.fromkeys(doubts)))
@@ -100,6 +103,19 @@ def load_of(
     return Force(name, (load.force * way[0], load.force * way[1]), at, load.block)
 
 
+def moving_anchors(loads: Sequence[Load], outlines: Sequence[Outline]) -> Iterator[str]:
+    """A sentence for each tie whose anchor lies on a block of the mechanism, seen in the plane of motion."""
+    for load in loads:
+        if not isinstance(load, Tie) or load.anchor is None:
+            continue
+        for block, outline in enumerate(outlines):
+            if outline and distance(outline, load.anchor) <= TOLERANCE:
+                yield (
+                    f'load "{load.name}": its anchor at {written(load.anchor)} lies on block {block}, which '
+                    "moves too, yet it is taken as fixed in space: check `anchor`"
+                )
+
+
 def in_the_air(loads: Sequence[Load], outline: Outline) -> Iterator[str]:
     """A sentence for each load that is not on or near the block of this outline, seen in the plane of motion."""
     corners = [point for ring in outline for point in ring]
@@ -108,6 +124,6 @@ def in_the_air(loads: Sequence[Load], outline: Outline) -> Iterator[str]:
         off = distance(outline, load.at) if corners else 0.0
         if off > IN_THE_AIR * size:
             yield (
-                f'load "{load.name}" at ({load.at[0]:.4g}, {load.at[1]:.4g}) m is in the air, {off:.3g} m from the '
+                f'load "{load.name}" at {written(load.at)} is in the air, {off:.3g} m from the '
                 "block as seen in the plane of motion; it moves with the block all the same: check `at`"
             )

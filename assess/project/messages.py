@@ -48,6 +48,7 @@ def one_line(error: ValidationError, *, raw: Mapping[str, Any]) -> str:
     for found in error.errors(include_url=False):
         if found["type"] != "default_factory_not_called":
             by_key.setdefault(_key(found, raw), found)
+    by_key = {key: found for key, found in by_key.items() if not any(_below(other, key) for other in by_key)}
     key, first = next(iter(by_key.items()))
     known, value = look_up(raw, key)
     parts = [written(key), *([shown(value)] if known else []), _sentence(first, known=known)]
@@ -82,6 +83,11 @@ def _key(error: ErrorDetails, raw: Mapping[str, Any]) -> Key:
         if not (isinstance(step, str) and step.startswith("<") and step.endswith(">") and step not in _names(value)):
             key.append(step)
     return (*(step for step in key if step != "[key]"), *below)
+
+
+def _below(key: Key, table: Key) -> bool:
+    """Whether a key lies within another, of which a fault is then the consequence: a list too short, say."""
+    return len(key) > len(table) and key[: len(table)] == table
 
 
 def _names(value: Any) -> Mapping[str, Any]:

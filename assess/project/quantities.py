@@ -120,8 +120,15 @@ def _horizontal(direction: tuple[float, ...]) -> tuple[float, ...]:
 
 Direction = Annotated[tuple[Ratio, Ratio, Ratio], AfterValidator(_horizontal)]
 
+
+def _sweep(text: str) -> str:
+    if text != "sweep":
+        raise ValueError('not a direction; write [1, 0, 0] for +x, [0, -1, 0] for -y, or "sweep" for the weakest')
+    return text
+
+
 SoughtDirection = Annotated[
-    Annotated[Direction, Tag("<given>")] | Annotated[Literal["sweep"], Tag("<sought>")],
+    Annotated[Direction, Tag("<given>")] | Annotated[Literal["sweep"], BeforeValidator(_sweep), Tag("<sought>")],
     Discriminator(lambda value: "<sought>" if isinstance(value, str) else "<given>"),
 ]
 

@@ -110,22 +110,29 @@ def _toml(text: str) -> dict[str, Any]:
     except RecursionError:
         raise ProjectError("nested too deeply; a project file has tables and short lists") from None
     except tomllib.TOMLDecodeError as error:
-        raise ProjectError(_toml_reason(str(error))) from None
+        raise ProjectError(_toml_reason(str(error), text)) from None
     except ValueError:  # int() refuses thousands of digits
         raise ProjectError("not valid TOML: a number of thousands of digits; correct it") from None
 
 
-def _toml_reason(message: str) -> str:
-    """What tomllib found, with the line in front."""
+def _toml_reason(message: str, text: str) -> str:
+    """What tomllib found in the text, with the line in front."""
     match = re.fullmatch(r"(.*) \(at (?:line (\d+), column (\d+)|(end of document))\)", message, re.DOTALL)
     if match is None:
         return f"not valid TOML: {printable(message)}"
     where = "end of the file" if match[4] else f"line {match[2]}, column {match[3]}"
     if match[1].startswith(("Cannot declare", "Cannot overwrite", "Cannot mutate", "Duplicate inline table key")):
-        name = re.search(r"\((.*)\)", match[1])
-        steps = ".".join(re.findall(r"'([^']*)'", name[1])) if name else ""
-        return f"{where}: {printable(steps) or 'this key'} stands there twice; give each its own name"
+        lines = text.rstrip().split("\n")
+        name = _twice(match[1], lines[int(match[2]) - 1 if match[2] else -1])
+        return f"{where}: {printable(name) or 'this key'} stands there twice; give each its own name"
     return f"{where}: not valid TOML: {printable(match[1])}; correct that line"
+
+
+def _twice(message: str, line: str) -> str:
+    """The key that stands twice, as tomllib names it, or as the line begins; empty where neither tells."""
+    named = ".".join(re.findall(r"'([^']*)'", message))
+    key = re.match(r"\s*([^=\[\]{}\"']+?)\s*=", line)
+    return named or (key[1][:60] if key else "")
 
 
 def _upgraded(raw: dict[str, Any]) -> dict[str, Any]:

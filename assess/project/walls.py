@@ -158,9 +158,10 @@ def by_search(section: sections.TwoBlock, whole: Piece, panel: Panel, loads: Seq
     multiplier = partial(uplift, section, whole, panel, tuple(loads))
     elevation = least(multiplier, low=panel.base, high=panel.base + panel.height)
     ratio = (elevation - panel.base) / panel.height
+    held = " with the mortar's tension before it opens" if panel.tension else ""
     return elevation, (
         f"crack at z = {elevation:.4g} m, {ratio:.3f} of the height, where the uplift multiplier "
-        f"is least, {multiplier(elevation):.4g} with the mortar's tension before it opens"
+        f"is least, {multiplier(elevation):.4g}{held}"
     )
 
 

@@ -338,7 +338,7 @@ class FourHinge(Chained):
                 raise wrong("blocks", f"{len(self.blocks)} of them with four hinges; name three, base first")
             if (self.hinges_negative is None) == (self.sides == "two"):
                 two, one = (
-                    "missing; two-sided rocking has hinges of its own each way",
+                    'missing; two-sided rocking has hinges of its own each way: give them, or sides = "one"',
                     "beside one-sided rocking; remove it",
                 )
                 raise wrong("hinges_negative", two if self.sides == "two" else one)

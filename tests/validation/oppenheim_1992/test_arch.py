@@ -5,12 +5,12 @@ It starts to move at 0.370 g. With joints elsewhere, 8 or 16 voussoirs, it does 
 
 from __future__ import annotations
 
-from math import cos, pi, radians, sin
+from math import asin, cos, pi, radians, sin
 
 import numpy as np
 import pytest
 
-from assess.errors import ProjectError
+from assess.errors import MechanismError, ProjectError
 from assess.mechanisms.arch import weakest
 from assess.mechanisms.chain import Block, mirrored
 from assess.mechanisms.oscillation import oscillator
@@ -148,3 +148,14 @@ def test_the_weakest_mirrors_with_the_arch():
     image = [Block(each.mass, mirrored(each.centroid), each.inertia) for each in heavy[::-1]]
     flipped = [(mirrored(a), mirrored(b)) for a, b in joints[::-1]]
     assert weakest(heavy, joints, name="a").multiplier != pytest.approx(weakest(image, flipped, name="a").multiplier)
+
+
+def test_joints_of_a_wrong_centre_are_told_and_blamed(tmp_path):
+    """Joints that do not point to the centre of the ring leave its feet behind and cut it askew."""
+    words = '"arch": .* % of the arch lies beyond its first and last joint .*; joint 2 is .* deg off square .*; restit'
+    with pytest.raises(MechanismError, match=words):
+        project(tmp_path, 8, body=profile_of(), centre="[0, 5]")
+    told = project(tmp_path, 8, body=profile_of(), centre="[0, 2]").notices[0]
+    left = asin(2 * cos(radians(11.25)) / 10) / radians(78.75)  # of each half, on the mean radius of 10 m
+    assert float(told.split(" %")[0]) == pytest.approx(100 * left, rel=0.05)
+    assert all(text.startswith("hinges of") for text in project(tmp_path, 8, body=profile_of()).notices)

@@ -83,10 +83,21 @@ def test_version(capsys: pytest.CaptureFixture[str]) -> None:
     assert capsys.readouterr().out.startswith("assess 0.")
 
 
-@pytest.mark.parametrize("arguments", [["nonsense"], ["run"], ["run", "x", "--jobs", "0"], ["new"], ["check", "--x"]])
+@pytest.mark.parametrize(
+    "arguments", [["nonsense"], ["run"], ["run", "x", "--jobs", "0"], ["new"], ["check", "--x"], ["check"]]
+)
 def test_wrong_usage_ends_with_2(arguments: list[str], capsys: pytest.CaptureFixture[str]) -> None:
     assert ended(*arguments) == 2
-    assert "Error: " in capsys.readouterr().err
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert captured.err.startswith("assess: error: ")
+    assert captured.err.endswith("--help`\n")
+    assert captured.err.count("\n") == 1
+
+
+def test_no_command_prints_the_help(capsys: pytest.CaptureFixture[str]) -> None:
+    assert ended() == 2
+    assert "Commands:" in capsys.readouterr().out
 
 
 def test_examples_are_listed(capsys: pytest.CaptureFixture[str]) -> None:

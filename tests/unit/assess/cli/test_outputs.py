@@ -120,3 +120,13 @@ def test_a_file_of_the_users_own_is_never_replaced(tmp_path: Path) -> None:
     run(tmp_path, {"results.json": "1", "report.pdf": "1"})
     run(tmp_path, {"results.json": "2", "report.pdf": "2"})
     assert content(tmp_path) == {"results.json": "2", "report.pdf": "2"}
+
+
+def test_a_place_where_nothing_can_be_written_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def refusing(**_: object) -> str:
+        raise PermissionError(13, "Permission denied")
+
+    monkeypatch.setattr("tempfile.mkdtemp", refusing)
+    words = f"{tmp_path / 'x'}: nothing can be written in {tmp_path} .Permission denied.; give another folder"
+    with pytest.raises(AssessError, match=words):
+        run(tmp_path / "x", {"results.json": "1"})

@@ -208,7 +208,12 @@ def test_a_good_mesh_is_not_touched(tmp_path: Path) -> None:
 
 
 def test_a_missing_triangle_is_closed(tmp_path: Path) -> None:
-    text = r"1 hole of 3 edges, .* m2, closed .the first around .* m; volume \+8.33 %"  # one of 12 equal cones
+    triangle = WALL.vertices[WALL.triangles]
+    areas = np.linalg.norm(np.cross(triangle[:, 1] - triangle[:, 0], triangle[:, 2] - triangle[:, 0]), axis=1) / 2.0
+    size = f"{areas[0]:.3g} m2, {100 * areas[0] / areas.sum():.3g} % of the surface"
+    text = (
+        rf"1 hole of 3 edges, {size}, closed by planes .the first around .* m; volume \+8.33 % "  # 1 of 12 equal cones
+    )
     found = repaired(tmp_path, WALL.vertices, WALL.triangles[1:], volume=31.875, text=text)
     same(found, WALL, rtol=1e-12)
 

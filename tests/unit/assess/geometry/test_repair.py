@@ -41,7 +41,7 @@ def test_missing_triangles_of_a_ball_are_closed(share: float) -> None:
     found, told = mended((vertices, triangles[kept]), where="ball")
     assert edges_of(found[1]).plain
     assert volume(*found) == pytest.approx(volume(vertices, triangles), rel=0.01)  # flat faces over neighbouring gaps
-    assert "closed (the first around" in told[0]
+    assert "closed by planes (the first around" in told[0]
 
 
 def test_a_missing_foot_of_a_hollow_tower_is_a_ring() -> None:
@@ -50,7 +50,7 @@ def test_a_missing_foot_of_a_hollow_tower_is_a_ring() -> None:
     whole = volume(vertices, np.vstack([rest, foot]))
     assert volume(*found) == pytest.approx(whole, rel=1e-12)
     assert edges_of(found[1]).plain
-    assert told[0].startswith("1 hole of 48 edges, 9.32 m2, closed")  # pi (4 - 1) less the segments of 24 sides
+    assert told[0].startswith("1 hole of 48 edges, 9.32 m2, ")  # pi (4 - 1) less the segments of 24 sides
 
 
 def test_windings_by_chance_are_made_alike() -> None:

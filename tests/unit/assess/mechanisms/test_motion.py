@@ -14,7 +14,7 @@ import pytest
 from scipy.optimize import brentq
 
 from assess.errors import MechanismError
-from assess.mechanisms.chain import Block, Chain, mirrored, mirrored_chain, require_movable
+from assess.mechanisms.chain import Block, Chain, mirrored, mirrored_chain, require_movable, written
 from assess.mechanisms.motion import limit, move, place
 
 STEP = 1e-30
@@ -318,3 +318,8 @@ def test_a_chain_needs_the_hinges_of_its_blocks():
 @CHAINS
 def test_chains_that_move_are_not_refused(hinges):
     require_movable(chain_of(*hinges), name="w")
+
+
+def test_rounding_is_written_as_nought():
+    assert written((-5.561e-17, 4.0)) == "(0, 4) m"
+    assert written((-1.25e-6, 1e-8)) == "(-1.25e-06, 1e-08) m"

@@ -368,3 +368,11 @@ def test_a_tie_anchored_where_it_holds_is_refused(tmp_path):
     (tmp_path / "project.toml").write_text(PROJECT.format(bodies="", mechanism=tie))
     with pytest.raises(GeometryError, match='"tie 1": seen in the plane of motion its anchor is where it holds'):
         build(load(tmp_path))
+
+
+def test_a_tie_anchored_on_what_moves_is_told(tmp_path):
+    tie = 'loads = [{{ kind = "tie", force = "5 kN", at = [3, 0, 5], anchor = [{}, 0, 4] }}]'
+    for x, told in ((2.9, True), (0.0, False)):  # within the wall, on the ground behind it
+        (tmp_path / "project.toml").write_text(PROJECT.format(bodies="", mechanism=tie.format(x)))
+        said = texts(build(load(tmp_path)))
+        assert ('"tie 1": its anchor at (2.9, 4) m lies on block 0, which moves too' in said) is told

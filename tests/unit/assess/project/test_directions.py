@@ -221,7 +221,7 @@ def test_what_depends_on_the_direction_is_refused_by_key(tmp_path: Path, mechani
 
 def test_a_word_that_is_no_direction_is_refused(tmp_path: Path) -> None:
     (tmp_path / "project.toml").write_text(PROJECT.format(body=SQUARE, mechanism="").replace('"sweep"', '"north"'))
-    with pytest.raises(ProjectError, match=r'direction: "north": not allowed; write "sweep"'):
+    with pytest.raises(ProjectError, match=r'direction: "north": not a direction; .* "sweep" for the weakest'):
         load(tmp_path)
 
 

@@ -190,7 +190,11 @@ WRONG: dict[str, tuple[str | bytes, str]] = {
     "true for a number": (changed('"4 m"', "true"), "bodies.wall.box.height: true: not a number"),
     "negative thickness": (changed('"60 cm"', '"-60 cm"'), 'box.thickness: "-60 cm": must be greater than 0'),
     "table twice": (PROJECT + "[bodies.wall]", "bodies.wall stands there twice; give each its own name"),
-    "key twice": (changed('blocks = ["wall"]', "sides = 1\nsides = 2"), "stands there twice"),
+    "key twice": (changed('blocks = ["wall"]', "sides = 1\nsides = 2"), "line 20, column 10: sides stands there twice"),
+    "key twice in a row": (
+        changed('blocks = ["wall"]', "loads = [{ mass = 1, mass = 2 }]"),
+        ": mass stands there twice",
+    ),
     "not TOML": ("title = 1\nthis is prose", "line 2, column 6: not valid TOML"),
     "unknown code": (changed("asce7-05", "ec8"), 'site.spectrum.code: "ec8": not supported; write one of "asce7-05"'),
     "no code": (changed('code = "asce7-05"', ""), "site.spectrum.code: missing; write one of"),
@@ -217,6 +221,10 @@ WRONG: dict[str, tuple[str | bytes, str]] = {
     "missing mesh": (changed("box = {", 'mesh = "no.stl" #'), 'bodies.wall.mesh: "no.stl": no such file'),
     "pattern without files": (PROJECT + '[records]\nfiles = ["*.AT2"]', '"*.AT2" matches no file'),
     "no files": (PROJECT + "[records]\nfiles = []", "records.files: []: not a list of files"),
+    "direction in words": (
+        changed("restitution = 0.9", 'direction = "east"'),
+        'direction: "east": not a direction; write [1, 0, 0] for +x, [0, -1, 0] for -y, or "sweep"',
+    ),
     "vertical direction": (
         changed("restitution = 0.9", "direction = [0, 0, 1]"),
         "direction: [0, 0, 1]: not horizontal",
@@ -249,6 +257,8 @@ def test_more_errors_are_counted(tmp_path: Path) -> None:
     two = changed('"4 m"', '"4 s"').replace('"2.84 m"', '"2.84 kg"').replace('p = "1.60 1/s"', "p = 0")
     with pytest.raises(ProjectError, match=r"bodies\.wall\.box\.height: .* \(and 2 more\)$"):
         load(written(tmp_path, two))
+    with pytest.raises(ProjectError, match=r'analysis\.levels\[1\]: "x": .* or a number in m/s\^2$'):
+        load(written(tmp_path, changed('["0.1 g", "0.2 g"]', '["x"]')))  # that none is left is no second fault
 
 
 @pytest.mark.parametrize("path", ["missing.toml", "", "/dev/zero", "a\0b"])

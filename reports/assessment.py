@@ -7,7 +7,7 @@ from functools import partial
 from typing import Literal
 
 from assess.results import MechanismResult, Results, SweepResult
-from reports import governing, sentences, sheets, sweeps, tables
+from reports import governing, interfaces, sentences, sheets, siblings, sweeps, tables
 from reports.document import Block, Document, Figure, Items, Section, Signatures, Table, Text
 from reports.figures import capacity, comparison, history, pga_rotation, sketch, spectrum, view
 from reports.numerals import numeral
@@ -117,6 +117,7 @@ def _shape(mechanism: MechanismResult, name: str) -> Section:
         *_filled(tables.loads(mechanism, name=f"{name}-loads")),
         tables.parameters(mechanism, name=f"{name}-parameters"),
         Figure(f"{name}-capacity", curve, partial(capacity.draw, mechanism)),
+        *interfaces.blocks(mechanism, name=name),
     )
     return Section(f"Mechanism: {tables.name_of(mechanism)}", 0, blocks, starts_page=True)
 
@@ -182,7 +183,12 @@ def _comparison(results: Results) -> list[Section]:
         "are informative readings, a cross marks overturning, an arrow a ratio beyond the axis."
     )
     standing = sweeps.standing(results.sweeps, names)
-    blocks = (*standing, Figure("comparison", caption, draw), tables.side_by_side(results))
+    blocks = (
+        *standing,
+        Figure("comparison", caption, draw),
+        tables.side_by_side(results),
+        *siblings.blocks(results, name="interfaces"),
+    )
     return [Section("Comparison of the mechanisms", 0, blocks, starts_page=True)]
 
 

@@ -102,7 +102,7 @@ def _pressed(interface: dict[str, Any], rotation: float) -> str:
     """Stress, resultant, open and crushed parts of one joint at a rotation of the mechanism [rad]."""
     stress, resultant, opened, crushed = joints.values_at(interface, rotation)
     strength = interface["strength_pa"]
-    limit = "" if strength is None else f" of {numeral(strength / 1e6, digits=3)} MPa"
+    limit = "" if strength is None else f" (strength {numeral(strength / 1e6, digits=3)} MPa)"
     return (
         f"joint {interface['hinge']} presses with up to {numeral(stress / 1e6, digits=3)} MPa{limit}, resultant "
         f"{numeral(resultant, digits=3)} m from the edge, {_percent(opened)} of it open and {_percent(crushed)} crushed"

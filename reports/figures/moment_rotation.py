@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from math import isclose
-
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -14,7 +12,7 @@ from reports import joints
 from reports.style import MUTED, label, sheet, styled
 
 FIXED, OWN = "#0072b2", "#c1121f"
-ALIKE = 1e-3  # two rotations that differ by less, of themselves, share a mark
+NEAR = 0.03  # of an axis: joints whose marks are nearer share one
 
 FloatArray = NDArray[np.float64]
 
@@ -46,22 +44,26 @@ def draw(mechanism: MechanismResult) -> Figure:
 def _marks(axes: Axes, mechanism: MechanismResult, rotation: FloatArray, moment: FloatArray) -> None:
     """Where each joint begins to open, and where its edge begins to crush."""
     for key, face, offset in (("opening_rad", "white", (6, -3)), ("crushing_rad", OWN, (-2, -10))):
-        for at, hinges in together(mechanism, key):
-            height = float(np.interp(at, rotation, moment))
+        for at, height, hinges in places(mechanism, key, rotation, moment):
             axes.plot([at], [height], "o", color=OWN, markerfacecolor=face, markersize=4.5, zorder=3)
             axes.annotate(label(", ".join(hinges)), (at, height), xytext=offset, textcoords="offset points", color=OWN)
     for face, name in (("white", "a joint begins to open"), (OWN, "its edge begins to crush")):
         axes.plot([], [], "o", color=OWN, markerfacecolor=face, markersize=4.5, label=name)
 
 
-def together(mechanism: MechanismResult, key: str) -> list[tuple[float, list[str]]]:
-    """Rotations [rad] at which joints of the positive branch open or crush, with the hinges of each."""
-    found: list[tuple[float, list[str]]] = []
+def places(
+    mechanism: MechanismResult, key: str, rotation: FloatArray, moment: FloatArray
+) -> list[tuple[float, float, list[str]]]:
+    """Rotation [rad] and moment [-] at which joints of the positive branch open or crush, with the hinges of each."""
+    found: list[tuple[float, float, list[str]]] = []
     for interface in joints.of_branch(mechanism, "positive"):
         at = joints.rotation_when(interface, key)
-        beside = next((hinges for other, hinges in found if at is not None and isclose(at, other, rel_tol=ALIKE)), None)
-        if beside is not None:
-            beside.append(interface["hinge"])
-        elif at is not None:
-            found.append((at, [interface["hinge"]]))
+        if at is None:
+            continue
+        height = float(np.interp(at, rotation, moment))
+        near = [hinges for x, y, hinges in found if abs(x - at) <= NEAR * rotation[-1] and abs(y - height) <= NEAR]
+        if near:
+            near[0].append(interface["hinge"])
+        else:
+            found.append((at, height, [interface["hinge"]]))
     return found

@@ -29,10 +29,19 @@ class Siblings:
 
 def siblings_of(results: Results) -> tuple[Siblings, ...]:
     """Every group of two or more, the rigid one first, then in the order of the project."""
-    groups: dict[frozenset[tuple[str, str]], list[MechanismResult]] = {}
+    return tuple(Siblings(_by_interface(group)) for group in _groups(results))
+
+
+def earlier(results: Results) -> dict[str, str]:
+    """For each mechanism that has siblings before it in the report, what the first of them is called."""
+    return {other.name: name_of(first) for first, *others in _groups(results) for other in others}
+
+
+def _groups(results: Results) -> list[list[MechanismResult]]:
+    found: dict[frozenset[tuple[str, str]], list[MechanismResult]] = {}
     for mechanism in results.mechanisms:
-        groups.setdefault(described(results, mechanism), []).append(mechanism)
-    return tuple(Siblings(_by_interface(group)) for group in groups.values() if len(group) > 1)
+        found.setdefault(described(results, mechanism), []).append(mechanism)
+    return [group for group in found.values() if len(group) > 1]
 
 
 def described(results: Results, mechanism: MechanismResult) -> frozenset[tuple[str, str]]:

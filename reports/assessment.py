@@ -7,7 +7,7 @@ from functools import partial
 from typing import Literal
 
 from assess.results import MechanismResult, Results, SweepResult
-from reports import governing, sentences, sheets, sweeps, tables
+from reports import governing, interfaces, sentences, sheets, siblings, sweeps, tables
 from reports.document import Block, Document, Figure, Items, Section, Signatures, Table, Text
 from reports.figures import capacity, comparison, history, pga_rotation, sketch, spectrum, view
 from reports.numerals import numeral
@@ -27,8 +27,10 @@ def assessment(results: Results) -> Document:
     """The whole report of one run."""
     title = project(results, "title") or "Rocking assessment"
     chapters = [_verdict(results), _basis(results), *_site(results)]
+    seen = siblings.earlier(results)
     for place, mechanism in enumerate(results.mechanisms, start=1):
-        chapters += _mechanism(mechanism, results.sweeps, stem(mechanism.name, place))
+        name = stem(mechanism.name, place)
+        chapters += _mechanism(mechanism, results.sweeps, name, sibling=seen.get(mechanism.name, ""))
     chapters += [*_comparison(results), _limits(results), _signatures(results)]
     return Document(
         title=title,
@@ -93,10 +95,10 @@ def _site(results: Results) -> list[Section]:
     return [Section("Site and ground motion", 0, tuple(blocks))] if blocks else []
 
 
-def _mechanism(mechanism: MechanismResult, swept: tuple[SweepResult, ...], name: str) -> list[Section]:
+def _mechanism(mechanism: MechanismResult, swept: tuple[SweepResult, ...], name: str, *, sibling: str) -> list[Section]:
     own = [sweep for sweep in swept if sweep.mechanism == mechanism.name]
     chapters = [
-        _shape(mechanism, name),
+        _shape(mechanism, name, sibling=sibling),
         sweeps.studies(own, name=name),
         _answer(mechanism, name),
         _histories(mechanism, name),
@@ -105,7 +107,7 @@ def _mechanism(mechanism: MechanismResult, swept: tuple[SweepResult, ...], name:
     return [chapter for chapter in chapters if chapter.blocks]
 
 
-def _shape(mechanism: MechanismResult, name: str) -> Section:
+def _shape(mechanism: MechanismResult, name: str, *, sibling: str) -> Section:
     curve = (
         "Capacity curve: restoring moment and load multiplier λ over rotation. The dot marks the overturning rotation."
     )
@@ -113,18 +115,22 @@ def _shape(mechanism: MechanismResult, name: str) -> Section:
         Text((sentences.description(mechanism),)),
         *sweeps.weakest(mechanism, name=name),
         Figure(f"{name}-sketch", sentences.sketch(mechanism), partial(sketch.draw, mechanism)),
-        *_view(mechanism, name),
+        *_view(mechanism, name, sibling=sibling),
         *_filled(tables.loads(mechanism, name=f"{name}-loads")),
         tables.parameters(mechanism, name=f"{name}-parameters"),
         Figure(f"{name}-capacity", curve, partial(capacity.draw, mechanism)),
+        *interfaces.blocks(mechanism, name=name),
     )
     return Section(f"Mechanism: {tables.name_of(mechanism)}", 0, blocks, starts_page=True)
 
 
-def _view(mechanism: MechanismResult, name: str) -> list[Block]:
+def _view(mechanism: MechanismResult, name: str, *, sibling: str) -> list[Block]:
+    """The bodies in space, once for mechanisms that differ by their interface alone."""
     seen = mechanism.view
     if seen is None:
         return []
+    if sibling:
+        return [Text((f"Its bodies in space are those of {sibling}, drawn there.",))]
     draw = partial(view.draw, seen, len(mechanism.drawing.displaced.hinges))
     return [Figure(f"{name}-view", sentences.view(seen), draw)]
 
@@ -182,7 +188,12 @@ def _comparison(results: Results) -> list[Section]:
         "are informative readings, a cross marks overturning, an arrow a ratio beyond the axis."
     )
     standing = sweeps.standing(results.sweeps, names)
-    blocks = (*standing, Figure("comparison", caption, draw), tables.side_by_side(results))
+    blocks = (
+        *standing,
+        Figure("comparison", caption, draw),
+        tables.side_by_side(results),
+        *siblings.blocks(results, name="interfaces"),
+    )
     return [Section("Comparison of the mechanisms", 0, blocks, starts_page=True)]
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from assess.codes.check import Check
 from assess.results import MechanismResult, Results, View
-from reports import governing
+from reports import governing, interfaces
 from reports.lettering import shortened
 from reports.numerals import numeral
 from reports.tables import name_of
@@ -55,7 +55,14 @@ def description(mechanism: MechanismResult) -> str:
 
 def limits(results: Results) -> tuple[str, ...]:
     """What the engineer must keep in mind before signing."""
-    return (*_ALWAYS, *_readings(results), *_unlike(results), *_linearised(results), *_unverified(results))
+    return (
+        *_ALWAYS,
+        *interfaces.limits(results.mechanisms),
+        *_readings(results),
+        *_unlike(results),
+        *_linearised(results),
+        *_unverified(results),
+    )
 
 
 _ALWAYS = (

@@ -11,7 +11,7 @@ from reports.figures import directions as directions_figure
 from reports.figures import sweep as sweep_figure
 from reports.lettering import shortened
 from reports.numerals import given, numeral
-from reports.tables import OVERTURNED
+from reports.tables import OVERTURNED, uplift
 
 RULE = (
     "The controlling case has the largest demand over capacity of all checks of a code that apply, at all levels; of "
@@ -76,10 +76,12 @@ def table(sweep: SweepResult, *, name: str) -> Table:
 
 def _row(sweep: SweepResult, place: int) -> tuple[Cell, ...]:
     ratio: Cell = OVERTURNED if sweep.overturned[place] else sweep.demand_capacity[place]
-    parameters = (sweep.p_eq_per_s, sweep.uplift_multiplier, sweep.overturning_rad, sweep.restitution)
+    parameters = (sweep.overturning_rad, sweep.restitution)
     mark = "controls" if place == sweep.controlling else ""
     return (
         sweep.value[place],
+        sweep.p_eq_per_s[place],
+        uplift(sweep.uplift_multiplier[place]),
         *(values[place] for values in parameters),
         ratio,
         sweep.capacity_pga_g[place],

@@ -20,7 +20,7 @@ from reports import governing
 from reports.document import Cell, Column, Table
 from reports.numerals import as_cell
 
-OVERTURNED, NO_ROCKING = "overturned", "no rocking"
+OVERTURNED, NO_ROCKING, NONE = "overturned", "no rocking", "none"
 _MECHANISM, _LEVEL, _PROCEDURE = Column("Mechanism"), Column("PGA", "g", "number"), Column("Procedure")
 
 PARAMETERS: tuple[tuple[str, str, str], ...] = (
@@ -31,8 +31,9 @@ PARAMETERS: tuple[tuple[str, str, str], ...] = (
     ("p_eq_per_s", "Frequency parameter, p", "1/s"),
     ("uplift_multiplier", "Load multiplier at uplift, λ", "-"),
     ("overturning_rad", "Overturning rotation, rigid, φₒᵥ", "rad"),
-    ("overturning_flexible_rad", "Overturning rotation with its interface", "rad"),
-    ("equilibrium_rad", "Rotation at rest", "rad"),
+    ("overturning_flexible_rad", "Overturning rotation on its joints, from rest", "rad"),
+    ("equilibrium_rad", "Rotation at rest, φₑ", "rad"),
+    ("elastic_frequency_hz", "Frequency of small motions about rest", "Hz"),
     ("restitution", "Coefficient of restitution, η", "-"),
     ("critical_rad", "Rotation about which the equation is linearised, φ_cr", "rad"),
     ("linearised.inertia_kg_m2", "Linearised: inertia, I", "kg m²"),
@@ -448,5 +449,12 @@ def _rocking(rotation: float | None) -> Cell:
 
 
 def _parameter(branch: OscillatorResult | None, key: str) -> Cell:
+    if branch is not None and key == "uplift_multiplier":
+        return uplift(branch.uplift_multiplier)
     value: float | None = None if branch is None else attrgetter(key)(branch)
     return value
+
+
+def uplift(multiplier: float | None) -> Cell:
+    """Load multiplier at uplift [-]; "none" where a joint answers to any rotation, so that there is no threshold."""
+    return NONE if multiplier is None else multiplier

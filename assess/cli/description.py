@@ -58,7 +58,11 @@ def _interfaces(m: MechanismResult) -> list[str]:
     yielding = [interface for interface in m.interfaces if interface["curve"] is not None]
     if not yielding:
         return ["  interface   rigid"]
-    lines = [f"  {'interfaces' if i == 0 else '':<11} {_interface(each)}" for i, each in enumerate(yielding)]
+    alike: dict[str, list[str]] = {}
+    for each in yielding:
+        alike.setdefault(_interface(each), []).append(printable(each["hinge"]))
+    sentences = [f"{', '.join(hinges)}: {text}" for text, hinges in alike.items()]
+    lines = [f"  {'interfaces' if i == 0 else '':<11} {sentence}" for i, sentence in enumerate(sentences)]
     rest = m.oscillator
     if rest.elastic_frequency_hz is not None:
         lines.append(
@@ -68,14 +72,15 @@ def _interfaces(m: MechanismResult) -> list[str]:
 
 
 def _interface(found: dict[str, Any]) -> str:
-    stiffness = "rigid" if found["stiffness_pa_m"] is None else f"{found['stiffness_pa_m'] / 1e9:.4g} GPa/m"
+    infinite = found["stiffness_pa_m"] is None
+    stiffness = "without limit of stiffness" if infinite else f"{found['stiffness_pa_m'] / 1e9:.4g} GPa/m"
     strength = "no crushing" if found["strength_pa"] is None else f"{found['strength_pa'] / 1e6:.4g} MPa"
     opens, crushes = (
         "never" if found[key] is None else f"at {found[key]:.3g} rad" for key in ("opening_rad", "crushing_rad")
     )
     force = f"{found['normal_force_n'] / 1e3:.4g} kN"
     return (
-        f"{found['hinge']}: {found['model']}, {stiffness}, {strength}; {found['area_m2']:.4g} m2, "
+        f"{found['model']}, {stiffness}, {strength}; {found['area_m2']:.4g} m2, "
         f"{found['depth_m']:.4g} m deep, under {force} at rest; opens {opens}, crushes {crushes}"
     )
 

@@ -22,6 +22,7 @@ _SHORT = (
     "restitution",
     "mass [kg]",
 )
+_ON_JOINTS = "on joints [rad]"
 _CONSTANTS = (
     "linearised",
     "branch",
@@ -41,10 +42,13 @@ def parameters_text(mechanisms: tuple[MechanismResult, ...]) -> str:
 
 
 def table_text(mechanisms: tuple[MechanismResult, ...]) -> str:
-    """The main parameters of each branch, rounded for reading."""
-    return text_table(
-        _SHORT, [_short(mechanism.name, *pair) for mechanism in mechanisms for pair in _branches(mechanism)]
-    )
+    """The main parameters of each branch, rounded for reading; phi_ov on joints that give way beside the rigid one."""
+    pairs = [(mechanism.name, *pair) for mechanism in mechanisms for pair in _branches(mechanism)]
+    if all(o.overturning_flexible_rad is None for _, _, o in pairs):
+        return text_table(_SHORT, [_short(*each) for each in pairs])
+    place = _SHORT.index("phi_ov [rad]") + 1
+    rows = [[*(short := _short(*each))[:place], _on_joints(each[-1]), *short[place:]] for each in pairs]
+    return text_table((*_SHORT[:place], _ON_JOINTS, *_SHORT[place:]), rows)
 
 
 def constants_text(mechanisms: tuple[MechanismResult, ...]) -> str:
@@ -92,6 +96,10 @@ def _branches(mechanism: MechanismResult) -> Iterator[tuple[str, OscillatorResul
 
 
 def _short(name: str, branch: str, o: OscillatorResult) -> list[str]:
-    uplift = "-" if o.uplift_multiplier is None else f"{o.uplift_multiplier:.4f}"
+    uplift = "none" if o.uplift_multiplier is None else f"{o.uplift_multiplier:.4f}"
     numbers = (f"{o.slenderness_rad:.4f}", f"{o.overturning_rad:.4f}", f"{o.restitution:.3f}", f"{o.mass_kg:.6g}")
     return [name, branch, f"{o.p_eq_per_s:.4f}", uplift, f"{o.radius_m:.4f}", *numbers]
+
+
+def _on_joints(o: OscillatorResult) -> str:
+    return "-" if o.overturning_flexible_rad is None else f"{o.overturning_flexible_rad:.4f}"

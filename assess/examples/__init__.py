@@ -26,7 +26,11 @@ class Example:
 
 EXAMPLES: dict[str, Example] = {
     "casa_grande": Example(
-        "Great House of Casa Grande, Arizona: eight mechanisms of seven eroded walls", casa_grande.meshes
+        "Great House of Casa Grande, Arizona: eight mechanisms of eroded walls, two also on flexible joints",
+        casa_grande.meshes,
+    ),
+    "casa_grande_flexible": Example(
+        "the same eight mechanisms with rigid and with flexible joints, by spectra", casa_grande.meshes
     ),
     "casa_grande_table": Example("the same eight mechanisms by the parameters of a published table"),
     "lnec_houses": Example("brick and stone house of the LNEC shaking-table tests: six mechanisms by a table"),

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import inf
 from typing import Literal
 
 from assess.geometry.outline import Outline
 from assess.mechanisms.chain import Chain
 from assess.mechanisms.directions import Directions
+from assess.mechanisms.joint import Joint
 
 Sides = Literal["one", "two"]
 
@@ -47,3 +49,17 @@ class Mechanism:
     def flexible(self) -> bool:
         """Whether a hinge presses on a joint that gives way."""
         return any(joint is not None for joint in self.positive.joints)
+
+    @property
+    def crushing(self) -> bool:
+        """Whether every hinge presses on a joint of finite strength; the top of a wall may carry nothing."""
+        chains = [chain for chain in (self.positive, self.negative) if chain is not None]
+        return all(chain.joints and all(map(_crushes, _pressing(chain))) for chain in chains)
+
+
+def _pressing(chain: Chain) -> tuple[Joint | None, ...]:
+    return chain.joints[:2] if len(chain.blocks) == 2 and chain.joints[2] is None else chain.joints
+
+
+def _crushes(joint: Joint | None) -> bool:
+    return joint is not None and joint.law.strength < inf

@@ -1,30 +1,31 @@
 """Time histories of a study: every mechanism under every record, in both polarities, at its levels and on a scan.
 
 The scan raises the target's PGA in steps of SCAN_STEP until a record overturns the mechanism; it gives the curve of
-the response-history method and its PGA at collapse.
+the response-history method and its PGA at collapse. On joints that vibrate about rest a history takes ten times as many
+steps of integration, so there the scan has half as many levels.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from math import inf
+from math import inf, log
 
 import numpy as np
 from scipy.constants import g
 
 from assess.codes.context import Suite
 from assess.dynamics.history import Jobs, Peaks, peaks, trace
-from assess.oscillator import Oscillator, multiplier
+from assess.oscillator import Oscillator, elastic_frequency, resisted
 from assess.project.motions import Motion
 from assess.project.study import Equation
 from assess.results import HistoryResult, Trace
 
 Progress = Callable[[str, int, int], None]
 
-SCAN_STEP = 1.025  # ratio of two PGAs of the scan
-SCAN_START = 0.4  # of the smaller uplift acceleration
-BATCH = 40  # levels run at once; one batch raises the PGA 2.7 times
+SCAN_STEP, JOINTS_STEP = 1.025, 1.05  # ratio of two PGAs of the scan, and where joints vibrate about rest
+SCAN_START = 0.4  # of the smaller uplift acceleration, or of what a flexible joint resists at most
+BATCH = 2.7  # ratio by which the levels that run at once raise the PGA
 MOST_BATCHES = 5
 
 
@@ -121,11 +122,14 @@ def suite_of(histories: Sequence[HistoryResult], *, pga: float) -> Suite:
 def scan_of(shaken: Shaken, motions: Sequence[Motion], *, site_pga: float, threads: int) -> tuple[Suite, ...]:
     """Suites at rising PGA, up to and with the first in which a record overturns the mechanism."""
     strongest = max(motion.scaling.factor * motion.record.pga for motion in motions) / site_pga
-    uplift = g * min(float(multiplier(branch)[0]) for branch in shaken.oscillator.branches)
+    uplift = g * min(resisted(branch) for branch in shaken.oscillator.branches)
     start = SCAN_START * uplift / max(1.0, strongest)
+    vibrates = any(elastic_frequency(branch) is not None for branch in shaken.oscillator.branches)
+    step = JOINTS_STEP if vibrates else SCAN_STEP
+    batch = round(log(BATCH) / log(step))
     suites: list[Suite] = []
-    for batch in range(MOST_BATCHES):
-        levels = [start * SCAN_STEP ** (BATCH * batch + k) for k in range(BATCH)]
+    for first in range(0, MOST_BATCHES * batch, batch):
+        levels = [start * step ** (first + k) for k in range(batch)]
         for level, histories in zip(
             levels, run_levels(shaken, motions, levels=levels, site_pga=site_pga, threads=threads), strict=True
         ):

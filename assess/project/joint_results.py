@@ -76,7 +76,7 @@ def _flexible(chain: Chain, side: Branch, names: Sequence[str], name: str) -> li
             "opening_rad": _finite(opening),
             "crushing_rad": _finite(crushing),
             "curve": {
-                "rotation_rad": tuple(held.relative[number].tolist()),
+                "rotation_rad": tuple((held.relative[number] + 0.0).tolist()),
                 "mechanism_rotation_rad": tuple(rotation.tolist()),
                 "resultant_m": tuple(contact.resultant.tolist()),
                 "peak_stress_pa": tuple(contact.peak_stress.tolist()),

@@ -38,12 +38,19 @@ def notices_of(
         )
     italian = any(name.startswith("dmi2008") for name in content.analysis.procedures)
     if italian and content.procedures.dmi2008.confidence_factor == 1.0:
-        yield Notice(
-            "confidence-factor",
-            "procedures.dmi2008",
-            "FC = 1.00 stands for knowledge level LC3; where crushing of the masonry is not modelled, as here, "
-            "Circolare 617/2009 asks for the FC of LC1, 1.35",
+        yield from _of_crushing(mechanisms)
+
+
+def _of_crushing(mechanisms: Sequence[Mechanism]) -> Iterator[Notice]:
+    """The confidence factor that goes with a model without crushing, for the mechanisms that have none."""
+    without = [mechanism.name for mechanism in mechanisms if not mechanism.crushing]
+    text = "FC = 1.00 stands for knowledge level LC3"
+    if without:
+        here = "as here" if len(without) == len(mechanisms) else f"as in {', '.join(without)}"
+        text += (
+            f"; where crushing of the masonry is not modelled, {here}, Circolare 617/2009 asks for the FC of LC1, 1.35"
         )
+    yield Notice("confidence-factor", "procedures.dmi2008", text)
 
 
 def _of_body(name: str, solid: Solid, body: sections.Body) -> Iterator[Notice]:

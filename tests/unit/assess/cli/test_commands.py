@@ -264,3 +264,39 @@ def test_a_case_that_cannot_stand_is_one_line(project: Path, capsys: pytest.Capt
     project.write_text(PROJECT + SWEPT.replace('"12 m"', '"-12 m"'))
     assert ended("parameters", project) == 2
     assert 'analysis.sweep: bodies.tower.box.height = "-12 m": must be greater than 0' in capsys.readouterr().err
+
+
+JOINTS = """
+[mechanisms."on joints"]
+kind = "single-block"
+blocks = ["wall"]
+interface = { model = "flexible", stiffness = "0.1 GPa/m", strength = "1 MPa" }
+"""
+
+
+def test_check_says_once_what_two_joints_have_in_common(project: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    project.write_text(PROJECT + JOINTS)
+    assert ended("check", project) == 0
+    out = capsys.readouterr().out
+    (line,) = [line for line in out.splitlines() if "GPa/m" in line]
+    assert line.startswith(
+        "  interfaces  A, A': flexible, 0.1 GPa/m, 1 MPa; 1.8 m2, 0.6 m deep, under 127.1 kN at rest"
+    )
+    assert "where crushing of the masonry is not modelled, as in =wall, 1, published, Circolare" in out
+
+
+def test_parameters_show_where_joints_overturn_beside_rigid_ones(
+    project: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert ended("parameters", project) == 0
+    assert "on joints" not in capsys.readouterr().out
+    project.write_text(PROJECT + JOINTS)
+    assert ended("parameters", project, "--json") == 0
+    flexible = json.loads(capsys.readouterr().out)[-1]["oscillator"]
+    assert ended("parameters", project) == 0
+    head, *rows = capsys.readouterr().out.split("\n\n")[0].splitlines()
+    place = head.index("on joints [rad]")
+    columns = [row[place : place + len("on joints [rad]")].strip() for row in rows]
+    assert columns == ["-", "-", "-", *[f"{flexible['overturning_flexible_rad']:.4f}"] * 2]
+    assert flexible["overturning_flexible_rad"] < flexible["overturning_rad"]
+    assert rows[-1].split()[4] == "none"  # no load multiplier at uplift

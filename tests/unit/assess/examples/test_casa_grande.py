@@ -113,7 +113,23 @@ def test_the_table_example_has_the_published_parameters(tmp_path):
         assert (section.p, section.uplift, section.radius, section.elevation) == (p, slenderness, radius, elevation)
 
 
-@pytest.mark.parametrize("name", ["casa_grande", "casa_grande_table"])
+@pytest.mark.parametrize(("name", "walls"), [("casa_grande", ("W0a", "W6")), ("casa_grande_flexible", PUBLISHED)])
+def test_walls_on_flexible_joints_are_those_on_rigid_ones(name, walls, tmp_path):
+    """Mehrotra, 8.4.1: strength 1.00 MPa, stiffness E / course = 6.89 GPa / 0.69 m, "approximately 10.0 GPa/m"."""
+    content = load(copy_example(name, tmp_path / name)).content
+    sections = content.mechanisms
+    assert [key for key in sections if key.endswith("-flexible")] == [f"{wall}-flexible" for wall in walls]
+    for wall in walls:
+        rigid, flexible = sections[wall], sections[f"{wall}-flexible"]
+        assert isinstance(rigid, SingleBlock)
+        assert isinstance(flexible, SingleBlock)
+        assert rigid.model_copy(update={"label": flexible.label, "interface": flexible.interface}) == flexible
+        assert flexible.interface.model == "flexible"
+        assert flexible.interface.stiffness == pytest.approx(6.89e9 / 0.69, rel=2e-3)
+        assert flexible.interface.strength == 1.00e6
+
+
+@pytest.mark.parametrize("name", ["casa_grande", "casa_grande_table", "casa_grande_flexible"])
 def test_casa_grande_has_the_published_site(name, tmp_path):
     content = load(copy_example(name, tmp_path / name)).content
     assert content.site is not None

@@ -10,6 +10,7 @@ import pytest
 from scipy.constants import g
 
 from assess.errors import GeometryError, MechanismError, ProjectError
+from assess.mechanisms.oscillation import oscillator
 from assess.project.build import build
 from assess.project.histories import Shaken, scan_of
 from assess.project.motions import motions_of
@@ -103,8 +104,6 @@ def test_scaling_to_a_table_that_ends_early_uses_the_periods_it_has(tmp_path):
 def test_the_scan_begins_below_uplift_whatever_the_records_scale(tmp_path):
     study = study_of(tmp_path, records=f'{QUIET}\nscale_to = "none"', amplitude=5.0)
     motions = motions_of(study, study.spectrum)
-    from assess.mechanisms.oscillation import oscillator
-
     shaken = Shaken("m", oscillator(study.mechanisms[0]), "exact")
     scan = scan_of(shaken, motions, site_pga=study.spectrum.pga, threads=1)
     assert scan[0].mean == 0.0
@@ -177,6 +176,39 @@ def test_confidence_factor_is_warned_of_only_where_it_is_used(tmp_path):
     with_italian = study_of(tmp_path).notices
     without = study_of(tmp_path, analysis='procedures = ["asce43-05-spectrum"]').notices
     assert {n.code for n in with_italian} - {n.code for n in without} == {"confidence-factor"}
+
+
+CRUSHING = 'interface = { strength = "1 MPa" }'
+TWIN = '[mechanisms.n]\nkind = "single-block"\nblocks = ["w"]'
+
+
+@pytest.mark.parametrize(
+    ("mechanism", "tail", "words"),
+    [
+        ("", TWIN, "is not modelled, as here,"),
+        (CRUSHING, TWIN, "is not modelled, as in n,"),
+        ('interface = { strength = "inf" }', "", "is not modelled, as here,"),
+        (CRUSHING, f"{TWIN}\n{CRUSHING}", None),
+    ],
+)
+def test_confidence_factor_tells_which_mechanisms_do_not_crush(tmp_path, mechanism, tail, words):
+    study = study_of(tmp_path, mechanism=mechanism, tail=tail)
+    (notice,) = [notice for notice in study.notices if notice.code == "confidence-factor"]
+    assert "LC3" in notice.text
+    assert ("not modelled" in notice.text) == (words is not None)
+    assert words is None or words in notice.text
+
+
+def test_the_scan_on_flexible_joints_rises_from_a_level_that_moves_little(tmp_path):
+    joint = 'interface = { model = "flexible", stiffness = "0.1 GPa/m", strength = "1 MPa" }'
+    study = study_of(tmp_path, mechanism=joint)
+    motions = motions_of(study, study.spectrum)
+    scan = scan_of(
+        Shaken("m", oscillator(study.mechanisms[0]), "exact"), motions, site_pga=study.spectrum.pga, threads=1
+    )
+    assert 0.0 < scan[0].mean < 0.2
+    assert scan[-1].overturned
+    np.testing.assert_allclose(np.diff(np.log([suite.pga for suite in scan])), np.log(1.05), rtol=1e-9)
 
 
 def test_parameters_need_no_site_and_agree_with_the_run(tmp_path):

@@ -1,0 +1,74 @@
+"""The contact of each joint over rotation: where the resultant presses, and how hard."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
+
+from assess.codes.check import BranchName
+from assess.results import MechanismResult
+from reports import joints
+from reports.style import MUTED, label, sheet, styled
+
+COLOURS = ("#c1121f", "#0072b2", "#009e73", "#e69f00")  # of the hinges A, B, C, D
+LEAST = 1e-2  # of the largest value: curves that differ by less are one
+
+_PANELS = (("resultant_m", 1.0, "resultant from the edge [m]"), ("peak_stress_pa", 1e6, "stress at the edge [MPa]"))
+
+
+def draw(mechanism: MechanismResult) -> Figure:
+    """Distance of the resultant [m] and peak stress [MPa] of each joint over the mechanism's rotation [rad]."""
+    end = max(
+        side.overturning_rad for side in (mechanism.oscillator, mechanism.oscillator_negative) if side is not None
+    )
+    with styled():
+        figure = sheet(2.35)
+        for axes, (key, size, name) in zip(figure.subplots(1, 2), _PANELS, strict=True):
+            for interface, colour, dash, hinges in lines(mechanism):
+                curve = interface["curve"]
+                rotation, values = np.asarray(curve["mechanism_rotation_rad"]), np.asarray(curve[key]) / size
+                axes.plot(rotation, values, dash, color=colour, label=label(hinges))
+            axes.set(xlabel="rotation φ [rad]", ylabel=name)
+            axes.set_xlim(0.0, end)
+            axes.set_ylim(bottom=0.0)
+            axes.xaxis.set_major_locator(MaxNLocator(6))
+        _strength(axes, mechanism)
+        axes.legend(loc="lower right")
+        return figure
+
+
+def lines(mechanism: MechanismResult) -> list[tuple[dict[str, Any], str, str, str]]:
+    """Of each joint that is unlike those before it: itself, colour, line, and the hinges that it stands for."""
+    found: list[tuple[dict[str, Any], str, str, list[str]]] = []
+    branches: tuple[tuple[BranchName, str], ...] = (("positive", "-"), ("negative", "--"))
+    for branch, dash in branches:
+        for place, interface in enumerate(joints.of_branch(mechanism, branch)):
+            like = next((hinges for other, _, _, hinges in found if alike(interface, other)), None)
+            if like is None:
+                found.append((interface, COLOURS[place % len(COLOURS)], dash, [interface["hinge"]]))
+            else:
+                like.append(interface["hinge"])
+    return [(interface, colour, dash, ", ".join(hinges)) for interface, colour, dash, hinges in found]
+
+
+def alike(one: dict[str, Any], other: dict[str, Any]) -> bool:
+    """Whether two joints have the same curves, to the eye."""
+    return all(_same(one["curve"], other["curve"], key) for key, _, _ in _PANELS)
+
+
+def _same(one: dict[str, Any], other: dict[str, Any], key: str) -> bool:
+    values = np.asarray(one[key])
+    between = np.interp(one["mechanism_rotation_rad"], other["mechanism_rotation_rad"], other[key])
+    return bool(np.abs(values - between).max() <= LEAST * np.abs(values).max())
+
+
+def _strength(axes: Axes, mechanism: MechanismResult) -> None:
+    for strength in sorted({found["strength_pa"] for found in joints.yielding(mechanism)} - {None}):
+        axes.axhline(strength / 1e6, color=MUTED, linewidth=0.8, linestyle=":")
+        axes.annotate(
+            "strength", (1.0, strength / 1e6), xycoords=axes.get_yaxis_transform(), ha="right", va="bottom", color=MUTED
+        )

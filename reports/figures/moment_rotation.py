@@ -1,0 +1,69 @@
+"""The moment over rotation of a mechanism with joints, beside those of simpler ones (thesis Fig. 8.8)."""
+
+from __future__ import annotations
+
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from assess.results import MechanismResult
+from reports import joints
+from reports.style import MUTED, label, sheet, styled
+
+FIXED, OWN = "#0072b2", "#c1121f"
+NEAR = 0.03  # of an axis: joints whose marks are nearer share one
+
+FloatArray = NDArray[np.float64]
+
+
+def draw(mechanism: MechanismResult) -> Figure:
+    """Moment / largest rigid moment [-] over rotation [rad] of the positive branch: rigid, hinges at a_SF, its own."""
+    rest, own, simpler = mechanism.oscillator.equilibrium_rad, mechanism.curve.positive, mechanism.interface_curves
+    largest = max(own.restoring_n_m if simpler is None else simpler.rigid.restoring_n_m)
+    rotation, moment = np.asarray(own.rotation_rad) + rest, np.asarray(own.restoring_n_m) / largest
+    with styled():
+        figure = sheet(2.9)
+        axes = figure.subplots()
+        if simpler is not None:
+            for one, colour, dash, name in (
+                (simpler.rigid, MUTED, "-", "rigid joints"),
+                (simpler.fixed_hinges, FIXED, "--", "hinges fixed at a_SF"),
+            ):
+                axes.plot(one.rotation_rad, np.asarray(one.restoring_n_m) / largest, dash, color=colour, label=name)
+        axes.plot(rotation, moment, color=OWN, label=label(f"its joints: {joints.model(mechanism)}"))
+        axes.axhline(0.0, color=MUTED, linewidth=0.7)
+        _marks(axes, mechanism, rotation, moment)
+        axes.set(xlabel="rotation φ [rad]", ylabel="moment / largest rigid moment [-]")
+        axes.set_xlim(min(0.0, rest), 1.08 * max(mechanism.oscillator.overturning_rad, rest))
+        axes.set_ylim(-0.08, 1.08)
+        axes.legend(loc="upper right")
+        return figure
+
+
+def _marks(axes: Axes, mechanism: MechanismResult, rotation: FloatArray, moment: FloatArray) -> None:
+    """Where each joint begins to open, and where its edge begins to crush."""
+    for key, face, offset in (("opening_rad", "white", (6, -3)), ("crushing_rad", OWN, (-2, -10))):
+        for at, height, hinges in places(mechanism, key, rotation, moment):
+            axes.plot([at], [height], "o", color=OWN, markerfacecolor=face, markersize=4.5, zorder=3)
+            axes.annotate(label(", ".join(hinges)), (at, height), xytext=offset, textcoords="offset points", color=OWN)
+    for face, name in (("white", "a joint begins to open"), (OWN, "its edge begins to crush")):
+        axes.plot([], [], "o", color=OWN, markerfacecolor=face, markersize=4.5, label=name)
+
+
+def places(
+    mechanism: MechanismResult, key: str, rotation: FloatArray, moment: FloatArray
+) -> list[tuple[float, float, list[str]]]:
+    """Rotation [rad] and moment [-] at which joints of the positive branch open or crush, with the hinges of each."""
+    found: list[tuple[float, float, list[str]]] = []
+    for interface in joints.of_branch(mechanism, "positive"):
+        at = joints.rotation_when(interface, key)
+        if at is None:
+            continue
+        height = float(np.interp(at, rotation, moment))
+        near = [hinges for x, y, hinges in found if abs(x - at) <= NEAR * rotation[-1] and abs(y - height) <= NEAR]
+        if near:
+            near[0].append(interface["hinge"])
+        else:
+            found.append((at, height, [interface["hinge"]]))
+    return found

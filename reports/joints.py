@@ -1,0 +1,59 @@
+"""The joints of a mechanism as the results hold them: which there are, and what one carries at a rotation."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from assess.codes.check import BranchName
+from assess.results import HistoryResult, MechanismResult
+
+
+def yielding(mechanism: MechanismResult) -> list[dict[str, Any]]:
+    """The joints of both branches that open or crush; none where all are rigid."""
+    return [interface for interface in mechanism.interfaces if interface["curve"] is not None]
+
+
+def of_branch(mechanism: MechanismResult, branch: BranchName) -> list[dict[str, Any]]:
+    """The joints of one branch that open or crush: the hinges of the positive branch stand first."""
+    first = len(mechanism.drawing.displaced.hinges)
+    part = mechanism.interfaces[first:] if branch == "negative" else mechanism.interfaces[:first]
+    return [interface for interface in part if interface["curve"] is not None]
+
+
+def model(mechanism: MechanismResult) -> str:
+    """What its joints are, in a word or two."""
+    models = dict.fromkeys(interface["model"] for interface in yielding(mechanism))
+    names = {"rigid": "rigid with crushing"}
+    return ", ".join(names.get(each, each) for each in models) or "rigid"
+
+
+def peak_rotation(mechanism: MechanismResult, history: HistoryResult) -> float:
+    """The largest rotation of a history where the curves of the joints have it: counted from the upright state [rad].
+
+    The history itself counts from rest, which under an eccentric load is not upright.
+    """
+    side = mechanism.oscillator if history.branch == "positive" else mechanism.oscillator_negative
+    rest = 0.0 if side is None else side.equilibrium_rad
+    return max(0.0, abs(history.max_rotation_rad or 0.0) + rest)
+
+
+def rotation_when(interface: dict[str, Any], key: str) -> float | None:
+    """Rotation of the mechanism at which a joint opens or crushes, by "opening_rad" or "crushing_rad" [rad].
+
+    None where it never does, where it does from the start, and where that lies beyond its curve.
+    """
+    own, of_mechanism = (interface["curve"][name] for name in ("rotation_rad", "mechanism_rotation_rad"))
+    at = interface[key]
+    return None if not at or at > own[-1] else float(np.interp(at, own, of_mechanism))
+
+
+def values_at(interface: dict[str, Any], rotation: float) -> tuple[float, float, float, float]:
+    """Peak stress [Pa], resultant [m], open and crushed share [-] of a joint at a rotation of the mechanism [rad]."""
+    curve = interface["curve"]
+    keys = ("peak_stress_pa", "resultant_m", "open_share", "crushed_share")
+    stress, resultant, opened, crushed = (
+        float(np.interp(rotation, curve["mechanism_rotation_rad"], curve[key])) for key in keys
+    )
+    return stress, resultant, opened, crushed

@@ -35,8 +35,9 @@ def blocks(mechanism: MechanismResult, *, name: str) -> list[Block]:
         "open; filled: its edge begins to crush."
     )
     pressed = (
-        "Each joint over the rotation of the mechanism: distance of the resultant from the compressed edge, and the "
-        "stress at that edge. Joints that are alike share a line; dashed: of the negative branch."
+        "Each joint over the rotation of the mechanism, on a logarithmic axis: distance of the resultant from the "
+        "compressed edge, and the stress at that edge. Joints that are alike share a line; dashed: of the negative "
+        "branch."
     )
     return [
         table(mechanism, name=f"{name}-interfaces"),

@@ -7,7 +7,6 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.ticker import MaxNLocator
 
 from assess.codes.check import BranchName
 from assess.results import MechanismResult
@@ -15,6 +14,8 @@ from reports import joints
 from reports.style import MUTED, label, sheet, styled
 
 COLOURS = ("#c1121f", "#0072b2", "#009e73", "#e69f00")  # of the hinges A, B, C, D
+BEFORE = 0.5  # of the rotation at which a joint opens
+SHORTEST = 1e-3  # of the largest rotation drawn
 LEAST = 1e-2  # of the largest value: curves that differ by less are one
 
 _PANELS = (("resultant_m", 1.0, "resultant from the edge [m]"), ("peak_stress_pa", 1e6, "stress at the edge [MPa]"))
@@ -32,13 +33,18 @@ def draw(mechanism: MechanismResult) -> Figure:
                 curve = interface["curve"]
                 rotation, values = np.asarray(curve["mechanism_rotation_rad"]), np.asarray(curve[key]) / size
                 axes.plot(rotation, values, dash, color=colour, label=label(hinges))
-            axes.set(xlabel="rotation φ [rad]", ylabel=name)
-            axes.set_xlim(0.0, end)
+            axes.set(xlabel="rotation φ [rad]", ylabel=name, xscale="log")
+            axes.set_xlim(first(mechanism, end), end)
             axes.set_ylim(bottom=0.0)
-            axes.xaxis.set_major_locator(MaxNLocator(6))
         _strength(axes, mechanism)
         axes.legend(loc="lower right")
         return figure
+
+
+def first(mechanism: MechanismResult, end: float) -> float:
+    """Where the axis of rotations begins [rad]: before any joint opens, and never above a thousandth of its end."""
+    opening = [float(found["opening_rad"]) for found in joints.yielding(mechanism) if found["opening_rad"]]
+    return min([*(BEFORE * at for at in opening), SHORTEST * end])
 
 
 def lines(mechanism: MechanismResult) -> list[tuple[dict[str, Any], str, str, str]]:

@@ -35,10 +35,11 @@ class Shape(Section):
 
 
 class Interface(Section):
-    """What a hinge presses on."""
+    """What a hinge presses on: without tension, linear up to the strength, then plastic without memory."""
 
     model: Literal["rigid", "flexible", "semi-flexible", "flexible-thesis"] = "rigid"
-    """"rigid" (with strength: crushing only), "flexible", "semi-flexible", or "flexible-thesis" (inertia)"""
+    """"rigid" (with strength: crushing only), "flexible"; with its moment, but inertia about a fixed hinge:
+    "semi-flexible", about the resultant: "flexible-thesis\""""
     stiffness: JointStiffness | None = None
     """normal stiffness per area, like "10 GPa/m"; or give course_thickness"""
     course_thickness: PositiveLength | None = None

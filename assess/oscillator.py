@@ -156,9 +156,10 @@ def multiplier(branch: Branch) -> FloatArray:
 
 
 def resisted(branch: Branch) -> float:
-    """lambda that linear checks compare with [-]: at rest, or the largest where a joint answers to any rotation."""
-    values = multiplier(branch)
-    return float(values[0] if branch.overturning_flexible is None or branch.restoring[0] > 0.0 else values.max())
+    """lambda that linear checks compare with [-]: at rest, or on flexible joints, where it may rise, the largest."""
+    if branch.overturning_flexible is None:
+        return float(multiplier(branch)[0])
+    return float(multiplier(branch)[branch.rotation <= branch.unstable].max())
 
 
 def elastic_frequency(branch: Branch) -> float | None:

@@ -262,10 +262,9 @@ def _overturning(oscillators: Sequence[Oscillator], *, equation: Equation) -> Fl
 
 
 def _reference(oscillators: Sequence[Oscillator], *, equation: Equation) -> FloatArray:
-    """phi_ov that ratios are given by [oscillators, 2] [rad]: of rigid interfaces, where the equation knows of them."""
-    if equation == "linearised":
-        return _overturning(oscillators, equation=equation)
-    return np.array([[b.overturning for b in o.branches] + [0.0] * (2 - len(o.branches)) for o in oscillators])
+    """phi_ov that ratios are given by [oscillators, 2] [rad]: that of the equation as it is with rigid interfaces."""
+    rigid = [[b.overturning / b.unstable for b in o.branches] + [0.0] * (2 - len(o.branches)) for o in oscillators]
+    return np.asarray(_overturning(oscillators, equation=equation) * np.reshape(rigid, (-1, 2)))
 
 
 def _motions(motions: Sequence[Record]) -> tuple[FloatArray, IntArray, FloatArray, FloatArray]:

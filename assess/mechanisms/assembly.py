@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import replace
 
+import numpy as np
+
 from assess.geometry.outline import Outline
 from assess.mechanisms.chain import Chain, require_movable
 from assess.mechanisms.doubts import pulling_supports
@@ -12,8 +14,10 @@ from assess.mechanisms.flexible import FlexibleChain, through_top
 from assess.mechanisms.impact import RestitutionChoice, impact
 from assess.mechanisms.joint import Joint
 from assess.mechanisms.mechanism import Mechanism
-from assess.mechanisms.virtual_work import require_stable
+from assess.mechanisms.virtual_work import require_stable, virtual_work
 from assess.restitution import Restitution
+
+Impacts = tuple[Restitution, Restitution]
 
 INSIDE = ", about hinges a_SF inside the edges"
 
@@ -63,22 +67,50 @@ def on_joints(
 ) -> Mechanism:
     """A rigid mechanism put on joints, one or None for each hinge of each branch, in that branch's own sign.
 
-    Its impacts are those of the blocks turning about fixed hinges, a_SF inside the edges (thesis 6.60, 6.67, 6.72).
+    Its impacts are those of the blocks turning about fixed hinges, a_SF inside the edges (thesis 6.60, 6.67, 6.72):
+    they keep the same share of the energy.
 
     Raises MechanismError or InterfaceError where a joint cannot carry what presses on it.
     """
     name, kind = mechanism.name, mechanism.kind
     front = replace(mechanism.positive, joints=bearing(mechanism.positive, positive))
     back = mechanism.negative and replace(mechanism.negative, joints=bearing(mechanism.negative, negative))
-    fixed = FlexibleChain(front, name).fixed, back and FlexibleChain(back, name).fixed
-    kept, returned = impacts(restitution, *fixed, kind=kind, name=name)
+    ahead, behind = FlexibleChain(front, name), FlexibleChain(back, name) if back else None
+    fixed = impacts(restitution, ahead.fixed, behind.fixed if behind else None, kind=kind, name=name)
+    kept, returned = on_moving_hinges(fixed, ahead, behind)
+    rigid = impacts(restitution, mechanism.positive, mechanism.negative, kind=kind, name=name)
+    others = [notice for notice in mechanism.notices if notice not in {each.notice for each in rigid}]
     return replace(
         mechanism,
         positive=front,
         negative=back,
         restitution=(kept.value, returned.value),
         restitution_source=_sources(kept, returned) + INSIDE * (kept.source != "given"),
+        notices=(*others, *sorted({kept.notice, returned.notice} - {""})),
     )
+
+
+def on_moving_hinges(found: Impacts, front: FlexibleChain, back: FlexibleChain | None) -> Impacts:
+    """Coefficients found about fixed hinges, for the inertia with which the branches begin: the same shares of energy.
+
+    On joints in full contact both branches begin about the same point, so none can be above 1.
+    """
+    if back is None:
+        return found
+    works = [chain.held(np.zeros(1)).work for chain in (front, back)]
+    leaning = [work for work in works if work.restoring[0] < 0.0]  # both branches begin where this one stands
+    own = [(leaning or [work])[0].inertia[0] for work in works]
+    fixed = [virtual_work(chain.fixed, np.zeros(1)).inertia[0] for chain in (front, back)]
+    faster = float(np.sqrt(own[0] / own[1] * fixed[1] / fixed[0]))
+    return _times(found[0], faster), _times(found[1], 1.0 / faster)
+
+
+def _times(kept: Restitution, factor: float) -> Restitution:
+    """A coefficient by a formula times a factor; one above 1 is told of, others need not be."""
+    if kept.source == "given":
+        return kept
+    value = kept.value * factor
+    return replace(kept, value=value, notice=kept.notice if value > 1.0 else "")
 
 
 def bearing(chain: Chain, joints: tuple[Joint | None, ...]) -> tuple[Joint | None, ...]:
@@ -93,7 +125,7 @@ def impacts(
     *,
     kind: str,
     name: str,
-) -> tuple[Restitution, Restitution]:
+) -> Impacts:
     """The coefficients of the impacts that end the positive and the negative branch."""
     kept = impact(choices[0], ending=positive, starting=negative, kind=kind, name=name)
     if negative is None:

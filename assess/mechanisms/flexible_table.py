@@ -50,9 +50,9 @@ class Side:
 
     @cached_property
     def end(self) -> float:
-        """Of the table [rad]."""
-        reach = limit(self.flexible.chain) * (1.0 - FLAT)
-        return min(REACH * self.rigid.overturning, 0.5 * (self.rigid.overturning + reach))
+        """Of the table, which holds phi_ov and phi_cr of the rigid chain [rad]."""
+        reach, farthest = limit(self.flexible.chain) * (1.0 - FLAT), max(self.rigid.overturning, self.rigid.critical)
+        return min(max(REACH * self.rigid.overturning, 1.05 * farthest), 0.5 * (farthest + reach))
 
     @cached_property
     def changes(self) -> list[float]:
@@ -97,10 +97,14 @@ class Side:
 
     @cached_property
     def work(self) -> Work:
-        """The sums of virtual work at the nodes; both nodes of a kink have the same to the last digit."""
-        rotation, at = np.unique(self.rotation, return_inverse=True)
-        found = self.flexible.held(rotation).work
-        return Work(*(getattr(found, field.name)[at] for field in fields(Work)))
+        """The sums of virtual work at the nodes."""
+        return self.work_at(self.rotation)
+
+    def work_at(self, rotation: FloatArray) -> Work:
+        """The same at rotations [n] [rad], of which equal ones get equal sums, to the last digit: no jump."""
+        once, where = np.unique(rotation, return_inverse=True)
+        work = self.flexible.held(once).work
+        return Work(*(getattr(work, each.name)[where] for each in fields(work)))
 
     @cached_property
     def pushed(self) -> bool:
@@ -146,7 +150,7 @@ class Side:
         if back_from is not None:
             kept = rotation < (1.0 - 0.5 * FINE) * back_from
             rotation = np.append(rotation[kept], back_from)[::-1]
-            work = self.flexible.held(rotation).work
+            work = self.work_at(rotation)
         columns = np.array([
             rotation, work.inertia, work.restoring, work.excitation, work.participation, work.lift,
         ])  # fmt: skip
@@ -168,7 +172,11 @@ def flexible_oscillator(mechanism: Mechanism) -> Oscillator:
     alike = same_chain(mechanism.positive, mechanism.negative) and first == second
     negative = positive if alike else side_of(mechanism.negative, name=name, restitution=second)
     if positive.pushed and negative.pushed:
-        raise MechanismError(f'mechanism "{name}": its loads push it off its rest both ways; check them')
+        raise MechanismError(
+            f'mechanism "{name}": it is pushed off its rest both ways, by {-positive.work.restoring[0]:.4g} and '
+            f"{-negative.work.restoring[0]:.4g} N m: a hinge inside the edge of its contact does that, as pressure is "
+            "counted from the hinge on; put hinges on the edges, give the shape between them, or check loads"
+        )
     return Oscillator(
         positive=table(positive, negative),
         negative=table(negative, positive),

@@ -35,6 +35,10 @@ NEAR = 0.02  # of the depth of a contact: a hinge farther from its edge is told
 TURNED = 0.05  # rad: where the resultant of an unsymmetric contact is looked at
 ON_MIDDLE = 1e-3  # of the depth of a contact: a load this near its middle comes through it
 ON_LINE = 1e-6  # m: a hinge this near the line of a joint is on it
+THROUGH_TOP = (
+    "interface C: the load on the middle of the top comes through the joint there, so its resultant moves to the edge "
+    "as the wall turns, and is at hinge C in the rigid mechanism beside it; a load off the middle stays in its place"
+)
 
 
 @dataclass(frozen=True)
@@ -78,9 +82,28 @@ def put_on_joints(
         positive=through_joint(mechanism.positive, joints[0]),
         negative=mechanism.negative and through_joint(mechanism.negative, joints[-1]),
     )
+    if loaded.positive.loads != mechanism.positive.loads:
+        doubts.append(THROUGH_TOP)
+    doubts += apart(mechanism, joints)
     found = on_joints(loaded, joints[0], joints[-1] if len(joints) > 1 else (), restitution=restitution)
     notices = dict.fromkeys((*found.notices, *doubts, *sideways(found)))
     return replace(found, notices=tuple(notices))
+
+
+def apart(mechanism: Mechanism, joints: Sequence[Sequence[Joint | None]]) -> Iterator[str]:
+    """A sentence where the contacts at the base do not lie in one place for both directions."""
+    if mechanism.negative is None or mechanism.kind == "four-hinge":
+        return
+    front, back = joints[0][0], joints[1][0]
+    if front is None or back is None:
+        return
+    ahead = mechanism.positive.hinges[0][0] + front.section.centroid * front.inward[0]
+    behind = mechanism.negative.hinges[0][0] + back.section.centroid * back.inward[0]
+    if abs(ahead + behind) > NEAR * front.section.depth:
+        yield (
+            f"interface A: its contact lies {abs(ahead + behind):.3g} m apart for the two directions, as it is "
+            f"{front.section.depth:.3g} m deep and begins at the hinge of each; give a shape as deep as they are apart"
+        )
 
 
 def joint_at(

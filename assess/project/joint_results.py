@@ -27,9 +27,10 @@ def interface_results(mechanism: Mechanism, oscillator: Oscillator, names: Seque
     """Every hinge of both branches: what it presses with, and how its contact opens and crushes."""
     chains = [chain for chain in (mechanism.positive, mechanism.negative) if chain is not None]
     found: list[dict[str, Any]] = []
-    for chain, side in zip(chains, oscillator.branches, strict=True):
+    rests = (oscillator.equilibrium, -oscillator.equilibrium)
+    for chain, side, rest in zip(chains, oscillator.branches, rests, strict=False):
         if chain.joints:
-            found += _flexible(chain, side, names[len(found) :], mechanism.name)
+            found += _flexible(chain, side, names[len(found) :], mechanism.name, standing=rest)
         else:
             forces = compressions(chain)
             found += [_rigid(name, force) for name, force in zip(names[len(found) :], forces, strict=False)]
@@ -51,10 +52,13 @@ def _rigid(hinge: str, normal_force: float) -> dict[str, Any]:
     }
 
 
-def _flexible(chain: Chain, side: Branch, names: Sequence[str], name: str) -> list[dict[str, Any]]:
-    """The joints of one chain; forces at rest, rotations of the joints themselves."""
+def _flexible(chain: Chain, side: Branch, names: Sequence[str], name: str, *, standing: float) -> list[dict[str, Any]]:
+    """The joints of one chain; forces at rest, rotations of the joints themselves; standing: phi_e in its sign [rad].
+
+    The chain turns from the geometry, its branch counts from where it stands.
+    """
     step = -(-side.rotation.size // POINTS)
-    rotation = np.unique(side.rotation)[::step]
+    rotation = np.unique(np.maximum(side.rotation + standing, 0.0))[::step]
     flexible = FlexibleChain(chain, name)
     held, rest = flexible.held(rotation), flexible.balance(np.zeros(1)).normal_force[:, 0]
     found = []
@@ -77,7 +81,7 @@ def _flexible(chain: Chain, side: Branch, names: Sequence[str], name: str) -> li
             "crushing_rad": _finite(crushing),
             "curve": {
                 "rotation_rad": tuple((held.relative[number] + 0.0).tolist()),
-                "mechanism_rotation_rad": tuple(rotation.tolist()),
+                "mechanism_rotation_rad": tuple((rotation - standing).tolist()),
                 "resultant_m": tuple(contact.resultant.tolist()),
                 "peak_stress_pa": tuple(contact.peak_stress.tolist()),
                 "open_share": tuple((contact.open_area / joint.section.area).tolist()),

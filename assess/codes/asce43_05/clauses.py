@@ -75,14 +75,18 @@ def thesis_limit_ratio(branch: Branch, *, mass: float) -> float:
 
 
 def thesis_limit(branch: Branch, *, mass: float) -> float:
-    """theta_lim [rad] on a flexible joint: where it is the ratio above times alpha, both of the block at theta_lim."""
+    """theta_lim [rad] on a flexible joint: where it is the ratio above times alpha, both of the block at theta_lim.
+
+    phi_ov where it is at none: the ratio there is that of a plain block, above 1 for one out of the formula's range.
+    """
 
     def excess(rotation: float) -> float:
         block = block_at(branch, rotation, mass=mass)
         k = block.inertia / (mass * block.radius**2)
         return rotation - k * block.slenderness**2 / float(np.sin(2 * block.slenderness))
 
-    return float(brentq(excess, 1e-3 * branch.unstable, branch.unstable, xtol=1e-12))
+    low, high = 1e-3 * branch.unstable, branch.unstable
+    return float(brentq(excess, low, high, xtol=1e-12)) if excess(low) < 0.0 < excess(high) else high
 
 
 def pga_relation(branch: Branch, spectrum: Spectrum, *, damping: float, f_v: float, uplift: float) -> PgaRelation:

@@ -27,6 +27,7 @@ from assess.codes.governing import governing
 from assess.codes.plain import plain
 from assess.codes.relation import PgaRelation, as_curve, demand
 from assess.codes.spectral import Answer, spectral_answer
+from assess.codes.worked import multiplier_worked
 from assess.oscillator import Branch, Oscillator, multiplier, resisted
 
 THESIS_DAMPING = 0.05
@@ -154,17 +155,18 @@ def _steps(
 
     Where the spectrum ends before that, they stand where it ends; a sheet without a known ordinate ends with theta.
     """
-    a, mass, I0 = resisted(branch), oscillator.mass, float(branch.inertia[0])
+    formula, start, a = multiplier_worked(branch)
+    mass, I0 = oscillator.mass, float(branch.inertia[0])
     h = float(branch.excitation[0]) / mass
     C1 = I0 / (mass * h**2)
     limit = reading.allowable_ratio * branch.unstable
-    start = f"{branch.restoring[0]:.5g} / (9.80665 · {branch.excitation[0]:.5g})"
+    meant = "tan α, multiplier at rest; true uplift at a g" if a == multiplier(branch)[0] else "largest multiplier"
     vertical = f"√(1 + ({a:.5g} · {context.vertical_ratio:.3g})²)"
     limited = f"{reading.allowable_ratio:.4g} · {branch.unstable:.5g}"
     damped = reading.damping_formula, reading.damping_numbers, reading.damping
     block = (
         Step("h", "height of the centroid", A2, "B0 / M", f"{branch.excitation[0]:.5g} / {mass:.5g}", h, "m"),
-        Step("a", "tan α, multiplier at rest; true uplift at a g", A2, "(V'(0) − M) / (g B0)", start, a, "-"),
+        Step("a", meant, A2, formula, start, a, "-"),
         Step("C1", "inertia ratio", A2, "I_O / (M h²)", f"{I0:.5g} / ({mass:.5g} · {h:.5g}²)", C1, "-"),
         Step("F_V", "vertical ground motion", "Eq. A-5(b)", "√(1 + (a S_aV/S_aH)²)", vertical, f_v, "-"),
         Step("F_H", "inertia beyond the body's mass", "Eq. A-5(c)", "counted in B0", "1", 1.0, "-"),
@@ -202,7 +204,15 @@ def _rotation_steps(
     clause, divided = context.spectrum.clause, f"{cap:.5g} / {ordinate:.5g}"
     return (
         Step("θ", where, A2, "SA_H,DEM(θ) = SA_H,CAP(θ)", f"PGA = {level / g:.4g} g", at, "rad"),
-        Step("f1", "work stored over M g h", "Eq. A-5(a)", "block: cos θ + a sin θ − 1", f"θ = {at:.5g}", f1, "-"),
+        Step(
+            "f1",
+            "work stored over M g h",
+            "Eq. A-5(a)",
+            "E / (g B0); rigid block: cos θ + a sin θ − 1",
+            f"θ = {at:.5g}",
+            f1,
+            "-",
+        ),
         Step("SA_H,CAP", "spectral acceleration capacity", "Eq. A-5", "2 g f1 / (F_V F_H θ)", rocking, cap, "m/s2"),
         Step("f_e", "effective frequency", A2, "√(2 f1 g / (C1 h θ²)) / 2π", root, f_e, "Hz"),
         Step("S_a/PGA", "spectrum at f_e, β_e over PGA", clause, "S_a(1/f_e, β_e) / PGA", spectral, ordinate, "-"),

@@ -16,6 +16,7 @@ from scipy.optimize import brentq
 
 from assess.codes.check import Step, Verdict
 from assess.codes.context import Context
+from assess.codes.worked import multiplier_worked
 from assess.oscillator import Branch, displacement, interpolant, multiplier, participation_ratio, resisted
 
 EDITION = "DM 14.01.2008, Circolare 617/2009"
@@ -142,12 +143,10 @@ def uplift_pga(branch: Branch, context: Context, *, confidence_factor: float) ->
 
 def activation_steps(branch: Branch, *, mass: float, confidence_factor: float) -> tuple[Step, ...]:
     """alpha0, e*, FC and a0* as the calculation sheets print them."""
-    alpha0, e = resisted(branch), participation_ratio(branch, mass=mass)
-    B0, moment, participation = branch.excitation[0], branch.restoring[0], branch.participation[0]
+    formula, start, alpha0 = multiplier_worked(branch)
+    e, B0, participation = participation_ratio(branch, mass=mass), branch.excitation[0], branch.participation[0]
     a0 = activation(branch, mass=mass, confidence_factor=confidence_factor)
     shares = f"{B0:.5g}² / ({participation:.5g} · {mass:.5g})"
-    rest = f"{moment:.5g} / (9.80665 · {B0:.5g})"
-    formula, start = ("(V'(0) − M) / (g B0)", rest) if moment > 0.0 else ("largest (V' − M) / (g B)", "of the curve")
     divided = f"{alpha0:.5g} · 9.80665 / ({e:.5g} · {confidence_factor:g})"
     return (
         Step("α0", "multiplier that starts the mechanism", "C8A.4.1", formula, start, alpha0, "-"),

@@ -111,6 +111,19 @@ def test_the_scan_begins_below_uplift_whatever_the_records_scale(tmp_path):
     assert [suite.pga for suite in scan] == sorted(suite.pga for suite in scan)
 
 
+def test_the_scan_of_a_mechanism_on_joints_rises_too(tmp_path):
+    """It has no uplift at rest to begin from."""
+    joint = 'interface = { model = "flexible", stiffness = "1 GPa/m", strength = "1 MPa" }'
+    study = study_of(tmp_path, records=QUIET, mechanism=joint)
+    motions = motions_of(study, study.spectrum)
+    from assess.mechanisms.oscillation import oscillator
+
+    shaken = Shaken("m", oscillator(study.mechanisms[0]), "exact")
+    scan = scan_of(shaken, motions, site_pga=study.spectrum.pga, threads=1)
+    assert 0.0 < scan[0].pga < scan[1].pga
+    assert scan[-1].overturned
+
+
 def test_results_do_not_depend_on_how_the_path_was_typed(tmp_path, monkeypatch):
     study_of(tmp_path)
     monkeypatch.chdir(tmp_path)

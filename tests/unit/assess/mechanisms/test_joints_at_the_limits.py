@@ -1,0 +1,138 @@
+"""Mechanisms on joints where rigid ones set no example: forces, unlike hinges, very soft joints, eccentric loads."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import sqrt
+
+import numpy as np
+import pytest
+from scipy.constants import g
+
+from assess.codes.asce43_05.clauses import thesis_limit
+from assess.codes.worked import multiplier_worked
+from assess.dynamics.history import Jobs, peaks
+from assess.errors import MechanismError
+from assess.geometry.planar import planar_direct
+from assess.interfaces.law import Law
+from assess.interfaces.shapes import rectangle
+from assess.loads import Force, PointMass
+from assess.mechanisms.assembly import on_joints
+from assess.mechanisms.joint import Joint
+from assess.mechanisms.oscillation import oscillator
+from assess.mechanisms.single_block import single_block
+from assess.oscillator import linearise, multiplier, resisted
+from assess.project.joint_results import interface_results
+from records.record import Record
+
+B, H, L, RHO = 1.0, 6.0, 2.0, 1800.0
+MASS = B * H * L * RHO
+W = MASS * g
+STIFF, SOFT = Law(2e8, 1.5e6), Law(4.3e6, float("inf"))
+
+
+def wall(*, law=STIFF, loads=(), sides="two", model="flexible", ways=(0.0, 0.0), choice="momentum"):
+    """A wall of 1 x 6 x 2 m on a joint; ways: elevation of the hinges ahead and behind [m], as on an inclined crack."""
+    inertia = MASS * (B**2 + H**2) / 12
+    ends = {"hinge": (B / 2, ways[0])} | ({"hinge_negative": (-B / 2, ways[1])} if sides == "two" else {})
+    body = planar_direct(mass=MASS, centroid=(0.0, H / 2), inertia=inertia, name="b")
+    rigid = single_block("w", body, sides=sides, loads=loads, restitution=(choice, choice), **ends)
+    size = sqrt(B**2 + (ways[0] - ways[1]) ** 2)
+    along = np.array([-B, ways[1] - ways[0]]) / size, np.array([-B, ways[0] - ways[1]]) / size
+    joints = [(Joint(tuple(way), rectangle(size, L), law, model),) for way in along]
+    return on_joints(rigid, *joints, restitution=(choice, choice))
+
+
+def test_a_force_that_takes_half_of_the_resistance_still_has_a_table_up_to_phi_cr():
+    """phi_cr of the weights alone lies beyond 1.5 phi_ov."""
+    push = Force("F", (0.5 * W * B / 2 / 5.0, 0.0), (0.0, 5.0))
+    side = oscillator(wall(law=Law(1e14, float("inf")), loads=(push,))).positive
+    assert side.critical > 1.5 * side.unstable
+    assert side.critical < side.rotation[-1]
+    assert side.unstable == pytest.approx(side.overturning, rel=1e-3)  # as stiff as rigid
+    assert linearise(side).critical == side.critical
+
+
+@pytest.mark.parametrize("model", ["flexible", "semi-flexible"])
+def test_an_impact_between_unlike_hinges_keeps_its_share_of_energy(model):
+    """Of the energy as much is left as momentum keeps between the edges, whatever inertia the branches begin with."""
+    found = wall(model=model, ways=(0.3, -0.3), law=Law(2e8, float("inf")))  # a_SF = 0: hinges at the edges
+    x, z, J = B / 2, H / 2, MASS * (B**2 + H**2) / 12
+    ahead, behind = J + MASS * (x**2 + (z - 0.3) ** 2), J + MASS * (x**2 + (z + 0.3) ** 2)
+    between = J + MASS * (-(x**2) + (z - 0.3) * (z + 0.3))
+    share = between / sqrt(ahead * behind)
+    first, second = (branch.inertia[0] for branch in oscillator(found).branches)
+    alike = np.array(found.restitution) * np.sqrt([second / first, first / second])
+    np.testing.assert_allclose(alike, share, rtol=1e-4)
+    if model == "flexible":  # about the middle of the joint, both ways
+        assert first == pytest.approx(second, rel=1e-4)
+        assert not found.notices
+
+
+def test_a_given_coefficient_stays_what_it_is():
+    assert wall(ways=(0.3, -0.3), choice=0.9).restitution == (0.9, 0.9)
+
+
+def test_what_resists_does_not_drop_where_a_wall_just_leans_on_its_support():
+    """A load off the middle by little gives a threshold at rest; the mechanism still needs the top of its curve."""
+    plumb, leaning = (
+        oscillator(wall(sides="one", choice="thesis", loads=(PointMass("m", 3000.0, (at, 5.0), bearing=True),)))
+        for at in (0.0, -0.01)
+    )
+    assert 0.0 < multiplier(leaning.positive)[0] < 0.01
+    assert resisted(leaning.positive) == pytest.approx(resisted(plumb.positive), rel=0.02)
+
+
+def test_the_sheet_says_where_its_multiplier_comes_from():
+    side = oscillator(wall()).positive
+    formula, _, value = multiplier_worked(side)
+    assert formula.startswith("largest")
+    assert value == multiplier(side).max()
+    rigid = replace(side, overturning_flexible=None, restoring=side.restoring + 1e4)
+    formula, numbers, value = multiplier_worked(rigid)
+    assert formula == "(V'(0) − M) / (g B0)"
+    assert value == pytest.approx(1e4 / (g * side.excitation[0]), rel=1e-12)
+    assert numbers.startswith("10000 /")
+
+
+def test_the_limit_of_rotation_of_the_thesis_on_a_joint_hardly_stiff_enough_to_stand():
+    made = oscillator(wall(law=SOFT))
+    assert thesis_limit(made.positive, mass=made.mass) == made.positive.unstable
+
+
+def test_ratios_are_of_rigid_overturning_whatever_the_equation():
+    made = oscillator(wall())
+    time = np.arange(200) * 0.01
+    pulse = Record("p", 3.0 * np.sin(np.pi * time), 0.01)
+    once = Jobs(np.zeros(1, np.int64), np.zeros(1, np.int64), np.ones(1))
+    for equation in ("exact", "linearised"):
+        found = peaks([made], [pulse], once, equation=equation)
+        side = made.positive if found.max_rotation[0] > 0 else made.negative
+        assert found.max_ratio[0] > 0.0
+        assert found.max_ratio[0] == pytest.approx(abs(found.max_rotation[0]) / side.overturning, rel=1e-9)
+
+
+def test_contacts_count_as_their_branch_does_from_where_the_mechanism_stands():
+    """At rest, mechanism rotation 0, the resultant is under the centre of all weights, wherever that is."""
+    load = PointMass("m", 6000.0, (0.4, 5.0), bearing=True)
+    found = wall(loads=(load,), law=Law(2e8, float("inf")))
+    made = oscillator(found)
+    ahead, behind = interface_results(found, made, ["A", "A'"])
+    assert made.equilibrium > 0.0
+    curve = ahead["curve"]
+    assert curve["mechanism_rotation_rad"][0] == pytest.approx(0.0, abs=1e-12)
+    assert curve["rotation_rad"][0] == pytest.approx(made.equilibrium, rel=1e-9)
+    tilt = made.equilibrium
+    centre = (MASS * H / 2 * tilt + 6000.0 * (0.4 + 5.0 * tilt)) / (MASS + 6000.0)
+    assert curve["resultant_m"][0] == pytest.approx(B / 2 - centre, rel=1e-4)
+    assert behind["curve"]["mechanism_rotation_rad"][0] == pytest.approx(made.equilibrium, rel=1e-9)
+    assert behind["curve"]["rotation_rad"][0] == pytest.approx(0.0, abs=1e-12)
+
+
+def test_hinges_inside_the_edges_of_their_contact_are_named():
+    inertia = MASS * (B**2 + H**2) / 12
+    body = planar_direct(mass=MASS, centroid=(0.0, H / 2), inertia=inertia, name="b")
+    rigid = single_block("w", body, hinge=(0.4, 0.0), hinge_negative=(-0.4, 0.0), sides="two")
+    joint = (Joint((-1.0, 0.0), rectangle(B, L), STIFF, "flexible"),)
+    with pytest.raises(MechanismError, match=r"pushed off its rest both ways.*hinge inside the edge of its contact"):
+        oscillator(on_joints(rigid, joint, joint, restitution=("thesis", "thesis")))

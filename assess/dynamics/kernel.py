@@ -171,17 +171,18 @@ def marching(glide: Glide, advance: Advance, acceleration: Acceleration) -> Marc
                level: float) -> tuple[float, State]:  # fmt: skip
         """Time in (0, end) at which a component of the state passes `level`, and the state there.
 
-        Newton's method (secant for y'', whose derivative is not at hand) within a bracket that only shrinks.
+        Newton's method (secant for y'', whose derivative is not at hand) within a bracket that only shrinks; each state
+        is reached from the bracket's beginning.
         """
         f_start, before, f_before = start[component] - level, end, last[component] - level
         low, high, x, state, close = 0.0, end, end * f_start / (f_start - f_before), last, False
         for _ in range(60):
-            state = advance(flow, side, start, ground, x)
+            state = advance(flow, side, start, (ground[0] + ground[1] * low, ground[1]), x - low)
             if close:
                 break
             f = state[component] - level
             if (f > 0.0) == (f_start > 0.0):
-                low = x
+                low, start = x, state
             else:
                 high = x
             slope = state[component + 1] if component < 2 else (f - f_before) / (x - before)

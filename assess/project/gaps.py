@@ -14,8 +14,6 @@ from assess.geometry.touch import TOLERANCE
 from assess.project import sections
 from assess.results import Notice
 
-Pair = tuple[Solid, Solid]
-
 
 def gaps_of(content: sections.Content, solids: Mapping[str, Solid | None]) -> Iterator[Notice]:
     """A notice for each gap in a block of several bodies, and between blocks that a hinge joins.
@@ -39,14 +37,15 @@ def known(block: Sequence[str], solids: Mapping[str, Solid | None]) -> list[Soli
 def loose(block: Sequence[Solid]) -> Iterator[str]:
     """A sentence for each gap that would have to be closed for the bodies of a block to hang together."""
     pairs = list(combinations(range(len(block)), 2))
-    joined = [pair for pair in pairs if touching(block[pair[0]], block[pair[1]])]
+    joined = [(i, j) for i, j in pairs if touching(block[i], block[j])]
     while len(block) > 1:
         group = linked(np.array(joined, dtype=np.int64).reshape(-1, 2), count=len(block))
-        across = [(i, j) for i, j in pairs if group[i] != group[j]]
+        across = [(gap(block[i], block[j]), (i, j)) for i, j in pairs if group[i] != group[j]]
         if not across:
             return
-        joined.append(min(across, key=lambda pair: gap(block[pair[0]], block[pair[1]])))
-        yield f"{told((block[joined[-1][0]], block[joined[-1][1]]))} as one block they are taken to be joined"
+        distance, (i, j) = min(across)
+        joined.append((i, j))
+        yield f"{told(block[i], block[j], distance)} as one block they are taken to be joined"
 
 
 def parted(one: Sequence[Solid], other: Sequence[Solid]) -> Iterator[str]:
@@ -54,8 +53,9 @@ def parted(one: Sequence[Solid], other: Sequence[Solid]) -> Iterator[str]:
     pairs = list(product(one, other))
     if not pairs or any(touching(*pair) for pair in pairs):
         return
-    nearest = min(pairs, key=lambda pair: gap(*pair))
-    yield f"{told(nearest)} with a hinge between them they are taken to meet: close the gap, or check hinges and blocks"
+    distances = [gap(*pair) for pair in pairs]
+    nearest = told(*pairs[int(np.argmin(distances))], min(distances))
+    yield f"{nearest} with a hinge between them they are taken to meet: close the gap, or check hinges and blocks"
 
 
 def touching(one: Solid, other: Solid) -> bool:
@@ -63,7 +63,6 @@ def touching(one: Solid, other: Solid) -> bool:
     return gap(one, other, limit=TOLERANCE) < TOLERANCE
 
 
-def told(pair: Pair) -> str:
-    """Which two bodies are apart, and by how much."""
-    one, other = pair
-    return f'bodies "{one.name}" and "{other.name}" touch nowhere: they lie {gap(one, other):.3g} m apart;'
+def told(one: Solid, other: Solid, distance: float) -> str:
+    """Which two bodies are apart, and by how much [m]."""
+    return f'bodies "{one.name}" and "{other.name}" touch nowhere: they lie {distance:.3g} m apart;'

@@ -38,7 +38,8 @@ NEAR = 1e-4  # of a root found on the table: so near to it the moment is asked f
 JUST = 1e-6  # of the table's length: a rotation that has just begun
 FEWEST = 4  # nodes of a piece between two changes of regime: a cubic
 SAME = 1e-9  # of the largest of them: places that move by less are found
-CORRECTIONS = 4  # of the places where joints open and crush
+CORRECTIONS = 4  # of the places where joints open and crush, or moments are zero
+FOUND = 1e-7  # of a root: after a step as short, what is left goes with its square
 
 
 @dataclass(frozen=True)
@@ -140,9 +141,14 @@ class Side:
         if not falling.size:
             return None
         near = _crossing(self.rotation, values, int(falling[0]))
-        places = near * np.array([1.0 - NEAR, 1.0, 1.0 + NEAR])
-        before, at, after = value(self.flexible.held(places).work)
-        return near - float(at * 2.0 * NEAR * near / (after - before))
+        for _ in range(CORRECTIONS):
+            places = near * np.array([1.0 - NEAR, 1.0, 1.0 + NEAR])
+            before, at, after = value(self.flexible.held(places).work)
+            step = float(at * 2.0 * NEAR * near / (after - before))
+            near -= step
+            if abs(step) <= FOUND * near:
+                break
+        return near
 
     def columns(self, *, back_from: float | None = None) -> FloatArray:
         """A table [6, n] by rotation, or from a rotation back to zero, counted from there with the other sign."""

@@ -13,8 +13,10 @@ from assess.interfaces.contact import thresholds
 from assess.mechanisms.chain import Chain
 from assess.mechanisms.flexible import FlexibleChain
 from assess.mechanisms.mechanism import Mechanism
+from assess.mechanisms.motion import limit
 from assess.mechanisms.statics import compressions
-from assess.mechanisms.table import branch
+from assess.mechanisms.table import FLAT, NODES
+from assess.mechanisms.virtual_work import virtual_work
 from assess.oscillator import Branch, Oscillator
 from assess.results import BranchMoment, InterfaceCurves
 
@@ -27,10 +29,9 @@ def interface_results(mechanism: Mechanism, oscillator: Oscillator, names: Seque
     """Every hinge of both branches: what it presses with, and how its contact opens and crushes."""
     chains = [chain for chain in (mechanism.positive, mechanism.negative) if chain is not None]
     found: list[dict[str, Any]] = []
-    rests = (oscillator.equilibrium, -oscillator.equilibrium)
-    for chain, side, rest in zip(chains, oscillator.branches, rests, strict=False):
+    for chain, side in zip(chains, oscillator.branches, strict=True):
         if chain.joints:
-            found += _flexible(chain, side, names[len(found) :], mechanism.name, standing=rest)
+            found += _flexible(chain, side, names[len(found) :], mechanism.name)
         else:
             forces = compressions(chain)
             found += [_rigid(name, force) for name, force in zip(names[len(found) :], forces, strict=False)]
@@ -52,13 +53,13 @@ def _rigid(hinge: str, normal_force: float) -> dict[str, Any]:
     }
 
 
-def _flexible(chain: Chain, side: Branch, names: Sequence[str], name: str, *, standing: float) -> list[dict[str, Any]]:
-    """The joints of one chain; forces at rest, rotations of the joints themselves; standing: phi_e in its sign [rad].
+def _flexible(chain: Chain, side: Branch, names: Sequence[str], name: str) -> list[dict[str, Any]]:
+    """The joints of one chain; forces at rest, rotations of the joints themselves.
 
-    The chain turns from the geometry, its branch counts from where it stands.
+    mechanism_rotation_rad is that of the chain from its geometry; the branch counts from phi_e.
     """
     step = -(-side.rotation.size // POINTS)
-    rotation = np.unique(np.maximum(side.rotation + standing, 0.0))[::step]
+    rotation = np.unique(side.rotation)[::step]
     flexible = FlexibleChain(chain, name)
     held, rest = flexible.held(rotation), flexible.balance(np.zeros(1)).normal_force[:, 0]
     found = []
@@ -81,7 +82,7 @@ def _flexible(chain: Chain, side: Branch, names: Sequence[str], name: str, *, st
             "crushing_rad": _finite(crushing),
             "curve": {
                 "rotation_rad": tuple((held.relative[number] + 0.0).tolist()),
-                "mechanism_rotation_rad": tuple((rotation - standing).tolist()),
+                "mechanism_rotation_rad": tuple(rotation.tolist()),
                 "resultant_m": tuple(contact.resultant.tolist()),
                 "peak_stress_pa": tuple(contact.peak_stress.tolist()),
                 "open_share": tuple((contact.open_area / joint.section.area).tolist()),
@@ -99,9 +100,10 @@ def _finite(value: float) -> float | None:
 def interface_curves(mechanism: Mechanism, rigid: Sequence[Branch]) -> InterfaceCurves:
     """The moment of the positive branch with rigid joints, and about its fixed hinges a_SF, beside its own curve."""
     chain = FlexibleChain(mechanism.positive, mechanism.name).fixed
-    fixed = branch(chain, restitution=1.0, name=mechanism.name)
-    return InterfaceCurves(rigid=_moment(rigid[0]), fixed_hinges=_moment(fixed))
+    rotation = np.linspace(0.0, min(rigid[0].rotation[-1], limit(chain) * (1.0 - FLAT)), NODES)
+    fixed = virtual_work(chain, rotation).restoring  # which may be none from the start, where the joint still holds
+    return InterfaceCurves(_moment(rigid[0].rotation, rigid[0].restoring), _moment(rotation, fixed))
 
 
-def _moment(side: Branch) -> BranchMoment:
-    return BranchMoment(tuple(side.rotation.tolist()), tuple(side.restoring.tolist()))
+def _moment(rotation: FloatArray, restoring: FloatArray) -> BranchMoment:
+    return BranchMoment(tuple(rotation.tolist()), tuple(restoring.tolist()))

@@ -22,7 +22,8 @@ from assess.mechanisms.joint import Joint
 from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block
 from assess.oscillator import linearise, multiplier, resisted
-from assess.project.joint_results import interface_results
+from assess.project.joint_results import interface_curves
+from assess.project.outcome import rigid_branches
 from records.record import Record
 
 B, H, L, RHO = 1.0, 6.0, 2.0, 1800.0
@@ -112,21 +113,19 @@ def test_ratios_are_of_rigid_overturning_whatever_the_equation():
         assert found.max_ratio[0] == pytest.approx(abs(found.max_rotation[0]) / side.overturning, rel=1e-9)
 
 
-def test_contacts_count_as_their_branch_does_from_where_the_mechanism_stands():
-    """At rest, mechanism rotation 0, the resultant is under the centre of all weights, wherever that is."""
-    load = PointMass("m", 6000.0, (0.4, 5.0), bearing=True)
-    found = wall(loads=(load,), law=Law(2e8, float("inf")))
+def test_a_wall_that_stands_though_its_fixed_hinge_would_let_it_fall():
+    """The centre of all weights lies between the middle of the crushed part at last, and a_SF, 4/3 of it."""
+    load = PointMass("m", 15000.0, (0.5, 5.0), bearing=True)
+    law = Law(2e9, 4e5)
+    arm = B / 2 - 15000.0 * 0.5 / (MASS + 15000.0)
+    crushed = (MASS + 15000.0) * g / (law.strength * L) / 2
+    assert crushed < arm < 4 / 3 * crushed
+    found = wall(loads=(load,), law=law)
     made = oscillator(found)
-    ahead, behind = interface_results(found, made, ["A", "A'"])
-    assert made.equilibrium > 0.0
-    curve = ahead["curve"]
-    assert curve["mechanism_rotation_rad"][0] == pytest.approx(0.0, abs=1e-12)
-    assert curve["rotation_rad"][0] == pytest.approx(made.equilibrium, rel=1e-9)
-    tilt = made.equilibrium
-    centre = (MASS * H / 2 * tilt + 6000.0 * (0.4 + 5.0 * tilt)) / (MASS + 6000.0)
-    assert curve["resultant_m"][0] == pytest.approx(B / 2 - centre, rel=1e-4)
-    assert behind["curve"]["mechanism_rotation_rad"][0] == pytest.approx(made.equilibrium, rel=1e-9)
-    assert behind["curve"]["rotation_rad"][0] == pytest.approx(0.0, abs=1e-12)
+    assert [branch.restoring[0] for branch in made.branches] == [0.0, 0.0]  # at rest, to rounding
+    rigid = rigid_branches(found, made)
+    shown = interface_curves(found, rigid).fixed_hinges
+    assert shown.restoring_n_m[0] == pytest.approx((MASS + 15000.0) * g * (arm - 4 / 3 * crushed), rel=1e-9)
 
 
 def test_hinges_inside_the_edges_of_their_contact_are_named():

@@ -25,8 +25,8 @@ Progress = Callable[[str, int, int], None]
 
 SCAN_STEP, JOINTS_STEP = 1.025, 1.05  # ratio of two PGAs of the scan, and where joints vibrate about rest
 SCAN_START = 0.4  # of the smaller uplift acceleration, or of what a flexible joint resists at most
-BATCH = 2.7  # ratio by which the levels that run at once raise the PGA
-MOST_BATCHES = 5
+BATCH = 1.35  # ratio by which the levels that run at once raise the PGA
+MOST_BATCHES = 17
 
 
 @dataclass(frozen=True)

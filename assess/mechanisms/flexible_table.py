@@ -181,7 +181,8 @@ def flexible_oscillator(mechanism: Mechanism) -> Oscillator:
         raise MechanismError(
             f'mechanism "{name}": it is pushed off its rest both ways, by {-positive.work.restoring[0]:.4g} and '
             f"{-negative.work.restoring[0]:.4g} N m: a hinge inside the edge of its contact does that, as pressure is "
-            "counted from the hinge on; put hinges on the edges, give the shape between them, or check loads"
+            "counted from the hinge on; so does an arch whose two directions open other joints, which have no rest in "
+            'common: then assess each with sides = "one". Else put hinges on the edges, or check shape and loads'
         )
     return Oscillator(
         positive=table(positive, negative),

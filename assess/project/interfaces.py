@@ -3,54 +3,35 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from math import dist, inf
 
 import numpy as np
 import shapely
-from numpy.typing import NDArray
 
 from assess.errors import GeometryError, MechanismError
-from assess.geometry.cut import Plane, divide, heading, in_plane
-from assess.geometry.solid import Solid
+from assess.geometry.cut import heading
 from assess.interfaces.contact import contact, sideways_doubt
 from assess.interfaces.law import Law
 from assess.interfaces.section import Section
 from assess.interfaces.shapes import annulus, circle, hollow_rectangle, polygon, rectangle
 from assess.mechanisms.assembly import on_joints
-from assess.mechanisms.chain import Chain, Point, hinge_names
+from assess.mechanisms.chain import Chain, hinge_names
 from assess.mechanisms.flexible import FlexibleChain
 from assess.mechanisms.impact import RestitutionChoice
-from assess.mechanisms.joint import PAIRS, Joint
+from assess.mechanisms.joint import Joint
 from assess.mechanisms.mechanism import Mechanism
 from assess.project import sections
-from assess.project.arches import lines_of
-from assess.project.bodies import Piece, cut_of
+from assess.project.beds import DOWN, UP, Vector, View, bed_at
+from assess.project.bodies import Piece
 
-FloatArray = NDArray[np.float64]
-Vector = tuple[float, float]
-
-UP, DOWN, AHEAD = (0.0, 1.0), (0.0, -1.0), (1.0, 0.0)
 NEAR = 0.02  # of the depth of a contact: a hinge farther from its edge is told
 TURNED = 0.05  # rad: where the resultant of an unsymmetric contact is looked at
 ON_MIDDLE = 1e-3  # of the depth of a contact: a load this near its middle comes through it
-ON_LINE = 1e-6  # m: a hinge this near the line of a joint is on it
 THROUGH_TOP = (
     "interface C: the load on the middle of the top comes through the joint there, so its resultant moves to the edge "
     "as the wall turns, and is at hinge C in the rigid mechanism beside it; a load off the middle stays in its place"
 )
-
-
-@dataclass(frozen=True)
-class Bed:
-    """The plane of a joint, and where the faces touch there.
-
-    normal : from the held face to the pressing block, in the plane of motion; region : in coordinates of the plane
-    """
-
-    normal: Vector
-    plane: Plane
-    region: shapely.MultiPolygon
 
 
 def put_on_joints(
@@ -134,12 +115,16 @@ def joint_at(
     sense = float(FlexibleChain(chain, name).sense[number])
     if isinstance(interface.shape, sections.Shape):
         normal = DOWN if at_top(chain, number) else UP
+        try:
+            normal = bed_at(number, chain.hinges[number], section, pieces, view, where=where).normal
+        except GeometryError:
+            doubts.append(f"{what}: no faces meet at its hinge, so its joint is taken level")
         return Joint(_inward(normal, sense), shaped(interface.shape, view), law, interface.model)
     bed = bed_at(number, chain.hinges[number], section, pieces, view, where=where)
     inward = _inward(bed.normal, sense)
     out = heading(bed.plane, -view.world(inward), axis=view.axis)
     found = polygon(bed.region, direction=out)
-    aside = view.beyond(bed, chain.hinges[number], out)
+    aside = bed.beyond(view.world(chain.hinges[number]), out)
     if abs(aside) > NEAR * found.depth:
         doubts.append(
             f"{what}: the hinge lies {abs(aside):.3g} m {'inside' if aside > 0.0 else 'outside'} the edge of its "
@@ -204,118 +189,6 @@ def shaped(shape: sections.Shape, view: View) -> Section:
     if shape.annulus is not None:
         return annulus(shape.annulus[0], inner=shape.annulus[1])
     return polygon(shapely.Polygon(shape.polygon), direction=view.along[:2])
-
-
-# --------------------------------------------------------------------------------------------------------- the contact
-
-
-@dataclass(frozen=True)
-class View:
-    """The plane of motion of one branch in space.
-
-    along : unit vector of its motion [3]; sign : -1 where that is against the direction
-    """
-
-    along: FloatArray
-    sign: float
-
-    @classmethod
-    def of(cls, direction: Sequence[float], *, sign: float) -> View:
-        """The plane of a direction, or of the one against it."""
-        return cls(sign * np.array(direction) / np.linalg.norm(direction), sign)
-
-    @property
-    def axis(self) -> FloatArray:
-        """Of rotation, level across the motion [3]."""
-        return np.array([-self.along[1], self.along[0], 0.0])
-
-    def world(self, vector: Vector) -> FloatArray:
-        """A vector or place (x, z) of the branch in space [3]."""
-        return np.asarray(vector[0] * self.along + vector[1] * np.array([0.0, 0.0, 1.0]))
-
-    def plane(self, at: Point, normal: Vector) -> Plane:
-        """The plane through a point, square to a direction."""
-        return Plane(self.world(at), self.world(normal))
-
-    def beyond(self, bed: Bed, hinge: Point, out: FloatArray) -> float:
-        """How far a contact reaches beyond a hinge in a direction of its plane [2] [m]."""
-        at = in_plane(bed.plane, self.world(hinge) - bed.plane.point) @ out
-        return float((shapely.get_coordinates(bed.region) @ out).max() - at)
-
-
-def bed_at(
-    number: int, hinge: Point, section: sections.Chained, pieces: Sequence[Piece], view: View, *, where: str
-) -> Bed:
-    """Where a hinge presses: on the ground or the cut, on the support at the top, or on the block beside it."""
-    face, pressing = PAIRS[len(pieces)][number]
-    over = pieces[pressing].solids
-    under = () if face is None else pieces[face].solids
-    if not over or (face is not None and not under):
-        raise GeometryError(
-            f"{where}: its body has no geometry, so its contact is not known; give shape, like "
-            "{ rectangle = [thickness, length] }"
-        )
-    if face is not None:
-        return bed_between(over, under, hinge, section, view, where=where)
-    if (len(pieces), number) == (2, 2):
-        return bed_of_top(over, hinge, view, where=where)
-    plane = cut_of(section, where=where) if pieces[pressing].cut else None
-    if plane is None:
-        lowest = min(float(solid.vertices[:, 2].min()) for solid in over)
-        plane = view.plane((hinge[0], lowest), UP)
-    tilt = np.array([plane.normal @ view.along, plane.normal[2]])
-    x, z = tilt / np.linalg.norm(tilt)
-    return Bed((float(x), float(z)), plane, divide(over, plane, where=where).region)
-
-
-def bed_of_top(solids: Sequence[Solid], hinge: Point, view: View, *, where: str) -> Bed:
-    """The top of a wall: the foot of the wall upside down."""
-    turned = [
-        replace(solid, vertices=solid.vertices * [1.0, 1.0, -1.0], triangles=solid.triangles[:, ::-1])
-        for solid in solids
-    ]
-    lowest = min(float(solid.vertices[:, 2].min()) for solid in turned)
-    region = divide(turned, view.plane((hinge[0], lowest), UP), where=where).region
-    return Bed(DOWN, view.plane((hinge[0], -lowest), UP), region)
-
-
-def bed_between(
-    over: Sequence[Solid],
-    under: Sequence[Solid],
-    hinge: Point,
-    section: sections.Chained,
-    view: View,
-    *,
-    where: str,
-) -> Bed:
-    """Where two blocks touch in a level or upright plane through the hinge, or in the plane of an arch's joint."""
-    for normal in (UP, AHEAD, *_across_joints(hinge, section, view)):
-        plane = view.plane(hinge, normal)
-        try:
-            region = divide([*over, *under], plane, where=where).region
-        except GeometryError:
-            continue  # nothing of them touches there
-        high, low = (max(float((s.centroid - plane.point) @ plane.normal) for s in each) for each in (over, under))
-        way = 1.0 if high > low else -1.0
-        bed = Bed((way * normal[0], way * normal[1]), plane, region)
-        along = heading(plane, view.world((normal[1], -normal[0])), axis=view.axis)
-        if min(abs(view.beyond(bed, hinge, side)) for side in (along, -along)) <= NEAR * np.sqrt(region.area):
-            return bed
-    raise GeometryError(
-        f"{where}: its blocks do not touch in a level or upright plane with an edge at the hinge ({hinge[0]:.4g}, "
-        f"{hinge[1]:.4g}) m; give shape"
-    )
-
-
-def _across_joints(hinge: Point, section: sections.Chained, view: View) -> Iterator[Vector]:
-    """Normals of the joints of an arch that pass through a hinge."""
-    lines = lines_of(section) if isinstance(section, sections.FourHinge) and section.joints is not None else []
-    for line in lines:
-        a, b = np.array(line) * [view.sign, 1.0]
-        way = (b - a) / np.hypot(*(b - a))
-        arm = np.subtract(hinge, a)
-        if abs(float(way[0] * arm[1] - way[1] * arm[0])) <= ON_LINE:
-            yield (float(-way[1]), float(way[0]))
 
 
 def _inward(normal: Vector, sense: float) -> Vector:

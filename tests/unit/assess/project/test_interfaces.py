@@ -10,7 +10,7 @@ import shapely
 import trimesh
 from scipy.constants import g
 
-from assess.errors import AssessError
+from assess.errors import AssessError, MechanismError
 from assess.mechanisms.oscillation import oscillator
 from assess.oscillator import elastic_frequency
 from assess.project.build import build
@@ -314,7 +314,7 @@ def test_a_hinge_that_is_not_there(tmp_path):
 def test_blocks_that_do_not_touch_at_a_hinge(tmp_path):
     text = (STONE + LEGS).replace("base = [2.3, 0, 3]", "base = [2.3, 0, 3.5]")
     found = refused(tmp_path, SOFT, text=text)
-    assert "interface B: its blocks do not touch in a level or upright plane with an edge at the hinge" in found
+    assert "interface B: no faces of its blocks touch with an edge at the hinge" in found
 
 
 def test_a_contact_that_is_not_in_one_place_for_both_directions_is_told(tmp_path):
@@ -333,3 +333,50 @@ def test_a_load_that_comes_through_the_joint_at_the_top_is_told(tmp_path, eccent
     assert (
         any("interface C: the load on the middle of the top comes through the joint" in each for each in texts) == told
     )
+
+
+ARCH = (
+    STONE.replace(
+        "box = { thickness = 1, length = 2, height = 6 }",
+        'length = "1 m"\nprofile = [[-2.5, 0], [-1.8, 1.8], [0, 2.5], [1.8, 1.8], [2.5, 0], [2, 0], [1.4, 1.4], '
+        "[0, 2], [-1.4, 1.4], [-2, 0]]",
+    )
+    + """
+[mechanisms.arch]
+kind = "four-hinge"
+sides = "one"
+blocks = ["wall"]
+hinges = "minimum"
+joints = { centre = [0, 0], first = "175 deg", last = "5 deg", count = 8 }
+"""
+)
+
+
+def test_joints_of_an_arch_lie_in_the_planes_of_its_voussoirs(tmp_path):
+    """Every joint runs from its hinge along the ray to the centre, as deep as the arch is there."""
+    found = mechanism(tmp_path, 'interface = { strength = "1.5 MPa" }\n', text=ARCH)
+    outline = shapely.Polygon(
+        [(-2.5, 0), (-1.8, 1.8), (0, 2.5), (1.8, 1.8), (2.5, 0), (2, 0), (1.4, 1.4), (0, 2), (-1.4, 1.4), (-2, 0)]
+    )
+    for hinge, joint in zip(found.positive.hinges, found.positive.joints, strict=True):
+        ray = np.array(hinge) / np.hypot(*hinge)
+        np.testing.assert_allclose(abs(np.dot(joint.inward, ray)), 1.0, rtol=1e-9)
+        deep = outline.intersection(shapely.LineString([(0.0, 0.0), 4.0 * ray])).length
+        assert joint.section.depth == pytest.approx(deep, rel=1e-6)
+        inside = np.add(hinge, np.multiply(joint.inward, 0.5 * deep))
+        assert outline.contains(shapely.Point(*inside))
+
+
+def test_an_arch_on_stiff_joints_is_nearly_the_rigid_one(tmp_path):
+    stiff = 'interface = { model = "flexible", stiffness = "1e12 Pa/m", strength = "inf" }\n'
+    rigid = oscillator(mechanism(tmp_path, text=ARCH)).positive
+    found = oscillator(mechanism(tmp_path, stiff, text=ARCH)).positive
+    assert found.overturning == pytest.approx(rigid.overturning, rel=1e-9)
+    assert found.overturning_flexible == pytest.approx(rigid.overturning, rel=1e-2)
+    assert found.overturning_flexible < rigid.overturning
+
+
+def test_an_arch_that_rocks_both_ways_has_no_common_rest(tmp_path):
+    found = mechanism(tmp_path, SOFT, text=ARCH.replace('sides = "one"\n', ""))
+    with pytest.raises(MechanismError, match=r'other joints.*sides = "one"'):
+        oscillator(found)

@@ -365,7 +365,8 @@ class MechanismResult:
 class SweepResult:
     """One mechanism for several values of one number of the project.
 
-    value [n]: in `unit`, as the user wrote it, "-" for none. Parameters [n]: of the branch that uplifts first.
+    value [n]: in `unit`, as the user wrote it, "-" for none. Parameters [n]: of the branch that uplifts first;
+    overturning_rad of rigid joints, overturning_flexible_rad and elastic_frequency_hz on its own, None where rigid.
     demand_capacity [n]: the largest of all checks of a code and all levels; None where the mechanism overturned
     (overturned is true) or no check applies. controlling: the case that is worst, from 0. governs: whether that case
     stands for the mechanism in `mechanisms` and in the comparison, as the worst of the mechanism's sweeps does.
@@ -378,6 +379,8 @@ class SweepResult:
     p_eq_per_s: Floats
     uplift_multiplier: tuple[float | None, ...]
     overturning_rad: Floats
+    overturning_flexible_rad: tuple[float | None, ...]
+    elastic_frequency_hz: tuple[float | None, ...]
     restitution: Floats
     demand_capacity: tuple[float | None, ...]
     overturned: tuple[bool, ...]

@@ -18,6 +18,9 @@ RULE = (
     "equals, or where no check applies, the least peak ground acceleration at capacity, then the least load multiplier "
     "at uplift."
 )
+JOINTS = (
+    " φₒᵥ is that of rigid joints; on joints it counts from rest, about which small motions have the elastic frequency."
+)
 
 
 def studies(sweeps: Sequence[SweepResult], *, name: str) -> Section:
@@ -62,6 +65,7 @@ def table(sweep: SweepResult, *, name: str) -> Table:
         Column("p", "1/s", "number"),
         Column("λ at uplift", "-", "number"),
         Column("φₒᵥ", "rad", "number"),
+        *(column for column, _ in on_joints(sweep)),
         Column("Restitution η", "-", "number"),
         Column("Demand / capacity", "-", "number"),
         Column("PGA at capacity", "g", "number"),
@@ -69,20 +73,30 @@ def table(sweep: SweepResult, *, name: str) -> Table:
     )
     caption = (
         f"{key_of(sweep)}: rocking parameters of the branch that uplifts first, and the worst of all checks of a code "
-        "at all levels."
+        f"at all levels.{JOINTS if on_joints(sweep) else ''}"
     )
     return Table(name, caption, columns, tuple(_row(sweep, place) for place in range(len(sweep.value))))
 
 
+def on_joints(sweep: SweepResult) -> list[tuple[Column, Sequence[float | None]]]:
+    """What joints that give way add to the table: columns with their values [n], where any are known."""
+    columns: list[tuple[Column, Sequence[float | None]]] = [
+        (Column("φₒᵥ on joints", "rad", "number"), sweep.overturning_flexible_rad),
+        (Column("Elastic frequency", "Hz", "number"), sweep.elastic_frequency_hz),
+    ]
+    return [(column, values) for column, values in columns if any(value is not None for value in values)]
+
+
 def _row(sweep: SweepResult, place: int) -> tuple[Cell, ...]:
     ratio: Cell = OVERTURNED if sweep.overturned[place] else sweep.demand_capacity[place]
-    parameters = (sweep.overturning_rad, sweep.restitution)
     mark = "controls" if place == sweep.controlling else ""
     return (
         sweep.value[place],
         sweep.p_eq_per_s[place],
         uplift(sweep.uplift_multiplier[place]),
-        *(values[place] for values in parameters),
+        sweep.overturning_rad[place],
+        *(values[place] for _, values in on_joints(sweep)),
+        sweep.restitution[place],
         ratio,
         sweep.capacity_pga_g[place],
         mark,

@@ -174,6 +174,8 @@ def sweep_result(swept: Swept, *, governs: bool) -> SweepResult:
         p_eq_per_s=tuple(branch.p_eq_per_s for branch in branches),
         uplift_multiplier=tuple(branch.uplift_multiplier for branch in branches),
         overturning_rad=tuple(branch.overturning_rad for branch in branches),
+        overturning_flexible_rad=tuple(branch.overturning_flexible_rad for branch in branches),
+        elastic_frequency_hz=tuple(branch.elastic_frequency_hz for branch in branches),
         restitution=tuple(branch.restitution for branch in branches),
         demand_capacity=tuple(None if ratio == inf else ratio for ratio in ratios),
         overturned=tuple(ratio == inf for ratio in ratios),

@@ -15,23 +15,38 @@ Values = Sequence[float | None]
 
 
 def draw(sweep: SweepResult) -> Figure:
-    """Multiplier [-], frequency parameter [1/s] and, where checks apply, demand / capacity [-] over the values."""
-    panels: list[tuple[Values, str]] = [
-        (sweep.uplift_multiplier, "load multiplier at uplift λ [-]"),
-        (sweep.p_eq_per_s, "frequency parameter p [1/s]"),
-    ]
-    assessed = any(ratio is not None for ratio in sweep.demand_capacity)
-    panels += [(sweep.demand_capacity, "demand / capacity [-]")] if assessed else []
+    """What changes over the values, a panel for each quantity that is known of any case."""
+    shown = panels(sweep)
     with styled():
         figure = sheet(2.3)
-        for axes, (values, name) in zip(figure.subplots(1, len(panels)), panels, strict=True):
+        for axes, (values, name) in zip(figure.subplots(1, len(shown), squeeze=False)[0], shown, strict=True):
             _curve(axes, sweep, values)
             axes.set_ylabel(name)
             axes.xaxis.set_major_locator(MaxNLocator(5, steps=[1, 2, 2.5, 5, 10]))
-        if assessed:
-            axes.axhline(1.0, color=FAIL, linewidth=0.8)
+            if values is sweep.demand_capacity:
+                axes.axhline(1.0, color=FAIL, linewidth=0.8)
         figure.supxlabel(label(f"{sweep.key} [{sweep.unit}]", 90), fontsize=7.5)
         return figure
+
+
+def panels(sweep: SweepResult) -> list[tuple[Values, str]]:
+    """The quantities of which any value is known, with their names.
+
+    On joints without a threshold of uplift the overturning rotation stands in the place of the multiplier.
+    """
+    threshold = (sweep.uplift_multiplier, "load multiplier at uplift λ [-]")
+    overturning = (sweep.overturning_flexible_rad, "overturning on joints φₒᵥ [rad]")
+    all_of_them: list[tuple[Values, str]] = [
+        threshold if known(sweep.uplift_multiplier) else overturning,
+        (sweep.p_eq_per_s, "frequency parameter p [1/s]"),
+        (sweep.demand_capacity, "demand / capacity [-]"),
+    ]
+    return [(values, name) for values, name in all_of_them if known(values)]
+
+
+def known(values: Values) -> bool:
+    """Whether any case has a value."""
+    return any(value is not None for value in values)
 
 
 def _curve(axes: Axes, sweep: SweepResult, values: Values) -> None:

@@ -89,7 +89,7 @@ def results() -> Results:
         comparison=(ComparisonRow("w", 0.1, "asce43-05-spectrum", None, 0.5, None),),
         sweeps=(
             SweepResult(
-                "w", "a.b", "deg", (1, 2.5), *[(0.5, 0.6)] * 4, (None, 1.2), (True, False), (0.1, None), 0, True
+                "w", "a.b", "deg", (1, 2.5), *[(0.5, 0.6)] * 6, (None, 1.2), (True, False), (0.1, None), 0, True
             ),
         ),
     )

@@ -433,6 +433,8 @@ def make_results() -> Results:
                 p_eq_per_s=(1.61, 1.62, 1.63),
                 uplift_multiplier=(0.0901, 0.1302, 0.1703),
                 overturning_rad=(0.0904, 0.1305, 0.1706),
+                overturning_flexible_rad=(None, None, None),
+                elastic_frequency_hz=(None, None, None),
                 restitution=(0.951, 0.952, 0.953),
                 demand_capacity=(None, 1.31, 0.87),
                 overturned=(True, False, False),

@@ -50,7 +50,28 @@ def test_the_figure_shows_the_values_in_their_order(results: Results) -> None:
     np.testing.assert_array_equal(figure.axes[2].lines[0].get_xdata(), [0.09, 0.13, 0.17])
     np.testing.assert_array_equal(figure.axes[2].lines[0].get_ydata(), [1.4, 1.31, 0.87])
     silent = sweep.draw(replace(shuffled, demand_capacity=(None,) * 3, uplift_multiplier=(None,) * 3))
-    assert len(silent.axes) == 2
+    assert [axes.get_ylabel() for axes in silent.axes] == ["frequency parameter p [1/s]"]
+
+
+def test_joints_add_columns_and_take_the_place_of_an_unknown_threshold(results: Results) -> None:
+    rigid = results.sweeps[0]
+    on_joints = replace(
+        rigid,
+        uplift_multiplier=(None,) * 3,
+        overturning_flexible_rad=(None, 0.11, 0.12),
+        elastic_frequency_hz=(None, 2.0, 3.0),
+    )
+    figure = sweep.draw(on_joints)
+    assert [len(axes.lines[0].get_xdata()) for axes in figure.axes] == [2, 3, 2]  # no panel without a value
+    assert "overturning on joints" in figure.axes[0].get_ylabel()
+    table = sweeps.table(on_joints, name="s")
+    headings = [column.heading for column in table.columns]
+    places = [headings.index(heading) for heading in ("φₒᵥ on joints [rad]", "Elastic frequency [Hz]")]
+    assert [[row[place] for row in table.rows] for place in places] == [[None, 0.11, 0.12], [None, 2.0, 3.0]]
+    assert {len(row) for row in table.rows} == {len(headings)}
+    assert len(sweeps.table(rigid, name="s").columns) == len(headings) - 2
+    assert "rigid joints" in table.caption
+    assert "rigid joints" not in sweeps.table(rigid, name="s").caption
 
 
 def test_the_weakest_direction_is_drawn_and_said(results: Results) -> None:

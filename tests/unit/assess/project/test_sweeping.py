@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 import trimesh
+from scipy.constants import g
 
 from assess.codes.check import Check, PgaCurve
 from assess.project.build import build
@@ -135,6 +136,23 @@ def test_only_what_depends_on_the_key_is_swept_and_its_worst_case_stands(folder:
     ]
     assert [(n.code, n.where) for n in results.warnings if n.code == "sweep"] == [("sweep", "mechanisms.capped")]
     assert "bodies.cap.box.height = 2 m" in " ".join(notice.text for notice in results.warnings)
+
+
+def test_a_sweep_of_stiffness_tells_how_the_mechanism_stands_on_its_joint(folder: Path) -> None:
+    """Full contact turns about the middle of the base: omega^2 = (k l b^3 / 12 - W h) / I."""
+    joint = 'interface = { model = "flexible", stiffness = "1 GPa/m", strength = "inf" }\n'
+    text = PROJECT.replace('blocks = ["wall"]\n', 'blocks = ["wall"]\n' + joint)
+    key = '[analysis.sweep]\nkey = "mechanisms.wall.interface.stiffness"\nvalues = ["1 GPa/m", "4 GPa/m"]\n'
+    (sweep,) = run(study_of(folder, text + key)).sweeps
+    b, length, H, mass = 0.6, 4.0, 4.5, 2000 * 0.6 * 4.0 * 4.5
+    inertia = mass * ((b**2 + H**2) / 12 + (H / 2) ** 2)
+    omega2 = (np.array([1e9, 4e9]) * length * b**3 / 12 - mass * g * H / 2) / inertia
+    np.testing.assert_allclose(np.array(sweep.elastic_frequency_hz), np.sqrt(omega2) / (2 * np.pi), rtol=1e-6)
+    soft, stiff = sweep.overturning_flexible_rad
+    assert soft is not None
+    assert stiff is not None
+    assert soft < stiff < sweep.overturning_rad[0] == sweep.overturning_rad[1]
+    assert sweep.uplift_multiplier == (None, None)
 
 
 @pytest.mark.parametrize(

@@ -61,14 +61,15 @@ class Oscillator:
 
     positive, negative : the branches; negative is None for one-sided rocking
     mass : total moved mass, bearing or not [kg]
-    equilibrium : phi_e, the rotation at rest from which both branches count [rad]; not zero where a flexible joint
-        carries an eccentric load
+    equilibrium, equilibrium_negative : phi_e, the rotation at rest from which each branch counts, in its own sign
+        [rad]; not zero where a flexible joint carries an eccentric load
     """
 
     positive: Branch
     negative: Branch | None
     mass: float
     equilibrium: float = 0.0
+    equilibrium_negative: float = 0.0
 
     @property
     def branches(self) -> tuple[Branch, ...]:

@@ -99,7 +99,7 @@ def on_moving_hinges(found: Impacts, front: FlexibleChain, back: FlexibleChain |
         return found
     works = [chain.held(np.zeros(1)).work for chain in (front, back)]
     leaning = [work for work in works if work.restoring[0] < 0.0]  # both branches begin where this one stands
-    own = [(leaning or [work])[0].inertia[0] for work in works]
+    own = [(leaning if len(leaning) == 1 else [work])[0].inertia[0] for work in works]
     fixed = [virtual_work(chain.fixed, np.zeros(1)).inertia[0] for chain in (front, back)]
     faster = float(np.sqrt(own[0] / own[1] * fixed[1] / fixed[0]))
     return _times(found[0], faster), _times(found[1], 1.0 / faster)

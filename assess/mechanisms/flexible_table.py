@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 from assess.errors import MechanismError
 from assess.interfaces.contact import thresholds
-from assess.mechanisms.chain import Chain
+from assess.mechanisms.chain import Chain, mirrored
 from assess.mechanisms.flexible import FlexibleChain
 from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.motion import limit
@@ -177,19 +177,39 @@ def flexible_oscillator(mechanism: Mechanism) -> Oscillator:
         return Oscillator(table(positive, None), None, mechanism.positive.mass, equilibrium=positive.lean)
     alike = same_chain(mechanism.positive, mechanism.negative) and first == second
     negative = positive if alike else side_of(mechanism.negative, name=name, restitution=second)
+    if not one_rest(mechanism.positive, mechanism.negative):
+        return Oscillator(
+            positive=table(positive, None),
+            negative=table(negative, None),
+            mass=mechanism.positive.mass,
+            equilibrium=positive.lean,
+            equilibrium_negative=negative.lean,
+        )
     if positive.pushed and negative.pushed:
         raise MechanismError(
             f'mechanism "{name}": it is pushed off its rest both ways, by {-positive.work.restoring[0]:.4g} and '
             f"{-negative.work.restoring[0]:.4g} N m: a hinge inside the edge of its contact does that, as pressure is "
-            "counted from the hinge on; so does an arch whose two directions open other joints, which have no rest in "
-            'common: then assess each with sides = "one". Else put hinges on the edges, or check shape and loads'
+            "counted from the hinge on; put hinges on the edges, give the shape between them, or check loads"
         )
     return Oscillator(
         positive=table(positive, negative),
         negative=table(negative, positive),
         mass=mechanism.positive.mass,
         equilibrium=positive.lean - negative.lean,
+        equilibrium_negative=negative.lean - positive.lean,
     )
+
+
+def one_rest(positive: Chain, negative: Chain) -> bool:
+    """Whether both directions turn on the same joints, and so stand at one rotation.
+
+    An arch opens other joints each way: each direction then counts from where its own joints have settled.
+    """
+    if positive.parts:
+        return positive.parts == tuple(
+            (replace(block, centroid=mirrored(block.centroid)), number) for block, number in negative.parts
+        )
+    return True
 
 
 def side_of(chain: Chain, *, name: str, restitution: float) -> Side:

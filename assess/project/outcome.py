@@ -183,7 +183,7 @@ def mechanism_result(
         oscillator=oscillator_result(positive, mass=mass, rigid=rigid[0], equilibrium=oscillator.equilibrium),
         oscillator_negative=None
         if negative is None
-        else oscillator_result(negative, mass=mass, rigid=rigid[-1], equilibrium=-oscillator.equilibrium),
+        else oscillator_result(negative, mass=mass, rigid=rigid[-1], equilibrium=oscillator.equilibrium_negative),
         curve=Curve(branch_curve(positive, mass=mass), None if negative is None else branch_curve(negative, mass=mass)),
         interfaces=interface_results(mechanism, oscillator, [hinge.name for hinge in drawn.hinges]),
         interface_curves=interface_curves(mechanism, rigid) if mechanism.flexible else None,

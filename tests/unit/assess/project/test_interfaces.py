@@ -10,7 +10,7 @@ import shapely
 import trimesh
 from scipy.constants import g
 
-from assess.errors import AssessError, MechanismError
+from assess.errors import AssessError
 from assess.mechanisms.oscillation import oscillator
 from assess.oscillator import elastic_frequency
 from assess.project.build import build
@@ -376,7 +376,14 @@ def test_an_arch_on_stiff_joints_is_nearly_the_rigid_one(tmp_path):
     assert found.overturning_flexible < rigid.overturning
 
 
-def test_an_arch_that_rocks_both_ways_has_no_common_rest(tmp_path):
-    found = mechanism(tmp_path, SOFT, text=ARCH.replace('sides = "one"\n', ""))
-    with pytest.raises(MechanismError, match=r'other joints.*sides = "one"'):
-        oscillator(found)
+def test_each_direction_of_an_arch_rests_on_joints_of_its_own(tmp_path):
+    """It opens other joints each way, and a symmetric one alike."""
+    both = oscillator(mechanism(tmp_path, SOFT, text=ARCH.replace('sides = "one"\n', "")))
+    alone = oscillator(mechanism(tmp_path, SOFT, text=ARCH))
+    assert both.negative is not None
+    assert both.equilibrium == pytest.approx(alone.equilibrium, rel=1e-9)
+    assert both.equilibrium_negative == pytest.approx(alone.equilibrium, rel=1e-6)
+    assert both.equilibrium > 0.0
+    np.testing.assert_allclose(both.positive.restoring, alone.positive.restoring, rtol=1e-9, atol=1e-6)
+    assert both.negative.restoring[0] == 0.0
+    assert both.negative.overturning_flexible == pytest.approx(alone.positive.overturning_flexible, rel=1e-6)

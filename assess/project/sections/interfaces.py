@@ -2,14 +2,54 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal, Self
+from typing import Annotated, Any, Literal, Self
 
-from pydantic import Discriminator, Field, Tag, model_validator
+import shapely
+from pydantic import AfterValidator, BeforeValidator, Discriminator, Field, Tag, model_validator
 
+from assess.interfaces.shapes import THINNEST
 from assess.project.quantities import JointStiffness, PlanePoint, PositiveLength, Strength
 from assess.project.section import Section, wrong
 
 Letter = Literal["A", "B", "C", "D"]
+
+
+SIZES = {
+    "rectangle": "[t, l]",
+    "hollow_rectangle": "[t, l, t_in, l_in]",
+    "circle": "d",
+    "annulus": "[d, d_in]",
+    "polygon": "[[x, y], …]",
+}
+
+
+def _hollow(sizes: tuple[float, ...]) -> tuple[float, ...]:
+    """The sizes of an outline and those of its hole, which is smaller, or raise."""
+    half = len(sizes) // 2
+    for outside, inside in zip(sizes[:half], sizes[half:], strict=True):
+        if inside >= outside:
+            raise wrong((), f"the hole, {inside:g} m, must be smaller than the outside, {outside:g} m")
+    return sizes
+
+
+def _simple(corners: tuple[tuple[float, float], ...]) -> tuple[tuple[float, float], ...]:
+    """Corners of a polygon with an area, whose sides meet at its corners only, or raise."""
+    hull = shapely.MultiPoint(corners).convex_hull
+    low_x, low_y, high_x, high_y = hull.bounds
+    if hull.area <= THINNEST * max(high_x - low_x, high_y - low_y) ** 2:
+        raise wrong((), "no area, its corners lie on a line; give corners that enclose one")
+    if not shapely.Polygon(corners).is_valid:
+        raise wrong((), "its sides cross or touch one another; list its corners in order around the outline")
+    return corners
+
+
+def _shape(value: Any) -> Any:
+    """The value, or raise where it is neither "outline" nor a table."""
+    if value == "outline" or isinstance(value, dict | Shape):
+        return value
+    meant = [value] if value in list(SIZES) else list(SIZES)
+    forms = ", ".join(f"{{ {name} = {SIZES[name]} }}" for name in meant)
+    raise wrong((), f'not allowed; write "outline", or {forms}')
 
 
 class Shape(Section):
@@ -17,13 +57,15 @@ class Shape(Section):
 
     rectangle: tuple[PositiveLength, PositiveLength] | None = None
     """[thickness, length]"""
-    hollow_rectangle: tuple[PositiveLength, PositiveLength, PositiveLength, PositiveLength] | None = None
+    hollow_rectangle: (
+        Annotated[tuple[PositiveLength, PositiveLength, PositiveLength, PositiveLength], AfterValidator(_hollow)] | None
+    ) = None
     """[thickness, length, inner thickness, inner length]"""
     circle: PositiveLength | None = None
     """diameter"""
-    annulus: tuple[PositiveLength, PositiveLength] | None = None
+    annulus: Annotated[tuple[PositiveLength, PositiveLength], AfterValidator(_hollow)] | None = None
     """[diameter, inner diameter]"""
-    polygon: Annotated[tuple[PlanePoint, ...], Field(min_length=3)] | None = None
+    polygon: Annotated[tuple[PlanePoint, ...], Field(min_length=3), AfterValidator(_simple)] | None = None
     """corners [[x, y], …] in plan"""
 
     @model_validator(mode="after")
@@ -49,6 +91,7 @@ class Interface(Section):
     shape: Annotated[
         Annotated[Literal["outline"], Tag("<outline>")] | Annotated[Shape, Tag("<shape>")],
         Discriminator(lambda value: "<shape>" if isinstance(value, dict | Shape) else "<outline>"),
+        BeforeValidator(_shape),
     ] = "outline"
     """"outline" of the mesh at the hinge, or { rectangle | hollow_rectangle | circle | annulus | polygon = … }"""
 

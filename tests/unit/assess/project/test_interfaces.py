@@ -287,7 +287,7 @@ def test_a_body_without_geometry_needs_a_shape(tmp_path):
         ('{ model = "flexible", stiffness = 2e8, shape = {} }', "one shape is needed"),
         ('{ model = "flexible", stiffness = 2e8, shape = "round" }', "shape"),
         ('{ model = "flexible", stiffness = 2e8, shape = { hollow_rectangle = [1, 2, 1.5, 1] } }', "hole"),
-        ('{ model = "flexible", stiffness = 2e8, shape = { annulus = [1, 1] } }', "diameter"),
+        ('{ model = "flexible", stiffness = 2e8, shape = { annulus = [1, 1] } }', "smaller than the outside, 1 m"),
         ('{ model = "flexible", stiffness = 2e8, shape = { polygon = [[0, 0], [1, 1], [1, 0], [0, 1]] } }', "outline"),
     ],
 )
@@ -295,6 +295,28 @@ def test_interfaces_that_say_too_much_or_too_little(tmp_path, interface, message
     text = refused(tmp_path, f"interface = {interface}")
     assert message in text
     assert "interface" in text
+
+
+@pytest.mark.parametrize(
+    ("shape", "key", "message"),
+    [
+        ('"circle"', "", 'not allowed; write "outline", or { circle = d }'),
+        ('"round"', "", "{ circle = d }, { annulus = [d, d_in] }, { polygon = [[x, y], …] }"),
+        ("3", "", 'not allowed; write "outline", or { rectangle = [t, l] }'),
+        ("{ annulus = [1, 1.5] }", ".annulus", "the hole, 1.5 m, must be smaller than the outside, 1 m"),
+        ("{ hollow_rectangle = [1, 2, 0.5, 2] }", ".hollow_rectangle", "the hole, 2 m, must be smaller"),
+        ("{ polygon = [[-1, -1], [1, 1], [1, -1], [-1, 1]] }", ".polygon", "its sides cross or touch one another"),
+        ("{ polygon = [[0, 0], [1, 1], [3, 3]] }", ".polygon", "no area, its corners lie on a line"),
+        ("{ polygon = [[1, 1], [1, 1], [1, 1]] }", ".polygon", "no area"),
+    ],
+)
+def test_a_shape_that_is_none_is_told_at_its_key(tmp_path, shape, key, message):
+    found = refused(tmp_path, f'interface = {{ model = "flexible", stiffness = 2e8, shape = {shape} }}')
+    assert f"project.toml: mechanisms.wall.interface.shape{key}: " in found
+    assert message in found
+    assert "Self-intersection" not in found
+    letter = refused(tmp_path, f'interfaces = {{ A = {{ model = "flexible", stiffness = 2e8, shape = {shape} }} }}')
+    assert f"mechanisms.wall.interfaces.A.shape{key}: " in letter
 
 
 def test_course_thickness_without_a_modulus(tmp_path):

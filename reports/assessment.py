@@ -108,9 +108,6 @@ def _mechanism(mechanism: MechanismResult, swept: tuple[SweepResult, ...], name:
 
 
 def _shape(mechanism: MechanismResult, name: str, *, sibling: str) -> Section:
-    curve = (
-        "Capacity curve: restoring moment and load multiplier λ over rotation. The dot marks the overturning rotation."
-    )
     blocks = (
         Text((sentences.description(mechanism),)),
         *sweeps.weakest(mechanism, name=name),
@@ -118,7 +115,7 @@ def _shape(mechanism: MechanismResult, name: str, *, sibling: str) -> Section:
         *_view(mechanism, name, sibling=sibling),
         *_filled(tables.loads(mechanism, name=f"{name}-loads")),
         tables.parameters(mechanism, name=f"{name}-parameters"),
-        Figure(f"{name}-capacity", curve, partial(capacity.draw, mechanism)),
+        Figure(f"{name}-capacity", sentences.capacity(mechanism), partial(capacity.draw, mechanism)),
         *interfaces.blocks(mechanism, name=name),
     )
     return Section(f"Mechanism: {tables.name_of(mechanism)}", 0, blocks, starts_page=True)

@@ -122,6 +122,17 @@ def _says(check: Check, words: str) -> bool:
     return any(words in text.lower() for text in texts)
 
 
+def capacity(mechanism: MechanismResult) -> str:
+    """The caption of the capacity curve, with the marks that it has."""
+    on_joints = mechanism.oscillator.overturning_flexible_rad is not None
+    marks = (
+        "Marks: overturning rotation of the positive branch, the dot with rigid joints, the square on its joints."
+        if on_joints
+        else "The dot marks the overturning rotation."
+    )
+    return f"Capacity curve: restoring moment and load multiplier λ over rotation. {marks}"
+
+
 def sketch(mechanism: MechanismResult) -> str:
     """What the drawing of a mechanism shows."""
     drawing = mechanism.drawing

@@ -81,7 +81,8 @@ def _interface(found: dict[str, Any]) -> str:
     force = f"{found['normal_force_n'] / 1e3:.4g} kN"
     return (
         f"{found['model']}, {stiffness}, {strength}; {found['area_m2']:.4g} m2, "
-        f"{found['depth_m']:.4g} m deep, under {force} at rest; opens {opens}, crushes {crushes}"
+        f"{found['depth_m']:.4g} m deep, under {force} at rest; "
+        f"by rotation of the joint itself it opens {opens}, crushes {crushes}"
     )
 
 

@@ -47,7 +47,7 @@ def _marks(axes: Axes, mechanism: MechanismResult) -> None:
     if flexible is not None:
         axes.plot([flexible], [0.0], marker="s", color=FAIL, markersize=4, linestyle="none")
         axes.annotate(
-            "φₒᵥ, interface", (flexible, 0.0), xytext=(-4, 9), textcoords="offset points", ha="right", color=FAIL
+            "φₒᵥ, interface", (flexible, 0.0), xytext=(-4, -10), textcoords="offset points", ha="right", color=FAIL
         )
     axes.set_xlim(left=0.0)
 

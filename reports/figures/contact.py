@@ -7,10 +7,12 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.ticker import FuncFormatter, NullFormatter
 
 from assess.codes.check import BranchName
 from assess.results import MechanismResult
 from reports import joints
+from reports.numerals import numeral
 from reports.style import MUTED, label, sheet, styled
 
 COLOURS = ("#c1121f", "#0072b2", "#009e73", "#e69f00")  # of the hinges A, B, C, D
@@ -35,6 +37,8 @@ def draw(mechanism: MechanismResult) -> Figure:
                 axes.plot(rotation, values, dash, color=colour, label=label(hinges))
             axes.set(xlabel="rotation φ [rad]", ylabel=name, xscale="log")
             axes.set_xlim(first(mechanism, end), end)
+            axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: numeral(value, digits=1)))
+            axes.xaxis.set_minor_formatter(NullFormatter())
             axes.set_ylim(bottom=0.0)
         _strength(axes, mechanism)
         axes.legend(loc="lower right")

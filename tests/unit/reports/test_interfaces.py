@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from math import sin, sqrt
 
+import numpy as np
 import pytest
 from scipy.constants import g
 
@@ -12,10 +13,10 @@ from assess.project.build import build
 from assess.project.run import parameters
 from assess.project.schema import load
 from assess.results import HistoryResult, MechanismResult, Resolved, Results, Trace
-from reports import interfaces, joints, siblings, tables
+from reports import interfaces, joints, sentences, siblings, tables
 from reports.assessment import assessment
 from reports.document import Figure, Table, Text
-from reports.figures import contact, moment_rotation
+from reports.figures import capacity, contact, moment_rotation
 
 PROJECT = """
 [materials.stone]
@@ -147,6 +148,27 @@ def test_the_moment_figure_marks_opening_and_crushing_on_the_curve(mechanisms):
     ]
 
 
+def test_the_capacity_curve_has_a_mark_for_each_overturning_and_its_caption_tells_both(mechanisms):
+    for name, marks in (("flexible", ["o", "s"]), ("rigid", ["o"])):
+        found = mechanisms[name]
+        axes = capacity.draw(found).axes[0]
+        drawn = [line.get_marker() for line in axes.lines if line.get_marker() in ("o", "s")]
+        assert drawn == marks
+        assert ("square on its joints" in sentences.capacity(found)) == (len(marks) == 2)
+
+
+def test_the_name_of_overturning_on_joints_leaves_the_curve_free(mechanisms):
+    figure = capacity.draw(mechanisms["flexible"])
+    figure.draw_without_rendering()
+    for axes in figure.axes:
+        (name,) = [text for text in axes.texts if "interface" in text.get_text()]
+        box = name.get_window_extent()
+        for line in axes.lines[:2]:
+            rotation, height = line.get_data()
+            fine = np.linspace(rotation[0], rotation[-1], 2000)
+            assert not box.count_contains(axes.transData.transform(np.c_[fine, np.interp(fine, rotation, height)]))
+
+
 def test_joints_that_are_alike_share_a_line(mechanisms):
     assert [hinges for *_, hinges in contact.lines(mechanisms["flexible"])] == ["A, A'"]
     assert [hinges for *_, hinges in contact.lines(mechanisms["other"])] == ["A"]
@@ -154,6 +176,15 @@ def test_joints_that_are_alike_share_a_line(mechanisms):
     assert two[:3] == ["A, A'", "B, B'", "C"]
     stress = contact.draw(mechanisms["flexible"]).axes[1]
     assert max(line.get_ydata().max() for line in stress.lines[:1]) == pytest.approx(F / 1e6, rel=1e-12)
+
+
+def test_ticks_of_the_logarithmic_axis_are_plain_numbers(mechanisms):
+    figure = contact.draw(mechanisms["flexible"])
+    figure.draw_without_rendering()
+    for axes in figure.axes:
+        told = {tick.get_text() for tick in axes.get_xticklabels()}
+        assert {"0.001", "0.01"} <= told
+        assert not any("$" in text for text in told)
 
 
 def project_of(mechanisms: dict[str, MechanismResult]) -> dict[str, Resolved]:

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from scipy.constants import g
 
 from assess.cli import main
 from assess.cli.outputs import LIST
@@ -89,6 +90,18 @@ def small_report(results: Results, folder: Path, *, progress: Callable[[str], No
     progress("report")
     (folder / "report.pdf").write_text(results.mechanisms[0].name)
     return folder / "report.pdf"
+
+
+def test_check_tells_at_which_rotation_of_its_own_a_joint_opens(
+    project: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Thesis 6.2: 2 W / (k l b^2). It never crushes without a strength."""
+    joint = 'blocks = ["wall"]\ninterface = { model = "flexible", stiffness = 2e8, strength = "inf" }\n'
+    project.write_text(PROJECT.replace('blocks = ["wall"]\n', joint))
+    assert ended("check", project) == 0
+    opening = 2 * 1800 * 0.6 * 3.0 * 4.0 * g / (2e8 * 3.0 * 0.6**2)
+    told = f"by rotation of the joint itself it opens at {opening:.3g} rad, crushes never"
+    assert told in capsys.readouterr().out
 
 
 def test_check_prints_what_was_understood(project: Path, capsys: pytest.CaptureFixture[str]) -> None:

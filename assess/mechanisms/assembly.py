@@ -20,6 +20,7 @@ from assess.restitution import Restitution
 Impacts = tuple[Restitution, Restitution]
 
 INSIDE = ", about hinges a_SF inside the edges"
+CRUSHED = ", about the resultants of the crushed joints"
 
 
 def assembled(
@@ -80,12 +81,14 @@ def on_joints(
     kept, returned = on_moving_hinges(fixed, ahead, behind)
     rigid = impacts(restitution, mechanism.positive, mechanism.negative, kind=kind, name=name)
     others = [notice for notice in mechanism.notices if notice not in {each.notice for each in rigid}]
+    stiff = all(joint is None or joint.model == "rigid" for joint in (*positive, *negative))
+    about = CRUSHED if stiff else INSIDE
     return replace(
         mechanism,
         positive=front,
         negative=back,
         restitution=(kept.value, returned.value),
-        restitution_source=_sources(kept, returned) + INSIDE * (kept.source != "given"),
+        restitution_source=_sources(kept, returned) + about * (kept.source != "given"),
         notices=(*others, *sorted({kept.notice, returned.notice} - {""})),
     )
 

@@ -23,11 +23,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import Any, TypeVar, cast
+from typing import Any
 
-import numba
 import numpy as np
 from numpy.typing import NDArray
+
+from assess.kernel import compiled, entry, reachable
 
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
@@ -37,7 +38,6 @@ Glide = Callable[..., tuple[int, float, float, float]]
 Advance = Callable[..., State]
 Acceleration = Callable[..., float]
 March = Callable[..., int]
-F = TypeVar("F", bound=Callable[..., Any])
 
 REST = 1e-4
 """After an impact slower than REST times the velocity that reaches phi_ov (p phi_ov, linearised), with the ground
@@ -68,31 +68,6 @@ LANDING, TURNING, INFLECTION, PASSAGE = range(4)
 LEFT, RIGHT, R3, R2, R1, R0, B3, B2, B1, B0, I3, I2, I1, I0 = range(14)
 # columns of `flow` of the linearised equation [2, 8]
 P2, INVERSE, Y_K, Y_V, Y_A, V_K, V_V, V_A = range(8)
-
-
-OPTIONS: dict[str, Any] = {
-    "nogil": True,
-    "error_model": "numpy",
-    "fastmath": {"contract"},  # a * b + c in one rounding; nothing else is reordered
-    "no_cfunc_wrapper": True,
-}
-
-
-def compiled(function: F) -> F:
-    """Compiled inside the two entry points, which are what numba caches; not to be called from Python."""
-    jit: Any = numba.njit
-    return cast(F, jit(**OPTIONS, no_cpython_wrapper=True)(function))
-
-
-def reachable(function: F) -> F:
-    """Compiled, and open to Python, so that an entry point's `.py_func` can call it."""
-    return cast(F, numba.njit(**OPTIONS)(function))
-
-
-def entry(function: F) -> F:
-    """An entry point: compiled at its first call, cached on disk, free of the interpreter's lock."""
-    jit: Any = numba.njit
-    return cast(F, jit(**OPTIONS, cache=True)(function))
 
 
 # ---------------------------------------------------------------------------------------------------- events, shared

@@ -19,12 +19,11 @@ A section is made of pieces, in each of which the width is linear, and of discs,
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
-from typing import Any, TypeVar, cast
 
-import numba
 import numpy as np
 from numpy.typing import NDArray
+
+from assess.kernel import compiled, entry, reachable
 
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
@@ -33,7 +32,6 @@ Table = tuple[FloatArray, FloatArray, float, float, float]
 Given = tuple[float, float, float]  # stiffness k [Pa/m], strength f [Pa], rotation phi [rad]
 Four = tuple[float, float, float, float]
 Five = tuple[float, float, float, float, float]
-F = TypeVar("F", bound=Callable[..., Any])
 
 # columns of `pieces` [m + 1, 12]: where the piece begins; its width W0 + W1 d and the integral of the offset over the
 # width, V0 + V1 d + V2 d^2, at the distance d from there; up to there A, S, T and their integrals over depth
@@ -67,25 +65,6 @@ SERIES = BINOMIAL[:, None] / np.column_stack([
     POWERS + 1.5, POWERS + 2.5, (POWERS + 1.5) * (POWERS + 2.5), (POWERS + 2.5) * (POWERS + 3.5),
 ])  # fmt: skip
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(5)
-
-OPTIONS: dict[str, Any] = {"nogil": True, "error_model": "numpy", "fastmath": {"contract"}}
-
-
-def compiled(function: F) -> F:
-    """Compiled inside the entry points, which are what numba caches; not to be called from Python."""
-    jit: Any = numba.njit
-    return cast(F, jit(**OPTIONS, no_cpython_wrapper=True)(function))
-
-
-def reachable(function: F) -> F:
-    """Compiled, and open to Python, so that an entry point's `.py_func` can call it."""
-    return cast(F, numba.njit(**OPTIONS)(function))
-
-
-def entry(function: F) -> F:
-    """An entry point: compiled at its first call, cached on disk, free of the interpreter's lock."""
-    jit: Any = numba.njit
-    return cast(F, jit(**OPTIONS, cache=True)(function))
 
 
 # ------------------------------------------------------------------------------------------------ moments of a section

@@ -22,6 +22,7 @@ from assess.errors import MechanismError
 from assess.interfaces.contact import thresholds
 from assess.mechanisms.chain import Chain, mirrored
 from assess.mechanisms.flexible import FlexibleChain
+from assess.mechanisms.joint import Joint
 from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.motion import limit
 from assess.mechanisms.table import FLAT, NODES, REACH, branch
@@ -157,9 +158,7 @@ class Side:
             kept = rotation < (1.0 - 0.5 * FINE) * back_from
             rotation = np.append(rotation[kept], back_from)[::-1]
             work = self.work_at(rotation)
-        columns = np.array([
-            rotation, work.inertia, work.restoring, work.excitation, work.participation, work.lift,
-        ])  # fmt: skip
+        columns = _columns(rotation, work)
         if back_from is not None:
             columns[0] = back_from - columns[0]
             columns[[2, 5]] *= -1.0
@@ -233,7 +232,8 @@ def table(side: Side, other: Side | None) -> Branch:
     columns = side.columns()
     if shift:
         columns = columns[:, columns[0] > (1.0 + 0.5 * FINE) * shift]
-        columns = np.concatenate([_at(side, shift), columns], axis=1)
+        stand = np.array([shift])
+        columns = np.concatenate([_columns(stand, side.work_at(stand)), columns], axis=1)
     elif other is not None and other.lean:
         shift = -other.lean
         back = other.columns(back_from=other.lean)
@@ -274,29 +274,19 @@ def _crossing(rotation: FloatArray, values: FloatArray, k: int) -> float:
 
 def same_chain(one: Chain, other: Chain) -> bool:
     """Whether two chains, each in its own sign, are alike to the last digit."""
-    if (one.blocks, one.hinges, one.loads, len(one.joints)) != (
-        other.blocks,
-        other.hinges,
-        other.loads,
-        len(other.joints),
-    ):
-        return False
-    return all(
-        a is b
-        or (
-            a is not None
-            and b is not None
-            and (a.inward, a.law, a.model, a.section.depth) == (b.inward, b.law, b.model, b.section.depth)
-            and np.array_equal(a.section.pieces, b.section.pieces)
-            and np.array_equal(a.section.discs, b.section.discs)
-        )
-        for a, b in zip(one.joints, other.joints, strict=True)
+    return (one.blocks, one.hinges, one.loads) == (other.blocks, other.hinges, other.loads) and (
+        [_numbers(joint) for joint in one.joints] == [_numbers(joint) for joint in other.joints]
     )
 
 
-def _at(side: Side, rotation: float) -> FloatArray:
-    """One row of a table [6, 1]."""
-    work = side.flexible.held(np.array([rotation])).work
-    return np.array([
-        [rotation], work.inertia, work.restoring, work.excitation, work.participation, work.lift,
-    ])  # fmt: skip
+def _numbers(joint: Joint | None) -> tuple[object, ...] | None:
+    """All that a joint is made of, as values that compare."""
+    if joint is None:
+        return None
+    section = joint.section
+    return (joint.inward, joint.law, joint.model, section.depth, section.pieces.tolist(), section.discs.tolist())
+
+
+def _columns(rotation: FloatArray, work: Work) -> FloatArray:
+    """Rows of numbers as a branch has them [6, n], from the sums at rotations [n]."""
+    return np.array([rotation, work.inertia, work.restoring, work.excitation, work.participation, work.lift])

@@ -48,8 +48,6 @@ def put_on_joints(
     """
     chains = [chain for chain in (mechanism.positive, mechanism.negative) if chain is not None]
     interfaces = [section.interface_at(letter) for letter in hinge_names(mechanism.positive)]
-    if all(interface.model == "rigid" and interface.strength in (None, inf) for interface in interfaces):
-        return mechanism
     doubts: list[str] = []
     joints = [
         tuple(
@@ -58,6 +56,8 @@ def put_on_joints(
         )
         for chain, sign in zip(chains, (1.0, -1.0), strict=False)
     ]
+    if not any(joint for side in joints for joint in side):
+        return mechanism
     loaded = replace(
         mechanism,
         positive=through_joint(mechanism.positive, joints[0]),

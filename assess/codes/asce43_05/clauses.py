@@ -18,7 +18,7 @@ from scipy.constants import g
 from scipy.optimize import brentq
 
 from assess.codes.relation import PgaRelation, relation
-from assess.oscillator import Branch, FloatArray, block_at, energy, equivalent_block
+from assess.oscillator import Branch, FloatArray, SingleBlock, block_at, energy, equivalent_block
 from spectra.spectrum import Spectrum
 
 EDITION = "ASCE/SEI 43-05"
@@ -69,8 +69,11 @@ def thesis_limit_ratio(branch: Branch, *, mass: float) -> float:
 
     Empirical: no derivation is known; it fits the thesis' Table 8.5 within rounding for all eight walls.
     """
-    block = equivalent_block(branch, mass=mass)
-    k = block.inertia / (mass * block.radius**2)
+    return _limit_ratio(equivalent_block(branch, mass=mass))
+
+
+def _limit_ratio(block: SingleBlock) -> float:
+    k = block.inertia / (block.mass * block.radius**2)
     return float(k * block.slenderness / np.sin(2 * block.slenderness))
 
 
@@ -82,8 +85,7 @@ def thesis_limit(branch: Branch, *, mass: float) -> float:
 
     def excess(rotation: float) -> float:
         block = block_at(branch, rotation, mass=mass)
-        k = block.inertia / (mass * block.radius**2)
-        return rotation - k * block.slenderness**2 / float(np.sin(2 * block.slenderness))
+        return rotation - _limit_ratio(block) * block.slenderness
 
     low, high = 1e-3 * branch.unstable, branch.unstable
     return float(brentq(excess, low, high, xtol=1e-12)) if excess(low) < 0.0 < excess(high) else high

@@ -1,0 +1,34 @@
+"""How the kernels are compiled."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, TypeVar, cast
+
+import numba
+
+F = TypeVar("F", bound=Callable[..., Any])
+
+OPTIONS: dict[str, Any] = {
+    "nogil": True,
+    "error_model": "numpy",
+    "fastmath": {"contract"},  # a * b + c in one rounding; nothing else is reordered
+    "no_cfunc_wrapper": True,
+}
+
+
+def compiled(function: F) -> F:
+    """Compiled inside the entry points, which are what numba caches; not to be called from Python."""
+    jit: Any = numba.njit
+    return cast(F, jit(**OPTIONS, no_cpython_wrapper=True)(function))
+
+
+def reachable(function: F) -> F:
+    """Compiled, and open to Python, so that an entry point's `.py_func` can call it."""
+    return cast(F, numba.njit(**OPTIONS)(function))
+
+
+def entry(function: F) -> F:
+    """An entry point: compiled at its first call, cached on disk, free of the interpreter's lock."""
+    jit: Any = numba.njit
+    return cast(F, jit(**OPTIONS, cache=True)(function))

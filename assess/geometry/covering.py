@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from assess.geometry.cut import halves
 from assess.geometry.solid import Solid
+from assess.geometry.surface import areas_and_normals
 
 FloatArray = NDArray[np.float64]
 
@@ -39,7 +40,7 @@ def slope(solid: Solid) -> Slope:
     The horizontal parts n of their unit normals have a largest and a least mean square, over directions square to
     each other: a gable roof and a barrel vault have none along the ridge, a square groined vault has two alike.
     """
-    area, normals = _faces(solid)
+    area, normals = areas_and_normals(solid.vertices[solid.triangles])
     facing = np.abs(normals[:, 2]) > UPRIGHT
     A, n = area[facing], normals[facing, :2] * np.sign(normals[facing, 2:])
     least, most = np.linalg.eigh((A * n.T) @ n / (A.sum() or 1.0))[0]
@@ -76,17 +77,9 @@ def lever(solid: Solid, *, axis: FloatArray) -> float:
 
 def underside(solid: Solid) -> tuple[float, float]:
     """Area of the faces that look down, without those it stands on, and their area in plan [m2]: a vault's intrados."""
-    area, normals = _faces(solid)
+    area, normals = areas_and_normals(solid.vertices[solid.triangles])
     z = solid.vertices[solid.triangles][:, :, 2]
     size = float(np.ptp(solid.vertices, axis=0).max())
     standing = np.all(z <= z.min() + SPRINGING * size, axis=1)
     down = (normals[:, 2] < UNDERSIDE) & ~standing
     return float(area[down].sum()), float(-area[down] @ normals[down, 2])
-
-
-def _faces(solid: Solid) -> tuple[FloatArray, FloatArray]:
-    """Area [m] [m2] and unit normal [m, 3] of each triangle; of one without area, zero."""
-    corners = solid.vertices[solid.triangles]
-    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    length = np.linalg.norm(normals, axis=1)
-    return length / 2.0, normals / np.where(length > 0.0, length, 1.0)[:, None]

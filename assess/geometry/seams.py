@@ -8,6 +8,8 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
+from assess.geometry.surface import areas_and_normals
+
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
 
@@ -48,7 +50,7 @@ def _seams(one: FloatArray, other: FloatArray, *, shortest: float) -> tuple[Floa
     """Where triangles of two shells meet at an angle: middle [s, 3], two unit vectors across [s, 2, 3], length [s]."""
     i, j = _candidates(one, other)
     A, B = one[i], other[j]
-    n, m = _normals(A), _normals(B)
+    n, m = areas_and_normals(A)[1], areas_and_normals(B)[1]
     D = np.cross(n, m)
     sine = np.linalg.norm(D, axis=1)
     angled = sine > OVERLAP
@@ -76,13 +78,6 @@ def _candidates(one: FloatArray, other: FloatArray) -> tuple[IntArray, IntArray]
     i, j = in_a[a], in_b[b]
     meet = (high_a[i, 1] >= low_b[j, 1]) & (low_a[i, 1] <= high_b[j, 1])
     return i[meet], j[meet]
-
-
-def _normals(triangles: FloatArray) -> FloatArray:
-    """Unit normals [s, 3] of triangles [s, 3, 3]; of one without area, zero."""
-    normal = np.cross(triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0])
-    length = np.linalg.norm(normal, axis=1, keepdims=True)
-    return np.asarray(normal / np.where(length > 0.0, length, 1.0), dtype=np.float64)
 
 
 def _clip(

@@ -16,6 +16,7 @@ from assess.geometry.surface import (
     FloatArray,
     IntArray,
     Surface,
+    area_vectors,
     counted,
     edges_of,
     linked,
@@ -118,7 +119,7 @@ def _within(shell: Surface, parts: list[FloatArray], boxes: FloatArray) -> bool:
     """Whether most of what an inward shell encloses at its faces lies inside others."""
     vertices, triangles = shell
     corners = vertices[triangles[:: max(1, len(triangles) // ASKED)]]
-    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    normals = area_vectors(corners)
     depth = OVERLAP * float(np.ptp(vertices[triangles], axis=(0, 1)).max())
     inside = corners.mean(axis=1) + depth * normals / np.linalg.norm(normals, axis=1, keepdims=True).clip(1e-300)
     return bool(np.mean(layers(inside, parts, boxes) > 0) > 0.5)
@@ -157,7 +158,7 @@ def _counted_wrongly(shells: list[Surface]) -> FloatArray | None:
 
 def _behind(part: FloatArray, *, depth: float) -> FloatArray:
     """The point [3] at a depth [m] behind the middle of the largest triangle of a shell [m, 3, 3]."""
-    normals = np.cross(part[:, 1] - part[:, 0], part[:, 2] - part[:, 0])
+    normals = area_vectors(part)
     area = np.linalg.norm(normals, axis=1)
     largest = int(np.argmax(area))
     return np.asarray(part[largest].mean(axis=0) - depth * normals[largest] / area[largest], dtype=np.float64)

@@ -5,6 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from assess.geometry.surface import area_vectors
+
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
 
@@ -60,7 +62,7 @@ def _places(vertices: FloatArray, triangles: IntArray, group: IntArray, *, cell:
     count = np.bincount(group)
     mean = np.column_stack([np.bincount(group, weights=x) for x in vertices.T]) / count[:, None]
     corners = vertices[triangles]
-    normal = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])  # weighs by area squared
+    normal = area_vectors(corners)  # weighs by area squared
     A, b = np.zeros((len(count), 3, 3)), np.zeros((len(count), 3))
     for corner in range(3):
         owner = group[triangles[:, corner]]

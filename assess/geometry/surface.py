@@ -146,8 +146,19 @@ def _centred(values: FloatArray) -> FloatArray:
 
 def area(vertices: FloatArray, triangles: IntArray) -> float:
     """Area of the triangles [m2]."""
-    a, b, c = (vertices[triangles[:, i]] for i in range(3))
-    return float(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum()) / 2.0
+    return float(areas_and_normals(vertices[triangles])[0].sum())
+
+
+def area_vectors(corners: FloatArray) -> FloatArray:
+    """Outward normals [m, 3] of triangles [m, 3, 3], each as long as twice its area [m2]."""
+    return np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+
+
+def areas_and_normals(corners: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Area [m] [m2] and unit normal [m, 3] of triangles [m, 3, 3]; of one without area, zero."""
+    normals = area_vectors(corners)
+    length = np.linalg.norm(normals, axis=1)
+    return length / 2.0, normals / np.where(length > 0.0, length, 1.0)[:, None]
 
 
 def place(point: FloatArray) -> str:

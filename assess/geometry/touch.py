@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from assess.geometry.boolean import common
 from assess.geometry.solid import THINNEST, Solid
+from assess.geometry.surface import area_vectors, areas_and_normals
 
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
@@ -134,7 +135,7 @@ def _near(block: Solid, body: Solid, *, origin: FloatArray, margin: float) -> tu
 
 def _with_normals(corners: FloatArray) -> tuple[FloatArray, FloatArray]:
     """The triangles [m, 3, 3] that have an area, and their unit normals [m, 3]."""
-    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    normals = area_vectors(corners)
     length = np.linalg.norm(normals, axis=1)
     sides = np.ptp(corners, axis=1).max(axis=1, initial=0.0)
     real = length > THINNEST * sides**2
@@ -218,7 +219,7 @@ def _built_in(block: Solid, body: Solid, *, tolerance: float) -> Contact | None:
     area = float(shapely.area(region))
     if area <= tolerance**2:
         return None
-    weight = -normals[faces_down, 2] * _areas(underside)
+    weight = -normals[faces_down, 2] * areas_and_normals(underside)[0]
     z = float(weight @ underside[:, :, 2].mean(axis=1) / weight.sum())
     centre = shapely.get_coordinates(shapely.centroid(region))[0] + origin[:2]
     return Contact(area, np.array([*centre, z]), np.array([0.0, 0.0, 1.0]), True)
@@ -228,11 +229,3 @@ def _opened(region: shapely.Geometry, *, width: float) -> shapely.Geometry:
     """The region without strips narrower than the width [m]: faces that enter one another by a slip of drawing."""
     narrowed = shapely.buffer(region, -width / 2.0, join_style="mitre")
     return shapely.intersection(region, shapely.buffer(narrowed, 1.001 * width / 2.0, join_style="mitre"))
-
-
-def _areas(corners: FloatArray) -> FloatArray:
-    """Areas [m] of triangles [m, 3, 3]."""
-    return np.asarray(
-        np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1) / 2.0,
-        dtype=np.float64,
-    )

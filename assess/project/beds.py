@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from assess.errors import GeometryError
 from assess.geometry.cut import Plane, divide, heading, in_plane
 from assess.geometry.solid import Solid
+from assess.geometry.surface import areas_and_normals
 from assess.mechanisms.chain import Point
 from assess.mechanisms.joint import PAIRS
 from assess.project import sections
@@ -194,7 +195,6 @@ def as_multi(region: shapely.Geometry) -> shapely.MultiPolygon:
 def _faces(solid: Solid) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Corners [k, 3, 3] [m], outward unit normals [k, 3] and areas [k] [m2] of the triangles of a solid."""
     corners = solid.vertices[solid.triangles]
-    cross = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    size = np.linalg.norm(cross, axis=1)
-    kept = size > 0.0
-    return corners[kept], cross[kept] / size[kept, None], size[kept] / 2.0
+    area, normal = areas_and_normals(corners)
+    kept = area > 0.0
+    return corners[kept], normal[kept], area[kept]

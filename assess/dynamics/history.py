@@ -22,8 +22,9 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.constants import g
 
 from assess.dynamics import kernel
+from assess.dynamics.canonical import Canonical, canonical, scaled
 from assess.errors import MechanismError
-from assess.oscillator import Branch, Oscillator, energy, interpolant, linearise
+from assess.oscillator import Branch, Oscillator, energy, linearise
 from records.record import Record, make_record
 
 FloatArray = NDArray[np.float64]
@@ -33,10 +34,8 @@ Array = TypeVar("Array", FloatArray, IntArray, BoolArray)
 Equation = Literal["exact", "linearised"]
 Run = Callable[[IntArray, IntArray, FloatArray, float, FloatArray, FloatArray, FloatArray], int]
 
-TOLERANCE = 1e-11
+TOLERANCE = 1e-10
 """Error allowed to one step of the exact equation, of phi / phi_ov and of its rate over the branch's own rate."""
-SAME = 1e-10
-"""Of the largest value of a table: less than this between two nodes at one rotation is rounding, and no jump."""
 CHUNK_STEPS = 500_000
 """Record steps given to a thread at a time."""
 MOST_EVENTS = 100_000
@@ -135,7 +134,7 @@ def peaks(
     found = np.empty((checked.scale.size, 7))
 
     def work(part: slice) -> int:
-        path, events = np.empty((0, 2)), np.zeros((1, 3))
+        path, events = np.empty((0, 3)), np.zeros((1, 4))
         run(checked.oscillator[part], checked.motion[part], checked.scale[part], 0.0, found[part], path, events)
         return int(part.stop)
 
@@ -144,9 +143,7 @@ def peaks(
         for done in pool.map(work, parts):
             if progress is not None:
                 progress(done)
-    return _peaks(
-        found, checked, _overturning(oscillators, equation=equation), _reference(oscillators, equation=equation)
-    )
+    return _peaks(found, checked, oscillators, equation=equation)
 
 
 def trace(
@@ -154,10 +151,18 @@ def trace(
 ) -> Trace:
     """History of one oscillator under `scale` times one motion, at the samples; it ends with overturning."""
     run = _run([oscillator], [motion], equation=equation, tolerance=tolerance)
-    path = np.zeros((motion.npts, 2))
+    path = np.zeros((motion.npts, 3))
     first = np.zeros(1, dtype=np.int64)
-    samples = run(first, first, np.array([scale]), 0.0, np.empty((1, 7)), path, np.zeros((1, 3)))
-    return Trace(_frozen(motion.time[:samples]), _frozen(path[:samples, 0].copy()), _frozen(path[:samples, 1].copy()))
+    samples = run(first, first, np.array([scale]), 0.0, np.empty((1, 7)), path, np.zeros((1, 4)))
+    y, v, on = path[:samples].T
+    rotation, velocity = np.zeros(samples), np.zeros(samples)
+    for side, coordinate in enumerate(_COORDINATES[equation](oscillator)):
+        here, sign = on == side, 1.0 - 2.0 * side
+        rotation[here], velocity[here] = (
+            sign * coordinate.rotation(y[here]),
+            sign * coordinate.velocity(y[here], v[here]),
+        )
+    return Trace(_frozen(motion.time[:samples]), _frozen(rotation), _frozen(velocity))
 
 
 def free_rocking(
@@ -169,33 +174,31 @@ def free_rocking(
     tolerance: float = TOLERANCE,
 ) -> FreeRocking:
     """Released from rest at `rotation` [rad] of the positive branch, for `duration` [s] on still ground."""
-    branch = _BRANCHES[equation](oscillator)[0]
-    samples = 2 + math.ceil(4.0 * branch[kernel.RATE] * duration)
+    coordinates = _COORDINATES[equation](oscillator)
+    samples = 2 + math.ceil(4.0 * _BRANCHES[equation](oscillator)[0, kernel.RATE] * duration)
     still = make_record("still ground", np.zeros(samples), duration / (samples - 1))
     run = _run([oscillator], [still], equation=equation, tolerance=tolerance)
-    first, events = np.zeros(1, dtype=np.int64), np.zeros((MOST_EVENTS + 1, 3))
-    run(first, first, np.ones(1), rotation / branch[kernel.OVERTURNING], np.empty((1, 7)), np.empty((0, 2)), events)
+    first, events = np.zeros(1, dtype=np.int64), np.zeros((MOST_EVENTS + 1, 4))
+    run(first, first, np.ones(1), coordinates[0].at(rotation), np.empty((1, 7)), np.empty((0, 3)), events)
     happened = events[1 : 1 + int(events[0, 0])]
-    happened = happened[happened[:, 0] <= duration]  # the kernel follows the last swing to its peak
-    impact, peak = happened[:, 1] == kernel.IMPACT, happened[:, 1] == kernel.PEAK
-    return FreeRocking(
-        _frozen(happened[impact, 0]),
-        _frozen(happened[impact, 2]),
-        _frozen(happened[peak, 0]),
-        _frozen(happened[peak, 2]),
-    )
+    time, kind, value, on = happened[happened[:, kernel.HAPPENED] <= duration].T  # the last swing goes to its peak
+    impact, peak = kind == kernel.IMPACT, kind == kernel.PEAK
+    signed = value.copy()
+    for side, coordinate in enumerate(coordinates):
+        sign = 1.0 - 2.0 * side
+        signed[peak & (on == side)] = sign * coordinate.rotation(value[peak & (on == side)])
+        signed[impact & (on == side)] = sign * coordinate.turn * value[impact & (on == side)]
+    return FreeRocking(_frozen(time[impact]), _frozen(signed[impact]), _frozen(time[peak]), _frozen(signed[peak]))
 
 
 def _exact_branches(oscillator: Oscillator) -> FloatArray:
     """The columns of `kernel.branch` [2, 7] by the tables; the end of a table means overturned."""
-    rows = _rows(oscillator, [branch.unstable for branch in oscillator.branches])
-    for row, branch in zip(rows, oscillator.branches, strict=False):
-        phi_ov, E = branch.unstable, float(energy(branch, np.array(branch.unstable)))
+    rows = _rows(oscillator, coordinates := _exact_coordinates(oscillator))
+    for row, branch, coordinate in zip(rows, oscillator.branches, coordinates, strict=False):
+        E = _positive(float(energy(branch, np.array(branch.unstable))), "work up to the overturning rotation", "J")
         row[kernel.THRESHOLD] = branch.restoring[0] / branch.excitation[0]
-        row[kernel.RATE] = (
-            math.sqrt(2.0 * _positive(E, "work up to the overturning rotation", "J") / branch.inertia[0]) / phi_ov
-        )
-        row[[kernel.LIMIT, kernel.TAIL_LIMIT]] = branch.rotation[-1] / phi_ov
+        row[kernel.RATE] = math.sqrt(2.0 * E / branch.inertia[0]) / coordinate.turn
+        row[[kernel.LIMIT, kernel.TAIL_LIMIT]] = coordinate.y[-1]
     return rows
 
 
@@ -205,28 +208,43 @@ def _linearised_branches(oscillator: Oscillator) -> FloatArray:
     for form in forms:
         _positive(form.stiffness, "linearised stiffness K at phi_cr", "N m/rad")
         _positive(form.overturning, "linearised overturning rotation", "rad")
-    rows = _rows(oscillator, [form.overturning for form in forms])
+    rows = _rows(oscillator, _linearised_coordinates(oscillator))
     for row, form in zip(rows, forms, strict=False):
         row[kernel.THRESHOLD], row[kernel.RATE] = g * form.multiplier, form.p
         row[[kernel.LIMIT, kernel.TAIL_LIMIT]] = 1.0
     return rows
 
 
+def _exact_coordinates(oscillator: Oscillator) -> list[Canonical]:
+    """What the kernel's y is, for each branch."""
+    for branch, following in zip(oscillator.branches, reversed(oscillator.branches), strict=True):
+        _check_branch(branch, following=following)
+    return [canonical(branch) for branch in oscillator.branches]
+
+
+def _linearised_coordinates(oscillator: Oscillator) -> list[Canonical]:
+    """What the kernel's y is, for each branch: phi / phi_ov."""
+    return [scaled(linearise(branch).overturning) for branch in oscillator.branches]
+
+
 _BRANCHES: dict[Equation, Callable[[Oscillator], FloatArray]] = {
     "exact": _exact_branches,
     "linearised": _linearised_branches,
 }
+_COORDINATES: dict[Equation, Callable[[Oscillator], list[Canonical]]] = {
+    "exact": _exact_coordinates,
+    "linearised": _linearised_coordinates,
+}
 
 
-def _rows(oscillator: Oscillator, overturning: list[float]) -> FloatArray:
-    """What the two equations share: phi_ov, restitution, and the branch that follows an impact."""
+def _rows(oscillator: Oscillator, coordinates: list[Canonical]) -> FloatArray:
+    """What the two equations share: restitution, and the branch that follows an impact."""
     rows = np.zeros((2, 7))
     rows[:, kernel.THRESHOLD] = math.inf  # a side that is not there never lifts
     for side, branch in enumerate(oscillator.branches):
         partner = 1 - side if oscillator.negative is not None else side
         _check_branch(branch, following=oscillator.branches[partner])
-        rows[side, kernel.OVERTURNING] = overturning[side]
-        rows[side, kernel.BOUNCE] = branch.restitution * overturning[side] / overturning[partner]
+        rows[side, kernel.BOUNCE] = branch.restitution * coordinates[side].turn / coordinates[partner].turn
         rows[side, kernel.PARTNER] = partner
     return rows
 
@@ -254,17 +272,6 @@ def _positive(value: float, name: str, unit: str) -> float:
             "look at its loads and hinges"
         )
     return value
-
-
-def _overturning(oscillators: Sequence[Oscillator], *, equation: Equation) -> FloatArray:
-    """phi_ov of both sides by the equation used [oscillators, 2] [rad]; 0 for a side that is not there."""
-    return np.array([_BRANCHES[equation](o)[:, kernel.OVERTURNING] for o in oscillators]).reshape(-1, 2)
-
-
-def _reference(oscillators: Sequence[Oscillator], *, equation: Equation) -> FloatArray:
-    """phi_ov that ratios are given by [oscillators, 2] [rad]: that of the equation as it is with rigid interfaces."""
-    rigid = [[b.overturning / b.unstable for b in o.branches] + [0.0] * (2 - len(o.branches)) for o in oscillators]
-    return np.asarray(_overturning(oscillators, equation=equation) * np.reshape(rigid, (-1, 2)))
 
 
 def _motions(motions: Sequence[Record]) -> tuple[FloatArray, IntArray, FloatArray, FloatArray]:
@@ -302,50 +309,16 @@ def _run(oscillators: Sequence[Oscillator], motions: Sequence[Record], *, equati
 
 
 def _tables(oscillators: Sequence[Oscillator]) -> tuple[FloatArray, IntArray, IntArray]:
-    """The cubics of all branches [segments, 14] over phi / phi_ov, and the segments of each smooth piece and branch."""
-    rows, smooth, spans, start = [], [], np.zeros((len(oscillators), 2, 2), dtype=np.int64), 0
-    for o, oscillator in enumerate(oscillators):
-        for side, branch in enumerate(oscillator.branches):
-            rows.append(_segments(branch))
-            smooth.append(start + _smooth(branch))
-            spans[o, side] = start, start + branch.rotation.size - 2
-            start += branch.rotation.size - 1
-    empty = np.empty((0, 14)), np.empty((0, 2), dtype=np.int64)
-    return np.concatenate([empty[0], *rows]), np.concatenate([empty[1], *smooth]), spans
-
-
-def _segments(branch: Branch) -> FloatArray:
-    """Ends and cubics of each segment [segments, 14], for y = phi / phi_ov.
-
-    I y'' + 1/2 I' y'^2 + R / phi_ov = -B / phi_ov a
-    """
-    phi_ov = branch.unstable
-    rows = np.empty((branch.rotation.size - 1, 14))
-    rows[:, kernel.LEFT], rows[:, kernel.RIGHT] = branch.rotation[:-1] / phi_ov, branch.rotation[1:] / phi_ov
-    powers = phi_ov ** np.arange(3.0, -1.0, -1.0)[:, None]
-    for first, values, factor in (
-        (kernel.R3, branch.restoring, 1.0 / phi_ov),
-        (kernel.B3, branch.excitation, 1.0 / phi_ov),
-        (kernel.I3, branch.inertia, 1.0),
-    ):
-        rows[:, first : first + 4] = (interpolant(branch.rotation, values).c * powers * factor).T
-    return rows
-
-
-def _smooth(branch: Branch) -> IntArray:
-    """First and last segment of the piece between jumps that each segment lies in [segments, 2].
-
-    Where two nodes at one rotation have the same values, but for rounding, there is a kink and no jump: steps may pass.
-    """
-    width = np.diff(branch.rotation)
-    index = np.arange(width.size)
-    columns = np.array([branch.restoring, branch.excitation, branch.inertia])
-    leaps = np.abs(np.diff(columns)) > SAME * np.abs(columns).max(axis=1, keepdims=True)
-    jumps = np.flatnonzero((width == 0.0) & leaps.any(axis=0))
-    before, after = np.searchsorted(jumps, index, side="right") - 1, np.searchsorted(jumps, index)
-    first = np.where(before >= 0, np.r_[jumps, 0][before] + 1, 0)
-    last = np.where(after < jumps.size, np.r_[jumps, 0][after] - 1, width.size - 1)
-    return np.stack([first, last], axis=1).astype(np.int64)
+    """The cubics of all branches [segments, 11] over y, and the segments of each smooth piece and branch."""
+    rows, smooth, spans, start = [np.empty((0, 11))], [np.empty((0, 2), dtype=np.int64)], [], 0
+    for oscillator in oscillators:
+        spans.append(np.zeros((2, 2), dtype=np.int64))
+        for side, of in enumerate(canonical(branch) for branch in oscillator.branches):
+            rows.append(np.vstack([of.y[:-1], of.y[1:], of.restoring, of.excitation, of.stored[:-1]]).T)
+            smooth.append(start + of.smooth)
+            spans[-1][side] = start, start + of.y.size - 2
+            start += of.y.size - 1
+    return np.concatenate(rows), np.concatenate(smooth), np.array(spans, dtype=np.int64).reshape(-1, 2, 2)
 
 
 def _checked(jobs: Jobs, *, oscillators: int, motions: int) -> Jobs:
@@ -378,14 +351,20 @@ def _parts(jobs: Jobs, motions: Sequence[Record]) -> list[slice]:
     return [slice(first, last) for first, last in pairwise(cuts) if last > first]
 
 
-def _peaks(found: FloatArray, jobs: Jobs, overturning: FloatArray, reference: FloatArray) -> Peaks:
+def _peaks(found: FloatArray, jobs: Jobs, oscillators: Sequence[Oscillator], *, equation: Equation) -> Peaks:
     """The kernel's rows as named columns."""
-    side = found[:, kernel.SIDE].astype(np.int64)
+    on = found[:, kernel.SIDE].astype(np.int64)
     overturned = found[:, kernel.OVERTURNED] > 0.0
-    rotation = found[:, kernel.RATIO] * overturning[jobs.oscillator, side]
+    rotation, reference = np.zeros(on.size), np.ones(on.size)
+    for number in np.unique(jobs.oscillator):
+        oscillator = oscillators[number]
+        for side, (branch, of) in enumerate(zip(oscillator.branches, _COORDINATES[equation](oscillator), strict=True)):
+            here = (jobs.oscillator == number) & (on == side)
+            rotation[here] = of.rotation(found[here, kernel.RATIO])
+            reference[here] = of.rotation(np.ones(1)) * branch.overturning / branch.unstable
     return Peaks(
-        _frozen((1 - 2 * side) * rotation),
-        _frozen(rotation / reference[jobs.oscillator, side]),
+        _frozen((1 - 2 * on) * rotation),
+        _frozen(rotation / reference),
         _frozen(found[:, kernel.TIME].copy()),
         _frozen(found[:, kernel.IMPACTS].astype(np.int64)),
         _frozen(overturned),

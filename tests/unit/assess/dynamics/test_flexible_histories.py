@@ -10,7 +10,8 @@ import pytest
 from scipy.constants import g
 from scipy.integrate import solve_ivp
 
-from assess.dynamics.history import _smooth, free_rocking, peaks, product, trace
+from assess.dynamics.canonical import canonical
+from assess.dynamics.history import free_rocking, peaks, product, trace
 from assess.geometry.planar import planar_direct
 from assess.interfaces.law import Law
 from assess.interfaces.shapes import rectangle
@@ -215,5 +216,5 @@ def test_a_kink_whose_two_nodes_differ_by_rounding_is_no_jump(body):
     restoring = body.positive.restoring.copy()
     restoring[twice + 1] += 1e-15 * restoring.max()
     rough = replace(body, positive=replace(body.positive, restoring=restoring))
-    np.testing.assert_array_equal(_smooth(rough.positive), _smooth(body.positive))
-    assert np.ptp(_smooth(rough.positive)[:, 0]) == 0
+    np.testing.assert_array_equal(canonical(rough.positive).smooth, canonical(body.positive).smooth)
+    assert np.ptp(canonical(rough.positive).smooth[:, 0]) == 0

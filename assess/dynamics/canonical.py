@@ -117,7 +117,7 @@ def _lengths(inertia: FloatArray, width: FloatArray) -> FloatArray:
 
 def _values(polynomials: FloatArray, d: FloatArray) -> FloatArray:
     """Polynomials [k, n] at distances d [m, n] from the beginning of their segments [m, n]."""
-    value = np.zeros_like(d)
+    value: FloatArray = np.zeros_like(d)
     for row in polynomials:
         value = value * d + row
     return value
@@ -125,7 +125,7 @@ def _values(polynomials: FloatArray, d: FloatArray) -> FloatArray:
 
 def _slopes(cubics: FloatArray) -> FloatArray:
     """The derivatives of cubics [4, n]: [3, n]."""
-    return cubics[:-1] * np.array([[3.0], [2.0], [1.0]])
+    return np.asarray(cubics[:-1] * np.array([[3.0], [2.0], [1.0]]))
 
 
 def _hermite(value: FloatArray, slope: FloatArray, width: FloatArray) -> FloatArray:

@@ -36,6 +36,7 @@ FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
 Arc = tuple[float, float, float, float, float, float, float, float, float]  # of y [-], lowest power of time first
 State = tuple[float, float, float]  # y [-], y' [1/s], y'' [1/s2]
+Ground = tuple[float, ...]  # acceleration as a polynomial of time, lowest power first: 2 of a record, 6 of a pulse
 Force = tuple[float, float, float, float, float, float, float]
 Glide = Callable[..., tuple[int, float, float]]
 Step = Callable[..., tuple[Arc, float, State]]
@@ -116,6 +117,55 @@ def root(c: Arc, level: float, end: float) -> float:
     return x
 
 
+# ------------------------------------------------------------------------------------------------------------- ground
+
+
+@compiled
+def intervals(ground: FloatArray) -> int:
+    """Of a record, given by its samples [n], or of a pulse, given by its polynomials [n, 6]."""
+    if ground.ndim == 1:
+        return ground.shape[0] - 1
+    return ground.shape[0]
+
+
+@compiled
+def interval(ground: FloatArray, scale: float, dt: float, i: int) -> Ground:
+    """The ground acceleration over interval i."""
+    if ground.ndim == 1:
+        a = scale * ground[i]
+        return a, (scale * ground[i + 1] - a) / dt
+    c = scale * ground[i, 0], scale * ground[i, 1], scale * ground[i, 2]
+    return c[0], c[1], c[2], scale * ground[i, 3], scale * ground[i, 4], scale * ground[i, 5]
+
+
+@compiled
+def still(ground: FloatArray) -> Ground:
+    """No motion, of the same kind."""
+    if ground.ndim == 1:
+        return 0.0, 0.0
+    return 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+
+
+@compiled
+def moved(a: Ground, x: float) -> Ground:
+    """The same polynomial from time x on."""
+    if len(a) == 2:
+        return a[0] + a[1] * x, a[1]
+    c4 = a[4] + 5.0 * a[5] * x
+    c3 = a[3] + (4.0 * a[4] + 10.0 * a[5] * x) * x
+    c2 = a[2] + (3.0 * a[3] + (6.0 * a[4] + 10.0 * a[5] * x) * x) * x
+    c1 = a[1] + (2.0 * a[2] + (3.0 * a[3] + (4.0 * a[4] + 5.0 * a[5] * x) * x) * x) * x
+    return after(a, x), c1, c2, c3, c4, a[5]
+
+
+@compiled
+def after(a: Ground, x: float) -> float:
+    """The acceleration at time x."""
+    if len(a) == 2:
+        return a[0] + a[1] * x
+    return a[0] + (a[1] + (a[2] + (a[3] + (a[4] + a[5] * x) * x) * x) * x) * x
+
+
 # ---------------------------------------------------------------------------------------------------- events, shared
 
 
@@ -142,15 +192,18 @@ def calm(start: State, end: State, h: float, top: float, limit: float) -> bool:
 
 
 @compiled
-def uplift(branch: FloatArray, a: float, slope: float, h: float) -> tuple[int, float]:
-    """Side that lifts within h, and when; side -1 where none does. a, slope: ground acceleration now and its rate."""
+def uplift(branch: FloatArray, a: Ground, h: float) -> tuple[int, float]:
+    """Side that lifts within h under the ground acceleration a from now on, and when; side -1 where none does."""
     for side in range(2):
         s = 1.0 - 2.0 * side
-        excess, rise = -s * a - branch[side, THRESHOLD], -s * slope
+        excess = -s * a[0] - branch[side, THRESHOLD]
         if excess > 0.0:
             return side, 0.0
-        if rise * h > -excess:
-            return side, min(-excess / rise, h)
+        if -s * after(a, h) > branch[side, THRESHOLD]:
+            if len(a) == 2:
+                return side, min(-excess / (-s * a[1]), h)
+            over = (excess, -s * a[1], -s * a[2], -s * a[3], -s * a[4], -s * a[5], 0.0, 0.0, 0.0)
+            return side, root(over, 0.0, h)
     return -1, h
 
 
@@ -163,8 +216,9 @@ def lifted(branch: FloatArray, a: float) -> bool:
 @compiled
 def idle(ground: FloatArray, scale: float, lowest: float, highest: float, i: int, until: int) -> int:
     """The first interval from i on, or `until`, in which the ground acceleration leaves [lowest, highest]."""
-    while i < until and lowest <= scale * ground[i] <= highest and lowest <= scale * ground[i + 1] <= highest:
-        i += 1
+    if ground.ndim == 1:
+        while i < until and lowest <= scale * ground[i] <= highest and lowest <= scale * ground[i + 1] <= highest:
+            i += 1
     return i
 
 
@@ -189,27 +243,27 @@ def marching(glide: Glide, step: Step, potential: Potential) -> March:
 
     @compiled
     def through(flow: Any, branch: FloatArray, found: FloatArray, events: FloatArray, column: int, peaked: int,
-                wanted: int, side: int, y: float, v: float, time: float, a0: float, slope: float,
+                wanted: int, side: int, y: float, v: float, time: float, ground: Ground,
                 h: float) -> tuple[int, float, float, int]:  # fmt: skip
         """Through h [s] from `time` with all events: side (-1 at rest), y, y' at the end, and the sides that peaked.
 
-        a0, slope: ground acceleration at `time` and its rate. column: of `branch`, the limit that means overturned.
+        ground: its acceleration from `time` on. column: of `branch`, the limit that means overturned.
         It ends early once all the `wanted` sides have peaked (bits; 0: goes on).
 
         Each turn of the loop moves on in time, or stops the velocity, or puts the body to rest.
         """
         x = 0.0
         while x < h:
-            a, left = a0 + slope * x, h - x
+            a, left = moved(ground, x), h - x
             if side < 0:
-                side, wait = uplift(branch, a, slope, left)
+                side, wait = uplift(branch, a, left)
                 if side < 0:
                     break
                 x, y, v = x + wait, 0.0, 0.0
                 found[UPLIFTED] = 1.0
                 note(events, time + x, UPLIFT, 0.0, side)
                 continue
-            arc, piece, end = step(flow, side, y, v, a, slope, left)
+            arc, piece, end = step(flow, side, y, v, a, left)
             if calm((y, v, 2.0 * arc[2]), end, 1.5 * piece, -1.0, branch[side, column]):
                 x, y, v = (h if piece == left else x + piece), end[0], end[1]
                 continue
@@ -237,7 +291,7 @@ def marching(glide: Glide, step: Step, potential: Potential) -> March:
                 slow = REST * branch[side, RATE]
                 note(events, time + x, IMPACT, v, side)
                 v, y, side = -v * branch[side, BOUNCE], 0.0, int(branch[side, PARTNER])
-                if v < slow and (v < slow * (NO_BOUNCE / REST) or not lifted(branch, a0 + slope * x)):
+                if v < slow and (v < slow * (NO_BOUNCE / REST) or not lifted(branch, after(ground, x))):
                     side, v = -1, 0.0
                 continue
             if y < 1.0 <= y1:
@@ -280,7 +334,8 @@ def marching(glide: Glide, step: Step, potential: Potential) -> March:
     @reachable
     def march(flow: Any, branch: FloatArray, ground: FloatArray, dt: float, scale: float, release: float,
               found: FloatArray, path: FloatArray, events: FloatArray) -> int:  # fmt: skip
-        """One job: the motion `ground` [n] at step dt, times `scale`. Returns the number of samples passed.
+        """One job: the motion `ground` [n], or [n, 6] of a pulse, at step dt, times `scale`. Returns the number of
+        samples passed.
 
         release: initial y of the positive branch, 0 for rest. found [7]: filled. path [n or 0, 3]: y, y' and the side
         (-1 at rest) at samples, where wanted; events [capacity + 1, 4]: likewise.
@@ -299,18 +354,18 @@ def marching(glide: Glide, step: Step, potential: Potential) -> March:
         if traced:
             path[0, 0], path[0, 1], path[0, 2] = y, v, side
         lowest, highest = -branch[0, THRESHOLD], branch[1, THRESHOLD]
-        last, tail = ground.shape[0] - 1, TAIL_PIECE / max(branch[0, RATE], branch[1, RATE])
+        last, tail = intervals(ground), TAIL_PIECE / max(branch[0, RATE], branch[1, RATE])
         both = 1 | (1 << int(branch[0, PARTNER]))
         samples, peaked, wanted, column, h, time, i = last + 1, 0, 0, LIMIT, dt, 0.0, 0
         while i < last + TAIL_PIECES:
-            a0, a, begun, until = 0.0, 0.0, i, i + 1 if traced else last
+            a, begun, until = still(ground), i, i + 1 if traced else last
             if i < last:
                 if side < 0:
                     i = idle(ground, scale, lowest, highest, i, until)
                 else:
                     i, y, v = glide(flow, side, y, v, ground, scale, dt, i, until, top, branch[side, LIMIT])
                 if i < until:
-                    a0, a, time = scale * ground[i], scale * ground[i + 1], i * dt
+                    a, time = interval(ground, scale, dt, i), i * dt
             elif side < 0 or (wanted > 0 and peaked == wanted):
                 break
             else:
@@ -323,7 +378,7 @@ def marching(glide: Glide, step: Step, potential: Potential) -> March:
                 time = last * dt + (i - last) * tail
             if begun >= last or i < until:
                 side, y, v, peaked = through(
-                    flow, branch, found, events, column, peaked, wanted, side, y, v, time, a0, (a - a0) / h, h
+                    flow, branch, found, events, column, peaked, wanted, side, y, v, time, a, h
                 )  # fmt: skip
                 i += 1
                 if top >= 0.0:
@@ -396,22 +451,25 @@ def linearised_glide(flow: FloatArray, side: int, y: float, v: float, ground: Fl
 
 
 @compiled
-def linearised_step(flow: FloatArray, side: int, y: float, v: float, a: float, slope: float,
+def linearised_step(flow: FloatArray, side: int, y: float, v: float, a: Ground,
                     h: float) -> tuple[Arc, float, State]:  # fmt: skip
     """An arc over h, or SHORT / p, and its end: y'''' = p^2 y'', y''''' = p^2 y''' and so on.
 
-    a, slope: ground acceleration at the start and its rate.
+    a: ground acceleration from the start on.
     """
     p2, inverse = flow[side, P2], flow[side, INVERSE]
-    k, jerk = p2 * (y - 1.0 - inverse * a), p2 * (v - inverse * slope)
+    k, jerk = p2 * (y - 1.0 - inverse * a[0]), p2 * (v - inverse * a[1])
     if y == 0.0 and v == 0.0:
         k = max(k, 0.0)  # just lifted: not falling by a rounding error
-    p4 = p2 * p2
-    arc = (y, v, k * (1 / 2), jerk * (1 / 6), p2 * k * (1 / 24), p2 * jerk * (1 / 120), p4 * k * (1 / 720),
-           p4 * jerk * (1 / 5040), p4 * p2 * k * (1 / 40320))  # fmt: skip
+    fourth, fifth, sixth, seventh = p2 * k, p2 * jerk, p2 * p2 * k, p2 * p2 * jerk
+    if len(a) > 2:
+        fourth, fifth = p2 * (k - inverse * 2.0 * a[2]), p2 * (jerk - inverse * 6.0 * a[3])
+        sixth, seventh = p2 * (fourth - inverse * 24.0 * a[4]), p2 * (fifth - inverse * 120.0 * a[5])
+    arc = (y, v, k * (1 / 2), jerk * (1 / 6), fourth * (1 / 24), fifth * (1 / 120), sixth * (1 / 720),
+           seventh * (1 / 5040), p2 * sixth * (1 / 40320))  # fmt: skip
     h = h if p2 * h * h <= SHORT * SHORT else SHORT / math.sqrt(p2)
     y1 = at(arc, h)
-    return arc, h, (y1, at(derivative(arc), h), p2 * (y1 - 1.0 - inverse * (a + slope * h)))
+    return arc, h, (y1, at(derivative(arc), h), p2 * (y1 - 1.0 - inverse * after(a, h)))
 
 
 @compiled
@@ -498,12 +556,16 @@ def pushed(of: Force, by: float) -> Force:
 
 
 @compiled
-def series(of: Force, v: float, rise: float) -> tuple[float, float, float, float]:
-    """Second to fifth derivative of y over time; rise: rate of the ground acceleration in the branch's sign."""
+def series(of: Force, v: float, s: float, a: Ground) -> tuple[float, float, float, float]:
+    """Second to fifth derivative of y over time; s: sign of the branch, a: ground acceleration from now on."""
     f, f1, f2, f3, g, g1, g2 = of
+    rise = s * a[1]
     jerk = f1 * v + g * rise
     fourth = (f2 * v + 2.0 * g1 * rise) * v + f1 * f
     fifth = ((f3 * v + 3.0 * g2 * rise) * v + 3.0 * f2 * f) * v + f1 * jerk + 3.0 * g1 * rise * f
+    if len(a) > 2:
+        bow = 2.0 * s * a[2]
+        fourth, fifth = fourth + g * bow, fifth + 3.0 * g1 * bow * v + g * (6.0 * s * a[3])
     return f, jerk, fourth, fifth
 
 
@@ -526,7 +588,7 @@ def exact_glide(flow: Any, side: int, y: float, v: float, ground: FloatArray, sc
     here = force(table, j, y, a)
     while i < until:
         a1 = sign * ground[i + 1]
-        k, jerk, fourth, fifth = series(here, v, (a1 - a) * inverse)
+        k, jerk, fourth, fifth = series(here, v, 1.0, (a, (a1 - a) * inverse))
         y1 = y + dt * (
             v + dt * (k * (1 / 2) + dt * (jerk * (1 / 6) + dt * (fourth * (1 / 24) + dt * fifth * (1 / 120))))
         )
@@ -548,10 +610,10 @@ def exact_glide(flow: Any, side: int, y: float, v: float, ground: FloatArray, sc
 
 
 @compiled
-def exact_step(flow: Any, side: int, y: float, v: float, a: float, slope: float, h: float) -> tuple[Arc, float, State]:
+def exact_step(flow: Any, side: int, y: float, v: float, a: Ground, h: float) -> tuple[Arc, float, State]:
     """An arc over h, or less, and its end: as far as the error allows, and up to rest, a jump of the table, or its end.
 
-    a, slope: ground acceleration at the start and its rate.
+    a: ground acceleration from the start on.
     """
     table, smooth, span, hint, accuracy, slow, pace = flow
     s, smallest, left = 1.0 - 2.0 * side, SMALLEST_STEP * h, h
@@ -560,10 +622,10 @@ def exact_step(flow: Any, side: int, y: float, v: float, a: float, slope: float,
     hint[side] = j
     first, last = smooth[j, 0], smooth[j, 1]
     low, high = table[first, LEFT], table[last, RIGHT]
-    here = force(table, j, y, s * a)
+    here = force(table, j, y, s * a[0])
     if y == 0.0 and v == 0.0 and here[0] < 0.0:
         here = pushed(here, -here[0])  # just lifted: not falling by a rounding error
-    k, jerk, fourth, fifth = series(here, v, s * slope)
+    k, jerk, fourth, fifth = series(here, v, s, a)
     arc = (y, v, k * (1 / 2), jerk * (1 / 6), fourth * (1 / 24), fifth * (1 / 120), 0.0, 0.0, 0.0)
     while True:
         y1, cut = at(arc, h), False
@@ -576,7 +638,7 @@ def exact_step(flow: Any, side: int, y: float, v: float, a: float, slope: float,
             y1 = at(arc, h)
         y1 = at(arc, h)
         j = nearby(table, y1, j, first, last)
-        there = force(table, j, y1, s * (a + slope * h))
+        there = force(table, j, y1, s * after(a, h))
         lack = there[0] - (k + h * (jerk + h * (fourth * (1 / 2) + h * fifth * (1 / 6))))
         error = abs(lack) * h * max(h * (1 / 30), slow[side]) * accuracy
         if error <= 1.0 or h <= smallest:

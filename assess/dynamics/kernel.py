@@ -69,7 +69,7 @@ PEAK, IMPACT, UPLIFT = range(3)
 # columns of `table` [segments, 11]: ends of the segment, the cubics of r and b, highest power first, and the potential
 # at its beginning
 LEFT, RIGHT, R3, R2, R1, R0, B3, B2, B1, B0, STORED = range(11)
-# columns of `flow` of the linearised equation [2, 8]
+# columns of what the linearised equation needs of each side [2, 8]
 P2, INVERSE, Y_K, Y_V, Y_A, V_K, V_V, V_A = range(8)
 
 
@@ -123,9 +123,7 @@ def root(c: Arc, level: float, end: float) -> float:
 @compiled
 def intervals(ground: FloatArray) -> int:
     """Of a record, given by its samples [n], or of a pulse, given by its polynomials [n, 6]."""
-    if ground.ndim == 1:
-        return ground.shape[0] - 1
-    return ground.shape[0]
+    return len(ground) - 1 if ground.ndim == 1 else len(ground)
 
 
 @compiled
@@ -331,9 +329,22 @@ def marching(glide: Glide, step: Step, potential: Potential) -> March:
             side = int(branch[side, PARTNER])
             E, peaked = 0.5 * v * v, peaked | (1 << side)
 
+    @compiled
+    def falls(flow: Any, branch: FloatArray, side: int, y: float, v: float) -> bool:
+        """Whether a body in free motion overturns: now, by its energy, or by what the impacts to come leave of that."""
+        E, top = 0.5 * v * v + potential(flow, side, y), potential(flow, side, 1.0)
+        if (v > 0.0 and E > top) or (y >= 1.0 and (v >= 0.0 or E < top)):
+            return True
+        for _ in range(4):  # after both sides have had their turn an impact leaves no more than the last one there
+            E *= branch[side, BOUNCE] ** 2
+            side = int(branch[side, PARTNER])
+            if E > potential(flow, side, 1.0):
+                return True
+        return False
+
     @reachable
     def march(flow: Any, branch: FloatArray, ground: FloatArray, dt: float, scale: float, release: float,
-              found: FloatArray, path: FloatArray, events: FloatArray) -> int:  # fmt: skip
+              found: FloatArray, path: FloatArray, events: FloatArray, ends: bool) -> int:  # fmt: skip
         """One job: the motion `ground` [n], or [n, 6] of a pulse, at step dt, times `scale`. Returns the number of
         samples passed.
 
@@ -369,6 +380,9 @@ def marching(glide: Glide, step: Step, potential: Potential) -> March:
             elif side < 0 or (wanted > 0 and peaked == wanted):
                 break
             else:
+                if ends:
+                    found[OVERTURNED] = 1.0 if falls(flow, branch, side, y, v) else 0.0
+                    return last + 1
                 if wanted == 0:
                     impacts = settled(flow, branch, top, both, side, y, v) if top >= 0.0 else -1
                     if impacts >= 0:
@@ -415,49 +429,93 @@ def growth(x: float) -> tuple[float, float, float]:
     return sinh, 2.0 * half * half, sinh - x
 
 
+@compiled
+def rest_of_series(n: int, x: float) -> float:
+    """x^n / n! + x^(n + 2) / (n + 2)! + ...: sinh or cosh without their first powers."""
+    term = 1.0
+    for m in range(1, n + 1):
+        term *= x / m
+    total, m = term, n
+    while term > 1e-17 * total:
+        m += 2
+        term *= x * x / (m * (m - 1))
+        total += term
+    return total
+
+
 @reachable
-def linearised_flow(flow: FloatArray, branch: FloatArray, dt: float) -> None:
+def linearised_sides(sides: FloatArray, branch: FloatArray, dt: float) -> None:
     """Fills what the closed solution over one interval is made of, for each side [2, 8]; zeros for one not there."""
     for side in range(2):
         for c in range(8):
-            flow[side, c] = 0.0
+            sides[side, c] = 0.0
         p = branch[side, RATE]
         if p > 0.0:
             sinh, cosh_1, sinh_x = growth(p * dt)
             inverse = (1.0 - 2.0 * side) / branch[side, THRESHOLD]
-            flow[side, P2], flow[side, INVERSE] = p * p, inverse
-            flow[side, Y_K], flow[side, Y_V], flow[side, Y_A] = cosh_1 / p**2, sinh / p, -inverse * sinh_x / (p * dt)
-            flow[side, V_K], flow[side, V_V], flow[side, V_A] = sinh / p, cosh_1, -inverse * cosh_1 / dt
+            sides[side, P2], sides[side, INVERSE] = p * p, inverse
+            sides[side, Y_K], sides[side, Y_V], sides[side, Y_A] = cosh_1 / p**2, sinh / p, -inverse * sinh_x / (p * dt)
+            sides[side, V_K], sides[side, V_V], sides[side, V_A] = sinh / p, cosh_1, -inverse * cosh_1 / dt
+
+
+@reachable
+def linearised_pushes(pushes: FloatArray, sides: FloatArray, ground: FloatArray, dt: float) -> None:
+    """Fills what each interval of a unit pulse `ground` [n, 6] adds to y and y' on each side [2, n, 2].
+
+    Its m-th power a_m gives -a_m m! / threshold times rest_of_series(m + 2, p dt) / p^m, and one less for y'.
+    """
+    for side in range(2):
+        p, factor = math.sqrt(sides[side, P2]), -sides[side, INVERSE]
+        for i in range(len(ground)):
+            pushes[side, i, 0], pushes[side, i, 1] = 0.0, 0.0
+        for m in range(1, 6 if p > 0.0 else 0):
+            factor *= m / p
+            of_y, of_v = factor * rest_of_series(m + 2, p * dt), factor * p * rest_of_series(m + 1, p * dt)
+            for i in range(len(ground)):
+                pushes[side, i, 0] += of_y * ground[i, m]
+                pushes[side, i, 1] += of_v * ground[i, m]
 
 
 @compiled
-def linearised_glide(flow: FloatArray, side: int, y: float, v: float, ground: FloatArray, scale: float, dt: float,
+def linearised_glide(flow: Any, side: int, y: float, v: float, ground: FloatArray, scale: float, dt: float,
                      i: int, until: int, top: float, limit: float) -> tuple[int, float, float]:  # fmt: skip
     """y1 = y + y'' (cosh - 1) / p^2 + y' sinh / p - s (a1 - a0) / threshold (sinh - p dt) / (p dt), in increments."""
-    p2, inverse = flow[side, P2], flow[side, INVERSE]
-    y_k, y_v, y_a = flow[side, Y_K], flow[side, Y_V], flow[side, Y_A]
-    v_k, v_v, v_a = flow[side, V_K], flow[side, V_V], flow[side, V_A]
-    a = scale * ground[i]
-    k = p2 * (y - 1.0 - inverse * a)
-    while i < until:
-        a1 = scale * ground[i + 1]
-        y1 = y + (k * y_k + v * y_v + (a1 - a) * y_a)
-        v1 = v + (k * v_k + v * v_v + (a1 - a) * v_a)
-        k1 = p2 * (y1 - 1.0 - inverse * a1)
-        if not calm((y, v, k), (y1, v1, k1), dt, top, limit):
+    sides, pushes = flow
+    p2, inverse = sides[side, P2], sides[side, INVERSE]
+    y_k, y_v, y_a = sides[side, Y_K], sides[side, Y_V], sides[side, Y_A]
+    v_k, v_v, v_a = sides[side, V_K], sides[side, V_V], sides[side, V_A]
+    if ground.ndim == 1:
+        a = scale * ground[i]
+        k = p2 * (y - 1.0 - inverse * a)
+        while i < until:
+            a1 = scale * ground[i + 1]
+            y1 = y + (k * y_k + v * y_v + (a1 - a) * y_a)
+            v1 = v + (k * v_k + v * v_v + (a1 - a) * v_a)
+            k1 = p2 * (y1 - 1.0 - inverse * a1)
+            if not calm((y, v, k), (y1, v1, k1), dt, top, limit):
+                break
+            i, y, v, k, a = i + 1, y1, v1, k1, a1
+        return i, y, v
+    k = p2 * (y - 1.0 - inverse * scale * ground[i, 0])
+    while i + 1 < until:  # the last interval has no next one to tell its end
+        y1 = y + (k * y_k + v * y_v + scale * pushes[side, i, 0])
+        v1 = v + (k * v_k + v * v_v + scale * pushes[side, i, 1])
+        k1 = p2 * (y1 - 1.0 - inverse * scale * ground[i + 1, 0])
+        if not calm((y, v, k), (y1, v1, k1), 1.5 * dt, top, limit):
             break
-        i, y, v, k, a = i + 1, y1, v1, k1, a1
+        i, y, v, k = i + 1, y1, v1, k1
     return i, y, v
 
 
 @compiled
-def linearised_step(flow: FloatArray, side: int, y: float, v: float, a: Ground,
+def linearised_step(flow: Any, side: int, y: float, v: float, a: Ground,
                     h: float) -> tuple[Arc, float, State]:  # fmt: skip
     """An arc over h, or SHORT / p, and its end: y'''' = p^2 y'', y''''' = p^2 y''' and so on.
 
     a: ground acceleration from the start on.
     """
-    p2, inverse = flow[side, P2], flow[side, INVERSE]
+    sides, _ = flow
+    p2, inverse = sides[side, P2], sides[side, INVERSE]
     k, jerk = p2 * (y - 1.0 - inverse * a[0]), p2 * (v - inverse * a[1])
     if y == 0.0 and v == 0.0:
         k = max(k, 0.0)  # just lifted: not falling by a rounding error
@@ -473,9 +531,10 @@ def linearised_step(flow: FloatArray, side: int, y: float, v: float, a: Ground,
 
 
 @compiled
-def linearised_potential(flow: FloatArray, side: int, y: float) -> float:
+def linearised_potential(flow: Any, side: int, y: float) -> float:
     """Of y'' = p^2 (y - 1)."""
-    return float(flow[side, P2] * y * (1.0 - 0.5 * y))
+    sides, _ = flow
+    return float(sides[side, P2] * y * (1.0 - 0.5 * y))
 
 
 march_linearised = marching(linearised_glide, linearised_step, linearised_potential)
@@ -492,18 +551,52 @@ def rock_linearised(branches: FloatArray, ground: FloatArray, offset: IntArray, 
     the acceleration stays positive while the motion lasts, beyond 1 in free motion: overturned.
     """
     samples = 0
-    branch, flow = np.empty((2, 7)), np.empty((2, 8))
+    branch, sides, pushes = np.empty((2, 7)), np.empty((2, 8)), np.empty((2, 0, 2))
     for j in range(oscillator.shape[0]):
         m = motion[j]
         for side in range(2):
             for c in range(7):
                 branch[side, c] = branches[oscillator[j], side, c]
             branch[side, LIMIT] = 1.0 + abs(scale[j]) * peak[m] / branch[side, THRESHOLD]
-        linearised_flow(flow, branch, dt[m])
+        linearised_sides(sides, branch, dt[m])
         samples = march_linearised(
-            flow, branch, ground[offset[m] : offset[m + 1]], dt[m], scale[j], release, found[j], path, events,
+            (sides, pushes), branch, ground[offset[m] : offset[m + 1]], dt[m], scale[j], release, found[j], path,
+            events, False,
         )  # fmt: skip
     return samples
+
+
+@compiled
+def of_frequency(ground: FloatArray, pulse: FloatArray, frequency: float) -> None:
+    """Fills the polynomials of time [n, 6] of a pulse given over its phase [n, 6]."""
+    for i in range(len(pulse)):
+        factor = 1.0
+        for m in range(6):
+            ground[i, m] = factor * pulse[i, m]
+            factor *= 2.0 * math.pi * frequency
+
+
+@entry
+def pulse_linearised(branches: FloatArray, pulse: FloatArray, phase: float, frequency: FloatArray,
+                     oscillator: IntArray, motion: IntArray, scale: FloatArray, found: FloatArray) -> None:  # fmt: skip
+    """All jobs under a pulse by the linearised equation; fills found [jobs, 7].
+
+    pulse [n, 6]: unit acceleration as polynomials of phase, each over `phase` [rad]; frequency [Hz] of each motion;
+    scale: acceleration [m/s2] of each job. Jobs of one oscillator and one motion are cheapest together.
+    """
+    branch, sides, pushes = np.empty((2, 7)), np.empty((2, 8)), np.empty((2, len(pulse), 2))
+    ground, path, events = np.empty((len(pulse), 6)), np.empty((0, 3)), np.zeros((1, 4))
+    for j in range(oscillator.shape[0]):
+        m = motion[j]
+        dt = phase / (2.0 * math.pi * frequency[m])
+        if j == 0 or motion[j - 1] != m or oscillator[j - 1] != oscillator[j]:
+            branch[:] = branches[oscillator[j]]
+            of_frequency(ground, pulse, frequency[m])
+            linearised_sides(sides, branch, dt)
+            linearised_pushes(pushes, sides, ground, dt)
+        for side in range(2):
+            branch[side, LIMIT] = 1.0 + abs(scale[j]) / branch[side, THRESHOLD]
+        march_linearised((sides, pushes), branch, ground, dt, scale[j], 0.0, found[j], path, events, True)
 
 
 # --------------------------------------------------------------------------------------------------------- the exact
@@ -581,14 +674,13 @@ def exact_glide(flow: Any, side: int, y: float, v: float, ground: FloatArray, sc
     first, last = smooth[j, 0], smooth[j, 1]
     low = table[first, LEFT] if first > bottom else -math.inf
     high = table[last, RIGHT] if last < end else math.inf
-    sign, inverse = (1.0 - 2.0 * side) * scale, 1.0 / dt
+    s = 1.0 - 2.0 * side
     allowed = 1.0 / (accuracy * dt * max(dt * (1 / 30), slow[side]))
     correct_y, correct_v = dt * dt * (1 / 30), dt * (1 / 5)
-    a = sign * ground[i]
-    here = force(table, j, y, a)
+    a = interval(ground, scale, dt, i)
+    here = force(table, j, y, s * a[0])
     while i < until:
-        a1 = sign * ground[i + 1]
-        k, jerk, fourth, fifth = series(here, v, 1.0, (a, (a1 - a) * inverse))
+        k, jerk, fourth, fifth = series(here, v, s, a)
         y1 = y + dt * (
             v + dt * (k * (1 / 2) + dt * (jerk * (1 / 6) + dt * (fourth * (1 / 24) + dt * fifth * (1 / 120))))
         )
@@ -596,7 +688,7 @@ def exact_glide(flow: Any, side: int, y: float, v: float, ground: FloatArray, sc
         if not low <= y1 <= high:
             break
         j = nearby(table, y1, j, first, last)
-        there = force(table, j, y1, a1)
+        there = force(table, j, y1, s * after(a, dt))
         lack = there[0] - (k + dt * (jerk + dt * (fourth * (1 / 2) + dt * fifth * (1 / 6))))
         if not abs(lack) <= allowed:
             break
@@ -604,7 +696,9 @@ def exact_glide(flow: Any, side: int, y: float, v: float, ground: FloatArray, sc
         if not calm((y, v, k), (y1, v1, there[0]), 1.5 * dt, top, limit):  # y'' may bow somewhat beyond its ends
             break
         here = pushed(there, there[1] * (correct_y * lack))
-        i, y, v, a = i + 1, y1, v1, a1
+        i, y, v = i + 1, y1, v1
+        if i < until:
+            a = interval(ground, scale, dt, i)
     hint[side] = j
     return i, y, v
 
@@ -690,5 +784,27 @@ def rock_exact(branches: FloatArray, table: FloatArray, smooth: IntArray, spans:
         pace[0] = math.inf
         samples = march_exact(
             flow, branch, ground[offset[m] : offset[m + 1]], dt[m], scale[j], release, found[j], path, events,
+            False,
         )  # fmt: skip
     return samples
+
+
+@entry
+def pulse_exact(branches: FloatArray, table: FloatArray, smooth: IntArray, spans: IntArray, tolerance: float,
+                pulse: FloatArray, phase: float, frequency: FloatArray, oscillator: IntArray, motion: IntArray,
+                scale: FloatArray, found: FloatArray) -> None:  # fmt: skip
+    """All jobs under a pulse by the exact equation; fills found [jobs, 7]. Arguments as of the other entry points."""
+    hint = np.empty(2, dtype=np.int64)
+    slow, pace = np.empty(2), np.empty(1)
+    ground, path, events = np.empty((len(pulse), 6)), np.empty((0, 3)), np.zeros((1, 4))
+    for j in range(oscillator.shape[0]):
+        m, o = motion[j], oscillator[j]
+        branch, span = branches[o], spans[o]
+        dt = phase / (2.0 * math.pi * frequency[m])
+        if j == 0 or motion[j - 1] != m:
+            of_frequency(ground, pulse, frequency[m])
+        for side in range(2):
+            hint[side], slow[side] = span[side, 0], 0.2 / branch[side, RATE]
+        flow = (table, smooth, span, hint, 1.0 / tolerance, slow, pace)
+        pace[0] = math.inf
+        march_exact(flow, branch, ground, dt, scale[j], 0.0, found[j], path, events, True)

@@ -15,23 +15,20 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import partial
 from itertools import pairwise
-from typing import Literal, TypeVar
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.constants import g
 
 from assess.dynamics import kernel
-from assess.dynamics.canonical import Canonical, canonical, scaled
-from assess.errors import MechanismError
-from assess.oscillator import Branch, Oscillator, energy, linearise
+from assess.dynamics.packing import BRANCHES, COORDINATES, Equation, exact_branches, linearised_branches, tables
+from assess.oscillator import Oscillator
 from records.record import Record, make_record
 
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
 BoolArray = NDArray[np.bool_]
 Array = TypeVar("Array", FloatArray, IntArray, BoolArray)
-Equation = Literal["exact", "linearised"]
 Run = Callable[[IntArray, IntArray, FloatArray, float, FloatArray, FloatArray, FloatArray], int]
 
 TOLERANCE = 1e-10
@@ -156,7 +153,7 @@ def trace(
     samples = run(first, first, np.array([scale]), 0.0, np.empty((1, 7)), path, np.zeros((1, 4)))
     y, v, on = path[:samples].T
     rotation, velocity = np.zeros(samples), np.zeros(samples)
-    for side, coordinate in enumerate(_COORDINATES[equation](oscillator)):
+    for side, coordinate in enumerate(COORDINATES[equation](oscillator)):
         here, sign = on == side, 1.0 - 2.0 * side
         rotation[here], velocity[here] = (
             sign * coordinate.rotation(y[here]),
@@ -174,8 +171,8 @@ def free_rocking(
     tolerance: float = TOLERANCE,
 ) -> FreeRocking:
     """Released from rest at `rotation` [rad] of the positive branch, for `duration` [s] on still ground."""
-    coordinates = _COORDINATES[equation](oscillator)
-    samples = 2 + math.ceil(4.0 * _BRANCHES[equation](oscillator)[0, kernel.RATE] * duration)
+    coordinates = COORDINATES[equation](oscillator)
+    samples = 2 + math.ceil(4.0 * BRANCHES[equation](oscillator)[0, kernel.RATE] * duration)
     still = make_record("still ground", np.zeros(samples), duration / (samples - 1))
     run = _run([oscillator], [still], equation=equation, tolerance=tolerance)
     first, events = np.zeros(1, dtype=np.int64), np.zeros((MOST_EVENTS + 1, 4))
@@ -191,89 +188,6 @@ def free_rocking(
     return FreeRocking(_frozen(time[impact]), _frozen(signed[impact]), _frozen(time[peak]), _frozen(signed[peak]))
 
 
-def _exact_branches(oscillator: Oscillator) -> FloatArray:
-    """The columns of `kernel.branch` [2, 7] by the tables; the end of a table means overturned."""
-    rows = _rows(oscillator, coordinates := _exact_coordinates(oscillator))
-    for row, branch, coordinate in zip(rows, oscillator.branches, coordinates, strict=False):
-        E = _positive(float(energy(branch, np.array(branch.unstable))), "work up to the overturning rotation", "J")
-        row[kernel.THRESHOLD] = branch.restoring[0] / branch.excitation[0]
-        row[kernel.RATE] = math.sqrt(2.0 * E / branch.inertia[0]) / coordinate.turn
-        row[[kernel.LIMIT, kernel.TAIL_LIMIT]] = coordinate.y[-1]
-    return rows
-
-
-def _linearised_branches(oscillator: Oscillator) -> FloatArray:
-    """The columns of `kernel.branch` [2, 7] by the linearised equation; LIMIT depends on the job."""
-    forms = [linearise(branch) for branch in oscillator.branches]
-    for form in forms:
-        _positive(form.stiffness, "linearised stiffness K at phi_cr", "N m/rad")
-        _positive(form.overturning, "linearised overturning rotation", "rad")
-    rows = _rows(oscillator, _linearised_coordinates(oscillator))
-    for row, form in zip(rows, forms, strict=False):
-        row[kernel.THRESHOLD], row[kernel.RATE] = g * form.multiplier, form.p
-        row[[kernel.LIMIT, kernel.TAIL_LIMIT]] = 1.0
-    return rows
-
-
-def _exact_coordinates(oscillator: Oscillator) -> list[Canonical]:
-    """What the kernel's y is, for each branch."""
-    for branch, following in zip(oscillator.branches, reversed(oscillator.branches), strict=True):
-        _check_branch(branch, following=following)
-    return [canonical(branch) for branch in oscillator.branches]
-
-
-def _linearised_coordinates(oscillator: Oscillator) -> list[Canonical]:
-    """What the kernel's y is, for each branch: phi / phi_ov."""
-    return [scaled(linearise(branch).overturning) for branch in oscillator.branches]
-
-
-_BRANCHES: dict[Equation, Callable[[Oscillator], FloatArray]] = {
-    "exact": _exact_branches,
-    "linearised": _linearised_branches,
-}
-_COORDINATES: dict[Equation, Callable[[Oscillator], list[Canonical]]] = {
-    "exact": _exact_coordinates,
-    "linearised": _linearised_coordinates,
-}
-
-
-def _rows(oscillator: Oscillator, coordinates: list[Canonical]) -> FloatArray:
-    """What the two equations share: restitution, and the branch that follows an impact."""
-    rows = np.zeros((2, 7))
-    rows[:, kernel.THRESHOLD] = math.inf  # a side that is not there never lifts
-    for side, branch in enumerate(oscillator.branches):
-        partner = 1 - side if oscillator.negative is not None else side
-        _check_branch(branch, following=oscillator.branches[partner])
-        rows[side, kernel.BOUNCE] = branch.restitution * coordinates[side].turn / coordinates[partner].turn
-        rows[side, kernel.PARTNER] = partner
-    return rows
-
-
-def _check_branch(branch: Branch, *, following: Branch) -> None:
-    """A branch that can rock: it rests on still ground, has mass, and an impact adds no energy."""
-    _positive(float(branch.unstable), "overturning rotation", "rad")
-    _positive(float(np.min(branch.inertia)), "least inertia", "kg m2")
-    _positive(float(branch.excitation[0]), "excitation at rest", "kg m")
-    if branch.restoring[0] < 0.0:
-        raise MechanismError(
-            f"a branch has restoring moment {branch.restoring[0]:.6g} N m at rest, so it is already falling; "
-            "look at its loads and hinges"
-        )
-    most = max(1.0, math.sqrt(branch.inertia[0] / following.inertia[0]))  # turning faster about a nearer hinge
-    if not 0.0 <= branch.restitution <= most * (1.0 + 1e-9):
-        raise MechanismError(f"a branch has restitution {branch.restitution:.6g}; it must be between 0 and {most:.6g}")
-
-
-def _positive(value: float, name: str, unit: str) -> float:
-    """The value, if it is a positive number."""
-    if not value > 0.0:
-        raise MechanismError(
-            f"a branch has {name} {value:.6g} {unit}, which must be positive for it to rock; "
-            "look at its loads and hinges"
-        )
-    return value
-
-
 def _motions(motions: Sequence[Record]) -> tuple[FloatArray, IntArray, FloatArray, FloatArray]:
     """All accelerations end to end, where each starts (and the last ends), their steps and peaks."""
     offset = np.cumsum([0, *(motion.npts for motion in motions)], dtype=np.int64)
@@ -283,14 +197,14 @@ def _motions(motions: Sequence[Record]) -> tuple[FloatArray, IntArray, FloatArra
 
 def _linearised_run(oscillators: Sequence[Oscillator], motions: Sequence[Record], tolerance: float) -> Run:
     """The linearised kernel with oscillators and motions filled in; it makes no error to tolerate."""
-    branches = np.array([_linearised_branches(o) for o in oscillators]).reshape(-1, 2, 7)
+    branches = np.array([linearised_branches(o) for o in oscillators]).reshape(-1, 2, 7)
     return partial(kernel.rock_linearised, branches, *_motions(motions))
 
 
 def _exact_run(oscillators: Sequence[Oscillator], motions: Sequence[Record], tolerance: float) -> Run:
     """The exact kernel with oscillators and motions filled in."""
-    branches = np.array([_exact_branches(o) for o in oscillators]).reshape(-1, 2, 7)
-    table, smooth, spans = _tables(oscillators)
+    branches = np.array([exact_branches(o) for o in oscillators]).reshape(-1, 2, 7)
+    table, smooth, spans = tables(oscillators)
     ground, offset, dt, _ = _motions(motions)
     return partial(kernel.rock_exact, branches, table, smooth, spans, tolerance, ground, offset, dt)
 
@@ -306,19 +220,6 @@ def _run(oscillators: Sequence[Oscillator], motions: Sequence[Record], *, equati
     if equation not in _EQUATIONS:
         raise ValueError(f'equation "{equation}" is not known; the equations are {", ".join(_EQUATIONS)}')
     return _EQUATIONS[equation](oscillators, motions, tolerance)
-
-
-def _tables(oscillators: Sequence[Oscillator]) -> tuple[FloatArray, IntArray, IntArray]:
-    """The cubics of all branches [segments, 11] over y, and the segments of each smooth piece and branch."""
-    rows, smooth, spans, start = [np.empty((0, 11))], [np.empty((0, 2), dtype=np.int64)], [], 0
-    for oscillator in oscillators:
-        spans.append(np.zeros((2, 2), dtype=np.int64))
-        for side, of in enumerate(canonical(branch) for branch in oscillator.branches):
-            rows.append(np.vstack([of.y[:-1], of.y[1:], of.restoring, of.excitation, of.stored[:-1]]).T)
-            smooth.append(start + of.smooth)
-            spans[-1][side] = start, start + of.y.size - 2
-            start += of.y.size - 1
-    return np.concatenate(rows), np.concatenate(smooth), np.array(spans, dtype=np.int64).reshape(-1, 2, 2)
 
 
 def _checked(jobs: Jobs, *, oscillators: int, motions: int) -> Jobs:
@@ -358,7 +259,7 @@ def _peaks(found: FloatArray, jobs: Jobs, oscillators: Sequence[Oscillator], *, 
     rotation, reference = np.zeros(on.size), np.ones(on.size)
     for number in np.unique(jobs.oscillator):
         oscillator = oscillators[number]
-        for side, (branch, of) in enumerate(zip(oscillator.branches, _COORDINATES[equation](oscillator), strict=True)):
+        for side, (branch, of) in enumerate(zip(oscillator.branches, COORDINATES[equation](oscillator), strict=True)):
             here = (jobs.oscillator == number) & (on == side)
             rotation[here] = of.rotation(found[here, kernel.RATIO])
             reference[here] = of.rotation(np.ones(1)) * branch.overturning / branch.unstable

@@ -333,12 +333,12 @@ def marching(glide: Glide, step: Step, potential: Potential) -> March:
     def falls(flow: Any, branch: FloatArray, side: int, y: float, v: float) -> bool:
         """Whether a body in free motion overturns: now, by its energy, or by what the impacts to come leave of that."""
         E, top = 0.5 * v * v + potential(flow, side, y), potential(flow, side, 1.0)
-        if (v > 0.0 and E > top) or (y >= 1.0 and (v >= 0.0 or E < top)):
+        if (v > 0.0 and top < E) or (y >= 1.0 and (v >= 0.0 or top > E)):
             return True
         for _ in range(4):  # after both sides have had their turn an impact leaves no more than the last one there
             E *= branch[side, BOUNCE] ** 2
             side = int(branch[side, PARTNER])
-            if E > potential(flow, side, 1.0):
+            if potential(flow, side, 1.0) < E:
                 return True
         return False
 

@@ -1,0 +1,79 @@
+"""The mechanism that the weakest pulse overturns, at each frequency (thesis 3.4.2)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+FloatArray = NDArray[np.float64]
+IntArray = NDArray[np.int64]
+
+TIE = 0.05
+"""Bounds within this share of the least are no clear order: a pulse, a restitution or a density decides."""
+
+
+@dataclass(frozen=True)
+class Band:
+    """Frequencies [Hz] from start to end at which one mechanism is critical; None: nothing overturns."""
+
+    mechanism: int | None
+    start: float
+    end: float
+
+
+@dataclass(frozen=True)
+class Critical:
+    """Of m mechanisms at n frequencies.
+
+    mechanism : the one with the least bound, -1 where none has one [n]
+    lower_bound : its bound, nan where there is none [n] [m/s2]
+    runner_up : the second least, -1 where there is none [n]
+    margin : how much more the second needs, as a share of the least, nan where there is none [n] [-]
+    near : whether each mechanism is within TIE of the least [m, n]
+    bands : the same along the frequency; two bounds cross between two frequencies where lines through their
+        logarithms do
+    """
+
+    mechanism: IntArray
+    lower_bound: FloatArray
+    runner_up: IntArray
+    margin: FloatArray
+    near: NDArray[np.bool_]
+    bands: tuple[Band, ...]
+
+
+def critical(frequency: FloatArray, bounds: FloatArray) -> Critical:
+    """From the lower bounds [m, n] of m mechanisms at rising frequencies [n], nan where nothing overturns."""
+    filled = np.where(np.isnan(bounds), np.inf, bounds)
+    order = np.argsort(filled, axis=0, kind="stable")
+    columns = np.arange(frequency.size)
+    least = filled[order[0], columns]
+    second = filled[order[1], columns] if len(bounds) > 1 else np.full(frequency.size, np.inf)
+    first = np.where(np.isfinite(least), order[0], -1)
+    other = np.where(np.isfinite(second), order[1], -1) if len(bounds) > 1 else np.full(frequency.size, -1)
+    with np.errstate(invalid="ignore"):
+        margin = np.where(np.isfinite(second), second / least - 1.0, np.nan)
+        near = np.isfinite(filled) & (filled <= (1.0 + TIE) * least)
+    return Critical(
+        first, np.where(np.isfinite(least), least, np.nan), other, margin, near, tuple(_bands(frequency, filled, first))
+    )
+
+
+def _bands(frequency: FloatArray, bounds: FloatArray, first: IntArray) -> list[Band]:
+    changes = np.flatnonzero(np.diff(first)) + 1
+    places = [_crossing(frequency, bounds, first, int(k)) for k in changes]
+    edges = [float(frequency[0]), *places, float(frequency[-1])]
+    members = [int(first[0]), *(int(first[k]) for k in changes)]
+    return [Band(m if m >= 0 else None, a, b) for m, a, b in zip(members, edges[:-1], edges[1:], strict=True)]
+
+
+def _crossing(frequency: FloatArray, bounds: FloatArray, first: IntArray, k: int) -> float:
+    """Between frequencies k - 1 and k, where the bounds of both mechanisms are known at both; halfway where not."""
+    one, other = first[k - 1], first[k]
+    a, b = float(frequency[k - 1]), float(frequency[k])
+    gaps = np.log(bounds[other, [k - 1, k]] / bounds[one, [k - 1, k]]) if min(one, other) >= 0 else np.full(2, np.inf)
+    if not np.all(np.isfinite(gaps)) or gaps[0] == gaps[1]:
+        return 0.5 * (a + b)
+    return a + (b - a) * float(gaps[0] / (gaps[0] - gaps[1]))

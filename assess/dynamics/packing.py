@@ -1,0 +1,116 @@
+"""Oscillators as the kernel takes them: branches, tables, and what its coordinate means."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.constants import g
+
+from assess.dynamics import kernel
+from assess.dynamics.canonical import Canonical, canonical, scaled
+from assess.errors import MechanismError
+from assess.oscillator import Branch, Oscillator, energy, linearise
+
+FloatArray = NDArray[np.float64]
+IntArray = NDArray[np.int64]
+Equation = Literal["exact", "linearised"]
+
+
+def exact_branches(oscillator: Oscillator) -> FloatArray:
+    """The columns of `kernel.branch` [2, 7] by the tables; the end of a table means overturned."""
+    rows = _rows(oscillator, coordinates := exact_coordinates(oscillator))
+    for row, branch, coordinate in zip(rows, oscillator.branches, coordinates, strict=False):
+        E = _positive(float(energy(branch, np.array(branch.unstable))), "work up to the overturning rotation", "J")
+        row[kernel.THRESHOLD] = branch.restoring[0] / branch.excitation[0]
+        row[kernel.RATE] = math.sqrt(2.0 * E / branch.inertia[0]) / coordinate.turn
+        row[[kernel.LIMIT, kernel.TAIL_LIMIT]] = coordinate.y[-1]
+    return rows
+
+
+def linearised_branches(oscillator: Oscillator) -> FloatArray:
+    """The columns of `kernel.branch` [2, 7] by the linearised equation; LIMIT depends on the job."""
+    forms = [linearise(branch) for branch in oscillator.branches]
+    for form in forms:
+        _positive(form.stiffness, "linearised stiffness K at phi_cr", "N m/rad")
+        _positive(form.overturning, "linearised overturning rotation", "rad")
+    rows = _rows(oscillator, linearised_coordinates(oscillator))
+    for row, form in zip(rows, forms, strict=False):
+        row[kernel.THRESHOLD], row[kernel.RATE] = g * form.multiplier, form.p
+        row[[kernel.LIMIT, kernel.TAIL_LIMIT]] = 1.0
+    return rows
+
+
+def exact_coordinates(oscillator: Oscillator) -> list[Canonical]:
+    """What the kernel's y is, for each branch."""
+    for branch, following in zip(oscillator.branches, reversed(oscillator.branches), strict=True):
+        _check_branch(branch, following=following)
+    return [canonical(branch) for branch in oscillator.branches]
+
+
+def linearised_coordinates(oscillator: Oscillator) -> list[Canonical]:
+    """What the kernel's y is, for each branch: phi / phi_ov."""
+    return [scaled(linearise(branch).overturning) for branch in oscillator.branches]
+
+
+BRANCHES: dict[Equation, Callable[[Oscillator], FloatArray]] = {
+    "exact": exact_branches,
+    "linearised": linearised_branches,
+}
+COORDINATES: dict[Equation, Callable[[Oscillator], list[Canonical]]] = {
+    "exact": exact_coordinates,
+    "linearised": linearised_coordinates,
+}
+
+
+def _rows(oscillator: Oscillator, coordinates: list[Canonical]) -> FloatArray:
+    """What the two equations share: restitution, and the branch that follows an impact."""
+    rows = np.zeros((2, 7))
+    rows[:, kernel.THRESHOLD] = math.inf  # a side that is not there never lifts
+    for side, branch in enumerate(oscillator.branches):
+        partner = 1 - side if oscillator.negative is not None else side
+        _check_branch(branch, following=oscillator.branches[partner])
+        rows[side, kernel.BOUNCE] = branch.restitution * coordinates[side].turn / coordinates[partner].turn
+        rows[side, kernel.PARTNER] = partner
+    return rows
+
+
+def _check_branch(branch: Branch, *, following: Branch) -> None:
+    """A branch that can rock: it rests on still ground, has mass, and an impact adds no energy."""
+    _positive(float(branch.unstable), "overturning rotation", "rad")
+    _positive(float(np.min(branch.inertia)), "least inertia", "kg m2")
+    _positive(float(branch.excitation[0]), "excitation at rest", "kg m")
+    if branch.restoring[0] < 0.0:
+        raise MechanismError(
+            f"a branch has restoring moment {branch.restoring[0]:.6g} N m at rest, so it is already falling; "
+            "look at its loads and hinges"
+        )
+    most = max(1.0, math.sqrt(branch.inertia[0] / following.inertia[0]))  # turning faster about a nearer hinge
+    if not 0.0 <= branch.restitution <= most * (1.0 + 1e-9):
+        raise MechanismError(f"a branch has restitution {branch.restitution:.6g}; it must be between 0 and {most:.6g}")
+
+
+def _positive(value: float, name: str, unit: str) -> float:
+    """The value, if it is a positive number."""
+    if not value > 0.0:
+        raise MechanismError(
+            f"a branch has {name} {value:.6g} {unit}, which must be positive for it to rock; "
+            "look at its loads and hinges"
+        )
+    return value
+
+
+def tables(oscillators: Sequence[Oscillator]) -> tuple[FloatArray, IntArray, IntArray]:
+    """The cubics of all branches [segments, 11] over y, and the segments of each smooth piece and branch."""
+    rows, smooth, spans, start = [np.empty((0, 11))], [np.empty((0, 2), dtype=np.int64)], [], 0
+    for oscillator in oscillators:
+        spans.append(np.zeros((2, 2), dtype=np.int64))
+        for side, of in enumerate(canonical(branch) for branch in oscillator.branches):
+            rows.append(np.vstack([of.y[:-1], of.y[1:], of.restoring, of.excitation, of.stored[:-1]]).T)
+            smooth.append(start + of.smooth)
+            spans[-1][side] = start, start + of.y.size - 2
+            start += of.y.size - 1
+    return np.concatenate(rows), np.concatenate(smooth), np.array(spans, dtype=np.int64).reshape(-1, 2, 2)

@@ -1,0 +1,129 @@
+"""What pulses of the ground do to oscillators: whether they rock and overturn.
+
+A pulse is one of `records.pulses`, exact but for 1e-12: its acceleration goes to the kernel as polynomials of the fifth
+degree that have its value, slope and curvature at the ends of short pieces. Outcomes are told at the end of the pulse
+from the energy that is left (reference: the body overturns where y + y' / p > 1, linearised), so no free motion is run.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from functools import partial
+from itertools import pairwise
+from math import ceil, pi
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.interpolate import BPoly, PPoly
+
+from assess.dynamics import kernel
+from assess.dynamics.packing import Equation, exact_branches, linearised_branches, tables
+from assess.oscillator import Oscillator
+from records.pulses import Shape
+
+FloatArray = NDArray[np.float64]
+IntArray = NDArray[np.int64]
+BoolArray = NDArray[np.bool_]
+Run = Callable[[IntArray, IntArray, FloatArray, FloatArray], None]
+
+PIECES = 100
+"""In one period 2 pi of the phase: the error of a piece of a sine is (2 pi / 100)^6 / 46080 = 1e-12 of its peak."""
+TOLERANCE = 1e-10
+"""Error allowed to one step of the exact equation, as in histories."""
+CHUNK_JOBS = 4096
+"""Jobs given to a thread at a time."""
+
+
+@dataclass(frozen=True)
+class PulseJobs:
+    """What to run, one entry per job [n].
+
+    oscillator : index into the oscillators given beside; frequency : index into the frequencies given beside
+    amplitude : signed peak acceleration [m/s2]; negative for the reversed polarity
+    """
+
+    oscillator: IntArray
+    frequency: IntArray
+    amplitude: FloatArray
+
+
+@dataclass(frozen=True)
+class Outcomes:
+    """Of each job [n]: whether it rocked, whether it overturned, and impacts until the pulse ended or it overturned."""
+
+    uplifted: BoolArray
+    overturned: BoolArray
+    impacts: IntArray
+
+
+def outcomes(
+    oscillators: Sequence[Oscillator],
+    shape: Shape,
+    frequency: FloatArray,
+    jobs: PulseJobs,
+    *,
+    equation: Equation,
+    threads: int = 0,
+) -> Outcomes:
+    """The outcome of every job; the same whatever the number of `threads` (0: all cores).
+
+    Raises as `prepared` does, and ValueError for an amplitude that is not finite.
+    """
+    return prepared(oscillators, shape, frequency, equation=equation, threads=threads)(jobs)
+
+
+def prepared(
+    oscillators: Sequence[Oscillator], shape: Shape, frequency: FloatArray, *, equation: Equation, threads: int = 0
+) -> Callable[[PulseJobs], Outcomes]:
+    """What answers any number of jobs for these oscillators, this shape and these frequencies [n] [Hz].
+
+    Jobs of one oscillator and one frequency are quickest one after the other. Raises MechanismError for a branch that
+    cannot rock, ValueError for a frequency that is not positive.
+    """
+    if not np.all(np.isfinite(frequency) & (frequency > 0.0)):
+        raise ValueError("a pulse has a frequency that is not a positive number")
+    run = _KERNELS[equation](oscillators, (*polynomials(shape), np.ascontiguousarray(frequency)))
+
+    def answer(jobs: PulseJobs) -> Outcomes:
+        if not np.all(np.isfinite(jobs.amplitude)):
+            raise ValueError("a pulse has an amplitude that is not a finite number")
+        found = np.empty((jobs.amplitude.size, 7))
+
+        def work(part: slice) -> None:
+            run(jobs.oscillator[part], jobs.frequency[part], jobs.amplitude[part], found[part])
+
+        cuts = [*range(0, jobs.amplitude.size, CHUNK_JOBS), jobs.amplitude.size]
+        with ThreadPoolExecutor(threads or os.cpu_count() or 1) as pool:
+            list(pool.map(work, [slice(first, last) for first, last in pairwise(cuts)]))
+        return Outcomes(
+            found[:, kernel.UPLIFTED] > 0.0,
+            found[:, kernel.OVERTURNED] > 0.0,
+            found[:, kernel.IMPACTS].astype(np.int64),
+        )
+
+    return answer
+
+
+def _linearised(oscillators: Sequence[Oscillator], pulse: tuple[FloatArray, float, FloatArray]) -> Run:
+    branches = np.array([linearised_branches(o) for o in oscillators]).reshape(-1, 2, 7)
+    return partial(kernel.pulse_linearised, branches, *pulse)
+
+
+def _exact(oscillators: Sequence[Oscillator], pulse: tuple[FloatArray, float, FloatArray]) -> Run:
+    branches = np.array([exact_branches(o) for o in oscillators]).reshape(-1, 2, 7)
+    return partial(kernel.pulse_exact, branches, *tables(oscillators), TOLERANCE, *pulse)
+
+
+_KERNELS = {"linearised": _linearised, "exact": _exact}
+
+
+def polynomials(shape: Shape) -> tuple[FloatArray, float]:
+    """The shape as polynomials of phase from the beginning of each piece, lowest power first [n, 6], and the phase of
+    a piece [rad]."""
+    n = max(ceil(PIECES * (shape.end - shape.start) / (2 * pi)), 2)
+    theta = np.linspace(shape.start, shape.end, n + 1)
+    pieces = PPoly.from_bernstein_basis(BPoly.from_derivatives(theta, shape.derivatives(theta)[:3].T))
+    return np.ascontiguousarray(pieces.c[::-1].T), (shape.end - shape.start) / n

@@ -65,6 +65,21 @@ class RecordSpectrum:
 
 
 @dataclass(frozen=True)
+class PrimaryPulse:
+    """A pulse within a record, scaled as the record is: the shape that matches it best, or another local optimum.
+
+    polarity: of the pulse, 1 or -1. energy_share: of the record's squared acceleration that the pulse explains.
+    """
+
+    shape: str
+    frequency_hz: float
+    amplitude_g: float
+    start_s: float
+    polarity: int
+    energy_share: float
+
+
+@dataclass(frozen=True)
 class RecordResult:
     """A record as used: after scaling to the site's spectrum, before the factor of a level.
 
@@ -83,6 +98,7 @@ class RecordResult:
     mse: float
     trail: tuple[str, ...]
     spectrum: RecordSpectrum
+    primary_pulses: tuple[PrimaryPulse, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -336,6 +352,60 @@ class InterfaceCurves:
 
 
 @dataclass(frozen=True)
+class EnvelopeResult:
+    """Which pulses of the ground overturn a mechanism, in the worse polarity, by n frequencies and m amplitudes.
+
+    gamma, nu_rad: of a mavroeidis-papageorgiou pulse, else None. overturned [n][m]: one row for each frequency.
+    lower_bound_g [n]: the least amplitude that overturns, None where none up to the highest does; polarity [n]: of that
+    pulse, 0 where there is none. islands [n]: how many of the amplitudes above the bound the mechanism stands.
+    uplift_g [n]: amplitude that starts rocking, 0 on joints without a threshold. factor [n]: amplification from the
+    ground to the mechanism's base. omega [n]: 2 pi f / p; lower_bound_ratio [n]: factor times bound over g lambda, both
+    of the linearised branch that uplifts first, to be read on dimensionless plots.
+    """
+
+    shape: str
+    gamma: float | None
+    nu_rad: float | None
+    equation: Literal["exact", "linearised"]
+    frequency_hz: Floats
+    amplitude_g: Floats
+    overturned: tuple[tuple[bool, ...], ...]
+    lower_bound_g: tuple[float | None, ...]
+    polarity: tuple[int, ...]
+    islands: tuple[int, ...]
+    uplift_g: Floats
+    factor: Floats
+    omega: Floats
+    lower_bound_ratio: tuple[float | None, ...]
+
+
+@dataclass(frozen=True)
+class CriticalBand:
+    """Frequencies at which one mechanism is critical; None where nothing overturns."""
+
+    mechanism: str | None
+    from_hz: float
+    to_hz: float
+
+
+@dataclass(frozen=True)
+class CriticalResult:
+    """The mechanism that the weakest pulse overturns, at each of n frequencies.
+
+    mechanism [n]: None where nothing overturns; lower_bound_g [n]: its bound. runner_up [n]: the second, margin [n]:
+    how much more it needs, as a share of the least. near [n]: all that need at most five percent more than the least.
+    """
+
+    frequency_hz: Floats
+    mechanism: tuple[str | None, ...]
+    lower_bound_g: tuple[float | None, ...]
+    runner_up: tuple[str | None, ...]
+    margin: tuple[float | None, ...]
+    near: tuple[tuple[str, ...], ...]
+    bands: tuple[CriticalBand, ...]
+
+
+@dataclass(frozen=True)
 class MechanismResult:
     """Everything about one mechanism; direction_sweep is None where its direction was given."""
 
@@ -354,7 +424,7 @@ class MechanismResult:
     checks: tuple[Check, ...]
     histories: tuple[HistoryResult, ...]
     suites: tuple[SuiteResult, ...]
-    envelope: dict[str, Any] | None
+    envelope: EnvelopeResult | None
     restitution_source: str
     loads: tuple[LoadResult, ...]
     direction_sweep: DirectionSweep | None
@@ -421,6 +491,6 @@ class Results:
     spectrum: SpectrumResult | None
     records: tuple[RecordResult, ...]
     mechanisms: tuple[MechanismResult, ...]
-    critical: dict[str, Any] | None
+    critical: CriticalResult | None
     comparison: tuple[ComparisonRow, ...]
     sweeps: tuple[SweepResult, ...]

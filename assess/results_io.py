@@ -35,6 +35,13 @@ def dumps_mechanisms(mechanisms: tuple[MechanismResult, ...]) -> str:
     return _json(_normal(mechanisms, _mechanisms_type())) + "\n"
 
 
+def dumps_envelopes(results: Results) -> str:
+    """The envelopes of results.json alone: `mechanisms`, each with name, label and envelope, and `critical`."""
+    plain = _normal(results, _results_type())
+    kept = [{key: each[key] for key in ("name", "label", "envelope")} for each in plain["mechanisms"]]
+    return _json({"mechanisms": kept, "critical": plain["critical"]}) + "\n"
+
+
 def loads(text: str, *, source: str = "results") -> Results:
     """Results from the text of results.json. Raises ResultsError that names the `source` and the first thing wrong."""
     data = _parsed(text, source)

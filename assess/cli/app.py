@@ -7,6 +7,7 @@ from typing import Annotated
 import typer
 
 from assess.cli.check import check
+from assess.cli.envelope import envelope
 from assess.cli.new import new
 from assess.cli.parameters import parameters
 from assess.cli.report import report
@@ -24,7 +25,7 @@ app = typer.Typer(
         "default_map": {"help": False},  # else typer 0.29 imports pydantic (0.2 s) for a --help that is absent
     },
 )
-for command in (new, check, run, parameters, report, schema):
+for command in (new, check, run, parameters, envelope, report, schema):
     app.command()(command)
 
 

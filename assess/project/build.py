@@ -7,6 +7,8 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+import numpy as np
+
 from assess.codes.context import Building
 from assess.codes.dmi2008.clauses import Options as Dmi2008Options
 from assess.codes.registry import CodeOptions
@@ -19,9 +21,10 @@ from assess.project.directions import directed
 from assess.project.messages import located, shown
 from assess.project.notices import notices_of
 from assess.project.schema import Project, relative, resolved
-from assess.project.study import Artificial, Case, Equation, Study, Sweep
+from assess.project.study import Artificial, Case, Equation, PulseGrid, Study, Sweep
 from assess.project.variations import Variant, Variation
 from assess.results import Input
+from records.pulses import shape as pulse_shape
 from records.reading import read
 from records.record import Record
 from spectra.asce7 import design_spectrum
@@ -85,6 +88,7 @@ def part_of(content: sections.Content, files: Files, *, names: Iterable[str]) ->
         resolved={},
         notices=(),
         sweeps=(),
+        pulses=None if content.analysis.pulses is None else grid_of(content.analysis.pulses),
     )
 
 
@@ -146,6 +150,14 @@ def equation_of(section: sections.Mechanism, content: sections.Content) -> Equat
     """The equation of motion asked for, or the default of the kind: linearised for equivalent blocks, else exact."""
     default: Equation = "linearised" if isinstance(section, sections.EquivalentBlock) else "exact"
     return content.analysis.equation or default
+
+
+def grid_of(section: sections.Pulses) -> PulseGrid:
+    """The pulses of the envelopes."""
+    spaced = np.geomspace if section.frequency.spacing == "log" else np.linspace
+    frequency = spaced(section.frequency.start, section.frequency.to, section.frequency.count)
+    amplitude = np.linspace(section.amplitude.start, section.amplitude.to, section.amplitude.count)
+    return PulseGrid(pulse_shape(section.shape, gamma=section.gamma, nu=section.nu), frequency, amplitude)
 
 
 def records_of(section: sections.Records, folder: Path) -> tuple[Record, ...]:

@@ -6,9 +6,12 @@ from collections.abc import Mapping
 from dataclasses import replace
 from importlib.metadata import version
 
+import numpy as np
+
 from assess.errors import ProjectError
 from assess.mechanisms.oscillation import oscillator
 from assess.project.assessing import Progress, mechanisms_assessed
+from assess.project.envelopes import DEFAULT_GRID, Rocker, critical_result, mapped_pulses, with_primary_pulses
 from assess.project.messages import located
 from assess.project.motions import Motion, motions_of
 from assess.project.outcome import comparison, mechanism_result, record_result, spectrum_result
@@ -33,6 +36,8 @@ def run(study: Study, *, jobs: int = 0, progress: Progress = lambda stage, done,
     alone = replace(study, mechanisms=tuple(m for m in study.mechanisms if m.name not in standing))
     own = {one.name: one for one in mechanisms_assessed(alone, spectrum, motions, jobs=jobs, progress=progress)}
     mechanisms = tuple(own.get(m.name) or standing[m.name].worst for m in study.mechanisms)
+    mapped = mapped_pulses(rockers_of(study, standing), study.pulses, jobs=jobs, progress=progress)
+    records = tuple(record_result(motion, spectrum) for motion in motions)
     return Results(
         schema_version=SCHEMA_VERSION,
         program=Program(NAME, version(NAME)),
@@ -40,12 +45,48 @@ def run(study: Study, *, jobs: int = 0, progress: Progress = lambda stage, done,
         warnings=(*notices_of(study, standing), *suite_notices(motions)),
         project=study.resolved,
         spectrum=spectrum_result(spectrum),
-        records=tuple(record_result(motion, spectrum) for motion in motions),
-        mechanisms=mechanisms,
-        critical=None,
+        records=with_primary_pulses(records, motions, study.pulses),
+        mechanisms=tuple(replace(each, envelope=mapped.get(each.name)) for each in mechanisms),
+        critical=critical_result(mapped),
         comparison=comparison(mechanisms),
         sweeps=sweep_results(sweeps, standing),
     )
+
+
+def envelope(study: Study, *, jobs: int = 0, progress: Progress = lambda stage, done, total: None) -> Results:
+    """The overturning envelopes of `study` alone, on its pulses or the default ones; no spectrum or record is needed.
+
+    Mechanisms stand as the project has them, without the cases of its sweeps.
+    """
+    grid = study.pulses or DEFAULT_GRID
+    rockers = rockers_of(study, {})
+    mapped = mapped_pulses(rockers, grid, jobs=jobs, progress=progress)
+    progress("primary pulses", 0, 1)
+    motions = () if study.spectrum is None else motions_of(replace(study, artificial=None), study.spectrum)
+    records = () if study.spectrum is None else tuple(record_result(motion, study.spectrum) for motion in motions)
+    return Results(
+        schema_version=SCHEMA_VERSION,
+        program=Program(NAME, version(NAME)),
+        inputs=study.inputs,
+        warnings=study.notices,
+        project=study.resolved,
+        spectrum=None if study.spectrum is None else spectrum_result(study.spectrum),
+        records=with_primary_pulses(records, motions, grid),
+        mechanisms=tuple(replace(each, envelope=mapped[each.name]) for each in parameters(study)),
+        critical=critical_result(mapped),
+        comparison=(),
+        sweeps=(),
+    )
+
+
+def rockers_of(study: Study, standing: Mapping[str, Swept]) -> tuple[Rocker, ...]:
+    """Every mechanism as envelopes see it; a swept one in its controlling case."""
+    found = []
+    for mechanism in study.mechanisms:
+        of = standing[mechanism.name].case.study if mechanism.name in standing else study
+        used = next(each for each in of.mechanisms if each.name == mechanism.name)
+        found.append(Rocker(used.name, oscillator(used), of.equations[used.name], np.ones_like))
+    return tuple(found)
 
 
 def parameters(study: Study) -> tuple[MechanismResult, ...]:

@@ -5,14 +5,19 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
+import numpy as np
+from numpy.typing import NDArray
+
 from assess.codes.context import Building
 from assess.codes.registry import CodeOptions
 from assess.geometry.scene import Scene
 from assess.mechanisms.mechanism import Mechanism
 from assess.results import Input, Notice, Resolved
+from records.pulses import Shape
 from records.record import Record
 from spectra.spectrum import Spectrum
 
+FloatArray = NDArray[np.float64]
 Equation = Literal["exact", "linearised"]
 ScaleTo = Literal["spectrum", "pga", "none"]
 
@@ -27,6 +32,15 @@ class Artificial:
 
 
 @dataclass(frozen=True)
+class PulseGrid:
+    """The pulses of overturning envelopes: shape, frequencies [n] [Hz], peak ground accelerations [m] [m/s2]."""
+
+    shape: Shape
+    frequency: FloatArray
+    amplitude: FloatArray
+
+
+@dataclass(frozen=True)
 class Study:
     """Site, motions, mechanisms and questions of one assessment.
 
@@ -35,6 +49,7 @@ class Study:
     equations : the equation of motion of each mechanism's histories, by name
     scenes : the bodies in space of each mechanism that has geometry, by name
     sweeps : parametric studies; a case has none
+    pulses : of the overturning envelopes; None where none are asked for
     """
 
     spectrum: Spectrum | None
@@ -53,6 +68,7 @@ class Study:
     resolved: dict[str, Resolved]
     notices: tuple[Notice, ...]
     sweeps: tuple[Sweep, ...]
+    pulses: PulseGrid | None
 
 
 @dataclass(frozen=True)

@@ -21,6 +21,7 @@ from assess.project.sections.mechanisms import (
     SingleBlock,
     TwoBlock,
 )
+from assess.project.sections.pulses import Pulses
 from assess.project.sections.site import Asce7Spectrum, Site, TableSpectrum
 from assess.project.sections.sweeps import Sweep
 
@@ -48,6 +49,7 @@ __all__ = [
     "MeshBody",
     "OverburdenLoad",
     "ProfileBody",
+    "Pulses",
     "RadialJoints",
     "Records",
     "Shape",

@@ -17,6 +17,7 @@ from assess.project.quantities import (
     unique,
 )
 from assess.project.section import Section
+from assess.project.sections.pulses import Pulses
 from assess.project.sections.sweeps import Sweep, Sweeps
 
 Procedure = Literal[
@@ -59,8 +60,6 @@ class Records(Section):
 class Analysis(Section):
     """What is asked."""
 
-    planned: ClassVar[Mapping[str, str]] = {"pulses": "overturning envelopes come later; remove it"}
-
     levels: Annotated[tuple[PositiveAcceleration, ...], Field(min_length=1), AfterValidator(unique("level"))] | None = (
         None
     )
@@ -69,6 +68,8 @@ class Analysis(Section):
     """code procedures to apply; all if absent"""
     equation: Literal["exact", "linearised"] | None = None
     """equation of motion of the histories; if absent exact, and linearised for equivalent blocks"""
+    pulses: Pulses | None = None
+    """overturning envelopes: { shape, frequency = { from, to, count }, amplitude = { from, to, count } }"""
     sweep: Sweeps = ()
     """parametric studies: { key, values } or { key, from, to, count }, one or a list"""
 

@@ -1,0 +1,58 @@
+"""`assess envelope`: overturning envelopes, and the critical mechanism for each frequency."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from assess.cli.arguments import ProjectPath
+
+
+def envelope(
+    project: ProjectPath,
+    output: Annotated[
+        Path | None,
+        typer.Option(
+            "-o", "--output", metavar="DIR", help="Write envelopes.pdf, results.json, tables and figures there."
+        ),
+    ] = None,
+    as_json: Annotated[
+        bool, typer.Option("--json", help="Print mechanisms' envelopes and the critical ones as in results.json.")
+    ] = False,
+    as_csv: Annotated[bool, typer.Option("--csv", help="Print the lower bounds as CSV, at full precision.")] = False,
+    jobs: Annotated[
+        int | None, typer.Option("--jobs", metavar="N", min=1, help="Processor cores to use; all if absent.")
+    ] = None,
+) -> None:
+    """Find which pulses of the ground overturn each mechanism, and which mechanism is critical at each frequency.
+
+    The pulses are those of [analysis.pulses]; else sines of 0.2 to 10 Hz and up to 3 g. No spectrum is needed.
+    """
+    if as_json and as_csv:
+        raise typer.BadParameter("--json and --csv exclude each other")
+    from assess.project.schema import load
+
+    loaded = load(project)
+    from assess.cli.envelope_table import csv_text, json_text, table_text
+    from assess.cli.outputs import RESULTS, staged
+    from assess.cli.progress import progress
+    from assess.project.build import build
+    from assess.project.run import envelope as of_study
+    from assess.results_io import dumps
+
+    with progress() as said:
+        results = of_study(build(loaded), jobs=jobs or os.cpu_count() or 1, progress=said.count)
+        if output is not None:
+            from reports.envelopes import document
+
+            from reports.writing import write_document
+
+            with staged(output) as stage:
+                (stage / RESULTS).write_bytes(dumps(results).encode())
+                write_document(document(results), stage, name="envelopes.pdf", progress=said.step)
+    print((json_text if as_json else csv_text if as_csv else table_text)(results), end="")
+    if output is not None and not (as_json or as_csv):
+        print(output / "envelopes.pdf")

@@ -16,7 +16,7 @@ not at hand: its method is given as others describe it.)
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import ceil, exp, log, pi, sqrt
+from math import ceil, exp, floor, log, pi, sqrt
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -24,12 +24,13 @@ from scipy.fft import irfft, next_fast_len, rfft
 from scipy.optimize import minimize
 
 from records.errors import RecordError
-from records.pulses import FEWEST, SHAPES, Shape
+from records.pulses import LONGEST, SHAPES, Shape
 from records.record import Record
 
 FloatArray = NDArray[np.float64]
 
 PERIODS: tuple[float, ...] = tuple(float(period) for period in np.geomspace(0.1, 20.0, 61))
+FEWEST = 5.0  # steps of the record in the shortest period
 WIDEST = 1.25  # ratio of neighbouring periods of a grid: beyond it a maximum can be missed
 
 
@@ -46,6 +47,7 @@ class PrimaryPulse:
     polarity : 1, or -1 for the shape reversed
     energy_share : of the whole record's integral of a^2 [-], 0 to 1
     index : matching index [-], the root of the energy share
+    at_end : whether it is at an end of the grid of periods, beyond which the match may be better still
     """
 
     shape: Shape
@@ -55,6 +57,7 @@ class PrimaryPulse:
     polarity: int
     energy_share: float
     index: float
+    at_end: bool
 
     def acceleration(self, time: ArrayLike) -> FloatArray:
         """The pulse [m/s2] at `time` [n] [s] of the record."""
@@ -82,30 +85,24 @@ def primary_pulses(
 ) -> tuple[PrimaryPulse, ...]:
     """The pulse of `shape` that matches the record best, then the other local maxima over the period, at most `count`.
 
-    period : grid [k] [s], rising, neighbours within 25 %; those shorter than ten of the record's steps are left out.
-    A maximum lies within the grid; a match that still grows at its ends is none. The record should be free of an
-    offset and drift, which look like very long pulses.
+    period : grid [k] [s], rising, neighbours within 25 %; those shorter than five of the record's steps are left out.
+    Its ends are maxima too, where the match grows towards them. The record should be free of an offset and drift, which
+    look like very long pulses.
 
-    Raises RecordError for a record without motion, a grid that is not as said, or no maximum within it.
+    Raises RecordError for a record without motion or a grid that is not as said.
     """
-    T = _grid(record, period)
+    T = _grid(record, period, shape=shape)
     energy = float(record.acceleration @ record.acceleration)
     if not energy > 0.0:
         raise RecordError(f'record "{record.id}": no motion; it has no pulse')
     coarse = _best_at_each(record, T, shape=shape)
-    share = np.array([fit.explained for fit in coarse])
-    peaks = np.flatnonzero((share[1:-1] > share[:-2]) & (share[1:-1] >= share[2:])) + 1
-    fine = [_refined(record, coarse[k], shape=shape, spread=T[k + 1] / T[k]) for k in peaks]
-    found = _distinct([fit for fit in fine if T[0] <= fit.period <= T[-1]])
-    if not found:
-        raise RecordError(
-            f'record "{record.id}": no {shape.name} pulse of {T[0]:.3g} to {T[-1]:.3g} s matches better than its '
-            "neighbours; give other periods"
-        )
-    return tuple(_pulse(fit, shape=shape, energy=energy) for fit in found[:count])
+    share = np.array([0.0, *(fit.explained for fit in coarse), 0.0])
+    peaks = np.flatnonzero((share[1:-1] > share[:-2]) & (share[1:-1] >= share[2:]))
+    found = _distinct([_refined(record, coarse[k], shape=shape, grid=T) for k in peaks])
+    return tuple(_pulse(fit, shape=shape, energy=energy, grid=T) for fit in found[:count])
 
 
-def _grid(record: Record, period: ArrayLike) -> FloatArray:
+def _grid(record: Record, period: ArrayLike, *, shape: Shape) -> FloatArray:
     """The periods [s] that the record's step allows, checked."""
     T = np.atleast_1d(np.asarray(period, dtype=np.float64))
     if not (np.all(np.isfinite(T)) and np.all(T > 0.0) and np.all(np.diff(T) > 0.0)):
@@ -113,11 +110,13 @@ def _grid(record: Record, period: ArrayLike) -> FloatArray:
     allowed = T[FEWEST * record.dt <= T]
     if allowed.size < 3:
         raise RecordError(
-            f'record "{record.id}": {allowed.size} periods of at least {FEWEST * record.dt:.3g} s, ten steps, to look '
+            f'record "{record.id}": {allowed.size} periods of at least {FEWEST * record.dt:.3g} s, five steps, to look '
             "for a pulse; give three or more"
         )
     if np.any(allowed[1:] > WIDEST * allowed[:-1]):
         raise RecordError(f'record "{record.id}": neighbouring periods of a pulse differ by over 25 %; give more')
+    if shape.duration(1.0 / allowed[-1]) > LONGEST * record.dt:
+        raise RecordError(f'record "{record.id}": a pulse of {allowed[-1]:.3g} s has too many steps; give less')
     return allowed
 
 
@@ -140,7 +139,7 @@ def _best_at_each(record: Record, period: FloatArray, *, shape: Shape) -> list[_
 def _at(record: Record, *, shape: Shape, period: float, start: float) -> _Fit:
     """The pulse of `period` that begins at `start` [s], at the record's samples and those beyond its ends."""
     a, dt = record.acceleration, record.dt
-    first, last = ceil(start / dt), int((start + shape.duration(1.0 / period)) / dt)
+    first, last = ceil(start / dt), floor((start + shape.duration(1.0 / period)) / dt)
     theta = shape.start + 2 * pi / period * (dt * np.arange(first, last + 1) - start)
     s = shape.value(theta)
     low, high = max(first, 0), min(last + 1, a.size)
@@ -148,13 +147,16 @@ def _at(record: Record, *, shape: Shape, period: float, start: float) -> _Fit:
     return _Fit(period, start, correlation, float(s @ s))
 
 
-def _refined(record: Record, fit: _Fit, *, shape: Shape, spread: float) -> _Fit:
-    """The maximum near `fit` over period and start; `spread` is the ratio to the next period of the grid."""
-    T, width = fit.period, log(spread)
+def _refined(record: Record, fit: _Fit, *, shape: Shape, grid: FloatArray) -> _Fit:
+    """The maximum near `fit` over period and start, within the ends of the `grid` of periods."""
+    T, width = fit.period, log(grid[1] / grid[0])
+
+    def near(x: FloatArray) -> _Fit:
+        period = min(max(T * exp(x[0]), grid[0]), grid[-1])
+        return _at(record, shape=shape, period=float(period), start=fit.start + T * float(x[1]))
 
     def lost(x: FloatArray) -> float:
-        near = _at(record, shape=shape, period=T * exp(x[0]), start=fit.start + T * x[1])
-        return -near.explained / fit.explained
+        return -near(x).explained / fit.explained
 
     simplex = np.array([[0.0, 0.0], [0.5 * width, 0.0], [0.0, 0.5 * width]])
     found = minimize(
@@ -163,7 +165,7 @@ def _refined(record: Record, fit: _Fit, *, shape: Shape, spread: float) -> _Fit:
         method="Nelder-Mead",
         options={"initial_simplex": simplex, "xatol": 1e-6, "fatol": 1e-11, "maxfev": 200},
     )
-    return _at(record, shape=shape, period=T * exp(found.x[0]), start=fit.start + T * float(found.x[1]))
+    return near(found.x)
 
 
 def _distinct(fits: list[_Fit]) -> list[_Fit]:
@@ -175,9 +177,10 @@ def _distinct(fits: list[_Fit]) -> list[_Fit]:
     return kept
 
 
-def _pulse(fit: _Fit, *, shape: Shape, energy: float) -> PrimaryPulse:
+def _pulse(fit: _Fit, *, shape: Shape, energy: float, grid: FloatArray) -> PrimaryPulse:
     """The pulse of a fit in a record of `energy` <a, a>."""
     share = fit.explained / energy
     amplitude = fit.correlation / fit.energy
     polarity = 1 if amplitude > 0.0 else -1
-    return PrimaryPulse(shape, 1.0 / fit.period, abs(amplitude), fit.start, polarity, share, sqrt(share))
+    at_end = bool(np.any(np.abs(np.log(fit.period / grid[[0, -1]])) < 1e-6))
+    return PrimaryPulse(shape, 1.0 / fit.period, abs(amplitude), fit.start, polarity, share, sqrt(share), at_end)

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from functools import partial
 from typing import Literal
 
-from assess.results import MechanismResult, Results, SweepResult
-from reports import governing, interfaces, sentences, sheets, siblings, sweeps, tables
+from assess.results import MechanismResult, RecordResult, Results, SweepResult
+from reports import envelopes, governing, interfaces, sentences, sheets, siblings, sweeps, tables
 from reports.document import Block, Document, Figure, Items, Section, Signatures, Table, Text
 from reports.figures import capacity, comparison, history, pga_rotation, sketch, spectrum, view
 from reports.numerals import numeral
@@ -30,8 +31,8 @@ def assessment(results: Results) -> Document:
     seen = siblings.earlier(results)
     for place, mechanism in enumerate(results.mechanisms, start=1):
         name = stem(mechanism.name, place)
-        chapters += _mechanism(mechanism, results.sweeps, name, sibling=seen.get(mechanism.name, ""))
-    chapters += [*_comparison(results), _limits(results), _signatures(results)]
+        chapters += _mechanism(mechanism, results.sweeps, results.records, name, sibling=seen.get(mechanism.name, ""))
+    chapters += [*_comparison(results), *envelopes.critical_chapter(results), _limits(results), _signatures(results)]
     return Document(
         title=title,
         subject="Seismic assessment of masonry by rocking dynamics",
@@ -46,7 +47,21 @@ def assessment(results: Results) -> Document:
             tables.ordinates(results),
             tables.curves(results),
             tables.pga_curves(results),
+            *envelopes.data(results),
         ),
+    )
+
+
+def of_envelopes(results: Results) -> Document:
+    """The report of `assess envelope`: the critical mechanisms, and the envelope of each."""
+    chapters = envelopes.critical_chapter(results)
+    for place, mechanism in enumerate(results.mechanisms, start=1):
+        chapters += envelopes.chapter(mechanism, results.records, stem(mechanism.name, place), level=0)
+    return replace(
+        assessment(results),
+        subject="Overturning envelopes of masonry by rocking dynamics",
+        sections=tuple(chapters),
+        data=envelopes.data(results),
     )
 
 
@@ -95,13 +110,21 @@ def _site(results: Results) -> list[Section]:
     return [Section("Site and ground motion", 0, tuple(blocks))] if blocks else []
 
 
-def _mechanism(mechanism: MechanismResult, swept: tuple[SweepResult, ...], name: str, *, sibling: str) -> list[Section]:
+def _mechanism(
+    mechanism: MechanismResult,
+    swept: tuple[SweepResult, ...],
+    records: tuple[RecordResult, ...],
+    name: str,
+    *,
+    sibling: str,
+) -> list[Section]:
     own = [sweep for sweep in swept if sweep.mechanism == mechanism.name]
     chapters = [
         _shape(mechanism, name, sibling=sibling),
         sweeps.studies(own, name=name),
         _answer(mechanism, name),
         _histories(mechanism, name),
+        *envelopes.chapter(mechanism, records, name, level=1),
         _sheets(mechanism, name),
     ]
     return [chapter for chapter in chapters if chapter.blocks]

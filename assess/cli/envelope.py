@@ -46,13 +46,12 @@ def envelope(
     with progress() as said:
         results = of_study(build(loaded), jobs=jobs or os.cpu_count() or 1, progress=said.count)
         if output is not None:
-            from reports.envelopes import document
-
+            from reports.assessment import of_envelopes
             from reports.writing import write_document
 
             with staged(output) as stage:
                 (stage / RESULTS).write_bytes(dumps(results).encode())
-                write_document(document(results), stage, name="envelopes.pdf", progress=said.step)
+                write_document(of_envelopes(results), stage, name="envelopes.pdf", progress=said.step)
     print((json_text if as_json else csv_text if as_csv else table_text)(results), end="")
     if output is not None and not (as_json or as_csv):
         print(output / "envelopes.pdf")

@@ -115,7 +115,8 @@ def chapter(mechanism: MechanismResult, records: Sequence[RecordResult], name: s
     title = f"Overturning envelope: {tables.name_of(mechanism)}" if level == 0 else "Overturning envelope"
     caption = (
         f"Outcome of {PULSES[one.shape]} by frequency and peak ground acceleration ({one.equation} equation): white at "
-        "rest, grey rocking, red overturned; line: the least pulse that overturns; dots: primary pulses of the records."
+        "rest, grey rocking, red overturned; line: the least pulse that overturns; dots, if any: primary pulses of the "
+        "records. Where no pulse at higher frequencies overturns it, the axis ends early."
     )
     draw = partial(figure.draw, one, records)
     return [Section(title, level, (Text((findings(one),)), Figure(f"{name}-envelope", caption, draw)))]

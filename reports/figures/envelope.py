@@ -6,15 +6,18 @@ from collections.abc import Sequence
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.colors import ListedColormap
+from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
+from numpy.typing import NDArray
 
 from assess.results import CriticalResult, EnvelopeResult, RecordResult
 from reports.style import FAIL, GRID, INK, MUTED, label, sheet, styled
 
-STANDS, ROCKS, FALLS = "#ffffff", "#e7edf3", "#f2c1ad"
+ROCKS, FALLS = "#e7edf3", "#f2c1ad"
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#6b4c9a", "#8c6d31", "#000000")
 DASHES = ("-", "--", "-.", ":")
+FloatArray = NDArray[np.float64]
+BEYOND = 1.25  # of the highest frequency with a bound, the end of the axis
 MOST_NAMES = 36
 """Lines that the legend of all mechanisms can name; the others are drawn in grey."""
 
@@ -25,21 +28,37 @@ def draw(one: EnvelopeResult, records: Sequence[RecordResult]) -> Figure:
     with styled():
         figure = sheet(3.1)
         axes = figure.subplots()
-        rocks = amplitude[None, :] > np.array(one.uplift_g)[:, None]
-        state = np.where(np.array(one.overturned), 2, np.where(rocks, 1, 0))
-        axes.pcolormesh(
-            frequency, amplitude, state.T, cmap=ListedColormap([STANDS, ROCKS, FALLS]), vmin=0, vmax=2,
-            shading="nearest", rasterized=True,
-        )  # fmt: skip
+        top = float(amplitude[-1])
+        axes.fill_between(frequency, np.minimum(one.uplift_g, top), top, color=ROCKS, linewidth=0.0)
+        axes.add_collection(
+            PolyCollection(_fallen(one, frequency, amplitude), facecolor=FALLS, edgecolor=FALLS, linewidth=0.2)
+        )
         axes.plot(frequency, one.uplift_g, color=MUTED, linewidth=0.9, linestyle="--", label="rocking starts")
         axes.plot(frequency, _numbers(one.lower_bound_g), color=FAIL, label="least pulse that overturns")
         _dots(axes, records, frequency, amplitude)
-        _frame(axes, frequency, amplitude[-1], "peak acceleration of the pulse [g]")
-        axes.legend(loc="upper left", frameon=True, facecolor="white", edgecolor="none", framealpha=0.85)
+        _frame(axes, frequency, _reach([one]), top, "peak acceleration of the pulse [g]")
+        figure.legend(loc="outside upper right", ncols=3)
         return figure
 
 
-def _dots(axes: Axes, records: Sequence[RecordResult], frequency: np.ndarray, amplitude: np.ndarray) -> None:
+def _fallen(one: EnvelopeResult, frequency: FloatArray, amplitude: FloatArray) -> list[FloatArray]:
+    """Rectangles [4, 2] of the pulses that overturn: at each frequency, one for each run of amplitudes."""
+    f, a = _between(frequency), _between(amplitude)
+    found = []
+    for column, row in enumerate(np.array(one.overturned, dtype=np.int64)):
+        steps = np.flatnonzero(np.diff(np.r_[0, row, 0]))
+        for first, last in steps.reshape(-1, 2):
+            left, right, low, high = f[column], f[column + 1], a[first], a[last]
+            found.append(np.array([(left, low), (right, low), (right, high), (left, high)]))
+    return found
+
+
+def _between(values: FloatArray) -> FloatArray:
+    """Where the cell of each value [n] ends and the next begins [n + 1]."""
+    return np.concatenate([values[:1], 0.5 * (values[1:] + values[:-1]), values[-1:]])
+
+
+def _dots(axes: Axes, records: Sequence[RecordResult], frequency: FloatArray, amplitude: FloatArray) -> None:
     """The best pulse within each record, as the record is scaled, where the map shows its place."""
     found = [record.primary_pulses[0] for record in records if record.primary_pulses]
     inside = [
@@ -68,7 +87,9 @@ def bounds(mapped: Sequence[tuple[str, EnvelopeResult]], critical: CriticalResul
         axes.plot(
             frequency, _numbers(critical.lower_bound_g), color=INK, linewidth=3.0, alpha=0.25, label="least of all"
         )
-        _frame(axes, frequency, min(one.amplitude_g[-1] for _, one in mapped), "least pulse that overturns [g]")
+        every = [one for _, one in mapped]
+        top = min(one.amplitude_g[-1] for one in every)
+        _frame(axes, frequency, _reach(every), top, "least pulse that overturns [g]")
         axes.set_xlabel("")
         for part in critical.bands:
             colour, dash = pens.get(part.mechanism or "", (GRID, "-"))
@@ -85,8 +106,17 @@ def bounds(mapped: Sequence[tuple[str, EnvelopeResult]], critical: CriticalResul
         return figure
 
 
-def _frame(axes: Axes, frequency: np.ndarray, top: float, name: str) -> None:
-    axes.set_xlim(frequency[0], frequency[-1])
+def _reach(mapped: Sequence[EnvelopeResult]) -> float:
+    """The frequency up to which there is something to see: a little beyond the last bound, or the whole range."""
+    known = [
+        f for one in mapped for f, bound in zip(one.frequency_hz, one.lower_bound_g, strict=True) if bound is not None
+    ]
+    whole = mapped[0].frequency_hz
+    return min(BEYOND * max(known), whole[-1]) if known and max(known) > whole[0] else whole[-1]
+
+
+def _frame(axes: Axes, frequency: FloatArray, reach: float, top: float, name: str) -> None:
+    axes.set_xlim(frequency[0], reach)
     axes.set_ylim(0.0, top)
     if frequency[-1] / frequency[0] > 2.0 and np.ptp(np.diff(frequency)) > 1e-6 * frequency[-1]:
         axes.set_xscale("log")
@@ -94,5 +124,5 @@ def _frame(axes: Axes, frequency: np.ndarray, top: float, name: str) -> None:
     axes.set_ylabel(name)
 
 
-def _numbers(values: Sequence[float | None]) -> np.ndarray:
+def _numbers(values: Sequence[float | None]) -> FloatArray:
     return np.array([np.nan if value is None else value for value in values])

@@ -21,7 +21,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from assess.dynamics import kernel
-from assess.dynamics.packing import BRANCHES, COORDINATES, Equation, exact_branches, linearised_branches, tables
+from assess.dynamics.packing import Equation, Packed, branches_of, packed, tables_of
 from assess.oscillator import Oscillator
 from records.record import Record, make_record
 
@@ -127,7 +127,8 @@ def peaks(
     Raises ValueError for jobs that name no oscillator or motion, MechanismError for a branch that cannot rock.
     """
     checked = _checked(jobs, oscillators=len(oscillators), motions=len(motions))
-    run = _run(oscillators, motions, equation=equation, tolerance=tolerance)
+    each = [packed(oscillator, equation) for oscillator in oscillators]
+    run = _RUNS[equation](each, motions, tolerance)
     found = np.empty((checked.scale.size, 7))
 
     def work(part: slice) -> int:
@@ -140,20 +141,21 @@ def peaks(
         for done in pool.map(work, parts):
             if progress is not None:
                 progress(done)
-    return _peaks(found, checked, oscillators, equation=equation)
+    return _peaks(found, checked, oscillators, each)
 
 
 def trace(
     oscillator: Oscillator, motion: Record, *, scale: float, equation: Equation, tolerance: float = TOLERANCE
 ) -> Trace:
     """History of one oscillator under `scale` times one motion, at the samples; it ends with overturning."""
-    run = _run([oscillator], [motion], equation=equation, tolerance=tolerance)
+    one = packed(oscillator, equation)
+    run = _RUNS[equation]([one], [motion], tolerance)
     path = np.zeros((motion.npts, 3))
     first = np.zeros(1, dtype=np.int64)
     samples = run(first, first, np.array([scale]), 0.0, np.empty((1, 7)), path, np.zeros((1, 4)))
     y, v, on = path[:samples].T
     rotation, velocity = np.zeros(samples), np.zeros(samples)
-    for side, coordinate in enumerate(COORDINATES[equation](oscillator)):
+    for side, coordinate in enumerate(one.sides):
         here, sign = on == side, 1.0 - 2.0 * side
         rotation[here], velocity[here] = (
             sign * coordinate.rotation(y[here]),
@@ -171,17 +173,17 @@ def free_rocking(
     tolerance: float = TOLERANCE,
 ) -> FreeRocking:
     """Released from rest at `rotation` [rad] of the positive branch, for `duration` [s] on still ground."""
-    coordinates = COORDINATES[equation](oscillator)
-    samples = 2 + math.ceil(4.0 * BRANCHES[equation](oscillator)[0, kernel.RATE] * duration)
+    one = packed(oscillator, equation)
+    samples = 2 + math.ceil(4.0 * one.branches[0, kernel.RATE] * duration)
     still = make_record("still ground", np.zeros(samples), duration / (samples - 1))
-    run = _run([oscillator], [still], equation=equation, tolerance=tolerance)
+    run = _RUNS[equation]([one], [still], tolerance)
     first, events = np.zeros(1, dtype=np.int64), np.zeros((MOST_EVENTS + 1, 4))
-    run(first, first, np.ones(1), coordinates[0].at(rotation), np.empty((1, 7)), np.empty((0, 3)), events)
+    run(first, first, np.ones(1), one.sides[0].at(rotation), np.empty((1, 7)), np.empty((0, 3)), events)
     happened = events[1 : 1 + int(events[0, 0])]
     time, kind, value, on = happened[happened[:, kernel.HAPPENED] <= duration].T  # the last swing goes to its peak
     impact, peak = kind == kernel.IMPACT, kind == kernel.PEAK
     signed = value.copy()
-    for side, coordinate in enumerate(coordinates):
+    for side, coordinate in enumerate(one.sides):
         sign = 1.0 - 2.0 * side
         signed[peak & (on == side)] = sign * coordinate.rotation(value[peak & (on == side)])
         signed[impact & (on == side)] = sign * coordinate.turn * value[impact & (on == side)]
@@ -195,31 +197,22 @@ def _motions(motions: Sequence[Record]) -> tuple[FloatArray, IntArray, FloatArra
     return ground, offset, np.array([m.dt for m in motions]), np.array([m.pga for m in motions])
 
 
-def _linearised_run(oscillators: Sequence[Oscillator], motions: Sequence[Record], tolerance: float) -> Run:
+def _linearised(oscillators: Sequence[Packed], motions: Sequence[Record], tolerance: float) -> Run:
     """The linearised kernel with oscillators and motions filled in; it makes no error to tolerate."""
-    branches = np.array([linearised_branches(o) for o in oscillators]).reshape(-1, 2, 7)
-    return partial(kernel.rock_linearised, branches, *_motions(motions))
+    return partial(kernel.rock_linearised, branches_of(oscillators), *_motions(motions))
 
 
-def _exact_run(oscillators: Sequence[Oscillator], motions: Sequence[Record], tolerance: float) -> Run:
+def _exact(oscillators: Sequence[Packed], motions: Sequence[Record], tolerance: float) -> Run:
     """The exact kernel with oscillators and motions filled in."""
-    branches = np.array([exact_branches(o) for o in oscillators]).reshape(-1, 2, 7)
-    table, smooth, spans = tables(oscillators)
     ground, offset, dt, _ = _motions(motions)
-    return partial(kernel.rock_exact, branches, table, smooth, spans, tolerance, ground, offset, dt)
+    tables = tables_of(oscillators)
+    return partial(kernel.rock_exact, branches_of(oscillators), *tables, tolerance, ground, offset, dt)
 
 
-_EQUATIONS: dict[Equation, Callable[[Sequence[Oscillator], Sequence[Record], float], Run]] = {
-    "exact": _exact_run,
-    "linearised": _linearised_run,
+_RUNS: dict[Equation, Callable[[Sequence[Packed], Sequence[Record], float], Run]] = {
+    "exact": _exact,
+    "linearised": _linearised,
 }
-
-
-def _run(oscillators: Sequence[Oscillator], motions: Sequence[Record], *, equation: Equation, tolerance: float) -> Run:
-    """The kernel of `equation`, ready for jobs."""
-    if equation not in _EQUATIONS:
-        raise ValueError(f'equation "{equation}" is not known; the equations are {", ".join(_EQUATIONS)}')
-    return _EQUATIONS[equation](oscillators, motions, tolerance)
 
 
 def _checked(jobs: Jobs, *, oscillators: int, motions: int) -> Jobs:
@@ -252,14 +245,13 @@ def _parts(jobs: Jobs, motions: Sequence[Record]) -> list[slice]:
     return [slice(first, last) for first, last in pairwise(cuts) if last > first]
 
 
-def _peaks(found: FloatArray, jobs: Jobs, oscillators: Sequence[Oscillator], *, equation: Equation) -> Peaks:
+def _peaks(found: FloatArray, jobs: Jobs, oscillators: Sequence[Oscillator], each: Sequence[Packed]) -> Peaks:
     """The kernel's rows as named columns."""
     on = found[:, kernel.SIDE].astype(np.int64)
     overturned = found[:, kernel.OVERTURNED] > 0.0
     rotation, reference = np.zeros(on.size), np.ones(on.size)
     for number in np.unique(jobs.oscillator):
-        oscillator = oscillators[number]
-        for side, (branch, of) in enumerate(zip(oscillator.branches, COORDINATES[equation](oscillator), strict=True)):
+        for side, (branch, of) in enumerate(zip(oscillators[number].branches, each[number].sides, strict=True)):
             here = (jobs.oscillator == number) & (on == side)
             rotation[here] = of.rotation(found[here, kernel.RATIO])
             reference[here] = of.rotation(np.ones(1)) * branch.overturning / branch.unstable

@@ -111,7 +111,7 @@ def root(c: Arc, level: float, end: float) -> float:
         new = x - f / slope if slope != 0.0 else -1.0
         if not low <= new <= high:
             new = 0.5 * (low + high)
-        if abs(new - x) <= 1e-14 * end:
+        if abs(new - x) <= 1e-9 * end:  # the error of the next one is the square of this
             return new
         x = new
     return x

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
@@ -20,60 +21,70 @@ IntArray = NDArray[np.int64]
 Equation = Literal["exact", "linearised"]
 
 
-def exact_branches(oscillator: Oscillator) -> FloatArray:
-    """The columns of `kernel.branch` [2, 7] by the tables; the end of a table means overturned."""
-    rows = _rows(oscillator, coordinates := exact_coordinates(oscillator))
-    for row, branch, coordinate in zip(rows, oscillator.branches, coordinates, strict=False):
+@dataclass(frozen=True)
+class Packed:
+    """An oscillator for one equation.
+
+    branches : the columns of `kernel.branch` [2, 7]
+    sides : what the kernel's y is on each side there is, with the cubics of the exact equation
+    """
+
+    branches: FloatArray
+    sides: tuple[Canonical, ...]
+
+
+def packed(oscillator: Oscillator, equation: Equation) -> Packed:
+    """The oscillator for the kernel. Raises MechanismError for a branch that cannot rock."""
+    if equation not in _PACKING:
+        raise ValueError(f'equation "{equation}" is not known; the equations are {", ".join(_PACKING)}')
+    return _PACKING[equation](oscillator)
+
+
+def _exact(oscillator: Oscillator) -> Packed:
+    """By the tables; the end of a table means overturned."""
+    for branch, following in zip(oscillator.branches, reversed(oscillator.branches), strict=True):
+        _check_branch(branch, following=following)
+    sides = tuple(canonical(branch) for branch in oscillator.branches)
+    rows = _rows(oscillator, sides)
+    for row, branch, side in zip(rows, oscillator.branches, sides, strict=False):
         E = _positive(float(energy(branch, np.array(branch.unstable))), "work up to the overturning rotation", "J")
         row[kernel.THRESHOLD] = branch.restoring[0] / branch.excitation[0]
-        row[kernel.RATE] = math.sqrt(2.0 * E / branch.inertia[0]) / coordinate.turn
-        row[[kernel.LIMIT, kernel.TAIL_LIMIT]] = coordinate.y[-1]
-    return rows
+        row[kernel.RATE] = math.sqrt(2.0 * E / branch.inertia[0]) / side.turn
+        row[[kernel.LIMIT, kernel.TAIL_LIMIT]] = side.y[-1]
+    return Packed(rows, sides)
 
 
-def linearised_branches(oscillator: Oscillator) -> FloatArray:
-    """The columns of `kernel.branch` [2, 7] by the linearised equation; LIMIT depends on the job."""
+def _linearised(oscillator: Oscillator) -> Packed:
+    """By the linearised equation; LIMIT depends on the job."""
     forms = [linearise(branch) for branch in oscillator.branches]
     for form in forms:
         _positive(form.stiffness, "linearised stiffness K at phi_cr", "N m/rad")
         _positive(form.overturning, "linearised overturning rotation", "rad")
-    rows = _rows(oscillator, linearised_coordinates(oscillator))
+    for branch, following in zip(oscillator.branches, reversed(oscillator.branches), strict=True):
+        _check_branch(branch, following=following)
+    sides = tuple(scaled(form.overturning) for form in forms)
+    rows = _rows(oscillator, sides)
     for row, form in zip(rows, forms, strict=False):
         row[kernel.THRESHOLD], row[kernel.RATE] = g * form.multiplier, form.p
         row[[kernel.LIMIT, kernel.TAIL_LIMIT]] = 1.0
-    return rows
+    return Packed(rows, sides)
 
 
-def exact_coordinates(oscillator: Oscillator) -> list[Canonical]:
-    """What the kernel's y is, for each branch."""
-    for branch, following in zip(oscillator.branches, reversed(oscillator.branches), strict=True):
-        _check_branch(branch, following=following)
-    return [canonical(branch) for branch in oscillator.branches]
+_PACKING: dict[Equation, Callable[[Oscillator], Packed]] = {"exact": _exact, "linearised": _linearised}
 
 
-def linearised_coordinates(oscillator: Oscillator) -> list[Canonical]:
-    """What the kernel's y is, for each branch: phi / phi_ov."""
-    return [scaled(linearise(branch).overturning) for branch in oscillator.branches]
+def branches_of(oscillators: Sequence[Packed]) -> FloatArray:
+    """The branches of all oscillators [oscillators, 2, 7]."""
+    return np.array([each.branches for each in oscillators]).reshape(-1, 2, 7)
 
 
-BRANCHES: dict[Equation, Callable[[Oscillator], FloatArray]] = {
-    "exact": exact_branches,
-    "linearised": linearised_branches,
-}
-COORDINATES: dict[Equation, Callable[[Oscillator], list[Canonical]]] = {
-    "exact": exact_coordinates,
-    "linearised": linearised_coordinates,
-}
-
-
-def _rows(oscillator: Oscillator, coordinates: list[Canonical]) -> FloatArray:
+def _rows(oscillator: Oscillator, sides: Sequence[Canonical]) -> FloatArray:
     """What the two equations share: restitution, and the branch that follows an impact."""
     rows = np.zeros((2, 7))
     rows[:, kernel.THRESHOLD] = math.inf  # a side that is not there never lifts
     for side, branch in enumerate(oscillator.branches):
         partner = 1 - side if oscillator.negative is not None else side
-        _check_branch(branch, following=oscillator.branches[partner])
-        rows[side, kernel.BOUNCE] = branch.restitution * coordinates[side].turn / coordinates[partner].turn
+        rows[side, kernel.BOUNCE] = branch.restitution * sides[side].turn / sides[partner].turn
         rows[side, kernel.PARTNER] = partner
     return rows
 
@@ -103,12 +114,12 @@ def _positive(value: float, name: str, unit: str) -> float:
     return value
 
 
-def tables(oscillators: Sequence[Oscillator]) -> tuple[FloatArray, IntArray, IntArray]:
+def tables_of(oscillators: Sequence[Packed]) -> tuple[FloatArray, IntArray, IntArray]:
     """The cubics of all branches [segments, 11] over y, and the segments of each smooth piece and branch."""
     rows, smooth, spans, start = [np.empty((0, 11))], [np.empty((0, 2), dtype=np.int64)], [], 0
     for oscillator in oscillators:
         spans.append(np.zeros((2, 2), dtype=np.int64))
-        for side, of in enumerate(canonical(branch) for branch in oscillator.branches):
+        for side, of in enumerate(oscillator.sides):
             rows.append(np.vstack([of.y[:-1], of.y[1:], of.restoring, of.excitation, of.stored[:-1]]).T)
             smooth.append(start + of.smooth)
             spans[-1][side] = start, start + of.y.size - 2

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from scipy.interpolate import BPoly, PPoly
 
 from assess.dynamics import kernel
-from assess.dynamics.packing import Equation, exact_branches, linearised_branches, tables
+from assess.dynamics.packing import Equation, Packed, branches_of, packed, tables_of
 from assess.oscillator import Oscillator
 from records.pulses import Shape
 
@@ -85,7 +85,8 @@ def prepared(
     """
     if not np.all(np.isfinite(frequency) & (frequency > 0.0)):
         raise ValueError("a pulse has a frequency that is not a positive number")
-    run = _KERNELS[equation](oscillators, (*polynomials(shape), np.ascontiguousarray(frequency)))
+    each = [packed(oscillator, equation) for oscillator in oscillators]
+    run = _KERNELS[equation](each, (*polynomials(shape), np.ascontiguousarray(frequency)))
 
     def answer(jobs: PulseJobs) -> Outcomes:
         if not np.all(np.isfinite(jobs.amplitude)):
@@ -107,14 +108,12 @@ def prepared(
     return answer
 
 
-def _linearised(oscillators: Sequence[Oscillator], pulse: tuple[FloatArray, float, FloatArray]) -> Run:
-    branches = np.array([linearised_branches(o) for o in oscillators]).reshape(-1, 2, 7)
-    return partial(kernel.pulse_linearised, branches, *pulse)
+def _linearised(oscillators: Sequence[Packed], pulse: tuple[FloatArray, float, FloatArray]) -> Run:
+    return partial(kernel.pulse_linearised, branches_of(oscillators), *pulse)
 
 
-def _exact(oscillators: Sequence[Oscillator], pulse: tuple[FloatArray, float, FloatArray]) -> Run:
-    branches = np.array([exact_branches(o) for o in oscillators]).reshape(-1, 2, 7)
-    return partial(kernel.pulse_exact, branches, *tables(oscillators), TOLERANCE, *pulse)
+def _exact(oscillators: Sequence[Packed], pulse: tuple[FloatArray, float, FloatArray]) -> Run:
+    return partial(kernel.pulse_exact, branches_of(oscillators), *tables_of(oscillators), TOLERANCE, *pulse)
 
 
 _KERNELS = {"linearised": _linearised, "exact": _exact}

@@ -9,6 +9,7 @@ from assess.cli.description import warned
 from assess.cli.text_table import text_table
 from assess.results import CriticalResult, EnvelopeResult, Results
 from assess.results_io import dumps_envelopes
+from reports.csv import field
 
 SHOWN = 8  # frequencies in the table for reading
 
@@ -43,13 +44,11 @@ def csv_text(results: Results) -> str:
     stream = io.StringIO()
     writer = csv.writer(stream, lineterminator="\n")
     mapped = [(each.name, each.envelope) for each in results.mechanisms if each.envelope is not None]
-    names = [name if not name.startswith(("=", "+", "-", "@")) else f"'{name}" for name, _ in mapped]
-    writer.writerow(["frequency [Hz]", "critical", "least [g]", *(f"{name} [g]" for name in names)])
+    writer.writerow(["frequency [Hz]", "critical", "least [g]", *(field(f"{name} [g]") for name, _ in mapped)])
     if results.critical is not None:
         for k, frequency in enumerate(results.critical.frequency_hz):
-            bounds = [one.lower_bound_g[k] for _, one in mapped]
             head = [frequency, results.critical.mechanism[k], results.critical.lower_bound_g[k]]
-            writer.writerow(["" if cell is None else cell for cell in (*head, *bounds)])
+            writer.writerow([field(cell) for cell in (*head, *(one.lower_bound_g[k] for _, one in mapped))])
     return stream.getvalue()
 
 

@@ -14,7 +14,7 @@ from assess.project.assessing import Progress, mechanisms_assessed
 from assess.project.envelopes import DEFAULT_GRID, Rocker, critical_result, mapped_pulses, with_primary_pulses
 from assess.project.messages import located
 from assess.project.motions import Motion, motions_of
-from assess.project.outcome import comparison, mechanism_result, record_result, spectrum_result
+from assess.project.outcome import amplification_result, comparison, mechanism_result, record_result, spectrum_result
 from assess.project.study import Study
 from assess.project.sweeping import Swept, case_notices, case_text, controlling_cases, sweep_results, swept
 from assess.results import SCHEMA_VERSION, MechanismResult, Notice, Program, Results
@@ -97,6 +97,7 @@ def parameters(study: Study) -> tuple[MechanismResult, ...]:
             oscillator(mechanism),
             equation=study.equations[mechanism.name],
             scene=study.scenes.get(mechanism.name),
+            amplification=amplification_result(study.amplified[mechanism.name]),
         )
         for mechanism in study.mechanisms
     )

@@ -150,7 +150,7 @@ def rayleigh_of(standing: Standing) -> Rayleigh:
     """Rayleigh's quotient of the whole bodies of a single block that stand on the ground, bent in its direction."""
     section, scene = standing.section, standing.built.scene
     if not isinstance(section, sections.SingleBlock) or scene is None:
-        raise _missing(standing, f"a {section.kind} without bodies that stand free tells none")
+        raise _missing(standing, "only a single-block of bodies that stand on the ground has a first mode of its own")
     names = section.blocks[0]
     moduli = [young_modulus(name, standing) for name in names]
     solids = [solid for name in names if (solid := standing.solids[name]) is not None]

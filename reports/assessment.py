@@ -164,6 +164,8 @@ def _answer(mechanism: MechanismResult, name: str) -> Section:
     blocks: list[Block] = []
     if mechanism.checks:
         blocks.append(Figure(f"{name}-pga-rotation", caption, partial(pga_rotation.draw, mechanism)))
+    unlike = sentences.inputs(mechanism)
+    blocks += [Text((unlike,))] if unlike else []
     blocks += _filled(tables.demands(mechanism, name=f"{name}-demand-capacity"))
     blocks += _filled(tables.reasons(mechanism, name=f"{name}-remarks"))
     return Section("Demand and capacity", 1, tuple(blocks))
@@ -190,7 +192,7 @@ def _amplification(mechanism: MechanismResult, name: str) -> list[Block]:
     found = mechanism.amplification
     if found.height_m is None:
         return []
-    said = Text((sentences.amplification(mechanism),))
+    said = Text(sentences.amplification(mechanism))
     if found.motion is None:
         return [said]
     draw = partial(amplification.draw, found.motion)

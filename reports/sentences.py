@@ -52,15 +52,30 @@ def description(mechanism: MechanismResult) -> str:
     )
 
 
-def amplification(mechanism: MechanismResult) -> str:
+def amplification(mechanism: MechanismResult) -> tuple[str, ...]:
     """How the ground motion reaches the base of a mechanism that stands above the ground."""
     found = mechanism.amplification
     factors = [each.factor for each in found.factors]
     span = "" if not factors else f" Peak accelerations at the base are {_span(factors)} times those at the ground."
     return (
         f"The time histories act at the base of the mechanism, {found.height_m:.3g} m above the ground, not at the "
-        f"ground (method {found.method}): {'; '.join(found.said)}.{span} The code procedures that ask for a spectrum "
-        "keep their own floor clause, so their input is another one."
+        f"ground (method {found.method}).{span} The code procedures that ask for a spectrum keep their own floor "
+        "clause, so their input is another one.",
+        f"How it was found: {'; '.join(found.said)}.",
+    )
+
+
+def inputs(mechanism: MechanismResult) -> str:
+    """Which procedures take their input where, if not all at one place; else empty."""
+    at = {
+        place: dict.fromkeys(check.procedure for check in mechanism.checks if check.input_at == place)
+        for place in ("ground", "mechanism base")
+    }
+    if not (at["ground"] and at["mechanism base"]):
+        return ""
+    return (
+        f"Not the same input: {_list(at['mechanism base'])} by the motion at the base of the mechanism, "
+        f"{_list(at['ground'])} by that at the ground. Peak accelerations (PGA) are the ground's throughout."
     )
 
 
@@ -72,7 +87,8 @@ def amplified(results: Results) -> tuple[str, ...]:
     names = _list(dict.fromkeys(shortened(name_of(mechanism), 40) for mechanism in carried))
     return (
         f"Not the same input: the time histories of {names} act at the base of the mechanism, amplified; those of the "
-        "others, and the spectrum of ASCE 43-05, act at the ground. Each table of checks says where its input acts.",
+        "others, and the spectrum of ASCE 43-05, act at the ground. The table of procedures says where each takes "
+        "its input.",
     )
 
 

@@ -26,13 +26,13 @@ def section_moments(solid: Solid, elevation: ArrayLike, *, direction: Sequence[f
     x, y = np.asarray(direction[:2], dtype=np.float64) / np.hypot(direction[0], direction[1])
     turned = np.column_stack([solid.vertices[:, :2] @ [[x, -y], [y, x]], solid.vertices[:, 2]])  # s, t square to it, z
     corners = turned[solid.triangles]
-    return np.array([_moments(corners, float(z)) for z in np.atleast_1d(np.asarray(elevation, dtype=np.float64))])
+    low, high = corners[:, :, 2].min(axis=1), corners[:, :, 2].max(axis=1)
+    levels = np.atleast_1d(np.asarray(elevation, dtype=np.float64))
+    return np.array([_moments(corners[(low < z) & (high >= z)], z) for z in levels])
 
 
-def _moments(corners: FloatArray, z: float) -> tuple[float, float, float]:
-    """The three integrals at one elevation, from triangles [m, 3, 3] anticlockwise seen from outside."""
-    above = corners[:, :, 2] >= z
-    crossed = corners[above.any(axis=1) & ~above.all(axis=1)]
+def _moments(crossed: FloatArray, z: float) -> tuple[float, float, float]:
+    """The three integrals at one elevation, from the triangles it crosses [m, 3, 3] anticlockwise seen from outside."""
     if not len(crossed):
         return 0.0, 0.0, 0.0
     upper = crossed[:, :, 2] >= z

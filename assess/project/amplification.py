@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cached_property
 
-from assess.amplification import FloorFactor, ModalFilter, Srss, Unamplified, first_mode
+from assess.amplification import FirstMode, FloorFactor, ModalFilter, Srss, Unamplified, first_mode
 from assess.errors import GeometryError, ProjectError
 from assess.natural_frequency import ASSUMPTIONS, SLICES, Rayleigh, cantilever, rayleigh
 from assess.project import sections
@@ -18,13 +17,21 @@ from spectra.floor import ec8, ec8_printed, ec8_resonance, nzs1170_5
 
 NEAR_GROUND = 0.05  # m: a body that stands no farther from the ground's elevation stands on it
 DAMPING = 0.05  # of the first mode where there is no [building]
-RAYLEIGH = f"Rayleigh's method on {SLICES} slices of its bodies"
+RAYLEIGH = "Rayleigh's method"
 AS_IT_IS = Amplified("none", None, Unamplified(), ())
 
 FLOORS: dict[str, tuple[Callable[..., float], str]] = {
     "ec8": (ec8, "EN 1998-1, 4.3.5.2, rigid part (T_a = 0): 1.5 (1 + z/H) - 0.5 on the motion of the surface"),
     "ec8-resonance": (ec8_resonance, "EN 1998-1, 4.3.5.2, at resonance (T_a = T_1): 3 (1 + z/H) - 0.5"),
     "nzs1170.5": (nzs1170_5, "NZS 1170.5, 8.3: the least that applies of 1 + h/6, 1 + 10 h/H and 3"),
+}
+
+FIRST_MODES: dict[str, tuple[Callable[[FirstMode, float], Srss | ModalFilter], str]] = {
+    "srss": (Srss, "every record times sqrt((S_a(T_n)/a_g h/h_e)^2 + 1), thesis 3.48; pulses by 3.47"),
+    "modal-filter": (
+        ModalFilter,
+        "every record through the first mode, absolute acceleration at the mechanism's base; no higher modes",
+    ),
 }
 
 
@@ -47,11 +54,6 @@ class Standing:
     def ground(self) -> float:
         """Elevation of the ground [m]."""
         return self.content.building.ground_elevation if self.content.building is not None else 0.0
-
-    @cached_property
-    def rayleigh(self) -> Rayleigh:
-        """First mode of the bodies as a cantilever. Raises ProjectError where that cannot be found."""
-        return rayleigh_of(self)
 
 
 def amplified(standing: Standing) -> Amplified:
@@ -108,42 +110,46 @@ def by_floor_factor(
 def by_first_mode(asked: sections.FirstModeAmplification, standing: Standing, *, height: float) -> Amplified:
     """The first mode by what is given, else by Rayleigh's method."""
     building = standing.content.building
-    frequency, of_frequency = frequency_of(asked, standing)
-    effective, of_height = effective_height_of(asked, standing)
+    frequency, effective = frequency_given(asked, building), effective_height_given(asked, building)
+    assumed: tuple[str, ...] = ()
+    if frequency is None or effective is None:
+        found = rayleigh_of(standing)
+        frequency = frequency or (found.frequency, RAYLEIGH)
+        effective = effective or (found.effective_height, RAYLEIGH)
+        assumed = (f"{RAYLEIGH} on {SLICES} slices of its bodies: {ASSUMPTIONS}",)
     damping = DAMPING if building is None else building.damping
-    mode = first_mode(frequency=frequency, effective_height=effective, damping=damping)
+    mode = first_mode(frequency=frequency[0], effective_height=effective[0], damping=damping)
     said = (
-        f"first mode of {frequency:.4g} Hz ({of_frequency}), effective height {effective:.4g} m ({of_height}), damping "
-        f"{damping:.3g}, linear shape: at h = {height:.4g} m participation times shape h/h_e = {mode.shape(height):.4g}"
+        f"first mode of {frequency[0]:.4g} Hz ({frequency[1]}), h_e = {effective[0]:.4g} m ({effective[1]}), "
+        f"damping {damping:.3g}, linear shape: at h = {height:.4g} m participation times shape h/h_e = "
+        f"{mode.shape(height):.4g}"
     )
-    assumed = (f"{RAYLEIGH}: {ASSUMPTIONS}",) if RAYLEIGH in (of_frequency, of_height) else ()
-    if asked.method == "srss":
-        how = "every record times sqrt((S_a(T_n)/a_g h/h_e)^2 + 1), thesis 3.48; pulses by 3.47"
-        return Amplified("srss", height, Srss(mode, height), (how, said), assumed)
-    how = "every record through the first mode, absolute acceleration at the mechanism's base; no higher modes"
-    return Amplified("modal-filter", height, ModalFilter(mode, height), (how, said), assumed)
+    make, how = FIRST_MODES[asked.method]
+    return Amplified(asked.method, height, make(mode, height), (how, said), assumed)
 
 
-def frequency_of(asked: sections.FirstModeAmplification, standing: Standing) -> tuple[float, str]:
-    """The first natural frequency [Hz], and where it comes from."""
-    building = standing.content.building
+def frequency_given(
+    asked: sections.FirstModeAmplification, building: sections.Building | None
+) -> tuple[float, str] | None:
+    """The first natural frequency [Hz] that the project gives, and where."""
     if asked.natural_frequency is not None:
         return asked.natural_frequency, "given"
     if building is not None and building.natural_frequency is not None:
         return building.natural_frequency, "given for the building"
     if building is not None and building.given("period"):
         return 1.0 / building.period, "1 / period of the building"
-    return standing.rayleigh.frequency, RAYLEIGH
+    return None
 
 
-def effective_height_of(asked: sections.FirstModeAmplification, standing: Standing) -> tuple[float, str]:
-    """The effective height [m], and where it comes from."""
-    building = standing.content.building
+def effective_height_given(
+    asked: sections.FirstModeAmplification, building: sections.Building | None
+) -> tuple[float, str] | None:
+    """The effective height [m] that the project gives, and where."""
     if asked.effective_height is not None:
         return asked.effective_height, "given"
     if building is not None and building.effective_height is not None:
         return building.effective_height, "given for the building"
-    return standing.rayleigh.effective_height, RAYLEIGH
+    return None
 
 
 def rayleigh_of(standing: Standing) -> Rayleigh:

@@ -9,6 +9,7 @@ from assess.results import CarriedMotion
 from reports.style import INK, sheet, styled
 
 _BASE = "#d55e00"
+_PERIODS = (0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 4.0)
 
 
 def draw(motion: CarriedMotion) -> Figure:
@@ -21,6 +22,8 @@ def draw(motion: CarriedMotion) -> Figure:
         time.set_xlim(motion.time_s[0], motion.time_s[-1])
         _pair(spectrum, motion.period_s, motion.ground_spectrum_g, motion.base_spectrum_g, linewidth=1.2)
         spectrum.set(xlabel="period T [s]", ylabel="Sₐ, 5 % [g]", xscale="log")
+        spectrum.set_xticks(_PERIODS, labels=[f"{period:g}" for period in _PERIODS])
+        spectrum.set_xticks((), minor=True)
         spectrum.set_xlim(motion.period_s[0], motion.period_s[-1])
         spectrum.set_ylim(bottom=0.0)
         time.legend(loc="upper right", ncols=2)

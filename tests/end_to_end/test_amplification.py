@@ -140,7 +140,7 @@ def test_check_prints_the_way_up(outputs, capsys):
     assert assess("check", outputs.parent) == 0
     out = capsys.readouterr().out
     assert "motion      srss, base 4.77 m above the ground" in out
-    assert "first mode of 2.5 Hz (given), effective height 6.01 m (given)" in out
+    assert "first mode of 2.5 Hz (given), h_e = 6.01 m (given)" in out
 
 
 def test_what_is_missing_ends_with_one_line(outputs, tmp_path, capsys):

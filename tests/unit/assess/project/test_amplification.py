@@ -129,7 +129,7 @@ def test_the_printed_ec8_takes_its_soil(tmp_path):
 @pytest.mark.parametrize(
     ("mechanism", "building", "words"),
     [
-        (BLOCK + amplification("srss"), "", "natural_frequency and effective_height: not both given, and only a single"),
+        (BLOCK + amplification("srss"), "", "effective_height: not both given, and only a single-block"),
         (BLOCK + amplification("srss", natural_frequency="2 Hz"), HOUSE, "not both given"),
         (BLOCK + amplification("ec8"), "", r'"ec8" needs the height of the building; add a table \[building\]'),
         (BLOCK + amplification("ec8", height="9.5 m"), HOUSE, r"height 9.5 m in a building of 9 m; EN 1998-1, 4.3.5.2"),

@@ -250,20 +250,47 @@ class Factor:
 
 
 @dataclass(frozen=True)
+class CarriedMotion:
+    """The record that is amplified most, scaled to the target: at the ground and at the mechanism's base.
+
+    Response spectra [k] of 5 % damping.
+    """
+
+    record: str
+    time_s: Floats
+    ground_acceleration_g: Floats
+    base_acceleration_g: Floats
+    period_s: Floats
+    ground_spectrum_g: Floats
+    base_spectrum_g: Floats
+
+
+@dataclass(frozen=True)
 class AmplificationResult:
-    """How the motion was carried from the ground to the mechanism."""
+    """How the motion was carried from the ground to the mechanism.
+
+    height_m: of its base above the ground, None where nothing is amplified. said: what is done, with which numbers and
+    assumptions. motion: where the motion is filtered, not only multiplied.
+    """
 
     method: str
     factors: tuple[Factor, ...]
+    height_m: float | None = None
+    said: tuple[str, ...] = ()
+    motion: CarriedMotion | None = None
 
 
 @dataclass(frozen=True)
 class Trace:
-    """A rocking history at the record's steps: signed rotation, and the ground acceleration that drove it."""
+    """A rocking history at the steps of the motion that drove it: signed rotation, ground acceleration.
+
+    base_acceleration_g: what drove it, at the base of the mechanism; None where that is the ground's motion.
+    """
 
     time_s: Floats
     rotation_rad: Floats
     ground_acceleration_g: Floats
+    base_acceleration_g: Floats | None = None
 
 
 @dataclass(frozen=True)

@@ -65,3 +65,33 @@ def peak_displacements(acceleration: FloatArray, dt: float, period: FloatArray, 
             peak = max(peak, abs(u))
         peaks[k] = peak
     return peaks
+
+
+@njit(cache=True, nogil=True)
+def relative_accelerations(
+    acceleration: FloatArray, dt: float, parts: int, period: float, damping: float
+) -> FloatArray:
+    """Relative acceleration u'' [m/s2] of the oscillator, from rest, at the samples and `parts` - 1 points between.
+
+    acceleration : of the ground, linear between samples [n] [m/s2]
+    dt : step [s]; period [s], positive; damping [-], below 1
+
+    Returns [(n - 1) parts + 1].
+    """
+    omega = 2.0 * math.pi / period
+    h = dt / parts
+    uu, vu = advance(1.0, 0.0, 0.0, 0.0, h, omega, damping)
+    uv, vv = advance(0.0, 1.0, 0.0, 0.0, h, omega, damping)
+    ua, va = advance(0.0, 0.0, 1.0, 0.0, h, omega, damping)
+    us, vs = advance(0.0, 0.0, 0.0, 1.0, h, omega, damping)
+    found = np.empty((acceleration.size - 1) * parts + 1)
+    found[0] = -acceleration[0]
+    u, v = 0.0, 0.0
+    for i in range(acceleration.size - 1):
+        a, slope = acceleration[i], (acceleration[i + 1] - acceleration[i]) / dt
+        for part in range(parts):
+            now = a + slope * (part * h)
+            u, v = uu * u + uv * v + ua * now + us * slope, vu * u + vv * v + va * now + vs * slope
+            after = a + slope * ((part + 1) * h)
+            found[i * parts + part + 1] = -after - 2.0 * damping * omega * v - omega * omega * u
+    return found

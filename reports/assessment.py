@@ -10,7 +10,7 @@ from typing import Literal
 from assess.results import MechanismResult, RecordResult, Results, SweepResult
 from reports import envelopes, governing, interfaces, sentences, sheets, siblings, sweeps, tables
 from reports.document import Block, Document, Figure, Items, Section, Signatures, Table, Text
-from reports.figures import capacity, comparison, history, pga_rotation, sketch, spectrum, view
+from reports.figures import amplification, capacity, comparison, history, pga_rotation, sketch, spectrum, view
 from reports.numerals import numeral
 
 LONG = 120  # characters; longer titles and names are shortened where they head something and printed once in full
@@ -164,13 +164,15 @@ def _answer(mechanism: MechanismResult, name: str) -> Section:
     blocks: list[Block] = []
     if mechanism.checks:
         blocks.append(Figure(f"{name}-pga-rotation", caption, partial(pga_rotation.draw, mechanism)))
+    unlike = sentences.inputs(mechanism)
+    blocks += [Text((unlike,))] if unlike else []
     blocks += _filled(tables.demands(mechanism, name=f"{name}-demand-capacity"))
     blocks += _filled(tables.reasons(mechanism, name=f"{name}-remarks"))
     return Section("Demand and capacity", 1, tuple(blocks))
 
 
 def _histories(mechanism: MechanismResult, name: str) -> Section:
-    blocks: list[Block] = [*_filled(tables.suites(mechanism, name=f"{name}-suites"))]
+    blocks: list[Block] = [*_amplification(mechanism, name), *_filled(tables.suites(mechanism, name=f"{name}-suites"))]
     found = governing.history(mechanism)
     if found is not None:
         one, trace = found
@@ -178,11 +180,23 @@ def _histories(mechanism: MechanismResult, name: str) -> Section:
         end = "it overturns" if one.overturned else f"largest φ/φₒᵥ {numeral(abs(one.max_rotation_ratio or 0.0))}"
         caption = (
             f"The governing history: {one.record}, polarity {one.polarity:+d}, at PGA {one.level_pga_g:.3g} g; {end}; "
-            f"{one.impacts} impacts. Above the ground acceleration, below the rotation."
+            f"{one.impacts} impacts. Above the acceleration, below the rotation."
         )
         blocks.append(Figure(f"{name}-history", caption, draw))
     blocks += _filled(tables.histories(mechanism, name=f"{name}-histories"))
     return Section("Time histories", 1, tuple(blocks))
+
+
+def _amplification(mechanism: MechanismResult, name: str) -> list[Block]:
+    """How the motion reaches a mechanism above the ground, where the histories amplify it."""
+    found = mechanism.amplification
+    if found.height_m is None:
+        return []
+    said = Text(sentences.amplification(mechanism))
+    if found.motion is None:
+        return [said]
+    draw = partial(amplification.draw, found.motion)
+    return [said, Figure(f"{name}-amplification", sentences.carried_motion(mechanism), draw)]
 
 
 def _sheets(mechanism: MechanismResult, name: str) -> Section:
@@ -208,8 +222,10 @@ def _comparison(results: Results) -> list[Section]:
         "are informative readings, a cross marks overturning, an arrow a ratio beyond the axis."
     )
     standing = sweeps.standing(results.sweeps, names)
+    unlike = sentences.amplified(results)
     blocks = (
         *standing,
+        *((Text(unlike),) if unlike else ()),
         Figure("comparison", caption, draw),
         tables.side_by_side(results),
         *siblings.blocks(results, name="interfaces"),

@@ -41,16 +41,70 @@ def description(mechanism: MechanismResult) -> str:
     equation = {"exact": "exact", "linearised": "linearised (thesis 3.9)"}[mechanism.equation]
     name = "" if mechanism.label in ("", mechanism.name) else f" “{mechanism.label}”"
     kind = _KINDS.get(mechanism.kind, mechanism.kind)
-    method = mechanism.amplification.method
     carried = (
         "the ground motion acts at its base"
-        if method == "none"
-        else f"the motion is carried up to it (method {method})"
+        if mechanism.amplification.height_m is None
+        else "in the time histories the ground motion is carried up to its base"
     )
     return (
         f"Mechanism {mechanism.name}{name} is {kind}. It {sides}; {carried}; time histories solve the {equation} "
         f"equation of motion. Coefficient of restitution: {mechanism.restitution_source}."
     )
+
+
+def amplification(mechanism: MechanismResult) -> tuple[str, ...]:
+    """How the ground motion reaches the base of a mechanism that stands above the ground."""
+    found = mechanism.amplification
+    factors = [each.factor for each in found.factors]
+    span = "" if not factors else f" Peak accelerations at the base are {_span(factors)} times those at the ground."
+    return (
+        f"The time histories act at the base of the mechanism, {found.height_m:.3g} m above the ground, not at the "
+        f"ground (method {found.method}).{span} The code procedures that ask for a spectrum keep their own floor "
+        "clause, so their input is another one.",
+        f"How it was found: {'; '.join(found.said)}.",
+    )
+
+
+def inputs(mechanism: MechanismResult) -> str:
+    """Which procedures take their input where, if not all at one place; else empty."""
+    at = {
+        place: dict.fromkeys(check.procedure for check in mechanism.checks if check.input_at == place)
+        for place in ("ground", "mechanism base")
+    }
+    if not (at["ground"] and at["mechanism base"]):
+        return ""
+    return (
+        f"Not the same input: {_list(at['mechanism base'])} by the motion at the base of the mechanism, "
+        f"{_list(at['ground'])} by that at the ground. Peak accelerations (PGA) are the ground's throughout."
+    )
+
+
+def amplified(results: Results) -> tuple[str, ...]:
+    """Which mechanisms have histories with another input than that of the ground, for what stands side by side."""
+    carried = [m for m in results.mechanisms if m.amplification.height_m is not None and m.histories]
+    if not carried:
+        return ()
+    names = _list(dict.fromkeys(shortened(name_of(mechanism), 40) for mechanism in carried))
+    return (
+        f"Not the same input: the time histories of {names} act at the base of the mechanism, amplified; those of the "
+        "others, and the spectrum of ASCE 43-05, act at the ground. The table of procedures says where each takes "
+        "its input.",
+    )
+
+
+def carried_motion(mechanism: MechanismResult) -> str:
+    """The caption of a filtered motion beside the original."""
+    motion = mechanism.amplification.motion
+    name = "" if motion is None else motion.record
+    return (
+        f"{name}, scaled to the site’s spectrum, at the ground and at the base of the mechanism: acceleration over "
+        "time and response spectra of 5 % damping. It is the record whose peak is amplified most."
+    )
+
+
+def _span(factors: list[float]) -> str:
+    least, most = min(factors), max(factors)
+    return f"{most:.3g}" if most - least < 5e-4 * most else f"{least:.3g} to {most:.3g}"
 
 
 def limits(results: Results) -> tuple[str, ...]:

@@ -51,7 +51,16 @@ def _mechanism(m: MechanismResult) -> list[str]:
         *_loads(m.loads),
         *_interfaces(m),
         f"  impacts     {printable(m.restitution_source)}",
+        *_amplification(m),
     ]
+
+
+def _amplification(m: MechanismResult) -> list[str]:
+    found = m.amplification
+    if found.height_m is None:
+        return []
+    lines = [f"{found.method}, base {found.height_m:.4g} m above the ground", *map(printable, found.said)]
+    return [f"  {'motion' if i == 0 else '':<11} {line}" for i, line in enumerate(lines)]
 
 
 def _interfaces(m: MechanismResult) -> list[str]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from assess.codes.check import BranchName
+from assess.codes.check import BranchName, InputAt
 from spectra.spectrum import Spectrum
 
 
@@ -58,6 +58,8 @@ class Context:
     building : None where the project gives none
     suites : time histories, one suite for each of `levels`, in that order; empty when none were run
     linearised : whether the histories solve the linearised equation, which lifts off at its own multiplier
+    histories_at : where the motion of the time histories is given
+    amplification : the largest, over the records, of peak acceleration at the mechanism's base over that at the ground
     incremental : further suites at rising PGA, for the curve and the PGA at collapse; empty when none were run
     """
 
@@ -69,3 +71,5 @@ class Context:
     suites: tuple[Suite, ...] = ()
     incremental: tuple[Suite, ...] = ()
     linearised: bool = False
+    histories_at: InputAt = "ground"
+    amplification: float = 1.0

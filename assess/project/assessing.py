@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from assess.amplification import Carried, carried
 from assess.codes.check import Check
 from assess.codes.context import Context
 from assess.codes.registry import procedure
@@ -12,8 +13,8 @@ from assess.mechanisms.oscillation import oscillator
 from assess.oscillator import Oscillator
 from assess.project.histories import Rocking, Shaken, governing_trace, rocking, suite_of
 from assess.project.motions import Motion
-from assess.project.outcome import mechanism_result
-from assess.project.study import Study
+from assess.project.outcome import amplification_result, mechanism_result
+from assess.project.study import Amplified, Study
 from assess.results import MechanismResult
 from spectra.spectrum import Spectrum
 
@@ -25,7 +26,10 @@ def mechanisms_assessed(
     study: Study, spectrum: Spectrum, motions: tuple[Motion, ...], *, jobs: int, progress: Progress
 ) -> tuple[MechanismResult, ...]:
     """Every mechanism of `study` under the `motions`, which fit the `spectrum`; `jobs` threads."""
-    shaken = [Shaken(m.name, oscillator(m), study.equations[m.name]) for m in study.mechanisms]
+    shaken = [
+        Shaken(m.name, oscillator(m), study.equations[m.name], at_base(study.amplified[m.name], motions))
+        for m in study.mechanisms
+    ]
     rocked = rocking(
         shaken,
         motions,
@@ -41,11 +45,16 @@ def mechanisms_assessed(
     )
 
 
+def at_base(amplified: Amplified, motions: tuple[Motion, ...]) -> tuple[Carried, ...]:
+    """Every motion as it acts at the base of a mechanism."""
+    return tuple(carried(amplified.amplification, motion.record) for motion in motions)
+
+
 def assessed(
     study: Study, spectrum: Spectrum, motions: tuple[Motion, ...], mechanism: Mechanism, shaken: Shaken, rocked: Rocking
 ) -> MechanismResult:
     """One mechanism through every procedure, with its histories."""
-    context = context_of(study, spectrum, mechanism, rocked)
+    context = context_of(study, spectrum, mechanism, rocked, shaken.base)
     return mechanism_result(
         mechanism,
         shaken.oscillator,
@@ -53,10 +62,13 @@ def assessed(
         scene=study.scenes.get(mechanism.name),
         checks=checks_of(study, shaken.oscillator, context),
         histories=governing_trace(shaken, rocked.histories, motions),
+        amplification=amplification_result(study.amplified[mechanism.name], motions, shaken.base),
     )
 
 
-def context_of(study: Study, spectrum: Spectrum, mechanism: Mechanism, rocked: Rocking) -> Context:
+def context_of(
+    study: Study, spectrum: Spectrum, mechanism: Mechanism, rocked: Rocking, base: tuple[Carried, ...]
+) -> Context:
     """What the procedures may know of one mechanism."""
     ground = study.building.ground_elevation if study.building is not None else 0.0
     suites = tuple(
@@ -69,6 +81,8 @@ def context_of(study: Study, spectrum: Spectrum, mechanism: Mechanism, rocked: R
         elevation=mechanism.elevation - ground,
         building=study.building,
         suites=suites,
+        histories_at="ground" if study.amplified[mechanism.name].height is None else "mechanism base",
+        amplification=max((each.factor for each in base), default=1.0),
         linearised=study.equations[mechanism.name] == "linearised",
         incremental=tuple(sorted((*rocked.scan, *suites), key=lambda suite: suite.pga)) if rocked.scan else (),
     )

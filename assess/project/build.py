@@ -15,6 +15,7 @@ from assess.codes.registry import CodeOptions
 from assess.errors import ProjectError
 from assess.geometry.solid import Solid
 from assess.project import sections
+from assess.project.amplification import Standing, amplified
 from assess.project.bodies import solid_of
 from assess.project.dependents import dependents
 from assess.project.directions import directed
@@ -30,6 +31,8 @@ from records.record import Record
 from spectra.asce7 import design_spectrum
 from spectra.spectrum import Spectrum, scaled_to_pga
 from spectra.table import read_table
+
+CLAUSES_NEED = {"height", "storeys", "ground_elevation", "period", "damping"}  # of [building]
 
 
 @dataclass(frozen=True)
@@ -61,7 +64,7 @@ def study_of(project: Project) -> Study:
         study,
         inputs=tuple(inputs_of(project)),
         resolved=resolved(project),
-        notices=(*project.doubts, *notices_of(content, solids, study.mechanisms)),
+        notices=(*project.doubts, *notices_of(content, solids, study.mechanisms, study.amplified)),
         sweeps=tuple(sweep_of(variation, project, files) for variation in project.variations),
     )
 
@@ -74,7 +77,7 @@ def part_of(content: sections.Content, files: Files, *, names: Iterable[str]) ->
     return Study(
         spectrum=files.spectrum,
         vertical_ratio=0.0 if site is None else site.vertical_ratio,
-        building=None if building is None else Building(**building.model_dump()),
+        building=None if building is None else Building(**building.model_dump(include=CLAUSES_NEED)),
         records=files.records,
         artificial=None if synthetic is None else Artificial(synthetic.count, synthetic.seed, synthetic.duration),
         scale_to=content.records.scale_to,
@@ -83,6 +86,10 @@ def part_of(content: sections.Content, files: Files, *, names: Iterable[str]) ->
         options=CodeOptions(dmi2008=Dmi2008Options(**content.procedures.dmi2008.model_dump())),
         mechanisms=tuple(each.mechanism for each in built),
         scenes={each.mechanism.name: each.scene for each in built if each.scene is not None},
+        amplified={
+            name: amplified(Standing(name, section, one, content, files.solids))
+            for (name, section), one in zip(chosen.items(), built, strict=True)
+        },
         equations={name: equation_of(section, content) for name, section in chosen.items()},
         inputs=(),
         resolved={},

@@ -14,6 +14,7 @@ from math import inf, log
 import numpy as np
 from scipy.constants import g
 
+from assess.amplification import Carried
 from assess.codes.context import Suite
 from assess.dynamics.history import Jobs, Peaks, peaks, trace
 from assess.oscillator import Oscillator, elastic_frequency, resisted
@@ -31,11 +32,12 @@ MOST_BATCHES = 17
 
 @dataclass(frozen=True)
 class Shaken:
-    """One oscillator with the equation its histories solve, under motions scaled to a target of `site_pga` [m/s2]."""
+    """One oscillator with the equation its histories solve, and every ground motion as it acts at its base."""
 
     name: str
     oscillator: Oscillator
     equation: Equation
+    base: tuple[Carried, ...]
 
 
 @dataclass(frozen=True)
@@ -75,28 +77,26 @@ def run_levels(
     scale = np.asarray(levels)[:, None, None] / site_pga * factors[None, :, None] * np.array([1.0, -1.0])
     motion = np.broadcast_to(np.arange(n)[None, :, None], scale.shape)
     jobs = Jobs(np.zeros(scale.size, dtype=np.int64), motion.ravel().astype(np.int64), scale.ravel())
-    records = [motion.record for motion in motions]
+    records = [carried.record for carried in shaken.base]
     found = peaks([shaken.oscillator], records, jobs, equation=shaken.equation, threads=threads)
     at = np.arange(scale.size).reshape(scale.shape)
     return tuple(
         tuple(
-            min(
-                (_history(found, int(job), record.id, level, float(jobs.scale[job])) for job in at[i, k]), key=_mildness
-            )
-            for k, record in enumerate(records)
+            min((_history(found, int(job), carried, level, float(jobs.scale[job])) for job in at[i, k]), key=_mildness)
+            for k, carried in enumerate(shaken.base)
         )
         for i, level in enumerate(levels)
     )
 
 
-def _history(found: Peaks, job: int, record: str, level: float, scale: float) -> HistoryResult:
+def _history(found: Peaks, job: int, carried: Carried, level: float, scale: float) -> HistoryResult:
     overturned = bool(found.overturned[job])
     return HistoryResult(
-        record=record,
+        record=carried.record.id,
         polarity=1 if scale >= 0 else -1,
         level_pga_g=level / g,
         scale_factor=abs(scale),
-        amplification=1.0,
+        amplification=carried.factor,
         max_rotation_rad=None if overturned else float(found.max_rotation[job]),
         max_rotation_ratio=None if overturned else float(found.max_ratio[job]),
         time_of_max_s=None if overturned else float(found.time_of_max[job]),
@@ -121,7 +121,7 @@ def suite_of(histories: Sequence[HistoryResult], *, pga: float) -> Suite:
 
 def scan_of(shaken: Shaken, motions: Sequence[Motion], *, site_pga: float, threads: int) -> tuple[Suite, ...]:
     """Suites at rising PGA, up to and with the first in which a record overturns the mechanism."""
-    strongest = max(motion.scaling.factor * motion.record.pga for motion in motions) / site_pga
+    strongest = max(m.scaling.factor * at.record.pga for m, at in zip(motions, shaken.base, strict=True)) / site_pga
     uplift = g * min(resisted(branch) for branch in shaken.oscillator.branches)
     start = SCAN_START * uplift / max(1.0, strongest)
     vibrates = any(elastic_frequency(branch) is not None for branch in shaken.oscillator.branches)
@@ -145,9 +145,17 @@ def governing_trace(
     """The histories with the trace of the worst record of the highest level filled in."""
     *lower, highest = [tuple(level) for level in histories]
     worst = min(highest, key=_mildness)
-    record = next(motion.record for motion in motions if motion.record.id == worst.record)
+    place = next(place for place, motion in enumerate(motions) if motion.record.id == worst.record)
+    ground, base = motions[place].record, shaken.base[place].record
     scale = worst.polarity * worst.scale_factor
-    path = trace(shaken.oscillator, record, scale=scale, equation=shaken.equation)
-    ground = scale / g * record.acceleration[: path.time.size]
-    drawn = Trace(tuple(path.time.tolist()), tuple(path.rotation.tolist()), tuple(ground.tolist()))
+    path = trace(shaken.oscillator, base, scale=scale, equation=shaken.equation)
+    below = np.interp(path.time, ground.time, ground.acceleration, right=0.0)
+    drawn = Trace(
+        time_s=tuple(path.time.tolist()),
+        rotation_rad=tuple(path.rotation.tolist()),
+        ground_acceleration_g=tuple((scale / g * below).tolist()),
+        base_acceleration_g=None
+        if base is ground
+        else tuple((scale / g * base.acceleration[: path.time.size]).tolist()),
+    )
     return (*lower, tuple(replace(history, trace=drawn) if history is worst else history for history in highest))

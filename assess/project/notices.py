@@ -12,11 +12,17 @@ from assess.mechanisms.mechanism import Mechanism
 from assess.project import sections
 from assess.project.gaps import gaps_of
 from assess.project.overlaps import overlaps_of
+from assess.project.study import Amplified
 from assess.results import Notice
+
+SAME_MODE = 0.05  # by how much two first modes of one building may differ
 
 
 def notices_of(
-    content: sections.Content, solids: Mapping[str, Solid | None], mechanisms: Sequence[Mechanism]
+    content: sections.Content,
+    solids: Mapping[str, Solid | None],
+    mechanisms: Sequence[Mechanism],
+    amplified: Mapping[str, Amplified],
 ) -> Iterator[Notice]:
     """What the engineer should know before reading any result."""
     for name, solid in solids.items():
@@ -29,16 +35,40 @@ def notices_of(
             yield Notice("mechanism", f"mechanisms.{mechanism.name}", text)
     ground = content.building.ground_elevation if content.building is not None else 0.0
     raised = [mechanism.name for mechanism in mechanisms if mechanism.elevation > ground + ON_GROUND]
-    if raised:
-        yield Notice(
-            "amplification",
-            "mechanisms",
-            f"above the ground, yet histories and ASCE 43-05 use the ground's motion as it is: {', '.join(raised)}; "
-            "only dmi2008 asks for the floor's motion",
-        )
+    yield from _of_amplification(raised, amplified)
+    yield from _of_two_first_modes(content)
     italian = any(name.startswith("dmi2008") for name in content.analysis.procedures)
     if italian and content.procedures.dmi2008.confidence_factor == 1.0:
         yield from _of_crushing(mechanisms)
+
+
+def _of_amplification(raised: Sequence[str], amplified: Mapping[str, Amplified]) -> Iterator[Notice]:
+    """Which mechanisms above the ground feel the ground's motion as it is, and what is assumed for the others."""
+    without = [name for name in raised if amplified[name].height is None]
+    if without:
+        yield Notice(
+            "amplification",
+            "mechanisms",
+            f"above the ground, yet histories and ASCE 43-05 use the ground's motion as it is: {', '.join(without)}; "
+            "only dmi2008 asks for the floor's motion; `amplification` carries the histories up",
+        )
+    for name, one in amplified.items():
+        for text in one.assumed:
+            yield Notice("amplification", f"mechanisms.{name}", text)
+
+
+def _of_two_first_modes(content: sections.Content) -> Iterator[Notice]:
+    """A natural frequency of [building] beside a period that is not its reciprocal: two first modes of one building."""
+    building = content.building
+    if building is None or building.natural_frequency is None:
+        return
+    if abs(building.period * building.natural_frequency - 1.0) > SAME_MODE:
+        yield Notice(
+            "amplification",
+            "building",
+            f"histories take a first mode of {building.natural_frequency:.4g} Hz, the floor clauses of the codes a "
+            f"period of {building.period:.4g} s; give period = {1.0 / building.natural_frequency:.4g} for one building",
+        )
 
 
 def _of_crushing(mechanisms: Sequence[Mechanism]) -> Iterator[Notice]:

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.constants import g
 
+from assess.amplification import Carried, ModalFilter
 from assess.codes.check import Check
 from assess.geometry.scene import Scene
 from assess.loads import Force, Load, PointMass, pull_at_rest
@@ -29,11 +30,12 @@ from assess.oscillator import (
 from assess.project.drawing import drawing
 from assess.project.joint_results import interface_curves, interface_results
 from assess.project.motions import Motion
-from assess.project.study import Equation
+from assess.project.study import Amplified, Equation
 from assess.project.view import view
 from assess.results import (
     AmplificationResult,
     BranchCurve,
+    CarriedMotion,
     ComparisonRow,
     Curve,
     DirectionSweep,
@@ -48,12 +50,14 @@ from assess.results import (
     SpectrumResult,
     SuiteResult,
 )
-from records.record import scaled
+from records.record import Record, scaled
 from records.response import response_spectrum
 from spectra.spectrum import Spectrum
 
 FloatArray = NDArray[np.float64]
 
+UNAMPLIFIED = AmplificationResult("none", ())
+SHORTEST_PERIOD, LONGEST_DRAWN = 0.05, 4.0  # s, of the spectra of a filtered motion
 LONGEST_PERIOD = 10.0  # s, of the spectra in the results, where the spectrum reaches so far
 
 
@@ -164,10 +168,10 @@ def mechanism_result(
     scene: Scene | None = None,
     checks: Sequence[Check] = (),
     histories: Sequence[Sequence[HistoryResult]] = (),
+    amplification: AmplificationResult = UNAMPLIFIED,
 ) -> MechanismResult:
     """One mechanism with its checks and its histories [level][record]; `scene` has its bodies in space."""
     positive, negative, mass = oscillator.positive, oscillator.negative, oscillator.mass
-    records = [history.record for history in histories[0]] if histories else []
     drawn = drawing(mechanism, oscillator, scene)
     rigid = rigid_branches(mechanism, oscillator)
     return MechanismResult(
@@ -187,12 +191,42 @@ def mechanism_result(
         curve=Curve(branch_curve(positive, mass=mass), None if negative is None else branch_curve(negative, mass=mass)),
         interfaces=interface_results(mechanism, oscillator, [hinge.name for hinge in drawn.hinges]),
         interface_curves=interface_curves(mechanism, rigid) if mechanism.flexible else None,
-        amplification=AmplificationResult("none", tuple(Factor(record, 1.0) for record in records)),
+        amplification=amplification,
         checks=tuple(checks),
         histories=tuple(history for level in histories for history in level),
         suites=tuple(suite_result(level) for level in histories),
         envelope=None,
         loads=tuple(load_result(load) for load in mechanism.positive.loads),
+    )
+
+
+def amplification_result(
+    amplified: Amplified, motions: Sequence[Motion] = (), base: Sequence[Carried] = ()
+) -> AmplificationResult:
+    """How the motions reached the base of a mechanism; `base` as they act there."""
+    filtered = isinstance(amplified.amplification, ModalFilter) and len(base) > 0
+    most = max(range(len(base)), key=lambda place: base[place].factor) if filtered else 0
+    return AmplificationResult(
+        method=amplified.method,
+        factors=tuple(Factor(each.record.id, each.factor) for each in base),
+        height_m=amplified.height,
+        said=(*amplified.said, *amplified.assumed),
+        motion=carried_motion(motions[most], base[most].record) if filtered else None,
+    )
+
+
+def carried_motion(motion: Motion, base: Record) -> CarriedMotion:
+    """A motion scaled to the target, at the ground and at the base of a mechanism, on the steps of the latter."""
+    ground, scale = motion.record, motion.scaling.factor
+    period = np.geomspace(SHORTEST_PERIOD, LONGEST_DRAWN, 120)
+    return CarriedMotion(
+        record=ground.id,
+        time_s=floats(base.time),
+        ground_acceleration_g=floats(scale / g * np.interp(base.time, ground.time, ground.acceleration, right=0.0)),
+        base_acceleration_g=floats(scale / g * base.acceleration),
+        period_s=floats(period),
+        ground_spectrum_g=floats(scale / g * response_spectrum(ground, period)),
+        base_spectrum_g=floats(scale / g * response_spectrum(base, period)),
     )
 
 

@@ -4,17 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from functools import partial
 from importlib.metadata import version
 
-import numpy as np
-
+from assess.amplification import factor_over_frequency
 from assess.errors import ProjectError
 from assess.mechanisms.oscillation import oscillator
 from assess.project.assessing import Progress, mechanisms_assessed
 from assess.project.envelopes import DEFAULT_GRID, Rocker, critical_result, mapped_pulses, with_primary_pulses
 from assess.project.messages import located
 from assess.project.motions import Motion, motions_of
-from assess.project.outcome import comparison, mechanism_result, record_result, spectrum_result
+from assess.project.outcome import amplification_result, comparison, mechanism_result, record_result, spectrum_result
 from assess.project.study import Study
 from assess.project.sweeping import Swept, case_notices, case_text, controlling_cases, sweep_results, swept
 from assess.results import SCHEMA_VERSION, MechanismResult, Notice, Program, Results
@@ -85,7 +85,8 @@ def rockers_of(study: Study, standing: Mapping[str, Swept]) -> tuple[Rocker, ...
     for mechanism in study.mechanisms:
         of = standing[mechanism.name].case.study if mechanism.name in standing else study
         used = next(each for each in of.mechanisms if each.name == mechanism.name)
-        found.append(Rocker(used.name, oscillator(used), of.equations[used.name], np.ones_like))
+        factor = partial(factor_over_frequency, of.amplified[used.name].amplification)
+        found.append(Rocker(used.name, oscillator(used), of.equations[used.name], factor))
     return tuple(found)
 
 
@@ -97,6 +98,7 @@ def parameters(study: Study) -> tuple[MechanismResult, ...]:
             oscillator(mechanism),
             equation=study.equations[mechanism.name],
             scene=study.scenes.get(mechanism.name),
+            amplification=amplification_result(study.amplified[mechanism.name]),
         )
         for mechanism in study.mechanisms
     )

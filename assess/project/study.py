@@ -8,6 +8,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from assess.amplification import Amplification
 from assess.codes.context import Building
 from assess.codes.registry import CodeOptions
 from assess.geometry.scene import Scene
@@ -41,12 +42,29 @@ class PulseGrid:
 
 
 @dataclass(frozen=True)
+class Amplified:
+    """How the ground's motion reaches the base of a mechanism.
+
+    method : as the project names it; height : of the base above the ground [m], None where nothing is amplified
+    said : sentences: what is done, with which numbers, and where they come from
+    assumed : sentences: what nobody gave
+    """
+
+    method: str
+    height: float | None
+    amplification: Amplification
+    said: tuple[str, ...]
+    assumed: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
 class Study:
     """Site, motions, mechanisms and questions of one assessment.
 
     spectrum : the site's elastic spectrum at its own PGA; None where the project has no site
     levels : PGA at which demands are compared, rising [m/s2]
     equations : the equation of motion of each mechanism's histories, by name
+    amplified : how the motion of the histories reaches each mechanism, by name
     scenes : the bodies in space of each mechanism that has geometry, by name
     sweeps : parametric studies; a case has none
     pulses : of the overturning envelopes; None where none are asked for
@@ -63,6 +81,7 @@ class Study:
     options: CodeOptions
     mechanisms: tuple[Mechanism, ...]
     equations: dict[str, Equation]
+    amplified: dict[str, Amplified]
     scenes: dict[str, Scene]
     inputs: tuple[Input, ...]
     resolved: dict[str, Resolved]

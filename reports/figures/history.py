@@ -1,4 +1,4 @@
-"""One rocking history: the ground above, the rotation below."""
+"""One rocking history: the motion above, the rotation below."""
 
 from __future__ import annotations
 
@@ -13,12 +13,11 @@ _LIMIT = 1.3  # of the rotation axis [-]
 
 
 def draw(mechanism: MechanismResult, history: HistoryResult, trace: Trace, allowable: float | None) -> Figure:
-    """Ground acceleration [g] and rotation / phi_ov [-] over time [s], with the allowable and overturning rotations."""
+    """Acceleration [g], also at the base where amplified, and rotation / phi_ov [-] over time [s], with its limits."""
     with styled():
         figure = sheet(3.4)
         ground, rotation = figure.subplots(2, 1, sharex=True, height_ratios=(1, 1.5))
-        ground.plot(trace.time_s, trace.ground_acceleration_g, color=MUTED, linewidth=0.6)
-        ground.set(ylabel="ground\nacceleration [g]")
+        _motion(ground, trace)
         _rotation(rotation, mechanism, trace)
         _limits(rotation, allowable, two_sided=mechanism.oscillator_negative is not None)
         _peak(rotation, history)
@@ -26,6 +25,17 @@ def draw(mechanism: MechanismResult, history: HistoryResult, trace: Trace, allow
         rotation.set_xlim(trace.time_s[0], trace.time_s[-1])
         rotation.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), borderaxespad=0.1, ncols=3)
         return figure
+
+
+def _motion(axes: Axes, trace: Trace) -> None:
+    if trace.base_acceleration_g is None:
+        axes.plot(trace.time_s, trace.ground_acceleration_g, color=MUTED, linewidth=0.6)
+        axes.set(ylabel="ground\nacceleration [g]")
+        return
+    axes.plot(trace.time_s, trace.base_acceleration_g, color="#d55e00", linewidth=0.6, label="at its base")
+    axes.plot(trace.time_s, trace.ground_acceleration_g, color=INK, linewidth=0.5, label="at the ground")
+    axes.set(ylabel="acceleration\n[g]")
+    axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), borderaxespad=0.1, ncols=2)
 
 
 def ratio(mechanism: MechanismResult, trace: Trace) -> np.ndarray[tuple[int], np.dtype[np.float64]]:

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from scipy.constants import g
 
 from assess.codes.asce43_05.clauses import EDITION, Options
-from assess.codes.check import BranchName, Check, PgaCurve, Step, Verdict
+from assess.codes.check import BranchName, Check, InputAt, PgaCurve, Step, Verdict
 from assess.codes.context import Context, Suite
 from assess.oscillator import Oscillator, linearise, multiplier
 
@@ -32,7 +32,8 @@ def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tup
             allowable,
             curve=curve,
             at_collapse=at_collapse,
-            uplift=uplift_multiplier(oscillator, linearised=context.linearised),
+            uplift=uplift_multiplier(oscillator, linearised=context.linearised) / context.amplification,
+            input_at=context.histories_at,
         )
         for suite in context.suites
     )
@@ -82,6 +83,7 @@ def _check(
     curve: PgaCurve,
     at_collapse: float | None,
     uplift: float,
+    input_at: InputAt,
 ) -> Check:
     branch_name: BranchName = suite.branch
     branch = oscillator.positive if branch_name == "positive" or oscillator.negative is None else oscillator.negative
@@ -95,7 +97,7 @@ def _check(
         branch=branch_name,
         limit_state="no overturning",
         level_pga_g=suite.pga / g,
-        input_at="ground",
+        input_at=input_at,
         damping=None,
         damping_rule="",
         quantity="mean rotation",

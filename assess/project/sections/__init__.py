@@ -3,6 +3,13 @@
 The sentence below a key is its description in the JSON Schema and in the message when it is missing.
 """
 
+from assess.project.sections.amplification import (
+    FirstModeAmplification,
+    FloorAmplification,
+    NoAmplification,
+    PrintedAmplification,
+    RaisedAmplification,
+)
 from assess.project.sections.analysis import PROCEDURES, Records
 from assess.project.sections.bodies import Body, BoxBody, DirectBody, Material, MeshBody, ProfileBody
 from assess.project.sections.content import Content
@@ -22,7 +29,7 @@ from assess.project.sections.mechanisms import (
     TwoBlock,
 )
 from assess.project.sections.pulses import Pulses
-from assess.project.sections.site import Asce7Spectrum, Site, TableSpectrum
+from assess.project.sections.site import Asce7Spectrum, Building, Site, TableSpectrum
 from assess.project.sections.sweeps import Sweep
 
 __all__ = [
@@ -31,12 +38,15 @@ __all__ = [
     "Body",
     "BodyLoad",
     "BoxBody",
+    "Building",
     "Chained",
     "Content",
     "CutAngle",
     "CutPlane",
     "DirectBody",
     "EquivalentBlock",
+    "FirstModeAmplification",
+    "FloorAmplification",
     "ForceLoad",
     "FourHinge",
     "FourHinges",
@@ -47,10 +57,13 @@ __all__ = [
     "Material",
     "Mechanism",
     "MeshBody",
+    "NoAmplification",
     "OverburdenLoad",
+    "PrintedAmplification",
     "ProfileBody",
     "Pulses",
     "RadialJoints",
+    "RaisedAmplification",
     "Records",
     "Shape",
     "SingleBlock",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from typing import Annotated, Any, ClassVar, Literal, Self
 
 from pydantic import (
@@ -35,6 +35,7 @@ from assess.project.quantities import (
     unique,
 )
 from assess.project.section import Section, listed, wrong
+from assess.project.sections.amplification import AmplificationSection, NoAmplification
 from assess.project.sections.interfaces import Interface, Letter
 from assess.project.sections.loads import LoadSection, OverburdenLoad
 from assess.project.units import KINDS, si_value
@@ -211,10 +212,6 @@ def _pairs(section: Section) -> list[str]:
 class Chained(Section):
     """What all mechanisms of blocks share."""
 
-    planned: ClassVar[Mapping[str, str]] = {
-        "amplification": "histories act on the mechanism's base as they are; remove it",
-    }
-
     moving: ClassVar[int] = 1
     blocks: Blocks
     """bodies from the base on; an entry may join several that move as one, [["wall", "buttress"]]"""
@@ -234,6 +231,8 @@ class Chained(Section):
     """what the hinges press on: { model = "flexible", stiffness = "10 GPa/m", strength, shape }"""
     interfaces: dict[Letter, Interface] = Field(default_factory=dict)
     """the same for single hinges of a chain, { A = { … }, B = { … } }"""
+    amplification: AmplificationSection = Field(default_factory=NoAmplification)
+    """{ method = "srss" | "modal-filter" | "ec8" | "nzs1170.5" | …, height, … }: the motion's way up to its base"""
 
     @model_validator(mode="after")
     def _interfaces_are_at_hinges(self) -> Self:
@@ -357,10 +356,6 @@ class FourHinge(Chained):
 class EquivalentBlock(Section):
     """A mechanism by its rocking parameters, as published tables give them."""
 
-    planned: ClassVar[Mapping[str, str]] = {
-        "amplification": "histories act on the mechanism's base as they are; remove it"
-    }
-
     kind: Literal["equivalent-block"]
     """"equivalent-block\""""
     p: PositiveRate
@@ -379,6 +374,8 @@ class EquivalentBlock(Section):
     """mass of the mechanism"""
     elevation: Length = 0.0
     """of the mechanism's base, in the coordinates of the bodies"""
+    amplification: AmplificationSection = Field(default_factory=NoAmplification)
+    """{ method = "srss" | "modal-filter" | "ec8" | "nzs1170.5" | …, height, … }: the motion's way up to its base"""
 
 
 Mechanism = SingleBlock | TwoBlock | FourHinge | EquivalentBlock

@@ -14,6 +14,7 @@ from assess.project.quantities import (
     Length,
     NotNegativeRatio,
     PositiveAcceleration,
+    PositiveFrequency,
     PositiveLength,
     PositiveTime,
 )
@@ -84,10 +85,6 @@ class Site(Section):
 class Building(Section):
     """The structure below a mechanism; what the clauses for mechanisms above ground need."""
 
-    planned: ClassVar[Mapping[str, str]] = dict.fromkeys(
-        ("natural_frequency", "effective_height"), "amplification of histories comes later; remove it"
-    )
-
     height: PositiveLength
     """height above ground_elevation, like "9 m\""""
     storeys: Count | None = None
@@ -98,3 +95,7 @@ class Building(Section):
     """period of the first mode; 0.05 H^0.75 if absent"""
     damping: Damping = 0.05
     """damping ratio of the first mode"""
+    natural_frequency: PositiveFrequency | None = None
+    """first natural frequency for `amplification`, like "2.5 Hz"; 1 / period where that is given, else Rayleigh's"""
+    effective_height: PositiveLength | None = None
+    """height above the ground of the resultant of the first mode's inertia forces, for `amplification`"""

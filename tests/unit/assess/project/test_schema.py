@@ -169,7 +169,31 @@ WRONG: dict[str, tuple[str | bytes, str]] = {
         changed("thickness", "thicknes"),
         'wall.box.thicknes: "60 cm": unknown key; did you mean',
     ),
-    "key of a later version": (changed("restitution = 0.9", "amplification = {}"), "mechanisms.wall.amplification: "),
+    "key of a later version": (changed("[analysis]", "[analysis]\npulses = {}"), "analysis.pulses: "),
+    "amplification of no method": (
+        changed("restitution = 0.9", "amplification = {}"),
+        "mechanisms.wall.amplification.method: missing; write one of",
+    ),
+    "amplification of another method": (
+        changed("restitution = 0.9", 'amplification = { method = "abs" }'),
+        'mechanisms.wall.amplification.method: "abs": not supported; write one of "none", "srss"',
+    ),
+    "natural frequency of a code's factor": (
+        changed("restitution = 0.9", 'amplification = { method = "ec8", natural_frequency = "2 Hz" }'),
+        "mechanisms.wall.amplification.natural_frequency: ",
+    ),
+    "natural frequency in seconds": (
+        changed("restitution = 0.9", 'amplification = { method = "srss", natural_frequency = "2 s" }'),
+        'amplification.natural_frequency: "2 s": "s" is not a unit of frequency; write a frequency like "2.5 Hz"',
+    ),
+    "height below the ground": (
+        changed("restitution = 0.9", 'amplification = { method = "srss", height = -1 }'),
+        "mechanisms.wall.amplification.height: -1: ",
+    ),
+    "printed factor without soil": (
+        changed("restitution = 0.9", 'amplification = { method = "ec8-printed" }'),
+        "mechanisms.wall.amplification.soil_factor: missing; soil factor S",
+    ),
     "cut of no length": (
         changed("restitution = 0.9", 'cut = "4 kg"'),
         'mechanisms.wall.cut: "4 kg": "kg" is not a unit of length',

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
+from assess.amplification import Carried
 from assess.errors import GeometryError, MechanismError, ProjectError
 from assess.mechanisms.oscillation import oscillator
 from assess.project.build import build
@@ -46,6 +47,11 @@ def record(path: Path, *, seed: int, amplitude: float = 1.0) -> None:
     smooth = np.convolve(noise, np.hanning(15), mode="same") * np.sin(np.pi * t / 12.0)
     rows = "\n".join(f"{x:.2f},{amplitude * y:.6f}" for x, y in zip(t, smooth, strict=True))
     path.write_text(f"time [s],acceleration [m/s2]\n{rows}\n")
+
+
+def as_they_are(motions):
+    """The ground's motions at the base of a mechanism that is not amplified."""
+    return tuple(Carried(motion.record, 1.0) for motion in motions)
 
 
 def study_of(folder: Path, *, spectrum=ASCE, mechanism="", records=QUIET, analysis="", amplitude=1.0, tail="") -> Study:
@@ -104,7 +110,7 @@ def test_scaling_to_a_table_that_ends_early_uses_the_periods_it_has(tmp_path):
 def test_the_scan_begins_below_uplift_whatever_the_records_scale(tmp_path):
     study = study_of(tmp_path, records=f'{QUIET}\nscale_to = "none"', amplitude=5.0)
     motions = motions_of(study, study.spectrum)
-    shaken = Shaken("m", oscillator(study.mechanisms[0]), "exact")
+    shaken = Shaken("m", oscillator(study.mechanisms[0]), "exact", as_they_are(motions))
     scan = scan_of(shaken, motions, site_pga=study.spectrum.pga, threads=1)
     assert scan[0].mean == 0.0
     assert scan[-1].overturned
@@ -118,7 +124,7 @@ def test_the_scan_of_a_mechanism_on_joints_rises_too(tmp_path):
     motions = motions_of(study, study.spectrum)
     from assess.mechanisms.oscillation import oscillator
 
-    shaken = Shaken("m", oscillator(study.mechanisms[0]), "exact")
+    shaken = Shaken("m", oscillator(study.mechanisms[0]), "exact", as_they_are(motions))
     scan = scan_of(shaken, motions, site_pga=study.spectrum.pga, threads=1)
     assert 0.0 < scan[0].pga < scan[1].pga
     assert scan[-1].overturned
@@ -217,7 +223,10 @@ def test_the_scan_on_flexible_joints_rises_from_a_level_that_moves_little(tmp_pa
     study = study_of(tmp_path, mechanism=joint)
     motions = motions_of(study, study.spectrum)
     scan = scan_of(
-        Shaken("m", oscillator(study.mechanisms[0]), "exact"), motions, site_pga=study.spectrum.pga, threads=1
+        Shaken("m", oscillator(study.mechanisms[0]), "exact", as_they_are(motions)),
+        motions,
+        site_pga=study.spectrum.pga,
+        threads=1,
     )
     assert 0.0 < scan[0].mean < 0.2
     assert scan[-1].overturned

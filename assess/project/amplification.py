@@ -1,0 +1,187 @@
+"""The key `amplification` of a mechanism with what [building] says, and Rayleigh's method for what is missing."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from assess.amplification import FirstMode, FloorFactor, ModalFilter, Srss, Unamplified, first_mode
+from assess.errors import GeometryError, ProjectError
+from assess.natural_frequency import ASSUMPTIONS, SLICES, Rayleigh, cantilever, rayleigh
+from assess.project import sections
+from assess.project.bodies import Solids
+from assess.project.mechanisms import Built
+from assess.project.study import Amplified
+from spectra.errors import SpectrumError
+from spectra.floor import ec8, ec8_printed, ec8_resonance, nzs1170_5
+
+NEAR_GROUND = 0.05  # m: a body that stands no farther from the ground's elevation stands on it
+DAMPING = 0.05  # of the first mode where there is no [building]
+RAYLEIGH = "Rayleigh's method"
+AS_IT_IS = Amplified("none", None, Unamplified(), ())
+
+FLOORS: dict[str, tuple[Callable[..., float], str]] = {
+    "ec8": (ec8, "EN 1998-1, 4.3.5.2, rigid part (T_a = 0): 1.5 (1 + z/H) - 0.5 on the motion of the surface"),
+    "ec8-resonance": (ec8_resonance, "EN 1998-1, 4.3.5.2, at resonance (T_a = T_1): 3 (1 + z/H) - 0.5"),
+    "nzs1170.5": (nzs1170_5, "NZS 1170.5, 8.3: the least that applies of 1 + h/6, 1 + 10 h/H and 3"),
+}
+
+FIRST_MODES: dict[str, tuple[Callable[[FirstMode, float], Srss | ModalFilter], str]] = {
+    "srss": (Srss, "every record times sqrt((S_a(T_n)/a_g h/h_e)^2 + 1), thesis 3.48; pulses by 3.47"),
+    "modal-filter": (
+        ModalFilter,
+        "every record through the first mode, absolute acceleration at the mechanism's base; no higher modes",
+    ),
+}
+
+
+@dataclass(frozen=True)
+class Standing:
+    """A mechanism with what the project says of it, for the structure below."""
+
+    name: str
+    section: sections.Mechanism
+    built: Built
+    content: sections.Content
+    solids: Solids
+
+    @property
+    def where(self) -> str:
+        """The key, as errors name it."""
+        return f"mechanisms.{self.name}.amplification"
+
+    @property
+    def ground(self) -> float:
+        """Elevation of the ground [m]."""
+        return self.content.building.ground_elevation if self.content.building is not None else 0.0
+
+
+def amplified(standing: Standing) -> Amplified:
+    """How the ground's motion reaches the mechanism's base.
+
+    Raises ProjectError for what is missing, or a height outside the clause.
+    """
+    asked = standing.section.amplification
+    if isinstance(asked, sections.NoAmplification):
+        return AS_IT_IS
+    height = height_of(asked, standing)
+    if isinstance(asked, sections.FirstModeAmplification):
+        return by_first_mode(asked, standing, height=height)
+    return by_floor_factor(asked, standing, height=height)
+
+
+def height_of(asked: sections.RaisedAmplification, standing: Standing) -> float:
+    """Of the mechanism's base above the ground [m]: given, or its elevation."""
+    if asked.height is not None:
+        return asked.height
+    height = standing.built.mechanism.elevation - standing.ground
+    if height < -NEAR_GROUND:
+        raise ProjectError(
+            f"{standing.where}.height: the mechanism begins {-height:.3g} m below the ground; give height, or "
+            "building.ground_elevation"
+        )
+    return max(height, 0.0)
+
+
+def by_floor_factor(
+    asked: sections.FloorAmplification | sections.PrintedAmplification, standing: Standing, *, height: float
+) -> Amplified:
+    """The factor of a code for the height."""
+    building = standing.content.building
+    if building is None:
+        raise ProjectError(
+            f'{standing.where}: "{asked.method}" needs the height of the building; add a table [building] with height'
+        )
+    try:
+        if isinstance(asked, sections.PrintedAmplification):
+            factor = ec8_printed(height, building_height=building.height, soil_factor=asked.soil_factor)
+            clause = f"thesis 3.49: S [3 (1 + h/H) - 0.5], S = {asked.soil_factor:.4g}"
+        else:
+            rule, clause = FLOORS[asked.method]
+            factor = rule(height, building_height=building.height)
+    except SpectrumError as error:
+        raise ProjectError(f"{standing.where}.height: {error}") from None
+    said = f"every record times {factor:.4g} at h = {height:.4g} m of H = {building.height:.4g} m by {clause}"
+    return Amplified(
+        asked.method, height, FloorFactor(factor, clause), (said, "not checked against the printed standard")
+    )
+
+
+def by_first_mode(asked: sections.FirstModeAmplification, standing: Standing, *, height: float) -> Amplified:
+    """The first mode by what is given, else by Rayleigh's method."""
+    building = standing.content.building
+    frequency, effective = frequency_given(asked, building), effective_height_given(asked, building)
+    assumed: tuple[str, ...] = ()
+    if frequency is None or effective is None:
+        found = rayleigh_of(standing)
+        frequency = frequency or (found.frequency, RAYLEIGH)
+        effective = effective or (found.effective_height, RAYLEIGH)
+        assumed = (f"{RAYLEIGH} on {SLICES} slices of its bodies: {ASSUMPTIONS}",)
+    damping = DAMPING if building is None else building.damping
+    mode = first_mode(frequency=frequency[0], effective_height=effective[0], damping=damping)
+    said = (
+        f"first mode of {frequency[0]:.4g} Hz ({frequency[1]}), h_e = {effective[0]:.4g} m ({effective[1]}), "
+        f"damping {damping:.3g}, linear shape: at h = {height:.4g} m participation times shape h/h_e = "
+        f"{mode.shape(height):.4g}"
+    )
+    make, how = FIRST_MODES[asked.method]
+    return Amplified(asked.method, height, make(mode, height), (how, said), assumed)
+
+
+def frequency_given(
+    asked: sections.FirstModeAmplification, building: sections.Building | None
+) -> tuple[float, str] | None:
+    """The first natural frequency [Hz] that the project gives, and where."""
+    if asked.natural_frequency is not None:
+        return asked.natural_frequency, "given"
+    if building is not None and building.natural_frequency is not None:
+        return building.natural_frequency, "given for the building"
+    if building is not None and building.given("period"):
+        return 1.0 / building.period, "1 / period of the building"
+    return None
+
+
+def effective_height_given(
+    asked: sections.FirstModeAmplification, building: sections.Building | None
+) -> tuple[float, str] | None:
+    """The effective height [m] that the project gives, and where."""
+    if asked.effective_height is not None:
+        return asked.effective_height, "given"
+    if building is not None and building.effective_height is not None:
+        return building.effective_height, "given for the building"
+    return None
+
+
+def rayleigh_of(standing: Standing) -> Rayleigh:
+    """Rayleigh's quotient of the whole bodies of a single block that stand on the ground, bent in its direction."""
+    section, scene = standing.section, standing.built.scene
+    if not isinstance(section, sections.SingleBlock) or scene is None:
+        raise _missing(standing, "only a single-block of bodies that stand on the ground has a first mode of its own")
+    names = section.blocks[0]
+    moduli = [young_modulus(name, standing) for name in names]
+    solids = [solid for name in names if (solid := standing.solids[name]) is not None]
+    foot = min(float(solid.vertices[:, 2].min()) for solid in solids)
+    if abs(foot - standing.ground) > NEAR_GROUND:
+        raise _missing(standing, f"its bodies begin at z = {foot:.4g} m, the ground is at {standing.ground:.4g} m")
+    try:
+        return rayleigh(cantilever(solids, moduli, direction=scene.direction.tolist()))
+    except GeometryError as error:
+        raise ProjectError(f"{standing.where}: {error}") from None
+
+
+def young_modulus(name: str, standing: Standing) -> float:
+    """Of one body [Pa]."""
+    body = standing.content.bodies[name]
+    if isinstance(body, sections.DirectBody):
+        raise _missing(standing, f'body "{name}" has no geometry')
+    modulus = standing.content.materials[body.material].young_modulus
+    if modulus is None:
+        raise _missing(standing, f"materials.{body.material} has no young_modulus for Rayleigh's method")
+    return modulus
+
+
+def _missing(standing: Standing, why: str) -> ProjectError:
+    return ProjectError(
+        f"{standing.where}: natural_frequency and effective_height: not both given, and {why}; give both here or in "
+        "[building]"
+    )

@@ -1,0 +1,60 @@
+"""A record as it arrives at a height of a building that answers in its first mode."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import ceil, log, pi
+
+import numpy as np
+
+from records.errors import RecordError
+from records.kernel import relative_accelerations
+from records.record import Record
+from records.response import COARSEST
+
+STEPS_PER_PERIOD = 40.0  # of the building: a sine through 40 points, lines between, is at most 0.3 % off
+FADED = 0.01  # of the free vibration after the record is left when the motion ends
+
+
+def floor_motion(record: Record, *, frequency: float, shape: float, damping: float = 0.05) -> Record:
+    """Absolute acceleration a_g + shape * u'' where the first mode stands `shape` times as far out as its oscillator.
+
+    u'' is the acceleration relative to the ground of an oscillator of `frequency` [Hz] and `damping` [-], exact for
+    ground acceleration that is linear between samples; `shape` = participation factor times mode shape at the height
+    [-]. The step is divided to a fortieth of the period. The motion goes on after the record until the free vibration
+    has faded to a hundredth, or for as long again as the record lasts.
+
+    Raises RecordError for a frequency that is not positive or far above what the record's step shows, a damping outside
+    0 < damping < 1, a shape that is not finite.
+    Source: equation of motion of the first mode; thesis 8.4.2 names the method.
+    """
+    _check(record, frequency=frequency, shape=shape, damping=damping)
+    period = 1.0 / frequency
+    parts = max(1, ceil(record.dt * STEPS_PER_PERIOD * frequency - 1e-9))
+    tail = min(record.npts, ceil(log(1.0 / FADED) / (2.0 * pi * damping) * period / record.dt))
+    ground = np.concatenate([record.acceleration, np.zeros(tail)])
+    relative = relative_accelerations(ground, record.dt, parts, period, damping)
+    at_height = shape * relative + between(ground, parts)
+    at_height.flags.writeable = False
+    said = f"through a first mode of {frequency:.6g} Hz, damping {damping:.3g}, to where it counts {shape:.6g}"
+    return replace(record, acceleration=at_height, dt=record.dt / parts, trail=(*record.trail, said))
+
+
+def between(
+    acceleration: np.ndarray[tuple[int], np.dtype[np.float64]], parts: int
+) -> np.ndarray[tuple[int], np.dtype[np.float64]]:
+    """Samples [n] with `parts` - 1 points on the line between every two [(n - 1) parts + 1]."""
+    n = acceleration.size
+    return np.interp(np.arange((n - 1) * parts + 1) / parts, np.arange(n), acceleration)
+
+
+def _check(record: Record, *, frequency: float, shape: float, damping: float) -> None:
+    where = f'record "{record.id}"'
+    if not (np.isfinite(frequency) and frequency > 0.0):
+        raise RecordError(f"{where}: natural frequency {frequency} Hz of the building; it must be positive")
+    if frequency * record.dt > COARSEST:
+        raise RecordError(f"{where}: its step of {record.dt:.6g} s is too coarse for a building of {frequency:.3g} Hz")
+    if not 0.0 < damping < 1.0:
+        raise RecordError(f"{where}: damping ratio {damping} of the building; it must lie between 0 and 1")
+    if not np.isfinite(shape):
+        raise RecordError(f"{where}: first mode counts {shape} at the height; it must be a finite number")

@@ -1,0 +1,225 @@
+"""The key `amplification`: where its numbers come from, what is refused, and what the histories then are."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy.constants import g
+
+from assess.amplification import FloorFactor, ModalFilter, Srss
+from assess.errors import ProjectError
+from assess.geometry.solid import box
+from assess.natural_frequency import cantilever, rayleigh
+from assess.project.build import build
+from assess.project.run import run
+from assess.project.schema import load
+from assess.project.study import Study
+from records.floor_motion import floor_motion
+
+WALL = box(thickness=0.6, length=4.0, height=8.0, base=[0, 0, 0], density=2000.0, name="w")
+PROJECT = """
+[site.spectrum]
+code = "asce7-16"
+s_ds = "0.5 g"
+s_d1 = "0.2 g"
+t_l = 6
+{building}
+[materials.m]
+density = 2000
+young_modulus = "3 GPa"
+[materials.soft]
+density = 2000
+[bodies.w]
+material = "m"
+box = {{ thickness = 0.6, length = 4.0, height = 8.0 }}
+[bodies.high]
+material = "m"
+box = {{ thickness = 0.6, length = 4.0, height = 3.0, base = [0, 0, 5] }}
+[bodies.soft]
+material = "soft"
+box = {{ thickness = 0.6, length = 4.0, height = 8.0 }}
+[bodies.direct]
+mass = 1000
+centroid = [0, 1]
+inertia = 500
+[mechanisms.m]
+{mechanism}
+[records]
+files = ["a.csv"]
+[analysis]
+levels = ["0.3 g"]
+procedures = ["asce43-05-history", "asce43-05-spectrum"]
+{analysis}
+"""
+CUT = 'kind = "single-block"\nblocks = ["w"]\ncut = "5 m"\n'
+BLOCK = 'kind = "equivalent-block"\np = 2.26\nuplift = 0.21\nradius = 1.46\nelevation = 5\n'
+HOUSE = '[building]\nheight = "9 m"\n'
+
+
+def study_of(folder: Path, mechanism: str, *, building: str = "", analysis: str = "") -> Study:
+    t = np.arange(0.0, 6.0, 0.01)
+    noise = np.convolve(np.random.default_rng(3).normal(size=t.size), np.hanning(15), mode="same")
+    rows = "\n".join(f"{x:.2f},{y:.6f}" for x, y in zip(t, noise * np.sin(np.pi * t / 6.0), strict=True))
+    (folder / "a.csv").write_text(f"time [s],acceleration [m/s2]\n{rows}\n")
+    text = PROJECT.format(mechanism=mechanism, building=building, analysis=analysis)
+    (folder / "project.toml").write_text(text)
+    return build(load(folder))
+
+
+def amplification(method: str, **keys: str) -> str:
+    given = "".join(f', {key} = "{value}"' for key, value in keys.items())
+    return f'amplification = {{ method = "{method}"{given} }}\n'
+
+
+def mode_of(study: Study) -> tuple[float, float, float, float]:
+    """Frequency, effective height, damping, height of the mechanism."""
+    found = study.amplified["m"].amplification
+    assert isinstance(found, Srss | ModalFilter)
+    return (found.mode.frequency, found.mode.effective_height, found.mode.damping, found.height)
+
+
+def test_what_is_given_goes_before_the_building_and_the_building_before_rayleigh(tmp_path):
+    own = amplification("srss", natural_frequency="2.5 Hz", effective_height="6.01 m", height="4.77 m")
+    whole = HOUSE + 'natural_frequency = "3 Hz"\neffective_height = "5 m"\ndamping = 0.03\n'
+    by_rayleigh = rayleigh(cantilever([WALL], [3e9], direction=[1, 0, 0]))
+    expected = (by_rayleigh.frequency, by_rayleigh.effective_height, 0.05, 5.0)
+    assert mode_of(study_of(tmp_path, CUT + own, building=whole)) == (2.5, 6.01, 0.03, 4.77)
+    assert mode_of(study_of(tmp_path, CUT + amplification("modal-filter"), building=whole)) == (3.0, 5.0, 0.03, 5.0)
+    assert mode_of(study_of(tmp_path, CUT + amplification("srss"))) == pytest.approx(expected, rel=1e-9)
+    assert mode_of(study_of(tmp_path, CUT + amplification("srss"), building=HOUSE)) == pytest.approx(expected, rel=1e-9)
+
+
+def test_a_period_that_is_given_is_the_first_mode_s(tmp_path):
+    frequency, *_ = mode_of(study_of(tmp_path, CUT + amplification("srss"), building=HOUSE + "period = 0.4\n"))
+    assert frequency == pytest.approx(2.5, rel=1e-12)
+
+
+def test_rayleigh_bends_the_wall_in_its_direction(tmp_path):
+    along, *_ = mode_of(study_of(tmp_path, CUT + "direction = [0, 1, 0]\n" + amplification("srss")))
+    found = rayleigh(cantilever([WALL], [3e9], direction=[0, 1, 0]))
+    assert along == pytest.approx(found.frequency, rel=1e-9)
+    study = study_of(tmp_path, CUT + amplification("srss"))
+    assumed = [notice.text for notice in study.notices if notice.where == "mechanisms.m"]
+    assert len(assumed) == 1
+    assert "G = 0.4 E" in assumed[0]
+
+
+@pytest.mark.parametrize(
+    ("method", "factor"),
+    [("ec8", 1.5 * (1 + 5 / 9) - 0.5), ("ec8-resonance", 3 * (1 + 5 / 9) - 0.5), ("nzs1170.5", 1 + 5 / 6)],
+)
+def test_a_code_s_factor_takes_height_and_building(tmp_path, method, factor):
+    found = study_of(tmp_path, BLOCK + amplification(method), building=HOUSE).amplified["m"]
+    assert isinstance(found.amplification, FloorFactor)
+    assert found.amplification.factor == pytest.approx(factor, rel=1e-12)
+    above = study_of(tmp_path, BLOCK + amplification(method), building=HOUSE + "ground_elevation = 5\n").amplified["m"]
+    assert above.height == 0.0
+
+
+def test_the_printed_ec8_takes_its_soil(tmp_path):
+    given = 'amplification = { method = "ec8-printed", soil_factor = 1.15, height = 3 }\n'
+    found = study_of(tmp_path, BLOCK + given, building=HOUSE).amplified["m"].amplification
+    assert isinstance(found, FloorFactor)
+    assert found.factor == pytest.approx(1.15 * 3.5, rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("mechanism", "building", "words"),
+    [
+        (BLOCK + amplification("srss"), "", "effective_height: not both given, and only a single-block"),
+        (BLOCK + amplification("srss", natural_frequency="2 Hz"), HOUSE, "not both given"),
+        (BLOCK + amplification("ec8"), "", r'"ec8" needs the height of the building; add a table \[building\]'),
+        (BLOCK + amplification("ec8", height="9.5 m"), HOUSE, r"height 9.5 m in a building of 9 m; EN 1998-1, 4.3.5.2"),
+        (BLOCK + amplification("srss"), HOUSE + "ground_elevation = 6\n", "begins 1 m below the ground; give height"),
+        (CUT.replace('"w"', '"soft"') + amplification("srss"), "", "materials.soft has no young_modulus"),
+        (
+            'kind = "single-block"\nblocks = ["high"]\n' + amplification("srss"),
+            "",
+            "its bodies begin at z = 5 m, the ground is at 0 m",
+        ),
+        (
+            'kind = "single-block"\nblocks = ["direct"]\nhinges = { A = [0.4, 0] }\n'
+            "hinges_negative = { A = [-0.4, 0] }\n" + amplification("modal-filter"),
+            "",
+            "has no geometry",
+        ),
+    ],
+)
+def test_what_is_missing_is_named(tmp_path, mechanism, building, words):
+    with pytest.raises(ProjectError, match=words) as refused:
+        study_of(tmp_path, mechanism, building=building)
+    assert "mechanisms.m.amplification" in str(refused.value)
+    assert "\n" not in str(refused.value)
+
+
+def test_two_first_modes_of_one_building_are_told(tmp_path):
+    whole = HOUSE + 'natural_frequency = "2.5 Hz"\neffective_height = "6 m"\n'
+    told = [n for n in study_of(tmp_path, CUT + amplification("srss"), building=whole).notices if n.where == "building"]
+    assert len(told) == 1
+    assert "give period = 0.4" in told[0].text
+    same = study_of(tmp_path, CUT + amplification("srss"), building=whole + "period = 0.4\n")
+    assert not [n for n in same.notices if n.where == "building"]
+
+
+def test_only_what_is_not_amplified_is_warned_of(tmp_path):
+    def raised(text: str) -> list[str]:
+        return [n.text for n in study_of(tmp_path, text, building=HOUSE).notices if n.where == "mechanisms"]
+
+    assert len(raised(CUT)) == 1
+    assert raised(CUT + amplification("ec8")) == []
+
+
+def test_a_factor_is_a_stronger_ground(tmp_path):
+    """Histories at 0.3 g times the factor, by a mechanism that is not amplified."""
+    amplified = run(study_of(tmp_path, CUT + amplification("nzs1170.5"), building=HOUSE)).mechanisms[0]
+    factor = 1 + 5 / 6
+    plain = run(replace(study_of(tmp_path, CUT, building=HOUSE), levels=(0.3 * factor * g,))).mechanisms[0]
+    assert amplified.histories[0].max_rotation_rad == pytest.approx(plain.histories[0].max_rotation_rad, rel=1e-9)
+    assert (amplified.histories[0].amplification, plain.histories[0].amplification) == (pytest.approx(factor), 1.0)
+    assert amplified.histories[0].scale_factor == pytest.approx(plain.histories[0].scale_factor / factor, rel=1e-12)
+    trace = amplified.histories[0].trace
+    np.testing.assert_allclose(trace.base_acceleration_g, factor * np.array(trace.ground_acceleration_g), rtol=1e-9)
+    assert plain.histories[0].trace.base_acceleration_g is None
+
+
+def test_a_filtered_motion_is_the_floor_s(tmp_path):
+    """The same history as of a mechanism on the ground under the floor's motion."""
+    study = study_of(tmp_path, CUT + amplification("modal-filter"))
+    frequency, effective_height, damping, height = mode_of(study)
+    found = run(study)
+    floor = floor_motion(study.records[0], frequency=frequency, shape=height / effective_height, damping=damping)
+    ground = replace(study_of(tmp_path, CUT), records=(floor,), scale_to="none")
+    site = found.spectrum.pga_g
+    level = (site * g * 0.3 / site * found.records[0].scale_factor,)  # the floor's motion is not scaled to the target
+    beside = run(replace(ground, levels=level)).mechanisms[0].histories[0]
+    one = found.mechanisms[0].histories[0]
+    assert one.max_rotation_rad == pytest.approx(beside.max_rotation_rad, rel=1e-9)
+    assert abs(one.max_rotation_rad) > 1e-3
+    assert one.amplification == pytest.approx(floor.pga / study.records[0].pga, rel=1e-12)
+    motion = found.mechanisms[0].amplification.motion
+    scale = found.records[0].scale_factor / g
+    np.testing.assert_allclose(motion.base_acceleration_g, scale * floor.acceleration, rtol=1e-12)
+
+
+def test_each_check_says_where_its_input_acts(tmp_path):
+    found = run(study_of(tmp_path, CUT + amplification("nzs1170.5"), building=HOUSE)).mechanisms[0]
+    plain = run(study_of(tmp_path, CUT, building=HOUSE)).mechanisms[0]
+    assert {check.procedure: check.input_at for check in found.checks} == {
+        "asce43-05-history": "mechanism base",
+        "asce43-05-spectrum": "ground",
+    }
+    assert {check.input_at for check in plain.checks} == {"ground"}
+    history, before = (next(c for c in m.checks if c.procedure == "asce43-05-history") for m in (found, plain))
+    assert history.uplift_pga_g == pytest.approx(before.uplift_pga_g / (1 + 5 / 6), rel=1e-9)
+    own = [c for c in found.checks if c.procedure == "asce43-05-spectrum"]
+    assert own == [c for c in plain.checks if c.procedure == "asce43-05-spectrum"]  # clauses keep their own input
+
+
+def test_the_way_up_may_be_swept(tmp_path):
+    sweep = '[analysis.sweep]\nkey = "mechanisms.m.amplification.height"\nvalues = ["1 m", "5 m"]\n'
+    study = study_of(tmp_path, CUT + amplification("nzs1170.5", height="2 m"), building=HOUSE, analysis=sweep)
+    factors = [case.study.amplified["m"].amplification.factor for case in study.sweeps[0].cases]
+    assert factors == pytest.approx([1 + 1 / 6, 1 + 5 / 6], rel=1e-12)

@@ -27,7 +27,7 @@ FLOORS: dict[str, tuple[Callable[..., float], str]] = {
 }
 
 FIRST_MODES: dict[str, tuple[Callable[[FirstMode, float], Srss | ModalFilter], str]] = {
-    "srss": (Srss, "every record times sqrt((S_a(T_n)/a_g h/h_e)^2 + 1), thesis 3.48; pulses by 3.47"),
+    "srss": (Srss, "every record times sqrt((S_a(T_n)/a_g h/h_e)^2 + 1), thesis 3.48; pulses likewise"),
     "modal-filter": (
         ModalFilter,
         "every record through the first mode, absolute acceleration at the mechanism's base; no higher modes",

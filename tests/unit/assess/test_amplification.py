@@ -10,6 +10,7 @@ from assess.amplification import (
     Srss,
     Unamplified,
     carried,
+    factor_3_47,
     factor_over_frequency,
     first_mode,
 )
@@ -31,12 +32,22 @@ def one_sine(frequency: float, *, samples: int = 2000) -> Record:
     return make_record("pulse", np.append(np.sin(2 * np.pi * frequency * time), np.zeros(samples)), time[1])
 
 
-def test_srss_of_pulses_is_3_47() -> None:
+RATIO = np.array([0.05, 0.2, 0.5, 0.8, 1.0, 1.5, 2.0, 4.0, 10.0])
+
+
+def test_3_47_of_pulses() -> None:
     """Per a_g at h = h_e, by an event-exact integrator."""
-    ratio = np.array([0.05, 0.2, 0.5, 0.8, 1.0, 1.5, 2.0, 4.0, 10.0])
     expected = [1.001, 1.019, 1.273, 2.529, 2.873, 2.078, 1.996, 1.646, 1.460]
-    found = factor_over_frequency(Srss(MODE, MODE.effective_height), ratio * MODE.frequency)
+    found = factor_3_47(Srss(MODE, MODE.effective_height), RATIO * MODE.frequency)
     np.testing.assert_allclose(found, expected, atol=6e-4)
+
+
+def test_srss_of_pulses_is_3_48_and_never_below_the_whole_motion() -> None:
+    expected = [1.422, 1.445, 1.907, 2.955, 2.891, 2.054, 1.525, 1.052, 1.002]
+    found = factor_over_frequency(Srss(MODE, MODE.effective_height), RATIO * MODE.frequency)
+    np.testing.assert_allclose(found, expected, atol=6e-4)
+    whole = factor_over_frequency(ModalFilter(MODE, MODE.effective_height), RATIO * MODE.frequency)
+    assert np.all(found > whole)
 
 
 @pytest.mark.parametrize(("ratio", "expected"), [(0.5, 1.907), (1.0, 2.891), (2.0, 1.525), (4.0, 1.052)])

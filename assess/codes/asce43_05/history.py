@@ -13,7 +13,8 @@ from scipy.constants import g
 from assess.codes.asce43_05.clauses import EDITION, Options
 from assess.codes.check import BranchName, Check, PgaCurve, Step, Verdict
 from assess.codes.context import Context, Suite
-from assess.oscillator import Oscillator, linearise, multiplier
+from assess.codes.governing import branch_named, least
+from assess.oscillator import Oscillator, linearise, threshold
 
 CLAUSE = "ASCE 43-05, response-history method"
 CAVEAT = "the method was read in the thesis, not in the printed standard"
@@ -38,9 +39,14 @@ def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tup
     )
 
 
-def uplift_multiplier(oscillator: Oscillator, *, linearised: bool) -> float:
-    """The least PGA [g] at which the equation of the histories lets the mechanism lift off."""
-    return min(linearise(b).multiplier if linearised else float(multiplier(b)[0]) for b in oscillator.branches)
+def uplift_multiplier(oscillator: Oscillator, *, linearised: bool) -> float | None:
+    """The least PGA [g] at which the equation of the histories lets the mechanism lift off; None without a threshold.
+
+    The linearised equation has one, even on joints that answer to any motion.
+    """
+    if linearised:
+        return min(linearise(branch).multiplier for branch in oscillator.branches)
+    return least([threshold(branch) for branch in oscillator.branches])
 
 
 def passes(suite: Suite, allowable_ratio: float) -> bool:
@@ -81,10 +87,10 @@ def _check(
     *,
     curve: PgaCurve,
     at_collapse: float | None,
-    uplift: float,
+    uplift: float | None,
 ) -> Check:
     branch_name: BranchName = suite.branch
-    branch = oscillator.positive if branch_name == "positive" or oscillator.negative is None else oscillator.negative
+    branch = branch_named(oscillator, branch_name)
     overturning = branch.overturning
     mean = suite.mean
     verdict, reason = _verdict(suite, allowable_ratio)

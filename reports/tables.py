@@ -457,5 +457,5 @@ def _parameter(branch: OscillatorResult | None, key: str) -> Cell:
 
 
 def uplift(at: float | None) -> Cell:
-    """Multiplier [-] or PGA [g] at uplift; "none" where a joint answers to any motion, so that there is no threshold."""
+    """Multiplier [-] or PGA [g] at uplift; "none" where a joint answers to any motion: no threshold."""
     return NONE if at is None else at

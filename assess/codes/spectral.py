@@ -31,7 +31,8 @@ def spectral_answer(
 ) -> Answer:
     """What the demand `rotation` [rad] (None: none found) means beside `allowable` [rad] at PGA `level` [m/s2].
 
-    uplift: the true multiplier [-], None on joints without a threshold. Where the spectrum ends before the answer, nothing is claimed.
+    uplift: the true multiplier [-], None on joints without a threshold. Where the spectrum ends before the answer,
+    nothing is claimed.
     """
     at_capacity = capacity(curve, allowable)
     in_g = None if at_capacity is None else at_capacity / g

@@ -12,6 +12,7 @@ from assess.mechanisms.mechanism import Mechanism
 from assess.project import sections
 from assess.project.gaps import gaps_of
 from assess.project.overlaps import overlaps_of
+from assess.project.study import Equation
 from assess.results import Notice
 
 
@@ -27,6 +28,7 @@ def notices_of(
     for mechanism in mechanisms:
         for text in mechanism.notices:
             yield Notice("mechanism", f"mechanisms.{mechanism.name}", text)
+    yield from _of_equation(content.analysis.equation, mechanisms)
     ground = content.building.ground_elevation if content.building is not None else 0.0
     raised = [mechanism.name for mechanism in mechanisms if mechanism.elevation > ground + ON_GROUND]
     if raised:
@@ -39,6 +41,18 @@ def notices_of(
     italian = any(name.startswith("dmi2008") for name in content.analysis.procedures)
     if italian and content.procedures.dmi2008.confidence_factor == 1.0:
         yield from _of_crushing(mechanisms)
+
+
+def _of_equation(equation: Equation | None, mechanisms: Sequence[Mechanism]) -> Iterator[Notice]:
+    """What the linearised equation leaves out of mechanisms on joints."""
+    soft = [mechanism.name for mechanism in mechanisms if mechanism.yielding]
+    if equation == "linearised" and soft:
+        yield Notice(
+            "equation",
+            "analysis.equation",
+            f'"linearised": it has a threshold of uplift, which the joints of {", ".join(soft)} have not: below it the '
+            'histories of the linearised equation do not move at all; write "exact"',
+        )
 
 
 def _of_crushing(mechanisms: Sequence[Mechanism]) -> Iterator[Notice]:

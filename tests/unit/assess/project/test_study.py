@@ -393,3 +393,23 @@ def test_one_sided_joints_that_lean_on_their_support_keep_their_small_threshold(
     at_rest = found.oscillator.uplift_multiplier
     assert 0.0 < at_rest < 0.6 / 4.5
     assert [check.uplift_pga_g for check in found.checks] == pytest.approx([at_rest] * len(found.checks), rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("joint", "equation", "told"),
+    [
+        (SOFT, "linearised", True),
+        (SOFT.replace("flexible", "semi-flexible"), "linearised", True),
+        (SOFT, "exact", False),
+        ("", "linearised", False),
+        ('interface = { strength = "1 MPa" }', "linearised", False),  # crushes, yet lifts off as the rigid one does
+    ],
+)
+def test_the_linearised_equation_on_joints_without_a_threshold_is_told(tmp_path, joint, equation, told):
+    """Below the threshold of the linearised equation nothing moves, where the exact one always does."""
+    made = study_of(tmp_path, mechanism=joint, analysis=f'equation = "{equation}"\nlevels = ["0.02 g"]', records=SUITE)
+    texts = [notice.text for notice in made.notices if (notice.code, notice.where) == ("equation", "analysis.equation")]
+    assert len(texts) == told
+    assert all("the joints of m have not" in text for text in texts)
+    moved = [history.max_rotation_rad for history in run(made).mechanisms[0].histories]
+    assert any(moved) == (equation == "exact")

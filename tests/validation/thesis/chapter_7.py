@@ -12,6 +12,7 @@ from math import atan2, cos, hypot, sin, sqrt
 import numpy as np
 from scipy.constants import g
 
+from assess.dynamics.history import peaks, product
 from assess.geometry.planar import planar_direct
 from assess.interfaces.law import Law
 from assess.interfaces.shapes import rectangle
@@ -23,12 +24,14 @@ from assess.mechanisms.joint import Joint
 from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.two_block import two_block
+from records.record import make_record
 
 F_M = 1.28e6  # Pa
 MODELS = ("flexible", "semi-flexible", "rigid")
 STIFFNESSES = (85e6, 170e6, 340e6, 680e6, 1350e6)  # Pa/m, of Fig. 7.3
 SLENDERNESSES = (0.12, 0.16, 0.20, 0.24, 0.28)  # rad, of Fig. 7.4
 RELEASE = 0.8  # of the slenderness
+SEEDS, SCALES = range(16), (1.6, 2.4)  # of the noise that frames are judged by, peak 1 m/s2 times the scale
 
 
 def block(x, z, width, height, *, length=1.0):
@@ -86,3 +89,21 @@ def frame(stiffness, model, *, even=True):
                        restitution=(kept, kept))  # fmt: skip
     beds = [(w, d, 1.0) for w, d in zip((-1, 1, 1, -1), depths, strict=True)]
     return standing(rigid, beds, stiffness=stiffness, model=model)
+
+
+def noise(seed, *, npts=1200, dt=0.01):
+    """Smoothed noise under a half sine, peak 1 m/s2."""
+    raw = np.convolve(np.random.default_rng(seed).standard_normal(npts + 59), np.hanning(60), mode="valid")
+    raw *= np.sin(np.linspace(0.0, np.pi, npts))
+    return make_record(f"noise {seed}", raw / np.abs(raw).max(), dt)
+
+
+def suites(motions, scales, *, even):
+    """Over three stiffnesses and all motions and scales: largest ratios and overturning by both models [2, n]."""
+    ratio, over = [], []
+    for model in ("flexible", "semi-flexible"):
+        rockers = [frame(k, model, even=even) for k in (170e6, 680e6, 2700e6)]
+        found = peaks(rockers, motions, product(len(rockers), len(motions), scales), equation="exact", threads=1)
+        ratio.append(found.max_ratio)
+        over.append(found.overturned)
+    return np.array(ratio), np.array(over)

@@ -12,11 +12,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from chapter_7 import MODELS, RELEASE, SLENDERNESSES, STIFFNESSES, frame, storey, wall
+from chapter_7 import MODELS, RELEASE, SCALES, SEEDS, SLENDERNESSES, STIFFNESSES, noise, storey, suites, wall
 
-from assess.dynamics.history import free_rocking, peaks, product
+from assess.dynamics.history import free_rocking
 from records.reading import read
-from records.record import make_record
 
 FOLDER = Path(__file__).resolve().parents[4] / "shared" / "records" / "peer_at2"
 
@@ -71,27 +70,10 @@ def test_figure_7_12_loads_make_it_come_to_rest_sooner():
 # ----------------------------------------------------------------------------------------------------------- histories
 
 
-def noise(seed, *, npts=1200, dt=0.01):
-    raw = np.convolve(np.random.default_rng(seed).standard_normal(npts + 59), np.hanning(60), mode="valid")
-    raw *= np.sin(np.linspace(0.0, np.pi, npts))
-    return make_record(f"noise {seed}", raw / np.abs(raw).max(), dt)
-
-
-def suites(motions, scales, *, even):
-    """Over three stiffnesses and all motions and scales: largest ratios and overturning by both models [2, n]."""
-    ratio, over = [], []
-    for model in ("flexible", "semi-flexible"):
-        rockers = [frame(k, model, even=even) for k in (170e6, 680e6, 2700e6)]
-        found = peaks(rockers, motions, product(len(rockers), len(motions), scales), equation="exact", threads=1)
-        ratio.append(found.max_ratio)
-        over.append(found.overturned)
-    return np.array(ratio), np.array(over)
-
-
 @pytest.mark.parametrize("even", [True, False])
 def test_histories_of_frames_by_their_statistics(even):
     """96 of each: medians within 3 %, nine in ten alike in overturning, whose number is within a fifth."""
-    ratio, over = suites([noise(seed) for seed in range(16)], [1.6, 2.4], even=even)
+    ratio, over = suites([noise(seed) for seed in SEEDS], SCALES, even=even)
     both = ~over.any(axis=0) & (ratio > 0.02).all(axis=0)
     assert both.sum() > 20
     assert over[0].sum() > 5

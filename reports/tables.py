@@ -232,10 +232,11 @@ def demands(mechanism: MechanismResult, *, name: str) -> Table:
     )
     rows = tuple(_demand(check, mechanism.checks) for check in mechanism.checks)
     muted = frozenset(place for place, check in enumerate(mechanism.checks) if check.role == "informative")
+    soft = any(check.uplift_pga_g is None for check in mechanism.checks)
     return Table(
         name,
-        "Demand, allowable, ratio and verdict of every check; the peak ground acceleration at uplift (none: its joints "
-        "answer to any motion) and at capacity. "
+        "Demand, allowable, ratio and verdict of every check; the peak ground acceleration at uplift"
+        f"{' (none: its joints answer to any motion)' * soft} and at capacity. "
         "Informative readings (grey) decide nothing.",
         columns,
         rows,

@@ -3,7 +3,7 @@ PYTHON ?= python3
 BIN := .venv/bin
 DEMO := build/demo
 
-.PHONY: demo test check bench lock
+.PHONY: demo test check bench figures lock
 
 demo: .venv/installed      ## the main job on the shipped example; the last line printed is the path of the report
 	rm -rf $(DEMO)
@@ -25,6 +25,9 @@ bench: .venv/installed     ## speed, as ratios measured in one run
 	$(BIN)/python tests/benchmarks/bench_interfaces.py
 	$(BIN)/python tests/benchmarks/bench_mechanisms.py
 	$(BIN)/python tests/benchmarks/bench_mesh.py
+
+figures: .venv/installed   ## figures of the thesis drawn again, into build/figures
+	$(BIN)/python tests/validation/thesis/draw_chapter_7.py
 
 lock:                      ## for developers, with uv: pin every dependency with its hashes
 	uv pip compile pyproject.toml --group dev --universal --python-version 3.11 --generate-hashes --quiet --output-file requirements.lock

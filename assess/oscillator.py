@@ -156,6 +156,12 @@ def multiplier(branch: Branch) -> FloatArray:
     return branch.restoring / (g * branch.excitation)
 
 
+def threshold(branch: Branch) -> float | None:
+    """lambda at rest, the uplift multiplier [-]; None where rest has no threshold, as on joints that answer at once."""
+    at_rest = float(multiplier(branch)[0])
+    return at_rest if at_rest > 0.0 else None
+
+
 def resisted(branch: Branch) -> float:
     """lambda that linear checks compare with [-]: at rest, or on flexible joints, where it may rise, the largest."""
     if branch.overturning_flexible is None:
@@ -165,7 +171,7 @@ def resisted(branch: Branch) -> float:
 
 def elastic_frequency(branch: Branch) -> float | None:
     """Frequency of small motions about rest [Hz]; None where rest has a threshold."""
-    if branch.restoring[0] > 0.0:
+    if threshold(branch) is not None:
         return None
     stiffness = float(interpolant(branch.rotation, branch.restoring)(0.0, 1))
     return float(np.sqrt(max(stiffness, 0.0) / branch.inertia[0]) / (2 * np.pi))

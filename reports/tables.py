@@ -232,9 +232,11 @@ def demands(mechanism: MechanismResult, *, name: str) -> Table:
     )
     rows = tuple(_demand(check, mechanism.checks) for check in mechanism.checks)
     muted = frozenset(place for place, check in enumerate(mechanism.checks) if check.role == "informative")
+    soft = any(check.uplift_pga_g is None for check in mechanism.checks)
     return Table(
         name,
-        "Demand, allowable, ratio and verdict of every check; the peak ground acceleration at uplift and at capacity. "
+        "Demand, allowable, ratio and verdict of every check; the peak ground acceleration at uplift"
+        f"{' (none: its joints answer to any motion)' * soft} and at capacity. "
         "Informative readings (grey) decide nothing.",
         columns,
         rows,
@@ -416,7 +418,7 @@ def _numbers(check: Check, among: tuple[Check, ...]) -> tuple[Cell, ...]:
 
 def _demand(check: Check, among: tuple[Check, ...]) -> tuple[Cell, ...]:
     rotation = OVERTURNED if governing.fell(check) else _rocking(check.rotation_ratio)
-    accelerations = (check.uplift_pga_g, check.capacity_pga_g)
+    accelerations = (uplift(check.uplift_pga_g), check.capacity_pga_g)
     return (check.level_pga_g, *_numbers(check, among), rotation, *accelerations, check.verdict)
 
 
@@ -455,6 +457,6 @@ def _parameter(branch: OscillatorResult | None, key: str) -> Cell:
     return value
 
 
-def uplift(multiplier: float | None) -> Cell:
-    """Load multiplier at uplift [-]; "none" where a joint answers to any rotation, so that there is no threshold."""
-    return NONE if multiplier is None else multiplier
+def uplift(at: float | None) -> Cell:
+    """Multiplier [-] or PGA [g] at uplift; "none" where a joint answers to any motion: no threshold."""
+    return NONE if at is None else at

@@ -40,7 +40,8 @@ class Check:
     """Demand, capacity, ratio and verdict of one procedure at one level, with the steps that led there.
 
     `demand`, `capacity` are in `unit` and measure `quantity`; None where there is no finite value (a body that
-    overturns has no largest rotation). `caveat` says what could not be compared with the printed standard.
+    overturns has no largest rotation). `uplift_pga_g` is None on joints that answer to any motion. `caveat` says what
+    could not be compared with the printed standard.
     `rotation_ratio` and `allowable_ratio` put the same answer as rotation /
     rigid overturning rotation of the branch, None where the procedure knows no rotation or the body overturned.
     """

@@ -22,15 +22,20 @@ def governing(oscillator: Oscillator, levels: Sequence[float], one: OneCheck) ->
     return tuple(_of_all([one(branch, name, level) for branch, name in named]) for level in levels)
 
 
+def branch_named(oscillator: Oscillator, name: BranchName) -> Branch:
+    """The branch of a check; the positive one where there is no other."""
+    return oscillator.positive if name == "positive" or oscillator.negative is None else oscillator.negative
+
+
 def _of_all(checks: Sequence[Check]) -> Check:
     return replace(
         worse(checks),
-        capacity_pga_g=_least([check.capacity_pga_g for check in checks]),
-        uplift_pga_g=_least([check.uplift_pga_g for check in checks]),
+        capacity_pga_g=least([check.capacity_pga_g for check in checks]),
+        uplift_pga_g=least([check.uplift_pga_g for check in checks]),
     )
 
 
-def _least(values: Sequence[float | None]) -> float | None:
+def least(values: Sequence[float | None]) -> float | None:
     """The smallest, None where one is not known."""
     known = [value for value in values if value is not None]
     return min(known) if len(known) == len(values) else None

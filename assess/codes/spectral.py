@@ -26,12 +26,13 @@ def spectral_answer(
     *,
     curve: PgaRelation,
     level: float,
-    uplift: float,
+    uplift: float | None,
     context: Context,
 ) -> Answer:
     """What the demand `rotation` [rad] (None: none found) means beside `allowable` [rad] at PGA `level` [m/s2].
 
-    uplift: the true one [m/s2]. Where the spectrum ends before the answer, nothing is claimed.
+    uplift: the true multiplier [-], None on joints without a threshold. Where the spectrum ends before the answer,
+    nothing is claimed.
     """
     at_capacity = capacity(curve, allowable)
     in_g = None if at_capacity is None else at_capacity / g
@@ -47,9 +48,15 @@ def spectral_answer(
     )
 
 
-def _rocks(rotation: float, allowable: float, level: float, uplift: float) -> str:
-    if rotation == 0.0 and level <= uplift:
-        return "no rocking: the demand does not lift the body off its base"
+def _rocks(rotation: float, allowable: float, level: float, uplift: float | None) -> str:
     if rotation == 0.0:
-        return "lifts off, yet the method finds no lasting rotation at this demand"
+        return _still(level, uplift)
     return "rotation within the allowable" if rotation <= allowable else "rotation beyond the allowable"
+
+
+def _still(level: float, uplift: float | None) -> str:
+    if uplift is None:
+        return "moves on its joints, yet the method finds no lasting rotation at this demand"
+    if level <= uplift * g:
+        return "no rocking: the demand does not lift the body off its base"
+    return "lifts off, yet the method finds no lasting rotation at this demand"

@@ -145,14 +145,24 @@ def peaks(
 
 
 def trace(
-    oscillator: Oscillator, motion: Record, *, scale: float, equation: Equation, tolerance: float = TOLERANCE
+    oscillator: Oscillator,
+    motion: Record,
+    *,
+    scale: float,
+    equation: Equation,
+    release: float = 0.0,
+    tolerance: float = TOLERANCE,
 ) -> Trace:
-    """History of one oscillator under `scale` times one motion, at the samples; it ends with overturning."""
+    """History of one oscillator under `scale` times one motion, at the samples; it ends with overturning.
+
+    release : rotation of the positive branch at which it is let go, without velocity [rad]
+    """
     one = packed(oscillator, equation)
     run = _RUNS[equation]([one], [motion], tolerance)
     path = np.zeros((motion.npts, 3))
     first = np.zeros(1, dtype=np.int64)
-    samples = run(first, first, np.array([scale]), 0.0, np.empty((1, 7)), path, np.zeros((1, 4)))
+    start = one.sides[0].at(release) if release else 0.0
+    samples = run(first, first, np.array([scale]), start, np.empty((1, 7)), path, np.zeros((1, 4)))
     y, v, on = path[:samples].T
     rotation, velocity = np.zeros(samples), np.zeros(samples)
     for side, coordinate in enumerate(one.sides):

@@ -20,6 +20,7 @@ import shapely
 from numpy.typing import ArrayLike, NDArray
 
 from assess.errors import GeometryError
+from assess.geometry.crossing import crossing, without_repeats
 
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
@@ -192,18 +193,20 @@ def _corners(points: ArrayLike, *, name: str) -> FloatArray:
     """The polygon's corners, anticlockwise, without repeated points [n, 2] [m]."""
     wanted = "corners [x, z] of finite numbers"
     given = _finite(points, shape=(-1, 2), quantity="profile", wanted=wanted, name=name)
-    corners = given[np.any(given != np.roll(given, 1, axis=0), axis=1)]
+    corners = without_repeats(given)
     if len(corners) < 3:
         found = f"{len(corners)} distinct corners" if len(corners) else "no corners"
         raise GeometryError(f'body "{name}": the profile has {found}; give three or more')
     hull = shapely.MultiPoint(corners).convex_hull
     if hull.area <= THINNEST * float(np.ptp(corners, axis=0).max()) ** 2:
-        raise GeometryError(f'body "{name}": the profile has no area (its {len(corners)} corners lie on a line)')
-    polygon = shapely.Polygon(corners)
-    if not polygon.is_valid:
-        reason = shapely.is_valid_reason(polygon)
         raise GeometryError(
-            f'body "{name}": the profile crosses or touches itself ({reason}, x z in m); '
+            f'body "{name}": the profile has no area, its {len(corners)} corners lie on a line; '
+            "give corners that enclose one"
+        )
+    meet = crossing(corners)
+    if meet is not None:
+        raise GeometryError(
+            f'body "{name}": the profile crosses or touches itself at x = {meet[0]:.4g} m, z = {meet[1]:.4g} m; '
             "list its corners in order around the outline"
         )
     return corners if _polygon_moments(corners)[0] > 0.0 else corners[::-1]

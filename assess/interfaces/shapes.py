@@ -129,7 +129,10 @@ def _refuse_void(region: shapely.Polygon | shapely.MultiPolygon) -> None:
     if not np.isfinite(shapely.get_coordinates(region)).all():
         raise GeometryError("section: a corner is not two finite numbers")
     if not region.is_valid:
-        raise GeometryError(f"section: its outline is not that of a region: {shapely.is_valid_reason(region)}")
+        raise GeometryError(
+            "section: its sides cross or touch one another, or a hole is not inside; list the corners of each ring in "
+            "order around it"
+        )
     low_x, low_y, high_x, high_y = region.bounds if not region.is_empty else (0.0,) * 4
     if not region.area > THINNEST * max(high_x - low_x, high_y - low_y) ** 2:
         raise GeometryError(f"section: its area is {region.area:g} m2; give corners that enclose one")

@@ -51,6 +51,11 @@ class Mechanism:
         return any(joint is not None for joint in self.positive.joints)
 
     @property
+    def yielding(self) -> bool:
+        """Whether a hinge presses on a joint that answers to any motion, so that rest has no threshold of uplift."""
+        return any(joint is not None and joint.model != "rigid" for joint in self.positive.joints)
+
+    @property
     def crushing(self) -> bool:
         """Whether every hinge presses on a joint of finite strength; the top of a wall may carry nothing."""
         chains = [chain for chain in (self.positive, self.negative) if chain is not None]

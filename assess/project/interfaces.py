@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from math import dist, inf
+from math import inf
 
 import numpy as np
 import shapely
@@ -24,14 +24,10 @@ from assess.mechanisms.mechanism import Mechanism
 from assess.project import sections
 from assess.project.beds import DOWN, UP, Vector, View, bed_at
 from assess.project.bodies import Piece
+from assess.project.overburdens import THROUGH_TOP, through_joint, through_of, under_loads
 
 NEAR = 0.02  # of the depth of a contact: a hinge farther from its edge is told
 TURNED = 0.05  # rad: where the resultant of an unsymmetric contact is looked at
-ON_MIDDLE = 1e-3  # of the depth of a contact: a load this near its middle comes through it
-THROUGH_TOP = (
-    "interface C: the load on the middle of the top comes through the joint there, so its resultant moves to the edge "
-    "as the wall turns, and is at hinge C in the rigid mechanism beside it; a load off the middle stays in its place"
-)
 
 
 def put_on_joints(
@@ -56,14 +52,13 @@ def put_on_joints(
         )
         for chain, sign in zip(chains, (1.0, -1.0), strict=False)
     ]
+    through = through_of(section.loads)
+    moved = [through_joint(chain, side[-1], through) for chain, side in zip(chains, joints, strict=True)]
+    joints = [under_loads(chain, side, through) for chain, side in zip(moved, joints, strict=True)]
+    loaded = replace(mechanism, positive=moved[0], negative=moved[1] if len(moved) > 1 else None)
     if not any(joint for side in joints for joint in side):
-        return mechanism
-    loaded = replace(
-        mechanism,
-        positive=through_joint(mechanism.positive, joints[0]),
-        negative=mechanism.negative and through_joint(mechanism.negative, joints[-1]),
-    )
-    if loaded.positive.loads != mechanism.positive.loads:
+        return loaded
+    if loaded.positive.loads != mechanism.positive.loads and "joint" not in through.values():
         doubts.append(THROUGH_TOP)
     doubts += apart(mechanism, joints)
     found = on_joints(loaded, joints[0], joints[-1] if len(joints) > 1 else (), restitution=restitution)
@@ -158,23 +153,6 @@ def material_of(section: sections.Chained, content: sections.Content) -> section
 def at_top(chain: Chain, number: int) -> bool:
     """Whether a hinge is the support at the top of a wall."""
     return len(chain.blocks) == number == 2
-
-
-def through_joint(chain: Chain, joints: Sequence[Joint | None]) -> Chain:
-    """The chain with what lies on the middle of the joint at the top of a wall moved to its hinge.
-
-    At rest its resultant is in the middle all the same, and moves to the edge as the wall turns.
-    """
-    joint = joints[-1]
-    if len(chain.blocks) != 2 or joint is None:
-        return chain
-    hinge, inside = chain.hinges[2], joint.section.centroid
-    middle = (hinge[0] + inside * joint.inward[0], hinge[1] + inside * joint.inward[1])
-    near = ON_MIDDLE * joint.section.depth
-    loads = tuple(
-        replace(load, at=hinge) if load.block == 1 and dist(load.at, middle) <= near else load for load in chain.loads
-    )
-    return replace(chain, loads=loads)
 
 
 def shaped(shape: sections.Shape, view: View) -> Section:

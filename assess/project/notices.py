@@ -12,7 +12,7 @@ from assess.mechanisms.mechanism import Mechanism
 from assess.project import sections
 from assess.project.gaps import gaps_of
 from assess.project.overlaps import overlaps_of
-from assess.project.study import Amplified
+from assess.project.study import Amplified, Equation
 from assess.results import Notice
 
 SAME_MODE = 0.05  # by how much two first modes of one building may differ
@@ -33,6 +33,7 @@ def notices_of(
     for mechanism in mechanisms:
         for text in mechanism.notices:
             yield Notice("mechanism", f"mechanisms.{mechanism.name}", text)
+    yield from _of_equation(content.analysis.equation, mechanisms)
     ground = content.building.ground_elevation if content.building is not None else 0.0
     raised = [mechanism.name for mechanism in mechanisms if mechanism.elevation > ground + ON_GROUND]
     yield from _of_amplification(raised, amplified)
@@ -68,6 +69,18 @@ def _of_two_first_modes(content: sections.Content) -> Iterator[Notice]:
             "building",
             f"histories take a first mode of {building.natural_frequency:.4g} Hz, the floor clauses of the codes a "
             f"period of {building.period:.4g} s; give period = {1.0 / building.natural_frequency:.4g} for one building",
+        )
+
+
+def _of_equation(equation: Equation | None, mechanisms: Sequence[Mechanism]) -> Iterator[Notice]:
+    """What the linearised equation leaves out of mechanisms on joints."""
+    soft = [mechanism.name for mechanism in mechanisms if mechanism.yielding]
+    if equation == "linearised" and soft:
+        yield Notice(
+            "equation",
+            "analysis.equation",
+            f'"linearised": it has a threshold of uplift, which the joints of {", ".join(soft)} have not: below it the '
+            'histories of the linearised equation do not move at all; write "exact"',
         )
 
 

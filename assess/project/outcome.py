@@ -24,8 +24,8 @@ from assess.oscillator import (
     elastic_frequency,
     equivalent_block,
     linearise,
-    multiplier,
     participating_mass,
+    threshold,
 )
 from assess.project.drawing import drawing
 from assess.project.joint_results import interface_curves, interface_results
@@ -115,7 +115,7 @@ def oscillator_result(branch: Branch, *, mass: float, rigid: Branch, equilibrium
         radius_m=block.radius,
         slenderness_rad=block.slenderness,
         p_eq_per_s=linear.p,
-        uplift_multiplier=float(multiplier(branch)[0]) if branch.restoring[0] > 0.0 else None,
+        uplift_multiplier=threshold(branch),
         overturning_rad=branch.overturning,
         overturning_flexible_rad=branch.overturning_flexible,
         critical_rad=branch.critical,

@@ -167,4 +167,4 @@ def test_five_real_records(project):
     for mechanism in results["mechanisms"]:
         history = [check for check in mechanism["checks"] if check["procedure"] == "asce43-05-history"]
         assert all(check["verdict"] in ("pass", "fail") for check in history)
-        assert history[0]["capacity_pga_g"] > history[0]["uplift_pga_g"] * 0.4  # no uplift on joints: 0
+        assert history[0]["capacity_pga_g"] > (history[0]["uplift_pga_g"] or 0.0) * 0.4  # null on joints

@@ -13,7 +13,8 @@ from scipy.constants import g
 from assess.codes.asce43_05.clauses import EDITION, Options
 from assess.codes.check import BranchName, Check, InputAt, PgaCurve, Step, Verdict
 from assess.codes.context import Context, Suite
-from assess.oscillator import Oscillator, linearise, multiplier
+from assess.codes.governing import branch_named, least
+from assess.oscillator import Oscillator, linearise, threshold
 
 CLAUSE = "ASCE 43-05, response-history method"
 CAVEAT = "the method was read in the thesis, not in the printed standard"
@@ -25,6 +26,7 @@ def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tup
     curve = pga_curve(context.incremental)
     allowable = options.allowable_ratio * min(branch.unstable / branch.overturning for branch in oscillator.branches)
     at_collapse = pga_at_collapse(context.incremental, allowable)
+    lifts = uplift_multiplier(oscillator, linearised=context.linearised)
     return tuple(
         _check(
             oscillator,
@@ -32,16 +34,21 @@ def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tup
             allowable,
             curve=curve,
             at_collapse=at_collapse,
-            uplift=uplift_multiplier(oscillator, linearised=context.linearised) / context.amplification,
+            uplift=None if lifts is None else lifts / context.amplification,
             input_at=context.histories_at,
         )
         for suite in context.suites
     )
 
 
-def uplift_multiplier(oscillator: Oscillator, *, linearised: bool) -> float:
-    """The least PGA [g] at which the equation of the histories lets the mechanism lift off."""
-    return min(linearise(b).multiplier if linearised else float(multiplier(b)[0]) for b in oscillator.branches)
+def uplift_multiplier(oscillator: Oscillator, *, linearised: bool) -> float | None:
+    """The least PGA [g] at which the equation of the histories lets the mechanism lift off; None without a threshold.
+
+    The linearised equation has one, even on joints that answer to any motion.
+    """
+    if linearised:
+        return min(linearise(branch).multiplier for branch in oscillator.branches)
+    return least([threshold(branch) for branch in oscillator.branches])
 
 
 def passes(suite: Suite, allowable_ratio: float) -> bool:
@@ -82,11 +89,11 @@ def _check(
     *,
     curve: PgaCurve,
     at_collapse: float | None,
-    uplift: float,
+    uplift: float | None,
     input_at: InputAt,
 ) -> Check:
     branch_name: BranchName = suite.branch
-    branch = oscillator.positive if branch_name == "positive" or oscillator.negative is None else oscillator.negative
+    branch = branch_named(oscillator, branch_name)
     overturning = branch.overturning
     mean = suite.mean
     verdict, reason = _verdict(suite, allowable_ratio)

@@ -23,12 +23,12 @@ from assess.codes.asce43_05.clauses import (
 )
 from assess.codes.check import BranchName, Check, Role, Step
 from assess.codes.context import Context
-from assess.codes.governing import governing
+from assess.codes.governing import branch_named, governing
 from assess.codes.plain import plain
 from assess.codes.relation import PgaRelation, as_curve, demand
 from assess.codes.spectral import Answer, spectral_answer
 from assess.codes.worked import multiplier_worked
-from assess.oscillator import Branch, Oscillator, multiplier, resisted
+from assess.oscillator import Branch, Oscillator, multiplier, resisted, threshold
 
 THESIS_DAMPING = 0.05
 A2 = "ASCE 43-05 A.2"
@@ -66,10 +66,10 @@ def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tup
             allowable_ratio=options.allowable_ratio,
             allowable_source="limit of the response-history method; the limit of A.2 itself was not seen",
             allowable_formula="θ_lim = ratio · φ_ov",
-            starts_at=float(multiplier(branch)[0]) * g,
+            starts_at=(threshold(branch) or 0.0) * g,
         )
 
-    return _checks(oscillator, context, reading)
+    return _checks(oscillator, context, reading, own=oscillator)
 
 
 def assess_thesis(oscillator: Oscillator, context: Context, *, options: Options) -> tuple[Check, ...]:
@@ -89,25 +89,37 @@ def assess_thesis(oscillator: Oscillator, context: Context, *, options: Options)
         )
 
     like = plain(oscillator, lambda branch: thesis_limit(branch, mass=oscillator.mass))
-    return _checks(like, context, reading)
+    return _checks(like, context, reading, own=oscillator)
 
 
-def _checks(oscillator: Oscillator, context: Context, reading_of: Callable[[Branch], Reading]) -> tuple[Check, ...]:
+def _checks(
+    oscillator: Oscillator, context: Context, reading_of: Callable[[Branch], Reading], *, own: Oscillator
+) -> tuple[Check, ...]:
+    """Of the oscillator as it is read; own: the mechanism's, which says where it lifts off."""
+
     def one(branch: Branch, name: BranchName, level: float) -> Check:
-        return _check(oscillator, branch, name, context, reading_of(branch), level)
+        lifts = threshold(branch_named(own, name))
+        return _check(oscillator, branch, name, context, reading_of(branch), level, lifts=lifts)
 
     return governing(oscillator, context.levels, one)
 
 
 def _check(
-    oscillator: Oscillator, branch: Branch, name: BranchName, context: Context, reading: Reading, level: float
+    oscillator: Oscillator,
+    branch: Branch,
+    name: BranchName,
+    context: Context,
+    reading: Reading,
+    level: float,
+    *,
+    lifts: float | None,
 ) -> Check:
-    a, lifts = resisted(branch), float(multiplier(branch)[0])
+    a = resisted(branch)
     f_v = vertical_factor(a, context.vertical_ratio)
     curve = pga_relation(branch, context.spectrum, damping=reading.damping, f_v=f_v, uplift=reading.starts_at)
     allowable = reading.allowable_ratio * branch.unstable
     rotation = demand(curve, level)
-    answer = spectral_answer(rotation, allowable, curve=curve, level=level, uplift=lifts * g, context=context)
+    answer = spectral_answer(rotation, allowable, curve=curve, level=level, uplift=lifts, context=context)
     if reading.allowable_ratio > 1.0:
         answer = Answer(
             "not-applicable", "the empirical limit of rotation lies beyond overturning: outside its range", None

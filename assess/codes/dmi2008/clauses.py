@@ -17,7 +17,7 @@ from scipy.optimize import brentq
 from assess.codes.check import Step, Verdict
 from assess.codes.context import Context
 from assess.codes.worked import multiplier_worked
-from assess.oscillator import Branch, displacement, interpolant, multiplier, participation_ratio, resisted
+from assess.oscillator import Branch, displacement, interpolant, participation_ratio, resisted, threshold
 
 EDITION = "DM 14.01.2008, Circolare 617/2009"
 CAVEAT = "clause numbers of C8A.4 not checked against the printed circular"
@@ -134,11 +134,17 @@ def floor_acceleration(context: Context, floor: Floor) -> float:
     return float(context.spectrum.acceleration(floor.T1, damping=DAMPING)) * floor.psi * floor.gamma
 
 
-def uplift_pga(branch: Branch, context: Context, *, confidence_factor: float) -> float:
-    """PGA [m/s2] that lifts the mechanism off: lambda g / FC, less where the floor amplifies the ground."""
+def uplift_pga(branch: Branch, context: Context, *, confidence_factor: float) -> float | None:
+    """PGA [m/s2] that lifts the mechanism off: lambda g / FC, less where the floor amplifies the ground.
+
+    None on joints without a threshold of uplift.
+    """
+    at_rest = threshold(branch)
+    if at_rest is None:
+        return None
     floor = floor_of(context)
     amplified = 1.0 if floor is None else max(1.0, floor_acceleration(context, floor) / context.spectrum.pga)
-    return float(multiplier(branch)[0]) * g / confidence_factor / amplified
+    return at_rest * g / confidence_factor / amplified
 
 
 def activation_steps(branch: Branch, *, mass: float, confidence_factor: float) -> tuple[Step, ...]:

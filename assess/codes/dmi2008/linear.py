@@ -50,7 +50,7 @@ def _check(
 ) -> Check:
     FC = options.confidence_factor
     a0 = activation(branch, mass=oscillator.mass, confidence_factor=FC)
-    floor = floor_of(context)
+    floor, uplift = floor_of(context), uplift_pga(branch, context, confidence_factor=FC)
     scale = level / context.spectrum.pga
     at_floor = 0.0 if floor is None else floor_acceleration(context, floor) * scale / q
     demanded = max(level / q, at_floor)
@@ -75,7 +75,7 @@ def _check(
         verdict=verdict,
         reason=reason,
         capacity_pga_g=level * a0 / demanded / g,
-        uplift_pga_g=uplift_pga(branch, context, confidence_factor=FC) / g,
+        uplift_pga_g=None if uplift is None else uplift / g,
         capacity_rotation_ratio=None,
         rotation_ratio=None,
         pga_curve=PgaCurve((), ()),

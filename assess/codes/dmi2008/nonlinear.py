@@ -67,8 +67,9 @@ def _check(
     mass, FC = oscillator.mass, options.confidence_factor
     cap = capacity_of(branch, mass=mass, confidence_factor=FC)
     uplift = uplift_pga(branch, context, confidence_factor=FC)
+    starts_at = uplift or 0.0
     wanted = demands(context, cap.Ts)
-    demanded = None if wanted is None else 0.0 if level <= uplift else wanted.largest * level
+    demanded = None if wanted is None else 0.0 if level <= starts_at else wanted.largest * level
     rotation = None
     if demanded is not None and demanded < cap.d0:
         rotation = rotation_at(branch, demanded * cap.e, mass=mass)
@@ -91,11 +92,11 @@ def _check(
         ratio=None if demanded is None else demanded / cap.du,
         verdict=verdict,
         reason=reason,
-        capacity_pga_g=None if wanted is None else max(cap.du / wanted.largest, uplift) / g,
-        uplift_pga_g=uplift / g,
+        capacity_pga_g=None if wanted is None else max(cap.du / wanted.largest, starts_at) / g,
+        uplift_pga_g=None if uplift is None else uplift / g,
         capacity_rotation_ratio=allowable / branch.overturning,
         rotation_ratio=None if rotation is None else rotation / branch.overturning,
-        pga_curve=_curve(branch, cap, wanted, mass=mass, uplift=uplift),
+        pga_curve=_curve(branch, cap, wanted, mass=mass, uplift=starts_at),
         steps=_steps(oscillator, branch, context, FC, cap, wanted, level=level, demanded=demanded),
         caveat=CAVEAT,
     )

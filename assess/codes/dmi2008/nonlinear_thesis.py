@@ -11,11 +11,11 @@ from scipy.constants import g
 from assess.codes.check import BranchName, Check, Step
 from assess.codes.context import Context
 from assess.codes.dmi2008.clauses import CAVEAT, DAMPING, EDITION, ULTIMATE, Options
-from assess.codes.governing import governing
+from assess.codes.governing import branch_named, governing
 from assess.codes.plain import plain
 from assess.codes.relation import PgaRelation, as_curve, demand, relation
 from assess.codes.spectral import spectral_answer
-from assess.oscillator import Branch, FloatArray, Oscillator, displacement, linearise, multiplier
+from assess.oscillator import Branch, FloatArray, Oscillator, displacement, linearise, threshold
 
 
 def thesis_relation(branch: Branch, context: Context, *, mass: float) -> PgaRelation:
@@ -53,8 +53,8 @@ def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tup
         curve = thesis_relation(branch, context, mass=oscillator.mass)
         allowable = ULTIMATE * branch.unstable
         rotation = demand(curve, level)
-        uplift = float(multiplier(branch)[0]) * g
-        answer = spectral_answer(rotation, allowable, curve=curve, level=level, uplift=uplift, context=context)
+        lifts = threshold(branch_named(oscillator, name))
+        answer = spectral_answer(rotation, allowable, curve=curve, level=level, uplift=lifts, context=context)
         return Check(
             procedure="dmi2008-nonlinear-thesis",
             edition=EDITION,
@@ -73,7 +73,7 @@ def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tup
             verdict=answer.verdict,
             reason=answer.reason,
             capacity_pga_g=answer.capacity_pga_g,
-            uplift_pga_g=uplift / g,
+            uplift_pga_g=lifts,
             capacity_rotation_ratio=allowable / branch.overturning,
             rotation_ratio=None if rotation is None else rotation / branch.overturning,
             pga_curve=as_curve(curve, branch),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated, Any, Literal
 
-from pydantic import Discriminator, Field, Tag
+from pydantic import Discriminator, Tag
 
 from assess.project.quantities import (
     InputFile,
@@ -21,6 +21,7 @@ from assess.project.quantities import (
     SpacePoint,
 )
 from assess.project.section import Section
+from assess.project.sections.corners import Corners
 
 
 class Material(Section):
@@ -83,7 +84,7 @@ class ProfileBody(Section):
 
     material: Name
     """the name of a table [materials.NAME]"""
-    profile: Annotated[tuple[PlanePoint, ...], Field(min_length=3)]
+    profile: Corners
     """corners of the polygon [[x, z], …] in order"""
     length: PositiveLength
     """length along y, like "3.0 m\""""

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from typing import Annotated, Any, Literal, Self
 
-import shapely
-from pydantic import AfterValidator, BeforeValidator, Discriminator, Field, Tag, model_validator
+from pydantic import AfterValidator, BeforeValidator, Discriminator, Tag, model_validator
 
-from assess.interfaces.shapes import THINNEST
-from assess.project.quantities import JointStiffness, PlanePoint, PositiveLength, Strength
+from assess.project.quantities import JointStiffness, PositiveLength, Strength
 from assess.project.section import Section, wrong
+from assess.project.sections.corners import Corners
 
 Letter = Literal["A", "B", "C", "D"]
 
@@ -30,17 +29,6 @@ def _hollow(sizes: tuple[float, ...]) -> tuple[float, ...]:
         if inside >= outside:
             raise wrong((), f"the hole, {inside:g} m, must be smaller than the outside, {outside:g} m")
     return sizes
-
-
-def _simple(corners: tuple[tuple[float, float], ...]) -> tuple[tuple[float, float], ...]:
-    """Corners of a polygon with an area, whose sides meet at its corners only, or raise."""
-    hull = shapely.MultiPoint(corners).convex_hull
-    low_x, low_y, high_x, high_y = hull.bounds
-    if hull.area <= THINNEST * max(high_x - low_x, high_y - low_y) ** 2:
-        raise wrong((), "no area, its corners lie on a line; give corners that enclose one")
-    if not shapely.Polygon(corners).is_valid:
-        raise wrong((), "its sides cross or touch one another; list its corners in order around the outline")
-    return corners
 
 
 def _shape(value: Any) -> Any:
@@ -65,7 +53,7 @@ class Shape(Section):
     """diameter"""
     annulus: Annotated[tuple[PositiveLength, PositiveLength], AfterValidator(_hollow)] | None = None
     """[diameter, inner diameter]"""
-    polygon: Annotated[tuple[PlanePoint, ...], Field(min_length=3), AfterValidator(_simple)] | None = None
+    polygon: Corners | None = None
     """corners [[x, y], …] in plan"""
 
     @model_validator(mode="after")

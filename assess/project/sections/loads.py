@@ -118,11 +118,19 @@ class OverburdenLoad(Section):
     """or what stands on the wall: its weight, by its share, where it touches"""
     eccentricity: Length | None = None
     """of the load from mid-thickness of the top towards `direction`; 0, or where the bodies touch, if absent"""
+    through: Literal["joint", "fixed"] | None = None
+    """"joint": it presses where the top does, from mid-thickness to the edge as the wall turns (rigid: at hinge C);
+    "fixed": it stays in its place on the wall; if absent "joint" on the middle of a joint at C, else "fixed\""""
 
     @model_validator(mode="after")
     def _one_of_them(self) -> OverburdenLoad:
         if (self.force is None) == (not self.bodies):
             raise wrong("force", "give either force, or the bodies that press")
+        if self.through == "joint" and self.eccentricity:
+            raise wrong(
+                "through",
+                'a load through the joint presses where the joint does; remove eccentricity, or write "fixed"',
+            )
         return self
 
 

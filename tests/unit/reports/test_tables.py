@@ -70,6 +70,19 @@ def test_what_overturned_or_did_not_move_is_said_in_words(results: Results) -> N
     assert tables.suites(results.mechanisms[1], name="s").rows[-1][3] == "overturned"
 
 
+def test_joints_without_a_threshold_have_no_pga_at_uplift(results: Results) -> None:
+    one = results.mechanisms[0]
+    soft = replace(one, checks=tuple(replace(check, uplift_pga_g=None) for check in one.checks))
+    for mechanism, expected in (
+        (one, [check.uplift_pga_g for check in one.checks]),
+        (soft, ["none"] * len(one.checks)),
+    ):
+        table = tables.demands(mechanism, name="d")
+        column = [each.label for each in table.columns].index("PGA at uplift")
+        assert [row[column] for row in table.rows] == expected
+        assert ("joints answer to any motion" in table.caption) == (mechanism is soft)
+
+
 def test_parameters_show_both_branches(results: Results) -> None:
     two, one = (tables.parameters(mechanism, name="p") for mechanism in results.mechanisms)
     assert all(row[2] == row[3] for row in two.rows)

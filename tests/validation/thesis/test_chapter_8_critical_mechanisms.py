@@ -36,9 +36,7 @@ def bands(factor) -> list[tuple[str, float, float]]:
     names = [mechanism.name for mechanism in study.mechanisms]
     grid = np.array([0.0, 30.0 * g])
     bounds = [
-        envelope(
-            oscillator(m), shape("sine"), FREQUENCY, grid, equation="linearised", factor=factor(m.name)
-        ).lower_bound
+        envelope(oscillator(m), SINE, FREQUENCY, grid, equation="linearised", factor=factor(m.name)).lower_bound
         for m in study.mechanisms
     ]
     found: tuple[Band, ...] = critical(FREQUENCY, np.array(bounds)).bands

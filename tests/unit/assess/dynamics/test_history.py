@@ -10,7 +10,7 @@ from scipy.constants import g
 
 from assess.dynamics.history import Jobs, peaks, product, trace
 from assess.errors import MechanismError
-from assess.oscillator import Branch, Oscillator
+from assess.oscillator import Branch, Oscillator, linearise
 from records.record import Record, make_record
 
 
@@ -48,6 +48,23 @@ def test_a_trace_reaches_the_peak(equation: str) -> None:
     middle = slice(near - 20, near - 1)
     steps = np.diff(history.rotation[middle]) / motion.dt
     np.testing.assert_allclose(steps, 0.5 * (history.velocity[middle][1:] + history.velocity[middle][:-1]), rtol=1e-2)
+
+
+def test_a_trace_from_a_release_is_the_hyperbolic_cosine_of_the_linearised_equation() -> None:
+    """phi = phi_ov - (phi_ov - phi_0) cosh(p t) until the impact, 0.9 of the velocity after it (Housner 1963)."""
+    still = make_record("still ground", np.zeros(401), 0.005)
+    history = trace(block(), still, scale=1.0, equation="linearised", release=0.15)
+    form = linearise(block().positive)
+    swing = form.overturning - (form.overturning - 0.15) * np.cosh(form.p * history.time)
+    before = swing > 0.0
+    assert 50 < before.sum() < history.time.size - 50
+    np.testing.assert_allclose(history.rotation[before], swing[before], rtol=1e-10)
+    after = np.flatnonzero(~before)[0]
+    t = np.arccosh(form.overturning / (form.overturning - 0.15)) / form.p
+    speed = 0.9 * form.p * np.sqrt(0.15 * (2 * form.overturning - 0.15))
+    x = form.p * (history.time[after] - t)
+    expected = form.overturning * (1.0 - np.cosh(x)) + speed / form.p * np.sinh(x)
+    assert history.rotation[after] == pytest.approx(-expected, rel=1e-9)
 
 
 @pytest.mark.parametrize("equation", ["exact", "linearised"])

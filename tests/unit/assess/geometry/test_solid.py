@@ -196,9 +196,13 @@ def test_box_refuses(change: dict[str, object], text: str) -> None:
 @pytest.mark.parametrize(
     ("points", "text"),
     [
-        ([[0, 0], [1, 1], [1, 0], [0, 1]], r'body "pier": the profile crosses .*Self-intersection.0.5 0.5.'),
-        ([[0, 0], [2, 0], [2, 2], [1, 0], [0, 2]], "crosses or touches itself"),
-        ([[0, 0], [1, 1], [2, 2]], "no area .its 3 corners lie on a line"),
+        (
+            [[0, 0], [1, 1], [1, 0], [0, 1]],
+            r'^body "pier": the profile crosses .* at x = 0.5 m, z = 0.5 m; list its corners in order',
+        ),
+        ([[0, 0], [2, 0], [2, 2], [1, 0], [0, 2]], "crosses or touches itself at x = 1 m, z = 0 m"),
+        ([[0, 0], [3, 0], [2, 0], [2, 2]], "crosses or touches itself at x = "),
+        ([[0, 0], [1, 1], [2, 2]], "no area, its 3 corners lie on a line; give corners"),
         ([[0, 0], [1, 0], [1, 0], [0, 0]], "2 distinct corners; give three"),
         ([[1, 1], [1, 1], [1, 1]], "no corners"),
         ([], "profile is"),

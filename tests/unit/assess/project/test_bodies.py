@@ -226,3 +226,26 @@ def test_an_open_mesh_is_one_line_with_the_file(tmp_path: Path) -> None:
     assert "\n" not in line
     assert line.startswith(f'{tmp_path / "project.toml"}: body "w": mesh wall.obj: it is open: ')
     assert "open edges around" in line
+
+
+@pytest.mark.parametrize(
+    ("corners", "message"),
+    [
+        ("[[0, 0], [1, 1], [1, 0], [0, 1]]", "its sides cross or touch one another at [0.5, 0.5] m; list its corners"),
+        ("[[0, 0], [3, 0], [2, 0], [2, 2]]", "its sides cross or touch one another at"),
+        ("[[0, 0], [1, 1], [2, 2]]", "no area, its corners lie on a line; give corners that enclose one"),
+        ("[[1, 1], [1, 1], [1, 1]]", "no area"),
+    ],
+)
+def test_a_bad_profile_is_told_at_its_key_in_our_words(tmp_path: Path, corners: str, message: str) -> None:
+    with pytest.raises(ProjectError) as error:
+        study(tmp_path, body("w", f"profile = {corners}\nlength = 3"))
+    text = str(error.value)
+    assert f"project.toml: bodies.w.profile: {corners}: {message}" in text
+    assert "\n" not in text
+    assert "elf-intersection" not in text
+
+
+def test_a_profile_may_be_closed_and_have_a_corner_twice(tmp_path: Path) -> None:
+    made = study(tmp_path, body("w", "profile = [[0, 0], [1, 0], [1, 0], [1, 4], [0, 4], [0, 0]]\nlength = 3"))
+    assert made.mechanisms[0].positive.blocks[0].mass == pytest.approx(2400.0 * 12.0, rel=1e-12)

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from math import atan2
+
 import pytest
 from scipy.constants import g
 
 from assess.errors import GeometryError, ProjectError
+from assess.mechanisms.oscillation import oscillator
 from assess.project.build import build
 from assess.project.schema import load
 
@@ -117,3 +120,73 @@ def test_a_load_beside_the_top_is_refused(tmp_path, load):
     for eccentricity in ("0.3", "-0.3"):
         with pytest.raises(GeometryError, match=r"eccentricity -?0\.3 m is 0\.1 m outside the wall"):
             mechanism(tmp_path, lines.format(load, eccentricity))
+
+
+CRACKED = "crack = 2.5\n"
+PRESSING = 'loads = [{{ kind = "overburden", force = "40 kN"{} }}]\n'
+STIFF = 'interface = {{ model = "flexible", stiffness = "{} Pa/m", strength = "inf" }}\n'
+
+
+def overturning(tmp_path, more, joint=""):
+    """phi_ov of both directions, of the joints in use where there are any [rad]."""
+    found = oscillator(mechanism(tmp_path, CRACKED + PRESSING.format(more) + joint))
+    return [branch.unstable for branch in found.branches]
+
+
+def test_a_load_through_a_rigid_top_leaves_the_wall_its_slenderness(tmp_path):
+    """Thesis 3.33 with xi = 0: phi_ov is the angle of the diagonal of the lower block, whatever presses."""
+    alpha = atan2(0.4, 2.5)
+    assert overturning(tmp_path, ', through = "joint"') == pytest.approx([alpha, alpha], rel=1e-9)
+    kept = overturning(tmp_path, ', through = "fixed"')
+    assert kept == overturning(tmp_path, "")
+    assert max(kept) < 0.95 * alpha
+
+
+@pytest.mark.parametrize(("through", "like"), [("joint", "joint"), ("fixed", "fixed"), (None, "joint")])
+def test_on_stiff_joints_a_load_is_where_it_is_on_rigid_ones(tmp_path, through, like):
+    """The joint moves the resultant by sqrt(N / (k l phi)); without the key the middle of a joint is "joint"."""
+    rigid = overturning(tmp_path, f', through = "{like}"')
+    more = "" if through is None else f', through = "{through}"'
+    off = [1 - overturning(tmp_path, more, STIFF.format(k))[0] / rigid[0] for k in (1e11, 4e11)]
+    assert 0.0 < off[1] < 2e-2
+    assert off[1] == pytest.approx(off[0] / 2, rel=0.1)
+
+
+def test_a_load_that_stays_has_no_joint_at_the_top(tmp_path):
+    """Even where its place is the hinge of one direction."""
+    for more in (', through = "fixed"', ', through = "fixed", eccentricity = 0.2'):
+        wall = mechanism(tmp_path, CRACKED + PRESSING.format(more) + STIFF.format(1e9))
+        assert [joint is None for joint in wall.positive.joints] == [False, False, True]
+        assert not any("through the joint" in notice for notice in wall.notices)
+    asked = mechanism(tmp_path, CRACKED + PRESSING.format(", eccentricity = 0.2") + STIFF.format(1e9))
+    assert asked.positive.joints[2] is not None
+    both = PRESSING.format(', through = "fixed", eccentricity = 0.2').replace(
+        "]", ', { kind = "overburden", force = 1 }]'
+    )
+    assert mechanism(tmp_path, CRACKED + both + STIFF.format(1e9)).positive.joints[2] is not None
+
+
+def test_bodies_through_the_joint_press_on_the_middle_at_rest(tmp_path):
+    """The crack is that of a load in the middle, eq. 3.27; each direction then has it at its own hinge."""
+    wall = mechanism(tmp_path, 'loads = [{ kind = "overburden", bodies = ["floor"], through = "joint" }]')
+    (force,) = wall.positive.loads
+    n = -force.force[1] / (1800 * 0.4 * 3 * 4 * g)
+    assert wall.positive.hinges[1][1] == pytest.approx(4 / (1 + (n / (2 * (1 + n))) ** 0.5), rel=1e-9)
+    assert force.at == wall.positive.hinges[2] == pytest.approx((0.2, 4.0), abs=1e-9)
+    assert wall.negative.loads[0].at == wall.negative.hinges[2] == pytest.approx((0.2, 4.0), abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("more", "words"),
+    [
+        (
+            ', through = "joint", eccentricity = 0.1',
+            'through: "joint": a load through the joint .* remove eccentricity',
+        ),
+        (', through = "top"', 'through: "top": not allowed; write "joint" or "fixed"'),
+    ],
+)
+def test_wrong_ways_to_the_wall_are_refused(tmp_path, more, words):
+    with pytest.raises(ProjectError, match=words) as refused:
+        mechanism(tmp_path, CRACKED + PRESSING.format(more))
+    assert "\n" not in str(refused.value)

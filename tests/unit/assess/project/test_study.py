@@ -376,3 +376,49 @@ def test_a_block_of_several_bodies_is_cut_and_one_without_geometry_is_not(tmp_pa
     (tmp_path / "project.toml").write_text(text.replace("[mechanisms.m]", direct + "[mechanisms.m]"))
     with pytest.raises(GeometryError, match='mechanism "m": body "v" has no geometry to cut'):
         build(load(tmp_path))
+
+
+SOFT = 'interface = { model = "flexible", stiffness = "1 GPa/m", strength = "1 MPa" }'
+SUITE = 'synthetic = { count = 5, duration = "10 s" }'
+
+
+def test_joints_that_answer_at_once_have_no_pga_at_uplift_by_any_procedure(tmp_path):
+    """It is null, not zero; the rigid one lifts off at its multiplier, 0.6 / 4.5."""
+    soft = run(study_of(tmp_path, records=SUITE, mechanism=SOFT)).mechanisms[0]
+    rigid = run(study_of(tmp_path, records=SUITE)).mechanisms[0]
+    assert soft.oscillator.uplift_multiplier is None
+    assert {check.procedure: check.uplift_pga_g for check in soft.checks} == dict.fromkeys(
+        check.procedure for check in rigid.checks
+    )
+    assert len(soft.checks) >= 6
+    assert [check.uplift_pga_g for check in rigid.checks] == pytest.approx([0.6 / 4.5] * len(rigid.checks), rel=1e-9)
+    for check in soft.checks:
+        assert "lift" not in check.reason
+
+
+def test_one_sided_joints_that_lean_on_their_support_keep_their_small_threshold(tmp_path):
+    leaning = 'sides = "one"\nloads = [{ kind = "force", force = ["-2 kN", "0 N"], at = [0, 4.5] }]\n' + SOFT
+    found = run(study_of(tmp_path, records=SUITE, mechanism=leaning)).mechanisms[0]
+    at_rest = found.oscillator.uplift_multiplier
+    assert 0.0 < at_rest < 0.6 / 4.5
+    assert [check.uplift_pga_g for check in found.checks] == pytest.approx([at_rest] * len(found.checks), rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("joint", "equation", "told"),
+    [
+        (SOFT, "linearised", True),
+        (SOFT.replace("flexible", "semi-flexible"), "linearised", True),
+        (SOFT, "exact", False),
+        ("", "linearised", False),
+        ('interface = { strength = "1 MPa" }', "linearised", False),  # crushes, yet lifts off as the rigid one does
+    ],
+)
+def test_the_linearised_equation_on_joints_without_a_threshold_is_told(tmp_path, joint, equation, told):
+    """Below the threshold of the linearised equation nothing moves, where the exact one always does."""
+    made = study_of(tmp_path, mechanism=joint, analysis=f'equation = "{equation}"\nlevels = ["0.02 g"]', records=SUITE)
+    texts = [notice.text for notice in made.notices if (notice.code, notice.where) == ("equation", "analysis.equation")]
+    assert len(texts) == told
+    assert all("the joints of m have not" in text for text in texts)
+    moved = [history.max_rotation_rad for history in run(made).mechanisms[0].histories]
+    assert any(moved) == (equation == "exact")

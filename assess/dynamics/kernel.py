@@ -117,6 +117,18 @@ def root(c: Arc, level: float, end: float) -> float:
     return x
 
 
+@compiled
+def over_time(c: Arc) -> Arc:
+    """The polynomial over x, for one that is zero at x = 0: its other root."""
+    return c[1], c[2], c[3], c[4], c[5], c[6], c[7], c[8], 0.0
+
+
+@compiled
+def turning(c: Arc, rate: Arc, end: float) -> float:
+    """Time in (0, end] of the one peak of a polynomial that rises first and falls at the end."""
+    return root(rate, 0.0, end) if rate[0] > 0.0 else root(over_time(rate), 0.0, end)
+
+
 # ------------------------------------------------------------------------------------------------------------- ground
 
 
@@ -250,7 +262,7 @@ def marching(glide: Glide, step: Step, potential: Potential) -> March:
 
         Each turn of the loop moves on in time, or stops the velocity, or puts the body to rest.
         """
-        x = 0.0
+        x, every_peak = 0.0, wanted > 0 or events.shape[0] > 1
         while x < h:
             a, left = moved(ground, x), h - x
             if side < 0:
@@ -261,27 +273,28 @@ def marching(glide: Glide, step: Step, potential: Potential) -> March:
                 found[UPLIFTED] = 1.0
                 note(events, time + x, UPLIFT, 0.0, side)
                 continue
-            arc, piece, end = step(flow, side, y, v, a, left)
-            if calm((y, v, 2.0 * arc[2]), end, 1.5 * piece, -1.0, branch[side, column]):
-                x, y, v = (h if piece == left else x + piece), end[0], end[1]
+            top = -1.0 if every_peak else found[RATIO]
+            arc, piece, (y1, v1, k1) = step(flow, side, y, v, a, left)
+            k = 2.0 * arc[2]
+            if calm((y, v, k), (y1, v1, k1), 1.5 * piece, top, branch[side, column]):
+                x, y, v = (h if piece == left else x + piece), y1, v1
                 continue
-            rate = derivative(arc)
-            bend = derivative(rate)
-            y1, v1, peak = end[0], end[1], False
-            # An inflection ends the piece: up to it the velocity is monotone. So does a turning point: up to it the
-            # rotation is monotone. So does landing; a passage of 1 does not.
-            if arc[2] * end[2] < 0.0:
-                bent = root(bend, 0.0, piece)
-                if bent > SMALLEST_STEP * h:
+            rate, peak = derivative(arc), False
+            if v * v1 > 0.0 and k * k1 < 0.0:  # the velocity has an extreme: does it change sign before and after?
+                bent = root(derivative(rate), 0.0, piece)
+                if v * at(rate, bent) < 0.0 and bent > SMALLEST_STEP * h:
                     piece, y1, v1 = bent, at(arc, bent), at(rate, bent)
-            if v * v1 < 0.0:
-                piece, peak = root(rate, 0.0, piece), v > 0.0
-                y1, v1 = at(arc, piece), 0.0
-                if peak:
-                    y1 = max(y1, y)
+            if v1 < 0.0 and (v > 0.0 or (v == 0.0 and k > 0.0)):
+                if y + (v + max(k, 0.0) * piece) * piece >= min(top, 1.0):
+                    piece, peak = turning(arc, rate, piece), True
+                    y1, v1 = max(at(arc, piece), y), 0.0
+            elif v < 0.0 < v1 and y + v * piece <= 0.0:
+                lowest = root(rate, 0.0, piece)
+                if at(arc, lowest) < 0.0:
+                    piece, y1, v1 = lowest, at(arc, lowest), 0.0
             if y1 < 0.0:
-                if y > 0.0:
-                    piece = root(arc, 0.0, piece)
+                if y > 0.0 or v > 0.0 or k > 0.0:
+                    piece = root(arc, 0.0, piece) if y > 0.0 else root(over_time(arc), 0.0, piece)
                     x, v = x + piece, min(at(rate, piece), 0.0)
                 elif v == 0.0:
                     return -1, 0.0, 0.0, peaked  # neither flight nor speed: rest, for what is left of the interval

@@ -122,12 +122,12 @@ class SingleBlock:
 
 
 def interpolant(rotation: FloatArray, values: FloatArray) -> PPoly:
-    """The piecewise cubic through `values` [n] over `rotation` [n]: one not-a-knot spline between jumps.
+    """The piecewise cubic through `values` [n, …] over `rotation` [n]: one not-a-knot spline between jumps.
 
     A piece of two nodes is a line, of three a parabola. Jumps (two nodes at one rotation) keep an empty interval,
     so interval i of the result always lies between nodes i and i + 1.
     """
-    coefficients = np.zeros((4, rotation.size - 1))
+    coefficients = np.zeros((4, rotation.size - 1, *values.shape[1:]))
     ends = [0, *(np.flatnonzero(np.diff(rotation) == 0.0) + 1).tolist(), rotation.size]
     for first, last in pairwise(ends):
         if last - first > 1:
@@ -230,12 +230,13 @@ def linearise(branch: Branch) -> Linearised:
     At phi_cr dV/dphi = 0, so there restoring = -M, and K = M' - V'' = -restoring'.
     """
     at = branch.critical
-    moment = interpolant(branch.rotation, branch.restoring)
+    columns = interpolant(branch.rotation, np.stack([branch.inertia, branch.excitation, branch.restoring], axis=1))
+    inertia, excitation, restoring = columns(at)
     return Linearised(
-        inertia=float(interpolant(branch.rotation, branch.inertia)(at)),
-        stiffness=-float(moment(at, 1)),
-        excitation=float(interpolant(branch.rotation, branch.excitation)(at)),
-        moment=-float(moment(at)),
+        inertia=float(inertia),
+        stiffness=-float(columns(at, 1)[2]),
+        excitation=float(excitation),
+        moment=-float(restoring),
         critical=at,
         restitution=branch.restitution,
     )

@@ -80,10 +80,8 @@ def canonical(branch: Branch) -> Canonical:
     left, width = branch.rotation[:-1][wide], np.diff(branch.rotation)[wide]
     at_rest = float(branch.inertia[0])
 
-    def cubics(values: FloatArray) -> FloatArray:
-        return interpolant(branch.rotation, values).c[:, wide]
-
-    inertia = cubics(branch.inertia)
+    columns = np.stack([branch.inertia, branch.restoring, branch.excitation], axis=1)
+    inertia, moment, push = np.moveaxis(interpolant(branch.rotation, columns).c[:, wide], 2, 0)
     length = _lengths(inertia / at_rest, width)
     over = int(np.clip(np.searchsorted(left, branch.unstable) - 1, 0, left.size - 1))
     rest_of_it = _lengths(inertia[:, over : over + 1] / at_rest, np.array([branch.unstable - left[over]]))
@@ -92,17 +90,17 @@ def canonical(branch: Branch) -> Canonical:
     s = np.sqrt(_values(inertia, ends) / at_rest)
     bend = _values(_slopes(inertia), ends) / (2.0 * at_rest * s)
 
-    def over_y(values: FloatArray) -> FloatArray:
-        value, slope = _values(cubics(values), ends), _values(_slopes(cubics(values)), ends)
+    def over_y(cubics: FloatArray) -> FloatArray:
+        value, slope = _values(cubics, ends), _values(_slopes(cubics), ends)
         return _hermite(value / s, (slope - value * bend / s) * turn / s**2, w) / (at_rest * turn)
 
-    restoring, y = over_y(branch.restoring), np.r_[0.0, np.cumsum(w)]
+    restoring, y = over_y(moment), np.r_[0.0, np.cumsum(w)]
     work = w * (((restoring[0] * w / 4 + restoring[1] / 3) * w + restoring[2] / 2) * w + restoring[3])
     return Canonical(
         turn=turn,
         y=y,
         restoring=restoring,
-        excitation=over_y(branch.excitation),
+        excitation=over_y(push),
         stored=np.r_[0.0, np.cumsum(work)],
         smooth=_smooth(branch, wide),
         back=CubicHermiteSpline(y, np.r_[left, left[-1] + width[-1]], turn / np.r_[s[0], s[1, -1]]),

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Literal
+from typing import Literal, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +19,7 @@ from assess.oscillator import Branch, Oscillator, energy, linearise
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
 Equation = Literal["exact", "linearised"]
+T = TypeVar("T")
 
 
 @dataclass(frozen=True)
@@ -44,7 +45,7 @@ def _exact(oscillator: Oscillator) -> Packed:
     """By the tables; the end of a table means overturned."""
     for branch, following in zip(oscillator.branches, reversed(oscillator.branches), strict=True):
         _check_branch(branch, following=following)
-    sides = tuple(canonical(branch) for branch in oscillator.branches)
+    sides = _of_each(oscillator, canonical)
     rows = _rows(oscillator, sides)
     for row, branch, side in zip(rows, oscillator.branches, sides, strict=False):
         E = _positive(float(energy(branch, np.array(branch.unstable))), "work up to the overturning rotation", "J")
@@ -56,7 +57,7 @@ def _exact(oscillator: Oscillator) -> Packed:
 
 def _linearised(oscillator: Oscillator) -> Packed:
     """By the linearised equation; LIMIT depends on the job."""
-    forms = [linearise(branch) for branch in oscillator.branches]
+    forms = _of_each(oscillator, linearise)
     for form in forms:
         _positive(form.stiffness, "linearised stiffness K at phi_cr", "N m/rad")
         _positive(form.overturning, "linearised overturning rotation", "rad")
@@ -71,6 +72,14 @@ def _linearised(oscillator: Oscillator) -> Packed:
 
 
 _PACKING: dict[Equation, Callable[[Oscillator], Packed]] = {"exact": _exact, "linearised": _linearised}
+
+
+def _of_each(oscillator: Oscillator, make: Callable[[Branch], T]) -> tuple[T, ...]:
+    """What is made of each branch, once where both are one."""
+    first = make(oscillator.positive)
+    if oscillator.negative is None:
+        return (first,)
+    return first, first if oscillator.negative is oscillator.positive else make(oscillator.negative)
 
 
 def branches_of(oscillators: Sequence[Packed]) -> FloatArray:

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from functools import partial
 from importlib.metadata import version
 
-import numpy as np
-
+from assess.amplification import factor_over_frequency
 from assess.errors import ProjectError
 from assess.mechanisms.oscillation import oscillator
 from assess.project.assessing import Progress, mechanisms_assessed
@@ -85,7 +85,8 @@ def rockers_of(study: Study, standing: Mapping[str, Swept]) -> tuple[Rocker, ...
     for mechanism in study.mechanisms:
         of = standing[mechanism.name].case.study if mechanism.name in standing else study
         used = next(each for each in of.mechanisms if each.name == mechanism.name)
-        found.append(Rocker(used.name, oscillator(used), of.equations[used.name], np.ones_like))
+        factor = partial(factor_over_frequency, of.amplified[used.name].amplification)
+        found.append(Rocker(used.name, oscillator(used), of.equations[used.name], factor))
     return tuple(found)
 
 

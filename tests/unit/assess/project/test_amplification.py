@@ -228,7 +228,9 @@ def test_the_way_up_may_be_swept(tmp_path):
 
 def test_envelopes_are_of_the_ground(tmp_path):
     """The least pulse at the ground is the one at the base divided by the factor at its frequency."""
-    pulses = "pulses = { frequency = { from = 0.5, to = 2.5, count = 3 }, amplitude = { from = 0, to = 90, count = 2 } }\n"
+    pulses = (
+        "pulses.frequency = { from = 0.5, to = 2.5, count = 3 }\npulses.amplitude = { from = 0, to = 90, count = 2 }\n"
+    )
     given = {"natural_frequency": "2.5 Hz", "effective_height": "6.01 m", "height": "4.77 m"}
     plain = study_of(tmp_path, BLOCK, analysis=pulses)
     for method in ("srss", "modal-filter"):

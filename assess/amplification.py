@@ -1,9 +1,10 @@
 """Amplification of the ground motion on its way up a structure to the base of a mechanism (thesis 3.4.1).
 
     none          the ground's motion as it is
-    srss          thesis 3.48: the motion times one factor from the first mode
-    floor factor  the record times the factor of a code for the height (spectra.floor)
-    modal filter  the record through the first mode, absolute acceleration at the height
+    srss           thesis 3.48: the motion times one factor from the first mode, records and pulses alike
+    srss-relative  the same for records; pulses by 3.47 as it is worded
+    floor factor   the motion times the factor of a code for the height (spectra.floor)
+    modal filter   the record through the first mode, absolute acceleration at the height
 
 `carried` takes a record up; `factor_over_frequency` says what a pulse of one full sine is multiplied by.
 """
@@ -17,7 +18,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from assess.errors import MechanismError
-from assess.pulse_spectrum import largest_relative, largest_total
+from assess.pulse_spectrum import largest_pseudo, largest_relative, largest_total
 from records.errors import RecordError
 from records.floor_motion import floor_motion
 from records.record import Record, scaled
@@ -62,12 +63,22 @@ class FloorFactor:
 
 @dataclass(frozen=True)
 class Srss:
-    """Thesis 3.47 and 3.48: first mode and ground by the square root of the sum of squares, at `height` [m].
+    """Thesis 3.48: first mode S_a h / h_e and ground by the square root of the sum of squares, at `height` [m].
 
-    Known limits of the published form. 3.47 takes the response relative to the ground, 3.48 the spectral
-    acceleration in its place, which is (nearly) absolute. So 3.48 gives sqrt(2) at h_e of a rigid structure, where 1 is
-    right; 3.47 is up to a fifth low at f_p / f_n = 0.5 to 0.8 (unsafe) and far too high above 1.5. The frequency
-    content of the record stays that of the ground. The modal filter has none of these.
+    For pulses S_a is that of the pulse: so the envelopes that 8.3.1 scales are made, though its text says 3.47
+    (test_critical_walls_8_3_1). Known limits: S_a is (nearly) absolute, so the ground counts twice, sqrt(2) at h_e of
+    a rigid structure, where 1 is right; the frequency content stays that of the ground.
+    """
+
+    mode: FirstMode
+    height: float
+
+
+@dataclass(frozen=True)
+class SrssRelative:
+    """Thesis 3.47 as worded, with the response relative to the ground, for pulses; 3.48 for records; at `height` [m].
+
+    Known limits: up to a fifth low at f_p / f_n = 0.5 to 0.8 (unsafe), far too high above 1.5.
     """
 
     mode: FirstMode
@@ -85,7 +96,7 @@ class ModalFilter:
     height: float
 
 
-Amplification = Unamplified | FloorFactor | Srss | ModalFilter
+Amplification = Unamplified | FloorFactor | Srss | SrssRelative | ModalFilter
 
 
 @dataclass(frozen=True)
@@ -106,8 +117,8 @@ def carried(amplification: Amplification, record: Record) -> Carried:
             return Carried(record, 1.0)
         case FloorFactor(factor=factor):
             return Carried(scaled(record, factor), factor)
-        case Srss():
-            factor = factor_3_48(amplification, record)
+        case Srss(mode=mode, height=height) | SrssRelative(mode=mode, height=height):
+            factor = factor_3_48(mode, record, height=height)
             return Carried(scaled(record, factor), factor)
         case ModalFilter(mode=mode, height=height):
             at = floor_motion(record, frequency=mode.frequency, shape=mode.shape(height), damping=mode.damping)
@@ -115,34 +126,21 @@ def carried(amplification: Amplification, record: Record) -> Carried:
     assert_never(amplification)
 
 
-def factor_3_48(srss: Srss, record: Record) -> float:
+def factor_3_48(mode: FirstMode, record: Record, *, height: float) -> float:
     """SF = sqrt((S_a(T_n) / a_g h / h_e)^2 + 1) [-], S_a the pseudo-acceleration of the record, a_g its peak.
 
     Source: thesis eq. 3.48.
     """
-    S_a = float(response_spectrum(record, 1.0 / srss.mode.frequency, damping=srss.mode.damping))
-    return float(np.hypot(S_a / _moving(record) * srss.mode.shape(srss.height), 1.0))
+    S_a = float(response_spectrum(record, 1.0 / mode.frequency, damping=mode.damping))
+    return float(np.hypot(S_a / _moving(record) * mode.shape(height), 1.0))
 
 
-def factor_3_48_of_pulses(srss: Srss, frequency: ArrayLike) -> FloatArray:
-    """The same for one-sine pulses of `frequency` [Hz] (same shape): S_a is their spectral acceleration at T_n.
+def factor_3_47(response: FloatArray, *, shape: float) -> FloatArray:
+    """a_sc / a_g = sqrt((a_r / a_g h / h_e)^2 + 1) [-] for largest responses a_r / a_g [-] (same shape).
 
-    By it the critical mechanism of Casa Grande changes at 0.64 Hz, 0.6 in print (thesis 8.3.1); by 3.47 as printed,
-    with the relative acceleration, at 1.1 Hz. It is never below the motion of the structure, as 3.47 is.
+    Source: thesis eq. 3.47.
     """
-    ratio = np.asarray(frequency, dtype=np.float64) / srss.mode.frequency
-    S_a = largest_total(ratio, shape=1.0, damping=srss.mode.damping)
-    return np.hypot(S_a * srss.mode.shape(srss.height), 1.0)
-
-
-def factor_3_47(srss: Srss, frequency: ArrayLike) -> FloatArray:
-    """a_sc / a_g = sqrt((a_r / a_g h / h_e)^2 + 1) [-] for one-sine pulses of `frequency` [Hz] (same shape).
-
-    Source: thesis eq. 3.47, a_r relative to the ground.
-    """
-    ratio = np.asarray(frequency, dtype=np.float64) / srss.mode.frequency
-    relative = largest_relative(ratio, damping=srss.mode.damping)
-    return np.hypot(relative * srss.mode.shape(srss.height), 1.0)
+    return np.hypot(response * shape, 1.0)
 
 
 def factor_over_frequency(amplification: Amplification, frequency: ArrayLike) -> FloatArray:
@@ -157,8 +155,10 @@ def factor_over_frequency(amplification: Amplification, frequency: ArrayLike) ->
             return np.ones(f.shape)
         case FloorFactor(factor=factor):
             return np.full(f.shape, factor)
-        case Srss():
-            return factor_3_48_of_pulses(amplification, f)
+        case Srss(mode=mode, height=height):
+            return factor_3_47(largest_pseudo(f / mode.frequency, damping=mode.damping), shape=mode.shape(height))
+        case SrssRelative(mode=mode, height=height):
+            return factor_3_47(largest_relative(f / mode.frequency, damping=mode.damping), shape=mode.shape(height))
         case ModalFilter(mode=mode, height=height):
             return largest_total(f / mode.frequency, shape=mode.shape(height), damping=mode.damping)
     assert_never(amplification)

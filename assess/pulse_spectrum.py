@@ -9,10 +9,14 @@ the largest point and its neighbours.
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 FloatArray = NDArray[np.float64]
+
+Quantity = Callable[[FloatArray, FloatArray, FloatArray], FloatArray]
 
 POINTS = 400  # in a period of the pulse or of the oscillator, whichever is shorter
 
@@ -20,9 +24,17 @@ POINTS = 400  # in a period of the pulse or of the oscillator, whichever is shor
 def largest_relative(ratio: ArrayLike, *, damping: float = 0.05) -> FloatArray:
     """Largest |u''|, relative to the ground, over the pulse's amplitude [-] at each f_p / f_n = `ratio` (same shape).
 
-    Source: thesis 3.4.1.1 (pulse response spectrum, Fig. 3.10a), damping 5 %.
+    Source: thesis 3.4.1.1, as worded: the response acceleration is relative.
     """
-    return _largest(ratio, ground=0.0, shape=1.0, damping=damping)
+    return _largest(ratio, lambda pulse, u, v: _relative(pulse, u, v, damping), damping=damping)
+
+
+def largest_pseudo(ratio: ArrayLike, *, damping: float = 0.05) -> FloatArray:
+    """Largest w^2 |u|, the pseudo-acceleration S_a, over the pulse's amplitude [-] at each f_p / f_n (same shape).
+
+    Source: thesis 3.4.1.2; what its scaled envelopes of 8.3.1 turn out to use.
+    """
+    return _largest(ratio, lambda pulse, u, v: u, damping=damping)
 
 
 def largest_total(ratio: ArrayLike, *, shape: float, damping: float = 0.05) -> FloatArray:
@@ -30,30 +42,31 @@ def largest_total(ratio: ArrayLike, *, shape: float, damping: float = 0.05) -> F
 
     shape : of the first mode times its participation factor, 1 at the effective height, 0 at the ground [-]
     """
-    return _largest(ratio, ground=1.0, shape=shape, damping=damping)
+    return _largest(ratio, lambda pulse, u, v: pulse + shape * _relative(pulse, u, v, damping), damping=damping)
 
 
-def _largest(ratio: ArrayLike, *, ground: float, shape: float, damping: float) -> FloatArray:
+def _largest(ratio: ArrayLike, quantity: Quantity, *, damping: float) -> FloatArray:
     r = np.asarray(ratio, dtype=np.float64)
     bad = r[~(np.isfinite(r) & (r > 0.0))]
     if bad.size:
         raise ValueError(f"pulse frequency over natural frequency {bad.flat[0]}; it must be positive and finite")
     if not 0.0 < damping < 1.0:
         raise ValueError(f"damping ratio {damping}; it must lie between 0 and 1")
-    found = [max(map(_peak, _responses(float(each), ground, shape, damping))) for each in r.ravel()]
+    found = [max(_peak(quantity(*part)) for part in _responses(float(each), damping)) for each in r.ravel()]
     return np.array(found).reshape(r.shape)
 
 
-def _responses(r: float, ground: float, shape: float, damping: float) -> tuple[FloatArray, FloatArray]:
-    """ground a_g + shape u'' during the pulse, and for two periods after; time in units of 1 / w, so w_p = r."""
-    end = 2.0 * np.pi / r
-    during = np.linspace(0.0, end, int(np.ceil(POINTS * max(1.0, 1.0 / r))) + 1)
-    u, v = _forced(during, r, damping)
-    pulse = np.sin(r * during)
-    relative = -pulse - 2.0 * damping * v - u
+def _responses(r: float, damping: float) -> tuple[tuple[FloatArray, FloatArray, FloatArray], ...]:
+    """a_g, u and u' during the pulse, and for two periods after; time in units of 1 / w, so w_p = r."""
+    during = np.linspace(0.0, 2.0 * np.pi / r, int(np.ceil(POINTS * max(1.0, 1.0 / r))) + 1)
     after = np.linspace(0.0, 4.0 * np.pi, 2 * POINTS + 1)
-    u, v = _free(after, u[-1], v[-1], damping)
-    return ground * pulse + shape * relative, shape * (-2.0 * damping * v - u)
+    u, v = _forced(during, r, damping)
+    return (np.sin(r * during), u, v), (np.zeros(after.size), *_free(after, u[-1], v[-1], damping))
+
+
+def _relative(pulse: FloatArray, u: FloatArray, v: FloatArray, damping: float) -> FloatArray:
+    """u'', by the equation of motion."""
+    return -pulse - 2.0 * damping * v - u
 
 
 def _forced(t: FloatArray, r: float, damping: float) -> tuple[FloatArray, FloatArray]:

@@ -142,6 +142,8 @@ def findings(one: EnvelopeResult) -> str:
             f" The ground motion reaches its base amplified by {numeral(min(one.factor), digits=3)} to "
             f"{numeral(raised, digits=3)}, depending on frequency."
         )
+    if one.shape != "sine" and raised != min(one.factor):
+        text += " These are the factors of a full sine of the same frequency."
     return text
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from assess.amplification import FirstMode, FloorFactor, ModalFilter, Srss, Unamplified, first_mode
+from assess.amplification import FirstMode, FloorFactor, ModalFilter, Srss, SrssRelative, Unamplified, first_mode
 from assess.errors import GeometryError, ProjectError
 from assess.natural_frequency import ASSUMPTIONS, SLICES, Rayleigh, cantilever, rayleigh
 from assess.project import sections
@@ -26,8 +26,12 @@ FLOORS: dict[str, tuple[Callable[..., float], str]] = {
     "nzs1170.5": (nzs1170_5, "NZS 1170.5, 8.3: the least that applies of 1 + h/6, 1 + 10 h/H and 3"),
 }
 
-FIRST_MODES: dict[str, tuple[Callable[[FirstMode, float], Srss | ModalFilter], str]] = {
-    "srss": (Srss, "every record times sqrt((S_a(T_n)/a_g h/h_e)^2 + 1), thesis 3.48; pulses likewise"),
+FIRST_MODES: dict[str, tuple[Callable[[FirstMode, float], Srss | SrssRelative | ModalFilter], str]] = {
+    "srss": (Srss, "every record and pulse times sqrt((S_a(T_n)/a_g h/h_e)^2 + 1), thesis 3.48"),
+    "srss-relative": (
+        SrssRelative,
+        "every record times sqrt((S_a(T_n)/a_g h/h_e)^2 + 1), thesis 3.48; pulses by 3.47 with the relative response",
+    ),
     "modal-filter": (
         ModalFilter,
         "every record through the first mode, absolute acceleration at the mechanism's base; no higher modes",

@@ -9,7 +9,7 @@ from pydantic import Discriminator, Tag
 from assess.project.quantities import NotNegativeLength, PositiveFrequency, PositiveLength, PositiveRatio
 from assess.project.section import Section, listed
 
-METHODS = ("none", "srss", "modal-filter", "ec8", "ec8-resonance", "ec8-printed", "nzs1170.5")
+METHODS = ("none", "srss", "srss-relative", "modal-filter", "ec8", "ec8-resonance", "ec8-printed", "nzs1170.5")
 
 
 class NoAmplification(Section):
@@ -29,8 +29,8 @@ class RaisedAmplification(Section):
 class FirstModeAmplification(RaisedAmplification):
     """The first mode of the structure, its shape linear in height."""
 
-    method: Literal["srss", "modal-filter"]
-    """"srss" (thesis 3.47, 3.48) or "modal-filter": the record through the first mode"""
+    method: Literal["srss", "srss-relative", "modal-filter"]
+    """"srss" (thesis 3.48), "srss-relative" (pulses by 3.47), or "modal-filter": through the first mode"""
     natural_frequency: PositiveFrequency | None = None
     """first natural frequency, like "2.5 Hz"; [building]'s, or Rayleigh's of the bodies if absent"""
     effective_height: PositiveLength | None = None
@@ -61,6 +61,7 @@ def _tag(value: Any) -> str | None:
 _TAGS = {
     "none": "<none>",
     "srss": "<mode>",
+    "srss-relative": "<mode>",
     "modal-filter": "<mode>",
     "ec8": "<floor>",
     "ec8-resonance": "<floor>",

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from assess.pulse_spectrum import largest_relative, largest_total
+from assess.pulse_spectrum import largest_pseudo, largest_relative, largest_total
 
 RATIO = [0.05, 0.2, 0.5, 0.8, 1.0, 1.5, 2.0, 4.0, 10.0]
 
@@ -48,6 +48,8 @@ def test_limits() -> None:
     assert largest_total(1e-2, shape=1.0) == pytest.approx(1.0, rel=3e-3)  # a rigid structure moves with the ground
     assert largest_relative(1e3) == pytest.approx(1.0, rel=1e-3)  # a soft one stays where it is
     np.testing.assert_allclose(largest_total(RATIO, shape=0.0), 1.0, rtol=1e-6)
+    rare = largest_pseudo(RATIO, damping=1e-4) / largest_total(RATIO, shape=1.0, damping=1e-4)
+    np.testing.assert_allclose(rare, 1.0, atol=2e-4)  # without damping w^2 u is the total acceleration
     assert largest_total(np.ones((2, 3)), shape=1.0).shape == (2, 3)
 
 

@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.amplification import FloorFactor, ModalFilter, Srss
+from assess.amplification import FirstMode, FloorFactor, ModalFilter, Srss, factor_over_frequency
 from assess.errors import ProjectError
 from assess.geometry.solid import box
 from assess.natural_frequency import cantilever, rayleigh
 from assess.project.build import build
-from assess.project.run import run
+from assess.project.run import envelope, run
 from assess.project.schema import load
 from assess.project.study import Study
 from records.floor_motion import floor_motion
@@ -54,6 +54,7 @@ levels = ["0.3 g"]
 procedures = ["asce43-05-history", "asce43-05-spectrum"]
 {analysis}
 """
+METHODS = {"srss": Srss, "modal-filter": ModalFilter}
 CUT = 'kind = "single-block"\nblocks = ["w"]\ncut = "5 m"\n'
 BLOCK = 'kind = "equivalent-block"\np = 2.26\nuplift = 0.21\nradius = 1.46\nelevation = 5\n'
 HOUSE = '[building]\nheight = "9 m"\n'
@@ -144,7 +145,7 @@ def test_the_printed_ec8_takes_its_soil(tmp_path):
             'kind = "single-block"\nblocks = ["direct"]\nhinges = { A = [0.4, 0] }\n'
             "hinges_negative = { A = [-0.4, 0] }\n" + amplification("modal-filter"),
             "",
-            "has no geometry",
+            "only a single-block of bodies",
         ),
     ],
 )
@@ -223,3 +224,18 @@ def test_the_way_up_may_be_swept(tmp_path):
     study = study_of(tmp_path, CUT + amplification("nzs1170.5", height="2 m"), building=HOUSE, analysis=sweep)
     factors = [case.study.amplified["m"].amplification.factor for case in study.sweeps[0].cases]
     assert factors == pytest.approx([1 + 1 / 6, 1 + 5 / 6], rel=1e-12)
+
+
+def test_envelopes_are_of_the_ground(tmp_path):
+    """The least pulse at the ground is the one at the base divided by the factor at its frequency."""
+    pulses = (
+        "pulses.frequency = { from = 0.5, to = 2.5, count = 3 }\npulses.amplitude = { from = 0, to = 90, count = 2 }\n"
+    )
+    given = {"natural_frequency": "2.5 Hz", "effective_height": "6.01 m", "height": "4.77 m"}
+    plain = study_of(tmp_path, BLOCK, analysis=pulses)
+    for method in ("srss", "modal-filter"):
+        found = envelope(study_of(tmp_path, BLOCK + amplification(method, **given), analysis=pulses)).mechanisms[0]
+        below = envelope(plain).mechanisms[0].envelope.lower_bound_g
+        factor = factor_over_frequency(METHODS[method](FirstMode(2.5, 6.01), 4.77), [0.5, 1.5, 2.5])
+        np.testing.assert_allclose(found.envelope.factor, factor, rtol=1e-12)
+        np.testing.assert_allclose(found.envelope.lower_bound_g, below / factor, rtol=0.011)  # a step of the scan

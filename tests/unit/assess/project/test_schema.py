@@ -169,14 +169,14 @@ WRONG: dict[str, tuple[str | bytes, str]] = {
         changed("thickness", "thicknes"),
         'wall.box.thicknes: "60 cm": unknown key; did you mean',
     ),
-    "key of a later version": (changed("[analysis]", "[analysis]\npulses = {}"), "analysis.pulses: "),
+    "key of a later version": (changed("[analysis]", "[records]\nselect = {}\n[analysis]"), "records.select: "),
     "amplification of no method": (
         changed("restitution = 0.9", "amplification = {}"),
         "mechanisms.wall.amplification.method: missing; write one of",
     ),
     "amplification of another method": (
         changed("restitution = 0.9", 'amplification = { method = "abs" }'),
-        'mechanisms.wall.amplification.method: "abs": not supported; write one of "none", "srss"',
+        'mechanisms.wall.amplification.method: "abs": not supported; write one of "none", "srss", "srss-relative"',
     ),
     "natural frequency of a code's factor": (
         changed("restitution = 0.9", 'amplification = { method = "ec8", natural_frequency = "2 Hz" }'),

@@ -156,7 +156,7 @@ def reference(sides: tuple[Side, ...], record: Record, scale: float) -> Found:
                 found.impacts += 1
                 at = (at + 1) % len(sides)
                 still = all(-(1 - 2 * n) * (a0 + slope * (t - start)) <= e.threshold for n, e in enumerate(sides))
-                if v < side.slow and still:
+                if v < sides[at].slow and still:
                     at, v = -1, 0.0
             elif phi >= side.end:
                 found.overturned = True

@@ -78,7 +78,7 @@ def test_many_steps_err_by_the_fifth_power() -> None:
 
 
 def test_a_finer_table_converges_by_the_fourth_power_or_better() -> None:
-    """A spline errs by h^4, more at its ends by h^5. Nodes of g sin(alpha - phi) against the closed formula, from rest under a constant push."""
+    """A spline errs by h^4, and by h^5 at its ends. Against the closed formula, from rest under a constant push."""
     duration, push = 0.7, -3.4
 
     def motion(t: float, y: np.ndarray) -> list[float]:

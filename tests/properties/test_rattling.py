@@ -28,7 +28,7 @@ from assess.oscillator import Oscillator, SingleBlock, plain_branch
 from records.record import Record, make_record
 
 MOST = {"rigid": 16.0, "linearised": 5.0, "on joints": 30.0}
-"""Steps for each sample and impact. Seen are 10.7, 3.3 and 19.6: white noise up to 100 m/s2 asks for the most, since the
+"""Steps for each sample and impact. Seen are 10.7, 3.3 and 19.6: white noise up to 100 m/s2 asks for the most, as the
 error of a step is held at 1e-10 while the ground changes by several overturning accelerations in an interval."""
 KINDS: dict[str, Equation] = {"rigid": "exact", "linearised": "linearised", "on joints": "exact"}
 

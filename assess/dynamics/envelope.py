@@ -105,7 +105,7 @@ def _lower_bounds(
     """Least amplitude of the ground that overturns at each frequency [n] [m/s2], up to `highest`, and its polarity."""
     lowest = (threshold(oscillator, equation) or FROM * _resisted(oscillator)) / factor
     ratio = SCAN[equation]
-    steps = max(ceil(log(highest / lowest.min()) / log(ratio)), 0)
+    steps = ceil(log(max(highest / lowest.min(), 1.0)) / log(ratio))
     scan = np.minimum(lowest[:, None] * ratio ** np.arange(steps + 1), highest)
     down = falls(scan * factor[:, None])
     first, rows = down.argmax(axis=2), np.arange(factor.size)

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from scipy.interpolate import BPoly, PPoly
 
 from assess.dynamics import kernel
-from assess.dynamics.packing import Equation, Packed, branches_of, packed, tables_of
+from assess.dynamics.packing import Equation, Packed, branches_of, check_jobs, packed, tables_of
 from assess.oscillator import Oscillator
 from records.pulses import Shape
 
@@ -70,7 +70,8 @@ def outcomes(
 ) -> Outcomes:
     """The outcome of every job; the same whatever the number of `threads` (0: all cores).
 
-    Raises as `prepared` does, and ValueError for an amplitude that is not finite.
+    Raises as `prepared` does, and ValueError for jobs that name no oscillator or frequency, or an amplitude that is not
+    finite.
     """
     return prepared(oscillators, shape, frequency, equation=equation, threads=threads)(jobs)
 
@@ -83,14 +84,18 @@ def prepared(
     Jobs of one oscillator and one frequency are quickest one after the other. Raises MechanismError for a branch that
     cannot rock, ValueError for a frequency that is not positive.
     """
-    if not np.all(np.isfinite(frequency) & (frequency > 0.0)):
-        raise ValueError("a pulse has a frequency that is not a positive number")
+    bad = np.flatnonzero(~(np.isfinite(frequency) & (frequency > 0.0)))
+    if bad.size:
+        raise ValueError(f"frequency[{bad[0]}] = {frequency[bad[0]]} Hz of a pulse; it must be a positive number")
     each = [packed(oscillator, equation) for oscillator in oscillators]
     run = _KERNELS[equation](each, (*polynomials(shape), np.ascontiguousarray(frequency)))
 
     def answer(jobs: PulseJobs) -> Outcomes:
-        if not np.all(np.isfinite(jobs.amplitude)):
-            raise ValueError("a pulse has an amplitude that is not a finite number")
+        check_jobs(
+            {"oscillator": (jobs.oscillator, len(oscillators)), "frequency": (jobs.frequency, frequency.size)},
+            name="amplitude",
+            number=jobs.amplitude,
+        )
         found = np.empty((jobs.amplitude.size, 7))
 
         def work(part: slice) -> None:

@@ -1,7 +1,8 @@
 """What pulses of the ground do to oscillators: whether they rock and overturn.
 
 A pulse is one of `records.pulses`, exact but for 1e-12: its acceleration goes to the kernel as polynomials of the fifth
-degree that have its value, slope and curvature at the ends of short pieces. Outcomes are told at the end of the pulse
+degree that have its value, slope and curvature at the ends of short pieces. A sine by the linearised equation is closed
+from event to event (`assess.dynamics.sine`) and needs no pieces. Outcomes are told at the end of the pulse
 from the energy that is left (reference: the body overturns where y + y' / p > 1, linearised), so no free motion is run.
 """
 
@@ -21,6 +22,7 @@ from scipy.interpolate import BPoly, PPoly
 
 from assess.dynamics import kernel
 from assess.dynamics.packing import Equation, Packed, branches_of, check_jobs, packed, tables_of
+from assess.dynamics.sine.kernel import sine_outcomes
 from assess.oscillator import Oscillator
 from records.pulses import Shape
 
@@ -88,7 +90,10 @@ def prepared(
     if bad.size:
         raise ValueError(f"frequency[{bad[0]}] = {frequency[bad[0]]} Hz of a pulse; it must be a positive number")
     each = [packed(oscillator, equation) for oscillator in oscillators]
-    run = _KERNELS[equation](each, (*polynomials(shape), np.ascontiguousarray(frequency)))
+    if closed(shape, equation):
+        run: Run = partial(sine_outcomes, branches_of(each), shape.end, np.ascontiguousarray(frequency))
+    else:
+        run = _KERNELS[equation](each, (*polynomials(shape), np.ascontiguousarray(frequency)))
 
     def answer(jobs: PulseJobs) -> Outcomes:
         check_jobs(
@@ -111,6 +116,11 @@ def prepared(
         )
 
     return answer
+
+
+def closed(shape: Shape, equation: Equation) -> bool:
+    """Whether the motion between two events is closed: a sine, whole or half, by the linearised equation."""
+    return equation == "linearised" and shape.name in ("sine", "half-sine")
 
 
 def _linearised(oscillators: Sequence[Packed], pulse: tuple[FloatArray, float, FloatArray]) -> Run:

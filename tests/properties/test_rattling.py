@@ -16,7 +16,8 @@ import pytest
 from scipy.constants import g
 
 from assess.dynamics import kernel
-from assess.dynamics.history import Equation, Jobs, _run, peaks
+from assess.dynamics.history import _RUNS, Jobs, peaks
+from assess.dynamics.packing import Equation, packed
 from assess.geometry.planar import planar_direct
 from assess.interfaces.law import Law
 from assess.interfaces.shapes import rectangle
@@ -92,7 +93,7 @@ def print_steps(kind: str) -> None:
     kernel.march_exact = kernel.marching(kernel.exact_glide, exact, kernel.exact_potential)
     kernel.march_linearised = kernel.marching(kernel.linearised_glide, linearised, kernel.linearised_potential)
     bodies, motions, jobs = problem(kind, jobs=150, npts=100)
-    run = _run(bodies, motions, equation=KINDS[kind], tolerance=1e-10)
+    run = _RUNS[KINDS[kind]]([packed(body, KINDS[kind]) for body in bodies], motions, 1e-10)
     for k in range(jobs.scale.size):
         count[0], found = 0, np.empty((1, 7))
         columns = (column[k : k + 1] for column in (jobs.oscillator, jobs.motion, jobs.scale))

@@ -387,7 +387,8 @@ class EnvelopeResult:
     pulse, 0 where there is none. islands [n]: how many of the amplitudes above the bound the mechanism stands.
     uplift_g [n]: amplitude that starts rocking, 0 on joints without a threshold. factor [n]: amplification from the
     ground to the mechanism's base. omega [n]: 2 pi f / p; lower_bound_ratio [n]: factor times bound over g lambda, both
-    of the linearised branch that uplifts first, to be read on dimensionless plots.
+    of the linearised branch that uplifts first, to be read on dimensionless plots. case: of a swept mechanism, the case
+    that it is of; empty for others.
     """
 
     shape: str
@@ -404,6 +405,7 @@ class EnvelopeResult:
     factor: Floats
     omega: Floats
     lower_bound_ratio: tuple[float | None, ...]
+    case: str = ""
 
 
 @dataclass(frozen=True)

@@ -57,6 +57,8 @@ def of_envelopes(results: Results) -> Document:
     chapters = envelopes.critical_chapter(results)
     for place, mechanism in enumerate(results.mechanisms, start=1):
         chapters += envelopes.chapter(mechanism, results.records, stem(mechanism.name, place), level=0)
+    warned = _filled(tables.warnings(results)) or [Text(("The run gave no warnings.",))]
+    chapters += [Section("Warnings", 0, tuple(warned)), _basis(results)]
     return replace(
         assessment(results),
         subject="Overturning envelopes of masonry by rocking dynamics",

@@ -116,10 +116,13 @@ def chapter(mechanism: MechanismResult, records: Sequence[RecordResult], name: s
     caption = (
         f"Outcome of {PULSES[one.shape]} by frequency and peak ground acceleration ({one.equation} equation): white at "
         "rest, grey rocking, red overturned; line: the least pulse that overturns; dots, if any: primary pulses of the "
-        "records. Where no pulse at higher frequencies overturns it, the axis ends early."
+        "records, scaled to the site, that are within the axes. Where no pulse at higher frequencies overturns it, the "
+        "axis ends early."
     )
     draw = partial(figure.draw, one, records)
-    return [Section(title, level, (Text((findings(one),)), Figure(f"{name}-envelope", caption, draw)))]
+    raised = mechanism.amplification
+    said = (f"Amplification ({raised.method}): {'; '.join(raised.said)}.",) if level == 0 and raised.said else ()
+    return [Section(title, level, (Text((findings(one), *said)), Figure(f"{name}-envelope", caption, draw)))]
 
 
 def findings(one: EnvelopeResult) -> str:
@@ -136,6 +139,8 @@ def findings(one: EnvelopeResult) -> str:
         )
     if any(one.islands):
         text += " There are safe islands: some stronger pulses leave it standing."
+    if one.case:
+        text += f" It is that of the case which controls the checks, {one.case}; another case can need less."
     raised = max(one.factor)
     if raised != 1.0 or min(one.factor) != 1.0:
         text += (

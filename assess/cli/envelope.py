@@ -16,7 +16,7 @@ def envelope(
     output: Annotated[
         Path | None,
         typer.Option(
-            "-o", "--output", metavar="DIR", help="Write envelopes.pdf, results.json, tables and figures there."
+            "-o", "--output", metavar="DIR", help="Write envelopes.pdf, envelopes.json, tables and figures there."
         ),
     ] = None,
     as_json: Annotated[
@@ -29,7 +29,8 @@ def envelope(
 ) -> None:
     """Find which pulses of the ground overturn each mechanism, and which mechanism is critical at each frequency.
 
-    The pulses are those of [analysis.pulses]; else sines of 0.2 to 10 Hz and up to 3 g. No spectrum is needed.
+    The pulses are those of [analysis.pulses]; else sines of 0.2 to 10 Hz and up to 3 g. No spectrum is needed. Prints
+    tables; writes files only with -o. Sweeps are left out: mechanisms stand as the project has them.
     """
     if as_json and as_csv:
         raise typer.BadParameter("--json and --csv exclude each other")
@@ -37,7 +38,7 @@ def envelope(
 
     loaded = load(project)
     from assess.cli.envelope_table import csv_text, json_text, table_text
-    from assess.cli.outputs import RESULTS, staged
+    from assess.cli.outputs import ENVELOPES, staged
     from assess.cli.progress import progress
     from assess.project.build import build
     from assess.project.run import envelope as of_study
@@ -49,8 +50,8 @@ def envelope(
             from reports.assessment import of_envelopes
             from reports.writing import write_document
 
-            with staged(output) as stage:
-                (stage / RESULTS).write_bytes(dumps(results).encode())
+            with staged(output, results=ENVELOPES) as stage:
+                (stage / ENVELOPES).write_bytes(dumps(results).encode())
                 write_document(of_envelopes(results), stage, name="envelopes.pdf", progress=said.step)
     print((json_text if as_json else csv_text if as_csv else table_text)(results), end="")
     if output is not None and not (as_json or as_csv):

@@ -18,11 +18,16 @@ from assess.errors import AssessError
 
 LIST = ".assess-outputs"
 RESULTS = "results.json"
+LISTS = {RESULTS: LIST, (ENVELOPES := "envelopes.json"): ".assess-envelopes"}
+"""What each command writes its results to, and where it remembers its files: one takes away none of the other's."""
 
 
 @contextmanager
-def staged(folder: Path) -> Iterator[Path]:
-    """A temporary folder; what the block leaves in it stands in `folder` afterwards, if the block raised nothing."""
+def staged(folder: Path, *, results: str = RESULTS) -> Iterator[Path]:
+    """A temporary folder; what the block leaves in it stands in `folder` afterwards, if the block raised nothing.
+
+    results : the file of results among it, of `LISTS`
+    """
     if folder.exists() and not folder.is_dir():
         raise AssessError(f"{folder}: is a file; give a folder for the output")
     stage = _stage(folder)
@@ -30,7 +35,7 @@ def staged(folder: Path) -> Iterator[Path]:
         made, old = stage / "made", stage / "old"
         made.mkdir()
         yield made
-        _move_into_place(made, folder, old)
+        _move_into_place(made, folder, old, results=results)
     finally:
         shutil.rmtree(stage, ignore_errors=True)
 
@@ -51,16 +56,16 @@ def _nearest_folder(folder: Path) -> Path:
     return next(place for place in (folder, *folder.absolute().parents) if place.is_dir())
 
 
-def _move_into_place(made: Path, folder: Path, old: Path) -> None:
-    files = _files(made)
-    ours = _ours(folder)
-    gone = [name for name in ours if name not in files and name != RESULTS]  # a report made again keeps its results
-    kept = [RESULTS] if RESULTS in ours and RESULTS not in files else []
-    (made / LIST).write_text("".join(f"{name}\n" for name in sorted([*files, *kept])), encoding="utf-8")
+def _move_into_place(made: Path, folder: Path, old: Path, *, results: str) -> None:
+    files, listing = _files(made), LISTS[results]
+    ours = _ours(folder / listing)
+    gone = [name for name in ours if name not in files and name != results]  # a report made again keeps its results
+    kept = [results] if results in ours and results not in files else []
+    (made / listing).write_text("".join(f"{name}\n" for name in sorted([*files, *kept])), encoding="utf-8")
     _refuse_what_is_not_ours(folder, files, ours)
     done: list[tuple[Path, Path]] = []
     try:
-        for name in [*files, *gone, LIST]:
+        for name in [*files, *gone, listing]:
             _move(folder / name, old / name, done)
             _move(made / name, folder / name, done)
     except BaseException:
@@ -91,7 +96,8 @@ def _refuse_what_is_not_ours(folder: Path, files: list[str], ours: list[str]) ->
             raise AssessError(f"{folder / name}: is a folder where a file is to be written; move it away")
         if (folder / name).exists() and name not in ours:
             raise AssessError(
-                f"{folder / name}: was not written by assess; move it away, or give another folder with -o"
+                f"{folder / name}: was not written by assess, or by another of its commands; move it away, "
+                "or give another folder with -o"
             )
 
 
@@ -99,10 +105,10 @@ def _files(folder: Path) -> list[str]:
     return sorted(path.relative_to(folder).as_posix() for path in folder.rglob("*") if path.is_file())
 
 
-def _ours(folder: Path) -> list[str]:
+def _ours(listing: Path) -> list[str]:
     """What the last run wrote here. Names that lead out of the folder are not ours."""
     try:
-        names = (folder / LIST).read_text(encoding="utf-8").splitlines()
+        names = listing.read_text(encoding="utf-8").splitlines()
     except (OSError, UnicodeDecodeError):
         return []
     paths = [PurePosixPath(name) for name in names if name]

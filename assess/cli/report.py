@@ -15,19 +15,25 @@ def report(
         typer.Option("-o", "--output", metavar="DIR", help="Where to write; beside RESULTS.json if absent."),
     ] = None,
 ) -> None:
-    """Write the report again from results.json, without analysis."""
+    """Write the report again from results.json, or from the envelopes.json of `assess envelope`, without analysis."""
     from assess.results_io import read
 
     found = read(results)
-    from assess.cli.outputs import RESULTS, staged
+    from assess.cli.outputs import ENVELOPES, RESULTS, staged
     from assess.cli.progress import progress
-    from reports.writing import write_all
+    from reports.assessment import of_envelopes
+    from reports.writing import write_all, write_document
 
     folder = output or results.parent
-    with staged(folder) as stage, progress() as said:
-        pdf = write_all(found, stage, progress=said.step)
+    alone = found.critical is not None and not any(mechanism.checks for mechanism in found.mechanisms)
+    name = ENVELOPES if alone else RESULTS
+    with staged(folder, results=name) as stage, progress() as said:
+        if alone:
+            pdf = write_document(of_envelopes(found), stage, name="envelopes.pdf", progress=said.step)
+        else:
+            pdf = write_all(found, stage, progress=said.step)
         if not _same_folder(folder, results.parent):
-            (stage / RESULTS).write_bytes(results.read_bytes())
+            (stage / name).write_bytes(results.read_bytes())
     print(folder / pdf.relative_to(stage))
 
 

@@ -73,7 +73,10 @@ def _crossing(frequency: FloatArray, bounds: FloatArray, first: IntArray, k: int
     """Between frequencies k - 1 and k, where the bounds of both mechanisms are known at both; halfway where not."""
     one, other = first[k - 1], first[k]
     a, b = float(frequency[k - 1]), float(frequency[k])
-    gaps = np.log(bounds[other, [k - 1, k]] / bounds[one, [k - 1, k]]) if min(one, other) >= 0 else np.full(2, np.inf)
-    if not np.all(np.isfinite(gaps)) or gaps[0] == gaps[1]:
+    both = bounds[[other, one]][:, [k - 1, k]] if min(one, other) >= 0 else np.full((2, 2), np.inf)
+    if not np.all(np.isfinite(both)):
+        return 0.5 * (a + b)
+    gaps = np.diff(np.log(both), axis=0)[0]
+    if gaps[0] == gaps[1]:
         return 0.5 * (a + b)
     return a + (b - a) * float(gaps[0] / (gaps[0] - gaps[1]))

@@ -30,11 +30,13 @@ FIRST_MODES: dict[str, tuple[Callable[[FirstMode, float], Srss | SrssRelative | 
     "srss": (Srss, "every record and pulse times sqrt((S_a(T_n)/a_g h/h_e)^2 + 1), thesis 3.48"),
     "srss-relative": (
         SrssRelative,
-        "every record times sqrt((S_a(T_n)/a_g h/h_e)^2 + 1), thesis 3.48; pulses by 3.47 with the relative response",
+        "every record times sqrt((S_a(T_n)/a_g h/h_e)^2 + 1), thesis 3.48; every pulse by 3.47, with the response "
+        "relative to the ground",
     ),
     "modal-filter": (
         ModalFilter,
-        "every record through the first mode, absolute acceleration at the mechanism's base; no higher modes",
+        "every record through the first mode, absolute acceleration at the mechanism's base; every pulse times the "
+        "ratio of the peaks; no higher modes",
     ),
 }
 
@@ -105,7 +107,7 @@ def by_floor_factor(
             factor = rule(height, building_height=building.height)
     except SpectrumError as error:
         raise ProjectError(f"{standing.where}.height: {error}") from None
-    said = f"every record times {factor:.4g} at h = {height:.4g} m of H = {building.height:.4g} m by {clause}"
+    said = f"every record and pulse times {factor:.4g} at h = {height:.4g} m of H = {building.height:.4g} m by {clause}"
     return Amplified(
         asked.method, height, FloorFactor(factor, clause), (said, "not checked against the printed standard")
     )

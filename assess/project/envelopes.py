@@ -23,17 +23,22 @@ Progress = Callable[[str, int, int], None]
 
 DEFAULT_GRID = PulseGrid(SHAPES["sine"], np.linspace(0.2, 10.0, 100), np.linspace(0.0, 3.0 * g, 100))
 MOST_PULSES = 3
+WORTH = 0.1  # of the energy that the best pulse explains: others that explain less are none
 """Primary pulses of a record that are kept: the best, and the next ones, which may be longer and worse."""
 
 
 @dataclass(frozen=True)
 class Rocker:
-    """A mechanism as envelopes see it; factor: amplification to its base at given frequencies [n] [Hz] -> [n]."""
+    """A mechanism as envelopes see it.
+
+    factor : amplification to its base at given frequencies [n] [Hz] -> [n]; case : of a sweep, in words, else empty
+    """
 
     name: str
     oscillator: Oscillator
     equation: Equation
     factor: Callable[[FloatArray], FloatArray]
+    case: str = ""
 
 
 def mapped_pulses(
@@ -54,7 +59,7 @@ def mapped_pulses(
             factor=rocker.factor(grid.frequency),
             threads=jobs,
         )
-        found[rocker.name] = envelope_result(made, rocker.oscillator)
+        found[rocker.name] = replace(envelope_result(made, rocker.oscillator), case=rocker.case)
     progress("overturning envelopes", len(rockers), len(rockers))
     return found
 
@@ -125,6 +130,7 @@ def with_primary_pulses(
 
 def pulses_of(motion: Motion, grid: PulseGrid) -> tuple[PrimaryPulse, ...]:
     """The best pulses within one motion, each as the motion is scaled."""
+    found = primary_pulses(motion.record, shape=grid.shape, count=MOST_PULSES)
     return tuple(
         PrimaryPulse(
             shape=pulse.shape.name,
@@ -134,7 +140,8 @@ def pulses_of(motion: Motion, grid: PulseGrid) -> tuple[PrimaryPulse, ...]:
             polarity=pulse.polarity,
             energy_share=pulse.energy_share,
         )
-        for pulse in primary_pulses(motion.record, shape=grid.shape, count=MOST_PULSES)
+        for pulse in found
+        if pulse.energy_share >= WORTH * found[0].energy_share
     )
 
 

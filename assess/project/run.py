@@ -70,7 +70,7 @@ def envelope(study: Study, *, jobs: int = 0, progress: Progress = lambda stage, 
         schema_version=SCHEMA_VERSION,
         program=Program(NAME, version(NAME)),
         inputs=study.inputs,
-        warnings=study.notices,
+        warnings=envelope_notices(study),
         project=study.resolved,
         spectrum=None if study.spectrum is None else spectrum_result(study.spectrum),
         records=with_primary_pulses(records, motions, grid),
@@ -81,14 +81,29 @@ def envelope(study: Study, *, jobs: int = 0, progress: Progress = lambda stage, 
     )
 
 
+def _case_of(swept: Swept) -> str:
+    return case_text(swept.sweep, swept.case, swept.mechanism)
+
+
+def envelope_notices(study: Study) -> tuple[Notice, ...]:
+    """What the engineer should know of envelopes: no procedure of a code is asked."""
+    kept = tuple(notice for notice in study.notices if notice.where not in ("procedures.dmi2008",))
+    if not study.sweeps:
+        return kept
+    keys = ", ".join(sweep.key for sweep in study.sweeps)
+    text = f"left out of the envelopes, which are of the values in the file: {keys}; `assess run` takes the cases"
+    return (*kept, Notice("sweep", "analysis.sweep", text))
+
+
 def rockers_of(study: Study, standing: Mapping[str, Swept]) -> tuple[Rocker, ...]:
     """Every mechanism as envelopes see it; a swept one in its controlling case."""
     found = []
     for mechanism in study.mechanisms:
         of = standing[mechanism.name].case.study if mechanism.name in standing else study
         used = next(each for each in of.mechanisms if each.name == mechanism.name)
+        case = _case_of(standing[mechanism.name]) if mechanism.name in standing else ""
         factor = partial(factor_over_frequency, of.amplified[used.name].amplification)
-        found.append(Rocker(used.name, oscillator(used), of.equations[used.name], factor))
+        found.append(Rocker(used.name, oscillator(used), of.equations[used.name], factor, case))
     return tuple(found)
 
 

@@ -8,6 +8,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
+from matplotlib.ticker import FormatStrFormatter, LogLocator, NullLocator
 from numpy.typing import NDArray
 
 from assess.results import CriticalResult, EnvelopeResult, RecordResult
@@ -18,6 +19,7 @@ COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#6
 DASHES = ("-", "--", "-.", ":")
 FloatArray = NDArray[np.float64]
 BEYOND = 1.25  # of the highest frequency with a bound, the end of the axis
+WIDE = 0.12  # of the axis: a band that can hold its name
 MOST_NAMES = 36
 """Lines that the legend of all mechanisms can name; the others are drawn in grey."""
 
@@ -98,6 +100,10 @@ def bounds(mapped: Sequence[tuple[str, EnvelopeResult]], critical: CriticalResul
                 part.from_hz, part.to_hz, color=None, facecolor=colour if part.mechanism else "white",
                 edgecolor="white", hatch=hatch, linewidth=0.4,
             )  # fmt: skip
+            middle, width = 0.5 * (part.from_hz + part.to_hz), part.to_hz - part.from_hz
+            if part.mechanism and width > WIDE * (axes.get_xlim()[1] - axes.get_xlim()[0]):
+                box = {"facecolor": "white", "edgecolor": "none", "pad": 1.0}
+                band.text(middle, 0.5, label(part.mechanism, 14), ha="center", va="center", fontsize=6, bbox=box)
         band.set_yticks([])
         band.set_ylabel("critical", rotation=0, ha="right", va="center")
         band.set_xlabel("frequency of the pulse [Hz]")
@@ -120,6 +126,9 @@ def _frame(axes: Axes, frequency: FloatArray, reach: float, top: float, name: st
     axes.set_ylim(0.0, top)
     if frequency[-1] / frequency[0] > 2.0 and np.ptp(np.diff(frequency)) > 1e-6 * frequency[-1]:
         axes.set_xscale("log")
+        axes.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+        axes.xaxis.set_major_formatter(FormatStrFormatter("%g"))
+        axes.xaxis.set_minor_locator(NullLocator())
     axes.set_xlabel("frequency of the pulse [Hz]")
     axes.set_ylabel(name)
 

@@ -127,9 +127,10 @@ def _check(
 def _verdict(suite: Suite, allowable_ratio: float) -> tuple[Verdict, str]:
     n = len(suite.ratio)
     if n < LEAST_RECORDS:
+        fallen = f", {suite.overturned} of which overturn the body" if suite.overturned else ""
         return (
             "not-applicable",
-            f"{n} records; the method asks for at least {LEAST_RECORDS}: shown as information",
+            f"{n} records{fallen}; the method asks for at least {LEAST_RECORDS}: shown as information",
         )
     if suite.overturned:
         return "fail", f"{suite.overturned} of {n} records overturn the body"

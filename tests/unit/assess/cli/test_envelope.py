@@ -105,10 +105,11 @@ def test_files_are_written_and_the_report_is_made_again(project: Path, tmp_path:
     assert {path.name for path in (out / "figures").iterdir()} == {
         "critical.svg", "01-slow-envelope.svg", "02-quick-envelope.svg",
     }  # fmt: skip
-    results = json.loads((out / "results.json").read_text())
+    results = json.loads((out / "envelopes.json").read_text())
     assert results["critical"]["frequency_hz"][0] == pytest.approx(0.4)
     again = tmp_path / "again"
-    assert ended("report", out / "results.json", "-o", again) == 0
+    assert ended("report", out / "envelopes.json", "-o", again) == 0
+    assert (again / "envelopes.pdf").exists()
 
 
 def test_run_has_the_same_envelopes(project: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -204,12 +204,13 @@ def calm(start: State, end: State, h: float, top: float, limit: float) -> bool:
 @compiled
 def uplift(branch: FloatArray, a: Ground, h: float) -> tuple[int, float]:
     """Side that lifts within h under the ground acceleration a from now on, and when; side -1 where none does."""
+    for side in range(2):  # before one that lifts later
+        if -(1.0 - 2.0 * side) * a[0] > branch[side, THRESHOLD]:
+            return side, 0.0
     for side in range(2):
         s = 1.0 - 2.0 * side
-        excess = -s * a[0] - branch[side, THRESHOLD]
-        if excess > 0.0:
-            return side, 0.0
         if -s * after(a, h) > branch[side, THRESHOLD]:
+            excess = -s * a[0] - branch[side, THRESHOLD]
             if len(a) == 2:
                 return side, min(-excess / (-s * a[1]), h)
             over = (excess, -s * a[1], -s * a[2], -s * a[3], -s * a[4], -s * a[5], 0.0, 0.0, 0.0)

@@ -120,3 +120,14 @@ def test_an_unknown_equation_lists_the_known() -> None:
 def test_branches_that_cannot_rock(equation: str, changes: dict[str, object], message: str) -> None:
     with pytest.raises(MechanismError, match=message):
         peaks([block(**changes)], [pulse()], job(), equation=equation)
+
+
+@pytest.mark.parametrize("equation", ["exact", "linearised"])
+def test_a_record_that_starts_beyond_uplift_and_reverses_within_a_step_lifts_the_side_it_pushes_first(
+    equation: str,
+) -> None:
+    """A body that is the same both ways answers the reversed record with the mirrored motion."""
+    motion = make_record("reversal", np.array([4.0, -9.0, 0.0, 0.0]), 0.05)
+    found = peaks([block()], [motion], product(1, 1, [1.0, -1.0]), equation=equation)
+    assert found.max_rotation[0] == -found.max_rotation[1] != 0.0
+    assert found.impacts[0] == found.impacts[1]

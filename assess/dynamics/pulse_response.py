@@ -91,7 +91,7 @@ def prepared(
     def answer(jobs: PulseJobs) -> Outcomes:
         if not np.all(np.isfinite(jobs.amplitude)):
             raise ValueError("a pulse has an amplitude that is not a finite number")
-        found = np.empty((jobs.amplitude.size, 7))
+        found = np.empty((jobs.amplitude.size, 8))
 
         def work(part: slice) -> None:
             run(jobs.oscillator[part], jobs.frequency[part], jobs.amplitude[part], found[part])

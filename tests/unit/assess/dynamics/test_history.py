@@ -144,3 +144,13 @@ def test_the_larger_ratio_is_found_where_the_joints_of_two_sides_lower_phi_ov_un
         of = [rotation.max() / oscillator.branches[0].overturning, -rotation.min() / oscillator.branches[1].overturning]
         assert found.max_ratio[0] == pytest.approx(max(of), rel=1e-3)
         assert np.sign(found.max_rotation[0]) == 1 - 2 * np.argmax(of)
+
+
+def test_restitutions_that_together_add_energy_are_refused() -> None:
+    """Turning faster about a nearer hinge is no gain of energy, coming back as fast is."""
+    phi = np.linspace(0.0, 0.3, 65)
+    near, far = block().positive, block(inertia=np.full_like(phi, g / 2.0)).positive
+    with pytest.raises(MechanismError, match=r"1\.35 and 0\.9.*product must be at most 1"):
+        peaks([Oscillator(dataclasses.replace(far, restitution=1.35), near, 1.0)], [pulse()], job(), equation="exact")
+    slower = dataclasses.replace(near, restitution=0.7)
+    peaks([Oscillator(dataclasses.replace(far, restitution=1.35), slower, 1.0)], [pulse()], job(), equation="exact")

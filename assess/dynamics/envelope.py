@@ -1,8 +1,9 @@
 """Overturning envelopes: which pulses, by frequency and amplitude, overturn a mechanism (thesis 3.3.1, 3.4.1).
 
 The outcome is not monotone in amplitude: above the least pulse that overturns there can be safe islands, which the map
-shows. The lower bound is sought by a scan in steps of 1 %, then bisection between the last pulse that the mechanism
-stands and the first that overturns it; a band of overturning thinner than a step can be missed.
+shows. The lower bound is sought by a scan in steps of 1 % (exact equation: 2 %) and on the map, then by bisection
+between the last pulse that the mechanism stands and the first that overturns it; a band of overturning thinner than a
+step can be missed.
 
 Both polarities are run, the worse counts: for one-sided rocking the polarity that first presses the body to its support
 needs less than the other, by up to 2.5 times, and the plot of the thesis shows the other one only. A mechanism that is
@@ -76,12 +77,13 @@ def envelope(
     """The envelope of one mechanism; factor: of the ground's amplitude at its base, at each frequency [n]."""
     times = np.ones_like(frequency) if factor is None else factor
     falls = _falls(oscillator, shape, frequency, equation=equation, threads=threads)
-    overturned = np.any(falls(amplitude[None, :] * times[:, None]), axis=0)
-    bound, polarity = lower_bounds(
+    overturned = falls(amplitude[None, :] * times[:, None])
+    bounds = _bounds(
         oscillator, shape, frequency, equation=equation, factor=times, highest=float(amplitude.max()), threads=threads
     )
-    uplift = threshold(oscillator, equation) / times
-    return Envelope(shape, equation, frequency, amplitude, np.asarray(overturned), bound, polarity, uplift, times)
+    bound, polarity = _least(_below_the_map(bounds, amplitude, overturned, falls, times), oscillator)
+    uplift, worse = threshold(oscillator, equation) / times, np.asarray(np.any(overturned, axis=0))
+    return Envelope(shape, equation, frequency, amplitude, worse, bound, polarity, uplift, times)
 
 
 def _falls(
@@ -115,15 +117,64 @@ def lower_bounds(
 
     factor : of the ground's amplitude at the mechanism's base [n]. nan and 0 where no amplitude overturns.
     """
+    bounds = _bounds(oscillator, shape, frequency, equation=equation, factor=factor, highest=highest, threads=threads)
+    return _least(bounds, oscillator)
+
+
+def _bounds(
+    oscillator: Oscillator,
+    shape: Shape,
+    frequency: FloatArray,
+    *,
+    equation: Equation,
+    factor: FloatArray,
+    highest: float,
+    threads: int,
+) -> FloatArray:
+    """The same of each polarity that differs [polarities, n], inf where nothing overturns."""
     lowest = (threshold(oscillator, equation) or FROM * _resisted(oscillator)) / factor
     if closed(shape, equation):
-        bounds = _closed(oscillator, shape, frequency, lowest * factor, highest * factor, threads=threads) / factor
-    else:
-        falls = _falls(oscillator, shape, frequency, equation=equation, threads=threads)
-        bounds = _scanned(falls, lowest, factor, ratio=SCAN[equation], highest=highest)
+        return _closed(oscillator, shape, frequency, lowest * factor, highest * factor, threads=threads) / factor
+    falls = _falls(oscillator, shape, frequency, equation=equation, threads=threads)
+    return _scanned(falls, lowest, factor, ratio=SCAN[equation], highest=highest)
+
+
+def _least(bounds: FloatArray, oscillator: Oscillator) -> tuple[FloatArray, IntArray]:
+    """Of bounds [polarities, n], the lower, nan where there is none, and its polarity, 0 where there is none."""
     worst, least = bounds.argmin(axis=0), bounds.min(axis=0)
     polarity = np.where(np.isfinite(least), np.array(polarities(oscillator))[worst], 0)
     return np.where(np.isfinite(least), least, np.nan), polarity.astype(np.int64)
+
+
+def _below_the_map(
+    bounds: FloatArray,
+    amplitude: FloatArray,
+    overturned: BoolArray,
+    falls: Callable[[FloatArray], BoolArray],
+    factor: FloatArray,
+) -> FloatArray:
+    """Bounds [polarities, n] that are never above an amplitude [m] of the map that overturns [polarities, n, m].
+
+    The map may meet a band that the scan has stepped over.
+    """
+    first = overturned.argmax(axis=2)
+    met = np.where(overturned.any(axis=2), amplitude[first], np.inf)
+    better = met < bounds
+    if not better.any():
+        return bounds
+    low, high = np.where(first > 0, amplitude[np.maximum(first - 1, 0)], 0.0), np.where(better, met, 0.0)
+    return np.where(better, _between(low, high, falls, factor), bounds)
+
+
+def _between(
+    low: FloatArray, high: FloatArray, falls: Callable[[FloatArray], BoolArray], factor: FloatArray
+) -> FloatArray:
+    """By bisection, from amplitudes of the ground that stand to those that overturn [polarities, n]."""
+    for _ in range(BISECTIONS):
+        middle = 0.5 * (low + high)
+        fell = falls((middle * factor)[:, :, None])[:, :, 0]
+        low, high = np.where(fell, low, middle), np.where(fell, middle, high)
+    return high
 
 
 def _closed(
@@ -159,12 +210,8 @@ def _scanned(
     scan = np.minimum(lowest[:, None] * ratio ** np.arange(steps + 1), highest)
     down = falls(scan * factor[:, None])
     first, rows = down.argmax(axis=2), np.arange(factor.size)
-    high, low = scan[rows, first], np.where(first > 0, scan[rows, np.maximum(first - 1, 0)], 0.0)
-    for _ in range(BISECTIONS):
-        middle = 0.5 * (low + high)
-        fell = falls((middle * factor)[:, :, None])[:, :, 0]
-        low, high = np.where(fell, low, middle), np.where(fell, middle, high)
-    return np.where(down.any(axis=2), high, np.inf)
+    low = np.where(first > 0, scan[rows, np.maximum(first - 1, 0)], 0.0)
+    return np.where(down.any(axis=2), _between(low, scan[rows, first], falls, factor), np.inf)
 
 
 def polarities(oscillator: Oscillator) -> tuple[int, ...]:
@@ -180,8 +227,11 @@ def threshold(oscillator: Oscillator, equation: Equation) -> float:
 
 
 def _resisted(oscillator: Oscillator) -> float:
-    """The largest acceleration that any rotation holds [m/s2]."""
-    return min(float((branch.restoring / branch.excitation).max()) for branch in oscillator.branches)
+    """The largest acceleration that any rotation up to overturning holds [m/s2]."""
+    return min(
+        float((branch.restoring / branch.excitation)[branch.rotation <= branch.unstable].max())
+        for branch in oscillator.branches
+    )
 
 
 def alike(one: Branch, other: Branch) -> bool:

@@ -129,7 +129,7 @@ def peaks(
     checked = _checked(jobs, oscillators=len(oscillators), motions=len(motions))
     each = [packed(oscillator, equation) for oscillator in oscillators]
     run = _RUNS[equation](each, motions, tolerance)
-    found = np.empty((checked.scale.size, 7))
+    found = np.empty((checked.scale.size, kernel.FOUND))
 
     def work(part: slice) -> int:
         path, events = np.empty((0, 3)), np.zeros((1, 4))
@@ -162,7 +162,7 @@ def trace(
     path = np.zeros((motion.npts, 3))
     first = np.zeros(1, dtype=np.int64)
     start = one.sides[0].at(release) if release else 0.0
-    samples = run(first, first, np.array([scale]), start, np.empty((1, 7)), path, np.zeros((1, 4)))
+    samples = run(first, first, np.array([scale]), start, np.empty((1, kernel.FOUND)), path, np.zeros((1, 4)))
     y, v, on = path[:samples].T
     rotation, velocity = np.zeros(samples), np.zeros(samples)
     for side, coordinate in enumerate(one.sides):
@@ -188,7 +188,7 @@ def free_rocking(
     still = make_record("still ground", np.zeros(samples), duration / (samples - 1))
     run = _RUNS[equation]([one], [still], tolerance)
     first, events = np.zeros(1, dtype=np.int64), np.zeros((MOST_EVENTS + 1, 4))
-    run(first, first, np.ones(1), one.sides[0].at(rotation), np.empty((1, 7)), np.empty((0, 3)), events)
+    run(first, first, np.ones(1), one.sides[0].at(rotation), np.empty((1, kernel.FOUND)), np.empty((0, 3)), events)
     happened = events[1 : 1 + int(events[0, 0])]
     time, kind, value, on = happened[happened[:, kernel.HAPPENED] <= duration].T  # the last swing goes to its peak
     impact, peak = kind == kernel.IMPACT, kind == kernel.PEAK
@@ -249,19 +249,22 @@ def _parts(jobs: Jobs, motions: Sequence[Record]) -> list[slice]:
 
 
 def _peaks(found: FloatArray, jobs: Jobs, oscillators: Sequence[Oscillator], each: Sequence[Packed]) -> Peaks:
-    """The kernel's rows as named columns."""
-    on = found[:, kernel.SIDE].astype(np.int64)
-    overturned = found[:, kernel.OVERTURNED] > 0.0
-    rotation, reference = np.zeros(on.size), np.ones(on.size)
+    """The kernel's rows as named columns, of the side with the larger ratio."""
+    ratio, rotation, time = np.zeros((3, jobs.scale.size))
     for number in np.unique(jobs.oscillator):
+        here = np.flatnonzero(jobs.oscillator == number)
         for side, (branch, of) in enumerate(zip(oscillators[number].branches, each[number].sides, strict=True)):
-            here = (jobs.oscillator == number) & (on == side)
-            rotation[here] = of.rotation(found[here, kernel.RATIO])
-            reference[here] = of.rotation(np.ones(1)) * branch.overturning / branch.unstable
+            reached = of.rotation(found[here, kernel.LARGEST + side])
+            share = reached / (of.rotation(np.ones(1)) * branch.overturning / branch.unstable)
+            larger = share > ratio[here]
+            at = here[larger]
+            ratio[at], rotation[at] = share[larger], (1 - 2 * side) * reached[larger]
+            time[at] = found[at, kernel.WHEN + side]
+    overturned = found[:, kernel.OVERTURNED] > 0.0
     return Peaks(
-        _frozen((1 - 2 * on) * rotation),
-        _frozen(rotation / reference),
-        _frozen(found[:, kernel.TIME].copy()),
+        _frozen(rotation),
+        _frozen(ratio),
+        _frozen(time),
         _frozen(found[:, kernel.IMPACTS].astype(np.int64)),
         _frozen(overturned),
         _frozen(np.where(overturned, found[:, kernel.PASSED], np.nan)),

@@ -61,8 +61,8 @@ SHORT = 0.02
 
 # columns of `branch` [2, 7], one row for each side
 TURN, THRESHOLD, BOUNCE, PARTNER, RATE, LIMIT, TAIL_LIMIT = range(7)
-# columns of `found` [jobs, 7]
-RATIO, SIDE, TIME, IMPACTS, OVERTURNED, PASSED, UPLIFTED = range(7)
+# columns of `found` [jobs, FOUND]; LARGEST (y) and WHEN have two, one for each side
+LARGEST, WHEN, IMPACTS, OVERTURNED, PASSED, UPLIFTED, FOUND = 0, 2, 4, 5, 6, 7, 8
 # columns of `events` [capacity + 1, 3], whose first entry counts: time [s], kind, y of a peak or y' before an impact,
 # and the side in the last column
 HAPPENED, KIND, VALUE, ON = range(4)
@@ -205,12 +205,13 @@ def calm(start: State, end: State, h: float, top: float, limit: float) -> bool:
 @compiled
 def uplift(branch: FloatArray, a: Ground, h: float) -> tuple[int, float]:
     """Side that lifts within h under the ground acceleration a from now on, and when; side -1 where none does."""
+    for side in range(2):  # before one that lifts later
+        if -(1.0 - 2.0 * side) * a[0] > branch[side, THRESHOLD]:
+            return side, 0.0
     for side in range(2):
         s = 1.0 - 2.0 * side
-        excess = -s * a[0] - branch[side, THRESHOLD]
-        if excess > 0.0:
-            return side, 0.0
         if -s * after(a, h) > branch[side, THRESHOLD]:
+            excess = -s * a[0] - branch[side, THRESHOLD]
             if len(a) == 2:
                 return side, min(-excess / (-s * a[1]), h)
             over = (excess, -s * a[1], -s * a[2], -s * a[3], -s * a[4], -s * a[5], 0.0, 0.0, 0.0)
@@ -244,9 +245,9 @@ def note(events: FloatArray, time: float, kind: int, value: float, side: int) ->
 
 @compiled
 def largest(found: FloatArray, y: float, side: int, time: float) -> None:
-    """Keep the largest ratio."""
-    if y > found[RATIO]:
-        found[RATIO], found[SIDE], found[TIME] = y, side, time
+    """Keep the largest y of a side."""
+    if y > found[LARGEST + side]:
+        found[LARGEST + side], found[WHEN + side] = y, time
 
 
 def marching(glide: Glide, step: Step, potential: Potential) -> March:
@@ -274,7 +275,7 @@ def marching(glide: Glide, step: Step, potential: Potential) -> March:
                 found[UPLIFTED] = 1.0
                 note(events, time + x, UPLIFT, 0.0, side)
                 continue
-            top = -1.0 if every_peak else found[RATIO]
+            top = -1.0 if every_peak else found[LARGEST + side]
             arc, piece, (y1, v1, k1) = step(flow, side, y, v, a, left)
             k = 2.0 * arc[2]
             if calm((y, v, k), (y1, v1, k1), 1.5 * piece, top, branch[side, column]):
@@ -322,8 +323,8 @@ def marching(glide: Glide, step: Step, potential: Potential) -> March:
         return side, y, v, peaked
 
     @compiled
-    def settled(flow: Any, branch: FloatArray, top: float, both: int, side: int, y: float, v: float) -> int:
-        """Impacts until a body in free motion has peaked on each side or rests; -1 where it may rise above `top`.
+    def settled(flow: Any, branch: FloatArray, found: FloatArray, both: int, side: int, y: float, v: float) -> int:
+        """Impacts until a body in free motion has peaked on each side or rests; -1 where a peak may be the largest yet.
 
         From its energy, and what each impact leaves of it.
         """
@@ -333,7 +334,7 @@ def marching(glide: Glide, step: Step, potential: Potential) -> March:
         if v > 0.0:
             peaked = 1 << side
         while True:
-            if potential(flow, side, min(top, 1.0)) < E:
+            if potential(flow, side, min(found[LARGEST + side], 1.0)) < E:
                 return -1
             if peaked == both:
                 return impacts
@@ -362,7 +363,7 @@ def marching(glide: Glide, step: Step, potential: Potential) -> March:
         """One job: the motion `ground` [n], or [n, 6] of a pulse, at step dt, times `scale`. Returns the number of
         samples passed.
 
-        release: initial y of the positive branch, 0 for rest. found [7]: filled. path [n or 0, 3]: y, y' and the side
+        release: initial y of the positive branch, 0 for rest. found [8]: filled. path [n or 0, 3]: y, y' and the side
         (-1 at rest) at samples, where wanted; events [capacity + 1, 4]: likewise.
 
         After the record the motion is free, and is followed until no later peak can be larger: until its energy shows
@@ -375,7 +376,7 @@ def marching(glide: Glide, step: Step, potential: Potential) -> March:
         if release > 0.0:
             side, y = 0, release
             largest(found, y, side, 0.0)
-        traced, top = path.shape[0] > 0, -1.0 if events.shape[0] > 1 else found[RATIO]
+        traced, every_peak = path.shape[0] > 0, events.shape[0] > 1
         if traced:
             path[0, 0], path[0, 1], path[0, 2] = y, v, side
         lowest, highest = -branch[0, THRESHOLD], branch[1, THRESHOLD]
@@ -388,6 +389,7 @@ def marching(glide: Glide, step: Step, potential: Potential) -> March:
                 if side < 0:
                     i = idle(ground, scale, lowest, highest, i, until)
                 else:
+                    top = -1.0 if every_peak else found[LARGEST + side]
                     i, y, v = glide(flow, side, y, v, ground, scale, dt, i, until, top, branch[side, LIMIT])
                 if i < until:
                     a, time = interval(ground, scale, dt, i), i * dt
@@ -398,7 +400,7 @@ def marching(glide: Glide, step: Step, potential: Potential) -> March:
                     found[OVERTURNED] = 1.0 if falls(flow, branch, side, y, v) else 0.0
                     return last + 1
                 if wanted == 0:
-                    impacts = settled(flow, branch, top, both, side, y, v) if top >= 0.0 else -1
+                    impacts = -1 if every_peak else settled(flow, branch, found, both, side, y, v)
                     if impacts >= 0:
                         found[IMPACTS] += impacts
                         break
@@ -409,8 +411,6 @@ def marching(glide: Glide, step: Step, potential: Potential) -> March:
                     flow, branch, found, events, column, peaked, wanted, side, y, v, time, a, h
                 )  # fmt: skip
                 i += 1
-                if top >= 0.0:
-                    top = found[RATIO]
             if traced and begun < last:
                 path[i, 0], path[i, 1], path[i, 2] = y, v, side
             if found[OVERTURNED] > 0.0:
@@ -558,7 +558,7 @@ march_linearised = marching(linearised_glide, linearised_step, linearised_potent
 def rock_linearised(branches: FloatArray, ground: FloatArray, offset: IntArray, dt: FloatArray, peak: FloatArray,
                     oscillator: IntArray, motion: IntArray, scale: FloatArray, release: float, found: FloatArray,
                     path: FloatArray, events: FloatArray) -> int:  # fmt: skip
-    """All jobs by the linearised equation; fills found [jobs, 7], returns the samples passed by the last job.
+    """All jobs by the linearised equation; fills found [jobs, 8], returns the samples passed by the last job.
 
     branches [oscillators, 2, 7]; ground: all motions end to end, motion m from offset[m] to offset[m + 1]; dt, peak
     (largest |a|) of each motion; oscillator, motion, scale of each job. Beyond y = 1 + peak / threshold with y' >= 0
@@ -593,7 +593,7 @@ def of_frequency(ground: FloatArray, pulse: FloatArray, frequency: float) -> Non
 @entry
 def pulse_linearised(branches: FloatArray, pulse: FloatArray, phase: float, frequency: FloatArray,
                      oscillator: IntArray, motion: IntArray, scale: FloatArray, found: FloatArray) -> None:  # fmt: skip
-    """All jobs under a pulse by the linearised equation; fills found [jobs, 7].
+    """All jobs under a pulse by the linearised equation; fills found [jobs, 8].
 
     pulse [n, 6]: unit acceleration as polynomials of phase, each over `phase` [rad]; frequency [Hz] of each motion;
     scale: acceleration [m/s2] of each job. Jobs of one oscillator and one motion are cheapest together.
@@ -780,7 +780,7 @@ def rock_exact(branches: FloatArray, table: FloatArray, smooth: IntArray, spans:
                ground: FloatArray, offset: IntArray, dt: FloatArray, oscillator: IntArray, motion: IntArray,
                scale: FloatArray, release: float, found: FloatArray, path: FloatArray,
                events: FloatArray) -> int:  # fmt: skip
-    """All jobs by the exact equation; fills found [jobs, 7], returns the samples passed by the last job.
+    """All jobs by the exact equation; fills found [jobs, 8], returns the samples passed by the last job.
 
     table [segments, 11]: the cubics of all branches; smooth [segments, 2]: first and last segment without a jump
     between; spans [oscillators, 2, 2]: first and last segment of each branch; tolerance: error allowed to a step, of
@@ -807,7 +807,7 @@ def rock_exact(branches: FloatArray, table: FloatArray, smooth: IntArray, spans:
 def pulse_exact(branches: FloatArray, table: FloatArray, smooth: IntArray, spans: IntArray, tolerance: float,
                 pulse: FloatArray, phase: float, frequency: FloatArray, oscillator: IntArray, motion: IntArray,
                 scale: FloatArray, found: FloatArray) -> None:  # fmt: skip
-    """All jobs under a pulse by the exact equation; fills found [jobs, 7]. Arguments as of the other entry points."""
+    """All jobs under a pulse by the exact equation; fills found [jobs, 8]. Arguments as of the other entry points."""
     hint = np.empty(2, dtype=np.int64)
     slow, pace = np.empty(2), np.empty(1)
     ground, path, events = np.empty((len(pulse), 6)), np.empty((0, 3)), np.zeros((1, 4))

@@ -99,7 +99,7 @@ def _rows(oscillator: Oscillator, sides: Sequence[Canonical]) -> FloatArray:
 
 
 def _check_branch(branch: Branch, *, following: Branch) -> None:
-    """A branch that can rock: it rests on still ground, has mass, and an impact adds no energy."""
+    """A branch that can rock: it rests on still ground, has mass, and impacts there and back add no energy."""
     _positive(float(branch.unstable), "overturning rotation", "rad")
     _positive(float(np.min(branch.inertia)), "least inertia", "kg m2")
     _positive(float(branch.excitation[0]), "excitation at rest", "kg m")
@@ -111,6 +111,11 @@ def _check_branch(branch: Branch, *, following: Branch) -> None:
     most = max(1.0, math.sqrt(branch.inertia[0] / following.inertia[0]))  # turning faster about a nearer hinge
     if not 0.0 <= branch.restitution <= most * (1.0 + 1e-9):
         raise MechanismError(f"a branch has restitution {branch.restitution:.6g}; it must be between 0 and {most:.6g}")
+    if branch.restitution * following.restitution > 1.0 + 1e-9:
+        raise MechanismError(
+            f"the branches have restitutions {branch.restitution:.6g} and {following.restitution:.6g}, which together "
+            "add energy; their product must be at most 1"
+        )
 
 
 def _positive(value: float, name: str, unit: str) -> float:

@@ -101,7 +101,7 @@ def prepared(
             name="amplitude",
             number=jobs.amplitude,
         )
-        found = np.empty((jobs.amplitude.size, 7))
+        found = np.empty((jobs.amplitude.size, kernel.FOUND))
 
         def work(part: slice) -> None:
             run(jobs.oscillator[part], jobs.frequency[part], jobs.amplitude[part], found[part])

@@ -36,7 +36,7 @@ from assess.dynamics import sine
 from assess.dynamics.critical import critical
 from assess.dynamics.envelope import envelope
 from assess.dynamics.history import _RUNS, Jobs, Peaks, peaks, product
-from assess.dynamics.kernel import REST
+from assess.dynamics.kernel import FOUND, REST
 from assess.dynamics.packing import Equation, packed
 from assess.geometry.planar import planar_direct
 from assess.interfaces.law import Law
@@ -321,7 +321,7 @@ def rattling(count: int = 3000) -> list[Row]:
 
 def seconds_each(run: Callable[..., int], jobs: Jobs, job: int) -> float:
     """Of one job, for each sample and impact; nan where it stays at rest."""
-    one, found, nothing, events = slice(job, job + 1), np.empty((1, 7)), np.empty((0, 3)), np.zeros((1, 4))
+    one, found, nothing, events = slice(job, job + 1), np.empty((1, FOUND)), np.empty((0, 3)), np.zeros((1, 4))
     shortest, samples = math.inf, 0
     for _ in range(3):
         start = time.perf_counter()

@@ -95,7 +95,7 @@ def print_steps(kind: str) -> None:
     bodies, motions, jobs = problem(kind, jobs=150, npts=100)
     run = _RUNS[KINDS[kind]]([packed(body, KINDS[kind]) for body in bodies], motions, 1e-10)
     for k in range(jobs.scale.size):
-        count[0], found = 0, np.empty((1, 7))
+        count[0], found = 0, np.empty((1, 8))
         columns = (column[k : k + 1] for column in (jobs.oscillator, jobs.motion, jobs.scale))
         samples = run(*columns, 0.0, found, np.empty((0, 3)), np.zeros((1, 4)))
         print(count[0], samples, int(found[0, kernel.IMPACTS]))  # noqa: T201

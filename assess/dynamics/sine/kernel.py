@@ -147,7 +147,7 @@ def after(branch: FloatArray, side: int, y: float, v: float) -> bool:
 @entry
 def sine_outcomes(branches: FloatArray, end: float, frequency: FloatArray, oscillator: IntArray, motion: IntArray,
                   scale: FloatArray, found: FloatArray) -> None:  # fmt: skip
-    """All jobs under a sine up to the phase `end`, pi or 2 pi; fills OVERTURNED, UPLIFTED, IMPACTS of found [jobs, 7].
+    """All jobs under a sine up to the phase `end`, pi or 2 pi; fills OVERTURNED, UPLIFTED, IMPACTS of found [jobs, 8].
 
     branches [oscillators, 2, 7]; frequency [Hz] of each motion; scale: signed peak acceleration [m/s2] of each job.
     """

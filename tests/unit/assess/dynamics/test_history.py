@@ -120,3 +120,37 @@ def test_an_unknown_equation_lists_the_known() -> None:
 def test_branches_that_cannot_rock(equation: str, changes: dict[str, object], message: str) -> None:
     with pytest.raises(MechanismError, match=message):
         peaks([block(**changes)], [pulse()], job(), equation=equation)
+
+
+@pytest.mark.parametrize("equation", ["exact", "linearised"])
+def test_a_record_that_starts_beyond_uplift_and_reverses_within_a_step_lifts_the_side_it_pushes_first(
+    equation: str,
+) -> None:
+    """A body that is the same both ways answers the reversed record with the mirrored motion."""
+    motion = make_record("reversal", np.array([4.0, -9.0, 0.0, 0.0]), 0.05)
+    found = peaks([block()], [motion], product(1, 1, [1.0, -1.0]), equation=equation)
+    assert found.max_rotation[0] == -found.max_rotation[1] != 0.0
+    assert found.impacts[0] == found.impacts[1]
+
+
+@pytest.mark.parametrize("polarity", [1.0, -1.0])
+def test_the_larger_ratio_is_found_where_the_joints_of_two_sides_lower_phi_ov_unlike(polarity: float) -> None:
+    """The smaller share of a side's own unstable rotation can be the larger ratio to the rigid phi_ov."""
+    plain, lowered = (block(overturning_flexible=0.2, overturning=rigid).positive for rigid in (0.2, 0.6))
+    motion = make_record("pulse and rest", np.r_[pulse().acceleration, np.zeros(200)], 0.008)
+    for oscillator in (Oscillator(plain, lowered, 1.0), Oscillator(lowered, plain, 1.0)):
+        found = peaks([oscillator], [motion], job(scale=polarity), equation="exact")
+        rotation = trace(oscillator, motion, scale=polarity, equation="exact").rotation
+        of = [rotation.max() / oscillator.branches[0].overturning, -rotation.min() / oscillator.branches[1].overturning]
+        assert found.max_ratio[0] == pytest.approx(max(of), rel=1e-3)
+        assert np.sign(found.max_rotation[0]) == 1 - 2 * np.argmax(of)
+
+
+def test_restitutions_that_together_add_energy_are_refused() -> None:
+    """Turning faster about a nearer hinge is no gain of energy, coming back as fast is."""
+    phi = np.linspace(0.0, 0.3, 65)
+    near, far = block().positive, block(inertia=np.full_like(phi, g / 2.0)).positive
+    with pytest.raises(MechanismError, match=r"1\.35 and 0\.9.*product must be at most 1"):
+        peaks([Oscillator(dataclasses.replace(far, restitution=1.35), near, 1.0)], [pulse()], job(), equation="exact")
+    slower = dataclasses.replace(near, restitution=0.7)
+    peaks([Oscillator(dataclasses.replace(far, restitution=1.35), slower, 1.0)], [pulse()], job(), equation="exact")

@@ -89,8 +89,8 @@ def elastic_spectrum(hazard: Hazard, *, place: Place, code: str = "ntc2018") -> 
         code=code,
         parameters={
             **_given(hazard, place),
-            "s_s": S_S,
-            "s_t": S_T,
+            "s_soil": S_S,
+            "s_topography": S_T,
             "s": S_S * S_T,
             "c_c": C_C,
             "t_b": shape.t_b,
@@ -118,7 +118,14 @@ def vertical_spectrum(hazard: Hazard, *, place: Place, code: str = "ntc2018") ->
     shape = FourBranches(hazard.a_g * S_T * F_V / hazard.f_0, hazard.f_0, T_B, T_C, T_D)
     return Spectrum(
         code=code,
-        parameters={**_given(hazard, place), "f_v": F_V, "s_t": S_T, "t_b": T_B, "t_c": T_C, "t_d": T_D},
+        parameters={
+            **_given(hazard, place),
+            "f_vertical": F_V,
+            "s_topography": S_T,
+            "t_b": T_B,
+            "t_c": T_C,
+            "t_d": T_D,
+        },
         damping=0.05,
         damping_rule=_damping_rule(code),
         ordinates=shape.ordinates,

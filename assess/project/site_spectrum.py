@@ -4,15 +4,26 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import singledispatch
+from pathlib import Path
 
+from assess.errors import ProjectError
 from assess.project import sections
 from assess.project.messages import located
+from assess.project.schema import load
 from spectra import asce7, ec8, ntc, nzs1170_5
 from spectra.errors import SpectrumError
 from spectra.spectrum import Spectrum, scaled_to_pga
 from spectra.table import read_table
 
 NtcSection = sections.NtcSpectrum | sections.NtcHazardSpectrum
+
+
+def site_of(path: Path) -> sections.Site:
+    """The site of the project at `path`. Raises ProjectError for a project without one."""
+    project = load(path)
+    if project.content.site is None:
+        raise ProjectError(f"{project.path}: site.spectrum: missing; add a table [site.spectrum]")
+    return project.content.site
 
 
 def spectrum_of(site: sections.Site) -> Spectrum:

@@ -37,7 +37,7 @@ TABLE = (
 def test_soil_b_on_level_ground(code):
     """S_S = 1.1532, C_C = 1.3593, T_C = 0.4717 s, T_B = 0.1572 s, T_D = 2.644 s; tolerance: half the last digit."""
     spectrum = elastic_spectrum(SITE, place=Place("B", "T1"), code=code)
-    expected = {"s_s": 1.1532, "c_c": 1.3593, "t_c": 0.4717, "t_b": 0.1572, "t_d": 2.644}
+    expected = {"s_soil": 1.1532, "c_c": 1.3593, "t_c": 0.4717, "t_b": 0.1572, "t_d": 2.644}
     assert {name: spectrum.parameters[name] for name in expected} == pytest.approx(expected, abs=5.1e-5)
     assert spectrum.acceleration([0.0, 0.3, 1.0, 3.0]) / g == pytest.approx(
         [0.3010, 0.7115, 0.3356, 0.0986], abs=5.1e-5

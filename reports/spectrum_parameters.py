@@ -55,6 +55,8 @@ NAMES: Mapping[str, tuple[str, str]] = {
     "near_fault_distance": ("D, to the nearest major fault", "m"),
     "c_0": ("C(0), spectrum at zero period", "-"),
     "vertical_ratio": ("vertical over horizontal", "-"),
+    # any
+    "scale": ("ordinates scaled by", "-"),
     # tables
     "points": ("points of the table", "-"),
     "period_max": ("longest period of the table", "s"),

@@ -144,7 +144,7 @@ def site(results: Results) -> Table:
             ("other damping", "-", spectrum.damping_rule),
             ("peak ground acceleration, Sₐ(0)", "g", spectrum.pga_g),
         )
-    columns = (Column("Parameter"), Column("Unit"), Column("Value", kind="given"))
+    columns = (Column("Parameter"), Column("Unit"), Column("Value"))
     return Table("site", "The site's elastic response spectrum.", columns, rows)
 
 

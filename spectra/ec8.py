@@ -1,7 +1,7 @@
 """The elastic spectra of EN 1998-1:2004 with the recommended values of its tables; a national annex may change them.
 
-Not compared with the printed standard: type 1 agrees with a public implementation (eqdes); the tables of type 2, of
-vertical motion and of long periods are from memory.
+Not compared with the printed standard: the tables of types 1 and 2 and of vertical motion agree with public
+implementations (eqdes, rshalib); T_E and T_F of Annex A are from memory, and equal those of the Italian code.
 """
 
 from __future__ import annotations

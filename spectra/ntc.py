@@ -1,8 +1,9 @@
 """The elastic spectra of the Italian code, NTC 2008 and NTC 2018, and the hazard they start from.
 
-Both editions have the same formulas and tables under other numbers. The formulas of 2018 agree with a public
-transcription, the soil table with two public implementations; limit states, use classes, T_E and T_F, and the
-interpolation in return period are from memory: none was compared with the printed decree.
+Both editions have the same formulas and tables under other numbers. Those of 2018 (formulas, Tables 2.4.II, 3.2.I and
+3.2.IV to 3.2.VII) and the least V_R agree with a public transcription of decree and Circolare. From memory are the
+interpolation in return period and its range, the least F_0, and the numbers of clauses and tables in 2008. Nothing was
+compared with the printed decrees.
 """
 
 from __future__ import annotations
@@ -19,7 +20,7 @@ from spectra.four_branches import FourBranches
 from spectra.spectrum import Spectrum, positive
 
 LEAST_F_0 = 2.2  # 3.2 [-]
-SHORTEST_LIFE = 35.0  # years: least V_R, 2.4.3
+SHORTEST_LIFE = 35.0  # years: least V_R, NTC 2008 2.4.3; under NTC 2018 by Table C2.4.I of Circolare 7/2019
 RETURN_PERIODS = (30.0, 2475.0)  # years: the range of the hazard, Annex A
 LARGEST_FACTORS: Mapping[str, float] = {"T1": 1.0, "T2": 1.2, "T3": 1.2, "T4": 1.4}  # S_T, Table 3.2.V (2008: 3.2.VI)
 EXCEEDANCE: Mapping[str, float] = {"SLO": 0.81, "SLD": 0.63, "SLV": 0.10, "SLC": 0.05}  # P_VR, Table 3.2.I

@@ -53,7 +53,7 @@ class Subsoil:
     def shape(self, period: FloatArray, eta: float) -> FloatArray:
         """C_h(T) [-] at `period` [s] (same shape), damped by `eta` [-]. Branches join within 0.5 %, as published."""
         T = np.maximum(period, RISE)
-        middle = self.coefficient * (self.reference / T) ** 0.75
+        middle = np.minimum(self.coefficient * (self.reference / T) ** 0.75, self.plateau)
         long = self.velocity / T * np.minimum(1.0, 3.0 / T)
         falling = eta * np.where(T > 1.5, long, np.where(self.plateau_end < T, middle, self.plateau))
         rising = self.ground + period / RISE * (eta * self.plateau - self.ground)

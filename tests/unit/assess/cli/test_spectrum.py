@@ -69,6 +69,7 @@ def test_json_is_the_block_of_results(project: Path, capsys: pytest.CaptureFixtu
     assert printed == json.loads(dumps(run(build(load(project)), jobs=1)))["spectrum"]
     assert printed["pga_g"] == pytest.approx(0.15, rel=1e-12)
     assert printed["damping"] == 0.08
+    assert printed["parameters"]["scale"] == pytest.approx(0.5, rel=1e-12)  # 0.15 g for a_g S = 0.3 g
 
 
 @pytest.mark.parametrize("code", list(OPTIONS))

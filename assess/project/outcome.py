@@ -74,9 +74,10 @@ def periods_of(spectrum: Spectrum) -> FloatArray:
 def spectrum_result(spectrum: Spectrum) -> SpectrumResult:
     """The site's spectrum, ordinate by ordinate."""
     period = periods_of(spectrum)
+    scale = {} if spectrum.factor == 1.0 else {"scale": spectrum.factor}
     return SpectrumResult(
         code=spectrum.code,
-        parameters=dict(spectrum.parameters),
+        parameters={**spectrum.parameters, **scale},
         damping=spectrum.damping,
         damping_rule=spectrum.damping_rule,
         clause=spectrum.clause,

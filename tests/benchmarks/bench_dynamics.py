@@ -32,12 +32,12 @@ import numpy as np
 from scipy.constants import g
 from scipy.integrate import solve_ivp
 
-from assess.dynamics.sine import branches as sine
 from assess.dynamics.critical import critical
 from assess.dynamics.envelope import envelope
 from assess.dynamics.history import _RUNS, Jobs, Peaks, peaks, product
 from assess.dynamics.kernel import FOUND, REST
 from assess.dynamics.packing import Equation, packed
+from assess.dynamics.sine import branches as sine
 from assess.geometry.planar import planar_direct
 from assess.interfaces.law import Law
 from assess.interfaces.shapes import rectangle

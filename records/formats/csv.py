@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from records.errors import RecordError
+from records.formats.stated import Stated
 from records.record import Record, make_record
 from spectra.columns import (
     ACCELERATION_UNITS,
@@ -53,8 +54,8 @@ def looks_like(head: bytes) -> bool:
     return bool(first) and all(len(row) == 2 for row in first) and is_row(first[0])
 
 
-def read(path: Path, *, unit: str | None = None) -> tuple[Record, ...]:
-    """The one record in the file at `path`; `unit` is that of the accelerations where the header states none.
+def read(path: Path, stated: Stated) -> tuple[Record, ...]:
+    """The one record in the file at `path`; the unit stated is that of the accelerations where the header has none.
 
     Raises RecordError, naming the file, for a missing unit, times that are not uniform to 5 % of a step, and for
     what cannot be read.
@@ -63,7 +64,7 @@ def read(path: Path, *, unit: str | None = None) -> tuple[Record, ...]:
         columns = read_columns(path)
     except ColumnError as error:
         raise RecordError(str(error)) from None
-    seconds, si, words = _units(columns, unit, path=path)
+    seconds, si, words = _units(columns, stated.unit, path=path)
     dt = _step(seconds * columns.values[:, 0], path=path)
     trail = (f"read from {NAME}, {words}",)
     return (make_record(path.stem, si * columns.values[:, 1], dt, path=str(path), trail=trail),)

@@ -11,9 +11,10 @@ LONGEST_LINE = 200
 
 
 def csv_text(record: Record) -> str:
-    """Times [s] and accelerations [m/s2] at full precision, below what is known of the record as comments."""
-    known = [record.event, record.station, record.component, *record.trail]
-    comments = "".join(f"# {_on_one_line(text)}\n" for text in known if text)
+    """Times [s] and accelerations [m/s2] at full precision, below comments that the reader of CSV understands."""
+    known = {"event": record.event, "origin": record.earthquake.time, "station": record.station}
+    known |= {"component": record.component, "trail": "; ".join(record.trail)}
+    comments = "".join(f"# {key}: {_on_one_line(text)}\n" for key, text in known.items() if text)
     rows = (f"{i * record.dt:.12g},{a!r}\n" for i, a in enumerate(record.acceleration.tolist()))
     return comments + "time [s],acceleration [m/s2]\n" + "".join(rows)
 
@@ -28,7 +29,7 @@ def at2_text(record: Record) -> str:
         "ACCELERATION TIME SERIES IN UNITS OF G",
         f"NPTS= {record.npts:6d}, DT= {record.dt:.10g} SEC",
     ]
-    return "\n".join([*header, *lines]) + "\n"
+    return "\n".join([*header, *lines]).encode("ascii", "replace").decode("ascii") + "\n"
 
 
 def _title(record: Record) -> str:

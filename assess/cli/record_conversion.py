@@ -87,6 +87,8 @@ def write(record: Record, path: Path, *, inputs: Sequence[Path]) -> None:
         raise AssessError(f"{path}: ends in {path.suffix or 'nothing'}; choose one of {', '.join(WRITERS)}")
     if path.is_dir() or any(path.exists() and path.samefile(each) for each in inputs):
         raise AssessError(f"{path}: is a folder or a file that is read; give another name with -o")
+    if not path.parent.is_dir():
+        raise AssessError(f"{path}: there is no folder {path.parent}; make it first")
     handle, partial = tempfile.mkstemp(prefix=".assess-partial-", dir=path.parent)
     try:
         with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as file:

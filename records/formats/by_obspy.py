@@ -8,7 +8,10 @@ is read.
 from __future__ import annotations
 
 import struct
+import sys
 import warnings
+from collections.abc import Iterator
+from contextlib import contextmanager
 from math import radians
 from pathlib import Path
 from typing import Any
@@ -73,7 +76,8 @@ def _read(path: Path, stated: Stated, *, form: str, name: str) -> tuple[Record, 
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # what obspy warns of is checked below: gaps, counts, values
         try:
-            traces = list(obspy.read(str(path), format=form, check_compression=False))
+            with _raised():
+                traces = list(obspy.read(str(path), format=form, check_compression=False))
         except Exception as error:
             raise RecordError(f"{path}: obspy cannot read it as {name}: {_one_line(error)}") from None
         _check(traces, path=path)
@@ -81,14 +85,30 @@ def _read(path: Path, stated: Stated, *, form: str, name: str) -> tuple[Record, 
         return tuple(_record(trace, stated, response, name=name, path=path) for trace in traces)
 
 
+@contextmanager
+def _raised() -> Iterator[None]:
+    """Raises, at the end, what libmseed's callbacks into obspy can only print: text of a header that is no text."""
+    found: list[Any] = []
+    before, sys.unraisablehook = sys.unraisablehook, found.append
+    try:
+        yield
+    finally:
+        sys.unraisablehook = before
+    if found:
+        raise ValueError(str(found[0].exc_value))
+
+
 def _check(traces: list[Any], *, path: Path) -> None:
-    """Refuses no samples, channels in several pieces, and velocities or displacements."""
+    """Refuses no samples, channels in several pieces, a file cut short, and velocities or displacements."""
     if not traces:
         raise RecordError(f"{path}: no samples in the file")
     names = [trace.id for trace in traces]
     broken = next((name for name in names if names.count(name) > 1), None)
     if broken is not None:
         raise RecordError(f"{path}: channel {broken} has gaps; give a file of one piece")
+    length = int(traces[0].stats.get("mseed", {}).get("record_length", 1))
+    if path.stat().st_size % length:
+        raise RecordError(f"{path}: not a whole number of MiniSEED records of {length} bytes; the file is cut short")
     for trace in traces:
         kind = NOT_ACCELERATION.get(int(trace.stats.get("sac", {}).get("idep", 0)))
         if kind:

@@ -20,6 +20,7 @@ from records.formats.samples import (
     acceleration_factor,
     check_count,
     check_peak,
+    formatted_numbers,
     numbers,
     numeric_end,
     text_lines,
@@ -78,7 +79,7 @@ def _channel(lines: list[str], start: int, end: int, *, path: Path) -> Record | 
         return None
     integers, reals = _block(lines, start, at, "Integer", path=path), _block(lines, start, at, "Real", path=path)
     factor = acceleration_factor(series[4], line=at + 1, path=path)
-    samples = numbers(lines[at + 1 : numeric_end(lines, at + 1)], first=at + 2, path=path)
+    samples = formatted_numbers(lines[at + 1 : numeric_end(lines, at + 1)], first=at + 2, path=path)
     check_count(series[1], samples.size, path=path, name=f"line {at + 1}")
     check_peak(_known(reals, PEAK), samples, unit=series[4], digits=1e-3, path=path)
     dt = _step(reals, samples.size, float(series[3]), path=path)

@@ -17,8 +17,8 @@ from records.formats.samples import (
     acceleration_factor,
     check_count,
     check_peak,
+    formatted_numbers,
     number,
-    numbers,
     numeric_end,
     positive,
     text_lines,
@@ -43,8 +43,8 @@ STATION = re.compile(r"\s*Station No\.\s*(\S+)\s+([\d.]+)\s*([NS]),\s*([\d.]+)\s
 ORIGIN = re.compile(r"Origin\s*(?:\([^()]*\))?\s*:\s*(\d+)/(\d+)/(\d+)\s*,\s*(\d+):(\d+):([\d.]+)\s*UTC", re.IGNORECASE)
 HYPOCENTRE = re.compile(r"([\d.]+)\s*([NS])\s*,\s*([\d.]+)\s*([EW])\s*,\s*H\s*=\s*([\d.]+)\s*KM", re.IGNORECASE)
 MAGNITUDE = re.compile(r"\b(M[A-Z])\s*=\s*([\d.]+)", re.IGNORECASE)
-PEAK_1 = re.compile(r"\bMax\s*=\s*(\S+)\s*g\b", re.IGNORECASE)
-PEAK_2 = re.compile(r"Peak acceleration\s*=\s*(\S+)\s", re.IGNORECASE)
+PEAK_1 = re.compile(r"\bMax\s*=\s*(\S+)\s*(g)\b", re.IGNORECASE)
+PEAK_2 = re.compile(r"Peak acceleration\s*=\s*(\S+)\s+(\S+)\s", re.IGNORECASE)
 NAME_OF_EVENT, NAME_OF_STATION, OF_CHANNEL = 2, 6, 7  # lines of a header of volume 2, from 0
 STATION_1, CHANNEL_1 = 5, 6  # of volume 1
 
@@ -78,10 +78,12 @@ def _channel(header: list[str], found: re.Match[str], lines: list[str], at: int,
     parts = found.groupdict()
     unit = (parts["unit"] or parts.get("in") or "").strip()
     factor = acceleration_factor(unit, line=at + 1, path=path)
-    samples = numbers(lines[at + 1 : numeric_end(lines, at + 1)], first=at + 2, path=path)
+    samples = formatted_numbers(lines[at + 1 : numeric_end(lines, at + 1)], first=at + 2, path=path)
     check_count(parts["n"], samples.size, path=path, name=f"line {at + 1}")
     peak = (PEAK_1 if first else PEAK_2).search("\n".join(header))
-    check_peak(number(peak[1]) if peak else None, samples, unit=unit, digits=1e-3, path=path)
+    if peak:
+        own = acceleration_factor(peak[2], line=at + 1, path=path)  # printed beside the peak, apart from the unit
+        check_peak(number(peak[1]), samples * (factor / own), unit=peak[2], digits=1e-3, path=path)
     chan = _named(header, CHANNEL_1 if first else OF_CHANNEL, path=path, line=at + 1)
     return make_record(
         f"{path.stem} chan {chan[1]}",

@@ -13,7 +13,15 @@ import re
 from pathlib import Path
 
 from records.errors import RecordError
-from records.formats.samples import acceleration_factor, check_count, check_peak, number, numbers, positive, text_lines
+from records.formats.samples import (
+    acceleration_factor,
+    check_count,
+    check_peak,
+    formatted_numbers,
+    number,
+    positive,
+    text_lines,
+)
 from records.formats.stated import Stated
 from records.formats.times import iso_of
 from records.orientation import azimuth_of
@@ -44,7 +52,7 @@ def read(path: Path, stated: Stated) -> tuple[Record, ...]:
     unit = text["UNITS"]
     factor = acceleration_factor(unit, line=at["UNITS"], path=path)
     dt = positive(text["SAMPLING_INTERVAL_S"], name="SAMPLING_INTERVAL_S", line=at["SAMPLING_INTERVAL_S"], path=path)
-    samples = numbers(lines[after:], first=after + 1, path=path)
+    samples = formatted_numbers(lines[after:], first=after + 1, path=path)
     check_count(text["NDATA"], samples.size, path=path, name="NDATA")
     peak = number(text.get("PGA_CM/S^2", ""))
     check_peak(peak, samples * (factor / 0.01), unit="cm/s2", digits=1e-3, path=path)

@@ -21,8 +21,8 @@ from records.formats.samples import (
     check_count,
     check_peak,
     count,
+    formatted_numbers,
     number,
-    numbers,
     numeric_end,
     positive,
     text_lines,
@@ -33,6 +33,7 @@ from records.orientation import azimuth_of
 from records.record import Earthquake, Record, Site, make_record
 
 NAME = "GeoNet V2A"
+UNIT = "mm/s/s"
 TEXT_LINES, NUMBER_LINES, COLUMNS = 16, 10, 10
 
 POINTS = re.compile(r"\s*Number of points\s+(\S+)")
@@ -71,12 +72,14 @@ def _component(lines: list[str], start: int, *, path: Path) -> Record:
     name = _found(COMPONENT, lines, start + 12, path=path)[1]
     peak = _found(PEAK, lines, start + 13, path=path)
     size = count(points, name="Number of points", line=start + 10, path=path)
-    factor = acceleration_factor(peak[2], line=start + 14, path=path)
+    if peak[2] != UNIT:
+        raise RecordError(f'{path}: line {start + 14}: unit "{peak[2][:20]}"; {NAME} is in {UNIT}, the file is damaged')
+    factor = acceleration_factor(UNIT, line=start + 14, path=path)
     first = start + TEXT_LINES + NUMBER_LINES
     end, height = numeric_end(lines, first), -(-size // COLUMNS)
     held = sum(1 for line in lines[first:end] if line.strip())
     check_count(str(3 * height), held, path=path, name=f"component {name}: {size} points, so the header, of lines")
-    samples = numbers(lines[first : first + height], first=first + 1, path=path)
+    samples = formatted_numbers(lines[first : first + height], first=first + 1, path=path)
     check_count(str(size), samples.size, path=path, name=f"component {name}: Number of points")
     check_peak(number(peak[1]), samples, unit=peak[2], digits=0.1, path=path)
     return make_record(

@@ -14,7 +14,15 @@ import re
 from pathlib import Path
 
 from records.errors import RecordError
-from records.formats.samples import acceleration_factor, check_count, check_peak, number, numbers, positive, text_lines
+from records.formats.samples import (
+    acceleration_factor,
+    check_count,
+    check_peak,
+    formatted_numbers,
+    number,
+    positive,
+    text_lines,
+)
 from records.formats.stated import Stated
 from records.formats.times import iso_of
 from records.orientation import azimuth_of
@@ -46,7 +54,7 @@ def read(path: Path, stated: Stated) -> tuple[Record, ...]:
         raise RecordError(f"{path}: the header of {NAME} has no {(*absent, 'unit')[0]}; it is cut short or damaged")
     factor = acceleration_factor(found[1], line=after, path=path)
     dt = positive(text["Time Increment (s)"], name="Time Increment", line=after, path=path)
-    samples = numbers(lines[after:], first=after + 1, path=path)
+    samples = formatted_numbers(lines[after:], first=after + 1, path=path)
     check_count(text["Number of Data"], samples.size, path=path, name="Number of Data")
     check_peak(number(text.get("PGA (m/s/s)", "")), factor * samples, unit="m/s2", digits=1e-9, path=path)
     component = text.get("Orientation", "")

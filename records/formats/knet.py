@@ -48,8 +48,8 @@ def read(path: Path, stated: Stated) -> tuple[Record, ...]:
     unit, scale = _scale(header["Scale Factor"], path=path)
     counts = numbers(lines[HEADER_LINES:], first=HEADER_LINES + 1, path=path)
     _check_duration(header["Duration Time(s)"], counts.size, rate, path=path)
-    if not counts.size:
-        raise RecordError(f"{path}: no samples below the header; the file is cut short")
+    if not counts.size or not np.all(np.isfinite(counts)):
+        raise RecordError(f"{path}: no samples below the header, or some that are not finite; the file is damaged")
     offset = float(np.mean(counts))
     printed = scale * (counts - offset)
     check_peak(number(header["Max. Acc. (gal)"]), printed, unit=unit, digits=1e-3, path=path)

@@ -19,7 +19,7 @@ from pathlib import Path
 import numpy as np
 
 from records.errors import RecordError
-from records.formats.samples import acceleration_factor, check_count, numbers, text_lines
+from records.formats.samples import acceleration_factor, check_count, formatted_numbers, text_lines
 from records.formats.stated import Stated
 from records.formats.times import iso
 from records.orientation import azimuth_of
@@ -66,7 +66,7 @@ def read(path: Path, stated: Stated) -> tuple[Record, ...]:
         raise RecordError(f"{path}: the header is cut short; PEER AT2 has four lines before the accelerations")
     npts, dt = _steps(lines[3].strip(), path=path)
     factor = acceleration_factor(found[1], line=3, path=path)
-    samples = factor * numbers(lines[HEADER_LINES:], first=HEADER_LINES + 1, path=path)
+    samples = factor * formatted_numbers(lines[HEADER_LINES:], first=HEADER_LINES + 1, path=path)
     check_count(npts, samples.size, path=path)
     title = parse_title(lines[1].strip())
     trail = (f"read from {NAME}, unit {found[1].lower()}" + (f", event of {title.date}" if title.date else ""),)

@@ -38,6 +38,16 @@ def numbers(lines: Sequence[str], *, first: int, path: Path) -> FloatArray:
     raise RecordError(f"{path}: {_first_bad(lines, first=first)}")
 
 
+def formatted_numbers(lines: Sequence[str], *, first: int, path: Path) -> FloatArray:
+    """The same of numbers printed alike: a last one of fewer places (`6.7E-0` of `6.7E-05`) is cut short."""
+    values = numbers(lines, first=first, path=path)
+    last = [line for line in lines[-3:] if line.strip()][-2:]
+    fields = TOUCHING.sub(" ", "\n".join(last)).split()
+    if len(fields) > 1 and len(fields[-1].partition(".")[2]) < len(fields[-2].partition(".")[2]):
+        raise RecordError(f'{path}: the last number, "{fields[-1][:20]}", is cut short; get the file again')
+    return values
+
+
 def numeric_end(lines: Sequence[str], start: int) -> int:
     """Index of the first line from `start` on that does not look like numbers alone, blank lines included."""
     return next((i for i in range(start, len(lines)) if not NUMERIC.fullmatch(lines[i])), len(lines))

@@ -12,7 +12,7 @@ import re
 from pathlib import Path
 
 from records.errors import RecordError
-from records.formats.samples import FloatArray, check_count, check_peak, number, numbers, text_lines
+from records.formats.samples import FloatArray, check_count, check_peak, formatted_numbers, number, numbers, text_lines
 from records.formats.stated import Stated
 from records.formats.times import iso
 from records.orientation import azimuth_of
@@ -53,7 +53,7 @@ def read(path: Path, stated: Stated) -> tuple[Record, ...]:
         raise RecordError(f"{path}: line 18: rate of {rate:.6g} samples a second; it must be positive")
     after = TEXT_LINES + INTEGER_LINES + REAL_LINES
     after = next((i for i in range(after, len(lines)) if not lines[i].startswith("|")), len(lines))
-    samples = numbers(lines[after:], first=after + 1, path=path)
+    samples = formatted_numbers(lines[after:], first=after + 1, path=path)
     check_count(f"{integers[POINTS]:.0f}", samples.size, path=path, name="integer 17 of the header")
     peak = max((abs(value) for i in PEAKS if (value := _known(reals, i)) is not None), default=None)
     check_peak(peak, samples, unit=UNIT, digits=1e-3, path=path)

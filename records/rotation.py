@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from math import cos, degrees, pi, sin
+from math import cos, degrees, isfinite, pi, sin
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -25,6 +25,8 @@ def at_azimuth(first: Record, second: Record, *, azimuth: float) -> Record:
     Both begin together; the longer is cut. Raises RecordError for a component whose azimuth is unknown, components of
     different steps, and ones less than 10 degrees apart.
     """
+    if not isfinite(azimuth):
+        raise RecordError(f'records "{first.id}" and "{second.id}": azimuth {azimuth} to turn to; it must be finite')
     a, b = _side_by_side(first, second)
     one, two = _azimuths(first, second)
     across = sin(two - one)

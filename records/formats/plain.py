@@ -25,6 +25,7 @@ from spectra.columns import CONTROL
 
 NAME = "plain"
 LONGEST_HEADER = 20
+WIDEST_TABLE = 4  # columns; three components, and time
 
 STEPS = re.compile(r"\s*NPTS\s*=\s*(\d+)\s*,?\s*DT\s*=\s*([\d.eE+-]+)", re.IGNORECASE)
 COUNT_AND_STEP = re.compile(r"\s*(\d+)\s+(\d*\.\d+(?:[eE][-+]?\d+)?)\s*")
@@ -74,10 +75,11 @@ def read(path: Path, stated: Stated) -> tuple[Record, ...]:
     if header.count:
         check_count(header.count, samples.size, path=path)
     else:
-        _refuse_times(body, samples, path=path)
-    unit, dt = header.unit or stated.unit, _step(header, stated, path=path)
+        _refuse_tables(body, samples, path=path)
+    unit = header.unit or stated.unit
     if unit is None:
         raise RecordError(f"{path}: the file does not state the unit of its accelerations; give unit")
+    dt = _step(header, stated, path=path)
     said = f"unit {unit}" + ("" if header.unit else " as given, for the file does not say")
     return (
         make_record(
@@ -119,13 +121,17 @@ def _step(header: Header, stated: Stated, *, path: Path) -> float:
     return stated.step
 
 
-def _refuse_times(body: Sequence[str], samples: FloatArray, *, path: Path) -> None:
-    """Refuses a table whose first column rises evenly: it is time, and the others are several records."""
+def _refuse_tables(body: Sequence[str], samples: FloatArray, *, path: Path) -> None:
+    """Refuses what may be several records: three or four full columns, or a first one that rises as time does."""
     width = len(body[0].split())
-    if width < 3 or samples.size < 3 * width or samples.size % width:
+    if width < 3 or samples.size % width or any(len(line.split()) not in (0, width) for line in body):
         return
     step = np.diff(samples.reshape(-1, width)[:, 0])
-    if step[0] > 0.0 and np.ptp(step) <= 0.1 * step[0]:
+    if step.size > 1 and step[0] > 0.0 and np.ptp(step) <= 0.1 * step[0]:
         raise RecordError(
             f"{path}: the first of {width} columns rises evenly, as time does; keep it and one column of accelerations"
+        )
+    if width <= WIDEST_TABLE:
+        raise RecordError(
+            f"{path}: {width} numbers in every line may be {width} records side by side or one; keep one to a line"
         )

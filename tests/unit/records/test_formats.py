@@ -424,6 +424,13 @@ def test_a_table_of_three_columns_with_time_is_not_taken_for_one_motion(tmp_path
         read(path, unit="g", step=0.01)
 
 
+def test_three_full_columns_are_not_taken_for_one_motion(tmp_path: Path) -> None:
+    path = tmp_path / "table.txt"
+    path.write_text("".join(f"{a} {b} {c}\n" for a, b, c in np.outer(VALUES, SCALES)))
+    with pytest.raises(RecordError, match="3 numbers in every line may be 3 records side by side"):
+        read(path, unit="g", step=0.01)
+
+
 def test_bare_numbers_need_unit_and_step(tmp_path: Path) -> None:
     path = tmp_path / "bare.txt"
     path.write_text(rows(VALUES, 8, "10.3f"))

@@ -16,11 +16,13 @@ NUMBERED = re.compile(r"([A-Z-]+)[12]")  # KiK-net: 1 in the borehole, 2 at the 
 
 
 def azimuth_of(component: str) -> float | None:
-    """Direction of positive motion of `component`, clockwise from north [rad]; None if vertical or not told.
+    """Direction of positive motion of `component`, clockwise from north [rad]; None if vertical, reversed or not told.
 
     Understood are degrees ("360", "90 DEG"), quadrants ("N28W"), letters ("E", "EW", "E-W", "EW2": each positive
     towards north or east) and SEED channels ("HNE"; SEED manual 2.4, appendix A).
     """
+    if component.lstrip().startswith("-"):
+        return None
     name = _plain(component)
     quadrant, degrees = QUADRANT.fullmatch(name), DEGREES.fullmatch(name)
     if quadrant:

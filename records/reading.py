@@ -11,6 +11,7 @@ from records.formats import FORMATS
 from records.formats.stated import Stated
 from records.record import Record
 
+FINEST, COARSEST = 1e-5, 1.0  # s, of the steps of instruments and shaking tables
 HEAD = 8192  # bytes that show a format
 
 
@@ -27,10 +28,15 @@ def read(
     try:
         with path.open("rb") as file:
             head = file.read(HEAD)
-        records = FORMATS[_format(head, path=path)].read(path, Stated(unit, step, response))
+        with np.errstate(over="ignore", invalid="ignore"):  # what is not finite afterwards is refused by its sample
+            records = FORMATS[_format(head, path=path)].read(path, Stated(unit, step, response))
     except OSError as error:
         raise RecordError(f"{path}: the file cannot be read: {error.strerror}") from None
     for record in records:
+        if not FINEST <= record.dt <= COARSEST:
+            raise RecordError(
+                f"{path}: a time step of {record.dt:.6g} s; records have {FINEST:g} to {COARSEST:g} s, check its unit"
+            )
         if np.ptp(record.acceleration) == 0.0:
             raise RecordError(
                 f"{path}: every acceleration is {record.acceleration[0]:.6g} m/s2; there is no motion in the record"

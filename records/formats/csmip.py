@@ -69,6 +69,8 @@ def read(path: Path, stated: Stated) -> tuple[Record, ...]:
             records.append(_channel(lines[start:at], found, lines, at, path=path))
         if line.startswith("/&"):
             start = at + 1
+    if not records or any(line.strip() for line in lines[start:]):
+        raise RecordError(f"{path}: the last channel does not end with a line that begins with /&; it is cut short")
     return tuple(records)
 
 

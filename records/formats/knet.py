@@ -16,7 +16,7 @@ from pathlib import Path
 import numpy as np
 
 from records.errors import RecordError
-from records.formats.samples import acceleration_factor, check_peak, number, numbers, positive, text_lines
+from records.formats.samples import acceleration_factor, check_count, check_peak, number, numbers, positive, text_lines
 from records.formats.stated import Stated
 from records.formats.times import iso_of
 from records.orientation import azimuth_of
@@ -47,7 +47,8 @@ def read(path: Path, stated: Stated) -> tuple[Record, ...]:
     rate = positive(re.sub(r"\s*Hz$", "", header["Sampling Freq(Hz)"]), name="Sampling Freq", line=11, path=path)
     unit, scale = _scale(header["Scale Factor"], path=path)
     counts = numbers(lines[HEADER_LINES:], first=HEADER_LINES + 1, path=path)
-    _check_duration(header["Duration Time(s)"], counts.size, rate, path=path)
+    duration = positive(header["Duration Time(s)"], name="Duration Time", line=12, path=path)
+    check_count(f"{duration * rate:.0f}", counts.size, path=path, name=f"Duration Time of {duration:.6g} s")
     if not counts.size or not np.all(np.isfinite(counts)):
         raise RecordError(f"{path}: no samples below the header, or some that are not finite; the file is damaged")
     offset = float(np.mean(counts))
@@ -87,17 +88,6 @@ def _scale(text: str, *, path: Path) -> tuple[str, float]:
         raise RecordError(f'{path}: line 14: scale factor "{text[:30]}"; it must be like 3920(gal)/6182761')
     full, counts = (positive(found[i], name="Scale Factor", line=14, path=path) for i in (1, 3))
     return found[2].strip(), full / counts
-
-
-def _check_duration(text: str, held: int, rate: float, *, path: Path) -> None:
-    """Refuses samples that are not as many as the duration, in whole seconds, says."""
-    duration = positive(text, name="Duration Time", line=12, path=path)
-    if abs(held - duration * rate) > rate:
-        short = "the file is cut short" if held < duration * rate else "the header or the data are wrong"
-        raise RecordError(
-            f"{path}: Duration Time of {duration:.6g} s at {rate:.6g} Hz says {duration * rate:.9g} samples, "
-            f"the file holds {held}; {short}"
-        )
 
 
 def _earthquake(header: dict[str, str]) -> Earthquake:

@@ -20,8 +20,8 @@ PEAK_AGREES = 0.02  # between the peak that a header states and that of its samp
 
 
 def text_lines(path: Path) -> list[str]:
-    """The lines of the file at `path`, Latin-1, without their ends."""
-    return [line.rstrip("\r") for line in path.read_bytes().decode("latin-1").split("\n")]
+    """The lines of the file at `path`, Latin-1, without their ends; the marks by which DOS ends a text are left out."""
+    return [line.rstrip("\r") for line in path.read_bytes().rstrip(b"\x1a").decode("latin-1").split("\n")]
 
 
 def numbers(lines: Sequence[str], *, first: int, path: Path) -> FloatArray:

@@ -8,25 +8,35 @@ import numpy as np
 
 from records.errors import RecordError
 from records.formats import FORMATS
+from records.formats.stated import Stated
 from records.record import Record
 
+FINEST, COARSEST = 1e-5, 1.0  # s, of the steps of instruments and shaking tables
 HEAD = 8192  # bytes that show a format
 
 
-def read(path: Path, *, unit: str | None = None) -> tuple[Record, ...]:
+def read(
+    path: Path, *, unit: str | None = None, step: float | None = None, response: Path | None = None
+) -> tuple[Record, ...]:
     """Every record of the file at `path`, with accelerations in m/s2.
 
-    `unit` (g, m/s2, cm/s2, gal, mm/s2) is that of the accelerations, and is used only where the file states none.
+    `unit` (g, m/s2, cm/s2, gal, mm/s2) of the accelerations, `step` of time [s] and `response` of the instrument (for
+    MiniSEED and SAC: a StationXML file) are used only where the file states none.
     Raises RecordError, naming the file, where it cannot be opened, has no format known or more than one, holds
     what is not a record, or no motion at all.
     """
     try:
         with path.open("rb") as file:
             head = file.read(HEAD)
-        records = FORMATS[_format(head, path=path)].read(path, unit=unit)
+        with np.errstate(over="ignore", invalid="ignore"):  # what is not finite afterwards is refused by its sample
+            records = FORMATS[_format(head, path=path)].read(path, Stated(unit, step, response))
     except OSError as error:
         raise RecordError(f"{path}: the file cannot be read: {error.strerror}") from None
     for record in records:
+        if not FINEST <= record.dt <= COARSEST:
+            raise RecordError(
+                f"{path}: a time step of {record.dt:.6g} s; records have {FINEST:g} to {COARSEST:g} s, check its unit"
+            )
         if np.ptp(record.acceleration) == 0.0:
             raise RecordError(
                 f"{path}: every acceleration is {record.acceleration[0]:.6g} m/s2; there is no motion in the record"

@@ -15,6 +15,45 @@ STRONGEST = 1000.0  # m/s2, a hundred g: beyond any ground motion
 
 
 @dataclass(frozen=True)
+class Earthquake:
+    """The earthquake of a record, as far as its file says.
+
+    time : of its origin, ISO 8601 in UTC ("2018-01-24T10:51:00Z"), the date alone where no more is known, "" unknown
+    magnitude, scale : the moment magnitude where the file has it; "Mw", "ML", "MJMA", "" unknown
+    latitude, longitude : of the epicentre [deg], north and east positive
+    depth : of the hypocentre [m]
+    """
+
+    time: str = ""
+    magnitude: float | None = None
+    scale: str = ""
+    latitude: float | None = None
+    longitude: float | None = None
+    depth: float | None = None
+
+
+@dataclass(frozen=True)
+class Site:
+    """Where the instrument stands, as far as the file says.
+
+    latitude, longitude : [deg], north and east positive; elevation : above sea level [m]
+    vs30 : mean shear-wave velocity of the upper 30 m [m/s]; ground : its class with the code ("EC8 B"), or the soil
+    place : where in the ground or a structure it stands ("borehole"), "" for the free surface or unknown
+    """
+
+    latitude: float | None = None
+    longitude: float | None = None
+    elevation: float | None = None
+    vs30: float | None = None
+    ground: str = ""
+    place: str = ""
+
+
+NO_EARTHQUAKE = Earthquake()
+NO_SITE = Site()
+
+
+@dataclass(frozen=True)
 class Record:
     """A uniformly sampled accelerogram, linear between samples.
 
@@ -24,7 +63,10 @@ class Record:
     acceleration : ground acceleration, read-only [n] [m/s2]
     dt : time step [s]
     path : the file it was read from, "" for synthetic ones
-    event, station, component : as the file says, "" where it does not
+    event, station, component : as the file says, "" where it does not; an event without a name has its origin's time
+    azimuth : direction of positive acceleration, clockwise from north [rad]; None if vertical or unknown
+    distance : from the epicentre [m], None if unknown
+    earthquake, site : what else the file says of them
     trail : what was done to it, in order, in words ("read from PEER AT2, g", "scaled by 1.23")
     """
 
@@ -36,6 +78,10 @@ class Record:
     station: str = ""
     component: str = ""
     trail: tuple[str, ...] = ()
+    azimuth: float | None = None
+    distance: float | None = None
+    earthquake: Earthquake = NO_EARTHQUAKE
+    site: Site = NO_SITE
 
     @property
     def npts(self) -> int:
@@ -63,6 +109,10 @@ def make_record(
     station: str = "",
     component: str = "",
     trail: tuple[str, ...] = (),
+    azimuth: float | None = None,
+    distance: float | None = None,
+    earthquake: Earthquake = NO_EARTHQUAKE,
+    site: Site = NO_SITE,
 ) -> Record:
     """A checked record with a read-only copy of `acceleration` [n] [m/s2] at step `dt` [s].
 
@@ -86,7 +136,8 @@ def make_record(
     if not (np.isfinite(dt) and dt > 0):
         raise RecordError(f"{where}: time step {dt} s; it must be positive")
     samples.flags.writeable = False
-    return Record(id, samples, float(dt), path, event, station, component, trail)
+    named = event or earthquake.time
+    return Record(id, samples, float(dt), path, named, station, component, trail, azimuth, distance, earthquake, site)
 
 
 def scaled(record: Record, factor: float) -> Record:

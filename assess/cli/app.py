@@ -10,6 +10,7 @@ from assess.cli.check import check
 from assess.cli.envelope import envelope
 from assess.cli.new import new
 from assess.cli.parameters import parameters
+from assess.cli.records import records
 from assess.cli.report import report
 from assess.cli.run import run
 from assess.cli.schema import schema
@@ -28,6 +29,7 @@ app = typer.Typer(
 )
 for command in (new, check, run, parameters, spectrum, envelope, report, schema):
     app.command()(command)
+app.add_typer(records, name="records")
 
 
 def _print_version(wanted: bool) -> None:

@@ -17,6 +17,7 @@ from assess.geometry.solid import Solid
 from assess.project import sections
 from assess.project.amplification import Standing, amplified
 from assess.project.bodies import solid_of
+from assess.project.components import horizontal, left_out
 from assess.project.dependents import dependents
 from assess.project.directions import directed
 from assess.project.messages import located, shown
@@ -57,7 +58,8 @@ def study_of(project: Project) -> Study:
     content = project.content
     spectrum = None if content.site is None else spectrum_of(content.site)
     solids = {name: solid_of(name, body, content.materials) for name, body in content.bodies.items()}
-    files = Files(solids, spectrum, records_of(content.records, project.folder))
+    found = records_of(content.records, project.folder)
+    files = Files(solids, spectrum, horizontal(found))
     study = part_of(content, files, names=content.mechanisms)
     return replace(
         study,
@@ -67,6 +69,7 @@ def study_of(project: Project) -> Study:
             *project.doubts,
             *(Notice("site-study", "site.spectrum", text) for text in (spectrum.cautions if spectrum else ())),
             *notices_of(content, solids, study.mechanisms, study.amplified),
+            *left_out(found),
         ),
         sweeps=tuple(sweep_of(variation, project, files) for variation in project.variations),
     )
@@ -127,7 +130,8 @@ def reread(content: sections.Content, project: Project, files: Files) -> Files:
     }
     spectrum = files.spectrum if content.site == whole.site or content.site is None else spectrum_of(content.site)
     same = content.records == whole.records
-    return Files(solids, spectrum, files.records if same else records_of(content.records, project.folder))
+    records = files.records if same else horizontal(records_of(content.records, project.folder))
+    return Files(solids, spectrum, records)
 
 
 def same_body(name: str, case: sections.Content, whole: sections.Content) -> bool:

@@ -17,13 +17,13 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
 from records.errors import RecordError
-from records.record import Record, make_record
-from spectra.columns import ACCELERATION_UNITS, ColumnError, factor_of
-
-FloatArray = NDArray[np.float64]
+from records.formats.samples import acceleration_factor, check_count, formatted_numbers, text_lines
+from records.formats.stated import Stated
+from records.formats.times import iso
+from records.orientation import azimuth_of
+from records.record import Earthquake, Record, make_record
 
 NAME = "PEER AT2"
 HEADER_LINES = 4
@@ -36,7 +36,6 @@ STEPS = (
 )
 DATE = re.compile(r"[\s,]*\b(\d{1,2}/\d{1,2}/\d{2,4})\b(?:[ \t]+\d{4}(?=\s*,)|[\s,]+\d{1,2}:\d{2}(?=\s*,))?[\s,]*")
 AGENCY = re.compile(r"\s*\([^()]*\)\s*$")
-TOUCHING = re.compile(rb"(?<=[0-9.])(?=[-+])")
 
 
 @dataclass(frozen=True)
@@ -55,23 +54,21 @@ def looks_like(head: bytes) -> bool:
     return len(lines) > 2 and UNITS.match(lines[2]) is not None
 
 
-def read(path: Path, *, unit: str | None = None) -> tuple[Record, ...]:
-    """The one record in the file at `path`; its header states its unit, so `unit` is not needed.
+def read(path: Path, stated: Stated) -> tuple[Record, ...]:
+    """The one record in the file at `path`; its header says all that is needed.
 
     Raises RecordError, naming the file, for a header without NPTS and DT, for more or fewer samples than NPTS says
     and for what is not a number.
     """
-    parts = path.read_bytes().split(b"\n", HEADER_LINES)
-    lines = [part.decode("latin-1").strip() for part in parts[:HEADER_LINES]]
+    lines = text_lines(path)
     found = UNITS.match(lines[2]) if len(lines) > 2 else None
     if found is None or len(lines) < HEADER_LINES:
         raise RecordError(f"{path}: the header is cut short; PEER AT2 has four lines before the accelerations")
-    npts, dt = _steps(lines[3], path=path)
-    samples = _factor(found[1], path=path) * _samples(
-        parts[HEADER_LINES] if len(parts) > HEADER_LINES else b"", path=path
-    )
-    _check_count(npts, samples.size, path=path)
-    title = parse_title(lines[1])
+    npts, dt = _steps(lines[3].strip(), path=path)
+    factor = acceleration_factor(found[1], line=3, path=path)
+    samples = factor * formatted_numbers(lines[HEADER_LINES:], first=HEADER_LINES + 1, path=path)
+    check_count(npts, samples.size, path=path)
+    title = parse_title(lines[1].strip())
     trail = (f"read from {NAME}, unit {found[1].lower()}" + (f", event of {title.date}" if title.date else ""),)
     return (
         make_record(
@@ -83,6 +80,8 @@ def read(path: Path, *, unit: str | None = None) -> tuple[Record, ...]:
             station=title.station,
             component=title.component,
             trail=trail,
+            azimuth=azimuth_of(title.component),
+            earthquake=Earthquake(time=_iso(title.date)),
         ),
     )
 
@@ -99,6 +98,12 @@ def parse_title(line: str) -> Title:
     return Title(event, date[1] if date else "", station.strip(" ,\t"), AGENCY.sub("", component).strip())
 
 
+def _iso(date: str) -> str:
+    """mm/dd/yy or m/d/yyyy as ISO 8601; two digits are of the older database, which ends in 1999."""
+    month, day, year = (*date.split("/"), "", "", "")[:3]
+    return iso(year if len(year) == 4 else f"19{year}", month, day)
+
+
 def _steps(line: str, *, path: Path) -> tuple[str, float]:
     """NPTS, as printed, and DT [s] from line 4."""
     found = next((match for match in (pattern.search(line) for pattern in STEPS) if match), None)
@@ -113,42 +118,3 @@ def _steps(line: str, *, path: Path) -> tuple[str, float]:
     if not (np.isfinite(dt) and dt > 0.0):
         raise RecordError(f'{path}: line 4: DT = "{found[2][:20]}"; it must be a time step in seconds, above zero')
     return found[1].rstrip("."), dt
-
-
-def _factor(unit: str, *, path: Path) -> float:
-    try:
-        return factor_of(unit, known=ACCELERATION_UNITS)
-    except ColumnError as error:
-        raise RecordError(f"{path}: line 3: {error}") from None
-
-
-def _samples(body: bytes, *, path: Path) -> FloatArray:
-    """The numbers below the header, as printed [n]; a sign ends the number before it."""
-    try:
-        return np.array(body.split(), dtype=np.float64)
-    except ValueError:
-        pass
-    try:
-        return np.array(TOUCHING.sub(b" ", body).split(), dtype=np.float64)
-    except ValueError:
-        raise RecordError(f"{path}: {_first_bad(body)}") from None
-
-
-def _first_bad(body: bytes) -> str:
-    """Where the first field that is not a number stands."""
-    for number, line in enumerate(body.split(b"\n"), start=HEADER_LINES + 1):
-        for field in TOUCHING.sub(b" ", line).split():
-            try:
-                float(field)
-            except ValueError:
-                return f'line {number}: "{field.decode("latin-1")[:20]!s}" is not a number'
-    return "the accelerations are not all numbers"
-
-
-def _check_count(npts: str, size: int, *, path: Path) -> None:
-    """Refuses a file whose samples are not as many as NPTS, as printed, says; however long a number that is."""
-    stated, held = npts.lstrip("0") or "0", str(size)
-    if stated != held:
-        short = (len(stated), stated) > (len(held), held)
-        remedy = "the file is cut short" if short else "the header or the data are wrong"
-        raise RecordError(f"{path}: NPTS says {npts[:20]} samples, the file holds {size}; {remedy}")

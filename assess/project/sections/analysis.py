@@ -48,7 +48,7 @@ class Records(Section):
     planned: ClassVar[Mapping[str, str]] = {"select": "list the files you want; remove it"}
 
     files: InputFiles = ()
-    """PEER AT2 or CSV files, names or patterns relative to the project file"""
+    """record files of any format known, names or patterns relative to the project file; their horizontal components"""
     unit: AccelerationUnit | None = None
     """unit of acceleration, only for files that do not say theirs"""
     synthetic: Synthetic | None = Field(default_factory=lambda values: None if values["files"] else Synthetic())

@@ -15,7 +15,7 @@ from records.reading import read
     [
         (b"", "the file is empty"),
         (b" \r\n\n", "the file is empty"),
-        (bytes(range(256)) * 100, r"not a record format known here \(PEER AT2, CSV\)"),
+        (bytes(range(256)) * 100, r"not a record format known here \(PEER AT2, K-NET/KiK-net, .*, CSV, plain\)"),
         (b"Dear Sir,\nplease find enclosed\n", "not a record format known here"),
         (b"\x1f\x8b\x08\x00" + b"\xff" * 5000, "not a record format known here"),
     ],

@@ -3,7 +3,6 @@
 import csv
 from pathlib import Path
 
-import numpy as np
 import pytest
 from scipy.constants import g
 
@@ -36,18 +35,3 @@ def test_a_file_is_as_the_index_says(row: dict[str, str]) -> None:
     assert record.pga / g == pytest.approx(float(row["pga_g"]), rel=5e-6)  # six printed digits
     assert NUMBERED.get(record.event, record.event) == row["event"]
     assert (record.station, record.component) == (row["station"], row["component"])
-
-
-@pytest.mark.parametrize("name", ["plain/elCentro.AT2", "plain/elCentro.at2", "plain/ARL360.g3"])
-def test_files_that_only_bear_the_name_are_refused(name: str) -> None:
-    with pytest.raises(ValueError, match="not a record format known here"):
-        read(FOLDER / name)
-
-
-def test_two_columns_without_units_hold_the_same_motion_as_the_at2_file() -> None:
-    (plain,) = read(FOLDER / "plain" / "SortedEQFile_(121321).txt", unit="g")
-    (record,) = read(FOLDER / "peer_at2" / "RIO270.AT2")
-    assert plain.dt == record.dt
-    np.testing.assert_allclose(
-        plain.acceleration[1:], record.acceleration, rtol=6e-6
-    )  # six decimals of the mantissa 0.1…

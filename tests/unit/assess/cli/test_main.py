@@ -60,7 +60,9 @@ def processor_time(command: list[str]) -> float:
     return min(times)
 
 
-@pytest.mark.parametrize("arguments", [["--help"], ["run", "--help"], ["spectrum", "--help"]])
+@pytest.mark.parametrize(
+    "arguments", [["--help"], ["run", "--help"], ["spectrum", "--help"], ["records", "convert", "--help"]]
+)
 def test_help_answers_at_once(arguments: list[str]) -> None:
     """Under 0.3 s, or within twice the time of importing typer alone on a slow machine."""
     help_time = processor_time([sys.executable, "-c", "from assess.cli import main; main()", *arguments])

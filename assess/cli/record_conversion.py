@@ -1,0 +1,100 @@
+"""What `assess records convert` does: one record chosen, processed in a fixed order, and written."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from math import isfinite, radians
+from pathlib import Path
+
+from assess.errors import AssessError
+from records.orientation import is_vertical
+from records.processing import baseline_corrected, butterworth, resampled, trimmed
+from records.record import Record, scaled
+from records.rotation import at_azimuth, rotd
+from records.writing import at2_text, csv_text
+
+WRITERS: Mapping[str, Callable[[Record], str]] = {".csv": csv_text, ".at2": at2_text}
+
+
+@dataclass(frozen=True)
+class Processing:
+    """What is asked for, None what is not.
+
+    azimuth [deg], rotd : percentile; baseline : degree; low_cut, high_cut [Hz], order : of the filter
+    trim : shares of Arias intensity; step [s] to resample to; scale : factor
+    """
+
+    azimuth: float | None
+    rotd: float | None
+    baseline: int | None
+    low_cut: float | None
+    high_cut: float | None
+    order: int
+    trim: tuple[float, float] | None
+    step: float | None
+    scale: float | None
+
+    @property
+    def turns(self) -> bool:
+        """Whether two components become one."""
+        return self.azimuth is not None or self.rotd is not None
+
+
+def chosen(found: Sequence[Record], *, component: str | None, turned: bool) -> tuple[Record, ...]:
+    """The one record to convert, or the two horizontal ones that are turned; AssessError lists those there are."""
+    names = ", ".join(f'"{record.component}" of {record.id}' for record in found)
+    if turned:
+        level = tuple(record for record in found if not is_vertical(record.component))
+        if len(level) != 2 or component is not None:
+            raise AssessError(f"two horizontal components are turned, without --component; the files hold {names}")
+        return level
+    kept = tuple(record for record in found if component is None or record.component == component)
+    if len(kept) != 1:
+        raise AssessError(f"one record is converted, {len(kept)} fit; choose with --component: {names}")
+    return kept
+
+
+def processed(records: tuple[Record, ...], wanted: Processing) -> Record:
+    """One record: turned, baseline corrected, filtered, trimmed, resampled and scaled, as far as asked for."""
+    record = records[0]
+    if wanted.azimuth is not None:
+        record = at_azimuth(*records, azimuth=radians(wanted.azimuth))
+    if wanted.rotd is not None:
+        record = rotd(*records, percentile=wanted.rotd)
+    if wanted.baseline is not None:
+        record = baseline_corrected(record, degree=wanted.baseline)
+    record = butterworth(record, low=wanted.low_cut, high=wanted.high_cut, order=wanted.order)
+    if wanted.trim is not None:
+        record = trimmed(record, start=wanted.trim[0], end=wanted.trim[1])
+    if wanted.step is not None:
+        record = resampled(record, dt=wanted.step)
+    return record if wanted.scale is None else _scaled(record, wanted.scale)
+
+
+def _scaled(record: Record, factor: float) -> Record:
+    if not isfinite(factor) or factor == 0.0:
+        raise AssessError(f"--scale {factor}: it must be a finite number, not zero")
+    return scaled(record, factor)
+
+
+def write(record: Record, path: Path, *, inputs: Sequence[Path]) -> None:
+    """The record in the file at `path`, whole or not at all; in the format that its ending names."""
+    writer = WRITERS.get(path.suffix.lower())
+    if writer is None:
+        raise AssessError(f"{path}: ends in {path.suffix or 'nothing'}; choose one of {', '.join(WRITERS)}")
+    if path.is_dir() or any(path.exists() and path.samefile(each) for each in inputs):
+        raise AssessError(f"{path}: is a folder or a file that is read; give another name with -o")
+    if not path.parent.is_dir():
+        raise AssessError(f"{path}: there is no folder {path.parent}; make it first")
+    handle, partial = tempfile.mkstemp(prefix=".assess-partial-", dir=path.parent)
+    try:
+        with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as file:
+            file.write(writer(record))
+        os.chmod(partial, 0o644)
+        os.replace(partial, path)
+    except BaseException:
+        Path(partial).unlink(missing_ok=True)
+        raise

@@ -1,0 +1,25 @@
+"""Which components of the records shake the mechanisms: the horizontal ones."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from assess.errors import ProjectError
+from assess.results import Notice
+from records.orientation import is_vertical
+from records.record import Record
+
+
+def horizontal(records: Sequence[Record]) -> tuple[Record, ...]:
+    """The records but vertical components; ProjectError where files hold these alone."""
+    kept = tuple(record for record in records if not is_vertical(record.component))
+    if records and not kept:
+        raise ProjectError("records.files: vertical components alone; give the files of horizontal ones")
+    return kept
+
+
+def left_out(records: Sequence[Record]) -> Iterator[Notice]:
+    """Says which vertical components were found and are not used."""
+    vertical = [record.id for record in records if is_vertical(record.component)]
+    if vertical:
+        yield Notice("records", "records.files", f"vertical components are left out: {', '.join(vertical)}")

@@ -1,0 +1,131 @@
+"""AFAD's text files of three components: a header of `KEY : VALUE` lines, then columns N-S, E-W and U-D.
+
+    NUMBER OF DATA          : 9036
+    SAMPLING INTERVAL (sec) : 0.01
+    RAW PGA VALUES (gal)    : (N-S) 78.7235 (E-W) 87.939778 (U-D) 45.10789
+
+The unit stands with the peaks. AFAD's present portal gives DYNA files instead.
+"""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+from records.errors import RecordError
+from records.formats.samples import (
+    acceleration_factor,
+    check_count,
+    check_peak,
+    number,
+    numbers,
+    positive,
+    text_lines,
+)
+from records.formats.stated import Stated
+from records.formats.times import iso_of
+from records.orientation import azimuth_of
+from records.record import Earthquake, Record, Site, make_record
+
+NAME = "AFAD"
+LONGEST_HEADER = 40
+
+TITLE = re.compile(rb"\s*STRONG GROUND MOTION RECORDS? OF T", re.IGNORECASE)
+COLUMNS = re.compile(r"\s*([NSEWUD]-[NSEWUD])\s+([NSEWUD]-[NSEWUD])\s+([NSEWUD]-[NSEWUD])\s*")
+PEAK = re.compile(r"\(([NSEWUD]-[NSEWUD])\)\s*([-+0-9.eE]+)")
+PEAKS = re.compile(r"(?:RAW )?PGA VALUES \(([^()]+)\)")
+DEGREES = re.compile(r"([0-9.]+)\s*([NS])\s*-\s*([0-9.]+)\s*([EW])")
+NEEDED = ("NUMBER OF DATA", "SAMPLING INTERVAL (sec)")
+
+
+def looks_like(head: bytes) -> bool:
+    """Whether a file that begins with `head` is of AFAD: its title."""
+    return TITLE.match(head) is not None
+
+
+def read(path: Path, stated: Stated) -> tuple[Record, ...]:
+    """The three records in the file at `path`; its header says all that is needed.
+
+    Raises RecordError, naming the file, for a key that is absent, rows that are not three numbers, a count or peak that
+    the columns do not have.
+    """
+    lines = text_lines(path)
+    after = next((i + 1 for i, line in enumerate(lines[:LONGEST_HEADER]) if COLUMNS.fullmatch(line)), 0)
+    names = COLUMNS.fullmatch(lines[after - 1]) if after else None
+    text = _header(lines[:after])
+    absent = [key for key in NEEDED if key not in text]
+    if names is None or absent:
+        raise RecordError(f"{path}: the header of {NAME} has no {(*absent, 'columns')[0]}; it is cut short or damaged")
+    unit, peaks = _peaks(text, path=path)
+    factor = acceleration_factor(unit, line=after, path=path)
+    dt = positive(text["SAMPLING INTERVAL (sec)"], name="SAMPLING INTERVAL", line=after, path=path)
+    values = numbers(lines[after:], first=after + 1, path=path)
+    uneven = next((i for i, line in enumerate(lines[after:]) if line.strip() and len(line.split()) != 3), None)
+    if uneven is not None or values.size % 3:
+        line = after + 1 + (uneven or 0)
+        raise RecordError(f'{path}: line {line}: "{lines[line - 1].strip()[:40]}" is not three numbers')
+    columns = values.reshape(-1, 3)
+    check_count(text["NUMBER OF DATA"], len(columns), path=path, name="NUMBER OF DATA")
+    for name, column in zip(names.groups(), columns.T, strict=True):
+        check_peak(peaks.get(name), column, unit=unit, digits=1e-2, path=path)
+    return tuple(
+        make_record(
+            f"{path.stem} {name}",
+            factor * column,
+            dt,
+            path=str(path),
+            station=text.get("STATION ID", ""),
+            component=name,
+            trail=(f"read from {NAME}, unit {unit}",),
+            azimuth=azimuth_of(name),
+            earthquake=_earthquake(text),
+            site=_site(text),
+        )
+        for name, column in zip(names.groups(), columns.T, strict=True)
+    )
+
+
+def _header(lines: list[str]) -> dict[str, str]:
+    """What stands behind each key."""
+    parts = (line.partition(":") for line in lines if ":" in line)
+    return {key.strip(): value.strip() for key, _, value in parts}
+
+
+def _peaks(text: dict[str, str], *, path: Path) -> tuple[str, dict[str, float | None]]:
+    """The unit, and the peak of each component in it."""
+    for key, value in text.items():
+        found = PEAKS.fullmatch(key)
+        if found:
+            return found[1], {name: number(peak) for name, peak in PEAK.findall(value)}
+    raise RecordError(f"{path}: the header of {NAME} has no PGA VALUES with their unit; it is cut short or damaged")
+
+
+def _earthquake(text: dict[str, str]) -> Earthquake:
+    size, _, scale = text.get("EARTHQUAKE MAGNITUDE", "").partition(" ")
+    depth = number(text.get("EARTHQUAKE DEPTH (km)", ""))
+    latitude, longitude = _degrees(text.get("EPICENTER COORDINATES", ""))
+    return Earthquake(
+        time=iso_of(text.get("EARTHQUAKE DATE", "")),
+        magnitude=number(size),
+        scale=scale.strip() if number(size) is not None else "",
+        latitude=latitude,
+        longitude=longitude,
+        depth=None if depth is None else 1000.0 * depth,
+    )
+
+
+def _site(text: dict[str, str]) -> Site:
+    latitude, longitude = _degrees(text.get("STATION COORDINATES", ""))
+    return Site(latitude=latitude, longitude=longitude, elevation=number(text.get("STATION ALTITUDE (m)", "")))
+
+
+def _degrees(text: str) -> tuple[float | None, float | None]:
+    """Latitude and longitude of "36.91980N-27.44350E"."""
+    found = DEGREES.search(text)
+    if found is None:
+        return None, None
+    latitude, longitude = number(found[1]), number(found[3])
+    return (
+        None if latitude is None else latitude if found[2] == "N" else -latitude,
+        None if longitude is None else longitude if found[4] == "E" else -longitude,
+    )

@@ -1,0 +1,167 @@
+"""COSMOS V1 and V2: text lines, blocks of integers, reals and comments, each with its own count, then the samples.
+
+    Corrected acceleration    (Format v01.20 with 13 text lines)
+    100 Real-header values follow on  20 lines, Format= (5F15.6)
+    42000 acceleration pts, approx  210 secs, units=cm/sec2(04),Format=(1E15.6)
+
+The step is real value 62 [ms]; real value 34 is that of the raw data. Files may hold several channels, and velocity
+and displacement beside acceleration, which alone is read. Source: COSMOS strong-motion data format v1.20 (2001), tables
+of integer and real header values.
+"""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+from records.errors import RecordError
+from records.formats.samples import (
+    FloatArray,
+    acceleration_factor,
+    check_count,
+    check_peak,
+    formatted_numbers,
+    numbers,
+    numeric_end,
+    text_lines,
+)
+from records.formats.stated import Stated
+from records.formats.times import iso
+from records.orientation import azimuth_of
+from records.record import Earthquake, Record, Site, make_record
+
+NAME = "COSMOS"
+
+FIRST = re.compile(r".*\(Format v\d[\d.]* with\s+\d+ text lines\)")
+BLOCK = re.compile(r"\s*\d+\s+(Integer|Real)-header values follow on\s+(\d{1,4})\s+lines")
+SERIES = re.compile(
+    r"\s*(\d+)\s+(.*?)\s*(?:pts|points),?\s*approx\s+([\d.]+)\s*secs?,\s*units=\s*([^,(]+?)\s*(?:\(\s*\d+\s*\))?\s*,"
+)
+SCNL = re.compile(r"\|\s*<SCNL>\s*(\w+)\.(\w+)\.(\w+)")
+CHANNEL = re.compile(r"Sta\s+Chan?\s*:?\s*[\w?]*\s*:\s*(.*?)\s*\(")
+CODE = re.compile(r"Code:\s*(\S+)\s*(.*)")
+ORIGIN = re.compile(r"Origin:\s*(\d+)/(\d+)/(\d+)[,\s]+(\d+):(\d+):([\d.]+)\s*UTC")
+TITLE = re.compile(r"(?:Record of )?(.*?)(?: of \w{3} \w{3} \d.*| {2,}.*)?")
+STEP_MS, PEAK, EPICENTRE, STATION, DISTANCE = 61, 63, 9, 0, 16  # indices of real values, from 0
+MAGNITUDES = {12: "Mw", 14: "ML", 13: "Ms"}
+AZIMUTH = 53  # index of the integer value; 1 to 360, north is 360
+UNKNOWN = -999.0
+
+
+def looks_like(head: bytes) -> bool:
+    """Whether a file that begins with `head` is COSMOS: its first line states the version of the format."""
+    return FIRST.match(head.decode("latin-1").split("\n", 1)[0]) is not None
+
+
+def read(path: Path, stated: Stated) -> tuple[Record, ...]:
+    """Every acceleration record in the file at `path`; its headers say all that is needed.
+
+    Raises RecordError, naming the file, for a header cut short, a step that is absent or does not fit the duration,
+    a count or peak that the samples do not have, and a file without acceleration.
+    """
+    lines = text_lines(path)
+    starts = [i for i, line in enumerate(lines) if FIRST.match(line)]
+    ends = [*starts[1:], len(lines)]
+    found = [_channel(lines, start, end, path=path) for start, end in zip(starts, ends, strict=True)]
+    records = tuple(record for record in found if record is not None)
+    if not records:
+        raise RecordError(f"{path}: no acceleration in the file; give the one of the acceleration")
+    return records
+
+
+def _channel(lines: list[str], start: int, end: int, *, path: Path) -> Record | None:
+    """The record whose lines are from index `start` to `end`; None where it is not acceleration."""
+    at = next((i for i in range(start, end) if SERIES.match(lines[i])), None)
+    series = None if at is None else SERIES.match(lines[at])
+    if at is None or series is None:
+        raise RecordError(f"{path}: line {start + 1}: a channel without its line of points and unit; it is cut short")
+    if not series[2].lower().replace("uncor.", "").strip().startswith("acc"):
+        return None
+    integers, reals = _block(lines, start, at, "Integer", path=path), _block(lines, start, at, "Real", path=path)
+    factor = acceleration_factor(series[4], line=at + 1, path=path)
+    samples = formatted_numbers(lines[at + 1 : numeric_end(lines, at + 1)], first=at + 2, path=path)
+    check_count(series[1], samples.size, path=path, name=f"line {at + 1}")
+    check_peak(_known(reals, PEAK), samples, unit=series[4], digits=1e-3, path=path)
+    dt = _step(reals, samples.size, float(series[3]), path=path)
+    station, component = _names(lines[start:at])
+    degrees = _known(integers, AZIMUTH)
+    return make_record(
+        f"{path.stem} {component}",
+        factor * samples,
+        dt,
+        path=str(path),
+        event=_title(lines[start + 1]),
+        station=station,
+        component=component,
+        trail=(f"read from {NAME}, unit {series[4]}", lines[start].split("(")[0].strip()),
+        azimuth=azimuth_of(f"{degrees:.0f}") if degrees and 0 < degrees <= 360 else azimuth_of(component),
+        distance=_metres(_known(reals, DISTANCE)),
+        earthquake=_earthquake(lines[start:at], reals),
+        site=Site(_known(reals, STATION), _known(reals, STATION + 1), _known(reals, STATION + 2)),
+    )
+
+
+def _block(lines: list[str], start: int, end: int, kind: str, *, path: Path) -> FloatArray:
+    """The header values of one `kind`, between two indices."""
+    for i in range(start, end):
+        found = BLOCK.match(lines[i])
+        if found and found[1] == kind:
+            return numbers(lines[i + 1 : min(end, i + 1 + int(found[2]))], first=i + 2, path=path)
+    raise RecordError(f"{path}: line {start + 1}: a channel without {kind.lower()} header values; it is damaged")
+
+
+def _known(values: FloatArray, index: int) -> float | None:
+    """A header value, None where it is unknown."""
+    value = float(values[index]) if index < values.size else UNKNOWN
+    return None if value == UNKNOWN or value != value else value
+
+
+def _step(reals: FloatArray, size: int, duration: float, *, path: Path) -> float:
+    """The step [s], held against the duration [s], which is printed in whole seconds."""
+    step = (_known(reals, STEP_MS) or 0.0) / 1000.0
+    if not 0.0 < step < float("inf"):
+        raise RecordError(f"{path}: real header value 62, the step in ms, is {1000.0 * step:.6g}; it must be positive")
+    if abs(size * step - duration) > 1.0 + 0.01 * duration:
+        raise RecordError(
+            f"{path}: {size} samples at {step:.6g} s last {size * step:.6g} s, the file says {duration:.6g} s; "
+            "the header is damaged"
+        )
+    return float(f"{step:.10g}")
+
+
+def _names(header: list[str]) -> tuple[str, str]:
+    """Station and component: by network, station and channel where the file has them, else from its text."""
+    text = "\n".join(header)
+    scnl, code, channel = SCNL.search(text), CODE.search(text), CHANNEL.search(text)
+    if scnl:
+        return f"{scnl[3]}.{scnl[1]}", scnl[2]
+    station = re.sub(r"\s+", " ", f"{code[1]} {code[2]}") if code else ""
+    return station.strip(), channel[1] if channel else ""
+
+
+def _title(line: str) -> str:
+    found = TITLE.fullmatch(line.strip())
+    return found[1].strip() if found else line.strip()
+
+
+def _metres(kilometres: float | None) -> float | None:
+    return None if kilometres is None else 1000.0 * kilometres
+
+
+def _earthquake(header: list[str], reals: FloatArray) -> Earthquake:
+    origin = ORIGIN.search("\n".join(header))
+    first = next(((_known(reals, i), scale) for i, scale in MAGNITUDES.items() if _known(reals, i)), (None, ""))
+    return Earthquake(
+        time=_time(origin) if origin else "",
+        magnitude=first[0],
+        scale=first[1],
+        latitude=_known(reals, EPICENTRE),
+        longitude=_known(reals, EPICENTRE + 1),
+        depth=_metres(_known(reals, EPICENTRE + 2)),
+    )
+
+
+def _time(origin: re.Match[str]) -> str:
+    """Dates are month/day/year, or year/month/day where the year stands first."""
+    one, two, three, *clock = origin.groups()
+    return iso(one, two, three, *clock) if len(one) == 4 else iso(three, one, two, *clock)

@@ -1,0 +1,159 @@
+"""CSMIP volumes 1 and 2 of the California Geological Survey: channels one after another, each with its header.
+
+    13200 Accelerogram points at 200 pts/sec in units of g .      Format: (8f9.6)             volume 1, uncorrected
+    3251 POINTS OF ACCEL DATA EQUALLY SPACED AT  .020 SEC.  (UNITS: CM/SEC/SEC)               volume 2, corrected
+
+A channel of volume 2 goes on with velocity and displacement, which are not read. Source: Shakal & Huang (1985),
+Standard tape format for CSMIP strong-motion data tapes, report OSMS 85-03.
+"""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+from records.errors import RecordError
+from records.formats.samples import (
+    acceleration_factor,
+    check_count,
+    check_peak,
+    formatted_numbers,
+    number,
+    numeric_end,
+    positive,
+    text_lines,
+)
+from records.formats.stated import Stated
+from records.formats.times import iso
+from records.orientation import azimuth_of
+from records.record import Earthquake, Record, Site, make_record
+
+NAME = "CSMIP"
+
+VOLUME_1 = re.compile(
+    r"\s*(?P<n>\d+)\s+Accelerogram points at\s+(?P<rate>\S+)\s*pts/sec,?\s+in units of\s+(?P<unit>\S+)", re.I
+)
+VOLUME_2 = re.compile(
+    r"\s*(?P<n>\d+)\s+points of accel\S* data equally spaced at\s+(?P<step>\S+)\s*sec[.,]*\s+"
+    r"(?:\(units:\s*(?P<unit>[^)]+)\)|in\s+(?P<in>\S+?)\.?(?:\s|$))",
+    re.IGNORECASE,
+)
+CHANNEL = re.compile(r"\s*Chan\s+(\d+)\s*:\s*(.*?)\s*", re.IGNORECASE)
+STATION = re.compile(r"\s*Station No\.\s*(\S+)\s+([\d.]+)\s*([NS]),\s*([\d.]+)\s*([EW])", re.IGNORECASE)
+ORIGIN = re.compile(r"Origin\s*(?:\([^()]*\))?\s*:\s*(\d+)/(\d+)/(\d+)\s*,\s*(\d+):(\d+):([\d.]+)\s*UTC", re.IGNORECASE)
+HYPOCENTRE = re.compile(r"([\d.]+)\s*([NS])\s*,\s*([\d.]+)\s*([EW])\s*,\s*H\s*=\s*([\d.]+)\s*KM", re.IGNORECASE)
+MAGNITUDE = re.compile(r"\b(M[A-Z])\s*=\s*([\d.]+)", re.IGNORECASE)
+PEAK_1 = re.compile(r"\bMax\s*=\s*(\S+)\s*(g)\b", re.IGNORECASE)
+PEAK_2 = re.compile(r"Peak acceleration\s*=\s*(\S+)\s+(\S+)\s", re.IGNORECASE)
+NAME_OF_EVENT, NAME_OF_STATION, OF_CHANNEL = 2, 6, 7  # lines of a header of volume 2, from 0
+STATION_1, CHANNEL_1 = 5, 6  # of volume 1
+
+
+def looks_like(head: bytes) -> bool:
+    """Whether a file that begins with `head` is CSMIP: its line of points, step and unit."""
+    return any(VOLUME_1.match(line) or VOLUME_2.match(line) for line in head.decode("latin-1").splitlines())
+
+
+def read(path: Path, stated: Stated) -> tuple[Record, ...]:
+    """The acceleration of every channel in the file at `path`; its headers say all that is needed.
+
+    Raises RecordError, naming the file, for a header without its channel, a step or unit that is none, a count or peak
+    that the samples do not have.
+    """
+    lines = text_lines(path)
+    records: list[Record] = []
+    start = 0
+    for at, line in enumerate(lines):
+        found = VOLUME_1.match(line) or VOLUME_2.match(line)
+        if found:
+            records.append(_channel(lines[start:at], found, lines, at, path=path))
+        if line.startswith("/&"):
+            start = at + 1
+    if not records or any(line.strip() for line in lines[start:]):
+        raise RecordError(f"{path}: the last channel does not end with a line that begins with /&; it is cut short")
+    return tuple(records)
+
+
+def _channel(header: list[str], found: re.Match[str], lines: list[str], at: int, *, path: Path) -> Record:
+    """The channel whose line of points is at index `at`."""
+    first = found.re is VOLUME_1
+    parts = found.groupdict()
+    unit = (parts["unit"] or parts.get("in") or "").strip()
+    factor = acceleration_factor(unit, line=at + 1, path=path)
+    samples = formatted_numbers(lines[at + 1 : numeric_end(lines, at + 1)], first=at + 2, path=path)
+    check_count(parts["n"], samples.size, path=path, name=f"line {at + 1}")
+    peak = (PEAK_1 if first else PEAK_2).search("\n".join(header))
+    if peak:
+        own = acceleration_factor(peak[2], line=at + 1, path=path)  # printed beside the peak, apart from the unit
+        check_peak(number(peak[1]), samples * (factor / own), unit=peak[2], digits=1e-3, path=path)
+    chan = _named(header, CHANNEL_1 if first else OF_CHANNEL, path=path, line=at + 1)
+    return make_record(
+        f"{path.stem} chan {chan[1]}",
+        factor * samples,
+        _step(parts, line=at + 1, path=path),
+        path=str(path),
+        event=_column(header, NAME_OF_EVENT - first),
+        station=_station(header, NAME_OF_STATION - first),
+        component=chan[2],
+        trail=(f"read from {NAME} volume {1 if first else 2}, unit {unit}", *(["uncorrected"] if first else [])),
+        azimuth=azimuth_of(chan[2]),
+        earthquake=_earthquake(header),
+        site=_site(header),
+    )
+
+
+def _step(parts: dict[str, str], *, line: int, path: Path) -> float:
+    """The step [s], from itself or from the rate."""
+    if "step" in parts:
+        return positive(parts["step"], name="step", line=line, path=path)
+    return float(f"{1.0 / positive(parts['rate'], name='rate', line=line, path=path):.10g}")
+
+
+def _named(header: list[str], at: int, *, path: Path, line: int) -> re.Match[str]:
+    """Number and direction of the channel."""
+    found = CHANNEL.fullmatch(header[at]) if at < len(header) else None
+    if found is None:
+        raise RecordError(f"{path}: line {line}: the header above has no line of its channel; it is damaged")
+    return found
+
+
+def _station(header: list[str], at: int) -> str:
+    """Number and name; the agency follows on the same line."""
+    number_of = next((found[1] for line in header if (found := STATION.match(line))), "")
+    return f"{number_of} {_column(header, at)}".strip()
+
+
+def _column(header: list[str], at: int) -> str:
+    """What stands in a line before a wide gap."""
+    return re.split(r"\s{3,}", header[at].strip())[0] if at < len(header) else ""
+
+
+def _earthquake(header: list[str]) -> Earthquake:
+    text = "\n".join(header)
+    origin, place, size = ORIGIN.search(text), HYPOCENTRE.search(text), MAGNITUDE.search(text)
+    return Earthquake(
+        time=_time(*origin.groups()) if origin else "",
+        magnitude=number(size[2]) if size else None,
+        scale=size[1].upper() if size else "",
+        latitude=_signed(place[1], place[2]) if place else None,
+        longitude=_signed(place[3], place[4]) if place else None,
+        depth=1000.0 * float(place[5]) if place and number(place[5]) is not None else None,
+    )
+
+
+def _time(month: str, day: str, year: str, *clock: str) -> str:
+    """Two digits are a year of 1933 to 2032: the first accelerograms are of 1933."""
+    full = year if len(year) == 4 else str(1900 + int(year) + (100 if int(year) < 33 else 0))
+    return iso(full, month, day, *clock)
+
+
+def _site(header: list[str]) -> Site:
+    found = next((found for line in header if (found := STATION.match(line))), None)
+    if found is None:
+        return Site()
+    return Site(latitude=_signed(found[2], found[3]), longitude=_signed(found[4], found[5]))
+
+
+def _signed(degrees: str, side: str) -> float | None:
+    value = number(degrees)
+    return None if value is None else value if side.upper() in "NE" else -value

@@ -1,0 +1,138 @@
+"""DYNA, the text format of ESM and ITACA (and of AFAD's present portal): `KEY: VALUE` lines, then one value a line.
+
+    NDATA: 19128
+    UNITS: cm/s^2
+    PGA_CM/S^2: 0.300022
+
+Source: ESM, Engineering Strong-Motion database, description of DYNA 1.2 (https://esm-db.eu).
+"""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+from records.errors import RecordError
+from records.formats.samples import (
+    acceleration_factor,
+    check_count,
+    check_peak,
+    formatted_numbers,
+    number,
+    positive,
+    text_lines,
+)
+from records.formats.stated import Stated
+from records.formats.times import iso_of
+from records.orientation import azimuth_of
+from records.record import Earthquake, Record, Site, make_record
+
+NAME = "ESM/ITACA DYNA"
+
+KEY = re.compile(r"\s*([A-Z][A-Z0-9_/^]*)\s*:\s*(.*)")
+NEEDED = ("SAMPLING_INTERVAL_S", "NDATA", "UNITS")
+
+
+def looks_like(head: bytes) -> bool:
+    """Whether a file that begins with `head` is DYNA: the first key, the step and the count."""
+    return head.lstrip().startswith(b"EVENT_NAME:") and b"\nSAMPLING_INTERVAL_S:" in head and b"\nNDATA:" in head
+
+
+def read(path: Path, stated: Stated) -> tuple[Record, ...]:
+    """The one record in the file at `path`; its header says all that is needed.
+
+    Raises RecordError, naming the file, for what is not acceleration, a key that is absent, a count or peak that the
+    samples do not have.
+    """
+    lines = text_lines(path)
+    header, after = _header(lines)
+    _check_header(header, path=path)
+    at = {key: line for key, (line, _) in header.items()}
+    text = {key: value for key, (_, value) in header.items()}
+    unit = text["UNITS"]
+    factor = acceleration_factor(unit, line=at["UNITS"], path=path)
+    dt = positive(text["SAMPLING_INTERVAL_S"], name="SAMPLING_INTERVAL_S", line=at["SAMPLING_INTERVAL_S"], path=path)
+    samples = formatted_numbers(lines[after:], first=after + 1, path=path)
+    check_count(text["NDATA"], samples.size, path=path, name="NDATA")
+    peak = number(text.get("PGA_CM/S^2", ""))
+    check_peak(peak, samples * (factor / 0.01), unit="cm/s2", digits=1e-3, path=path)
+    return (
+        make_record(
+            path.stem,
+            factor * samples,
+            dt,
+            path=str(path),
+            event=text.get("EVENT_NAME", ""),
+            station=_station(text),
+            component=text.get("STREAM", ""),
+            trail=(f"read from {NAME}, unit {unit}", *_processing(text)),
+            azimuth=azimuth_of(text.get("STREAM", "")),
+            distance=_metres(text.get("EPICENTRAL_DISTANCE_KM", "")),
+            earthquake=_earthquake(text),
+            site=_site(text),
+        ),
+    )
+
+
+def _header(lines: list[str]) -> tuple[dict[str, tuple[int, str]], int]:
+    """Line number and value of each key, and the index of the first line after them."""
+    header: dict[str, tuple[int, str]] = {}
+    for i, line in enumerate(lines):
+        found = KEY.fullmatch(line)
+        if found is None:
+            return header, i
+        header[found[1]] = (i + 1, found[2].strip())
+    return header, len(lines)
+
+
+def _check_header(header: dict[str, tuple[int, str]], *, path: Path) -> None:
+    absent = [key for key in NEEDED if not header.get(key, (0, ""))[1]]
+    if absent:
+        raise RecordError(f"{path}: the header of {NAME} has no {absent[0]}; it is cut short or damaged")
+    line, kind = header.get("DATA_TYPE", (0, ""))
+    if kind and kind.upper() != "ACCELERATION":
+        raise RecordError(f'{path}: line {line}: DATA_TYPE "{kind[:30]}"; give the file of the acceleration')
+
+
+def _station(text: dict[str, str]) -> str:
+    """Network and code, with the name where there is one: `HI.ARS1 Town Hall, Argos`."""
+    code = ".".join(part for part in (text.get("NETWORK", ""), text.get("STATION_CODE", "")) if part)
+    return f"{code} {text.get('STATION_NAME', '')}".strip()
+
+
+def _processing(text: dict[str, str]) -> tuple[str, ...]:
+    """The filter that the source has applied, in words."""
+    low, high = (number(text.get(f"{side}_CUT_FREQUENCY_HZ", "")) for side in ("LOW", "HIGH"))
+    if low is None and high is None:
+        return ()
+    return (f"filtered by the source: {low or 0:.6g} to {'-' if high is None else f'{high:.6g}'} Hz",)
+
+
+def _metres(kilometres: str) -> float | None:
+    value = number(kilometres)
+    return None if value is None else 1000.0 * value
+
+
+def _earthquake(text: dict[str, str]) -> Earthquake:
+    moment, local = number(text.get("MAGNITUDE_W", "")), number(text.get("MAGNITUDE_L", ""))
+    return Earthquake(
+        time=iso_of(f"{text.get('EVENT_DATE_YYYYMMDD', '')} {text.get('EVENT_TIME_HHMMSS', '')}"),
+        magnitude=local if moment is None else moment,
+        scale="Mw" if moment is not None else "ML" if local is not None else "",
+        latitude=number(text.get("EVENT_LATITUDE_DEGREE", "")),
+        longitude=number(text.get("EVENT_LONGITUDE_DEGREE", "")),
+        depth=_metres(text.get("EVENT_DEPTH_KM", "")),
+    )
+
+
+def _site(text: dict[str, str]) -> Site:
+    ground = text.get("SITE_CLASSIFICATION_EC8", "")
+    depth = number(text.get("SENSOR_DEPTH_M", ""))
+    return Site(
+        latitude=number(text.get("STATION_LATITUDE_DEGREE", "")),
+        longitude=number(text.get("STATION_LONGITUDE_DEGREE", "")),
+        elevation=number(text.get("STATION_ELEVATION_M", "")),
+        vs30=number(text.get("VS30_M/S", "")),
+        ground=f"EC8 {ground}" if ground else "",
+        place=f"{depth:.6g} m deep" if depth else "",
+    )

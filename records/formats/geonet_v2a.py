@@ -1,0 +1,148 @@
+"""GeoNet V2A: components one after another, each of 16 lines of text, 10 of numbers and three blocks of ten columns.
+
+    Number of points  8192    Duration 163.82 sec
+    Instrument corrected data at 0.020 sec intervals
+    Component N28W  Longitudinal Accelerometer Axis
+    Acceleration:  peak  -9733.1 mm/s/s at  44.88 sec     rms    719.0 mm/s/s
+
+The blocks are acceleration, velocity and displacement; each begins on a new line. Source: GeoNet, New Zealand, strong
+motion data formats (https://www.geonet.org.nz/data/supplementary/strong_motion_file_formats).
+"""
+
+from __future__ import annotations
+
+import re
+from datetime import datetime
+from pathlib import Path
+
+from records.errors import RecordError
+from records.formats.samples import (
+    acceleration_factor,
+    check_count,
+    check_peak,
+    count,
+    formatted_numbers,
+    number,
+    numeric_end,
+    positive,
+    text_lines,
+)
+from records.formats.stated import Stated
+from records.formats.times import iso
+from records.orientation import azimuth_of
+from records.record import Earthquake, Record, Site, make_record
+
+NAME = "GeoNet V2A"
+UNIT = "mm/s/s"
+TEXT_LINES, NUMBER_LINES, COLUMNS = 16, 10, 10
+
+POINTS = re.compile(r"\s*Number of points\s+(\S+)")
+INTERVAL = re.compile(r"\s*Instrument corrected data at\s+(\S+)\s+sec")
+COMPONENT = re.compile(r"\s*Component\s+(\S+)")
+PEAK = re.compile(r"\s*Acceleration:\s+peak\s+(\S+)\s+(\S+)\s+at")
+DEGREES = re.compile(r"(\d+)\s+(\d+)\s+(\d+)\s*([NS])\s+(\d+)\s+(\d+)\s+(\d+)\s*([EW])")
+DATE = re.compile(r"\s*(\d{4})\s+([A-Z][a-z]+)\s+(\d+)\s+(\d+):(\d+):([\d.]+)\s+UT")
+
+
+def looks_like(head: bytes) -> bool:
+    """Whether a file that begins with `head` is V2A: its lines of the points and of the interval."""
+    lines = head.decode("latin-1").splitlines()
+    return len(lines) > 10 and POINTS.match(lines[9]) is not None and INTERVAL.match(lines[10]) is not None
+
+
+def read(path: Path, stated: Stated) -> tuple[Record, ...]:
+    """The records in the file at `path`; its headers say all that is needed.
+
+    Raises RecordError, naming the file, for a header without points, interval, component or unit, and blocks or a peak
+    that are not as the header says.
+    """
+    lines = text_lines(path)
+    records: list[Record] = []
+    start = 0
+    while any(line.strip() for line in lines[start:]):
+        records.append(_component(lines, start, path=path))
+        start = numeric_end(lines, start + TEXT_LINES)
+    return tuple(records)
+
+
+def _component(lines: list[str], start: int, *, path: Path) -> Record:
+    """The component whose header begins at index `start`."""
+    points = _found(POINTS, lines, start + 9, path=path)[1]
+    interval = _found(INTERVAL, lines, start + 10, path=path)[1]
+    name = _found(COMPONENT, lines, start + 12, path=path)[1]
+    peak = _found(PEAK, lines, start + 13, path=path)
+    size = count(points, name="Number of points", line=start + 10, path=path)
+    if peak[2] != UNIT:
+        raise RecordError(f'{path}: line {start + 14}: unit "{peak[2][:20]}"; {NAME} is in {UNIT}, the file is damaged')
+    factor = acceleration_factor(UNIT, line=start + 14, path=path)
+    first = start + TEXT_LINES + NUMBER_LINES
+    end, height = numeric_end(lines, first), -(-size // COLUMNS)
+    held = sum(1 for line in lines[first:end] if line.strip())
+    check_count(str(3 * height), held, path=path, name=f"component {name}: {size} points, so the header, of lines")
+    samples = formatted_numbers(lines[first : first + height], first=first + 1, path=path)
+    check_count(str(size), samples.size, path=path, name=f"component {name}: Number of points")
+    check_peak(number(peak[1]), samples, unit=peak[2], digits=0.1, path=path)
+    return make_record(
+        f"{path.stem} {name}",
+        factor * samples,
+        positive(interval, name="interval", line=start + 11, path=path),
+        path=str(path),
+        station=_station(lines[start + 1]),
+        component=name,
+        trail=(f"read from {NAME}, unit {peak[2]}", lines[start + 11].strip()),
+        azimuth=azimuth_of(name),
+        distance=_kilometres(lines[start + 8], "Dist"),
+        earthquake=_earthquake(lines[start + 7], lines[start + 8]),
+        site=Site(*_degrees(lines[start + 1])),
+    )
+
+
+def _found(pattern: re.Pattern[str], lines: list[str], at: int, *, path: Path) -> re.Match[str]:
+    """What stands in a line of the header."""
+    found = pattern.match(lines[at]) if at < len(lines) else None
+    if found is None:
+        held = lines[at].strip()[:40] if at < len(lines) else "the end of the file"
+        expected = pattern.pattern.split("\\s+(")[0].removeprefix("\\s*").replace("\\s+", " ")
+        raise RecordError(f'{path}: line {at + 1}: "{held}" where {NAME} has "{expected} …"; the file is damaged')
+    return found
+
+
+def _station(line: str) -> str:
+    """The code behind "Site"."""
+    return [*line.split(), "", ""][1]
+
+
+def _kilometres(line: str, key: str) -> float | None:
+    """What stands behind `key` in kilometres, in metres."""
+    found = re.search(rf"{key}\s+([\d.]+)\s*km", line)
+    value = number(found[1]) if found else None
+    return None if value is None else 1000.0 * value
+
+
+def _earthquake(date: str, place: str) -> Earthquake:
+    at, size = DATE.match(date), re.search(r"\b(M[A-Za-z]*)\s+([\d.]+)\s*$", place)
+    latitude, longitude = _degrees(place)
+    return Earthquake(
+        time=iso(at[1], _month(at[2]), at[3], at[4], at[5], at[6]) if at else "",
+        magnitude=number(size[2]) if size else None,
+        scale=size[1] if size else "",
+        latitude=latitude,
+        longitude=longitude,
+        depth=_kilometres(place, "Depth"),
+    )
+
+
+def _month(name: str) -> str:
+    try:
+        return str(datetime.strptime(name, "%B").month)
+    except ValueError:
+        return ""
+
+
+def _degrees(line: str) -> tuple[float | None, float | None]:
+    """Latitude and longitude of "42 37 10S  173 03 13E"."""
+    found = DEGREES.search(line)
+    if found is None:
+        return None, None
+    north, east = (int(found[i]) + int(found[i + 1]) / 60 + int(found[i + 2]) / 3600 for i in (1, 5))
+    return north if found[4] == "N" else -north, east if found[8] == "E" else -east

@@ -1,0 +1,123 @@
+"""The numbers of a text file: parsed with the line of what is wrong, counted, and held against the stated peak."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from records.errors import RecordError
+from spectra.columns import ACCELERATION_UNITS, ColumnError, factor_of
+
+FloatArray = NDArray[np.float64]
+
+TOUCHING = re.compile(r"(?<=[0-9.])(?=[-+])")
+NUMERIC = re.compile(r"[\s0-9.eEdD+-]+")
+PEAK_AGREES = 0.02  # between the peak that a header states and that of its samples; a wrong unit is 2 % off or more
+
+
+def text_lines(path: Path) -> list[str]:
+    """The lines of the file at `path`, Latin-1, without their ends; the marks by which DOS ends a text are left out."""
+    return [line.rstrip("\r") for line in path.read_bytes().rstrip(b"\x1a").decode("latin-1").split("\n")]
+
+
+def numbers(lines: Sequence[str], *, first: int, path: Path) -> FloatArray:
+    """All numbers in `lines` [n]; blanks separate them, and a sign ends the number before it.
+
+    `first` is the number of the first of these lines in the file, from 1. RecordError names the line of what is none.
+    """
+    text = "\n".join(lines)
+    for separated in (text, TOUCHING.sub(" ", text)):
+        try:
+            return np.array(separated.split(), dtype=np.float64)
+        except ValueError:
+            continue
+    raise RecordError(f"{path}: {_first_bad(lines, first=first)}")
+
+
+def formatted_numbers(lines: Sequence[str], *, first: int, path: Path) -> FloatArray:
+    """The same of numbers printed alike: a last one of fewer places (`6.7E-0` of `6.7E-05`) is cut short."""
+    values = numbers(lines, first=first, path=path)
+    last = [line for line in lines[-3:] if line.strip()][-2:]
+    fields = TOUCHING.sub(" ", "\n".join(last)).split()
+    if len(fields) > 1 and len(fields[-1].partition(".")[2]) < len(fields[-2].partition(".")[2]):
+        raise RecordError(f'{path}: the last number, "{fields[-1][:20]}", is cut short; get the file again')
+    return values
+
+
+def numeric_end(lines: Sequence[str], start: int) -> int:
+    """Index of the first line from `start` on that does not look like numbers alone, blank lines included."""
+    return next((i for i in range(start, len(lines)) if not NUMERIC.fullmatch(lines[i])), len(lines))
+
+
+def count(text: str, *, name: str, line: int, path: Path) -> int:
+    """A count of samples of at most nine digits."""
+    if not re.fullmatch(r"\d{1,9}", text.strip()):
+        raise RecordError(
+            f'{path}: line {line}: {name} = "{text.strip()[:20]}"; it must be a count of samples below 1e9'
+        )
+    return int(text)
+
+
+def positive(text: str, *, name: str, line: int, path: Path) -> float:
+    """A finite number above zero."""
+    value = number(text)
+    if value is None or value <= 0.0:
+        raise RecordError(f'{path}: line {line}: {name} = "{text.strip()[:20]}"; it must be a number above zero')
+    return value
+
+
+def number(text: str, *, unknown: Sequence[float] = ()) -> float | None:
+    """The finite number in `text`; None where there is none, or it is one of those that stand for `unknown`."""
+    try:
+        value = float(text)
+    except ValueError:
+        return None
+    return value if np.isfinite(value) and value not in unknown else None
+
+
+def acceleration_factor(unit: str, *, line: int, path: Path) -> float:
+    """What accelerations in `unit` are multiplied by for m/s2."""
+    try:
+        return factor_of(unit, known=ACCELERATION_UNITS)
+    except ColumnError as error:
+        raise RecordError(f"{path}: line {line}: {error}") from None
+
+
+def check_count(stated: str, held: int, *, path: Path, name: str = "NPTS") -> None:
+    """Refuses samples that are not as many as the header, as printed, says; however long a number that is."""
+    said = stated.lstrip("0") or "0"
+    if said == str(held):
+        return
+    short = (len(said), said) > (len(str(held)), str(held))
+    remedy = "the file is cut short" if short else "the header or the data are wrong"
+    raise RecordError(f"{path}: {name} says {stated[:20]} samples, the file holds {held}; {remedy}")
+
+
+def check_peak(stated: float | None, samples: FloatArray, *, unit: str, digits: float, path: Path) -> None:
+    """Refuses samples whose peak is not the one `stated` in the header, both in `unit`, rounded to `digits`.
+
+    Nothing is known where the header states none or zero.
+    """
+    if not stated or not samples.size:
+        return
+    found = float(np.max(np.abs(samples)))
+    if not abs(found - abs(stated)) <= PEAK_AGREES * abs(stated) + digits:
+        raise RecordError(
+            f"{path}: the header states a peak of {abs(stated):.6g} {unit}, the samples have {found:.6g}; "
+            "the unit or the data are damaged, get the file again"
+        )
+
+
+def _first_bad(lines: Sequence[str], *, first: int) -> str:
+    """Where the first field that is not a number stands."""
+    for at, line in enumerate(lines, start=first):
+        for field in TOUCHING.sub(" ", line).split():
+            try:
+                float(field)
+            except ValueError:
+                return f'line {at}: "{field[:20]}" is not a number'
+    return "the accelerations are not all numbers"

@@ -1,0 +1,31 @@
+"""Dates and times of headers as ISO 8601."""
+
+from __future__ import annotations
+
+import re
+from datetime import UTC, datetime, timedelta
+
+NUMBERS = re.compile(r"\d+(?:\.\d+)?")
+
+
+def iso(year: str, month: str, day: str, *clock: str, ahead: float = 0.0) -> str:
+    """ "2018-01-24T10:51:00Z" from its parts as printed, `ahead` hours before UTC; the date alone without a clock.
+
+    "" for what is no date.
+    """
+    try:
+        at = datetime(int(year), int(month), int(day), tzinfo=UTC)
+        hours, minutes, seconds = (float(part) for part in (*clock, "0", "0", "0")[:3])
+        at += timedelta(hours=hours - ahead, minutes=minutes, seconds=seconds)
+    except (ValueError, OverflowError):
+        return ""
+    if not clock:
+        return at.strftime("%Y-%m-%d")
+    return at.strftime("%Y-%m-%dT%H:%M:%S") + f".{at.microsecond // 1000:03d}".rstrip("0").rstrip(".") + "Z"
+
+
+def iso_of(text: str, *, ahead: float = 0.0) -> str:
+    """The same from text in the order year, month, day, hour, minute, second, whatever stands between the numbers."""
+    compact = re.fullmatch(r"(\d{4})(\d\d)(\d\d)[ _T]*(?:(\d\d)(\d\d)(\d\d(?:\.\d+)?))?", text.strip())
+    parts = [part for part in compact.groups() if part] if compact else NUMBERS.findall(text)
+    return iso(*parts[:6], ahead=ahead) if len(parts) >= 3 else ""

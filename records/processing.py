@@ -1,0 +1,128 @@
+"""Processing of records: each function returns a new record, whose trail says what was done."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from fractions import Fraction
+from math import ceil
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.signal import butter, firwin, resample_poly, sosfiltfilt
+
+from records.errors import RecordError
+from records.integration import squared
+from records.record import Record, make_record
+
+FloatArray = NDArray[np.float64]
+
+HIGHEST_DEGREE = 10  # of a baseline: higher ones follow the motion itself
+HIGHEST_ORDER = 10  # of a filter
+LONGEST = 20_000_000  # samples of what is resampled
+LARGEST_RATIO = 10_000  # numerator or denominator of the ratio of two steps
+CUT_OFF, KAISER, REACH = 0.91, 8.6, 32  # of the anti-aliasing filter: -6 dB there, -90 dB from 1.0 of Nyquist on
+
+
+def baseline_corrected(record: Record, *, degree: int) -> Record:
+    """The record less the polynomial of `degree` that fits its acceleration best (least squares); 0 takes off the mean.
+
+    Raises RecordError for a degree below 0 or above 10.
+    """
+    if not 0 <= degree <= HIGHEST_DEGREE:
+        raise RecordError(f"{_where(record)}: baseline of degree {degree}; it must be from 0 to {HIGHEST_DEGREE}")
+    time = np.linspace(-1.0, 1.0, record.npts)
+    baseline = np.polynomial.Legendre.fit(time, record.acceleration, min(degree, record.npts - 1))(time)
+    return _with(record, record.acceleration - baseline, said=f"baseline of degree {degree} taken off")
+
+
+def butterworth(record: Record, *, low: float | None = None, high: float | None = None, order: int = 4) -> Record:
+    """The record between the corner frequencies `low` and `high` [Hz], either None for open, by an acausal filter.
+
+    A Butterworth filter of `order` runs forwards and backwards, so that no phase shifts; at a corner the amplitude is
+    halved. Zeros are put before and after, 1.5 order / low each, and taken off again.
+
+    Raises RecordError for corners that are not 0 < low < high < half the rate, and an order not from 1 to 10.
+    Source: Converse & Brady (1992), USGS Open-File Report 92-296A; Boore (2005), BSSA 95, 745-750 (on the zeros).
+    """
+    nyquist = 0.5 / record.dt
+    corners = [corner for corner in (low, high) if corner is not None]
+    if not corners:
+        return record
+    if not (all(0.0 < corner < nyquist for corner in corners) and corners == sorted(set(corners))):
+        raise RecordError(
+            f"{_where(record)}: corner frequencies {low} and {high} Hz; they must rise, above 0 and below half the "
+            f"rate, {nyquist:.6g} Hz"
+        )
+    if not 1 <= order <= HIGHEST_ORDER:
+        raise RecordError(f"{_where(record)}: filter of order {order}; it must be from 1 to {HIGHEST_ORDER}")
+    kind: Literal["bandpass", "highpass", "lowpass"] = (
+        "bandpass" if len(corners) == 2 else "highpass" if high is None else "lowpass"
+    )
+    sections = butter(order, corners if len(corners) == 2 else corners[0], btype=kind, fs=1.0 / record.dt, output="sos")
+    pad = _fitting(1.5 * order / (corners[0] * record.dt), record)
+    padded = np.pad(record.acceleration, pad)
+    filtered = sosfiltfilt(sections, padded, padtype=None)[pad : pad + record.npts]
+    band = " to ".join("open" if corner is None else f"{corner:.6g} Hz" for corner in (low, high))
+    return _with(record, filtered, said=f"acausal Butterworth of order {order}, {band}")
+
+
+def resampled(record: Record, *, dt: float) -> Record:
+    """The record at step `dt` [s], band-limited: what the new step cannot show is filtered off first, without phase.
+
+    Frequencies to 0.82 of half the lower rate pass, those above half of it are 90 dB down. The first sample stays where
+    it is; zeros are taken before and after the record.
+
+    Raises RecordError for a step that is not positive, or whose ratio to the record's is not one of whole numbers to
+    10,000.
+    """
+    if not (np.isfinite(dt) and dt > 0.0):
+        raise RecordError(f"{_where(record)}: step {dt} s to resample to; it must be positive")
+    ratio = Fraction(record.dt / dt).limit_denominator(LARGEST_RATIO)
+    up, down = ratio.numerator, ratio.denominator
+    if not 1 <= up <= LARGEST_RATIO or abs(record.dt / dt / float(ratio) - 1.0) > 1e-9:
+        raise RecordError(
+            f"{_where(record)}: step {dt:.9g} s beside the record's {record.dt:.9g} s; their ratio must be one of "
+            f"whole numbers to {LARGEST_RATIO}"
+        )
+    _fitting(record.npts * up / down, record)
+    if up == down:
+        return record
+    taps = firwin(2 * REACH * max(up, down) + 1, CUT_OFF / max(up, down), window=("kaiser", KAISER))
+    samples = resample_poly(record.acceleration, up, down, window=taps)  # type: ignore[call-overload]  # stubs: no taps
+    return _with(record, samples, dt=dt, said=f"resampled from {record.dt:.9g} to {dt:.9g} s")
+
+
+def trimmed(record: Record, *, start: float = 0.0, end: float = 1.0) -> Record:
+    """The record between the instants when its Arias intensity reaches the shares `start` and `end` of the whole.
+
+    Raises RecordError for shares that are not 0 <= start < end <= 1.
+    """
+    if not 0.0 <= start < end <= 1.0:
+        raise RecordError(
+            f"{_where(record)}: trimmed from {start} to {end} of its Arias intensity; 0 <= from < to <= 1"
+        )
+    build_up = squared(record)
+    first = int(np.searchsorted(build_up, start * build_up[-1], side="right")) - 1
+    last = int(np.searchsorted(build_up, end * build_up[-1], side="left"))
+    first, last = max(min(first, record.npts - 2), 0), max(min(last, record.npts - 1), first + 1)
+    instants = f"{first * record.dt:.6g} s to {last * record.dt:.6g} s"
+    said = f"trimmed to {start:.4g}-{end:.4g} of its Arias intensity, {instants}"
+    return _with(record, record.acceleration[first : last + 1], said=said)
+
+
+def _with(record: Record, samples: FloatArray, *, said: str, dt: float | None = None) -> Record:
+    """The record with other samples, checked as when read."""
+    checked = make_record(record.id, samples, record.dt if dt is None else dt, path=record.path)
+    return replace(record, acceleration=checked.acceleration, dt=checked.dt, trail=(*record.trail, said))
+
+
+def _fitting(size: float, record: Record) -> int:
+    """`size` samples, rounded up, if they are not too many."""
+    if not size <= LONGEST:
+        raise RecordError(f"{_where(record)}: {size:.3g} samples would be needed; at most {LONGEST:.0e} are allowed")
+    return ceil(size)
+
+
+def _where(record: Record) -> str:
+    return f'record "{record.id}"'

@@ -1,0 +1,125 @@
+"""Two horizontal components turned: to an azimuth, and to the median and the largest over all directions."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import cos, degrees, isfinite, pi, sin
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from records.errors import RecordError
+from records.record import Record, make_record
+from records.response import response_spectrum
+
+FloatArray = NDArray[np.float64]
+
+ANGLES: FloatArray = np.radians(np.arange(180.0))  # the half turn that is all, since the sign does not count
+LEAST_ANGLE = pi / 18.0  # between two components that are solved for north and east
+COINCIDE = 1e-6  # relative difference of steps that are one
+
+
+def at_azimuth(first: Record, second: Record, *, azimuth: float) -> Record:
+    """The motion of two horizontal components in the direction `azimuth` [rad], clockwise from north.
+
+    Both begin together; the longer is cut. Raises RecordError for a component whose azimuth is unknown, components of
+    different steps, and ones less than 10 degrees apart.
+    """
+    if not isfinite(azimuth):
+        raise RecordError(f'records "{first.id}" and "{second.id}": azimuth {azimuth} to turn to; it must be finite')
+    a, b = _side_by_side(first, second)
+    one, two = _azimuths(first, second)
+    across = sin(two - one)
+    if abs(across) < sin(LEAST_ANGLE):
+        raise RecordError(
+            f'records "{first.id}" and "{second.id}": azimuths {degrees(one):.4g} and {degrees(two):.4g} deg; '
+            "two components at least 10 deg apart are needed"
+        )
+    turned = a * (sin(two - azimuth) / across) + b * (sin(azimuth - one) / across)
+    return _turned(first, second, turned, name=f"{degrees(azimuth):.6g}", azimuth=azimuth % (2.0 * pi))
+
+
+def rotd(first: Record, second: Record, *, percentile: float) -> Record:
+    """The motion in the direction whose peak is nearest to the `percentile` of the peaks of all directions.
+
+    50 is RotD50 and 100 RotD100 of the peak acceleration; directions are taken every degree over half a turn, and
+    the components are perpendicular. Raises RecordError for a percentile outside 0 to 100, components of different
+    steps and those known not to be perpendicular.
+    Source: Boore (2010), BSSA 100, 1830-1835.
+    """
+    a, b = _perpendicular(first, second)
+    peaks = np.array([np.max(np.abs(a * cos(angle) + b * sin(angle))) for angle in ANGLES])
+    angle = float(ANGLES[int(np.argmin(np.abs(peaks - np.percentile(peaks, _checked(percentile)))))])
+    turned = a * cos(angle) + b * sin(angle)
+    return _turned(first, second, turned, name=f"RotD{percentile:g}", azimuth=_azimuth_at(first, second, angle))
+
+
+def rotd_spectrum(
+    first: Record, second: Record, period: ArrayLike, *, percentile: float, damping: float = 0.05
+) -> FloatArray:
+    """The `percentile` over all directions of the pseudo-acceleration [m/s2] at each `period` [s] (same shape).
+
+    As `rotd`, period by period. Source: Boore (2010), BSSA 100, 1830-1835: RotD50 and RotD100.
+    """
+    a, b = _perpendicular(first, second)
+    at = _checked(percentile)
+    each = [
+        response_spectrum(make_record(first.id, a * cos(angle) + b * sin(angle), first.dt), period, damping=damping)
+        for angle in ANGLES
+    ]
+    return np.asarray(np.percentile(np.array(each), at, axis=0), dtype=np.float64)
+
+
+def _side_by_side(first: Record, second: Record) -> tuple[FloatArray, FloatArray]:
+    """Both accelerations over the time that they share."""
+    if abs(first.dt / second.dt - 1.0) > COINCIDE:
+        raise RecordError(
+            f'records "{first.id}" and "{second.id}": steps of {first.dt:.6g} and {second.dt:.6g} s; '
+            "resample one to the other's"
+        )
+    shared = min(first.npts, second.npts)
+    return first.acceleration[:shared], second.acceleration[:shared]
+
+
+def _perpendicular(first: Record, second: Record) -> tuple[FloatArray, FloatArray]:
+    """Both accelerations; refused where the azimuths are known and not a right angle, to 5 degrees, apart."""
+    if first.azimuth is not None and second.azimuth is not None:
+        apart = first.azimuth - second.azimuth
+        if abs(cos(apart)) > sin(pi / 36.0):
+            raise RecordError(
+                f'records "{first.id}" and "{second.id}": azimuths {degrees(first.azimuth):.4g} and '
+                f"{degrees(second.azimuth):.4g} deg; the two components must be perpendicular"
+            )
+    return _side_by_side(first, second)
+
+
+def _azimuths(first: Record, second: Record) -> tuple[float, float]:
+    for record in (first, second):
+        if record.azimuth is None:
+            raise RecordError(
+                f'record "{record.id}": the azimuth of its component "{record.component}" is not known; '
+                "turn by RotD instead, which does not need it"
+            )
+    return float(first.azimuth or 0.0), float(second.azimuth or 0.0)
+
+
+def _azimuth_at(first: Record, second: Record, angle: float) -> float | None:
+    """Azimuth [rad] at `angle` from the first component towards the second."""
+    if first.azimuth is None or second.azimuth is None:
+        return None
+    clockwise = sin(second.azimuth - first.azimuth) > 0.0
+    return (first.azimuth + (angle if clockwise else -angle)) % (2.0 * pi)
+
+
+def _checked(percentile: float) -> float:
+    if not 0.0 <= percentile <= 100.0:
+        raise RecordError(f"percentile {percentile} over the directions; it must be from 0 to 100")
+    return percentile
+
+
+def _turned(first: Record, second: Record, samples: FloatArray, *, name: str, azimuth: float | None) -> Record:
+    """What has become of two components, under the names of the first."""
+    known = "" if azimuth is None else f", azimuth {degrees(azimuth):.6g} deg"
+    said = (*first.trail, f'turned with component "{second.component}" of "{second.id}": {name}{known}')
+    made = make_record(f"{first.id} {name}", samples, first.dt, path=first.path)
+    return replace(first, id=made.id, acceleration=made.acceleration, component=name, azimuth=azimuth, trail=said)

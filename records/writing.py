@@ -1,0 +1,49 @@
+"""A record as the text of a file, which the readers of this package read again."""
+
+from __future__ import annotations
+
+from scipy.constants import g
+
+from records.record import Record
+
+PER_LINE = 5
+LONGEST_LINE = 200
+
+
+def csv_text(record: Record) -> str:
+    """Times [s] and accelerations [m/s2] at full precision, below comments that the reader of CSV understands."""
+    known = {"event": record.event, "origin": record.earthquake.time, "station": record.station}
+    known |= {"component": record.component, "trail": "; ".join(record.trail)}
+    comments = "".join(f"# {key}: {_on_one_line(text)}\n" for key, text in known.items() if text)
+    rows = (f"{i * record.dt:.12g},{a!r}\n" for i, a in enumerate(record.acceleration.tolist()))
+    return comments + "time [s],acceleration [m/s2]\n" + "".join(rows)
+
+
+def at2_text(record: Record) -> str:
+    """PEER AT2: four lines of header, then accelerations in g, five to a line, of eight digits."""
+    values = [f"{a / g:15.7E}" for a in record.acceleration.tolist()]
+    lines = ["".join(values[i : i + PER_LINE]) for i in range(0, len(values), PER_LINE)]
+    header = [
+        _on_one_line("; ".join(record.trail)),
+        _on_one_line(_title(record)),
+        "ACCELERATION TIME SERIES IN UNITS OF G",
+        f"NPTS= {record.npts:6d}, DT= {record.dt:.10g} SEC",
+    ]
+    return "\n".join([*header, *lines]).encode("ascii", "replace").decode("ascii") + "\n"
+
+
+def _title(record: Record) -> str:
+    """`Event, m/d/yyyy, Station, Component`; commas part the fields where there is no date."""
+    year, month, day = (*record.earthquake.time[:10].split("-"), "", "", "")[:3]
+    if year.isdecimal() and month.isdecimal() and day.isdecimal():
+        return f"{record.event}, {int(month)}/{int(day)}/{year}, {record.station}, {_without_commas(record.component)}"
+    return f"{_without_commas(record.event)}, {record.station}, {_without_commas(record.component)}"
+
+
+def _without_commas(text: str) -> str:
+    return " ".join(text.replace(",", " ").split())
+
+
+def _on_one_line(text: str) -> str:
+    """`text` without line breaks and control characters, cut."""
+    return "".join(c if c.isprintable() else " " for c in text)[:LONGEST_LINE]

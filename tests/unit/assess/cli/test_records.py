@@ -1,0 +1,159 @@
+"""`assess records list` and `convert`."""
+
+import csv
+import io
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy.constants import g
+
+from assess.cli import main
+from records.reading import read
+from records.record import Earthquake, make_record
+from records.writing import at2_text, csv_text
+
+DT = 0.01
+TIME = DT * np.arange(2000)
+SAMPLES = np.sin(np.pi * TIME / 20.0) ** 2 * np.sin(2 * np.pi * 2.0 * TIME)  # m/s2
+HOSTILE = "=cmd|'/c calc'!A1\n<b>&\x1b[31m, Some School"
+
+
+def ended(*arguments: str | Path) -> int:
+    with pytest.raises(SystemExit) as caught:
+        main(["records", *(str(argument) for argument in arguments)])
+    return int(caught.value.code or 0)
+
+
+@pytest.fixture
+def pair(tmp_path: Path) -> tuple[Path, Path]:
+    """North and east of a motion along 30 degrees, as AT2 files."""
+    paths = tmp_path / "n.AT2", tmp_path / "e.at2"
+    for path, azimuth in zip(paths, (0.0, 90.0), strict=True):
+        samples = SAMPLES * np.cos(np.radians(30.0 - azimuth))
+        quake = Earthquake(time="1989-10-18T00:04:00Z")
+        made = make_record("x", samples, DT, event="Q", station="S, T", component=f"{azimuth:g}", earthquake=quake)
+        path.write_text(at2_text(made))
+    return paths
+
+
+def test_json_has_the_records_of_results_and_the_measures(
+    pair: tuple[Path, Path], capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert ended("list", *pair, "--json") == 0
+    north, east = json.loads(capsys.readouterr().out)
+    assert (north["id"], east["id"]) == ("n", "e")
+    assert (north["event"], north["station"], north["component"]) == ("Q", "S, T", "0")
+    assert (north["npts"], north["dt_s"], north["scale_factor"], north["mse"]) == (2000, DT, 1.0, None)
+    assert north["pga_g"] == pytest.approx(np.cos(np.radians(30)) * np.abs(SAMPLES).max() / g, rel=1e-6)
+    assert east["azimuth_deg"] == pytest.approx(90.0)
+    assert north["earthquake"]["origin_time"] == "1989-10-18"
+    assert north["measures"]["arias_m_per_s"] == pytest.approx(3 * east["measures"]["arias_m_per_s"], rel=1e-5)
+    assert north["spectrum"]["acceleration_g"][0] == north["pga_g"]
+    assert len(north["spectrum"]["period_s"]) == len(north["spectrum"]["acceleration_g"])
+
+
+def test_csv_has_a_row_for_each_record(pair: tuple[Path, Path], capsys: pytest.CaptureFixture[str]) -> None:
+    assert ended("list", *pair, "--csv") == 0
+    north, _ = csv.DictReader(io.StringIO(capsys.readouterr().out))
+    assert (north["npts"], north["station"], north["vertical"]) == ("2000", "S, T", "False")
+    assert float(north["d5_95_s"]) > float(north["d5_75_s"]) > 0.0
+
+
+def test_the_table_is_for_reading(pair: tuple[Path, Path], capsys: pytest.CaptureFixture[str]) -> None:
+    assert ended("list", *pair) == 0
+    header, north, east = capsys.readouterr().out.splitlines()
+    assert header.startswith("record")
+    assert (north.split()[0], east.split()[0]) == ("n", "e")
+
+
+@pytest.mark.parametrize("ending", ["csv", "CSV", "at2", "AT2"])
+def test_what_is_written_is_read_again(tmp_path: Path, pair: tuple[Path, Path], ending: str) -> None:
+    out = tmp_path / f"out.{ending}"
+    assert ended("convert", pair[0], "-o", out) == 0
+    (before,), (after,) = read(pair[0]), read(out)
+    np.testing.assert_allclose(after.acceleration, before.acceleration, rtol=1e-7, atol=1e-12)
+    assert (after.dt, after.event, after.station, after.component) == (before.dt, "Q", "S, T", "0")
+    assert after.earthquake.time == "1989-10-18"
+    assert sorted(path.name for path in tmp_path.iterdir()) == sorted(["n.AT2", "e.at2", out.name])
+
+
+@pytest.mark.parametrize("options", [("--azimuth", 30), ("--rotd", 100)])
+def test_two_components_are_turned(tmp_path: Path, pair: tuple[Path, Path], options: tuple[str, int]) -> None:
+    assert ended("convert", *pair, *options, "-o", tmp_path / "out.csv") == 0
+    np.testing.assert_allclose(read(tmp_path / "out.csv")[0].acceleration, SAMPLES, rtol=0, atol=1e-6)
+
+
+def test_processing_in_its_order(tmp_path: Path, pair: tuple[Path, Path], capsys: pytest.CaptureFixture[str]) -> None:
+    out = tmp_path / "out.csv"
+    corrected = ["--baseline", "1", "--low-cut", "0.1", "--high-cut", "20"]
+    cut = ["--trim", "0.001", "0.999", "--resample", "0.005", "--scale", "2"]
+    assert ended("convert", pair[0], *corrected, *cut, "-o", out) == 0
+    said = capsys.readouterr().out
+    steps = ["baseline of degree 1", "acausal Butterworth", "trimmed to", "resampled from", "scaled by 2"]
+    assert [said.index(step) for step in steps] == sorted(said.index(step) for step in steps)
+    (record,) = read(out)
+    assert record.dt == 0.005
+    assert record.pga == pytest.approx(2.0 * np.cos(np.radians(30)), rel=0.02)
+
+
+def test_hostile_names_are_text_on_one_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    made = make_record("x", SAMPLES, DT, event=HOSTILE, station=HOSTILE, component=HOSTILE)
+    for name, text in (("a.csv", csv_text(made)), ("a.at2", at2_text(made))):
+        path = tmp_path / name
+        path.write_text(text, encoding="utf-8")
+        (record,) = read(path)
+        np.testing.assert_allclose(record.acceleration, SAMPLES, rtol=1e-6, atol=1e-9)
+        assert ended("list", path) == 0
+        assert len(capsys.readouterr().out.splitlines()) == 2
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (["list", "absent.at2"], "absent.at2: the file cannot be read"),
+        (["list", "."], "cannot be read"),
+        (["list"], "Missing argument"),
+        (["list", "n.AT2", "--json", "--csv"], "exclude each other"),
+        (["list", "bare.txt"], "does not state the unit"),
+        (["list", "bare.txt", "--unit", "stone", "--step", "0.1"], 'unit "stone" is not known'),
+        (["list", "bare.txt", "--unit", "g", "--step", "-1"], "time step -1"),
+        (["list", "bare.txt", "--unit", "g", "--step", "nan"], "time step nan"),
+        (["convert", "n.AT2"], "Missing option"),
+        (["convert", "n.AT2", "-o", "out.txt"], "choose one of .csv, .at2"),
+        (["convert", "n.AT2", "-o", "n.AT2"], "a file that is read"),
+        (["convert", "n.AT2", "-o", "absent/out.csv"], "no folder absent"),
+        (["convert", "n.AT2", "e.at2", "-o", "out.csv"], 'choose with --component: "0" of n, "90" of e'),
+        (["convert", "n.AT2", "--azimuth", "30", "-o", "out.csv"], "two horizontal components are turned"),
+        (["convert", "n.AT2", "e.at2", "--azimuth", "nan", "-o", "out.csv"], "azimuth"),
+        (["convert", "n.AT2", "e.at2", "--azimuth", "1", "--rotd", "50", "-o", "out.csv"], "exclude each other"),
+        (["convert", "n.AT2", "--low-cut", "99", "-o", "out.csv"], "below half the rate"),
+        (["convert", "n.AT2", "--trim", "0.9", "0.1", "-o", "out.csv"], "0 <= from < to <= 1"),
+        (["convert", "n.AT2", "--scale", "inf", "-o", "out.csv"], "--scale inf"),
+        (["convert", "n.AT2", "--resample", "0", "-o", "out.csv"], "it must be positive"),
+        (["unheard-of"], "unheard-of"),
+    ],
+)
+def test_wrong_input_is_one_line_and_exit_2(
+    tmp_path: Path,
+    pair: tuple[Path, Path],
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    arguments: list[str],
+    words: str,
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "bare.txt").write_text("0.1\n-0.2\n0.3\n")
+    before = sorted(path.name for path in tmp_path.iterdir())
+    assert ended(*arguments) == 2
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert words in captured.err
+    assert len(captured.err.splitlines()) == 1
+    assert sorted(path.name for path in tmp_path.iterdir()) == before
+
+
+def test_without_a_command_the_help_is_printed(capsys: pytest.CaptureFixture[str]) -> None:
+    assert ended() == 2
+    assert "convert" in capsys.readouterr().out

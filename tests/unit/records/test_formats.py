@@ -1,0 +1,450 @@
+"""Every format of text, in made-up files: what is read, what is refused, and that no damage passes or hangs.
+
+Real files are in tests/validation/record_files; obspy's formats in test_by_obspy.py.
+"""
+
+import random
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+from scipy.constants import g
+
+from records.errors import RecordError
+from records.formats import FORMATS
+from records.reading import read
+from records.record import Earthquake, Record
+
+N = 40
+VALUES = np.round(np.random.default_rng(7).normal(size=N) * 20.0, 2)  # in the unit of the file
+PEAK = float(VALUES[np.argmax(np.abs(VALUES))])
+SCALES = (1.0, -0.5, 0.25)  # of the components in one file
+
+
+def rows(values: np.ndarray, per_line: int, form: str) -> str:
+    fields = [format(value, form) for value in values]
+    return "\n".join("".join(fields[i : i + per_line]) for i in range(0, len(fields), per_line)) + "\n"
+
+
+def knet() -> str:
+    counts = np.round(VALUES * 1000).astype(int) + 4321
+    peak = np.abs(counts - counts.mean()).max() * 0.001
+    header = {
+        "Origin Time": "2018/01/24 19:51:00",
+        "Lat.": "41.0",
+        "Long.": "142.5",
+        "Depth. (km)": "30",
+        "Mag.": "6.2",
+        "Station Code": "XYZ001",
+        "Station Lat.": "41.4",
+        "Station Long.": "141.4",
+        "Station Height(m)": "30",
+        "Record Time": "2018/01/24 19:51:37",
+        "Sampling Freq(Hz)": "100Hz",
+        "Duration Time(s)": "0.4",
+        "Dir.": "E-W",
+        "Scale Factor": "2000(gal)/2000000",
+        "Max. Acc. (gal)": f"{peak:.3f}",
+        "Last Correction": "2018/01/24 19:51:37",
+        "Memo.": "",
+    }
+    return "".join(f"{key:18}{value}\n" for key, value in header.items()) + rows(counts, 8, "9d")
+
+
+def dyna() -> str:
+    header = [
+        "EVENT_NAME: SOMEWHERE",
+        "EVENT_DATE_YYYYMMDD: 20190728",
+        "EVENT_TIME_HHMMSS: 160908",
+        "EVENT_DEPTH_KM: 9.0",
+        "MAGNITUDE_W: ",
+        "MAGNITUDE_L: 4.6",
+        "NETWORK: XX",
+        "STATION_CODE: ABC",
+        "VS30_M/S: 688",
+        "EPICENTRAL_DISTANCE_KM: 12.5",
+        "SAMPLING_INTERVAL_S: 0.005000",
+        f"NDATA: {N}",
+        "STREAM: HNE",
+        "UNITS: cm/s^2",
+        f"PGA_CM/S^2: {PEAK}",
+        "DATA_TYPE: ACCELERATION",
+        "USER5: ",
+    ]
+    return "\n".join(header) + "\n" + rows(VALUES, 1, ".6f")
+
+
+def itaca() -> str:
+    header = [
+        "Event Date & Time             : 2009-04-06 01:32:39",
+        "Station Code / Name           : 1 / Somewhere",
+        "Orientation                   : WE",
+        "Time Increment (s)            : 0.005",
+        f"Number of Data                : {N}",
+        f"PGA (m/s/s)                   : {abs(PEAK):.7E}",
+        "Accelaration time series in m/s/s",
+    ]
+    return "\n".join(header) + "\n" + rows(VALUES, 5, "14.7E")
+
+
+def afad() -> str:
+    peaks = [abs(PEAK * scale) for scale in SCALES]
+    header = [
+        "STRONG GROUND MOTION RECORDS OF TURKIYE",
+        "EARTHQUAKE DATE         : 2017/07/20 22:31:09 (GMT)",
+        "EPICENTER COORDINATES   : 36.91980N-27.44350E",
+        "EARTHQUAKE MAGNITUDE    : 6.5 Mw",
+        "STATION ID              : 4819",
+        f"NUMBER OF DATA          : {N}",
+        "SAMPLING INTERVAL (sec) : 0.01",
+        f"RAW PGA VALUES (gal)    : (N-S) {peaks[0]:.6f} (E-W) {peaks[1]:.6f} (U-D) {peaks[2]:.6f}",
+        "       N-S          E-W          U-D",
+    ]
+    return "\r\n".join(header) + "\r\n" + rows(np.outer(VALUES, SCALES).ravel(), 3, "13.6f").replace("\n", "\r\n")
+
+
+def cosmos() -> str:
+    integers, reals = np.full(100, -999), np.full(100, -999.0)
+    integers[53], reals[[12, 61, 63]] = 340, [6.1, 10.0, PEAK]
+    header = [
+        "Corrected acceleration    (Format v01.20 with 13 text lines)",
+        "Record of Somewhere Earthquake of Fri Nov 30, 2018 17:29 UTC",
+        "Hypocenter: 34.0580  -117.0110  H= 12km",
+        "Origin: 06/16/2005, 20:53:26.1 UTC",
+        "Statn No: 01-1  Code:XX-J1  Some School",
+        *["text"] * 3,
+        "Sta Chan  1: 340 deg (Rcrdr Chan  1) Location:",
+        *["text"] * 4,
+        " 100 Integer-header values follow on  10 lines, Format= (10I8)",
+        rows(integers, 10, "8d").rstrip("\n"),
+        " 100 Real-header values follow on  17 lines, Format= (6F13.6)",
+        rows(reals, 6, "13.6f").rstrip("\n"),
+        '   1 Comment line(s) follow, each starting with a "|":',
+        "| made up",
+        f"   {N} acceleration pts, approx    0 secs, units=cm/sec2(04),Format=(8F10.5)",
+    ]
+    return "\n".join(header) + "\n" + rows(VALUES, 8, "10.5f") + "End-of-data for Chan  1 acceleration\n"
+
+
+def csmip_channel(number: int, direction: str, scale: float) -> str:
+    header = ["text"] * 25
+    header[2], header[6] = "SOMEWHERE EARTHQUAKE", "SOME SCHOOL"
+    header[3] = "MAY 2, 1983 16:42 PDT                   (ORIGIN(BRK): 05/02/83, 23:42:38.5 UTC)"
+    header[5] = "STATION NO. 36456   35.908N, 120.458W     SMA-1  S/N 4384"
+    header[7] = f"CHAN  {number}: {direction}"
+    header[17] = f"PEAK ACCELERATION =  {PEAK * scale:.3f}    CM/SEC/SEC  AT   10.940   SEC."
+    blocks = [
+        f"{N} POINTS OF {kind} DATA EQUALLY SPACED AT  .020 SEC.  (UNITS: {unit})\n" + rows(VALUES * scale, 8, "10.3f")
+        for kind, unit in (("ACCEL", "CM/SEC/SEC"), ("VELOC", "CM/SEC"), ("DISPL", "CM"))
+    ]
+    return (
+        "\n".join(header) + "\n" + "".join(blocks) + f"/&  ----------  END OF DATA FOR CHANNEL  {number}  ----------\n"
+    )
+
+
+def csmip_2() -> str:
+    return "".join(
+        csmip_channel(i + 1, direction, scale)
+        for i, (direction, scale) in enumerate(zip(("90 DEG", "UP", "0 DEG"), SCALES, strict=True))
+    )
+
+
+def csmip_1() -> str:
+    header = ["text"] * 13
+    header[5], header[6] = "Some School                               CGS", "Chan  1: 360 Deg"
+    header[11] = f"Units of uncor data are sec and g .        Max  =  {PEAK:.3f} g , at  30.590 sec."
+    points = f" {N} Accelerogram points at 200 pts/sec in units of g .      Format: (8f9.6)"
+    end = "/&  ----------  End of Data for Channel  1  ----------\n"
+    return "\n".join([*header, points]) + "\n" + rows(VALUES, 8, "9.3f") + end
+
+
+def v2a() -> str:
+    parts = []
+    for name, scale in zip(("N28W", "S62W", "Up"), SCALES, strict=True):
+        header = ["text"] * 16
+        header[1] = "Site ABCD      42 37 10S  173 03 13E     Cusp file:  made up"
+        header[7] = "2016 November 13         11:02:56 UT"
+        header[8] = "Epicentre  42 41 33S 173 01 19E  Bearing S18W  Dist    9km  Depth   15km Mw 7.82"
+        header[9] = f"Number of points  {N}    Duration   0.78 sec"
+        header[10] = "Instrument corrected data at 0.020 sec intervals"
+        header[12] = f"Component {name}  Some Axis"
+        header[13] = f"Acceleration:  peak  {PEAK * scale:.1f} mm/s/s at  44.88 sec     rms    719.0 mm/s/s"
+        numbers = rows(np.zeros(100), 10, "8.1f") + 3 * rows(VALUES * scale, 10, "8.3f")
+        parts.append("\n".join(header) + "\n" + numbers)
+    return "".join(parts)
+
+
+def smc() -> str:
+    integers, reals = np.full(48, -32768), np.full(50, 1.7e38)
+    integers[[15, 16]], reals[[1, 5, 16, 29]] = [1, N], [200.0, 7.1, 89.0, abs(PEAK)]
+    text = [
+        "2 CORRECTED ACCELEROGRAM",
+        "*",
+        "XX",
+        "     1989  10  18    0004 Somewhere, CA",
+        "Moment Mag=      7.1 Ms=      7.1 Ml=      7.0",
+        "station = Some School, F                 component=    360",
+        "epicentral dist =     89.0       pk     =    104.4",
+        *["*"] * 4,
+    ]
+    data = rows(VALUES, 8, "10.3E").replace("E+0", "E+").replace("E-0", "E-")
+    body = "\n".join(line for line in data.splitlines())
+    return "\n".join(text) + "\n" + rows(integers, 8, "10d") + rows(reals, 5, "15.7E") + "|made up\n" + body + "\n"
+
+
+def at2() -> str:
+    return (
+        "PEER NGA\nSomewhere, 7/21/1952, Some School, 21\nACCELERATION TIME SERIES IN UNITS OF G\n"
+        f"NPTS= {N}, DT= .01 SEC\n" + rows(VALUES, 5, "15.7E")
+    )
+
+
+def plain() -> str:
+    return f"made up\nThe units are (g)\nNPTS= {N}, DT= .02 SEC\n" + rows(VALUES, 8, "10.3f")
+
+
+def two_columns() -> str:
+    return "time [s],acceleration [g]\n" + "".join(f"{i * 0.01:.2f},{a}\n" for i, a in enumerate(VALUES))
+
+
+CM, MM = 0.01, 0.001
+MADE: dict[str, tuple[Callable[[], str], str, float, float]] = {  # writer, format, m/s2 of a unit, step
+    "k-net": (knet, "K-NET/KiK-net", CM, 0.01),
+    "dyna": (dyna, "ESM/ITACA DYNA", CM, 0.005),
+    "itaca": (itaca, "ITACA cor.acc", 1.0, 0.005),
+    "afad": (afad, "AFAD", CM, 0.01),
+    "cosmos": (cosmos, "COSMOS", CM, 0.01),
+    "csmip-1": (csmip_1, "CSMIP", g, 0.005),
+    "csmip-2": (csmip_2, "CSMIP", CM, 0.02),
+    "v2a": (v2a, "GeoNet V2A", MM, 0.02),
+    "smc": (smc, "SMC", CM, 0.005),
+    "at2": (at2, "PEER AT2", g, 0.01),
+    "plain": (plain, "plain", g, 0.02),
+    "csv": (two_columns, "CSV", g, 0.01),
+}
+
+
+def written(folder: Path, name: str) -> Path:
+    path = folder / f"{name}.dat"
+    path.write_bytes(MADE[name][0]().encode("latin-1"))
+    return path
+
+
+@pytest.mark.parametrize("name", MADE)
+def test_one_format_alone_looks_like_it(name: str) -> None:
+    head = MADE[name][0]().encode("latin-1")
+    assert [known for known, each in FORMATS.items() if each.looks_like(head)] == [MADE[name][1]]
+
+
+@pytest.mark.parametrize("name", MADE)
+def test_samples_step_and_unit(tmp_path: Path, name: str) -> None:
+    _, _, factor, dt = MADE[name]
+    found = read(written(tmp_path, name), unit="mm/s2", step=7.0)  # what the file says itself goes before
+    expected = VALUES - VALUES.mean() if name == "k-net" else VALUES
+    for record, scale in zip(found, SCALES, strict=False):
+        assert record.dt == dt
+        np.testing.assert_allclose(record.acceleration, factor * scale * expected, rtol=0, atol=6e-3 * factor)
+    assert len(found) == (3 if name in ("afad", "csmip-2", "v2a") else 1)
+    assert len({record.id for record in found}) == len(found)
+
+
+def first(folder: Path, name: str) -> Record:
+    return read(written(folder, name))[0]
+
+
+@pytest.mark.parametrize(
+    ("name", "event", "station", "component", "azimuth"),
+    [
+        ("k-net", "2018-01-24T10:51:00Z", "XYZ001", "E-W", 90),  # 19:51 Japan Standard Time
+        ("dyna", "SOMEWHERE", "XX.ABC", "HNE", 90),
+        ("itaca", "2009-04-06T01:32:39Z", "1 / Somewhere", "WE", 90),
+        ("afad", "2017-07-20T22:31:09Z", "4819", "N-S", 0),
+        ("cosmos", "Somewhere Earthquake", "XX-J1 Some School", "340 deg", 340),
+        ("csmip-1", "text", "Some School", "360 Deg", 0),
+        ("csmip-2", "SOMEWHERE EARTHQUAKE", "36456 SOME SCHOOL", "90 DEG", 90),
+        ("v2a", "2016-11-13T11:02:56Z", "ABCD", "N28W", 332),
+        ("smc", "Somewhere, CA", "Some School, F", "360", 0),
+        ("at2", "Somewhere", "Some School", "21", 21),
+    ],
+)
+def test_event_station_and_component(
+    tmp_path: Path, name: str, event: str, station: str, component: str, azimuth: float
+) -> None:
+    record = first(tmp_path, name)
+    assert (record.event, record.station, record.component) == (event, station, component)
+    assert record.azimuth == pytest.approx(np.radians(azimuth), abs=1e-12)
+
+
+def test_what_else_is_known(tmp_path: Path) -> None:
+    knet_record, dyna_record = first(tmp_path, "k-net"), first(tmp_path, "dyna")
+    assert knet_record.earthquake == Earthquake("2018-01-24T10:51:00Z", 6.2, "MJMA", 41.0, 142.5, 30e3)
+    assert dyna_record.earthquake == Earthquake("2019-07-28T16:09:08Z", 4.6, "ML", depth=9e3)
+    assert (dyna_record.site.vs30, dyna_record.distance) == (688.0, 12.5e3)
+    assert first(tmp_path, "csmip-2").earthquake.time == "1983-05-02T23:42:38.5Z"
+    assert first(tmp_path, "csmip-2").site.longitude == -120.458
+    assert first(tmp_path, "v2a").earthquake.latitude == pytest.approx(-(42 + 41 / 60 + 33 / 3600), rel=1e-12)
+    assert first(tmp_path, "smc").earthquake.magnitude == 7.1
+    assert first(tmp_path, "smc").site.elevation is None
+    assert first(tmp_path, "at2").earthquake.time == "1952-07-21"
+
+
+@pytest.mark.parametrize(
+    ("name", "old", "new", "words"),
+    [
+        ("k-net", "2000(gal)/2000000", "2000(stone)/2000000", 'line 14: unit "stone" is not known'),
+        ("k-net", "2000(gal)/2000000", "2000(gal)/0", "Scale Factor = .0.; it must be a number above zero"),
+        ("k-net", "2000(gal)/2000000", "2000", "scale factor .2000.; it must be like"),
+        ("k-net", "2000(gal)/2000000", "4000(gal)/2000000", "states a peak of .* gal, the samples have"),
+        ("k-net", "100Hz", "nan", "line 11: Sampling Freq"),
+        ("k-net", "Duration Time(s)  0.4", "Duration Time(s)  300", "cut short"),
+        ("dyna", "UNITS: cm/s^2", "UNITS: counts", 'line 14: unit "counts" is not known'),
+        ("dyna", "UNITS: cm/s^2", "UNITS: g", "header states a peak"),
+        ("dyna", "UNITS: cm/s^2", "UNITS: ", "has no UNITS"),
+        ("dyna", "DATA_TYPE: ACCELERATION", "DATA_TYPE: VELOCITY", 'DATA_TYPE "VELOCITY"; give the file of the acc'),
+        ("dyna", f"NDATA: {N}", f"NDATA: {'9' * 5000}", "cut short"),
+        ("dyna", f"NDATA: {N}", "NDATA: 7", "the header or the data are wrong"),
+        ("dyna", "INTERVAL_S: 0.005000", "INTERVAL_S: -1", "above zero"),
+        ("itaca", "series in m/s/s", "series in furlong", 'line 7: unit "furlong" is not known'),
+        ("itaca", "series in m/s/s", "series in g", "header states a peak"),
+        ("itaca", "Number of Data", "Number of Dates", "has no Number of Data"),
+        ("afad", "RAW PGA VALUES (gal)", "RAW PGA VALUES", "has no PGA VALUES with their unit"),
+        ("afad", f"NUMBER OF DATA          : {N}", "NUMBER OF DATA          : 9", "says 9 samples"),
+        ("cosmos", "units=cm/sec2(04)", "units=counts(50)", 'unit "counts" is not known'),
+        ("cosmos", f"{N} acceleration pts", "9 acceleration pts", "says 9 samples"),
+        ("cosmos", f"{N} acceleration pts", f"{N} velocity pts", "no acceleration in the file"),
+        ("cosmos", "approx    0 secs", "approx   99 secs", "the file says 99 s"),
+        ("cosmos", "17 lines, Format", "9999 lines, Format", "is not a number"),
+        ("csmip-2", "(UNITS: CM/SEC/SEC)", "(UNITS: G/10)", 'unit "G/10" is not known'),
+        ("csmip-2", "CHAN  1: 90 DEG", "", "no line of its channel"),
+        ("csmip-1", "in units of g", "in units of cm/sec2", "header states a peak"),
+        ("csmip-1", "200 pts/sec", "0 pts/sec", "above zero"),
+        ("v2a", "mm/s/s at", "g at", "unit|peak"),
+        ("v2a", "at 0.020 sec", "at nan sec", "above zero"),
+        ("v2a", f"Number of points  {N}", "Number of points  999999999", "cut short"),
+        ("v2a", f"Number of points  {N}", "Number of points  -5", "a count of samples"),
+        ("v2a", "Component S62W", "text", "line .*: .text .* where GeoNet V2A has"),
+        ("smc", "2 CORRECTED ACCELEROGRAM", "3 VELOCITY", "give the file of the acceleration"),
+        ("smc", f"{N:10d}", f"{N + 1:10d}", "cut short"),
+        ("smc", "2.0000000E+02", "0.0000000E+00", "rate of 0"),
+        ("smc", f"{1.7e38:15.7E}", "            nan", "nan"),
+        ("plain", f"NPTS= {N}", "NPTS= 39", "the header or the data are wrong"),
+        ("plain", "DT= .02", "DT= 0", "above zero"),
+        ("plain", "units are (g)", "units are (stone)", 'unit "stone"'),
+    ],
+)
+def test_damage_is_one_line_with_file_and_value(tmp_path: Path, name: str, old: str, new: str, words: str) -> None:
+    path = written(tmp_path, name)
+    text = path.read_text(encoding="latin-1")
+    assert old in text
+    path.write_text(text.replace(old, new), encoding="latin-1")
+    if (name, new.strip()) == ("smc", "nan"):  # what is unknown may be nan as well
+        assert read(path)[0].npts == N
+        return
+    with pytest.raises(RecordError, match=words) as caught:
+        read(path)
+    assert str(caught.value).startswith(str(path))
+    assert "\n" not in str(caught.value)
+    assert len(str(caught.value)) < 400 + len(str(path))
+
+
+@pytest.mark.parametrize("name", sorted(MADE.keys() - {"csmip-2", "v2a"}))  # whose last numbers are displacements
+@pytest.mark.parametrize("junk", ["nan", "inf", "********", "1e999", "\x00", "999.9.9"])
+def test_no_value_that_is_no_number_passes(tmp_path: Path, name: str, junk: str) -> None:
+    path = written(tmp_path, name)
+    lines = path.read_text(encoding="latin-1").split("\n")
+    at = max(i for i, line in enumerate(lines) if line.strip() and not line.startswith(("/&", "End")))
+    fields = lines[at].replace(",", " , ").split()
+    lines[at] = " ".join([*fields[:-1], junk]).replace(" , ", ",")
+    path.write_text("\n".join(lines), encoding="latin-1")
+    with pytest.raises(RecordError) as caught:
+        read(path)
+    assert str(path) in str(caught.value)
+
+
+@pytest.mark.parametrize("name", MADE)
+def test_a_file_cut_anywhere_is_refused_or_whole(tmp_path: Path, name: str) -> None:
+    """But for CSV and bare numbers, which state no count, and for what stands behind the last acceleration."""
+    path = written(tmp_path, name)
+    whole, data = read(path), path.read_bytes()
+    for cut in range(0, len(data), 37):
+        path.write_bytes(data[:cut])
+        try:
+            found = read(path)
+        except RecordError:
+            continue
+        if name != "csv":
+            for record, other in zip(found, whole, strict=False):
+                np.testing.assert_allclose(record.acceleration, other.acceleration, rtol=0, atol=1.0)
+                assert record.npts == N
+
+
+@settings(max_examples=150, deadline=2000, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(name=st.sampled_from(sorted(MADE)), seed=st.integers(0, 2**32))
+def test_shuffled_and_spoilt_files_are_records_or_record_errors(tmp_path: Path, name: str, seed: int) -> None:
+    """And a record is one of the step, and in the unit, of the whole: its peak is not larger than ten of the file's."""
+    source, _, factor, dt = MADE[name]
+    chance = random.Random(seed)
+    data = bytearray(source().encode("latin-1"))
+    lines = bytes(data).split(b"\n")
+    kind = chance.randrange(4)
+    if kind == 0:
+        chance.shuffle(lines)
+        data = bytearray(b"\n".join(lines))
+    elif kind == 1:
+        del lines[chance.randrange(len(lines))]
+        data = bytearray(b"\n".join(lines))
+    elif kind == 2:
+        at = chance.randrange(len(lines))
+        lines.insert(at, chance.choice(lines))
+        data = bytearray(b"\n".join(lines))
+    else:
+        for _ in range(chance.randrange(1, 5)):
+            data[chance.randrange(len(data))] = chance.randrange(256)
+    path = tmp_path / "spoilt.dat"
+    path.write_bytes(bytes(data))
+    try:
+        found = read(path)
+    except RecordError as error:
+        assert str(error).startswith(str(path))  # noqa: PT017
+        assert "\n" not in str(error)  # noqa: PT017
+        return
+    if kind < 3:  # a byte may change a digit of the step, which nothing else states
+        for record in found:
+            assert record.dt == pytest.approx(dt, rel=1e-9)
+            assert record.pga <= 1.3 * factor * abs(PEAK)
+
+
+def test_a_table_of_three_columns_with_time_is_not_taken_for_one_motion(tmp_path: Path) -> None:
+    path = tmp_path / "table.txt"
+    path.write_text("".join(f"{i * 0.01:.2f} {a} {-a}\n" for i, a in enumerate(VALUES)))
+    with pytest.raises(RecordError, match="first of 3 columns rises evenly, as time does"):
+        read(path, unit="g", step=0.01)
+
+
+def test_three_full_columns_are_not_taken_for_one_motion(tmp_path: Path) -> None:
+    path = tmp_path / "table.txt"
+    path.write_text("".join(f"{a} {b} {c}\n" for a, b, c in np.outer(VALUES, SCALES)))
+    with pytest.raises(RecordError, match="3 numbers in every line may be 3 records side by side"):
+        read(path, unit="g", step=0.01)
+
+
+def test_bare_numbers_need_unit_and_step(tmp_path: Path) -> None:
+    path = tmp_path / "bare.txt"
+    path.write_text(rows(VALUES, 8, "10.3f"))
+    with pytest.raises(RecordError, match="does not state the unit of its accelerations; give unit"):
+        read(path, step=0.02)
+    with pytest.raises(RecordError, match="does not state its time step; give step"):
+        read(path, unit="g")
+    (record,) = read(path, unit="g", step=0.02)
+    np.testing.assert_allclose(record.acceleration, g * VALUES, rtol=0, atol=6e-3 * g)
+    assert "as given" in record.trail[0]
+
+
+def test_a_title_then_count_and_step_then_one_column(tmp_path: Path) -> None:
+    path = tmp_path / "one.txt"
+    path.write_text(f"made up\n{N} 0.0100\n" + rows(VALUES, 1, ".4f"))
+    (record,) = read(path, unit="cm/s2")
+    assert (record.npts, record.dt) == (N, 0.01)

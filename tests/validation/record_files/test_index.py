@@ -1,0 +1,90 @@
+"""Real files of every format against an index made by an independent parser. The files are not part of the project."""
+
+import csv
+from collections.abc import Iterator
+from itertools import groupby
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy.constants import g
+
+from records.reading import read
+from records.record import Record
+
+FOLDER = Path(__file__).resolve().parents[4] / "shared" / "records"
+INDEX = FOLDER / "INDEX.csv"
+
+pytestmark = pytest.mark.skipif(not INDEX.exists(), reason="third-party records (../shared/records) are not here")
+
+IN_G = ("SortedEQFile", "ARL360")  # of the plain files, whose unit is not in the file; the others are in m/s2
+
+
+def files() -> Iterator[tuple[str, list[dict[str, str]]]]:
+    if INDEX.exists():
+        with INDEX.open(newline="", encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        for name, of_file in groupby(rows, key=lambda row: row["file"]):
+            yield name, list(of_file)
+
+
+def read_listed(name: str) -> tuple[Record, ...]:
+    """The records of a file; unit and step are given where the file states neither."""
+    if not name.startswith("plain/"):
+        return read(FOLDER / name)
+    unit = "g" if any(word in name for word in IN_G) else "m/s2"
+    return read(FOLDER / name, unit=unit, step=0.02 if "ARL360" in name else None)
+
+
+def test_the_index_lists_131_components_in_121_files() -> None:
+    listed = list(files())
+    assert (len(listed), sum(len(rows) for _, rows in listed)) == (121, 131)
+
+
+@pytest.mark.parametrize(("name", "rows"), list(files()), ids=lambda value: value if isinstance(value, str) else "")
+def test_a_file_is_as_the_index_says(name: str, rows: list[dict[str, str]]) -> None:
+    found = read_listed(name)
+    assert len(found) == len(rows)
+    for record, row in zip(found, rows, strict=True):
+        assert record.npts == int(row["npts"])
+        assert record.dt == pytest.approx(float(row["dt_s"]), rel=1e-12)
+        assert record.pga / g == pytest.approx(float(row["pga_g"]), rel=6e-6)  # six printed digits
+
+
+@pytest.mark.parametrize(("name", "rows"), list(files()), ids=lambda value: value if isinstance(value, str) else "")
+def test_the_year_and_magnitude_of_a_header_are_those_of_the_index(name: str, rows: list[dict[str, str]]) -> None:
+    for record, row in zip(read_listed(name), rows, strict=True):
+        quake = record.earthquake
+        if quake.time:
+            assert quake.time[:4] == row["year"]
+        if quake.magnitude is not None and row["magnitude"]:
+            scales = {"Mw": 0.11, "ML": 0.25, "MJMA": 0.11, "M": 0.01}  # the index has moment magnitudes for some
+            assert quake.magnitude == pytest.approx(float(row["magnitude"]), abs=scales[quake.scale])
+
+
+def same_motion(one: Record, other: Record, *, printed: float) -> None:
+    """Both to half a unit of the last digit `printed` [m/s2]."""
+    assert (one.npts, one.dt) == (other.npts, other.dt)
+    np.testing.assert_allclose(one.acceleration, other.acceleration, rtol=0, atol=printed)
+
+
+def test_el_centro_in_three_files_of_plain_numbers_is_one_motion() -> None:
+    first, second = (read(FOLDER / "plain" / name)[0] for name in ("elCentro.AT2", "elCentro.at2"))
+    (bare,) = read(FOLDER / "plain" / "ARL360.g3", unit="g", step=0.02)
+    same_motion(first, second, printed=1e-12)
+    same_motion(first, bare, printed=1e-12)
+
+
+def test_two_columns_without_units_hold_the_same_motion_as_the_at2_file() -> None:
+    (plain,) = read(FOLDER / "plain" / "SortedEQFile_(121321).txt", unit="g")
+    (record,) = read(FOLDER / "peer_at2" / "RIO270.AT2")
+    assert plain.dt == record.dt
+    np.testing.assert_allclose(plain.acceleration[1:], record.acceleration, rtol=6e-6)  # six decimals of 0.1…
+
+
+def test_components_of_one_station_lie_level_at_right_angles_or_upright() -> None:
+    azimuths = [record.azimuth for record in read(FOLDER / "geonet_v2a" / "20161113_110259_WTMC_20.V2A")]
+    assert azimuths[0] is not None
+    assert azimuths[1] is not None
+    assert np.degrees(azimuths[:2]) == pytest.approx([332.0, 242.0])
+    assert azimuths[2] is None

@@ -1,11 +1,11 @@
 """Speed of rocking dynamics beside the targets set for it, in one table from one run; run as a script.
 
-One core: nanoseconds of its time for a step of the record, best of several. A violent artificial record made here, up to five times
-what starts the block, so that most steps are near an event. The cost of a step:
+One core: nanoseconds of its time for a step of the record, best of several, on a violent artificial record made here,
+up to five times what starts the block. The cost of a step:
 
 linearised   about 30 multiplications where nothing happens, so some 5 ns; an event (impact, peak, uplift) costs some
              ten times that, for a root found on the arc. It grows with the number of events, not with the time step
-block        one look at a cubic and its four derivatives, 30 to 60 ns, as long as the error of an interval is below the
+block        one look at a cubic and its derivatives, some 25 ns, as long as the error of an interval is below the
              tolerance; beyond, an interval takes n steps, and n grows as tolerance^(-1/5) and as dt
 tables       the same; on joints each passage through rest crosses the table's finest segments, where the moment turns
              within 1e-5 rad: more passages and stiffer joints cost more

@@ -12,7 +12,7 @@ tables       the same; on joints each passage through rest crosses the table's f
 
 All cores: batches of jobs and envelopes, in seconds. A batch of a tenth of the jobs is scaled, and says so. The error
 stands beside the speed: of the linearised equation and the block against scipy's DOP853 at rtol 3e-14; of tables
-against the same table at a tolerance of 1e-15; of envelopes against the closed-form branches of `assess.dynamics.sine`.
+against the same table at a tolerance of 1e-15; of envelopes against the closed-form branches of `assess.dynamics.sine.branches`.
 """
 
 from __future__ import annotations
@@ -32,12 +32,12 @@ import numpy as np
 from scipy.constants import g
 from scipy.integrate import solve_ivp
 
-from assess.dynamics import sine
 from assess.dynamics.critical import critical
-from assess.dynamics.envelope import envelope
+from assess.dynamics.envelope import envelope, lower_bounds
 from assess.dynamics.history import _RUNS, Jobs, Peaks, peaks, product
 from assess.dynamics.kernel import FOUND, REST
 from assess.dynamics.packing import Equation, packed
+from assess.dynamics.sine.branches import least
 from assess.geometry.planar import planar_direct
 from assess.interfaces.law import Law
 from assess.interfaces.shapes import rectangle
@@ -287,15 +287,16 @@ def envelopes() -> list[Row]:
         lowest := envelope(block(), SHAPES["sine"], frequency, amplitude, equation="linearised").lower_bound
     )
     known &= frequency * per_hertz >= 1.5
-    least = np.array([sine.least(f * per_hertz, RESTITUTION) for f in frequency[known]])
+    closed = np.array([least(f * per_hertz, RESTITUTION) for f in frequency[known]])
     rows[0] = Row(
-        rows[0].what, rows[0].cost, "s", rows[0].target, f"{np.abs(lowest[known] / unit / least - 1).max():.1e}"
+        rows[0].what, rows[0].cost, "s", rows[0].target, f"{np.abs(lowest[known] / unit / closed - 1).max():.1e}"
     )
-    mechanisms, two = blocks(20, seed=7), np.array([0.0, 3.0 * g])
+    mechanisms, one = blocks(20, seed=7), np.ones_like(frequency)
 
     def bounds() -> None:
         found = [
-            envelope(each, SHAPES["sine"], frequency, two, equation="linearised").lower_bound for each in mechanisms
+            lower_bounds(each, SHAPES["sine"], frequency, equation="linearised", factor=one, highest=3.0 * g)[0]
+            for each in mechanisms
         ]
         critical(frequency, np.array(found))
 

@@ -12,7 +12,7 @@ tables       the same; on joints each passage through rest crosses the table's f
 
 All cores: batches of jobs and envelopes, in seconds. A batch of a tenth of the jobs is scaled, and says so. The error
 stands beside the speed: of the linearised equation and the block against scipy's DOP853 at rtol 3e-14; of tables
-against the same table at a tolerance of 1e-15; of envelopes against the closed forms of `assess.dynamics.sine.branches`.
+against the same table at a tolerance of 1e-15; of envelopes against `assess.dynamics.sine.branches`.
 """
 
 from __future__ import annotations

@@ -677,6 +677,14 @@ def series(of: Force, v: float, s: float, a: Ground) -> tuple[float, float, floa
 
 
 @compiled
+def quick(of: Force, s: float, a: Ground) -> tuple[float, float]:
+    """What the fourth and fifth power of the ground add to y'', which `series` leaves out; none of a record."""
+    if len(a) == 2:
+        return 0.0, 0.0
+    return of[4] * (s * a[4]), of[4] * (s * a[5])
+
+
+@compiled
 def exact_glide(flow: Any, side: int, y: float, v: float, ground: FloatArray, scale: float, dt: float, i: int,
                 until: int, top: float, limit: float) -> tuple[int, float, float]:  # fmt: skip
     """One step for an interval, while its error is small enough and it passes no jump of the table."""
@@ -699,11 +707,16 @@ def exact_glide(flow: Any, side: int, y: float, v: float, ground: FloatArray, sc
             v + dt * (k * (1 / 2) + dt * (jerk * (1 / 6) + dt * (fourth * (1 / 24) + dt * fifth * (1 / 120))))
         )
         v1 = v + dt * (k + dt * (jerk * (1 / 2) + dt * (fourth * (1 / 6) + dt * fifth * (1 / 24))))
+        known = 0.0
+        if len(a) > 2:
+            q4, q5 = quick(here, s, a)
+            known = dt**4 * (q4 + dt * q5)
+            y1, v1 = y1 + dt**6 * (q4 * (1 / 30) + dt * q5 * (1 / 42)), v1 + dt**5 * (q4 * (1 / 5) + dt * q5 * (1 / 6))
         if not low <= y1 <= high:
             break
         j = nearby(table, y1, j, first, last)
         there = force(table, j, y1, s * after(a, dt))
-        lack = there[0] - (k + dt * (jerk + dt * (fourth * (1 / 2) + dt * fifth * (1 / 6))))
+        lack = there[0] - (k + dt * (jerk + dt * (fourth * (1 / 2) + dt * fifth * (1 / 6)))) - known
         if not abs(lack) <= allowed:
             break
         y1, v1 = y1 + correct_y * lack, v1 + correct_v * lack
@@ -734,7 +747,8 @@ def exact_step(flow: Any, side: int, y: float, v: float, a: Ground, h: float) ->
     if y == 0.0 and v == 0.0 and here[0] < 0.0:
         here = pushed(here, -here[0])  # just lifted: not falling by a rounding error
     k, jerk, fourth, fifth = series(here, v, s, a)
-    arc = (y, v, k * (1 / 2), jerk * (1 / 6), fourth * (1 / 24), fifth * (1 / 120), 0.0, 0.0, 0.0)
+    q4, q5 = quick(here, s, a)
+    arc = (y, v, k * (1 / 2), jerk * (1 / 6), fourth * (1 / 24), fifth * (1 / 120), q4 * (1 / 30), q5 * (1 / 42), 0.0)
     while True:
         y1, cut = at(arc, h), False
         while not low <= y1 <= high and h > smallest:
@@ -747,7 +761,7 @@ def exact_step(flow: Any, side: int, y: float, v: float, a: Ground, h: float) ->
         y1 = at(arc, h)
         j = nearby(table, y1, j, first, last)
         there = force(table, j, y1, s * after(a, h))
-        lack = there[0] - (k + h * (jerk + h * (fourth * (1 / 2) + h * fifth * (1 / 6))))
+        lack = there[0] - (k + h * (jerk + h * (fourth * (1 / 2) + h * fifth * (1 / 6)))) - h**4 * (q4 + h * q5)
         error = abs(lack) * h * max(h * (1 / 30), slow[side]) * accuracy
         if error <= 1.0 or h <= smallest:
             break
@@ -755,8 +769,8 @@ def exact_step(flow: Any, side: int, y: float, v: float, a: Ground, h: float) ->
     if not cut and (h < left or error > 0.5):
         pace[0] = h * min(2.0, 0.9 / math.sqrt(math.sqrt(max(error, 0.01))))
     v1 = v + h * (k + h * (jerk * (1 / 2) + h * (fourth * (1 / 6) + h * fifth * (1 / 24)))) + lack * h * (1 / 5)
-    more = lack * h * h * (1 / 30)
-    arc = (y, v, arc[2], arc[3], arc[4], arc[5], more / h**6, 0.0, 0.0)
+    v1, more = v1 + h**5 * (q4 * (1 / 5) + h * q5 * (1 / 6)), lack * h * h * (1 / 30)
+    arc = (y, v, arc[2], arc[3], arc[4], arc[5], arc[6] + more / h**6, arc[7], 0.0)
     return arc, h, (y1 + more, v1, there[0] + there[1] * more)
 
 

@@ -70,7 +70,8 @@ def impact_in_pulse(omega: float, restitution: float) -> tuple[float, ...]:
         growing = restitution * speed - 1.0 - push * (sin(theta) + omega * cos(theta))
         return growing + push * omega * exp(-(2.0 * pi - theta) / omega)
 
-    roots = _roots(excess, BARELY, last_in_pulse(omega))
+    highest = last_in_pulse(omega)
+    roots = _roots(excess, BARELY + (highest - BARELY) / SCAN, highest)
     return tuple(A for A in roots if _stays_up(A, omega, restitution))
 
 
@@ -137,7 +138,9 @@ def _landing(A: float, omega: float) -> tuple[float, float]:
         x = (theta - psi) / omega
         return C1 + exp(-x) * (1.0 + C2 * exp(-x) - push * sin(theta))
 
-    theta = _root(height, pi - psi, 2.0 * pi)
+    if height(pi - psi) <= 0.0:
+        return pi - psi, 0.0  # lifted by less than the rounding error
+    theta = _root(height, pi - psi, 2.0 * pi) if height(2.0 * pi) < 0.0 else 2.0 * pi
     x = (theta - psi) / omega
     # where y = 0, C1 e^x is what the rest leaves
     return theta, 1.0 + 2.0 * C2 * exp(-x) - push * (sin(theta) - omega * cos(theta))
@@ -156,7 +159,7 @@ def _stays_up(A: float, omega: float, restitution: float) -> bool:
 
 def _roots(f: Callable[[float], float], low: float, high: float) -> tuple[float, ...]:
     """Where f changes its sign between low and high, least first."""
-    places = np.linspace(low, high, SCAN)[1:-1].tolist()
+    places = (low + (high - low) * np.linspace(1e-9, 1.0 - 1e-9, SCAN)).tolist()
     values = [f(place) for place in places]
     pairs = zip(pairwise(places), pairwise(values), strict=True)
     return tuple(_root(f, a, b) for (a, b), (fa, fb) in pairs if fa * fb < 0.0)

@@ -139,6 +139,13 @@ def test_lower_bound_of_the_envelope_is_the_least_branch(restitution: float) -> 
     assert np.all(found <= np.array([sine.least(omega, restitution) for omega in long]) * (1 + 1e-9))
 
 
+def test_a_branch_at_the_change_from_in_the_pulse_to_after_it() -> None:
+    """Omega 4.4352, restitution 0.85: it lands at the very end of the pulse, nearly."""
+    A = sine.least(4.4351758793969855, 0.85)
+    assert pytest.approx(sine.last_in_pulse(4.4351758793969855), rel=0.01) == A
+    assert falls(block(0.85), 4.4351758793969855, [A * (1 - 1e-9), A * (1 + 1e-9)]) == [False, True]
+
+
 @pytest.mark.parametrize("restitution", [0.9, 0.7])
 @pytest.mark.parametrize("omega", [2.0, 3.0, 4.0, 5.0, 6.0, 8.0])
 def test_outcomes_are_those_between_the_branches(omega: float, restitution: float) -> None:

@@ -200,7 +200,7 @@ def test_an_hour_of_free_vibration_keeps_its_energy(rotation, peaks_at_least):
 
 
 def test_energy_lost_in_an_hour_goes_with_the_tolerance():
-    """At the tolerance of histories 1e-5 of the energy of a swing in full contact, which is 1e-7 of the energy that overturns."""
+    """At that of histories 1e-5 of the energy of a swing in full contact, which is 1e-7 of what overturns."""
     tolerances = np.array([1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13])
     lost = np.array([abs(hour(0.5 * OPENS, tolerance=tolerance)[0][-1] - 1.0) for tolerance in tolerances])
     assert 0.85 < np.polyfit(np.log10(tolerances), np.log10(lost), 1)[0] < 1.05

@@ -115,9 +115,9 @@ def chapter(mechanism: MechanismResult, records: Sequence[RecordResult], name: s
     title = f"Overturning envelope: {tables.name_of(mechanism)}" if level == 0 else "Overturning envelope"
     caption = (
         f"Outcome of {PULSES[one.shape]} by frequency and peak ground acceleration ({one.equation} equation): white at "
-        "rest, grey rocking, red overturned; line: the least pulse that overturns; dots, if any: primary pulses of the "
-        "records, scaled to the site, that are within the axes. Where no pulse at higher frequencies overturns it, the "
-        "axis ends early."
+        "rest, grey rocking, red overturned; line: the least pulse that overturns; dots, if any: the best primary "
+        "pulse of each record, scaled to the site, where it is within the axes. Where no pulse at higher frequencies "
+        "overturns it, the axis ends early."
     )
     draw = partial(figure.draw, one, records)
     raised = mechanism.amplification
@@ -141,15 +141,21 @@ def findings(one: EnvelopeResult) -> str:
         text += " There are safe islands: some stronger pulses leave it standing."
     if one.case:
         text += f" It is that of the case which controls the checks, {one.case}; another case can need less."
-    raised = max(one.factor)
-    if raised != 1.0 or min(one.factor) != 1.0:
-        text += (
-            f" The ground motion reaches its base amplified by {numeral(min(one.factor), digits=3)} to "
-            f"{numeral(raised, digits=3)}, depending on frequency."
-        )
-    if one.shape != "sine" and raised != min(one.factor):
-        text += " These are the factors of a full sine of the same frequency."
-    return text
+    return text + _raised(one)
+
+
+def _raised(one: EnvelopeResult) -> str:
+    """How much of the ground's motion reaches the mechanism; empty where it acts as it is."""
+    least, most = min(one.factor), max(one.factor)
+    if least == most == 1.0:
+        return ""
+    if least == most:
+        return f" The motion at its base is {numeral(most, digits=3)} times that of the ground."
+    text = (
+        f" The motion at its base is {numeral(least, digits=3)} to {numeral(most, digits=3)} times that of the ground, "
+        "depending on frequency."
+    )
+    return text if one.shape == "sine" else f"{text} These are the factors of a full sine of the same frequency."
 
 
 def mapped_of(results: Results) -> list[tuple[MechanismResult, EnvelopeResult]]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -163,7 +164,8 @@ def grid_of(section: sections.Pulses) -> PulseGrid:
 
 def records_of(section: sections.Records, folder: Path) -> tuple[Record, ...]:
     """The records of every file, each with its path as the project file in `folder` would write it."""
-    found = [record for path in section.files for record in read(path, unit=section.unit)]
+    read_one = partial(read, unit=section.unit, step=section.step, response=section.response)
+    found = [record for path in section.files for record in read_one(path)]
     return uniquely_named([replace(one, path=relative(Path(one.path), folder)) for one in found])
 
 
@@ -185,5 +187,6 @@ def inputs_of(project: Project) -> Iterator[Input]:
     bodies = [body.mesh for body in content.bodies.values() if isinstance(body, sections.MeshBody)]
     table = content.site.spectrum if content.site is not None else None
     tables = [table.file] if isinstance(table, sections.TableSpectrum) else []
-    for path in dict.fromkeys([*bodies, *tables, *content.records.files]):
+    records = [path for path in (*content.records.files, content.records.response) if path is not None]
+    for path in dict.fromkeys([*bodies, *tables, *records]):
         yield Input(relative(path, project.folder), hashlib.sha256(path.read_bytes()).hexdigest())

@@ -14,6 +14,7 @@ from pathlib import Path
 
 from records.errors import RecordError
 from records.formats.samples import (
+    FloatArray,
     acceleration_factor,
     check_count,
     check_peak,
@@ -50,39 +51,58 @@ def read(path: Path, stated: Stated) -> tuple[Record, ...]:
     the columns do not have.
     """
     lines = text_lines(path)
-    after = next((i + 1 for i, line in enumerate(lines[:LONGEST_HEADER]) if COLUMNS.fullmatch(line)), 0)
-    names = COLUMNS.fullmatch(lines[after - 1]) if after else None
+    after, names = _columns_named(lines)
     text = _header(lines[:after])
     absent = [key for key in NEEDED if key not in text]
-    if names is None or absent:
+    if not names or absent:
         raise RecordError(f"{path}: the header of {NAME} has no {(*absent, 'columns')[0]}; it is cut short or damaged")
     unit, peaks = _peaks(text, path=path)
-    factor = acceleration_factor(unit, line=after, path=path)
     dt = positive(text["SAMPLING INTERVAL (sec)"], name="SAMPLING INTERVAL", line=after, path=path)
-    values = numbers(lines[after:], first=after + 1, path=path)
-    uneven = next((i for i, line in enumerate(lines[after:]) if line.strip() and len(line.split()) != 3), None)
-    if uneven is not None or values.size % 3:
-        line = after + 1 + (uneven or 0)
-        raise RecordError(f'{path}: line {line}: "{lines[line - 1].strip()[:40]}" is not three numbers')
-    columns = values.reshape(-1, 3)
+    columns = _columns(lines, after, path=path)
     check_count(text["NUMBER OF DATA"], len(columns), path=path, name="NUMBER OF DATA")
-    for name, column in zip(names.groups(), columns.T, strict=True):
+    for name, column in zip(names, columns.T, strict=True):
         check_peak(peaks.get(name), column, unit=unit, digits=1e-2, path=path)
+    factor = acceleration_factor(unit, line=after, path=path)
     return tuple(
-        make_record(
-            f"{path.stem} {name}",
-            factor * column,
-            dt,
-            path=str(path),
-            station=text.get("STATION ID", ""),
-            component=name,
-            trail=(f"read from {NAME}, unit {unit}",),
-            azimuth=azimuth_of(name),
-            earthquake=_earthquake(text),
-            site=_site(text),
-        )
-        for name, column in zip(names.groups(), columns.T, strict=True)
+        _record(text, name, factor * column, dt, unit, path=path) for name, column in zip(names, columns.T, strict=True)
     )
+
+
+def _record(text: dict[str, str], name: str, samples: FloatArray, dt: float, unit: str, *, path: Path) -> Record:
+    """The component `name` of the header's station."""
+    return make_record(
+        f"{path.stem} {name}",
+        samples,
+        dt,
+        path=str(path),
+        station=text.get("STATION ID", ""),
+        component=name,
+        trail=(f"read from {NAME}, unit {unit}",),
+        azimuth=azimuth_of(name),
+        earthquake=_earthquake(text),
+        site=_site(text),
+    )
+
+
+def _columns_named(lines: list[str]) -> tuple[int, tuple[str, ...]]:
+    """Index of the first row, and the names above it; none where no line has them."""
+    for i, line in enumerate(lines[:LONGEST_HEADER]):
+        names = COLUMNS.fullmatch(line)
+        if names:
+            return i + 1, names.groups()
+    return 0, ()
+
+
+def _columns(lines: list[str], after: int, *, path: Path) -> FloatArray:
+    """Every row of three numbers [n, 3]."""
+    uneven = next((i for i, line in enumerate(lines[after:]) if line.strip() and len(line.split()) != 3), None)
+    if uneven is not None:
+        line = after + 1 + uneven
+        raise RecordError(f'{path}: line {line}: "{lines[line - 1].strip()[:40]}" is not three numbers')
+    values = numbers(lines[after:], first=after + 1, path=path)
+    if values.size % 3:
+        raise RecordError(f"{path}: {values.size} numbers below the header; they are not three in every line")
+    return values.reshape(-1, 3)
 
 
 def _header(lines: list[str]) -> dict[str, str]:

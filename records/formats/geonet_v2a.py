@@ -17,6 +17,7 @@ from pathlib import Path
 
 from records.errors import RecordError
 from records.formats.samples import (
+    FloatArray,
     acceleration_factor,
     check_count,
     check_peak,
@@ -67,34 +68,43 @@ def read(path: Path, stated: Stated) -> tuple[Record, ...]:
 
 def _component(lines: list[str], start: int, *, path: Path) -> Record:
     """The component whose header begins at index `start`."""
-    points = _found(POINTS, lines, start + 9, path=path)[1]
     interval = _found(INTERVAL, lines, start + 10, path=path)[1]
     name = _found(COMPONENT, lines, start + 12, path=path)[1]
     peak = _found(PEAK, lines, start + 13, path=path)
-    size = count(points, name="Number of points", line=start + 10, path=path)
     if peak[2] != UNIT:
         raise RecordError(f'{path}: line {start + 14}: unit "{peak[2][:20]}"; {NAME} is in {UNIT}, the file is damaged')
-    factor = acceleration_factor(UNIT, line=start + 14, path=path)
-    first = start + TEXT_LINES + NUMBER_LINES
-    end, height = numeric_end(lines, first), -(-size // COLUMNS)
-    held = sum(1 for line in lines[first:end] if line.strip())
-    check_count(str(3 * height), held, path=path, name=f"component {name}: {size} points, so the header, of lines")
-    samples = formatted_numbers(lines[first : first + height], first=first + 1, path=path)
-    check_count(str(size), samples.size, path=path, name=f"component {name}: Number of points")
-    check_peak(number(peak[1]), samples, unit=peak[2], digits=0.1, path=path)
+    samples = _samples(lines, start, path=path)
+    check_peak(number(peak[1]), samples, unit=UNIT, digits=0.1, path=path)
     return make_record(
         f"{path.stem} {name}",
-        factor * samples,
+        acceleration_factor(UNIT, line=start + 14, path=path) * samples,
         positive(interval, name="interval", line=start + 11, path=path),
         path=str(path),
         station=_station(lines[start + 1]),
         component=name,
-        trail=(f"read from {NAME}, unit {peak[2]}", lines[start + 11].strip()),
+        trail=(f"read from {NAME}, unit {UNIT}", lines[start + 11].strip()),
         azimuth=azimuth_of(name),
         distance=_kilometres(lines[start + 8], "Dist"),
         earthquake=_earthquake(lines[start + 7], lines[start + 8]),
         site=Site(*_degrees(lines[start + 1])),
     )
+
+
+def _samples(lines: list[str], start: int, *, path: Path) -> FloatArray:
+    """The first of the three blocks of the component at index `start`, as printed; all three must be whole."""
+    points = _found(POINTS, lines, start + 9, path=path)[1]
+    size = count(points, name="Number of points", line=start + 10, path=path)
+    first = start + TEXT_LINES + NUMBER_LINES
+    end, height = numeric_end(lines, first), -(-size // COLUMNS)
+    held = sum(1 for line in lines[first:end] if line.strip())
+    if held != 3 * height:
+        raise RecordError(
+            f"{path}: line {first + 1}: {held} lines of numbers, {size} points three times are {3 * height}; "
+            f"the file is {'cut short' if held < 3 * height else 'damaged'}"
+        )
+    samples = formatted_numbers(lines[first : first + height], first=first + 1, path=path)
+    check_count(str(size), samples.size, path=path, name="Number of points")
+    return samples
 
 
 def _found(pattern: re.Pattern[str], lines: list[str], at: int, *, path: Path) -> re.Match[str]:

@@ -51,12 +51,7 @@ def read(path: Path, stated: Stated) -> tuple[Record, ...]:
     rate = _known(reals, RATE) or 0.0
     if not 0.0 < rate < float("inf"):
         raise RecordError(f"{path}: line 18: rate of {rate:.6g} samples a second; it must be positive")
-    after = TEXT_LINES + INTEGER_LINES + REAL_LINES
-    after = next((i for i in range(after, len(lines)) if not lines[i].startswith("|")), len(lines))
-    samples = formatted_numbers(lines[after:], first=after + 1, path=path)
-    check_count(f"{integers[POINTS]:.0f}", samples.size, path=path, name="integer 17 of the header")
-    peak = max((abs(value) for i in PEAKS if (value := _known(reals, i)) is not None), default=None)
-    check_peak(peak, samples, unit=UNIT, digits=1e-3, path=path)
+    samples = _samples(lines, integers, reals, path=path)
     station = STATION.fullmatch(lines[5])
     event = EVENT.fullmatch(lines[3])
     component = station[2] if station else ""
@@ -76,6 +71,17 @@ def read(path: Path, stated: Stated) -> tuple[Record, ...]:
             site=Site(latitude=_known(reals, 10), longitude=_known(reals, 11), elevation=_known(reals, 12)),
         ),
     )
+
+
+def _samples(lines: list[str], integers: FloatArray, reals: FloatArray, *, path: Path) -> FloatArray:
+    """What stands below the comments, as printed, held against count and peaks of the header."""
+    after = TEXT_LINES + INTEGER_LINES + REAL_LINES
+    after = next((i for i in range(after, len(lines)) if not lines[i].startswith("|")), len(lines))
+    samples = formatted_numbers(lines[after:], first=after + 1, path=path)
+    check_count(f"{integers[POINTS]:.0f}", samples.size, path=path, name="integer 17 of the header")
+    peak = max((abs(value) for i in PEAKS if (value := _known(reals, i)) is not None), default=None)
+    check_peak(peak, samples, unit=UNIT, digits=1e-3, path=path)
+    return samples
 
 
 def _values(lines: list[str], start: int, height: int, size: int, *, path: Path) -> FloatArray:

@@ -10,6 +10,7 @@ from pydantic import AfterValidator, Field, StrictInt
 from assess.project.quantities import (
     AccelerationUnit,
     Count,
+    InputFile,
     InputFiles,
     PositiveAcceleration,
     PositiveTime,
@@ -51,6 +52,10 @@ class Records(Section):
     """record files of any format known, names or patterns relative to the project file; their horizontal components"""
     unit: AccelerationUnit | None = None
     """unit of acceleration, only for files that do not say theirs"""
+    step: PositiveTime | None = None
+    """time step, only for files that do not say theirs"""
+    response: InputFile | None = None
+    """StationXML of the instruments, for MiniSEED and SAC files in counts"""
     synthetic: Synthetic | None = Field(default_factory=lambda values: None if values["files"] else Synthetic())
     """{ count, seed, duration } of artificial records"""
     scale_to: Literal["spectrum", "pga", "none"] = "spectrum"

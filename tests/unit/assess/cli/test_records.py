@@ -157,3 +157,43 @@ def test_wrong_input_is_one_line_and_exit_2(
 def test_without_a_command_the_help_is_printed(capsys: pytest.CaptureFixture[str]) -> None:
     assert ended() == 2
     assert "convert" in capsys.readouterr().out
+
+
+PROJECT = """
+[site.spectrum]
+code = "asce7-16"
+s_ds = 0.5
+s_d1 = 0.2
+t_l = 6
+[mechanisms.a]
+kind = "equivalent-block"
+p = 1.6
+uplift = 0.14
+radius = 2.84
+restitution = 0.9
+[analysis]
+levels = ["0.1 g"]
+[records]
+files = ["bare.txt"]
+"""
+
+
+def test_a_project_states_unit_and_step_of_files_that_do_not(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "bare.txt").write_text("\n".join(f"{a:.6f}" for a in SAMPLES))
+    path = tmp_path / "project.toml"
+
+    def check(more: str) -> int:
+        path.write_text(PROJECT + more)
+        with pytest.raises(SystemExit) as caught:
+            main(["check", str(path)])
+        return int(caught.value.code or 0)
+
+    assert check('unit = "m/s^2"') == 2
+    assert "does not state its time step" in capsys.readouterr().err
+    assert check('unit = "m/s^2"\nstep = "0.01 s"') == 0
+    assert check('unit = "m/s^2"\nstep = "-1 s"') == 2
+    assert "records.step" in capsys.readouterr().err
+    assert check('response = "absent.xml"') == 2
+    assert "absent.xml" in capsys.readouterr().err

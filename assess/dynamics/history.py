@@ -163,7 +163,7 @@ def trace(
     run = _RUNS[equation]([one], [motion], tolerance)
     path = np.zeros((motion.npts, 3))
     first = np.zeros(1, dtype=np.int64)
-    start = one.sides[0].at(release) if release else 0.0
+    start = _released(one, release) if release else 0.0
     samples = run(first, first, np.array([scale]), start, np.empty((1, kernel.FOUND)), path, np.zeros((1, 4)))
     y, v, on = path[:samples].T
     rotation, velocity = np.zeros(samples), np.zeros(samples)
@@ -190,7 +190,7 @@ def free_rocking(
     still = make_record("still ground", np.zeros(samples), duration / (samples - 1))
     run = _RUNS[equation]([one], [still], tolerance)
     first, events = np.zeros(1, dtype=np.int64), np.zeros((MOST_EVENTS + 1, 4))
-    run(first, first, np.ones(1), one.sides[0].at(rotation), np.empty((1, kernel.FOUND)), np.empty((0, 3)), events)
+    run(first, first, np.ones(1), _released(one, rotation), np.empty((1, kernel.FOUND)), np.empty((0, 3)), events)
     happened = events[1 : 1 + int(events[0, 0])]
     time, kind, value, on = happened[happened[:, kernel.HAPPENED] <= duration].T  # the last swing goes to its peak
     impact, peak = kind == kernel.IMPACT, kind == kernel.PEAK
@@ -207,6 +207,13 @@ def _motions(motions: Sequence[Record]) -> tuple[FloatArray, IntArray, FloatArra
     offset = np.cumsum([0, *(motion.npts for motion in motions)], dtype=np.int64)
     ground = np.concatenate([np.empty(0), *(motion.acceleration for motion in motions)])
     return ground, offset, np.array([m.dt for m in motions]), np.array([m.pga for m in motions])
+
+
+def _released(one: Packed, rotation: float) -> float:
+    """The kernel's y of a rotation of the positive branch [rad]. Raises ValueError for one that is not positive."""
+    if not 0.0 < rotation < math.inf:
+        raise ValueError(f"release at {rotation} rad; it must be a positive rotation of the positive branch")
+    return one.sides[0].at(rotation)
 
 
 def _linearised(oscillators: Sequence[Packed], motions: Sequence[Record], tolerance: float) -> Run:

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.dynamics.history import Jobs, peaks, product, trace
+from assess.dynamics.history import Jobs, free_rocking, peaks, product, trace
 from assess.errors import MechanismError
 from assess.oscillator import Branch, Oscillator, linearise
 from records.record import Record, make_record
@@ -154,3 +154,9 @@ def test_restitutions_that_together_add_energy_are_refused() -> None:
         peaks([Oscillator(dataclasses.replace(far, restitution=1.35), near, 1.0)], [pulse()], job(), equation="exact")
     slower = dataclasses.replace(near, restitution=0.7)
     peaks([Oscillator(dataclasses.replace(far, restitution=1.35), slower, 1.0)], [pulse()], job(), equation="exact")
+
+
+@pytest.mark.parametrize("rotation", [-0.1, 0.0, math.nan, math.inf])
+def test_a_release_is_at_a_positive_rotation(rotation: float) -> None:
+    with pytest.raises(ValueError, match="release at"):
+        free_rocking(block(), rotation=rotation, duration=1.0)

@@ -156,7 +156,7 @@ def test_restitutions_that_together_add_energy_are_refused() -> None:
     peaks([Oscillator(dataclasses.replace(far, restitution=1.35), slower, 1.0)], [pulse()], job(), equation="exact")
 
 
-@pytest.mark.parametrize("rotation", [-0.1, 0.0, math.nan, math.inf])
+@pytest.mark.parametrize("rotation", [-0.1, 0.0, np.nan, np.inf])
 def test_a_release_is_at_a_positive_rotation(rotation: float) -> None:
     with pytest.raises(ValueError, match="release at"):
         free_rocking(block(), rotation=rotation, duration=1.0)

@@ -16,7 +16,7 @@ from typing import Any, NoReturn
 from pydantic import TypeAdapter, ValidationError
 
 from assess.errors import ResultsError
-from assess.results import SCHEMA_VERSION, MechanismResult, Results
+from assess.results import SCHEMA_VERSION, MechanismResult, Results, SpectrumResult
 
 _REMEDY = "give a results.json that `assess run` wrote"
 
@@ -33,6 +33,11 @@ def dumps(results: Results) -> str:
 def dumps_mechanisms(mechanisms: tuple[MechanismResult, ...]) -> str:
     """The `mechanisms` of results.json alone."""
     return _json(_normal(mechanisms, _mechanisms_type())) + "\n"
+
+
+def dumps_spectrum(spectrum: SpectrumResult) -> str:
+    """The `spectrum` of results.json alone."""
+    return _json(_normal(spectrum, _spectrum_type())) + "\n"
 
 
 def dumps_envelopes(results: Results) -> str:
@@ -80,6 +85,11 @@ def _results_type() -> TypeAdapter[Results]:
 @cache
 def _mechanisms_type() -> TypeAdapter[tuple[MechanismResult, ...]]:
     return TypeAdapter(tuple[MechanismResult, ...])
+
+
+@cache
+def _spectrum_type() -> TypeAdapter[SpectrumResult]:
+    return TypeAdapter(SpectrumResult)
 
 
 def _normal(value: Any, adapter: TypeAdapter[Any]) -> Any:

@@ -16,7 +16,7 @@ from assess.results import (
     Results,
     SpectrumResult,
 )
-from reports import governing
+from reports import governing, spectrum_parameters
 from reports.document import Cell, Column, Table
 from reports.numerals import as_cell
 
@@ -137,14 +137,14 @@ def site(results: Results) -> Table:
     rows: tuple[tuple[Cell, ...], ...] = ()
     if spectrum is not None:
         rows = (
-            ("code", spectrum.code),
-            ("clause", spectrum.clause),
-            *spectrum.parameters.items(),
-            ("damping ratio", spectrum.damping),
-            ("other damping", spectrum.damping_rule),
-            ("peak ground acceleration, Sₐ(0) [g]", spectrum.pga_g),
+            ("code", "-", spectrum.code),
+            ("clause", "-", spectrum.clause),
+            *spectrum_parameters.named(spectrum.parameters),
+            ("damping ratio", "-", spectrum.damping),
+            ("other damping", "-", spectrum.damping_rule),
+            ("peak ground acceleration, Sₐ(0)", "g", spectrum.pga_g),
         )
-    columns = (Column("Parameter (SI)"), Column("Value", kind="given"))
+    columns = (Column("Parameter"), Column("Unit"), Column("Value", kind="given"))
     return Table("site", "The site's elastic response spectrum.", columns, rows)
 
 

@@ -1,42 +1,201 @@
-"""The two-corner design spectrum of ASCE 7, editions 2005 to 2016, with the IBC that copies it."""
+"""The two-corner design spectrum of ASCE 7, editions 2005 to 2016, with the IBC that copies it.
+
+The site coefficients agree with those that the USGS tools compute with; the rules on site studies are from memory, and
+nothing was compared with the printed standards.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.constants import g
 
 from spectra.damping import asce7_b_factor
 from spectra.errors import SpectrumError
-from spectra.spectrum import Spectrum
+from spectra.spectrum import Spectrum, checked_periods, positive
 
 FloatArray = NDArray[np.float64]
 Hazard = Literal["design", "mce"]
 
 ZERO_PERIOD_RATIO = 0.4  # S_a(0) / S_DS
+ROUNDING = 1e-9  # of a mapped acceleration [g]
 HAZARD_FACTOR: Mapping[str, float] = {"design": 1.0, "mce": 1.5}
+
+
+Rows = Mapping[str, tuple[float, ...]]
+
+
+@dataclass(frozen=True)
+class SiteTable:
+    """A site coefficient over a mapped acceleration: columns [g], a row of coefficients [-] for each site class."""
+
+    clause: str
+    columns: tuple[float, ...]
+    rows: Rows
+
+
+@dataclass(frozen=True)
+class StudyRule:
+    """When the standard asks for a study of the site: its classes, the least mapped value [g], the clause in words."""
+
+    classes: tuple[str, ...]
+    parameter: Literal["s_s", "s_1"]
+    least: float
+    text: str
 
 
 @dataclass(frozen=True)
 class Edition:
-    """Where an edition keeps the design spectrum, the MCE spectrum and the damping coefficients."""
+    """Where an edition keeps the design spectrum, the MCE spectrum and damping; its site coefficients and studies."""
 
     design: str
     mce: str
     damping: str
+    f_a: SiteTable
+    f_v: SiteTable
+    study: str
+    rules: tuple[StudyRule, ...] = ()
 
+
+F_A_2005: Rows = {
+    "A": (0.8, 0.8, 0.8, 0.8, 0.8),
+    "B": (1.0, 1.0, 1.0, 1.0, 1.0),
+    "C": (1.2, 1.2, 1.1, 1.0, 1.0),
+    "D": (1.6, 1.4, 1.2, 1.1, 1.0),
+    "E": (2.5, 1.7, 1.2, 0.9, 0.9),
+}
+F_V_2005: Rows = {
+    "A": (0.8, 0.8, 0.8, 0.8, 0.8),
+    "B": (1.0, 1.0, 1.0, 1.0, 1.0),
+    "C": (1.7, 1.6, 1.5, 1.4, 1.3),
+    "D": (2.4, 2.0, 1.8, 1.6, 1.5),
+    "E": (3.5, 3.2, 2.8, 2.4, 2.4),
+}
+F_A_2016: Rows = {
+    "A": (0.8, 0.8, 0.8, 0.8, 0.8, 0.8),
+    "B": (0.9, 0.9, 0.9, 0.9, 0.9, 0.9),
+    "B-unmeasured": (1.0, 1.0, 1.0, 1.0, 1.0, 1.0),  # 11.4.3: no shear wave velocity measured
+    "C": (1.3, 1.3, 1.2, 1.2, 1.2, 1.2),
+    "D": (1.6, 1.4, 1.2, 1.1, 1.0, 1.0),
+    "D-default": (1.6, 1.4, 1.2, 1.2, 1.2, 1.2),  # 11.4.4: site class D taken by default
+    "E": (2.4, 1.7, 1.3, 1.2, 1.2, 1.2),  # from S_S = 1.0 the value of class C, exception 1 of 11.4.8
+}
+F_V_2016: Rows = {
+    "A": (0.8, 0.8, 0.8, 0.8, 0.8, 0.8),
+    "B": (0.8, 0.8, 0.8, 0.8, 0.8, 0.8),
+    "B-unmeasured": (1.0, 1.0, 1.0, 1.0, 1.0, 1.0),
+    "C": (1.5, 1.5, 1.5, 1.5, 1.5, 1.4),
+    "D": (2.4, 2.2, 2.0, 1.9, 1.8, 1.7),
+    "D-default": (2.4, 2.2, 2.0, 1.9, 1.8, 1.7),
+    "E": (4.2, 3.3, 2.8, 2.4, 2.2, 2.0),
+}
+STUDIES_2016 = (
+    StudyRule(
+        ("E",),
+        "s_s",
+        1.0,
+        "ASCE 7-16 §11.4.8 asks for a ground motion hazard analysis for site class E with S_S >= 1.0 g; F_a is that of "
+        "class C by its exception 1",
+    ),
+    StudyRule(
+        ("D", "D-default", "E"),
+        "s_1",
+        0.2,
+        "ASCE 7-16 §11.4.8 asks for a ground motion hazard analysis for site classes D and E with S_1 >= 0.2 g; the "
+        "spectrum by Table 11.4-2 can be low at long periods (Supplement 3 raises S_M1 of class D by half); "
+        'give that of the study with code = "table"',
+    ),
+)
+_COLUMNS_2005 = ((0.25, 0.5, 0.75, 1.0, 1.25), (0.1, 0.2, 0.3, 0.4, 0.5))  # S_S, S_1 [g]
+_COLUMNS_2016 = ((0.25, 0.5, 0.75, 1.0, 1.25, 1.5), (0.1, 0.2, 0.3, 0.4, 0.5, 0.6))
 
 EDITIONS: Mapping[str, Edition] = {
-    "asce7-05": Edition("ASCE 7-05 §11.4.5", "ASCE 7-05 §11.4.6", "ASCE 7-05 Table 18.6-1"),
-    "ibc2009": Edition(
-        "IBC 2009 §1613.5 with ASCE 7-05 §11.4.5", "IBC 2009 §1613.5 with ASCE 7-05 §11.4.6", "ASCE 7-05 Table 18.6-1"
+    "asce7-05": Edition(
+        "ASCE 7-05 §11.4.5",
+        "ASCE 7-05 §11.4.6",
+        "ASCE 7-05 Table 18.6-1",
+        SiteTable("ASCE 7-05 Table 11.4-1", _COLUMNS_2005[0], F_A_2005),
+        SiteTable("ASCE 7-05 Table 11.4-2", _COLUMNS_2005[1], F_V_2005),
+        "ASCE 7-05 §11.4.7",
     ),
-    "asce7-10": Edition("ASCE 7-10 §11.4.5", "ASCE 7-10 §11.4.6", "ASCE 7-10 Table 18.6-1"),
-    "asce7-16": Edition("ASCE 7-16 §11.4.6", "ASCE 7-16 §11.4.7", "ASCE 7-16 Table 18.7-1"),
+    "ibc2009": Edition(
+        "IBC 2009 §1613.5 with ASCE 7-05 §11.4.5",
+        "IBC 2009 §1613.5 with ASCE 7-05 §11.4.6",
+        "ASCE 7-05 Table 18.6-1",
+        SiteTable("IBC 2009 Table 1613.5.3(1)", _COLUMNS_2005[0], F_A_2005),
+        SiteTable("IBC 2009 Table 1613.5.3(2)", _COLUMNS_2005[1], F_V_2005),
+        "ASCE 7-05 §11.4.7",
+    ),
+    "asce7-10": Edition(
+        "ASCE 7-10 §11.4.5",
+        "ASCE 7-10 §11.4.6",
+        "ASCE 7-10 Table 18.6-1",
+        SiteTable("ASCE 7-10 Table 11.4-1", _COLUMNS_2005[0], F_A_2005),
+        SiteTable("ASCE 7-10 Table 11.4-2", _COLUMNS_2005[1], F_V_2005),
+        "ASCE 7-10 §11.4.7",
+    ),
+    "asce7-16": Edition(
+        "ASCE 7-16 §11.4.6",
+        "ASCE 7-16 §11.4.7",
+        "ASCE 7-16 Table 18.7-1",
+        SiteTable("ASCE 7-16 Table 11.4-1", _COLUMNS_2016[0], F_A_2016),
+        SiteTable("ASCE 7-16 Table 11.4-2", _COLUMNS_2016[1], F_V_2016),
+        "ASCE 7-16 §11.4.8",
+        STUDIES_2016,
+    ),
 }
+
+
+def mapped_spectrum(
+    *, s_s: float, s_1: float, site_class: str, t_l: float, code: str = "asce7-16", hazard: str = "design"
+) -> Spectrum:
+    """The design spectrum from the mapped S_S and S_1 of the rock [m/s2], the site class, and T_L [s].
+
+        S_MS = F_a S_S    S_M1 = F_v S_1    S_DS = 2/3 S_MS    S_D1 = 2/3 S_M1
+
+    site_class : "A" to "E"; ASCE 7-16 also "B-unmeasured" (§11.4.3) and "D-default" (§11.4.4)
+
+    What the standard leaves to a study of the site and yet has coefficients for stands in `cautions`. Raises
+    SpectrumError for site class F, and for what `design_spectrum` refuses.
+    Source: ASCE 7-16 §11.4.4-11.4.5, 7-10 and 7-05 §11.4.3-11.4.4, with Tables 11.4-1 and 11.4-2 of each.
+    """
+    edition = _edition(code)
+    positive(code, s_s=s_s, s_1=s_1)
+    F_a = site_coefficient(s_s, table=edition.f_a, site_class=site_class, study=edition.study)
+    F_v = site_coefficient(s_1, table=edition.f_v, site_class=site_class, study=edition.study)
+    S_MS, S_M1 = F_a * s_s, F_v * s_1
+    spectrum = design_spectrum(s_ds=2 / 3 * S_MS, s_d1=2 / 3 * S_M1, t_l=t_l, code=code, hazard=hazard)
+    mapped: dict[str, float | str] = {
+        "s_s": s_s,
+        "s_1": s_1,
+        "site_class": site_class,
+        "f_a": F_a,
+        "f_v": F_v,
+        "s_ms": S_MS,
+        "s_m1": S_M1,
+    }
+    given = {"s_s": s_s / g, "s_1": s_1 / g}
+    cautions = [r.text for r in edition.rules if site_class in r.classes and given[r.parameter] >= r.least - ROUNDING]
+    return replace(spectrum, parameters={**mapped, **spectrum.parameters}, cautions=tuple(cautions))
+
+
+def site_coefficient(mapped: float, *, table: SiteTable, site_class: str, study: str) -> float:
+    """F_a or F_v [-] at the `mapped` acceleration [m/s2], linear between columns and held beyond them.
+
+    Raises SpectrumError for site class F, citing the clause `study`, and for a class that the table has not.
+    """
+    if site_class == "F":
+        raise SpectrumError(
+            f"site_class = F: {study} asks for a site response analysis; give its s_ds and s_d1, or its spectrum with "
+            'code = "table"'
+        )
+    if site_class not in table.rows:
+        raise SpectrumError(f"site_class = {site_class}; {table.clause} has {', '.join(table.rows)}")
+    return float(np.interp(mapped / g, table.columns, table.rows[site_class]))
 
 
 def design_spectrum(
@@ -59,9 +218,7 @@ def design_spectrum(
     edition = _edition(code)
     if hazard not in HAZARD_FACTOR:
         raise SpectrumError(f'hazard "{hazard}" is not known; choose one of {", ".join(HAZARD_FACTOR)}')
-    for name, value in (("s_ds", s_ds), ("s_d1", s_d1), ("t_l", t_l)):
-        if not (np.isfinite(value) and value > 0.0):
-            raise SpectrumError(f"{code} spectrum: {name} = {value}; it must be a positive number")
+    positive(code, s_ds=s_ds, s_d1=s_d1, t_l=t_l)
     t_s = s_d1 / s_ds
     if t_s > t_l:
         raise SpectrumError(
@@ -106,10 +263,8 @@ class _Shape:
 
     def ordinates(self, period: FloatArray, damping: float) -> FloatArray:
         """S_a [m/s2] at `period` [s] (same shape) and `damping` [-]."""
-        if not np.all(period >= 0.0):
-            raise SpectrumError(f"period {np.min(period)} s: a spectrum is asked at periods from 0 up")
         S_DS, S_D1, T_L, T_0, B = self.s_ds, self.s_d1, self.t_l, self.t_0, asce7_b_factor(damping)
-        T = np.maximum(period, T_0)
+        T = np.maximum(checked_periods(period), T_0)
         falling = np.minimum(S_DS, S_D1 / T * np.minimum(1.0, T_L / T)) / B
         rising = S_DS * (ZERO_PERIOD_RATIO + (1.0 / B - ZERO_PERIOD_RATIO) * period / T_0)
         return np.asarray(np.where(period < T_0, rising, falling), dtype=np.float64)

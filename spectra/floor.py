@@ -4,24 +4,39 @@ from __future__ import annotations
 
 from math import isfinite
 
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
 from spectra.errors import SpectrumError
+
+FloatArray = NDArray[np.float64]
 
 NZS_LOW = 12.0  # m: height below which 1 + h/6 applies
 NZS_SHARE = 0.2  # of the building's height, where 1 + 10 h/H ends
 
 
-def ec8_floor_factor(height: float, *, building_height: float, period_ratio: float, soil_factor: float = 1.0) -> float:
+def ec8_floor_factors(
+    period_ratio: ArrayLike, *, height: float, building_height: float, soil_factor: float = 1.0
+) -> FloatArray:
     """S [3 (1 + z/H) / (1 + (1 - T_a/T_1)^2) - 0.5], at least S [-]: the coefficient S_a over alpha.
 
+    period_ratio : T_a / T_1, of the part to the building [-]; the result has its shape
     height : z, above the base of the building [m]; building_height : H [m]
-    period_ratio : T_a / T_1, of the part to the building [-]
     soil_factor : S [-]; 1 where the ground motion is already that of the surface
 
     Raises SpectrumError for a height outside 0 <= z <= H.
     Source: EN 1998-1:2004, 4.3.5.2, eq. (4.25); not checked against the printed standard.
     """
-    ratio = _height_ratio(height, building_height, clause="EN 1998-1, 4.3.5.2")
-    return soil_factor * max(1.0, 3.0 * (1.0 + ratio) / (1.0 + (1.0 - period_ratio) ** 2) - 0.5)
+    ratio = height_ratio(height, building_height, clause="EN 1998-1, 4.3.5.2")
+    detuned = (1.0 - np.asarray(period_ratio, dtype=np.float64)) ** 2
+    return np.asarray(soil_factor * np.maximum(1.0, 3.0 * (1.0 + ratio) / (1.0 + detuned) - 0.5))
+
+
+def ec8_floor_factor(height: float, *, building_height: float, period_ratio: float, soil_factor: float = 1.0) -> float:
+    """`ec8_floor_factors` of one part [-]."""
+    return float(
+        ec8_floor_factors(period_ratio, height=height, building_height=building_height, soil_factor=soil_factor)
+    )
 
 
 def ec8(height: float, *, building_height: float) -> float:
@@ -50,12 +65,12 @@ def nzs1170_5(height: float, *, building_height: float) -> float:
     Raises SpectrumError for a height outside 0 <= h <= H.
     Source: NZS 1170.5:2004, 8.3; thesis eqs. 3.50-3.52 (3.52 is h >= 0.2 H); not checked against the printed standard.
     """
-    ratio = _height_ratio(height, building_height, clause="NZS 1170.5, 8.3")
+    ratio = height_ratio(height, building_height, clause="NZS 1170.5, 8.3")
     upper = 1.0 + 10.0 * ratio if ratio < NZS_SHARE else 3.0
     return min(upper, 1.0 + height / 6.0) if height < NZS_LOW else upper
 
 
-def _height_ratio(height: float, building_height: float, *, clause: str) -> float:
+def height_ratio(height: float, building_height: float, *, clause: str) -> float:
     """z / H [-], where the clause holds."""
     if not (isfinite(building_height) and building_height > 0.0):
         raise SpectrumError(f"height of the building {building_height} m; {clause} needs one that is positive")

@@ -9,6 +9,8 @@ from math import inf
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from spectra.errors import SpectrumError
+
 FloatArray = NDArray[np.float64]
 Ordinates = Callable[[FloatArray, float], FloatArray]
 
@@ -27,6 +29,9 @@ class Spectrum:
     factor : what the ordinates are multiplied by; corner periods stay fixed [-]
     clause : where the shape stands
     longest_period : up to which ordinates are known [s]
+    displacements : f(period [s], damping [-]) -> spectral displacement [m], before `factor`, where the code gives
+        one of its own for long periods; None where it is S_a (T / 2 pi)^2 throughout
+    cautions : what the engineer has to know before using it, with the clause, one sentence each
     """
 
     code: str
@@ -37,16 +42,42 @@ class Spectrum:
     clause: str
     factor: float = 1.0
     longest_period: float = inf
+    displacements: Ordinates | None = None
+    cautions: tuple[str, ...] = ()
 
     def acceleration(self, period: ArrayLike, *, damping: float | None = None) -> FloatArray:
         """Pseudo-acceleration [m/s2] at `period` [s] (same shape), at `damping` [-] (default: the spectrum's own)."""
         at = np.asarray(period, dtype=np.float64)
         return self.factor * self.ordinates(at, self.damping if damping is None else damping)
 
+    def displacement(self, period: ArrayLike, *, damping: float | None = None) -> FloatArray:
+        """Spectral displacement [m] at `period` [s] (same shape), at `damping` [-] (default: the spectrum's own).
+
+        S_a (T / 2 pi)^2, or what the code itself gives for long periods.
+        """
+        at = np.asarray(period, dtype=np.float64)
+        if self.displacements is None:
+            return np.asarray(self.acceleration(at, damping=damping) * (at / (2.0 * np.pi)) ** 2)
+        return self.factor * self.displacements(at, self.damping if damping is None else damping)
+
     @property
     def pga(self) -> float:
         """Peak ground acceleration [m/s2]: the ordinate at zero period."""
         return float(self.acceleration(0.0))
+
+
+def checked_periods(period: FloatArray) -> FloatArray:
+    """`period` [s] itself, once every one of them is known to be a number from 0 up."""
+    if not np.all(period >= 0.0):
+        raise SpectrumError(f"period {np.min(period)} s: a spectrum is asked at periods from 0 up")
+    return period
+
+
+def positive(code: str, **values: float) -> None:
+    """Raise SpectrumError, naming the `code`, for the first of `values` that is not a positive number."""
+    for name, value in values.items():
+        if not (np.isfinite(value) and value > 0.0):
+            raise SpectrumError(f"{code} spectrum: {name} = {value}; it must be a positive number")
 
 
 def scaled_to_pga(spectrum: Spectrum, pga: float) -> Spectrum:

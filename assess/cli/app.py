@@ -14,6 +14,7 @@ from assess.cli.records import records
 from assess.cli.report import report
 from assess.cli.run import run
 from assess.cli.schema import schema
+from assess.cli.spectrum import spectrum
 
 app = typer.Typer(
     help="Seismic safety of masonry walls: rocking dynamics beside the code checks, in a report to sign.",
@@ -26,7 +27,7 @@ app = typer.Typer(
         "default_map": {"help": False},  # else typer 0.29 imports pydantic (0.2 s) for a --help that is absent
     },
 )
-for command in (new, check, run, parameters, envelope, report, schema):
+for command in (new, check, run, parameters, spectrum, envelope, report, schema):
     app.command()(command)
 app.add_typer(records, name="records")
 

@@ -11,7 +11,9 @@ the same both ways needs one.
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from math import ceil, log
 
@@ -19,8 +21,9 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.constants import g
 
-from assess.dynamics.packing import Equation
-from assess.dynamics.pulse_response import PulseJobs, prepared
+from assess.dynamics.packing import Equation, packed
+from assess.dynamics.pulse_response import PulseJobs, closed, prepared
+from assess.dynamics.sine.kernel import sine_bounds
 from assess.oscillator import Branch, Oscillator, linearise
 from records.pulses import Shape
 
@@ -33,6 +36,8 @@ SCAN = {"linearised": 1.01, "exact": 1.02}
 FROM = 0.2
 """Of the peak acceleration that is resisted at most: where the scan begins on joints without a threshold of uplift."""
 BISECTIONS = 40
+CHUNK = 25
+"""Frequencies given to a thread at a time."""
 
 
 @dataclass(frozen=True)
@@ -72,7 +77,9 @@ def envelope(
     times = np.ones_like(frequency) if factor is None else factor
     falls = _falls(oscillator, shape, frequency, equation=equation, threads=threads)
     overturned = np.any(falls(amplitude[None, :] * times[:, None]), axis=0)
-    bound, polarity = _lower_bounds(falls, oscillator, equation, times, highest=float(amplitude.max()))
+    bound, polarity = lower_bounds(
+        oscillator, shape, frequency, equation=equation, factor=times, highest=float(amplitude.max()), threads=threads
+    )
     uplift = threshold(oscillator, equation) / times
     return Envelope(shape, equation, frequency, amplitude, np.asarray(overturned), bound, polarity, uplift, times)
 
@@ -94,18 +101,61 @@ def _falls(
     return falls
 
 
-def _lower_bounds(
-    falls: Callable[[FloatArray], BoolArray],
+def lower_bounds(
     oscillator: Oscillator,
+    shape: Shape,
+    frequency: FloatArray,
+    *,
     equation: Equation,
     factor: FloatArray,
-    *,
     highest: float,
+    threads: int = 0,
 ) -> tuple[FloatArray, IntArray]:
-    """Least amplitude of the ground that overturns at each frequency [n] [m/s2], up to `highest`, and its polarity."""
+    """Least amplitude of the ground that overturns at each frequency [n] [m/s2], up to `highest`, and its polarity.
+
+    factor : of the ground's amplitude at the mechanism's base [n]. nan and 0 where no amplitude overturns.
+    """
     lowest = (threshold(oscillator, equation) or FROM * _resisted(oscillator)) / factor
-    ratio = SCAN[equation]
-    steps = max(ceil(log(highest / lowest.min()) / log(ratio)), 0)
+    if closed(shape, equation):
+        bounds = _closed(oscillator, shape, frequency, lowest * factor, highest * factor, threads=threads) / factor
+    else:
+        falls = _falls(oscillator, shape, frequency, equation=equation, threads=threads)
+        bounds = _scanned(falls, lowest, factor, ratio=SCAN[equation], highest=highest)
+    worst, least = bounds.argmin(axis=0), bounds.min(axis=0)
+    polarity = np.where(np.isfinite(least), np.array(polarities(oscillator))[worst], 0)
+    return np.where(np.isfinite(least), least, np.nan), polarity.astype(np.int64)
+
+
+def _closed(
+    oscillator: Oscillator,
+    shape: Shape,
+    frequency: FloatArray,
+    lowest: FloatArray,
+    highest: FloatArray,
+    *,
+    threads: int,
+) -> FloatArray:
+    """Bounds at the base between two amplitudes at each frequency [polarities, n], inf where nothing overturns."""
+    branch, signs = packed(oscillator, "linearised").branches, polarities(oscillator)
+    bounds = np.empty((len(signs), frequency.size))
+
+    def work(part: tuple[int, slice]) -> None:
+        row, some = part
+        limits = lowest[some], highest[some]
+        ratio, sign = SCAN["linearised"], float(signs[row])
+        sine_bounds(branch, shape.end, frequency[some], *limits, ratio, sign, BISECTIONS, bounds[row, some])
+
+    parts = [(row, slice(i, i + CHUNK)) for row in range(len(signs)) for i in range(0, frequency.size, CHUNK)]
+    with ThreadPoolExecutor(threads or os.cpu_count() or 1) as pool:
+        list(pool.map(work, parts))
+    return bounds
+
+
+def _scanned(
+    falls: Callable[[FloatArray], BoolArray], lowest: FloatArray, factor: FloatArray, *, ratio: float, highest: float
+) -> FloatArray:
+    """Bounds of the ground's amplitude [polarities, n], inf where nothing overturns."""
+    steps = ceil(log(max(highest / lowest.min(), 1.0)) / log(ratio))
     scan = np.minimum(lowest[:, None] * ratio ** np.arange(steps + 1), highest)
     down = falls(scan * factor[:, None])
     first, rows = down.argmax(axis=2), np.arange(factor.size)
@@ -114,10 +164,7 @@ def _lower_bounds(
         middle = 0.5 * (low + high)
         fell = falls((middle * factor)[:, :, None])[:, :, 0]
         low, high = np.where(fell, low, middle), np.where(fell, middle, high)
-    bounds = np.where(down.any(axis=2), high, np.inf)
-    worst, least = bounds.argmin(axis=0), bounds.min(axis=0)
-    polarity = np.where(np.isfinite(least), np.array(polarities(oscillator))[worst], 0)
-    return np.where(np.isfinite(least), least, np.nan), polarity.astype(np.int64)
+    return np.where(down.any(axis=2), high, np.inf)
 
 
 def polarities(oscillator: Oscillator) -> tuple[int, ...]:

@@ -21,7 +21,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from assess.dynamics import kernel
-from assess.dynamics.packing import Equation, Packed, branches_of, packed, tables_of
+from assess.dynamics.packing import Equation, Packed, branches_of, check_jobs, packed, tables_of
 from assess.oscillator import Oscillator
 from records.record import Record, make_record
 
@@ -232,18 +232,11 @@ def _checked(jobs: Jobs, *, oscillators: int, motions: int) -> Jobs:
         np.ascontiguousarray(jobs.motion, dtype=np.int64),
         np.ascontiguousarray(jobs.scale, dtype=np.float64),
     )
-    if not checked.oscillator.shape == checked.motion.shape == checked.scale.shape == (checked.scale.size,):
-        raise ValueError(
-            f"jobs: {checked.oscillator.shape} oscillators, {checked.motion.shape} motions and {checked.scale.shape} "
-            "scales; give one of each for every job"
-        )
-    for name, index, count in (("oscillator", checked.oscillator, oscillators), ("motion", checked.motion, motions)):
-        bad = np.flatnonzero((index < 0) | (index >= count))
-        if bad.size:
-            raise ValueError(f"jobs[{bad[0]}]: {name} {index[bad[0]]}, but there are {count}; count them from 0")
-    bad = np.flatnonzero(~np.isfinite(checked.scale))
-    if bad.size:
-        raise ValueError(f"jobs[{bad[0]}]: scale {checked.scale[bad[0]]}; it must be a finite number")
+    check_jobs(
+        {"oscillator": (checked.oscillator, oscillators), "motion": (checked.motion, motions)},
+        name="scale",
+        number=checked.scale,
+    )
     return checked
 
 

@@ -44,8 +44,9 @@ Potential = Callable[..., float]
 March = Callable[..., int]
 
 REST = 1e-4
-"""After an impact slower than REST times the velocity that reaches 1 (p, linearised), with the ground below uplift,
-the body is at rest. Without such a rule a bouncing body has infinitely many impacts in finite time."""
+"""After an impact slower than REST times the velocity that reaches 1 (p, linearised) on the side that it comes to, with
+the ground below uplift, the body is at rest. Without such a rule a bouncing body has infinitely many impacts in finite
+time."""
 NO_BOUNCE = 1e-12
 """Below this fraction of the same velocity there is no flight at all, whatever the ground does."""
 TAIL_PIECE = 0.5
@@ -299,9 +300,9 @@ def marching(glide: Glide, step: Step, potential: Potential) -> March:
                 elif v == 0.0:
                     return -1, 0.0, 0.0, peaked  # neither flight nor speed: rest, for what is left of the interval
                 found[IMPACTS] += 1.0
-                slow = REST * branch[side, RATE]
                 note(events, time + x, IMPACT, v, side)
                 v, y, side = -v * branch[side, BOUNCE], 0.0, int(branch[side, PARTNER])
+                slow = REST * branch[side, RATE]
                 if v < slow and (v < slow * (NO_BOUNCE / REST) or not lifted(branch, after(ground, x))):
                     side, v = -1, 0.0
                 continue
@@ -336,10 +337,10 @@ def marching(glide: Glide, step: Step, potential: Potential) -> March:
                 return -1
             if peaked == both:
                 return impacts
-            v, slow, impacts = math.sqrt(2.0 * E) * branch[side, BOUNCE], REST * branch[side, RATE], impacts + 1
-            if v < slow:
-                return impacts
+            v, impacts = math.sqrt(2.0 * E) * branch[side, BOUNCE], impacts + 1
             side = int(branch[side, PARTNER])
+            if v < REST * branch[side, RATE]:
+                return impacts
             E, peaked = 0.5 * v * v, peaked | (1 << side)
 
     @compiled

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Literal, TypeVar
 
@@ -121,6 +121,22 @@ def _positive(value: float, name: str, unit: str) -> float:
             "look at its loads and hinges"
         )
     return value
+
+
+def check_jobs(indices: Mapping[str, tuple[IntArray, int]], *, name: str, number: FloatArray) -> None:
+    """Raises ValueError where jobs [n] are not one of each, name something that is not there, or have no finite number.
+
+    indices : of what each job takes, and how many of that there are; name : of the `number` of each job
+    """
+    for of, (index, count) in indices.items():
+        if not index.shape == number.shape == (number.size,):
+            raise ValueError(f"jobs: {of} {index.shape} and {name} {number.shape}; give one of each for every job")
+        bad = np.flatnonzero((index < 0) | (index >= count))
+        if bad.size:
+            raise ValueError(f"jobs[{bad[0]}]: {of} {index[bad[0]]}, but there are {count}; count them from 0")
+    bad = np.flatnonzero(~np.isfinite(number))
+    if bad.size:
+        raise ValueError(f"jobs[{bad[0]}]: {name} {number[bad[0]]}; it must be a finite number")
 
 
 def tables_of(oscillators: Sequence[Packed]) -> tuple[FloatArray, IntArray, IntArray]:

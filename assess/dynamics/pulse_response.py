@@ -1,7 +1,8 @@
 """What pulses of the ground do to oscillators: whether they rock and overturn.
 
 A pulse is one of `records.pulses`, exact but for 1e-12: its acceleration goes to the kernel as polynomials of the fifth
-degree that have its value, slope and curvature at the ends of short pieces. Outcomes are told at the end of the pulse
+degree that have its value, slope and curvature at the ends of short pieces. A sine by the linearised equation is closed
+from event to event (`assess.dynamics.sine`) and needs no pieces. Outcomes are told at the end of the pulse
 from the energy that is left (reference: the body overturns where y + y' / p > 1, linearised), so no free motion is run.
 """
 
@@ -20,7 +21,8 @@ from numpy.typing import NDArray
 from scipy.interpolate import BPoly, PPoly
 
 from assess.dynamics import kernel
-from assess.dynamics.packing import Equation, Packed, branches_of, packed, tables_of
+from assess.dynamics.packing import Equation, Packed, branches_of, check_jobs, packed, tables_of
+from assess.dynamics.sine.kernel import sine_outcomes
 from assess.oscillator import Oscillator
 from records.pulses import Shape
 
@@ -70,7 +72,8 @@ def outcomes(
 ) -> Outcomes:
     """The outcome of every job; the same whatever the number of `threads` (0: all cores).
 
-    Raises as `prepared` does, and ValueError for an amplitude that is not finite.
+    Raises as `prepared` does, and ValueError for jobs that name no oscillator or frequency, or an amplitude that is not
+    finite.
     """
     return prepared(oscillators, shape, frequency, equation=equation, threads=threads)(jobs)
 
@@ -83,14 +86,21 @@ def prepared(
     Jobs of one oscillator and one frequency are quickest one after the other. Raises MechanismError for a branch that
     cannot rock, ValueError for a frequency that is not positive.
     """
-    if not np.all(np.isfinite(frequency) & (frequency > 0.0)):
-        raise ValueError("a pulse has a frequency that is not a positive number")
+    bad = np.flatnonzero(~(np.isfinite(frequency) & (frequency > 0.0)))
+    if bad.size:
+        raise ValueError(f"frequency[{bad[0]}] = {frequency[bad[0]]} Hz of a pulse; it must be a positive number")
     each = [packed(oscillator, equation) for oscillator in oscillators]
-    run = _KERNELS[equation](each, (*polynomials(shape), np.ascontiguousarray(frequency)))
+    if closed(shape, equation):
+        run: Run = partial(sine_outcomes, branches_of(each), shape.end, np.ascontiguousarray(frequency))
+    else:
+        run = _KERNELS[equation](each, (*polynomials(shape), np.ascontiguousarray(frequency)))
 
     def answer(jobs: PulseJobs) -> Outcomes:
-        if not np.all(np.isfinite(jobs.amplitude)):
-            raise ValueError("a pulse has an amplitude that is not a finite number")
+        check_jobs(
+            {"oscillator": (jobs.oscillator, len(oscillators)), "frequency": (jobs.frequency, frequency.size)},
+            name="amplitude",
+            number=jobs.amplitude,
+        )
         found = np.empty((jobs.amplitude.size, 7))
 
         def work(part: slice) -> None:
@@ -106,6 +116,11 @@ def prepared(
         )
 
     return answer
+
+
+def closed(shape: Shape, equation: Equation) -> bool:
+    """Whether the motion between two events is closed: a sine, whole or half, by the linearised equation."""
+    return equation == "linearised" and shape.name in ("sine", "half-sine")
 
 
 def _linearised(oscillators: Sequence[Packed], pulse: tuple[FloatArray, float, FloatArray]) -> Run:

@@ -11,13 +11,17 @@ from assess.project.messages import Key, look_up, written
 from assess.results import Notice
 
 WEAK = 0.02 * g  # m/s2: hardly felt; no wall is assessed for less
-PLACES: tuple[Key, ...] = (("site", "pga"), ("site", "spectrum", "s_ds"), ("site", "spectrum", "s_d1"))
+SPECTRUM: Key = ("site", "spectrum")
+PLACES: tuple[Key, ...] = (("site", "pga"), *((*SPECTRUM, key) for key in ("s_ds", "s_d1", "s_s", "s_1", "a_g")))
 
 
 def bare_numbers(raw: Mapping[str, Any]) -> Iterator[Notice]:
     """A notice for each acceleration of the ground in the file that is a plain number, and hardly an earthquake."""
     levels = look_up(raw, ("analysis", "levels"))[1] or ()
-    for key in (*PLACES, *(("analysis", "levels", place) for place in range(len(levels)))):
+    rows = look_up(raw, (*SPECTRUM, "hazard"))[1] or ()
+    listed: list[Key] = [("analysis", "levels", place) for place in range(len(levels))]
+    listed += [(*SPECTRUM, "hazard", place, "a_g") for place in range(len(rows))]
+    for key in (*PLACES, *listed):
         value = look_up(raw, key)[1]
         if isinstance(value, int | float) and value < WEAK:
             text = f'{value:.4g} m/s^2 is {value / g:.3g} g; write "{value:.4g} g" if that was meant'

@@ -23,15 +23,14 @@ from assess.project.directions import directed
 from assess.project.messages import located, shown
 from assess.project.notices import notices_of
 from assess.project.schema import Project, relative, resolved
+from assess.project.site_spectrum import spectrum_of
 from assess.project.study import Artificial, Case, Equation, PulseGrid, Study, Sweep
 from assess.project.variations import Variant, Variation
-from assess.results import Input
+from assess.results import Input, Notice
 from records.pulses import shape as pulse_shape
 from records.reading import read
 from records.record import Record
-from spectra.asce7 import design_spectrum
-from spectra.spectrum import Spectrum, scaled_to_pga
-from spectra.table import read_table
+from spectra.spectrum import Spectrum
 
 CLAUSES_NEED = {"height", "storeys", "ground_elevation", "period", "damping"}  # of [building]
 
@@ -66,7 +65,12 @@ def study_of(project: Project) -> Study:
         study,
         inputs=tuple(inputs_of(project)),
         resolved=resolved(project),
-        notices=(*project.doubts, *notices_of(content, solids, study.mechanisms, study.amplified), *left_out(found)),
+        notices=(
+            *project.doubts,
+            *(Notice("site-study", "site.spectrum", text) for text in (spectrum.cautions if spectrum else ())),
+            *notices_of(content, solids, study.mechanisms, study.amplified),
+            *left_out(found),
+        ),
         sweeps=tuple(sweep_of(variation, project, files) for variation in project.variations),
     )
 
@@ -134,19 +138,6 @@ def same_body(name: str, case: sections.Content, whole: sections.Content) -> boo
     """Whether a body and its material are those of the whole project."""
     material = getattr(case.bodies[name], "material", "")
     return case.bodies[name] == whole.bodies[name] and case.materials.get(material) == whole.materials.get(material)
-
-
-def spectrum_of(site: sections.Site) -> Spectrum:
-    """The site's spectrum, scaled to the PGA the project gives."""
-    section = site.spectrum
-    if isinstance(section, sections.TableSpectrum):
-        spectrum = read_table(section.file, damping=section.damping, pga=site.pga)
-    else:
-        spectrum = design_spectrum(
-            s_ds=section.s_ds, s_d1=section.s_d1, t_l=section.t_l, code=section.code, hazard=section.hazard
-        )
-        spectrum = replace(spectrum, damping=section.damping)
-    return spectrum if site.pga is None else scaled_to_pga(spectrum, site.pga)
 
 
 def levels_of(given: tuple[float, ...] | None, spectrum: Spectrum | None) -> tuple[float, ...]:

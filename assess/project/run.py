@@ -15,6 +15,7 @@ from assess.project.envelopes import DEFAULT_GRID, Rocker, critical_result, mapp
 from assess.project.messages import located
 from assess.project.motions import Motion, motions_of
 from assess.project.outcome import amplification_result, comparison, mechanism_result, record_result, spectrum_result
+from assess.project.sampling import coarse_notices
 from assess.project.study import Study
 from assess.project.sweeping import Swept, case_notices, case_text, controlling_cases, sweep_results, swept
 from assess.results import SCHEMA_VERSION, MechanismResult, Notice, Program, Results
@@ -36,13 +37,14 @@ def run(study: Study, *, jobs: int = 0, progress: Progress = lambda stage, done,
     alone = replace(study, mechanisms=tuple(m for m in study.mechanisms if m.name not in standing))
     own = {one.name: one for one in mechanisms_assessed(alone, spectrum, motions, jobs=jobs, progress=progress)}
     mechanisms = tuple(own.get(m.name) or standing[m.name].worst for m in study.mechanisms)
-    mapped = mapped_pulses(rockers_of(study, standing), study.pulses, jobs=jobs, progress=progress)
+    rockers = rockers_of(study, standing)
+    mapped = mapped_pulses(rockers, study.pulses, jobs=jobs, progress=progress)
     records = tuple(record_result(motion, spectrum) for motion in motions)
     return Results(
         schema_version=SCHEMA_VERSION,
         program=Program(NAME, version(NAME)),
         inputs=study.inputs,
-        warnings=(*notices_of(study, standing), *suite_notices(motions)),
+        warnings=(*notices_of(study, standing), *suite_notices(motions), *coarse_notices(rockers, motions)),
         project=study.resolved,
         spectrum=spectrum_result(spectrum),
         records=with_primary_pulses(records, motions, study.pulses),

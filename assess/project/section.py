@@ -24,10 +24,15 @@ def listed(names: Mapping[str, Any] | tuple[str, ...]) -> str:
 
 
 class Section(BaseModel):
-    """One table of the project file. `planned` are keys of the interface that this version does not read yet."""
+    """One table of the project file.
+
+    `planned` are keys of the interface that this version does not read yet; `elsewhere` are keys of another form of the
+    same table, each with what is wrong about them here.
+    """
 
     model_config = ConfigDict(frozen=True, extra="forbid", use_attribute_docstrings=True)
     planned: ClassVar[Mapping[str, str]] = {}
+    elsewhere: ClassVar[Mapping[str, str]] = {}
 
     @classmethod
     def table_keys(cls) -> dict[str, FieldInfo]:
@@ -50,6 +55,8 @@ class Section(BaseModel):
     def _unknown(cls, key: str) -> str:
         if key in cls.planned:
             return f"not supported by this version; {cls.planned[key]}"
+        if key in cls.elsewhere:
+            return cls.elsewhere[key]
         near = get_close_matches(key, cls.table_keys(), n=1)
         return (
             f'unknown key; did you mean "{near[0]}"?'

@@ -18,6 +18,7 @@ from assess.codes.check import Step, Verdict
 from assess.codes.context import Context
 from assess.codes.worked import multiplier_worked
 from assess.oscillator import Branch, displacement, interpolant, participation_ratio, resisted, threshold
+from spectra.floor_spectrum import first_mode_factor
 
 EDITION = "DM 14.01.2008, Circolare 617/2009"
 CAVEAT = "clause numbers of C8A.4 not checked against the printed circular"
@@ -91,8 +92,8 @@ def floor_of(context: Context) -> Floor | None:
     building = context.building
     if context.elevation <= ON_GROUND or building is None or building.storeys is None:
         return None
-    n = building.storeys
-    return Floor(psi=context.elevation / building.height, gamma=3 * n / (2 * n + 1), T1=building.period)
+    gamma = first_mode_factor(building.storeys)
+    return Floor(psi=context.elevation / building.height, gamma=gamma, T1=building.period)
 
 
 def unanswerable(context: Context) -> str:

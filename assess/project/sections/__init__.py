@@ -29,11 +29,22 @@ from assess.project.sections.mechanisms import (
     TwoBlock,
 )
 from assess.project.sections.pulses import Pulses
-from assess.project.sections.site import Asce7Spectrum, Building, Site, TableSpectrum
+from assess.project.sections.site import Building, Site
+from assess.project.sections.spectra import (
+    Asce7MappedSpectrum,
+    Asce7Spectrum,
+    Ec8Spectrum,
+    NtcHazardSpectrum,
+    NtcSpectrum,
+    Nzs1170Spectrum,
+    Spectrum,
+    TableSpectrum,
+)
 from assess.project.sections.sweeps import Sweep
 
 __all__ = [
     "PROCEDURES",
+    "Asce7MappedSpectrum",
     "Asce7Spectrum",
     "Body",
     "BodyLoad",
@@ -44,6 +55,7 @@ __all__ = [
     "CutAngle",
     "CutPlane",
     "DirectBody",
+    "Ec8Spectrum",
     "EquivalentBlock",
     "FirstModeAmplification",
     "FloorAmplification",
@@ -58,6 +70,9 @@ __all__ = [
     "Mechanism",
     "MeshBody",
     "NoAmplification",
+    "NtcHazardSpectrum",
+    "NtcSpectrum",
+    "Nzs1170Spectrum",
     "OverburdenLoad",
     "PrintedAmplification",
     "ProfileBody",
@@ -68,6 +83,7 @@ __all__ = [
     "Shape",
     "SingleBlock",
     "Site",
+    "Spectrum",
     "Sweep",
     "TableSpectrum",
     "TieLoad",

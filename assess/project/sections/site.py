@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Annotated, Any, ClassVar, Literal
-
-from pydantic import Discriminator, Field, Tag
+from pydantic import Field
 
 from assess.project.quantities import (
     Count,
     Damping,
-    InputFile,
     Length,
     NotNegativeRatio,
     PositiveAcceleration,
@@ -18,57 +14,8 @@ from assess.project.quantities import (
     PositiveLength,
     PositiveTime,
 )
-from assess.project.section import Section, listed
-
-SPECTRA = ("asce7-05", "ibc2009", "asce7-10", "asce7-16", "table")
-
-
-class Asce7Spectrum(Section):
-    """Design spectrum of ASCE 7 (IBC 2009 refers to 7-05), from its two design ordinates."""
-
-    planned: ClassVar[Mapping[str, str]] = dict.fromkeys(
-        ("s_s", "s_1", "site_class"), "give s_ds, s_d1 and t_l directly"
-    )
-
-    code: Literal["asce7-05", "ibc2009", "asce7-10", "asce7-16"]
-    """name and edition of the code; "ibc2009" has the shape of "asce7-05\""""
-    s_ds: PositiveAcceleration
-    """design spectral acceleration at short periods, like "0.167 g\""""
-    s_d1: PositiveAcceleration
-    """design spectral acceleration at 1 s, like "0.053 g\""""
-    t_l: PositiveTime
-    """long-period transition period, like "6 s\""""
-    hazard: Literal["design", "mce"] = "design"
-    """"design", or "mce": the maximum considered earthquake, 1.5 times the design spectrum"""
-    damping: Damping = 0.05
-    """damping ratio of the spectrum"""
-
-
-class TableSpectrum(Section):
-    """A spectrum read from a file of periods and accelerations."""
-
-    code: Literal["table"]
-    """"table\""""
-    file: InputFile
-    """CSV of period and acceleration, with units in the header"""
-    damping: Damping = 0.05
-    """damping ratio of the spectrum in the file"""
-
-
-def _spectrum_tag(values: Any) -> str | None:
-    code = values.get("code") if isinstance(values, dict) else None
-    return None if code not in SPECTRA else "<table>" if code == "table" else "<asce7>"
-
-
-SpectrumSection = Annotated[
-    Annotated[Asce7Spectrum, Tag("<asce7>")] | Annotated[TableSpectrum, Tag("<table>")],
-    Discriminator(
-        _spectrum_tag,
-        custom_error_type="choice",
-        custom_error_message="write one of {names}",
-        custom_error_context={"key": ("code",), "names": listed(SPECTRA)},
-    ),
-]
+from assess.project.section import Section
+from assess.project.sections.spectra import SpectrumSection
 
 
 class Site(Section):

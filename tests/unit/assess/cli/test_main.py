@@ -16,7 +16,7 @@ from assess.examples import EXAMPLES, source
 from records.errors import RecordError
 from spectra.errors import SpectrumError
 
-COMMANDS = ("new", "check", "run", "parameters", "report", "schema")
+COMMANDS = ("new", "check", "run", "parameters", "spectrum", "report", "schema")
 SITE = """
 [site.spectrum]
 code = "asce7-16"
@@ -60,7 +60,7 @@ def processor_time(command: list[str]) -> float:
     return min(times)
 
 
-@pytest.mark.parametrize("arguments", [["--help"], ["run", "--help"]])
+@pytest.mark.parametrize("arguments", [["--help"], ["run", "--help"], ["spectrum", "--help"]])
 def test_help_answers_at_once(arguments: list[str]) -> None:
     """Under 0.3 s, or within twice the time of importing typer alone on a slow machine."""
     help_time = processor_time([sys.executable, "-c", "from assess.cli import main; main()", *arguments])

@@ -156,7 +156,7 @@ def reference(sides: tuple[Side, ...], record: Record, scale: float) -> Found:
                 found.impacts += 1
                 at = (at + 1) % len(sides)
                 still = all(-(1 - 2 * n) * (a0 + slope * (t - start)) <= e.threshold for n, e in enumerate(sides))
-                if v < side.slow and still:
+                if v < sides[at].slow and still:
                     at, v = -1, 0.0
             elif phi >= side.end:
                 found.overturned = True
@@ -181,15 +181,20 @@ def one(oscillator: Oscillator, record: Record, scale: float, equation: str = "e
     return peaks([oscillator], [record], Jobs(*(np.array([x]) for x in (0, 0, scale))), equation=equation, threads=1)
 
 
-def agree(ours: Peaks, theirs: Found, nearby: Peaks) -> None:
+LINEARISED, BLOCK, TABLE = 1e-12, 1e-10, 1e-8
+"""Relative error of the largest rotation that is allowed. What is seen is 1e-14, 5e-12 and 4e-10: of the steps, of the
+tolerance 1e-10 to a step, and of the table, whose cubics go over into another coordinate."""
+
+
+def agree(ours: Peaks, theirs: Found, nearby: Peaks, *, rtol: float) -> None:
     assert bool(ours.overturned[0]) == theirs.overturned
     assert ours.impacts[0] == theirs.impacts
     if theirs.overturned:
         assert ours.overturning_time[0] == pytest.approx(theirs.passed, abs=1e-8)
         return
     assert nearby.max_ratio[0] == pytest.approx(ours.max_ratio[0], rel=1e-9), "not a well-conditioned case"
-    assert ours.max_ratio[0] == pytest.approx(theirs.ratio, rel=1e-8)
-    assert ours.time_of_max[0] == pytest.approx(theirs.time, abs=1e-7)
+    assert ours.max_ratio[0] == pytest.approx(theirs.ratio, rel=rtol)
+    assert ours.time_of_max[0] == pytest.approx(theirs.time, abs=max(rtol, 1e-11))
 
 
 CASES = {
@@ -210,7 +215,7 @@ def test_exact_equation_is_that_of_dop853(case: str) -> None:
     record, scale, p, alpha, restitution, sides = CASES[case]
     body = block(p, alpha, restitution, sides)
     theirs = reference((exact_side(p, alpha, restitution),) * sides, record, scale)
-    agree(one(body, record, scale), theirs, one(body, record, scale * (1 + 1e-12)))
+    agree(one(body, record, scale), theirs, one(body, record, scale * (1 + 1e-12)), rtol=BLOCK)
 
 
 @pytest.mark.parametrize("case", CASES)
@@ -218,7 +223,12 @@ def test_linearised_equation_is_that_of_dop853(case: str) -> None:
     record, scale, p, alpha, restitution, sides = CASES[case]
     body = block(p, alpha, restitution, sides)
     theirs = reference((linearised_side(body.positive, record.pga),) * sides, record, scale)
-    agree(one(body, record, scale, "linearised"), theirs, one(body, record, scale * (1 + 1e-12), "linearised"))
+    agree(
+        one(body, record, scale, "linearised"),
+        theirs,
+        one(body, record, scale * (1 + 1e-12), "linearised"),
+        rtol=LINEARISED,
+    )
 
 
 @pytest.mark.skipif(not PEER.is_dir(), reason="the folder of real records, ../shared/records/peer_at2, is not there")
@@ -229,7 +239,7 @@ def test_exact_equation_under_a_real_record(scale: float) -> None:
     theirs = reference((exact_side(2.0, 0.12, 0.8),) * 2, record, scale)
     assert theirs.impacts > 5
     body = block(2.0, 0.12, 0.8)
-    agree(one(body, record, scale), theirs, one(body, record, scale * (1 + 1e-12)))
+    agree(one(body, record, scale), theirs, one(body, record, scale * (1 + 1e-12)), rtol=BLOCK)
 
 
 def frame(jump: bool = False, sides: int = 2) -> Oscillator:
@@ -253,7 +263,7 @@ def test_unlike_branches_with_varying_inertia(scale: float) -> None:
     body, record = frame(), sine(4.5, 0.8, 2.0, n=30)
     theirs = reference(tuple(table_side(b) for b in body.branches), record, scale)
     assert theirs.impacts > 0
-    agree(one(body, record, scale), theirs, one(body, record, scale * (1 + 1e-12)))
+    agree(one(body, record, scale), theirs, one(body, record, scale * (1 + 1e-12)), rtol=TABLE)
 
 
 @pytest.mark.parametrize("scale", [1.0, -0.6])

@@ -220,7 +220,7 @@ WRONG: dict[str, tuple[str | bytes, str]] = {
         ": mass stands there twice",
     ),
     "not TOML": ("title = 1\nthis is prose", "line 2, column 6: not valid TOML"),
-    "unknown code": (changed("asce7-05", "ec8"), 'site.spectrum.code: "ec8": not supported; write one of "asce7-05"'),
+    "unknown code": (changed("asce7-05", "ec9"), 'site.spectrum.code: "ec9": not supported; write one of "asce7-05"'),
     "no code": (changed('code = "asce7-05"', ""), "site.spectrum.code: missing; write one of"),
     "unknown kind": (changed("single-block", "three-block"), 'mechanisms.wall.kind: "three-block": not supported'),
     "unknown procedure": (PROJECT + 'procedures = ["ntc2018-linear"]', 'analysis.procedures[1]: "ntc2018-linear": '),

@@ -1,0 +1,81 @@
+"""A design spectrum for the terminal, as CSV, as JSON and as a figure."""
+
+from __future__ import annotations
+
+import csv
+import io
+import sys
+from importlib.metadata import version
+from pathlib import Path
+
+from scipy.constants import g
+
+from assess.cli.description import warned
+from assess.cli.text_table import text_table
+from assess.project.outcome import spectrum_result
+from assess.project.run import NAME
+from assess.results import Notice
+from assess.results_io import dumps_spectrum
+from reports.spectrum_parameters import ACCELERATION, corners, named
+from spectra.spectrum import Spectrum
+
+ROUND = (0.0, 0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.8, 1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0)  # s
+
+
+def table_text(spectrum: Spectrum) -> str:
+    """The clause, the parameters, and the ordinates at round and corner periods, for reading."""
+    scale = "" if spectrum.factor == 1.0 else f", ordinates scaled by {spectrum.factor:.4g}"
+    peak = f"PGA {spectrum.pga / g:.4g} g{scale}"
+    heading = f"{spectrum.code}: {spectrum.clause}; damping {spectrum.damping:g}, {peak}\n"
+    parameters = [[words, *_shown(value, unit)] for words, unit, value in named(spectrum.parameters)]
+    period = periods_of(spectrum)
+    columns = zip(period, spectrum.acceleration(period) / g, spectrum.displacement(period), strict=True)
+    ordinates = [[f"{T:.4g}", f"{S_a:.4f}", f"{1e3 * S_d:.2f}"] for T, S_a, S_d in columns]
+    return "\n".join(
+        (
+            heading,
+            text_table(["parameter", "value", "unit"], parameters),
+            text_table(["T [s]", "S_a [g]", "S_d [mm]"], ordinates),
+        )
+    )
+
+
+def periods_of(spectrum: Spectrum) -> list[float]:
+    """Round periods and the spectrum's corners [s], rising, as far as the spectrum reaches."""
+    wanted = {*ROUND, *corners(spectrum.parameters)}
+    return sorted(period for period in wanted if period <= min(spectrum.longest_period, max(ROUND)))
+
+
+def csv_text(spectrum: Spectrum) -> str:
+    """Period and acceleration at full precision, as a table spectrum is read."""
+    result, stream = spectrum_result(spectrum), io.StringIO()
+    writer = csv.writer(stream, lineterminator="\n")
+    writer.writerow(["period [s]", "acceleration [g]"])
+    writer.writerows(zip(result.period_s, result.acceleration_g, strict=True))
+    return stream.getvalue()
+
+
+def json_text(spectrum: Spectrum) -> str:
+    """The block `spectrum` of results.json."""
+    return dumps_spectrum(spectrum_result(spectrum))
+
+
+def told(spectrum: Spectrum) -> None:
+    """What the engineer has to know before using the spectrum, on stderr."""
+    notices = tuple(Notice("site-study", "site.spectrum", text) for text in spectrum.cautions)
+    print(warned(notices), end="", file=sys.stderr)
+
+
+def draw(spectrum: Spectrum, path: Path) -> Path:
+    """The figure of the spectrum at `path`."""
+    from reports.figure_file import write_figure
+    from reports.figures import design_spectrum
+
+    return write_figure(design_spectrum.draw(spectrum_result(spectrum)), path, creator=f"{NAME} {version(NAME)}")
+
+
+def _shown(value: float | str, unit: str) -> tuple[str, str]:
+    """A value and its unit; accelerations in g."""
+    if not isinstance(value, float):
+        return str(value), unit
+    return (f"{value / g:.4g}", "g") if unit == ACCELERATION else (f"{value:.5g}", unit)

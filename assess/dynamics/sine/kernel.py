@@ -1,0 +1,186 @@
+"""Overturning under one cycle, or half a cycle, of a sine by the linearised equation, from event to event, compiled.
+
+Between two events the motion on a side is closed: with s = +1 or -1 its sign, w the circular frequency of the pulse
+a(t) = A sin(w t), and y = 1 at overturning,
+
+    y = 1 + C1 e^(p x) + C2 e^(-p x) + Q sin(w t),     Q = s A / threshold p^2 / (p^2 + w^2),     x = t - t_0
+
+so that a pulse costs a few dozen points of a recurrence, which look for the landing, and no steps of integration. The
+columns of `branch`, REST and NO_BOUNCE are those of `assess.dynamics.kernel`.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from assess.dynamics.kernel import (
+    BOUNCE,
+    IMPACTS,
+    NO_BOUNCE,
+    OVERTURNED,
+    PARTNER,
+    RATE,
+    REST,
+    THRESHOLD,
+    UPLIFTED,
+)  # fmt: skip
+from assess.kernel import compiled, entry
+
+FloatArray = NDArray[np.float64]
+IntArray = NDArray[np.int64]
+BoolArray = NDArray[np.bool_]
+
+POINTS = 32
+"""From lift-off to the end of the pulse: a body that has landed goes on falling in the closed motion, so that no
+landing hides between two of them."""
+MOST_IMPACTS = 10_000
+
+
+@compiled
+def lift(branch: FloatArray, A: float, phase: float, end: float) -> tuple[int, float]:
+    """The side that lifts next, from `phase` on, and at which phase; side -1 where none does before `end`."""
+    side = 1 if A > 0.0 else 0  # in the first half of the pulse; the other in the second
+    for half in range(2):
+        if abs(A) > branch[side, THRESHOLD]:
+            start = math.asin(branch[side, THRESHOLD] / abs(A))
+            begin, over = math.pi * half + start, math.pi * (half + 1) - start
+            if phase < over and begin < end:
+                return side, max(phase, begin)
+        side = 1 - side
+    return -1, end
+
+
+@compiled
+def leg(branch: FloatArray, side: int, A: float, w: float, phase: float, v: float,
+        end: float) -> tuple[bool, float, float, float]:  # fmt: skip
+    """From y = 0 with y' = v at `phase`: whether it lands before `end`, the phase where the leg ends, and y, y' there.
+
+    It also ends where the body can no longer return while the pulse lasts: y is then beyond 1 + |A| / threshold.
+    """
+    p, threshold = branch[side, RATE], branch[side, THRESHOLD]
+    Q = (1.0 - 2.0 * side) * A / threshold * p * p / (p * p + w * w)
+    sine, cosine = math.sin(phase), math.cos(phase)
+    first, second = -1.0 - Q * sine, (v - Q * w * cosine) / p
+    C1, C2 = 0.5 * (first + second), 0.5 * (first - second)
+    step, limit = (end - phase) / POINTS, 1.0 + abs(A) / threshold
+    grow = math.exp(p * step / w)
+    shrink, turn_c, turn_s = 1.0 / grow, math.cos(step), math.sin(step)
+    at, before = phase, phase
+    for k in range(1, POINTS + 1):
+        C1, C2 = C1 * grow, C2 * shrink
+        sine, cosine = sine * turn_c + cosine * turn_s, cosine * turn_c - sine * turn_s
+        before, at = at, (end if k == POINTS else phase + k * step)
+        y = 1.0 + C1 + C2 + Q * sine
+        if y < 0.0:
+            return landing(p, w, Q, C1, C2, before, at)
+        if y >= limit and p * (C1 - C2) + Q * w * cosine >= 0.0:
+            break
+    return False, at, 1.0 + C1 + C2 + Q * sine, p * (C1 - C2) + Q * w * cosine
+
+
+@compiled
+def landing(p: float, w: float, Q: float, C1: float, C2: float, low: float,
+            high: float) -> tuple[bool, float, float, float]:  # fmt: skip
+    """As `leg`, of one that lands between the phases low and high; C1, C2 with the exponentials at high."""
+    end, at, v = high, high, 0.0
+    for _ in range(60):
+        grown = math.exp(p * (at - end) / w)
+        one, two = C1 * grown, C2 / grown
+        y, v = 1.0 + one + two + Q * math.sin(at), p * (one - two) + Q * w * math.cos(at)
+        if y < 0.0:
+            high = at
+        else:
+            low = at
+        new = at - y * w / v if v != 0.0 else low
+        if not low <= new <= high or v >= 0.0:
+            new = 0.5 * (low + high)
+        close = abs(new - at) <= 1e-15 * end
+        at = new
+        if close:
+            break
+    return True, at, 0.0, min(v, 0.0)
+
+
+@compiled
+def falls(branch: FloatArray, A: float, w: float, end: float) -> tuple[bool, bool, int]:
+    """Of a body at rest under A sin(w t) up to the phase `end`, pi or 2 pi: whether it overturns, rocks; impacts."""
+    side, phase = lift(branch, A, 0.0, end)
+    if side < 0:
+        return False, False, 0
+    y, v, impacts = 0.0, 0.0, 0
+    while phase < end and impacts < MOST_IMPACTS:
+        if side < 0:
+            side, phase = lift(branch, A, phase, end)
+            if side < 0:
+                return False, True, impacts
+            v = 0.0
+        down, phase, y, v = leg(branch, side, A, w, phase, v, end)
+        if not down:
+            break
+        impacts += 1
+        v, side, y = -v * branch[side, BOUNCE], int(branch[side, PARTNER]), 0.0
+        slow, a = REST * branch[side, RATE], A * math.sin(phase)
+        pushed = -a > branch[0, THRESHOLD] or a > branch[1, THRESHOLD]
+        if v < slow and (v < slow * (NO_BOUNCE / REST) or not pushed):
+            side, v = -1, 0.0
+    return (phase < end and impacts < MOST_IMPACTS) or (side >= 0 and after(branch, side, y, v)), True, impacts
+
+
+@compiled
+def after(branch: FloatArray, side: int, y: float, v: float) -> bool:
+    """Whether it overturns in free motion: y + y' / p > 1, or after the next impacts with what they leave."""
+    p = branch[side, RATE]
+    if y + v / p > 1.0:
+        return True
+    energy = v * v + p * p * y * (2.0 - y)  # y'^2 at the next impact
+    for _ in range(4):
+        energy *= branch[side, BOUNCE] ** 2
+        side = int(branch[side, PARTNER])
+        if energy > branch[side, RATE] ** 2:
+            return True
+    return False
+
+
+@entry
+def sine_outcomes(branches: FloatArray, end: float, frequency: FloatArray, oscillator: IntArray, motion: IntArray,
+                  scale: FloatArray, found: FloatArray) -> None:  # fmt: skip
+    """All jobs under a sine up to the phase `end`, pi or 2 pi; fills OVERTURNED, UPLIFTED, IMPACTS of found [jobs, 7].
+
+    branches [oscillators, 2, 7]; frequency [Hz] of each motion; scale: signed peak acceleration [m/s2] of each job.
+    """
+    for j in range(oscillator.shape[0]):
+        w = 2.0 * math.pi * frequency[motion[j]]
+        down, rocked, impacts = falls(branches[oscillator[j]], scale[j], w, end)
+        found[j, OVERTURNED] = 1.0 if down else 0.0
+        found[j, UPLIFTED] = 1.0 if rocked else 0.0
+        found[j, IMPACTS] = impacts
+
+
+@entry
+def sine_bounds(branch: FloatArray, end: float, frequency: FloatArray, lowest: FloatArray, highest: FloatArray,
+                ratio: float, sign: float, bisections: int, found: FloatArray) -> None:  # fmt: skip
+    """Least amplitude of one polarity that overturns at each frequency [n] [Hz]; fills found [n], inf where none does.
+
+    Looked for from `lowest` [n] to `highest` [n] in steps of `ratio`, then between the last that stands and the first
+    that falls.
+    """
+    for i in range(frequency.shape[0]):
+        w, low, high = 2.0 * math.pi * frequency[i], 0.0, min(lowest[i], highest[i])
+        found[i] = math.inf
+        while not falls(branch, sign * high, w, end)[0]:
+            if high >= highest[i]:
+                high = math.inf
+                break
+            low, high = high, min(high * ratio, highest[i])
+        if high == math.inf:
+            continue
+        for _ in range(bisections):
+            middle = 0.5 * (low + high)
+            if falls(branch, sign * middle, w, end)[0]:
+                high = middle
+            else:
+                low = middle
+        found[i] = high

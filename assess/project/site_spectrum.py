@@ -1,0 +1,150 @@
+"""From the table [site.spectrum] to the spectrum it describes."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import singledispatch
+from pathlib import Path
+
+from assess.errors import ProjectError
+from assess.project import sections
+from assess.project.messages import located
+from assess.project.schema import load
+from spectra import asce7, ec8, ntc, nzs1170_5
+from spectra.errors import SpectrumError
+from spectra.spectrum import Spectrum, scaled_to_pga
+from spectra.table import read_table
+
+NtcSection = sections.NtcSpectrum | sections.NtcHazardSpectrum
+
+
+def site_of(path: Path) -> sections.Site:
+    """The site of the project at `path`. Raises ProjectError for a project without one."""
+    project = load(path)
+    if project.content.site is None:
+        raise ProjectError(f"{project.path}: site.spectrum: missing; add a table [site.spectrum]")
+    return project.content.site
+
+
+def spectrum_of(site: sections.Site) -> Spectrum:
+    """The site's horizontal spectrum at its damping, scaled to the PGA the project gives."""
+    section = site.spectrum
+    if isinstance(section, sections.TableSpectrum):
+        spectrum = read_table(section.file, damping=section.damping, pga=site.pga)
+    else:
+        with located("site.spectrum"):
+            spectrum = replace(horizontal(section), damping=section.damping)
+    return spectrum if site.pga is None else scaled_to_pga(spectrum, site.pga)
+
+
+def vertical_of(site: sections.Site) -> Spectrum:
+    """The site's vertical spectrum, with the factor by which `pga` scales the horizontal one.
+
+    Raises SpectrumError for the codes that have none here.
+    """
+    with located("site.spectrum"):
+        spectrum = replace(vertical(site.spectrum), damping=site.spectrum.damping)
+    return replace(spectrum, factor=spectrum_of(site).factor)
+
+
+@singledispatch
+def horizontal(section: sections.Spectrum) -> Spectrum:
+    """The horizontal spectrum of a table [site.spectrum] at 5 % damping."""
+    raise NotImplementedError(type(section).__name__)
+
+
+@horizontal.register
+def _(section: sections.Asce7Spectrum) -> Spectrum:
+    given = {"s_ds": section.s_ds, "s_d1": section.s_d1, "t_l": section.t_l}
+    return asce7.design_spectrum(**given, code=section.code, hazard=section.hazard)
+
+
+@horizontal.register
+def _(section: sections.Asce7MappedSpectrum) -> Spectrum:
+    given = {"s_s": section.s_s, "s_1": section.s_1, "t_l": section.t_l}
+    return asce7.mapped_spectrum(**given, site_class=section.site_class, code=section.code, hazard=section.hazard)
+
+
+@horizontal.register
+def _(section: sections.Ec8Spectrum) -> Spectrum:
+    return ec8.elastic_spectrum(
+        a_g=section.a_g,
+        ground_type=section.ground_type,
+        spectrum_type=section.type,
+        importance_factor=section.importance_factor,
+    )
+
+
+@horizontal.register
+def _(section: sections.Nzs1170Spectrum) -> Spectrum:
+    return nzs1170_5.site_spectrum(
+        subsoil=section.subsoil, z=section.z, r=factor_of(section), near_fault_distance=section.near_fault_distance
+    )
+
+
+@horizontal.register(sections.NtcSpectrum)
+@horizontal.register(sections.NtcHazardSpectrum)
+def _(section: NtcSection) -> Spectrum:
+    return at_limit_state(section, ntc.elastic_spectrum(hazard_of(section), place=place_of(section), code=section.code))
+
+
+@singledispatch
+def vertical(section: sections.Spectrum) -> Spectrum:
+    """The vertical spectrum of a table [site.spectrum] at 5 % damping."""
+    raise SpectrumError(f"code = {section.code} has no vertical spectrum here; ec8, nzs1170.5, ntc2008, ntc2018 have")
+
+
+@vertical.register
+def _(section: sections.Ec8Spectrum) -> Spectrum:
+    return ec8.vertical_spectrum(
+        a_g=section.a_g,
+        ground_type=section.ground_type,
+        spectrum_type=section.type,
+        importance_factor=section.importance_factor,
+    )
+
+
+@vertical.register
+def _(section: sections.Nzs1170Spectrum) -> Spectrum:
+    return nzs1170_5.vertical_spectrum(
+        subsoil=section.subsoil, z=section.z, r=factor_of(section), near_fault_distance=section.near_fault_distance
+    )
+
+
+@vertical.register(sections.NtcSpectrum)
+@vertical.register(sections.NtcHazardSpectrum)
+def _(section: NtcSection) -> Spectrum:
+    return at_limit_state(
+        section, ntc.vertical_spectrum(hazard_of(section), place=place_of(section), code=section.code)
+    )
+
+
+def factor_of(section: sections.Nzs1170Spectrum) -> float:
+    """The return period factor R [-], given or from the return period."""
+    if section.r is not None:
+        return section.r
+    assert section.return_period is not None  # the schema asks for one of the two
+    return nzs1170_5.return_period_factor(section.return_period)
+
+
+def hazard_of(section: NtcSection) -> ntc.Hazard:
+    """The hazard given, or that of the limit state."""
+    if isinstance(section, sections.NtcSpectrum):
+        return ntc.Hazard(section.a_g, section.f_0, section.t_c_star)
+    rows = [ntc.Hazard(row.a_g, row.f_0, row.t_c_star, row.return_period) for row in section.hazard]
+    return ntc.limit_state_hazard(
+        rows, limit_state=section.limit_state, nominal_life=section.nominal_life, use_class=section.use_class
+    )
+
+
+def place_of(section: NtcSection) -> ntc.Place:
+    """Soil and topography of the site."""
+    return ntc.Place(section.soil, section.topography, section.relief_position)
+
+
+def at_limit_state(section: NtcSection, spectrum: Spectrum) -> Spectrum:
+    """The spectrum with its limit state among the parameters, where the table names one."""
+    if isinstance(section, sections.NtcSpectrum):
+        return spectrum
+    asked = {"limit_state": section.limit_state, "nominal_life": section.nominal_life, "use_class": section.use_class}
+    return replace(spectrum, parameters={**asked, **spectrum.parameters})

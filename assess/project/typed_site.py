@@ -1,0 +1,43 @@
+"""A site typed as options of a command instead of a project file; the keys and their meaning are the same."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from pydantic import ValidationError
+
+from assess.errors import ProjectError
+from assess.project.messages import one_line
+from assess.project.sections.site import Site
+
+NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d{1,3})?")
+
+
+def typed_site(options: Mapping[str, str], *, folder: Path) -> Site:
+    """The site with [site.spectrum] of these `options`, key -> text, and `pga`; paths are relative to `folder`.
+
+    Raises ProjectError, one line that names the option, for what a project file would be refused for.
+    """
+    table = {key: value if key == "file" else _value(value) for key, value in options.items() if key != "pga"}
+    raw: dict[str, Any] = {"spectrum": table}
+    if "pga" in options:
+        raw["pga"] = _value(options["pga"])
+    try:
+        return Site.model_validate(raw, context={"folder": folder})
+    except ValidationError as error:
+        raise ProjectError(_as_option(one_line(error, raw=raw))) from None
+
+
+def _value(text: str) -> float | int | str:
+    """A number where the text is one, as TOML would have it without quotes; else the text."""
+    if NUMBER.fullmatch(text) is None:
+        return text
+    return int(text) if re.fullmatch(r"[+-]?\d+", text) else float(text)
+
+
+def _as_option(line: str) -> str:
+    """The line of an error with the key in front written as the option."""
+    return re.sub(r"^(?:spectrum\.)?(\w+)", lambda found: f"--{found[1].replace('_', '-')}", line)

@@ -1,0 +1,42 @@
+"""One figure as a file of its own: SVG, PDF or PNG by its ending."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+from matplotlib.figure import Figure
+
+from reports.style import styled
+from reports.svg import write_svg
+from reports.vector import trace
+
+PNG_DPI = 200
+
+
+def _svg(figure: Figure, path: Path, creator: str) -> None:
+    write_svg(trace(figure), path, creator=creator)
+
+
+def _pdf(figure: Figure, path: Path, creator: str) -> None:
+    with styled():
+        figure.savefig(path, format="pdf", metadata={"Creator": creator, "CreationDate": None})
+
+
+def _png(figure: Figure, path: Path, creator: str) -> None:
+    with styled():
+        figure.savefig(path, format="png", dpi=PNG_DPI, metadata={"Software": creator})
+
+
+WRITERS: Mapping[str, Callable[[Figure, Path, str], None]] = {".svg": _svg, ".pdf": _pdf, ".png": _png}
+
+
+def write_figure(figure: Figure, path: Path, *, creator: str) -> Path:
+    """Write `figure` to `path`, whole or not at all, in the form its ending names (a key of WRITERS); the path."""
+    with TemporaryDirectory(prefix=".assess-partial-", dir=path.parent) as folder:
+        made = Path(folder) / path.name
+        WRITERS[path.suffix.lower()](figure, made, creator)
+        os.replace(made, path)
+    return path

@@ -1,0 +1,134 @@
+"""The elastic spectra of EN 1998-1:2004 with the recommended values of its tables; a national annex may change them.
+
+Not compared with the printed standard: type 1 agrees with a public implementation (eqdes); the tables of type 2, of
+vertical motion and of long periods are from memory.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass
+from functools import partial
+from math import inf
+
+from spectra.errors import SpectrumError
+from spectra.four_branches import FourBranches
+from spectra.spectrum import Spectrum, positive
+
+AMPLIFICATION, VERTICAL_AMPLIFICATION = 2.5, 3.0  # of the level branch, (3.3) and (3.9)
+DAMPING_RULE = "EN 1998-1 eq. (3.6): eta = √(10 / (5 + ξ)) ≥ 0.55; not checked against the printed standard"
+
+
+@dataclass(frozen=True)
+class Ground:
+    """Soil factor S [-] and corner periods [s] of a ground type; T_E and T_F only where Annex A has them."""
+
+    s: float
+    t_b: float
+    t_c: float
+    t_d: float
+    t_e: float = inf
+    t_f: float = inf
+
+
+GROUNDS: Mapping[int, Mapping[str, Ground]] = {
+    1: {  # Table 3.2; T_E, T_F: Table A.1
+        "A": Ground(1.00, 0.15, 0.4, 2.0, 4.5, 10.0),
+        "B": Ground(1.20, 0.15, 0.5, 2.0, 5.0, 10.0),
+        "C": Ground(1.15, 0.20, 0.6, 2.0, 6.0, 10.0),
+        "D": Ground(1.35, 0.20, 0.8, 2.0, 6.0, 10.0),
+        "E": Ground(1.40, 0.15, 0.5, 2.0, 6.0, 10.0),
+    },
+    2: {  # Table 3.3
+        "A": Ground(1.00, 0.05, 0.25, 1.2),
+        "B": Ground(1.35, 0.05, 0.25, 1.2),
+        "C": Ground(1.50, 0.10, 0.25, 1.2),
+        "D": Ground(1.80, 0.10, 0.30, 1.2),
+        "E": Ground(1.60, 0.05, 0.25, 1.2),
+    },
+}
+STUDIED = ("S1", "S2")  # ground types that 3.1.2(4) leaves to a special study
+VERTICAL_RATIO: Mapping[int, float] = {1: 0.90, 2: 0.45}  # a_vg / a_g, Table 3.4
+VERTICAL_CORNERS = (0.05, 0.15, 1.0)  # T_B, T_C, T_D [s] of both types, Table 3.4
+
+
+def elastic_spectrum(
+    *, a_g: float, ground_type: str, spectrum_type: int = 1, importance_factor: float = 1.0
+) -> Spectrum:
+    """The horizontal elastic spectrum from `a_g`, the reference peak ground acceleration a_gR on type A [m/s2].
+
+    The design ground acceleration is importance_factor a_gR. The standard gives the spectrum up to 4 s; beyond, its
+    last branch continues, which is on the safe side of the displacements of Annex A (type 1 only).
+
+    Raises SpectrumError for values that are not positive, for an unknown type or ground, and for S1 and S2.
+    Source: EN 1998-1:2004, 3.2.2.2, (3.2)-(3.7), Tables 3.2 and 3.3; Annex A; importance 3.2.1(3).
+    """
+    positive("ec8", a_g=a_g, importance_factor=importance_factor)
+    ground = _ground(ground_type, spectrum_type)
+    design = importance_factor * a_g
+    shape = FourBranches(design * ground.s, AMPLIFICATION, ground.t_b, ground.t_c, ground.t_d)
+    long = ground.t_e < inf
+    return Spectrum(
+        code="ec8",
+        parameters={
+            **_given(a_g, ground_type, spectrum_type, importance_factor),
+            **{name: value for name, value in asdict(ground).items() if value < inf},
+        },
+        damping=0.05,
+        damping_rule=DAMPING_RULE,
+        ordinates=shape.ordinates,
+        clause="EN 1998-1:2004, 3.2.2.2, recommended values",
+        displacements=partial(shape.displacements, t_e=ground.t_e, t_f=ground.t_f) if long else None,
+    )
+
+
+def vertical_spectrum(
+    *, a_g: float, ground_type: str = "A", spectrum_type: int = 1, importance_factor: float = 1.0
+) -> Spectrum:
+    """The vertical elastic spectrum; the arguments are those of `elastic_spectrum`, the ground changes nothing.
+
+    Source: EN 1998-1:2004, 3.2.2.3, (3.8)-(3.11), Table 3.4.
+    """
+    positive("ec8", a_g=a_g, importance_factor=importance_factor)
+    _ground(ground_type, spectrum_type)
+    a_vg = VERTICAL_RATIO[spectrum_type] * importance_factor * a_g
+    t_b, t_c, t_d = VERTICAL_CORNERS
+    return Spectrum(
+        code="ec8",
+        parameters={
+            **_given(a_g, ground_type, spectrum_type, importance_factor),
+            "a_vg": a_vg,
+            "t_b": t_b,
+            "t_c": t_c,
+            "t_d": t_d,
+        },
+        damping=0.05,
+        damping_rule=DAMPING_RULE,
+        ordinates=FourBranches(a_vg, VERTICAL_AMPLIFICATION, t_b, t_c, t_d).ordinates,
+        clause="EN 1998-1:2004, 3.2.2.3 (vertical), recommended values",
+    )
+
+
+def _given(a_g: float, ground_type: str, spectrum_type: int, importance_factor: float) -> dict[str, float | str]:
+    """What a spectrum was asked for, with the design ground acceleration."""
+    return {
+        "a_g": a_g,
+        "importance_factor": importance_factor,
+        "design_a_g": importance_factor * a_g,
+        "ground_type": ground_type,
+        "type": str(spectrum_type),
+    }
+
+
+def _ground(ground_type: str, spectrum_type: int) -> Ground:
+    if spectrum_type not in GROUNDS:
+        raise SpectrumError(f"ec8 spectrum: type = {spectrum_type}; write 1 (M_s > 5.5) or 2 (EN 1998-1, 3.2.2.2(2)P)")
+    if ground_type in STUDIED:
+        raise SpectrumError(
+            f"ec8 spectrum: ground_type = {ground_type}: EN 1998-1, 3.1.2(4)P asks for a special study of this ground; "
+            'give its spectrum with code = "table"'
+        )
+    known = GROUNDS[spectrum_type]
+    if ground_type not in known:
+        raise SpectrumError(f"ec8 spectrum: ground_type = {ground_type}; choose one of {', '.join(known)}")
+    return known[ground_type]

@@ -1,0 +1,177 @@
+"""`assess spectrum`: what it prints and draws, from a project and from options, and one line for bad input."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy.constants import g
+
+from assess.cli import main
+from assess.project.build import build
+from assess.project.run import run
+from assess.project.schema import load
+from assess.project.sections.spectra import SPECTRA
+from assess.results_io import dumps
+from spectra.table import read_table
+
+PROJECT = """
+[site]
+pga = "0.15 g"
+[site.spectrum]
+code = "ec8"
+a_g = "0.25 g"
+ground_type = "B"
+damping = 0.08
+[mechanisms.quick]
+kind = "equivalent-block"
+p = 3.36
+uplift = 0.34
+radius = 0.62
+restitution = 0.8
+[records]
+synthetic = { count = 1, duration = 8 }
+[analysis]
+procedures = ["asce43-05-spectrum"]
+"""
+OPTIONS = {
+    "asce7-16": ["--s-s", "1.5 g", "--s-1", "0.6 g", "--site-class", "C", "--t-l", "8 s"],
+    "ibc2009": ["--s-ds", "0.167 g", "--s-d1", "0.053 g", "--t-l", "6 s", "--hazard", "mce"],
+    "ec8": ["--a-g", "0.25 g", "--ground-type", "E", "--type", "2", "--importance-factor", "1.2"],
+    "nzs1170.5": ["--subsoil", "D", "--z", "0.3", "--return-period", "1000", "--near-fault-distance", "5 km"],
+    "ntc2018": ["--a-g", "2.5", "--f-0", "2.4", "--t-c-star", "0.3 s", "--soil", "C", "--topography", "T2"],
+}
+PGA = {  # by hand [g]: 0.4 x 2/3 x 1.2 x 1.5; 0.4 x 1.5 x 0.167; 0.25 x 1.6 x 1.2; 1.12 x 0.3 x 1.3; S_S S_T a_g
+    "asce7-16": 0.48,
+    "ibc2009": 0.1002,
+    "ec8": 0.48,
+    "nzs1170.5": 0.4368,
+    "ntc2018": 1.2 * (1.7 - 0.6 * 2.4 * 2.5 / g) * 2.5 / g,
+}
+
+
+def ended(*arguments: str | Path) -> int:
+    with pytest.raises(SystemExit) as caught:
+        main([str(argument) for argument in arguments])
+    return int(caught.value.code or 0)
+
+
+@pytest.fixture
+def project(tmp_path: Path) -> Path:
+    path = tmp_path / "walls.toml"
+    path.write_text(PROJECT, encoding="utf-8")
+    return path
+
+
+def test_json_is_the_block_of_results(project: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert ended("spectrum", project, "--json") == 0
+    printed = json.loads(capsys.readouterr().out)
+    assert printed == json.loads(dumps(run(build(load(project)), jobs=1)))["spectrum"]
+    assert printed["pga_g"] == pytest.approx(0.15, rel=1e-12)
+    assert printed["damping"] == 0.08
+
+
+@pytest.mark.parametrize("code", list(OPTIONS))
+def test_every_code_by_its_options(code: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert ended("spectrum", "--code", code, *OPTIONS[code], "--json") == 0
+    printed = json.loads(capsys.readouterr().out)
+    assert printed["code"] == code
+    assert printed["pga_g"] == pytest.approx(PGA[code], rel=1e-9)
+
+
+def test_the_table_shows_parameters_and_corners(capsys: pytest.CaptureFixture[str]) -> None:
+    assert ended("spectrum", "--code", "ec8", "--a-g", "0.25 g", "--ground-type", "B") == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[0] == "ec8: EN 1998-1:2004, 3.2.2.2, recommended values; damping 0.05, PGA 0.3 g"
+    rows = [line.split() for line in lines]
+    assert ["S,", "soil", "factor", "1.2", "-"] in rows
+    assert ["0.15", "0.7500", "4.19"] in rows  # 0.75 x 9.80665 x (0.15 / 2 pi)^2 = 4.19 mm
+    assert ["1", "0.3750", "93.15"] in rows
+
+
+def test_csv_is_read_as_a_table(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert ended("spectrum", "--code", "ec8", *OPTIONS["ec8"], "--csv") == 0
+    (tmp_path / "own.csv").write_text(capsys.readouterr().out)
+    table = read_table(tmp_path / "own.csv")
+    assert table.acceleration([0.0, 10.0]) / g == pytest.approx([0.48, 0.48 * 2.5 * 0.25 * 1.2 / 100], rel=1e-12)
+    assert ended("spectrum", "--code", "table", "--file", str(tmp_path / "own.csv"), "--csv") == 0
+    again = np.loadtxt(capsys.readouterr().out.splitlines(), delimiter=",", skiprows=1)
+    assert again[0] == pytest.approx([0.0, 0.48], rel=1e-12)
+
+
+def test_pga_scales(capsys: pytest.CaptureFixture[str]) -> None:
+    assert ended("spectrum", "--code", "ec8", *OPTIONS["ec8"], "--pga", "0.12 g") == 0
+    assert "PGA 0.12 g, ordinates scaled by 0.25" in capsys.readouterr().out
+
+
+def test_vertical(capsys: pytest.CaptureFixture[str]) -> None:
+    assert ended("spectrum", "--code", "ec8", *OPTIONS["ec8"], "--vertical", "--json") == 0
+    assert json.loads(capsys.readouterr().out)["pga_g"] == pytest.approx(0.45 * 0.30, rel=1e-12)
+
+
+def test_a_site_that_needs_a_study_is_told_on_stderr(capsys: pytest.CaptureFixture[str]) -> None:
+    options = [*OPTIONS["asce7-16"][:5], "D", *OPTIONS["asce7-16"][6:]]
+    assert ended("spectrum", "--code", "asce7-16", *options, "--json") == 0
+    captured = capsys.readouterr()
+    assert "§11.4.8" in captured.err
+    assert json.loads(captured.out)["parameters"]["f_v"] == pytest.approx(1.7, rel=1e-12)
+
+
+@pytest.mark.parametrize(("ending", "start"), [("svg", b"<?xml"), ("pdf", b"%PDF"), ("PNG", b"\x89PNG")])
+def test_figures_are_the_same_bytes_again(ending: str, start: bytes, tmp_path: Path) -> None:
+    path = tmp_path / f"figure.{ending}"
+    assert ended("spectrum", "--code", "ec8", *OPTIONS["ec8"], "-o", path) == 0
+    first = path.read_bytes()
+    assert first.startswith(start)
+    assert ended("spectrum", "--code", "ec8", *OPTIONS["ec8"], "-o", path) == 0
+    assert path.read_bytes() == first
+    assert [each.name for each in tmp_path.iterdir()] == [path.name]
+
+
+def test_help_names_every_code(capsys: pytest.CaptureFixture[str]) -> None:
+    assert ended("spectrum", "--help") == 0
+    words = " ".join(capsys.readouterr().out.replace("\n", " ").split())
+    assert all(code in words for code in SPECTRA)
+
+
+EC8 = ["--code", "ec8", "--a-g", "0.25 g", "--ground-type", "B"]
+WRONG = {
+    "nothing": ([], "give a PROJECT, or --code"),
+    "no parameters": (["--code", "ec8"], "--a-g: missing; reference peak ground acceleration"),
+    "no unit": (["--code", "ec8", "--a-g", "0.25 h", "--ground-type", "B"], '--a-g: "0.25 h": "h" is not a unit'),
+    "unknown code": (["--code", "ec9"], '--code: "ec9": not supported; write one of "asce7-05"'),
+    "parameter of another code": ([*EC8, "--soil", "B"], '--soil: "B": unknown key'),
+    "not a number": ([*EC8, "--importance-factor", "nan"], '--importance-factor: "nan": not a number'),
+    "negative": (["--code", "ec8", "--a-g", "-1", "--ground-type", "B"], "--a-g: -1: must be greater than 0"),
+    "line break": (["--code", "ec8", "--a-g", "1", "--ground-type", "B\n\x1b[2J"], "--ground-type: "),
+    "special ground": (["--code", "ec8", "--a-g", "1", "--ground-type", "S1"], "3.1.2(4)P asks for a special study"),
+    "both": (["walls.toml", "--a-g", "1"], "--a-g and PROJECT exclude each other"),
+    "json and csv": ([*EC8, "--json", "--csv"], "--json and --csv exclude each other"),
+    "figure of no kind": ([*EC8, "-o", "figure.doc"], "figure.doc: a figure is written as .svg, .pdf, .png"),
+    "figure in no folder": ([*EC8, "-o", "/nowhere/figure.svg"], "/nowhere"),
+    "no such file": (["--code", "table", "--file", "none.csv"], "no such file"),
+    "no such project": (["none.toml"], "none.toml: no such file"),
+    "no vertical": (["--code", "ibc2009", *OPTIONS["ibc2009"], "--vertical"], "ibc2009 has no vertical spectrum"),
+    "bad pga": ([*EC8, "--pga", "0.1 s"], '--pga: "0.1 s": "s" is not a unit of acceleration'),
+    "seconds for years": (
+        ["--code", "nzs1170.5", "--subsoil", "D", "--z", "0.3", "--return-period", "5 s"],
+        "write a duration like",
+    ),
+}
+
+
+@pytest.mark.parametrize("case", WRONG)
+def test_bad_input_is_one_line(case: str, capsys: pytest.CaptureFixture[str]) -> None:
+    arguments, expected = WRONG[case]
+    assert ended("spectrum", *arguments) == 2
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert captured.err.count("\n") == 1
+    assert captured.err.startswith("assess: error: ")
+    assert expected in captured.err
+
+
+def test_a_project_without_a_site_says_so(project: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    project.write_text(PROJECT[PROJECT.index("[mechanisms") :], encoding="utf-8")
+    assert ended("spectrum", project) == 2
+    assert "site.spectrum: missing; add a table [site.spectrum]" in capsys.readouterr().err

@@ -1,0 +1,148 @@
+"""Maps and lower bounds: amplification, polarity, likeness of branches, nothing overturned, no threshold."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from scipy.constants import g
+
+from assess.dynamics.envelope import Envelope, alike, envelope, polarities, threshold
+from assess.dynamics.packing import Equation
+from assess.dynamics.pulse_response import PulseJobs, outcomes
+from assess.oscillator import Oscillator, SingleBlock, linearise, multiplier, plain_branch
+from records.pulses import SHAPES
+
+EQUATIONS: tuple[Equation, ...] = ("exact", "linearised")
+BOTH = pytest.mark.parametrize("equation", EQUATIONS)
+FREQUENCY, AMPLITUDE = np.array([0.3, 0.6, 1.0, 1.7]), np.linspace(0.0, 12.0, 41)
+
+ONE = plain_branch(SingleBlock(1.0, 1.0, 0.2, g / 4.0), restitution=0.9)
+OTHER = plain_branch(SingleBlock(1.0, 1.0, 0.14, g / 3.0), restitution=0.8)
+BLOCK, UNLIKE, ONE_SIDED = Oscillator(ONE, ONE, 1.0), Oscillator(ONE, OTHER, 1.0), Oscillator(ONE, None, 1.0)
+
+
+def mapped(body: Oscillator, equation: Equation, shape: str = "sine", **more: object) -> Envelope:
+    return envelope(body, SHAPES[shape], FREQUENCY, AMPLITUDE, equation=equation, **more)  # type: ignore[arg-type]
+
+
+def falls(body: Oscillator, equation: Equation, shape: str, frequency: float, amplitude: object) -> np.ndarray:
+    """Outcomes of signed amplitudes at one frequency."""
+    signed = np.atleast_1d(np.asarray(amplitude, dtype=float))
+    none = np.zeros(signed.size, dtype=np.int64)
+    run = outcomes([body], SHAPES[shape], np.array([frequency]), PulseJobs(none, none, signed), equation=equation)
+    return run.overturned
+
+
+@BOTH
+@pytest.mark.parametrize("body", [BLOCK, UNLIKE, ONE_SIDED], ids=["alike", "unlike", "one-sided"])
+def test_the_map_is_the_worse_outcome_of_both_polarities(body: Oscillator, equation: Equation) -> None:
+    found = mapped(body, equation, "cosine")
+    for i, f in enumerate(FREQUENCY):
+        ahead, back = (falls(body, equation, "cosine", float(f), sign * AMPLITUDE) for sign in (1.0, -1.0))
+        np.testing.assert_array_equal(found.overturned[i], ahead | back)
+
+
+@BOTH
+@pytest.mark.parametrize("shape", SHAPES)
+def test_the_bound_is_an_edge_and_nothing_below_overturns(shape: str, equation: Equation) -> None:
+    found = mapped(UNLIKE, equation, shape)
+    assert np.isfinite(found.lower_bound).any()
+    for i, (f, bound, sign) in enumerate(zip(FREQUENCY, found.lower_bound, found.polarity, strict=True)):
+        if np.isnan(bound):
+            assert sign == 0
+            assert not found.overturned[i].any()
+            continue
+        edge = sign * bound * np.array([1 - 1e-9, 1 + 1e-10])
+        assert falls(UNLIKE, equation, shape, float(f), edge).tolist() == [False, True]
+        assert not found.overturned[i, bound * (1 - 1e-9) > AMPLITUDE].any()
+        assert bound >= found.uplift[i]
+
+
+@BOTH
+def test_amplification_divides_bound_and_uplift_and_stretches_the_map(equation: Equation) -> None:
+    factor = np.array([1.0, 2.0, 2.5, 0.8])
+    plain, amplified = mapped(UNLIKE, equation), mapped(UNLIKE, equation, factor=factor)
+    known = np.isfinite(plain.lower_bound * amplified.lower_bound)
+    assert known.sum() >= 3
+    np.testing.assert_allclose((amplified.lower_bound * factor)[known], plain.lower_bound[known], rtol=1e-11)
+    np.testing.assert_allclose(amplified.uplift * factor, plain.uplift, rtol=1e-15)
+    np.testing.assert_array_equal(amplified.factor, factor)
+    for i, f in enumerate(FREQUENCY):
+        stretched = envelope(UNLIKE, SHAPES["sine"], np.array([f]), AMPLITUDE * factor[i], equation=equation)
+        np.testing.assert_array_equal(amplified.overturned[i], stretched.overturned[0])
+
+
+@BOTH
+def test_a_mirrored_oscillator_has_the_same_bound_in_the_other_polarity(equation: Equation) -> None:
+    mirrored = Oscillator(OTHER, ONE, 1.0)
+    ours, theirs = mapped(UNLIKE, equation), mapped(mirrored, equation)
+    np.testing.assert_array_equal(ours.lower_bound, theirs.lower_bound)
+    np.testing.assert_array_equal(ours.polarity, -theirs.polarity)
+    np.testing.assert_array_equal(ours.overturned, theirs.overturned)
+    assert (ours.polarity != 0).all()
+
+
+@BOTH
+def test_branches_that_are_alike_need_one_polarity(equation: Equation) -> None:
+    same = Oscillator(ONE, replace(ONE, inertia=ONE.inertia.copy()), 1.0)
+    nearly = Oscillator(ONE, replace(ONE, inertia=ONE.inertia * (1 + 1e-14)), 1.0)
+    assert alike(*same.branches)
+    assert not alike(*nearly.branches)
+    assert not alike(ONE, replace(ONE, restitution=0.91))
+    assert (polarities(BLOCK), polarities(same), polarities(nearly), polarities(ONE_SIDED)) == ((1,), (1,), (1, -1), (1, -1))  # fmt: skip  # noqa: E501
+    ours, theirs = mapped(same, equation), mapped(nearly, equation)
+    np.testing.assert_allclose(ours.lower_bound, theirs.lower_bound, rtol=1e-10)
+    np.testing.assert_array_equal(ours.overturned, theirs.overturned)
+
+
+@BOTH
+@pytest.mark.parametrize("highest", [0.0, 1.0, 1.99])
+def test_nothing_overturned_by_pulses_that_are_too_weak(highest: float, equation: Equation) -> None:
+    """Up to and below uplift, and for no pulse at all."""
+    amplitude = np.linspace(0.0, highest, 5)
+    found = envelope(BLOCK, SHAPES["sine"], FREQUENCY, amplitude, equation=equation)
+    assert not found.overturned.any()
+    assert np.isnan(found.lower_bound).all()
+    assert found.polarity.tolist() == [0] * FREQUENCY.size
+
+
+def test_uplift_is_lambda_g() -> None:
+    assert threshold(BLOCK, "exact") == pytest.approx(g * np.tan(0.2), rel=1e-12)
+    assert threshold(UNLIKE, "exact") == pytest.approx(g * np.tan(0.14), rel=1e-12)
+    assert threshold(UNLIKE, "linearised") == pytest.approx(g * linearise(OTHER).multiplier, rel=1e-12)
+
+
+def joint(softness: float = 0.05) -> Oscillator:
+    """A block whose moment grows from nothing to its peak within `softness` of its overturning rotation."""
+    phi = ONE.rotation
+    soft = ONE.restoring * -np.expm1(-3.0 * phi / (softness * ONE.overturning))
+    side = replace(ONE, restoring=soft, overturning_flexible=ONE.overturning)
+    return Oscillator(side, side, 1.0)
+
+
+def test_without_a_threshold_the_scan_begins_below_what_is_resisted() -> None:
+    """A slow cosine overturns it as soon as it exceeds what any rotation holds; uplift is zero."""
+    body = joint()
+    found = envelope(body, SHAPES["cosine"], np.array([0.02]), np.array([0.0, 6.0]), equation="exact")
+    assert found.uplift.tolist() == [0.0]
+    most = g * float(multiplier(body.positive).max())
+    assert 0.4 * most < found.lower_bound[0] < most  # applied at once it acts up to twice as a static load
+
+
+@BOTH
+def test_the_same_bytes_on_any_number_of_threads(equation: Equation) -> None:
+    one, two = (mapped(UNLIKE, equation, threads=n) for n in (1, 2))
+    for name in ("overturned", "lower_bound", "polarity"):
+        assert getattr(one, name).tobytes() == getattr(two, name).tobytes()
+
+
+@BOTH
+def test_froude_similarity(equation: Equation) -> None:
+    """p half, pulses half as quick: the same envelope."""
+    slow = plain_branch(SingleBlock(1.0, 1.0, 0.2, g), restitution=0.9)
+    large = envelope(Oscillator(slow, slow, 1.0), SHAPES["sine"], FREQUENCY / 2, AMPLITUDE, equation=equation)
+    small = mapped(BLOCK, equation)
+    np.testing.assert_allclose(large.lower_bound, small.lower_bound, rtol=1e-10)
+    np.testing.assert_array_equal(large.overturned, small.overturned)

@@ -1,0 +1,196 @@
+"""[site.spectrum] of every code: from the project file to the ordinates, and one line for what is wrong."""
+
+from pathlib import Path
+
+import pytest
+from scipy.constants import g
+
+from assess.errors import ProjectError
+from assess.project.build import build
+from assess.project.outcome import spectrum_result
+from assess.project.schema import load, resolved
+from assess.project.site_spectrum import spectrum_of, vertical_of
+from spectra.errors import SpectrumError
+
+WALL = """
+[mechanisms.wall]
+kind = "equivalent-block"
+p = "1.60 1/s"
+uplift = 0.14
+radius = "2.84 m"
+"""
+ROWS = """hazard = [
+  { return_period = 30, a_g = "0.05 g", f_0 = 2.4, t_c_star = "0.28 s" },
+  { return_period = 475, a_g = "0.16 g", f_0 = 2.45, t_c_star = "0.33 s" },
+  { return_period = "2475 years", a_g = "0.3 g", f_0 = 2.5, t_c_star = "0.36 s" },
+]"""
+CODES = {
+    "asce7-16": 'code = "asce7-16"\ns_s = "1.5 g"\ns_1 = "0.6 g"\nsite_class = "D"\nt_l = "8 s"',
+    "ec8": 'code = "ec8"\na_g = "0.25 g"\nground_type = "B"',
+    "nzs1170.5": 'code = "nzs1170.5"\nsubsoil = "C"\nz = 0.4\nr = 1.0\nnear_fault_distance = "5 km"',
+    "ntc2018": 'code = "ntc2018"\na_g = "0.261 g"\nf_0 = 2.364\nt_c_star = "0.347 s"\nsoil = "B"',
+    "hazard": f'code = "ntc2008"\nnominal_life = 50\nuse_class = "II"\nsoil = "A"\n{ROWS}',
+}
+PGA = {"asce7-16": 0.4, "ec8": 0.30, "nzs1170.5": 0.532, "ntc2018": 0.3010, "hazard": 0.15994}
+
+
+def loaded(folder: Path, table: str, *, site: str = "", rest: str = ""):
+    path = folder / "project.toml"
+    path.write_text(f"[site]\n{site}\n[site.spectrum]\n{table}\n{WALL}{rest}", encoding="utf-8")
+    return load(path)
+
+
+def spectrum(folder: Path, table: str, *, site: str = ""):
+    section = loaded(folder, table, site=site).content.site
+    assert section is not None
+    return spectrum_of(section)
+
+
+@pytest.mark.parametrize("code", list(CODES))
+def test_peak_ground_acceleration_of_each_code(code: str, tmp_path: Path) -> None:
+    """Hand-worked: 0.4 S_DS, a_g S, C(0), a_g S, and 0.05 (0.16 / 0.05)^x at 474.6 years; tolerance: the last digit."""
+    assert spectrum(tmp_path, CODES[code]).pga / g == pytest.approx(PGA[code], abs=6e-5)
+
+
+@pytest.mark.parametrize("code", list(CODES))
+def test_pga_scales_the_ordinates_and_keeps_the_corners(code: str, tmp_path: Path) -> None:
+    scaled = spectrum(tmp_path, CODES[code], site='pga = "0.1 g"')
+    own = spectrum(tmp_path, CODES[code])
+    assert scaled.pga == pytest.approx(0.1 * g, rel=1e-12)
+    assert scaled.acceleration([0.2, 1.0, 5.0]) / scaled.pga == pytest.approx(
+        own.acceleration([0.2, 1.0, 5.0]) / own.pga, rel=1e-12
+    )
+
+
+@pytest.mark.parametrize("code", list(CODES))
+def test_damping_and_parameters_reach_the_results(code: str, tmp_path: Path) -> None:
+    result = spectrum_result(spectrum(tmp_path, f"{CODES[code]}\ndamping = 0.08"))
+    assert result.damping == 0.08
+    assert result.acceleration_g[0] == pytest.approx(result.pga_g, rel=1e-12)
+    given = [line.split(" = ")[0] for line in CODES[code].split("hazard")[0].splitlines()]
+    assert set(given) - {"code"} <= set(result.parameters)
+
+
+def test_limit_states_ask_for_their_own_return_period(tmp_path: Path) -> None:
+    tables = [f'{CODES["hazard"]}\nlimit_state = "{name}"' for name in ("SLO", "SLD", "SLV", "SLC")]
+    found = [spectrum(tmp_path, table).parameters["return_period"] for table in tables]
+    assert found == pytest.approx([30.1, 50.3, 474.6, 974.8], abs=0.06)
+
+
+def test_return_period_in_place_of_r(tmp_path: Path) -> None:
+    table = CODES["nzs1170.5"].replace("r = 1.0", 'return_period = "1000 yr"')
+    assert spectrum(tmp_path, table).parameters["r"] == pytest.approx(1.3, rel=1e-12)
+
+
+@pytest.mark.parametrize(("code", "ratio"), [("ec8", 0.9 / 1.2), ("nzs1170.5", 0.7)])
+def test_vertical_spectra_follow_the_scale_of_the_horizontal(code: str, ratio: float, tmp_path: Path) -> None:
+    site = loaded(tmp_path, CODES[code], site='pga = "0.2 g"').content.site
+    assert site is not None
+    assert vertical_of(site).pga == pytest.approx(0.2 * g * ratio, rel=1e-12)
+
+
+def test_codes_without_a_vertical_spectrum_say_so(tmp_path: Path) -> None:
+    site = loaded(tmp_path, CODES["asce7-16"]).content.site
+    assert site is not None
+    with pytest.raises(SpectrumError, match=r"asce7-16 has no vertical spectrum here; ec8, nzs1170\.5"):
+        vertical_of(site)
+
+
+def test_a_site_that_needs_a_study_is_warned_of(tmp_path: Path) -> None:
+    notices = [notice for notice in build(loaded(tmp_path, CODES["asce7-16"])).notices if notice.code == "site-study"]
+    assert [notice.where for notice in notices] == ["site.spectrum"]
+    assert "§11.4.8" in notices[0].text
+
+
+def test_bare_accelerations_of_every_code_are_told(tmp_path: Path) -> None:
+    table = CODES["hazard"].replace('"0.05 g"', "0.05").replace('"0.16 g"', "0.16")
+    doubts = loaded(tmp_path, table).doubts
+    assert [doubt.where for doubt in doubts] == ["site.spectrum.hazard[1].a_g", "site.spectrum.hazard[2].a_g"]
+
+
+def test_a_parameter_can_be_swept(tmp_path: Path) -> None:
+    rest = '[analysis.sweep]\nkey = "site.spectrum.a_g"\nvalues = ["0.1 g", "0.2 g"]\n'
+    study = build(loaded(tmp_path, CODES["ec8"], rest=rest))
+    accelerations = [case.study.spectrum.pga / g for case in study.sweeps[0].cases if case.study.spectrum]
+    assert accelerations == pytest.approx([0.12, 0.24], rel=1e-12)
+
+
+def test_defaults_are_told_apart(tmp_path: Path) -> None:
+    found = resolved(loaded(tmp_path, CODES["ec8"]))
+    assert (found["site.spectrum.type"].value, found["site.spectrum.type"].given) == (1, False)
+    assert found["site.spectrum.a_g"].given
+
+
+def edited(code: str, old: str, new: str) -> str:
+    assert CODES[code].count(old) == 1
+    return CODES[code].replace(old, new)
+
+
+WRONG = {
+    "both forms of asce7": (CODES["asce7-16"] + '\ns_ds = "1 g"', 's_ds: "1 g": follows from s_s, s_1 and site_class'),
+    "half a map": (edited("asce7-16", 's_1 = "0.6 g"\n', ""), "s_1: missing; mapped spectral acceleration at 1 s"),
+    "neither form": ('code = "asce7-16"\nt_l = 6', "s_ds: missing; design spectral acceleration at short periods"),
+    "site class": (edited("asce7-16", '"D"', '"G"'), 'site_class: "G": not allowed; write "A", "B"'),
+    "ground": (edited("ec8", '"B"', '"b"'), 'ground_type: "b": not allowed; write "A", "B"'),
+    "type": (CODES["ec8"] + "\ntype = 3", "type: 3: not allowed; write 1 or 2"),
+    "importance": (CODES["ec8"] + "\nimportance_factor = 0", "importance_factor: 0: must be greater than 0"),
+    "key of another code": (CODES["ec8"] + '\nsoil = "B"', 'soil: "B": unknown key'),
+    "a length for an acceleration": (edited("ec8", '"0.25 g"', '"0.25 m"'), 'a_g: "0.25 m": "m" is not a unit of'),
+    "r twice": (CODES["nzs1170.5"] + "\nreturn_period = 500", "r: 1.0: give either r"),
+    "no r": (edited("nzs1170.5", "r = 1.0\n", ""), "r: give either r, the return period factor, or return_period"),
+    "seconds for years": (
+        edited("nzs1170.5", "r = 1.0", 'return_period = "500 s"'),
+        'return_period: "500 s": "s" is not a unit of duration; write a duration like "50 years", or a number in years',
+    ),
+    "hazard of one row": (
+        'code = "ntc2018"\nnominal_life = 50\nuse_class = "II"\nsoil = "A"\nhazard = [{ return_period = 475 }]',
+        "hazard",
+    ),
+    "life without hazard": (CODES["ntc2018"] + "\nnominal_life = 50", "nominal_life: 50: goes with hazard = ["),
+    "a_g beside hazard": (CODES["hazard"] + '\na_g = "0.1 g"', 'a_g: "0.1 g": stands in the rows of hazard'),
+    "row without f_0": (edited("hazard", "f_0 = 2.4, ", ""), "hazard[1].f_0: missing; largest amplification"),
+    "limit state": (CODES["hazard"] + '\nlimit_state = "SLU"', 'limit_state: "SLU": not allowed; write "SLO"'),
+    "relief": (CODES["ntc2018"] + "\nrelief_position = 1.2", "relief_position: 1.2: must be 1 or less"),
+    "hazard of words": (edited("hazard", ROWS, 'hazard = "big"'), 'hazard: "big": not a list'),
+}
+
+
+@pytest.mark.parametrize("case", WRONG)
+def test_what_is_wrong_is_one_line(case: str, tmp_path: Path) -> None:
+    table, expected = WRONG[case]
+    with pytest.raises(ProjectError) as caught:
+        loaded(tmp_path, table)
+    assert f": site.spectrum.{expected}" in str(caught.value)
+    assert str(caught.value).isprintable()
+
+
+REFUSED = {
+    "class F": (edited("asce7-16", '"D"', '"F"'), "site_class = F: ASCE 7-16 §11.4.8 asks for a site response"),
+    "class of another edition": (
+        CODES["asce7-16"].replace("asce7-16", "asce7-10").replace('"D"', '"D-default"'),
+        "site_class = D-default; ASCE 7-10 Table 11.4-1 has A, B, C, D, E",
+    ),
+    "special ground": (
+        edited("ec8", '"B"', '"S1"'),
+        r"ground_type = S1: EN 1998-1, 3.1.2(4)P asks for a special study",
+    ),
+    "special soil": (edited("ntc2018", '"B"', '"S2"'), "soil = S2: §3.2.2 asks for a special analysis"),
+    "f_0": (edited("ntc2018", "2.364", "2.0"), "f_0 = 2; NTC 2018 §3.2.3.2 has at least 2.2"),
+    "unsorted hazard": (edited("hazard", "= 475", "= 3000"), "the return periods of its rows do not rise"),
+    "short hazard": (
+        edited("hazard", '"2475 years"', "500") + '\nlimit_state = "SLC"',
+        "the return period asked for, 974.8 years, is outside its rows, 30 to 500 years; add rows",
+    ),
+}
+
+
+@pytest.mark.parametrize("case", REFUSED)
+def test_what_the_code_refuses_is_one_line(case: str, tmp_path: Path) -> None:
+    table, expected = REFUSED[case]
+    project = loaded(tmp_path, table)
+    with pytest.raises(SpectrumError) as caught:
+        build(project)
+    text = str(caught.value)
+    assert text.startswith(f"{project.path}: site.spectrum: ")
+    assert expected in text
+    assert text.isprintable()

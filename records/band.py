@@ -49,7 +49,7 @@ def band(shortest: float, longest: float, *, weights: Sequence[tuple[float, floa
         raise RecordError(
             f"periods {shortest:.4g} s to {longest:.4g} s: they must rise, and lie between {low:g} s and {high:g} s"
         )
-    inside = (PERIODS >= shortest * (1 - ROUNDING)) & (PERIODS <= longest * (1 + ROUNDING))
+    inside = (shortest * (1 - ROUNDING) <= PERIODS) & (longest * (1 + ROUNDING) >= PERIODS)
     if not inside.any():
         raise RecordError(f"periods {shortest:.6g} s to {longest:.6g} s: too narrow; widen them by six percent")
     period = PERIODS[inside]

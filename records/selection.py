@@ -1,9 +1,9 @@
 """Which records of a catalogue make a suite for a target spectrum.
 
 Candidates pass the filters, are scaled to the target one by one, and must keep within the limits of the scale factor.
-Of those that are left either the records that fit best one by one are taken, or the suite whose mean spectrum fits best:
-greedy, record by record, then improved by exchanging one record at a time until no exchange helps. Where the suites
-can be counted, all of them are tried.
+Of those that are left either the records that fit best one by one are taken, or the suite whose mean spectrum fits
+best: greedy, record by record, then improved by exchanging one record at a time until no exchange helps. Where the
+suites are few, all of them are tried.
 """
 
 from __future__ import annotations
@@ -165,7 +165,9 @@ def _scaled(
     out.
     """
     target = np.log(spectrum.acceleration(band.period, damping=DAMPING))
-    own = np.array([_log_mean([one.spectrum[band.columns] for one in parts]) for parts in joined])
+    columns = band.columns
+    with np.errstate(divide="ignore"):
+        own = np.array([_log_mean([one.spectrum[columns] for one in parts]) for parts in joined])
     log_ratio = target - own.reshape(len(joined), band.period.size)
     moving = np.isfinite(log_ratio).all(axis=1)
     log_ratio, joined = log_ratio[moving], [parts for parts, keep in zip(joined, moving, strict=True) if keep]
@@ -181,8 +183,7 @@ def _scaled(
 
 
 def _log_mean(spectra: Sequence[FloatArray]) -> FloatArray:
-    with np.errstate(divide="ignore"):
-        logs = [np.log(one) for one in spectra]
+    logs = [np.log(one) for one in spectra]
     return logs[0] if len(logs) == 1 else np.mean(logs, axis=0)
 
 

@@ -9,14 +9,15 @@ from __future__ import annotations
 import sqlite3
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import fields
+from dataclasses import astuple, fields
 from pathlib import Path, PurePosixPath
+from typing import Any
 
 import numpy as np
 
 from records.candidates import PERIODS, Candidate
 from records.errors import RecordError
-from records.flatfile import Recording
+from records.flatfile import Recording, described_by
 from records.intensity import Measures
 
 NAME = ".assess-records.sqlite"
@@ -29,21 +30,15 @@ CREATE TABLE files (path TEXT PRIMARY KEY, size INTEGER, mtime INTEGER, sha256 T
 CREATE TABLE records (
     path TEXT REFERENCES files(path) ON DELETE CASCADE, position INTEGER,
     id TEXT, event TEXT, station TEXT, component TEXT, date TEXT,
-    magnitude REAL, distance REAL, vs30 REAL, nga INTEGER, file TEXT,
+    magnitude REAL, distance REAL, vs30 REAL, nga INTEGER,
     dt REAL, npts INTEGER, {", ".join(f"{name} REAL" for name in MEASURES)}, spectrum BLOB,
     PRIMARY KEY (path, position)
 );
 CREATE TABLE recordings (nga INTEGER PRIMARY KEY, event TEXT, year TEXT, station TEXT,
-    magnitude REAL, distance REAL, vs30 REAL);
-CREATE TABLE named (file TEXT PRIMARY KEY, nga INTEGER);
+    magnitude REAL, distance REAL, vs30 REAL, files TEXT);
 """
-ROWS = f"""
-SELECT r.path, r.position, r.id, COALESCE(NULLIF(f.event, ''), r.event), COALESCE(NULLIF(f.station, ''), r.station),
-    r.component, r.date, COALESCE(f.year, ''), COALESCE(f.magnitude, r.magnitude), COALESCE(f.distance, r.distance),
-    COALESCE(f.vs30, r.vs30), COALESCE(r.nga, n.nga), r.dt, r.npts, r.spectrum, {", ".join(f"r.{m}" for m in MEASURES)}
-FROM records r LEFT JOIN named n ON n.file = r.file LEFT JOIN recordings f ON f.nga = COALESCE(r.nga, n.nga)
-ORDER BY r.path, r.position
-"""
+COLUMNS = "path, position, id, event, station, component, date, magnitude, distance, vs30, nga, dt, npts, spectrum"
+ROWS = f"SELECT {COLUMNS}, {', '.join(MEASURES)} FROM records ORDER BY path, position"
 
 
 @contextmanager
@@ -83,62 +78,38 @@ def _prepare(connection: sqlite3.Connection, file: Path | None) -> None:
         return
     connection.executescript(
         "BEGIN;"
-        + "".join(f"DROP TABLE IF EXISTS {name};" for name in ("named", "recordings", "records", "files"))
+        + "".join(f"DROP TABLE IF EXISTS {name};" for name in ("recordings", "records", "files"))
         + TABLES
         + f"PRAGMA application_id = {APPLICATION}; PRAGMA user_version = {VERSION}; COMMIT;"
     )
 
 
 def candidates(connection: sqlite3.Connection) -> tuple[Candidate, ...]:
-    """Every record of the catalogue, by path; what a flatfile says of it goes before what its file says."""
-    return tuple(_candidate(row) for row in connection.execute(ROWS))
+    """Every record of the catalogue, by path, with what a flatfile taken in says of it."""
+    return described_by([_candidate(row) for row in connection.execute(ROWS)], recordings(connection))
 
 
-def _candidate(row: Sequence[object]) -> Candidate:
-    (path, position, id, event, station, component, date, year, magnitude, distance, vs30, nga, dt, npts, blob) = row[
-        :15
-    ]
-    spectrum = np.frombuffer(blob if isinstance(blob, bytes) else b"", dtype="<f8")
+def _candidate(row: Sequence[Any]) -> Candidate:
+    spectrum = np.frombuffer(row[13], dtype="<f8")
     if spectrum.size != PERIODS.size:
-        raise RecordError(f'catalogue: record "{path}" has {spectrum.size} ordinates; delete it and index again')
-    dated = str(date) if str(date)[:4] == year or not year else str(year)
-    return Candidate(
-        path=str(path), position=int(str(position)), id=str(id), event=str(event), station=str(station),
-        component=str(component), date=dated, magnitude=_known(magnitude), distance=_known(distance),
-        vs30=_known(vs30), nga=None if nga is None else int(str(nga)), dt=float(str(dt)), npts=int(str(npts)),
-        measures=dict(zip(MEASURES, map(_measure, row[15:]), strict=True)), spectrum=spectrum,
-    )  # fmt: skip
+        raise RecordError(f'catalogue: record "{row[0]}" has {spectrum.size} ordinates; delete it and index again')
+    measures = dict(zip(MEASURES, row[14:], strict=True))
+    return Candidate(**dict(zip(COLUMNS.split(", ")[:13], row, strict=False)), measures=measures, spectrum=spectrum)
 
 
-def _known(value: object) -> float | None:
-    return value if isinstance(value, float) else None
-
-
-def _measure(value: object) -> float:
-    return value if isinstance(value, float) else float("nan")
-
-
-def merge(connection: sqlite3.Connection, recordings: Sequence[Recording]) -> int:
-    """Take a flatfile into the catalogue in place of an earlier one; the number of records that it describes.
-
-    Records are found by the NGA number in their file's name, else by a file name that the flatfile has once.
-    """
-    named: dict[str, int | None] = {}
-    for one in recordings:
-        for file in one.files:
-            named[file] = one.nga if named.get(file, one.nga) == one.nga else None
+def take(connection: sqlite3.Connection, flatfile: Sequence[Recording]) -> None:
+    """Take a flatfile into the catalogue, in place of an earlier one."""
+    rows = [(*astuple(one)[:-1], "\n".join(one.files)) for one in flatfile]
     with connection:
         connection.execute("DELETE FROM recordings")
-        connection.execute("DELETE FROM named")
-        connection.executemany(
-            "INSERT OR REPLACE INTO recordings VALUES (?, ?, ?, ?, ?, ?, ?)",
-            [(r.nga, r.event, r.year, r.station, r.magnitude, r.distance, r.vs30) for r in recordings],
-        )
-        connection.executemany(
-            "INSERT INTO named VALUES (?, ?)", [(file, n) for file, n in named.items() if n is not None]
-        )
-    joined = "SELECT COUNT(*) FROM records r LEFT JOIN named n ON n.file = r.file JOIN recordings f"
-    return int(connection.execute(f"{joined} ON f.nga = COALESCE(r.nga, n.nga)").fetchone()[0])
+        connection.executemany("INSERT OR REPLACE INTO recordings VALUES (?, ?, ?, ?, ?, ?, ?, ?)", rows)
+
+
+def recordings(connection: sqlite3.Connection) -> tuple[Recording, ...]:
+    """The flatfile that was taken in."""
+    names = [field.name for field in fields(Recording)]
+    rows = (dict(zip(names, row, strict=True)) for row in connection.execute("SELECT * FROM recordings ORDER BY nga"))
+    return tuple(Recording(**{**row, "files": tuple(row["files"].split("\n"))}) for row in rows)
 
 
 def problems(connection: sqlite3.Connection) -> tuple[tuple[str, str], ...]:

@@ -10,11 +10,12 @@ import csv
 import io
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
 
+from records.candidates import Candidate
 from records.errors import RecordError
 from spectra.columns import ColumnError, decode
 
@@ -36,7 +37,7 @@ UNKNOWN = -998.0
 class Recording:
     """One recording of the NGA database; "" or None for what the table does not say.
 
-    magnitude [-]; distance [m], to the rupture if the table has it; vs30 [m/s]; files: names without folders, lower case
+    magnitude [-]; distance [m], to the rupture if the table has it; vs30 [m/s]; files: names in lower case, no folders
     """
 
     nga: int
@@ -112,3 +113,35 @@ def _number(row: Sequence[str], columns: Sequence[int]) -> float | None:
         if np.isfinite(value) and value > UNKNOWN:
             return value
     return None
+
+
+def described_by(candidates: Sequence[Candidate], recordings: Sequence[Recording]) -> tuple[Candidate, ...]:
+    """The candidates, with what `recordings` know of them before what their files say.
+
+    They are found by the NGA number in their file's name, else by a file name that one recording alone has.
+    """
+    by_number = {one.nga: one for one in recordings}
+    by_file: dict[str, Recording | None] = {}
+    for one in recordings:
+        for file in one.files:
+            by_file[file] = one if by_file.get(file, one) == one else None
+    if not recordings:
+        return tuple(candidates)
+    return tuple(
+        one if found is None else _described(one, found)
+        for one in candidates
+        for found in (by_number.get(one.nga or 0) or by_file.get(one.path.rsplit("/", 1)[-1].lower()),)
+    )
+
+
+def _described(one: Candidate, by: Recording) -> Candidate:
+    return replace(
+        one,
+        nga=by.nga,
+        event=by.event or one.event,
+        station=by.station or one.station,
+        date=one.date if one.date[:4] == by.year else by.year or one.date,
+        magnitude=one.magnitude if by.magnitude is None else by.magnitude,
+        distance=one.distance if by.distance is None else by.distance,
+        vs30=one.vs30 if by.vs30 is None else by.vs30,
+    )

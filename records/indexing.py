@@ -1,7 +1,7 @@
 """Bringing the catalogue of a folder up to date: only files that are new or have changed are read.
 
-A file is unchanged where its size and time of change are, or else where its hash is. Batches are committed as they come,
-so that an index that was stopped goes on where it ended. Files that cannot be read are kept with the reason.
+A file is unchanged where its size and time of change are, or else where its hash is. Batches are committed as they
+come, so that an index that was stopped goes on where it ended. Files that cannot be read are kept with the reason.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ Progress = Callable[[int, int], None]
 
 @dataclass(frozen=True)
 class Indexed:
-    """What an index did: files read and unchanged, those no longer there, records in all, (path, reason) of the rest."""
+    """What an index did: files read and unchanged, those that are gone, records in all, (path, reason) of the rest."""
 
     read: int
     unchanged: int
@@ -47,7 +47,7 @@ class Indexed:
 
 @dataclass(frozen=True)
 class Found:
-    """A file below the folder as the disk shows it; problem "" where it may be read; stored: its hash when last read."""
+    """A file below the folder as it is; problem "" where it may be read; stored: its hash when it was last read."""
 
     path: str
     size: int
@@ -234,7 +234,7 @@ def _store(connection: sqlite3.Connection, batch: list[Described], asked: str) -
 
 def _row(one: Candidate) -> tuple[object, ...]:
     texts = (_text(one.id), _text(one.event), _text(one.station), _text(one.component), _text(one.date))
-    known = (one.magnitude, one.distance, one.vs30, one.nga, one.path.rsplit("/", 1)[-1].lower())
+    known = (one.magnitude, one.distance, one.vs30, one.nga)
     spectrum = np.asarray(one.spectrum, dtype="<f8").tobytes()
     return (one.path, one.position, *texts, *known, one.dt, one.npts, *(one.measures[m] for m in MEASURES), spectrum)
 

@@ -5,8 +5,6 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from records.compliance.requirement import Requirement, mean_at_least, mean_at_most, mean_ratio, not_answered, required
 from records.compliance.suite import Suite
 

@@ -34,8 +34,8 @@ def requirements(suite: Suite, *, shortest: float, longest: float) -> tuple[Requ
     inside = (suite.period >= periods[0]) & (suite.period <= periods[1])
     if periods[0] < suite.covered[0] or periods[1] > suite.covered[1] or inside.sum() < 2:
         missing = (
-            not_answered(CODE, "5.5.2", w, "<=", l, periods, suite=suite)
-            for w, l in zip(what, (LOG_FIT, FAMILY), strict=True)
+            not_answered(CODE, "5.5.2", w, "<=", most, periods, suite=suite)
+            for w, most in zip(what, (LOG_FIT, FAMILY), strict=True)
         )
         return (number, *factors, *missing)
     ratio = suite.spectra[:, inside] / suite.target[inside]

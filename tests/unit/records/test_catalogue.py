@@ -15,7 +15,7 @@ from scipy.constants import g
 
 from records import indexing
 from records.candidates import PERIODS
-from records.catalogue import NAME, candidates, inside, merge, opened
+from records.catalogue import NAME, candidates, inside, opened, take
 from records.errors import RecordError
 from records.flatfile import read_flatfile
 from records.indexing import index
@@ -148,7 +148,7 @@ def test_a_flatfile_goes_before_what_files_say(folder: Path, tmp_path: Path) -> 
     at2(folder / "TWICE.AT2", seed=5)
     with opened(None) as catalogue:
         index(folder, catalogue)
-        assert merge(catalogue, read_flatfile(table)) == 2
+        take(catalogue, read_flatfile(table))
         found = {one.path: one for one in candidates(catalogue)}
         of = found["RSN57_X_0.AT2"]
         assert (of.event, of.station, of.magnitude, of.vs30) == ('San Fernando, "main"', "Castaic", 6.61, 450.3)

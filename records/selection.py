@@ -88,11 +88,13 @@ class Choice:
 class Selection:
     """The suite that was chosen, in order of misfit.
 
+    criteria : it was chosen by
     misfit : of its mean spectrum to the target, mean squared difference of logarithms [-]
     greedy : the same for the suite found record by record, before exchanges; None where each record was chosen alone
     counted : (step, how many candidates were left after it)
     """
 
+    criteria: Criteria
     choices: tuple[Choice, ...]
     misfit: float
     greedy: float | None
@@ -126,7 +128,7 @@ def select(candidates: Sequence[Candidate], spectrum: Spectrum, criteria: Criter
     ratio = _ratios(choices, log_ratio)[chosen]
     misfit = float(mean_square(np.log(ratio.mean(axis=0)), weight=band.weight))
     return Selection(
-        tuple(sorted((choices[i] for i in chosen), key=lambda choice: choice.mse)), misfit, greedy, counted
+        criteria, tuple(sorted((choices[i] for i in chosen), key=lambda choice: choice.mse)), misfit, greedy, counted
     )
 
 

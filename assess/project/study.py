@@ -39,7 +39,7 @@ class Fitting:
     """How records are scaled to the target, and how they were chosen.
 
     band : periods that the scaling looks at; together : ids of records that keep one factor
-    selection : how they were chosen, None where all that the project names are used
+    selection : how they were chosen, with its criteria; None where all that the project names are used
     nga : (id, number in the NGA database) of those that have one
     """
 

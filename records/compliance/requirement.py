@@ -21,7 +21,7 @@ class Requirement:
 
     value, limit : in `unit`, None where not answered; sense : how the value has to stand to the limit
     periods : range that the value was taken over [s], None where it is not of a spectrum
-    remark : what the reader should know
+    remark : what the reader should know; caveat : what the clause could not be compared with
     """
 
     code: str
@@ -33,7 +33,8 @@ class Requirement:
     unit: str
     verdict: Verdict
     periods: tuple[float, float] | None = None
-    remark: str = CAVEAT
+    remark: str = ""
+    caveat: str = CAVEAT
 
 
 def required(
@@ -50,8 +51,8 @@ def required(
 ) -> Requirement:
     """The requirement that `value` stands in `sense` to `limit`."""
     met = value >= limit * (1 - 1e-12) if sense == ">=" else value <= limit * (1 + 1e-12)
-    said = f"{remark}; {CAVEAT}" if remark else CAVEAT
-    return Requirement(code, clause, what, float(value), sense, limit, unit, "met" if met else "not met", periods, said)
+    verdict: Verdict = "met" if met else "not met"
+    return Requirement(code, clause, what, float(value), sense, limit, unit, verdict, periods, remark)
 
 
 def not_answered(
@@ -59,7 +60,7 @@ def not_answered(
 ) -> Requirement:
     """A requirement on a range of periods that the target or the records do not cover."""
     low, high = suite.covered
-    remark = f"the target is known from {low:.3g} to {high:.4g} s only; {CAVEAT}"
+    remark = f"the target is known from {low:.3g} to {high:.4g} s only"
     return Requirement(code, clause, what, None, sense, limit, "-", "not answered", periods, remark)
 
 

@@ -163,7 +163,8 @@ class GroundMotionResult:
     """The suite of records beside its target, 5 % damping.
 
     from_s, to_s: periods over which it was scaled and chosen; source: of that range, in words. mean_g,
-    geometric_mean_g, target_g [k]: at period_s; misfit: of mean_g to target_g over the range, mean squared natural-log difference.
+    geometric_mean_g, target_g [k]: at period_s; misfit: of the mean to the target over the range, mean squared
+    difference of natural logarithms.
     selection: None where all records that were named are used.
     """
 

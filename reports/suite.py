@@ -18,8 +18,8 @@ def blocks(results: Results) -> list[Block]:
     if motion is None:
         return []
     caption = (
-        "Mean of the scaled records beside the target (as thesis Fig. 8.14b), with 90 % and 130 % of the target, limits of "
-        "codes on the mean, over the periods that the records were fitted to."
+        "Mean of the scaled records beside the target (as thesis Fig. 8.14b), with 90 % and 130 % of the target, limits "
+        "of codes on the mean, over the periods that the records were fitted to."
     )
     found = (periods(motion), remaining(motion), amplification(results), requirements(motion))
     return [
@@ -32,8 +32,8 @@ def blocks(results: Results) -> list[Block]:
 def sentences(motion: GroundMotionResult) -> tuple[str, ...]:
     """Range of periods, and the rules of the selection."""
     over = (
-        f"The records are scaled over periods from {numeral(motion.from_s)} to {numeral(motion.to_s)} s ({motion.source}). "
-        f"The mean squared difference of the logarithms of their mean and the target is {numeral(motion.misfit)}."
+        f"The records are scaled over periods from {numeral(motion.from_s)} to {numeral(motion.to_s)} s "
+        f"({motion.source}). The mean squared difference of the logarithms of their mean and the target is {numeral(motion.misfit)}."
     )
     chosen = motion.selection
     if chosen is None:
@@ -53,8 +53,8 @@ def periods(motion: GroundMotionResult) -> Table:
     columns = (Column("Mechanism"), Column("Shortest", "s", "number"), Column("Longest", "s", "number"))
     rows = tuple((one.mechanism, one.shortest_s, one.longest_s) for one in motion.equivalent_periods)
     caption = (
-        "Equivalent periods, which stand for T₁ in the clauses on records: a rocking body has no period of its own. Taken "
-        "is that of equal work at half the overturning rotation (1/fₑ of ASCE 43-05 A.2), over both branches."
+        "Equivalent periods, which stand for T₁ in the clauses on records: a rocking body has no period of its own. "
+        "Taken is that of equal work at half the overturning rotation (1/fₑ of ASCE 43-05 A.2), over both branches."
     )
     return Table("equivalent-periods", caption, columns, rows)
 
@@ -94,8 +94,8 @@ def requirements(motion: GroundMotionResult) -> Table:
     )
     caveats = "; ".join(dict.fromkeys(one.caveat for one in motion.requirements if one.caveat))
     caption = (
-        "Requirements of codes on the suite, for information: they decide no verdict. T₁ is replaced by the least and the "
-        f"largest equivalent period. Clauses: {caveats}."
+        "Requirements of codes on the suite, for information: they decide no verdict. T₁ is replaced by the least and "
+        f"the largest equivalent period. Clauses: {caveats}."
     )
     return Table("requirements", caption, columns, tuple(_row(one) for one in motion.requirements))
 

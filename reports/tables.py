@@ -12,6 +12,7 @@ from assess.results import (
     HistoryResult,
     MechanismResult,
     OscillatorResult,
+    RecordResult,
     RecordSpectrum,
     Results,
     SpectrumResult,
@@ -167,8 +168,8 @@ def records(results: Results) -> Table:
         for r in results.records
     )
     caption = (
-        "Records, scaled to the site's spectrum (as thesis Table 8.8). Misfit: mean squared difference of the logarithms "
-        "of the ordinates."
+        "Records, scaled to the site's spectrum (as thesis Table 8.8). Misfit: mean squared difference of the "
+        "logarithms of the ordinates."
     )
     return Table("records", caption, columns, rows)
 

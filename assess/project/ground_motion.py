@@ -44,6 +44,7 @@ def suite_result(
     Without mechanisms the codes are asked for the periods whose multiples the range is.
     """
     low, high = fitting.band.ends
+    shortest, longest = ends(equivalent) if equivalent else (low / BELOW, high / ABOVE)
     period = periods_of(spectrum)
     spectra = np.array([m.scaling.factor * response_spectrum(m.record, period, damping=DAMPING) for m in motions])
     return GroundMotionResult(
@@ -57,9 +58,7 @@ def suite_result(
         geometric_mean_g=floats(np.exp(np.log(spectra).mean(axis=0)) / g),
         misfit=misfit_of_mean(motions, spectrum, fitting.band),
         selection=None if fitting.selection is None else selection_result(fitting.selection),
-        requirements=requirements_of(
-            motions, spectrum, *(ends(equivalent) if equivalent else (low / BELOW, high / ABOVE))
-        ),
+        requirements=requirements_of(motions, spectrum, shortest, longest),
     )
 
 

@@ -18,8 +18,8 @@ def blocks(results: Results) -> list[Block]:
     if motion is None:
         return []
     caption = (
-        "Mean of the scaled records beside the target (as thesis Fig. 8.14b), with 90 % and 130 % of the target, limits "
-        "of codes on the mean, over the periods that the records were fitted to."
+        "Mean of the scaled records beside the target (as thesis Fig. 8.14b), with 90 % and 130 % of the target, "
+        "limits of codes on the mean, over the periods that the records were fitted to."
     )
     found = (periods(motion), remaining(motion), amplification(results), requirements(motion))
     return [
@@ -33,7 +33,8 @@ def sentences(motion: GroundMotionResult) -> tuple[str, ...]:
     """Range of periods, and the rules of the selection."""
     over = (
         f"The records are scaled over periods from {numeral(motion.from_s)} to {numeral(motion.to_s)} s "
-        f"({motion.source}). The mean squared difference of the logarithms of their mean and the target is {numeral(motion.misfit)}."
+        f"({motion.source}). The mean squared difference of the logarithms of their mean and the target is "
+        f"{numeral(motion.misfit)}."
     )
     chosen = motion.selection
     if chosen is None:
@@ -104,4 +105,5 @@ def _row(one: RequirementResult) -> tuple[str | float | None, ...]:
     unit = "" if one.unit == "-" else f" {one.unit}"
     limit = f"{'≥' if one.sense == '>=' else '≤'} {one.limit:.4g}{unit}"
     over = "" if one.from_s is None or one.to_s is None else f"{one.from_s:.3g} to {one.to_s:.3g}"
-    return (one.code, one.clause, one.what, one.value, limit, over, VERDICTS[one.verdict], one.remark)
+    found = one.value if one.value is None or one.value % 1.0 else int(one.value)
+    return (one.code, one.clause, one.what, found, limit, over, VERDICTS[one.verdict], one.remark)

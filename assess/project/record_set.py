@@ -67,7 +67,7 @@ def chosen(
     with located("records.select"):
         over = band(*periods_of(wanted, spectrum, mechanisms), weights=wanted.weights)
         found = select(offer.candidates, spectrum, criteria_of(section, wanted, over))
-    return record_set(found, over, folder=folder, unit=section.unit), tuple(_notices(offer.problems))
+    return record_set(found, over, folder=folder, unit=section.unit), tuple(notices_of(offer.problems))
 
 
 def periods_of(wanted: sections.Select, spectrum: Spectrum, mechanisms: Iterable[Mechanism]) -> tuple[float, float]:
@@ -94,16 +94,19 @@ def criteria_of(section: sections.Records, wanted: sections.Select, over: Band) 
     )
 
 
-def offered(files: Sequence[Path], *, unit: str | None, flatfile: Path | None) -> Offer:
+def offered(
+    files: Sequence[Path], *, unit: str | None = None, flatfile: Path | None = None, kept: Path | None = None
+) -> Offer:
     """Every record of `files` and of the catalogues of the folders among them, brought up to date.
 
-    Raises RecordError for a file that is named and cannot be read; those in folders become problems.
+    kept : where the catalogue of the one folder is, if not in it. Raises RecordError for a file that is named and
+    cannot be read; those in folders become problems.
     """
     found: list[Candidate] = []
     problems: list[tuple[str, str]] = []
     recordings = () if flatfile is None else read_flatfile(flatfile)
     for place in (path for path in files if path.is_dir()):
-        with catalogue.opened(catalogue_of(place)) as connection:
+        with catalogue.opened(kept or catalogue_of(place)) as connection:
             problems += [(str(place / path), why) for path, why in index(place, connection, unit=unit).problems]
             listed = catalogue.candidates(connection)
         found += [replace(one, path=str(catalogue.inside(place, one.path))) for one in listed]
@@ -148,7 +151,7 @@ def _record(one: Candidate, *, folder: Path, unit: str | None) -> Record:
     )
 
 
-def _notices(problems: Sequence[tuple[str, str]]) -> Iterator[Notice]:
+def notices_of(problems: Sequence[tuple[str, str]]) -> Iterator[Notice]:
     if problems:
         told = "; ".join(f"{path}: {why}" for path, why in problems[:TOLD])
         more = f"; and {len(problems) - TOLD} more" if len(problems) > TOLD else ""

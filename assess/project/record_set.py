@@ -9,9 +9,9 @@ from pathlib import Path
 
 import numpy as np
 
+from assess.errors import ProjectError
 from assess.mechanisms.mechanism import Mechanism
 from assess.project import sections
-from assess.project.messages import located
 from assess.project.periods import ABOVE, BELOW, ends, equivalent_periods
 from assess.project.schema import relative
 from assess.project.study import Fitting
@@ -19,6 +19,7 @@ from assess.results import Notice
 from records import catalogue
 from records.band import Band, band
 from records.candidates import PERIODS, Candidate
+from records.errors import RecordError
 from records.flatfile import described_by, read_flatfile
 from records.indexing import candidate, index
 from records.reading import read
@@ -64,9 +65,11 @@ def chosen(
 ) -> tuple[RecordSet, tuple[Notice, ...]]:
     """The suite that [records.select] describes, and what to know of it; `folder` is that of the project file."""
     offer = offered(section.files, unit=section.unit, flatfile=section.flatfile)
-    with located("records.select"):
+    try:
         over = band(*periods_of(wanted, spectrum, mechanisms), weights=wanted.weights)
         found = select(offer.candidates, spectrum, criteria_of(section, wanted, over))
+    except RecordError as error:
+        raise ProjectError(f"records.select: {error}") from None
     return record_set(found, over, folder=folder, unit=section.unit), tuple(notices_of(offer.problems))
 
 

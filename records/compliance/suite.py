@@ -54,7 +54,8 @@ class Suite:
 
 def suite_of(records: Sequence[Record], factors: Sequence[float], spectrum: Spectrum) -> Suite:
     """The suite of `records` as they are before scaling, each with its factor, beside `spectrum`."""
-    period = FINE[spectrum.longest_period >= FINE]
+    end = min(float(FINE[-1]), spectrum.longest_period)
+    period = np.append(FINE[end > FINE], end)
     spectra = [f * response_spectrum(r, period, damping=DAMPING) for r, f in zip(records, factors, strict=True)]
     return Suite(
         period=period,

@@ -16,7 +16,14 @@ from typing import Any, NoReturn
 from pydantic import TypeAdapter, ValidationError
 
 from assess.errors import ResultsError
-from assess.results import SCHEMA_VERSION, MechanismResult, Results, SpectrumResult
+from assess.results import (
+    SCHEMA_VERSION,
+    GroundMotionResult,
+    MechanismResult,
+    RecordResult,
+    Results,
+    SpectrumResult,
+)
 
 _REMEDY = "give a results.json that `assess run` wrote"
 
@@ -38,6 +45,13 @@ def dumps_mechanisms(mechanisms: tuple[MechanismResult, ...]) -> str:
 def dumps_spectrum(spectrum: SpectrumResult) -> str:
     """The `spectrum` of results.json alone."""
     return _json(_normal(spectrum, _spectrum_type())) + "\n"
+
+
+def dumps_suite(records: tuple[RecordResult, ...], motion: GroundMotionResult) -> str:
+    """The `records` and the `ground_motion` of results.json alone."""
+    return (
+        _json({"records": _normal(records, _records_type()), "ground_motion": _normal(motion, _motion_type())}) + "\n"
+    )
 
 
 def dumps_envelopes(results: Results) -> str:
@@ -90,6 +104,16 @@ def _mechanisms_type() -> TypeAdapter[tuple[MechanismResult, ...]]:
 @cache
 def _spectrum_type() -> TypeAdapter[SpectrumResult]:
     return TypeAdapter(SpectrumResult)
+
+
+@cache
+def _records_type() -> TypeAdapter[tuple[RecordResult, ...]]:
+    return TypeAdapter(tuple[RecordResult, ...])
+
+
+@cache
+def _motion_type() -> TypeAdapter[GroundMotionResult]:
+    return TypeAdapter(GroundMotionResult)
 
 
 def _normal(value: Any, adapter: TypeAdapter[Any]) -> Any:

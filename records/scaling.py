@@ -1,4 +1,4 @@
-"""Scaling a record to a design spectrum or to a peak ground acceleration."""
+"""Scaling a record to a design spectrum, to one of its ordinates or to a peak ground acceleration."""
 
 from __future__ import annotations
 
@@ -27,20 +27,37 @@ class Scaling:
     mse: float
 
 
-def scale_to_spectrum(record: Record, spectrum: Spectrum, *, period: ArrayLike = SCALING_PERIODS) -> Scaling:
-    """The factor that brings the record's 5 % spectrum closest to the target over `period` [k] [s], equally weighted.
+def least_squares(log_ratio: FloatArray, *, weight: FloatArray | None = None) -> tuple[FloatArray, FloatArray]:
+    """ln(factor) and mse [...] that bring spectra closest to a target: log_ratio = ln(target / record) [..., k].
 
-    It minimises mse = mean (ln(target) - ln(factor record))^2, so ln(factor) = mean ln(target / record), and the mse
-    left is the variance of ln(target / record).
-    Raises RecordError for a record without motion at these periods.
+    mse = sum w (ln(target) - ln(factor record))^2 / sum w is least at ln(factor) = sum w ln(target / record) / sum w;
+    `weight` [k], equal if None.
     Source: PEER (2010), Technical report for the PEER ground motion database web application, §3 (mean squared error).
     """
+    log_factor = np.average(log_ratio, axis=-1, weights=weight)
+    return log_factor, mean_square(log_ratio - log_factor[..., np.newaxis], weight=weight)
+
+
+def mean_square(difference: FloatArray, *, weight: FloatArray | None = None) -> FloatArray:
+    """Weighted mean of the squares of differences [..., k] of logarithms: the mse [...] of a given factor."""
+    return np.asarray(np.average(difference**2, axis=-1, weights=weight))
+
+
+def scale_to_spectrum(
+    record: Record, spectrum: Spectrum, *, period: ArrayLike = SCALING_PERIODS, weight: FloatArray | None = None
+) -> Scaling:
+    """The factor that brings the record's 5 % spectrum closest to the target over `period` [k] [s], as `least_squares`.
+
+    `weight` [k], equal if None. Raises RecordError for a record without motion at these periods.
+    """
     ratio = log_ratio(record, spectrum, period=period)
-    if abs(float(np.mean(ratio))) > np.log(LARGEST_FACTOR):
-        raise RecordError(
-            f'record "{record.id}": a factor of e^{np.mean(ratio):.3g} would bring it to the spectrum; check its unit'
-        )
-    return Scaling(float(np.exp(np.mean(ratio))), float(np.var(ratio)))
+    log_factor, mse = least_squares(ratio, weight=None if weight is None else weight[: ratio.size])
+    return Scaling(_factor(float(log_factor), record), float(mse))
+
+
+def scale_to_ordinate(record: Record, spectrum: Spectrum, *, period: float) -> float:
+    """The factor that brings the record's 5 % ordinate at `period` [s] to the target's."""
+    return _factor(float(log_ratio(record, spectrum, period=period)[0]), record)
 
 
 def scale_to_pga(record: Record, pga: float) -> float:
@@ -56,13 +73,21 @@ def scale_to_pga(record: Record, pga: float) -> float:
     return pga / record.pga
 
 
-def misfit(record: Record, spectrum: Spectrum, *, factor: float = 1.0, period: ArrayLike = SCALING_PERIODS) -> float:
+def misfit(
+    record: Record,
+    spectrum: Spectrum,
+    *,
+    factor: float = 1.0,
+    period: ArrayLike = SCALING_PERIODS,
+    weight: FloatArray | None = None,
+) -> float:
     """Mean squared natural-log difference [-] between target and 5 % spectrum of the record times `factor`."""
-    return float(np.mean((log_ratio(record, spectrum, period=period) - np.log(factor)) ** 2))
+    left = log_ratio(record, spectrum, period=period) - np.log(factor)
+    return float(mean_square(left, weight=None if weight is None else weight[: left.size]))
 
 
 def log_ratio(record: Record, spectrum: Spectrum, *, period: ArrayLike = SCALING_PERIODS) -> FloatArray:
-    """ln(target / record), 5 % damping, at each `period` [k] [s] up to the spectrum's longest.
+    """ln(target / record), 5 % damping, at each `period` [k] [s], rising, up to the spectrum's longest.
 
     RecordError where the record has no motion, or the spectrum ends before all periods.
     """
@@ -79,3 +104,11 @@ def log_ratio(record: Record, spectrum: Spectrum, *, period: ArrayLike = SCALING
             f'record "{record.id}": no motion at a period of {still[0]:.4g} s; it cannot be scaled to a spectrum'
         )
     return np.asarray(np.log(spectrum.acceleration(T, damping=DAMPING) / own), dtype=np.float64)
+
+
+def _factor(log_factor: float, record: Record) -> float:
+    if abs(log_factor) > np.log(LARGEST_FACTOR):
+        raise RecordError(
+            f'record "{record.id}": a factor of e^{log_factor:.3g} would bring it to the spectrum; check its unit'
+        )
+    return float(np.exp(log_factor))

@@ -8,7 +8,7 @@ from functools import partial
 from typing import Literal
 
 from assess.results import MechanismResult, RecordResult, Results, SweepResult
-from reports import envelopes, governing, interfaces, sentences, sheets, siblings, sweeps, tables
+from reports import envelopes, governing, interfaces, sentences, sheets, siblings, suite, sweeps, tables
 from reports.document import Block, Document, Figure, Items, Section, Signatures, Table, Text
 from reports.figures import amplification, capacity, comparison, history, pga_rotation, sketch, spectrum, view
 from reports.numerals import numeral
@@ -108,7 +108,7 @@ def _site(results: Results) -> list[Section]:
         )
         blocks.append(Figure("spectrum", caption, partial(spectrum.draw, results.spectrum, results.records)))
         blocks += _filled(tables.site(results))
-    blocks += [*_filled(tables.records(results)), *_filled(tables.trails(results))]
+    blocks += [*_filled(tables.records(results)), *suite.blocks(results), *_filled(tables.trails(results))]
     return [Section("Site and ground motion", 0, tuple(blocks))] if blocks else []
 
 

@@ -12,6 +12,7 @@ from assess.results import (
     HistoryResult,
     MechanismResult,
     OscillatorResult,
+    RecordResult,
     RecordSpectrum,
     Results,
     SpectrumResult,
@@ -153,27 +154,36 @@ def records(results: Results) -> Table:
     columns = (
         Column("Record"),
         Column("Event"),
-        Column("Station"),
+        Column("NGA", kind="given"),
+        Column("Magnitude", kind="given"),
         Column("Component"),
         Column("Step", "s", "given"),
         Column("Samples", kind="number"),
+        Column("Misfit", "-", "number"),
         Column("Scale factor", "-", "number"),
         Column("PGA, scaled", "g", "number"),
-        Column("Misfit", "-", "number"),
     )
     rows = tuple(
-        (r.id, r.event, r.station, r.component, r.dt_s, r.npts, r.scale_factor, r.pga_g, r.mse) for r in results.records
+        (r.id, event_of(r), r.nga, r.magnitude, r.component, r.dt_s, r.npts, r.mse, r.scale_factor, r.pga_g)
+        for r in results.records
     )
     caption = (
-        "Records, scaled to the site's spectrum. Misfit: mean squared difference of the logarithms of the ordinates."
+        "Records, scaled to the site's spectrum (as thesis Table 8.8). Misfit: mean squared difference of the "
+        "logarithms of the ordinates."
     )
     return Table("records", caption, columns, rows)
 
 
+def event_of(record: RecordResult) -> str:
+    """The earthquake with its year, where that is known and not part of its name."""
+    year = record.date[:4]
+    return record.event if year in record.event else f"{record.event} {year}".strip()
+
+
 def trails(results: Results) -> Table:
     """What was done to each record."""
-    columns = (Column("Record"), Column("File"), Column("Processing, in order"))
-    rows = tuple((record.id, record.path, "; ".join(record.trail)) for record in results.records)
+    columns = (Column("Record"), Column("Station"), Column("File"), Column("Processing, in order"))
+    rows = tuple((record.id, record.station, record.path, "; ".join(record.trail)) for record in results.records)
     return Table("processing", "Origin and processing of the records.", columns, rows)
 
 

@@ -11,6 +11,10 @@ from assess.cli.envelope import envelope
 from assess.cli.new import new
 from assess.cli.parameters import parameters
 from assess.cli.records import records
+from assess.cli.records_index import index
+from assess.cli.records_scale import scale
+from assess.cli.records_select import select
+from assess.cli.records_spectra import spectra
 from assess.cli.report import report
 from assess.cli.run import run
 from assess.cli.schema import schema
@@ -29,6 +33,8 @@ app = typer.Typer(
 )
 for command in (new, check, run, parameters, spectrum, envelope, report, schema):
     app.command()(command)
+for of_records in (index, spectra, select, scale):
+    records.command()(of_records)
 app.add_typer(records, name="records")
 
 

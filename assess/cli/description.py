@@ -37,6 +37,9 @@ def _site(project: Project) -> str:
 def _motions(project: Project) -> str:
     records = project.content.records
     artificial = 0 if records.synthetic is None else records.synthetic.count
+    if records.select is not None:
+        of = f"{records.select.count} selected out of {len(records.files)} files or folders"
+        return f"records: {of}, {artificial} artificial"
     return f"records: {len(records.files)} from files, {artificial} artificial"
 
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -15,7 +14,7 @@ from assess.codes.dmi2008.clauses import Options as Dmi2008Options
 from assess.codes.registry import CodeOptions
 from assess.errors import ProjectError
 from assess.geometry.solid import Solid
-from assess.project import sections
+from assess.project import record_set, sections
 from assess.project.amplification import Standing, amplified
 from assess.project.bodies import solid_of
 from assess.project.components import horizontal, left_out
@@ -23,13 +22,13 @@ from assess.project.dependents import dependents
 from assess.project.directions import directed
 from assess.project.messages import located, shown
 from assess.project.notices import notices_of
+from assess.project.record_set import RecordSet
 from assess.project.schema import Project, relative, resolved
 from assess.project.site_spectrum import spectrum_of
-from assess.project.study import Artificial, Case, Equation, PulseGrid, Study, Sweep
+from assess.project.study import Artificial, Case, Equation, Fitting, PulseGrid, Study, Sweep
 from assess.project.variations import Variant, Variation
 from assess.results import Input, Notice
 from records.pulses import shape as pulse_shape
-from records.reading import read
 from records.record import Record
 from spectra.spectrum import Spectrum
 
@@ -42,7 +41,7 @@ class Files:
 
     solids: Mapping[str, Solid | None]
     spectrum: Spectrum | None
-    records: tuple[Record, ...]
+    named: RecordSet
 
 
 def build(project: Project) -> Study:
@@ -59,18 +58,28 @@ def study_of(project: Project) -> Study:
     content = project.content
     spectrum = None if content.site is None else spectrum_of(content.site)
     solids = {name: solid_of(name, body, content.materials) for name, body in content.bodies.items()}
-    found = records_of(content.records, project.folder)
-    files = Files(solids, spectrum, horizontal(found))
-    study = part_of(content, files, names=content.mechanisms)
+    named, notices = all_records(content.records, project.folder)
+    study = part_of(content, Files(solids, spectrum, named), names=content.mechanisms)
+    if content.records.select is not None and spectrum is not None:
+        named, notices = record_set.chosen(
+            content.records,
+            content.records.select,
+            spectrum=spectrum,
+            mechanisms=study.mechanisms,
+            folder=project.folder,
+        )
+    files = Files(solids, spectrum, named)
     return replace(
         study,
-        inputs=tuple(inputs_of(project)),
+        records=named.records,
+        fitting=named.fitting,
+        inputs=tuple(inputs_of(project, named.records)),
         resolved=resolved(project),
         notices=(
             *project.doubts,
             *(Notice("site-study", "site.spectrum", text) for text in (spectrum.cautions if spectrum else ())),
             *notices_of(content, solids, study.mechanisms, study.amplified),
-            *left_out(found),
+            *notices,
         ),
         sweeps=tuple(sweep_of(variation, project, files) for variation in project.variations),
     )
@@ -85,7 +94,8 @@ def part_of(content: sections.Content, files: Files, *, names: Iterable[str]) ->
         spectrum=files.spectrum,
         vertical_ratio=0.0 if site is None else site.vertical_ratio,
         building=None if building is None else Building(**building.model_dump(include=CLAUSES_NEED)),
-        records=files.records,
+        records=files.named.records,
+        fitting=files.named.fitting,
         artificial=None if synthetic is None else Artificial(synthetic.count, synthetic.seed, synthetic.duration),
         scale_to=content.records.scale_to,
         levels=levels_of(content.analysis.levels, files.spectrum),
@@ -131,7 +141,9 @@ def reread(content: sections.Content, project: Project, files: Files) -> Files:
     }
     spectrum = files.spectrum if content.site == whole.site or content.site is None else spectrum_of(content.site)
     same = content.records == whole.records
-    records = files.records if same else horizontal(records_of(content.records, project.folder))
+    if not same and content.records.select is not None:
+        raise ProjectError("records: a sweep cannot vary what records are selected by; sweep another key")
+    records = files.named if same else all_records(content.records, project.folder)[0]
     return Files(solids, spectrum, records)
 
 
@@ -162,31 +174,23 @@ def grid_of(section: sections.Pulses) -> PulseGrid:
     return PulseGrid(pulse_shape(section.shape, gamma=section.gamma, nu=section.nu), frequency, amplitude)
 
 
-def records_of(section: sections.Records, folder: Path) -> tuple[Record, ...]:
-    """The records of every file, each with its path as the project file in `folder` would write it."""
-    read_one = partial(read, unit=section.unit, step=section.step, response=section.response)
-    found = [record for path in section.files for record in read_one(path)]
-    return uniquely_named([replace(one, path=relative(Path(one.path), folder)) for one in found])
+def all_records(section: sections.Records, folder: Path) -> tuple[RecordSet, tuple[Notice, ...]]:
+    """Every horizontal record that is named, and what is left out; none yet where a suite is to be chosen."""
+    if section.select is not None:
+        return RecordSet((), Fitting(record_set.EVERYWHERE)), ()
+    found = record_set.all_of(section, folder)
+    return replace(found, records=horizontal(found.records)), tuple(left_out(found.records))
 
 
-def uniquely_named(records: Sequence[Record]) -> tuple[Record, ...]:
-    """The records, a second one of the same id numbered "id (2)", and so on."""
-    seen: dict[str, int] = {}
-    named = []
-    for record in records:
-        seen[record.id] = seen.get(record.id, 0) + 1
-        again = seen[record.id]
-        named.append(record if again == 1 else replace(record, id=f"{record.id} ({again})"))
-    return tuple(named)
-
-
-def inputs_of(project: Project) -> Iterator[Input]:
-    """The project file and every file it names, with their hashes."""
+def inputs_of(project: Project, records: Sequence[Record]) -> Iterator[Input]:
+    """The project file and every file it names, with their hashes; of those to choose records from the ones chosen."""
     yield Input(project.path.name, project.sha256)
     content = project.content
     bodies = [body.mesh for body in content.bodies.values() if isinstance(body, sections.MeshBody)]
     table = content.site.spectrum if content.site is not None else None
     tables = [table.file] if isinstance(table, sections.TableSpectrum) else []
-    records = [path for path in (*content.records.files, content.records.response) if path is not None]
-    for path in dict.fromkeys([*bodies, *tables, *records]):
+    chosen = content.records.select is not None
+    used = [project.folder / record.path for record in records] if chosen else content.records.files
+    beside = [path for path in (content.records.flatfile, content.records.response) if path is not None]
+    for path in dict.fromkeys([*bodies, *tables, *used, *beside]):
         yield Input(relative(path, project.folder), hashlib.sha256(path.read_bytes()).hexdigest())

@@ -50,6 +50,7 @@ from assess.results import (
     SpectrumResult,
     SuiteResult,
 )
+from records.candidates import sequence_number
 from records.record import Record, scaled
 from records.response import response_spectrum
 from spectra.spectrum import Spectrum
@@ -87,8 +88,8 @@ def spectrum_result(spectrum: Spectrum) -> SpectrumResult:
     )
 
 
-def record_result(motion: Motion, spectrum: Spectrum) -> RecordResult:
-    """A record as used: scaled to the site's target."""
+def record_result(motion: Motion, spectrum: Spectrum, *, nga: int | None = None) -> RecordResult:
+    """A record as used: scaled to the site's target; nga: its number in the NGA database."""
     used = scaled(motion.record, motion.scaling.factor)
     period = periods_of(spectrum)
     return RecordResult(
@@ -104,6 +105,11 @@ def record_result(motion: Motion, spectrum: Spectrum) -> RecordResult:
         mse=motion.scaling.mse,
         trail=used.trail,
         spectrum=RecordSpectrum(floats(period), floats(response_spectrum(used, period) / g)),
+        date=used.earthquake.time,
+        magnitude=used.earthquake.magnitude,
+        distance_km=None if used.distance is None else used.distance / 1000.0,
+        vs30_m_per_s=used.site.vs30,
+        nga=sequence_number(used.path) if nga is None else nga,
     )
 
 

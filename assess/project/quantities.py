@@ -39,6 +39,7 @@ def _described(kind: str) -> WithJsonSchema:
 Length = Annotated[float, _read("length"), _described("length"), KINDS["length"]]
 Mass = Annotated[float, _read("mass"), _described("mass"), KINDS["mass"]]
 Time = Annotated[float, _read("time"), _described("time"), KINDS["time"]]
+Speed = Annotated[float, _read("speed"), _described("speed"), KINDS["speed"]]
 Acceleration = Annotated[float, _read("acceleration"), _described("acceleration"), KINDS["acceleration"]]
 Force = Annotated[float, _read("force"), _described("force"), KINDS["force"]]
 Stress = Annotated[float, _read("stress"), _described("stress"), KINDS["stress"]]
@@ -219,9 +220,9 @@ InputFile = Annotated[
 
 
 def _matching(pattern: Any, folder: Path) -> list[Path]:
-    """The files a name or a pattern stands for, sorted; a file of just that name goes before a pattern."""
+    """The files a name or a pattern stands for, sorted; a file or folder of just that name goes before a pattern."""
     text = _path_text(pattern)
-    if (folder / text).is_file():
+    if (folder / text).is_file() or (folder / text).is_dir():
         return [folder / text]
     found = sorted(path for path in map(Path, _glob(text, folder)) if path.is_file())
     if not found:
@@ -250,7 +251,7 @@ InputFiles = Annotated[
             "type": "array",
             "items": {"type": "string"},
             "minItems": 1,
-            "description": "paths or patterns (*, ?, **) relative to the project file",
+            "description": "paths, patterns (*, ?, **) or folders relative to the project file",
         }
     ),
 ]

@@ -12,6 +12,7 @@ from assess.errors import ProjectError
 from assess.mechanisms.oscillation import oscillator
 from assess.project.assessing import Progress, mechanisms_assessed
 from assess.project.envelopes import DEFAULT_GRID, Rocker, critical_result, mapped_pulses, with_primary_pulses
+from assess.project.ground_motion import ground_motion
 from assess.project.messages import located
 from assess.project.motions import Motion, motions_of
 from assess.project.outcome import amplification_result, comparison, mechanism_result, record_result, spectrum_result
@@ -39,7 +40,8 @@ def run(study: Study, *, jobs: int = 0, progress: Progress = lambda stage, done,
     mechanisms = tuple(own.get(m.name) or standing[m.name].worst for m in study.mechanisms)
     rockers = rockers_of(study, standing)
     mapped = mapped_pulses(rockers, study.pulses, jobs=jobs, progress=progress)
-    records = tuple(record_result(motion, spectrum) for motion in motions)
+    numbers = dict(study.fitting.nga)
+    records = tuple(record_result(motion, spectrum, nga=numbers.get(motion.record.id)) for motion in motions)
     return Results(
         schema_version=SCHEMA_VERSION,
         program=Program(NAME, version(NAME)),
@@ -52,6 +54,7 @@ def run(study: Study, *, jobs: int = 0, progress: Progress = lambda stage, done,
         critical=critical_result(mapped),
         comparison=comparison(mechanisms),
         sweeps=sweep_results(sweeps, standing),
+        ground_motion=ground_motion(study, spectrum, motions),
     )
 
 

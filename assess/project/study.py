@@ -14,8 +14,10 @@ from assess.codes.registry import CodeOptions
 from assess.geometry.scene import Scene
 from assess.mechanisms.mechanism import Mechanism
 from assess.results import Input, Notice, Resolved
+from records.band import Band
 from records.pulses import Shape
 from records.record import Record
+from records.selection import Selection
 from spectra.spectrum import Spectrum
 
 FloatArray = NDArray[np.float64]
@@ -30,6 +32,21 @@ class Artificial:
     count: int
     seed: int
     duration: float
+
+
+@dataclass(frozen=True)
+class Fitting:
+    """How records are scaled to the target, and how they were chosen.
+
+    band : periods that the scaling looks at; together : ids of records that keep one factor
+    selection : how they were chosen, with its criteria; None where all that the project names are used
+    nga : (id, number in the NGA database) of those that have one
+    """
+
+    band: Band
+    together: tuple[tuple[str, ...], ...] = ()
+    selection: Selection | None = None
+    nga: tuple[tuple[str, int], ...] = ()
 
 
 @dataclass(frozen=True)
@@ -65,6 +82,7 @@ class Study:
     levels : PGA at which demands are compared, rising [m/s2]
     equations : the equation of motion of each mechanism's histories, by name
     amplified : how the motion of the histories reaches each mechanism, by name
+    fitting : how the records are scaled
     scenes : the bodies in space of each mechanism that has geometry, by name
     sweeps : parametric studies; a case has none
     pulses : of the overturning envelopes; None where none are asked for
@@ -74,6 +92,7 @@ class Study:
     vertical_ratio: float
     building: Building | None
     records: tuple[Record, ...]
+    fitting: Fitting
     artificial: Artificial | None
     scale_to: ScaleTo
     levels: tuple[float, ...]

@@ -51,6 +51,7 @@ KINDS: dict[str, Kind] = {
     "mass": Kind("mass", "kilogram", "kg", "1200 kg"),
     "time": Kind("time", "second", "s", "6 s"),
     "duration": Kind("duration", "year", "years", "50 years", only=frozenset({"year"})),  # of hazards and buildings
+    "speed": Kind("speed", "meter/second", "m/s", "400 m/s"),
     "acceleration": Kind("acceleration", "meter/second**2", "m/s^2", "0.10 g"),
     "force": Kind("force", "newton", "N", "10 kN"),
     "stress": Kind("stress", "pascal", "Pa", "1.0 MPa"),

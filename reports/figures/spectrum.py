@@ -10,7 +10,7 @@ from assess.results import RecordResult, SpectrumResult
 from reports.style import FAIL, INK, MUTED, label, sheet, styled
 
 NAMED = 7  # more records than this are drawn alike, without names
-_COLOURS = ("#0072b2", "#e69f00", "#009e73", "#cc79a7", "#56b4e9", "#d55e00", "#6b4c9a")
+COLOURS = ("#0072b2", "#e69f00", "#009e73", "#cc79a7", "#56b4e9", "#d55e00", "#6b4c9a")
 
 
 def draw(target: SpectrumResult, records: tuple[RecordResult, ...]) -> Figure:
@@ -30,7 +30,7 @@ def draw(target: SpectrumResult, records: tuple[RecordResult, ...]) -> Figure:
 def _records(axes: Axes, records: tuple[RecordResult, ...]) -> None:
     named = len(records) <= NAMED
     for place, record in enumerate(records):
-        colour = _COLOURS[place] if named else MUTED
+        colour = COLOURS[place] if named else MUTED
         name = label(record.id, 24) if named else (f"{len(records)} records" if place == 0 else "_")
         spectrum = record.spectrum
         axes.plot(spectrum.period_s, spectrum.acceleration_g, color=colour, linewidth=0.7, alpha=0.8, label=name)

@@ -29,6 +29,7 @@ from assess.project.sections.mechanisms import (
     TwoBlock,
 )
 from assess.project.sections.pulses import Pulses
+from assess.project.sections.select import Select
 from assess.project.sections.site import Building, Site
 from assess.project.sections.spectra import (
     Asce7MappedSpectrum,
@@ -80,6 +81,7 @@ __all__ = [
     "RadialJoints",
     "RaisedAmplification",
     "Records",
+    "Select",
     "Shape",
     "SingleBlock",
     "Site",

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Annotated, ClassVar, Literal, get_args
+from typing import Annotated, Literal, get_args
 
-from pydantic import AfterValidator, Field, StrictInt
+from pydantic import AfterValidator, Field, StrictInt, model_validator
 
 from assess.project.quantities import (
     AccelerationUnit,
@@ -17,8 +16,9 @@ from assess.project.quantities import (
     Ratio,
     unique,
 )
-from assess.project.section import Section
+from assess.project.section import Section, wrong
 from assess.project.sections.pulses import Pulses
+from assess.project.sections.select import Select
 from assess.project.sections.sweeps import Sweep, Sweeps
 
 Procedure = Literal[
@@ -46,10 +46,13 @@ class Synthetic(Section):
 class Records(Section):
     """The ground motions: from files, artificial, or both; artificial ones where nothing is said."""
 
-    planned: ClassVar[Mapping[str, str]] = {"select": "list the files you want; remove it"}
-
     files: InputFiles = ()
-    """record files of any format known, names or patterns relative to the project file; their horizontal components"""
+    """record files of any format known, names or patterns relative to the project file; their horizontal components;
+    with `select` also folders"""
+    select: Select | None = None
+    """{ count, periods, scale_limits, one_per_event, … }: the best suite out of `files`; all of them if absent"""
+    flatfile: InputFile | None = None
+    """PEER flatfile in CSV, with magnitude, distance and Vs30 of the recordings, for `select`"""
     unit: AccelerationUnit | None = None
     """unit of acceleration, only for files that do not say theirs"""
     step: PositiveTime | None = None
@@ -60,6 +63,15 @@ class Records(Section):
     """{ count, seed, duration } of artificial records"""
     scale_to: Literal["spectrum", "pga", "none"] = "spectrum"
     """scale each record to the "spectrum" (least squares), to its "pga", or "none"; levels then multiply"""
+
+    @model_validator(mode="after")
+    def _select_has_files(self) -> Records:
+        folders = [path for path in self.files if path.is_dir()]
+        if self.select is None and folders:
+            raise wrong("files", f'{folders[0]} is a folder; add `select`, or write a pattern like "records/*.AT2"')
+        if self.select is not None and not self.files:
+            raise wrong("select", "there are no files to choose from; add files")
+        return self
 
 
 class Analysis(Section):

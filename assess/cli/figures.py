@@ -1,0 +1,19 @@
+"""The option of commands that draw one figure."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+ENDINGS = (".svg", ".pdf", ".png")
+FigurePath = Annotated[
+    Path | None, typer.Option("-o", "--output", metavar="FIGURE", help="Draw it: a name in .svg, .pdf or .png.")
+]
+
+
+def refuse_figure(output: Path | None) -> None:
+    """Raise BadParameter for a name that does not end as a figure does."""
+    if output is not None and output.suffix.lower() not in ENDINGS:
+        raise typer.BadParameter(f"{output}: a figure is written as {', '.join(ENDINGS)}; end its name so")

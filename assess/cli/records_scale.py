@@ -1,0 +1,49 @@
+"""`assess records scale`: records scaled to a target."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from assess.cli.records_index import Unit
+
+
+def scale(
+    files: Annotated[list[Path], typer.Argument(metavar="FILES…", help="Record files, of any format known.")],
+    target: Annotated[
+        Path, typer.Option(metavar="FILE", help="A project, for its site's spectrum, or a CSV of period and ordinate.")
+    ],
+    to: Annotated[str, typer.Option(help="What is met: spectrum (least squares), pga, or none.")] = "spectrum",
+    at: Annotated[float | None, typer.Option(metavar="PERIOD", help="Meet the ordinate at this period [s].")] = None,
+    periods: Annotated[tuple[float, float], typer.Option(metavar="FROM TO", help="Of the least squares [s].")] = (
+        0.1,
+        2.0,
+    ),
+    unit: Unit = None,
+    as_json: Annotated[
+        bool, typer.Option("--json", help="Print records and ground_motion as in results.json.")
+    ] = False,
+    as_csv: Annotated[bool, typer.Option("--csv", help="Print the records as CSV, at full precision.")] = False,
+    output: Annotated[
+        Path | None, typer.Option("-o", "--output", metavar="DIR", help="Write each scaled record there as CSV.")
+    ] = None,
+) -> None:
+    """Scale records to a design spectrum, to its peak ground acceleration, or to its ordinate at a period."""
+    if as_json and as_csv:
+        raise typer.BadParameter("--json and --csv exclude each other")
+    from assess.cli.outputs import staged
+    from assess.cli.suite_table import csv_text, json_text, table_text
+    from assess.project.choosing import scaled_files
+    from records.record import scaled
+    from records.writing import csv_text as record_text
+
+    motions, suite = scaled_files(target, files, to=to, at=at, periods=periods, unit=unit)
+    if output is not None:
+        with staged(output) as stage:
+            for place, motion in enumerate(motions, start=1):
+                text = record_text(scaled(motion.record, motion.scaling.factor))
+                name = "".join(c if c.isascii() and (c.isalnum() or c in "-._") else "-" for c in motion.record.id)
+                (stage / f"{place:02d}-{name[:60]}.csv").write_text(text, encoding="utf-8")
+    print((json_text if as_json else csv_text if as_csv else table_text)(suite), end="")

@@ -1,0 +1,31 @@
+"""`assess records spectra`: response spectra of records."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from assess.cli.figures import FigurePath, refuse_figure
+from assess.cli.records_index import Catalogue, Unit
+
+Places = Annotated[list[Path], typer.Argument(metavar="FILES…|FOLDER", help="Record files, or a folder of them.")]
+
+
+def spectra(
+    places: Places,
+    damping: Annotated[float, typer.Option(help="Damping ratio; a folder has 5 % spectra.")] = 0.05,
+    unit: Unit = None,
+    catalogue: Catalogue = None,
+    as_csv: Annotated[bool, typer.Option("--csv", help="Print every period, a column for each record.")] = False,
+    output: FigurePath = None,
+) -> None:
+    """Print pseudo-acceleration spectra of records; those of a folder come from its catalogue."""
+    refuse_figure(output)
+    from assess.cli.spectra_table import csv_text, drawn, found_in, table_text
+
+    found = found_in(places, damping=damping, unit=unit, kept=catalogue)
+    if output is not None:
+        drawn(found, output)
+    print((csv_text if as_csv else table_text)(found), end="")

@@ -1,0 +1,148 @@
+"""Suites for the command line: of a project, of folders beside a target, of files that are only scaled."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any, get_args
+
+from scipy.constants import g
+
+from assess.errors import AssessError
+from assess.project import record_set
+from assess.project.build import build
+from assess.project.ground_motion import ground_motion, suite_result
+from assess.project.motions import Motion, motions_of, scaled_together
+from assess.project.outcome import record_result
+from assess.project.run import required_spectrum
+from assess.project.schema import load
+from assess.project.site_spectrum import site_of, spectrum_of
+from assess.project.study import Fitting
+from assess.results import GroundMotionResult, Notice, RecordResult
+from records.band import band
+from records.reading import read
+from records.scaling import Scaling, misfit, scale_to_ordinate
+from records.selection import Components, Criteria, Filters, Fit, Range, ScaleTo, select
+from spectra.spectrum import Spectrum
+from spectra.table import read_table
+
+UNITS: Mapping[str, float] = {"magnitude": 1.0, "distance": 1000.0, "vs30": 1.0, "pga": g, "duration": 1.0}
+"""SI of what the command line takes: km, m/s, g, s."""
+
+
+@dataclass(frozen=True)
+class Suite:
+    """Records as scaled, the suite beside its target, and what to know of it."""
+
+    records: tuple[RecordResult, ...]
+    motion: GroundMotionResult
+    notices: tuple[Notice, ...] = ()
+
+
+@dataclass(frozen=True)
+class Wanted:
+    """What the command line asks of a suite, in its units; spans: of the filters by name."""
+
+    count: int
+    periods: Range
+    scale_limits: Range
+    fit: str
+    components: str
+    scale_to: str
+    one_per_event: bool
+    spans: Mapping[str, Range | None]
+    events: tuple[str, ...]
+
+
+def of_project(path: Path) -> Suite:
+    """The records of a project as it selects and scales them, without artificial ones."""
+    study = build(load(path))
+    spectrum = required_spectrum(study)
+    if not study.records:
+        raise AssessError(f"{path}: records.files: missing; add the files or the folder to select from")
+    motions = motions_of(replace(study, artificial=None), spectrum)
+    found = ground_motion(study, spectrum, motions)
+    assert found is not None  # there are records
+    notices = tuple(notice for notice in study.notices if notice.where.startswith("records"))
+    return Suite(results_of(motions, spectrum, study.fitting), found, notices)
+
+
+def of_target(
+    target: Path,
+    places: Sequence[Path],
+    wanted: Wanted,
+    *,
+    unit: str | None,
+    flatfile: Path | None,
+    kept: Path | None,
+) -> Suite:
+    """The suite out of files and the catalogues of folders that fits the spectrum of `target`."""
+    spectrum, criteria = spectrum_at(target), criteria_of(wanted)
+    if kept is not None and sum(place.is_dir() for place in places) > 1:
+        raise AssessError(f"--catalogue {kept}: one catalogue is of one folder; give one folder")
+    offer = record_set.offered(places, unit=unit, flatfile=flatfile, kept=kept)
+    found = select(offer.candidates, spectrum, criteria)
+    chosen = record_set.record_set(found, criteria.band, folder=Path.cwd(), unit=unit)
+    motions = scaled_together(chosen.records, spectrum, chosen.fitting, scale_to=criteria.scale_to)
+    motion = suite_result(motions, spectrum, chosen.fitting, source="given", equivalent={})
+    return Suite(results_of(motions, spectrum, chosen.fitting), motion, tuple(record_set.notices_of(offer.problems)))
+
+
+def criteria_of(wanted: Wanted) -> Criteria:
+    """In SI; AssessError for a word that is not known or a range that falls."""
+    spans = {**wanted.spans, "scale-limits": wanted.scale_limits}
+    for name, span in spans.items():
+        if span is not None and not span[0] <= span[1]:
+            raise AssessError(f"--{name} {span[0]:g} {span[1]:g}: the first is larger than the second")
+    si = {
+        name: None if span is None else (span[0] * UNITS[name], span[1] * UNITS[name])
+        for name, span in wanted.spans.items()
+    }
+    return Criteria(
+        count=wanted.count,
+        band=band(*wanted.periods),
+        filters=Filters(**si, events=wanted.events),
+        scale_limits=wanted.scale_limits,
+        one_per_event=wanted.one_per_event,
+        fit=_one_of("fit", wanted.fit, Fit),
+        components=_one_of("components", wanted.components, Components),
+        scale_to=_one_of("scale-to", wanted.scale_to, ScaleTo),
+    )
+
+
+def scaled_files(
+    target: Path, files: Sequence[Path], *, to: str, at: float | None, periods: Range, unit: str | None
+) -> tuple[tuple[Motion, ...], Suite]:
+    """Every record of `files` scaled to the spectrum of `target`: as `to` says, or to its ordinate `at` a period."""
+    spectrum, fitting = spectrum_at(target), Fitting(band(*periods))
+    records = record_set.uniquely_named([record for file in files for record in read(file, unit=unit)])
+    if at is None:
+        motions = scaled_together(records, spectrum, fitting, scale_to=_one_of("to", to, ScaleTo))
+    else:
+        factors = [scale_to_ordinate(record, spectrum, period=at) for record in records]
+        over = {"period": fitting.band.period, "weight": fitting.band.weight}
+        scalings = [Scaling(f, misfit(r, spectrum, factor=f, **over)) for r, f in zip(records, factors, strict=True)]
+        motions = tuple(Motion(record, scaling) for record, scaling in zip(records, scalings, strict=True))
+    motion = suite_result(motions, spectrum, fitting, source="given", equivalent={})
+    return motions, Suite(results_of(motions, spectrum, fitting), motion)
+
+
+def spectrum_at(target: Path) -> Spectrum:
+    """The spectrum of a project's site, or of a table in a file that ends in .csv or .txt."""
+    if target.suffix.lower() in (".csv", ".txt") and target.is_file():
+        return read_table(target)
+    return spectrum_of(site_of(target))
+
+
+def results_of(motions: Sequence[Motion], spectrum: Spectrum, fitting: Fitting) -> tuple[RecordResult, ...]:
+    """The records as results.json has them."""
+    numbers = dict(fitting.nga)
+    return tuple(record_result(motion, spectrum, nga=numbers.get(motion.record.id)) for motion in motions)
+
+
+def _one_of(option: str, word: str, known: Any) -> Any:
+    words = get_args(known)
+    if word not in words:
+        raise AssessError(f'--{option} "{word}": not known; choose one of {", ".join(words)}')
+    return word

@@ -1,0 +1,41 @@
+"""The equivalent period of a mechanism, which stands where codes speak of a structure's period.
+
+A rocking body has no period of its own. Taken is that of the linear oscillator with the same work at the allowable
+rotation, half the overturning rotation: 1/f_e of ASCE 43-05 A.2 (the secant in energy).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import numpy as np
+
+from assess.codes.asce43_05.clauses import Options, effective_frequency
+from assess.errors import ProjectError
+from assess.mechanisms.mechanism import Mechanism
+from assess.mechanisms.oscillation import oscillator
+from assess.oscillator import Branch
+
+BELOW, ABOVE = 0.2, 1.2  # of the least and the largest equivalent period: range that spectra are fitted over
+
+
+def equivalent_period(branch: Branch) -> float:
+    """T [s] at the allowable rotation."""
+    allowable = Options().allowable_ratio * branch.unstable
+    return float(1.0 / effective_frequency(branch, np.array([allowable]))[0])
+
+
+def equivalent_periods(mechanisms: Iterable[Mechanism]) -> dict[str, tuple[float, float]]:
+    """The shortest and the longest [s] of the branches of each mechanism, by name."""
+    found = {}
+    for mechanism in mechanisms:
+        periods = [equivalent_period(branch) for branch in oscillator(mechanism).branches]
+        found[mechanism.name] = (min(periods), max(periods))
+    return found
+
+
+def ends(periods: dict[str, tuple[float, float]]) -> tuple[float, float]:
+    """The least and the largest of all [s]."""
+    if not periods:
+        raise ProjectError("mechanisms: none to take periods from; add one, or give records.select periods")
+    return min(low for low, _ in periods.values()), max(high for _, high in periods.values())

@@ -1,0 +1,174 @@
+"""The records of a project: all that it names, or the suite that is chosen out of them."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
+from pathlib import Path
+
+import numpy as np
+
+from assess.errors import ProjectError
+from assess.mechanisms.mechanism import Mechanism
+from assess.project import sections
+from assess.project.periods import ABOVE, BELOW, ends, equivalent_periods
+from assess.project.schema import relative
+from assess.project.study import Fitting
+from assess.results import Notice
+from records import catalogue
+from records.band import Band, band
+from records.candidates import PERIODS, Candidate
+from records.errors import RecordError
+from records.flatfile import described_by, read_flatfile
+from records.indexing import candidate, index
+from records.reading import read
+from records.record import Record
+from records.scaling import SCALING_PERIODS
+from records.selection import Criteria, Filters, Selection, select
+from spectra.spectrum import Spectrum
+
+EVERYWHERE = Band(np.array(SCALING_PERIODS), np.ones(len(SCALING_PERIODS)))
+TOLD = 3  # unreadable files that a warning names
+
+
+@dataclass(frozen=True)
+class RecordSet:
+    """Records as read, and how they are scaled."""
+
+    records: tuple[Record, ...]
+    fitting: Fitting
+
+
+@dataclass(frozen=True)
+class Offer:
+    """Records to choose from, with absolute paths, and what was not read."""
+
+    candidates: tuple[Candidate, ...]
+    problems: tuple[tuple[str, str], ...]
+
+
+def all_of(section: sections.Records, folder: Path) -> RecordSet:
+    """Every record that [records] names; `folder` is that of the project file."""
+    read_one = partial(read, unit=section.unit, step=section.step, response=section.response)
+    found = [record for path in section.files for record in read_one(path)]
+    records = uniquely_named([replace(one, path=relative(Path(one.path), folder)) for one in found])
+    return RecordSet(records, Fitting(EVERYWHERE))
+
+
+def chosen(
+    section: sections.Records,
+    wanted: sections.Select,
+    *,
+    spectrum: Spectrum,
+    mechanisms: Iterable[Mechanism],
+    folder: Path,
+) -> tuple[RecordSet, tuple[Notice, ...]]:
+    """The suite that [records.select] describes, and what to know of it; `folder` is that of the project file."""
+    offer = offered(section.files, unit=section.unit, flatfile=section.flatfile)
+    try:
+        over = band(*periods_of(wanted, spectrum, mechanisms), weights=wanted.weights)
+        found = select(offer.candidates, spectrum, criteria_of(section, wanted, over))
+    except RecordError as error:
+        raise ProjectError(f"records.select: {error}") from None
+    return record_set(found, over, folder=folder, unit=section.unit), tuple(notices_of(offer.problems))
+
+
+def periods_of(wanted: sections.Select, spectrum: Spectrum, mechanisms: Iterable[Mechanism]) -> tuple[float, float]:
+    """The range given; else 0.2 times the least to 1.2 times the largest equivalent period, where spectra reach [s]."""
+    if wanted.periods is not None:
+        return wanted.periods
+    least, largest = ends(equivalent_periods(mechanisms))
+    longest = min(float(PERIODS[-1]), spectrum.longest_period)
+    return max(BELOW * least, float(PERIODS[0])), min(ABOVE * largest, longest)
+
+
+def criteria_of(section: sections.Records, wanted: sections.Select, over: Band) -> Criteria:
+    """The table as the library takes it."""
+    filters = Filters(wanted.magnitude, wanted.distance, wanted.vs30, wanted.pga, wanted.duration, wanted.events)
+    return Criteria(
+        count=wanted.count,
+        band=over,
+        filters=filters,
+        scale_limits=wanted.scale_limits,
+        one_per_event=wanted.one_per_event,
+        fit=wanted.fit,
+        components=wanted.components,
+        scale_to=section.scale_to,
+    )
+
+
+def offered(
+    files: Sequence[Path], *, unit: str | None = None, flatfile: Path | None = None, kept: Path | None = None
+) -> Offer:
+    """Every record of `files` and of the catalogues of the folders among them, brought up to date.
+
+    kept : where the catalogue of the one folder is, if not in it. Raises RecordError for a file that is named and
+    cannot be read; those in folders become problems.
+    """
+    found: list[Candidate] = []
+    problems: list[tuple[str, str]] = []
+    recordings = () if flatfile is None else read_flatfile(flatfile)
+    for place in (path for path in files if path.is_dir()):
+        with catalogue.opened(kept or catalogue_of(place)) as connection:
+            problems += [(str(place / path), why) for path, why in index(place, connection, unit=unit).problems]
+            listed = catalogue.candidates(connection)
+        found += [replace(one, path=str(catalogue.inside(place, one.path))) for one in listed]
+    alone = [path for path in files if not path.is_dir()]
+    made = [candidate(r, str(path), i) for path in alone for i, r in enumerate(read(path, unit=unit))]
+    return Offer(described_by([*found, *made], recordings), tuple(problems))
+
+
+def catalogue_of(folder: Path) -> Path | None:
+    """Where the catalogue of a folder is; None, in memory alone, where the folder cannot be written."""
+    file = folder / catalogue.NAME
+    return file if os.access(folder, os.W_OK) else None
+
+
+def record_set(found: Selection, over: Band, *, folder: Path, unit: str | None) -> RecordSet:
+    """The records of a selection, read from their files; ids that stand twice numbered."""
+    parts = [(choice, one) for choice in found.choices for one in choice.components]
+    records = uniquely_named([_record(one, folder=folder, unit=unit) for _, one in parts])
+    by_choice: dict[int, list[str]] = {}
+    for (choice, _), record in zip(parts, records, strict=True):
+        by_choice.setdefault(id(choice), []).append(record.id)
+    fitting = Fitting(
+        band=over,
+        together=tuple(tuple(ids) for ids in by_choice.values() if len(ids) > 1),
+        selection=found,
+        nga=tuple((r.id, one.nga) for r, (_, one) in zip(records, parts, strict=True) if one.nga is not None),
+    )
+    return RecordSet(records, fitting)
+
+
+def _record(one: Candidate, *, folder: Path, unit: str | None) -> Record:
+    """The record of a candidate, with what a flatfile knows of it and its path as the project file writes it."""
+    record = read(Path(one.path), unit=unit)[one.position]
+    return replace(
+        record,
+        path=relative(Path(one.path), folder),
+        event=one.event,
+        station=one.station,
+        distance=one.distance,
+        earthquake=replace(record.earthquake, time=one.date, magnitude=one.magnitude),
+        site=replace(record.site, vs30=one.vs30),
+    )
+
+
+def notices_of(problems: Sequence[tuple[str, str]]) -> Iterator[Notice]:
+    if problems:
+        told = "; ".join(f"{path}: {why}" for path, why in problems[:TOLD])
+        more = f"; and {len(problems) - TOLD} more" if len(problems) > TOLD else ""
+        yield Notice("records", "records.files", f"{len(problems)} files were not read: {told}{more}")
+
+
+def uniquely_named(records: Sequence[Record]) -> tuple[Record, ...]:
+    """The records, a second one of the same id numbered "id (2)", and so on."""
+    seen: dict[str, int] = {}
+    named = []
+    for record in records:
+        seen[record.id] = seen.get(record.id, 0) + 1
+        again = seen[record.id]
+        named.append(record if again == 1 else replace(record, id=f"{record.id} ({again})"))
+    return tuple(named)

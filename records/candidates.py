@@ -1,0 +1,75 @@
+"""What a record is chosen by: its earthquake, site, measures and 5 % spectrum at fixed periods."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from records.orientation import is_vertical
+
+FloatArray = NDArray[np.float64]
+
+DAMPING = 0.05
+PERIODS: FloatArray = np.geomspace(0.01, 10.0, 121)  # s, forty to the decade
+PERIODS.flags.writeable = False
+
+SEQUENCE_NUMBER = re.compile(r"RSN(\d+)_", re.IGNORECASE)
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """One component of a recording, as a catalogue describes it.
+
+    path : of its file, relative to the folder of the catalogue, or as the caller wrote it
+    position : of the record in its file, from 0; id, event, station, component : as in the record
+    date : of the earthquake, ISO 8601, as far as known, "" unknown
+    magnitude : [-]; distance [m]: to the rupture where a flatfile gives it, else as the file has it; vs30 [m/s]
+    nga : number of the recording in the PEER NGA database; None where any of these four is unknown
+    dt [s], npts, measures : by name, SI ("pga" [m/s2], "d5_95" [s], …)
+    spectrum : 5 % pseudo-acceleration at PERIODS [k] [m/s2]
+    """
+
+    path: str
+    position: int
+    id: str
+    event: str
+    station: str
+    component: str
+    date: str
+    magnitude: float | None
+    distance: float | None
+    vs30: float | None
+    nga: int | None
+    dt: float
+    npts: int
+    measures: Mapping[str, float]
+    spectrum: FloatArray
+
+    @property
+    def earthquake(self) -> str:
+        """What two records of one earthquake have in common: its name without punctuation, and year; else its file."""
+        name = re.sub(r"[^a-z0-9]+", "", self.event.lower())
+        return f"{name} {self.date[:4]}".strip() or f"file {self.path}"
+
+    @property
+    def recording(self) -> str:
+        """What the components of one recording have in common: NGA number, or earthquake and station; else its file."""
+        if self.nga is not None:
+            return f"nga {self.nga}"
+        station = re.sub(r"[^a-z0-9]+", "", self.station.lower())
+        return f"{self.earthquake} at {station}" if station else f"file {self.path}"
+
+    @property
+    def vertical(self) -> bool:
+        """Whether it is named as a vertical component."""
+        return is_vertical(self.component)
+
+
+def sequence_number(path: str) -> int | None:
+    """The NGA number in a PEER file name, `RSN57_SFERN_ORR021.AT2`; None where there is none."""
+    found = SEQUENCE_NUMBER.search(path.rsplit("/", 1)[-1])
+    return int(found[1]) if found and len(found[1]) < 10 else None

@@ -1,0 +1,26 @@
+"""ASCE 7-16 16.2: ground motions for response-history analysis, scaled by amplitude."""
+
+from __future__ import annotations
+
+from records.compliance.requirement import Requirement, mean_at_least, required
+from records.compliance.suite import Suite
+
+CODE = "ASCE 7-16"
+LEAST_RECORDS = 11
+BELOW = 0.90
+REMARK = (
+    "the clause takes the mean of maximum-direction spectra of pairs beside MCE_R, here single components beside the "
+    "target given"
+)
+
+
+def requirements(suite: Suite, *, shortest: float, longest: float) -> tuple[Requirement, ...]:
+    """Number of motions (16.2.2), and the mean over 0.2 to 2.0 times the period (16.2.3.1-2).
+
+    shortest, longest : equivalent periods that stand for those of the first modes [s].
+    """
+    periods = (0.2 * shortest, 2.0 * longest)
+    return (
+        required(CODE, "16.2.2", "number of ground motions", suite.count, ">=", LEAST_RECORDS),
+        mean_at_least(suite, CODE, "16.2.3.2", share=BELOW, periods=periods, remark=REMARK),
+    )

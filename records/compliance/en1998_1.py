@@ -1,0 +1,24 @@
+"""EN 1998-1:2004 3.2.3.1.2(4): artificial, and by 3.2.3.1.3 also recorded, accelerograms."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from records.compliance.requirement import Requirement, mean_at_least, required
+from records.compliance.suite import Suite
+
+CODE = "EN 1998-1:2004"
+LEAST_RECORDS = 3
+BELOW = 0.90
+
+
+def requirements(suite: Suite, *, shortest: float, longest: float) -> tuple[Requirement, ...]:
+    """Number (a), mean peak at least a_g S (b), mean spectrum over 0.2 T_1 to 2 T_1 (c)."""
+    clause, periods = "3.2.3.1.2(4)", (0.2 * shortest, 2.0 * longest)
+    seven = "from seven on the mean of the responses may be taken, else the largest (4.3.3.4.3(3))"
+    peaks = float(np.mean(suite.pga)) / suite.target_pga
+    return (
+        required(CODE, f"{clause}a", "number of accelerograms", suite.count, ">=", LEAST_RECORDS, remark=seven),
+        required(CODE, f"{clause}b", "mean zero-period ordinate over a_g S", peaks, ">=", 1.0),
+        mean_at_least(suite, CODE, f"{clause}c", share=BELOW, periods=periods),
+    )

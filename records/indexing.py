@@ -1,0 +1,243 @@
+"""Bringing the catalogue of a folder up to date: only files that are new or have changed are read.
+
+A file is unchanged where its size and time of change are, or else where its hash is. Batches are committed as they
+come, so that an index that was stopped goes on where it ended. Files that cannot be read are kept with the reason.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import sqlite3
+import stat
+import warnings
+from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import Executor
+from dataclasses import asdict, dataclass
+from functools import partial
+from pathlib import Path
+
+import numpy as np
+
+from records.candidates import DAMPING, PERIODS, Candidate, sequence_number
+from records.catalogue import MEASURES, problems
+from records.errors import RecordError
+from records.formats import FORMATS
+from records.intensity import measures
+from records.reading import read
+from records.record import Record
+from records.response import response_spectrum
+
+BATCH = 50  # files to a commit
+FEW = 24  # files that are read here rather than by an executor, whose workers take seconds to start
+LARGEST = 500_000_000  # bytes of one record file
+Progress = Callable[[int, int], None]
+
+
+@dataclass(frozen=True)
+class Indexed:
+    """What an index did: files read and unchanged, those that are gone, records in all, (path, reason) of the rest."""
+
+    read: int
+    unchanged: int
+    gone: int
+    records: int
+    problems: tuple[tuple[str, str], ...]
+
+
+@dataclass(frozen=True)
+class Found:
+    """A file below the folder as it is; problem "" where it may be read; stored: its hash when it was last read."""
+
+    path: str
+    size: int
+    mtime: int
+    problem: str = ""
+    stored: str = ""
+
+
+@dataclass(frozen=True)
+class Described:
+    """What was read from a file; candidates None where its content is that of the last time."""
+
+    found: Found
+    sha256: str
+    problem: str
+    candidates: tuple[Candidate, ...] | None
+
+
+def index(
+    folder: Path,
+    connection: sqlite3.Connection,
+    *,
+    unit: str | None = None,
+    executor: Executor | None = None,
+    progress: Progress = lambda done, total: None,
+) -> Indexed:
+    """Bring the catalogue `connection` of `folder` and what is below it up to date.
+
+    unit : of accelerations where a file does not say (files read with another are read again); executor : of processes,
+    that read where files are many. Raises RecordError where the folder is none.
+    """
+    asked = f"{unit or ''} {' '.join(FORMATS)}"
+    on_disk = {found.path: found for found in files_below(folder)}
+    known = {
+        row[0]: row[1:] for row in connection.execute("SELECT path, size, mtime, sha256, asked, problem FROM files")
+    }
+    gone = [path for path in known if path not in on_disk]
+    changed = [
+        _with_hash(found, known.get(path), asked)
+        for path, found in on_disk.items()
+        if not _same(found, known.get(path), asked)
+    ]
+    with connection:
+        connection.executemany("DELETE FROM files WHERE path = ?", [(path,) for path in gone])
+    _read(folder, changed, connection, unit=unit, asked=asked, executor=executor, progress=progress)
+    number = int(connection.execute("SELECT COUNT(*) FROM records").fetchone()[0])
+    return Indexed(len(changed), len(on_disk) - len(changed), len(gone), number, problems(connection))
+
+
+def files_below(folder: Path) -> Iterator[Found]:
+    """Every file below `folder`, hidden ones left out, in a fixed order; links that lead out of it as problems."""
+    if not folder.is_dir():
+        raise RecordError(f"{folder}: no such folder; give the folder that holds the record files")
+    root = folder.resolve()
+    for place, folders, names in os.walk(folder, onerror=_unreadable):
+        folders[:] = sorted(name for name in folders if not name.startswith("."))
+        for name in sorted(name for name in names if not name.startswith(".")):
+            file = Path(place) / name
+            yield _found(file, file.relative_to(folder).as_posix(), root)
+
+
+def _unreadable(error: OSError) -> None:
+    raise RecordError(f"{error.filename}: the folder cannot be read: {error.strerror}")
+
+
+def _found(file: Path, path: str, root: Path) -> Found:
+    shown = path.encode("utf-8", "replace").decode()
+    try:
+        status = file.stat()
+        if shown != path:
+            return Found(shown, 0, 0, "its name is not UTF-8; rename it")
+        if not file.resolve().is_relative_to(root):
+            return Found(path, 0, 0, "a link that leads out of the folder; it is not followed")
+    except (OSError, RuntimeError):
+        return Found(shown, 0, 0, "cannot be found or opened; a broken link, or no permission")
+    if not stat.S_ISREG(status.st_mode):
+        return Found(path, 0, 0, "not a regular file")
+    problem = f"{status.st_size} bytes are too many for a record" if status.st_size > LARGEST else ""
+    return Found(path, status.st_size, status.st_mtime_ns, problem)
+
+
+def _same(found: Found, known: tuple[object, ...] | None, asked: str) -> bool:
+    """Whether the catalogue has the file as it is: size, time and, where it was not read, what was asked."""
+    if known is None:
+        return False
+    size, mtime, _, before, problem = known
+    return (
+        (size, mtime) == (found.size, found.mtime)
+        and before == asked
+        and (not found.problem or found.problem == problem)
+    )
+
+
+def _with_hash(found: Found, known: tuple[object, ...] | None, asked: str) -> Found:
+    """The file with the hash of when it was last read, as long as the same was asked then."""
+    if known is None or known[3] != asked:
+        return found
+    return Found(found.path, found.size, found.mtime, found.problem, str(known[2]))
+
+
+def _read(
+    folder: Path,
+    files: list[Found],
+    connection: sqlite3.Connection,
+    *,
+    unit: str | None,
+    asked: str,
+    executor: Executor | None,
+    progress: Progress,
+) -> None:
+    describe = partial(described, folder, unit=unit)
+    many = executor is not None and len(files) > FEW
+    results: Iterable[Described] = (
+        executor.map(describe, files, chunksize=4) if many and executor is not None else map(describe, files)
+    )
+    batch: list[Described] = []
+    for done, one in enumerate(results, start=1):
+        batch.append(one)
+        progress(done, len(files))
+        if len(batch) == BATCH:
+            _store(connection, batch, asked)
+            batch = []
+    _store(connection, batch, asked)
+
+
+def described(folder: Path, found: Found, *, unit: str | None) -> Described:
+    """The records of one file with their measures and spectra, or why there are none."""
+    if found.problem:
+        return Described(found, "", found.problem, ())
+    file = folder / found.path
+    try:
+        with warnings.catch_warnings(), file.open("rb") as opened:
+            warnings.simplefilter("ignore")
+            sha256 = hashlib.file_digest(opened, "sha256").hexdigest()
+            if sha256 == found.stored:
+                return Described(found, sha256, "", None)
+            made = tuple(candidate(record, found.path, i) for i, record in enumerate(read(file, unit=unit)))
+    except (RecordError, OSError) as error:
+        return Described(found, "", str(error).removeprefix(f"{file}: "), ())
+    except Exception as error:  # of a thousand files one may meet a fault of a reader: the others go on
+        return Described(found, "", f"its reader failed: {type(error).__name__}: {error}", ())
+    return Described(found, sha256, "", made)
+
+
+def candidate(record: Record, path: str, position: int = 0) -> Candidate:
+    """What a catalogue keeps of a record."""
+    return Candidate(
+        path=path,
+        position=position,
+        id=record.id,
+        event=record.event,
+        station=record.station,
+        component=record.component,
+        date=record.earthquake.time,
+        magnitude=record.earthquake.magnitude,
+        distance=record.distance,
+        vs30=record.site.vs30,
+        nga=sequence_number(path),
+        dt=record.dt,
+        npts=record.npts,
+        measures=asdict(measures(record)),
+        spectrum=response_spectrum(record, PERIODS, damping=DAMPING),
+    )
+
+
+def _store(connection: sqlite3.Connection, batch: list[Described], asked: str) -> None:
+    """One batch, whole or not at all."""
+    with connection:
+        for one in batch:
+            found = one.found
+            if one.candidates is None:
+                connection.execute(
+                    "UPDATE files SET size = ?, mtime = ? WHERE path = ?", (found.size, found.mtime, found.path)
+                )
+                continue
+            connection.execute("DELETE FROM files WHERE path = ?", (found.path,))
+            row = (found.path, found.size, found.mtime, one.sha256, asked, one.problem)
+            connection.execute("INSERT INTO files VALUES (?, ?, ?, ?, ?, ?)", row)
+            rows = [_row(each) for each in one.candidates]
+            if rows:
+                marks = ", ".join("?" * len(rows[0]))
+                connection.executemany(f"INSERT INTO records VALUES ({marks})", rows)
+
+
+def _row(one: Candidate) -> tuple[object, ...]:
+    texts = (_text(one.id), _text(one.event), _text(one.station), _text(one.component), _text(one.date))
+    known = (one.magnitude, one.distance, one.vs30, one.nga)
+    spectrum = np.asarray(one.spectrum, dtype="<f8").tobytes()
+    return (one.path, one.position, *texts, *known, one.dt, one.npts, *(one.measures[m] for m in MEASURES), spectrum)
+
+
+def _text(text: str) -> str:
+    return text.encode("utf-8", "replace").decode()

@@ -1,0 +1,300 @@
+"""Which records of a catalogue make a suite for a target spectrum.
+
+Candidates pass the filters, are scaled to the target one by one, and must keep within the limits of the scale factor.
+Of those that are left either the records that fit best one by one are taken, or the suite whose mean spectrum fits
+best: greedy, record by record, then improved by exchanging one record at a time until no exchange helps. Where the
+suites are few, all of them are tried.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import combinations, islice
+from math import comb, inf
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from records.band import Band, up_to
+from records.candidates import DAMPING, Candidate
+from records.errors import RecordError
+from records.scaling import least_squares, mean_square
+from spectra.spectrum import Spectrum
+
+FloatArray = NDArray[np.float64]
+BoolArray = NDArray[np.bool_]
+IntArray = NDArray[np.int64]
+Range = tuple[float, float]
+ScaleTo = Literal["spectrum", "pga", "none"]
+Fit = Literal["suite", "each"]
+Components = Literal["single", "together"]
+
+COUNTABLE = 20_000  # suites that are all tried
+EXCHANGED = 2_000  # records, those of least misfit, that may be exchanged into a suite
+CHUNK = 1_000
+
+
+@dataclass(frozen=True)
+class Filters:
+    """What a candidate must be; both ends of a range included, None for any. What is not known does not pass.
+
+    magnitude [-]; distance [m]; vs30 [m/s]; pga [m/s2]; duration: D5-95 [s]; events: parts of the names of the
+    earthquakes that pass, capitals or not, all where none is given
+    """
+
+    magnitude: Range | None = None
+    distance: Range | None = None
+    vs30: Range | None = None
+    pga: Range | None = None
+    duration: Range | None = None
+    events: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Criteria:
+    """What the suite must be.
+
+    count : of records, or of recordings where their components are kept together
+    band : periods at which it is to fit, with weights
+    scale_limits : least and largest scale factor [-]
+    one_per_event : whether no two may be of one earthquake
+    fit : the mean of the "suite", or "each" record
+    components : each a "single" record, or those of a recording kept "together" with one factor
+    scale_to : how each is scaled before it is compared
+    """
+
+    count: int
+    band: Band
+    filters: Filters = Filters()
+    scale_limits: Range = (0.0, inf)
+    one_per_event: bool = True
+    fit: Fit = "suite"
+    components: Components = "single"
+    scale_to: ScaleTo = "spectrum"
+
+
+@dataclass(frozen=True)
+class Choice:
+    """One record, or the components of one recording, with its scale factor [-] and misfit [-] to the target."""
+
+    components: tuple[Candidate, ...]
+    factor: float
+    mse: float
+
+
+@dataclass(frozen=True)
+class Selection:
+    """The suite that was chosen, in order of misfit.
+
+    criteria : it was chosen by
+    misfit : of its mean spectrum to the target, mean squared difference of logarithms [-]
+    greedy : the same for the suite found record by record, before exchanges; None where each record was chosen alone
+    counted : (step, how many candidates were left after it)
+    """
+
+    criteria: Criteria
+    choices: tuple[Choice, ...]
+    misfit: float
+    greedy: float | None
+    counted: tuple[tuple[str, int], ...]
+
+
+def select(candidates: Sequence[Candidate], spectrum: Spectrum, criteria: Criteria) -> Selection:
+    """The suite of `criteria` out of `candidates` that fits `spectrum`, 5 % damping.
+
+    Raises RecordError, saying how many candidates are left after each step, where they are too few.
+    """
+    band = up_to(criteria.band, spectrum.longest_period)
+    horizontal = [one for one in candidates if not one.vertical]
+    passed = [one for one in horizontal if passes(one, criteria.filters)]
+    choices, log_ratio = _scaled(_joined(passed, criteria.components), spectrum, band, criteria.scale_to)
+    low, high = criteria.scale_limits
+    kept = np.array([low <= choice.factor <= high for choice in choices], dtype=np.bool_)
+    choices, log_ratio = [choice for choice, keep in zip(choices, kept, strict=True) if keep], log_ratio[kept]
+    groups = _groups(choices, one_per_event=criteria.one_per_event)
+    counted = (
+        ("components", len(candidates)),
+        ("horizontal", len(horizontal)),
+        ("that pass the filters", len(passed)),
+        ("within the limits of the scale factor", len(choices)),
+        ("of different earthquakes" if criteria.one_per_event else "to choose from", len(set(groups.tolist()))),
+    )
+    if counted[-1][1] < criteria.count:
+        said = ", ".join(f"{number} {step}" for step, number in counted)
+        raise RecordError(f"{criteria.count} records wanted; there are {said}: widen the limits, or add records")
+    chosen, greedy = FITS[criteria.fit](_suite(choices, log_ratio, band, groups), criteria.count)
+    ratio = _ratios(choices, log_ratio)[chosen]
+    misfit = float(mean_square(np.log(ratio.mean(axis=0)), weight=band.weight))
+    return Selection(
+        criteria, tuple(sorted((choices[i] for i in chosen), key=lambda choice: choice.mse)), misfit, greedy, counted
+    )
+
+
+def passes(candidate: Candidate, filters: Filters) -> bool:
+    """Whether a candidate is what the filters ask for."""
+    measures = candidate.measures
+    asked = (
+        (filters.magnitude, candidate.magnitude),
+        (filters.distance, candidate.distance),
+        (filters.vs30, candidate.vs30),
+        (filters.pga, measures.get("pga")),
+        (filters.duration, measures.get("d5_95")),
+    )
+    if any(span is not None and (value is None or not span[0] <= value <= span[1]) for span, value in asked):
+        return False
+    name = candidate.event.lower()
+    return not filters.events or any(part.lower() in name for part in filters.events)
+
+
+def _joined(candidates: Sequence[Candidate], components: Components) -> list[tuple[Candidate, ...]]:
+    """Candidates one by one, or those of one recording together, in order of first appearance."""
+    if components == "single":
+        return [(one,) for one in candidates]
+    recordings: dict[str, list[Candidate]] = {}
+    for one in candidates:
+        recordings.setdefault(one.recording, []).append(one)
+    return [tuple(parts) for parts in recordings.values()]
+
+
+def _scaled(
+    joined: Sequence[tuple[Candidate, ...]], spectrum: Spectrum, band: Band, scale_to: ScaleTo
+) -> tuple[list[Choice], FloatArray]:
+    """Every choice with its factor and misfit, and ln(target / spectrum) before scaling [n, k].
+
+    Components kept together count by the geometric mean of their spectra. Those without motion at a period are left
+    out.
+    """
+    target = np.log(spectrum.acceleration(band.period, damping=DAMPING))
+    columns = band.columns
+    with np.errstate(divide="ignore"):
+        own = np.array([_log_mean([one.spectrum[columns] for one in parts]) for parts in joined])
+    log_ratio = target - own.reshape(len(joined), band.period.size)
+    moving = np.isfinite(log_ratio).all(axis=1)
+    log_ratio, joined = log_ratio[moving], [parts for parts, keep in zip(joined, moving, strict=True) if keep]
+    if scale_to == "spectrum":
+        log_factor, mse = least_squares(log_ratio, weight=band.weight)
+    else:
+        peaks = np.array([_log_mean([np.array(one.measures["pga"]) for one in parts]) for parts in joined])
+        log_factor = np.log(spectrum.pga) - peaks if scale_to == "pga" else np.zeros(len(joined))
+        mse = mean_square(log_ratio - log_factor.reshape(-1, 1), weight=band.weight)
+    factor = np.exp(log_factor)
+    made = [Choice(parts, float(f), float(m)) for parts, f, m in zip(joined, factor, mse, strict=True)]
+    return made, log_ratio
+
+
+def _log_mean(spectra: Sequence[FloatArray]) -> FloatArray:
+    logs = [np.log(one) for one in spectra]
+    return logs[0] if len(logs) == 1 else np.mean(logs, axis=0)
+
+
+def _groups(choices: Sequence[Choice], *, one_per_event: bool) -> IntArray:
+    """A number for each choice; no two of one number may stand in a suite."""
+    if not one_per_event:
+        return np.arange(len(choices))
+    numbers: dict[str, int] = {}
+    return np.array([numbers.setdefault(c.components[0].earthquake, len(numbers)) for c in choices], dtype=np.int64)
+
+
+def _ratios(choices: Sequence[Choice], log_ratio: FloatArray) -> FloatArray:
+    """Scaled spectrum over target [n, k]."""
+    factor = np.array([choice.factor for choice in choices])
+    return np.asarray(factor[:, np.newaxis] * np.exp(-log_ratio))
+
+
+@dataclass(frozen=True)
+class Pool:
+    """What suites are made of: scaled spectrum over target [n, k], weights [k] that sum to 1, group and misfit [n]."""
+
+    ratio: FloatArray
+    weight: FloatArray
+    group: IntArray
+    mse: FloatArray
+
+    def misfit(self, mean: FloatArray) -> FloatArray:
+        """Of mean spectra over target [..., k]."""
+        return np.asarray(np.log(mean) ** 2 @ self.weight)
+
+
+def _suite(choices: Sequence[Choice], log_ratio: FloatArray, band: Band, group: IntArray) -> Pool:
+    mse = np.array([choice.mse for choice in choices])
+    return Pool(_ratios(choices, log_ratio), band.weight / band.weight.sum(), group, mse)
+
+
+def best_each(pool: Pool, count: int) -> tuple[list[int], None]:
+    """The `count` of least misfit, the best of each group."""
+    chosen: list[int] = []
+    taken: set[int] = set()
+    for i in np.argsort(pool.mse, kind="stable").tolist():
+        if pool.group[i] not in taken and len(chosen) < count:
+            chosen.append(i)
+            taken.add(int(pool.group[i]))
+    return chosen, None
+
+
+def best_suite(pool: Pool, count: int) -> tuple[list[int], float]:
+    """The `count` whose mean fits best, and the misfit of the greedy suite, which it never exceeds."""
+    first = greedy(pool, count)
+    before = _misfit_of(pool, first)
+    if comb(pool.mse.size, count) <= COUNTABLE:
+        return exhaustive(pool, count), before
+    starts = (first, best_each(pool, count)[0])
+    return min((exchanged(pool, start) for start in starts), key=lambda chosen: _misfit_of(pool, chosen)), before
+
+
+FITS: Mapping[Fit, Callable[[Pool, int], tuple[list[int], float | None]]] = {"suite": best_suite, "each": best_each}
+
+
+def greedy(pool: Pool, count: int) -> list[int]:
+    """Record by record, each the one that makes the mean of those so far fit best."""
+    chosen: list[int] = []
+    total = np.zeros(pool.weight.size)
+    free = np.ones(pool.mse.size, dtype=np.bool_)
+    for size in range(1, count + 1):
+        score = np.where(free, pool.misfit((total + pool.ratio) / size), inf)
+        best = int(np.argmin(score))
+        chosen.append(best)
+        total = total + pool.ratio[best]
+        free &= pool.group != pool.group[best]
+    return chosen
+
+
+def exchanged(pool: Pool, start: Sequence[int]) -> list[int]:
+    """A suite improved by exchanging one record at a time for the best other, until no exchange helps."""
+    chosen, among = list(start), np.argsort(pool.mse, kind="stable")[:EXCHANGED]
+    ratio, group = pool.ratio[among], pool.group[among]
+    least, better = _misfit_of(pool, chosen), True
+    while better:
+        better = False
+        for place in range(len(chosen)):
+            others = [i for k, i in enumerate(chosen) if k != place]
+            free = ~np.isin(group, pool.group[others])
+            score = np.where(free, pool.misfit((pool.ratio[others].sum(axis=0) + ratio) / len(chosen)), inf)
+            best = int(np.argmin(score))
+            if score[best] < least * (1 - 1e-9):
+                chosen[place], least, better = int(among[best]), float(score[best]), True
+    return chosen
+
+
+def exhaustive(pool: Pool, count: int) -> list[int]:
+    """The best of all suites."""
+    best, least = greedy(pool, count), inf
+    for suites in _chunks(combinations(range(pool.mse.size), count)):
+        group = np.sort(pool.group[suites], axis=1)
+        allowed: BoolArray = np.all(np.diff(group, axis=1) > 0, axis=1)
+        if not allowed.any():
+            continue
+        score = pool.misfit(pool.ratio[suites[allowed]].mean(axis=1))
+        if score.min() < least:
+            least, best = float(score.min()), suites[allowed][int(np.argmin(score))].tolist()
+    return best
+
+
+def _chunks(suites: Iterator[tuple[int, ...]]) -> Iterator[IntArray]:
+    while part := list(islice(suites, CHUNK)):
+        yield np.array(part, dtype=np.int64)
+
+
+def _misfit_of(pool: Pool, chosen: Sequence[int]) -> float:
+    return float(pool.misfit(pool.ratio[list(chosen)].mean(axis=0)))

@@ -1,0 +1,179 @@
+"""`assess records index|spectra|select|scale`: what they print, write and refuse."""
+
+import csv
+import io
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy.constants import g
+
+from assess.cli import main
+from records.catalogue import NAME
+from records.reading import read
+from records.record import make_record
+from records.writing import at2_text
+from spectra.table import read_table
+
+TARGET = "period [s], acceleration [g]\n0, 0.2\n0.1, 0.5\n0.5, 0.5\n1, 0.25\n4, 0.0625\n"
+FLATFILE = """Record Sequence Number,Earthquake Name,YEAR,Earthquake Magnitude,ClstD (km),Vs30 (m/s)
+101,=cmd,1980,6.5,20,400
+102,Quake 2,1981,7.0,40,300
+"""
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    place = tmp_path / "motions"
+    place.mkdir()
+    rng = np.random.default_rng(7)
+    for number in range(5):
+        wide = np.hanning(11 + 8 * number)
+        shake = np.convolve(rng.normal(0.0, 1.0, 1500) * np.hanning(1500), wide, mode="same")
+        record = make_record("x", shake / wide.sum(), 0.02, event=f"Quake {number}", station="S", component="000")
+        (place / f"RSN{100 + number}_Q.AT2").write_text(at2_text(record))
+    (place / "a\x1b[31m.txt").write_text("no record")
+    (tmp_path / "target.csv").write_text(TARGET)
+    (tmp_path / "flat.csv").write_text(FLATFILE)
+    return place
+
+
+def ended(*arguments: str | Path | float) -> int:
+    with pytest.raises(SystemExit) as caught:
+        main([str(argument) for argument in arguments])
+    return int(caught.value.code or 0)
+
+
+def select(folder: Path, *more: str | Path | float) -> int:
+    limits = ("--scale-limits", 0.001, 1000)
+    return ended("records", "select", folder, "--target", folder.parent / "target.csv", *limits, *more)
+
+
+def test_index_tells_what_was_read_and_what_could_not_be(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert ended("records", "index", folder, "--flatfile", folder.parent / "flat.csv", "--jobs", 1) == 0
+    out = capsys.readouterr().out
+    assert out.startswith("6 files read, 0 unchanged, 0 gone; 5 records, 2 of known magnitude; 1 files not readable\n")
+    assert "\x1b" not in out
+    assert out.splitlines()[-1] == str(folder / NAME)
+    assert ended("records", "index", folder, "--json") == 0
+    again = json.loads(capsys.readouterr().out)
+    assert (again["read"], again["unchanged"], again["with_magnitude"]) == (0, 6, 2)
+    assert again["problems"][0]["path"] == "a\x1b[31m.txt"
+
+
+def test_a_catalogue_may_lie_elsewhere(folder: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    elsewhere = tmp_path / "kept.sqlite"
+    assert ended("records", "index", folder, "--catalogue", elsewhere, "--jobs", 1) == 0
+    assert select(folder, "--count", 2, "--catalogue", elsewhere) == 0
+    assert ended("records", "spectra", folder, "--catalogue", elsewhere) == 0
+    assert not (folder / NAME).exists()
+    assert capsys.readouterr().err == ""
+
+
+def test_select_prints_records_and_requirements(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert select(folder, "--count", 3) == 0
+    out = capsys.readouterr().out
+    assert out.splitlines()[0].split() == ["record", "event", "NGA", "M", "comp.", "misfit", "factor", "PGA", "[g]"]
+    assert len(out.split("\n\n")[0].splitlines()) == 4
+    assert "NZS 1170.5:2004" in out
+    assert "5 of different earthquakes" in out
+
+
+def test_select_as_json_and_csv_agree_and_each_fits_best(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert select(folder, "--count", 2, "--fit", "each", "--json") == 0
+    found = json.loads(capsys.readouterr().out)
+    assert select(folder, "--count", 2, "--fit", "each", "--csv") == 0
+    rows = list(csv.DictReader(io.StringIO(capsys.readouterr().out)))
+    assert [row["id"] for row in rows] == [record["id"] for record in found["records"]]
+    assert [float(row["mse"]) for row in rows] == [record["mse"] for record in found["records"]]
+    assert found["ground_motion"]["selection"]["fit"] == "each"
+    assert (
+        ended("records", "scale", *sorted(folder.glob("*.AT2")), "--target", folder.parent / "target.csv", "--csv") == 0
+    )
+    scaled = list(csv.DictReader(io.StringIO(capsys.readouterr().out)))
+    best = sorted(scaled, key=lambda row: float(row["mse"]))[:2]  # by the same least squares, over other points
+    assert {row["id"] for row in best} == {row["id"] for row in rows}
+
+
+def test_filters_and_hostile_names(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    flat = ("--flatfile", folder.parent / "flat.csv")
+    assert select(folder, "--count", 1, "--magnitude", 6, 6.6, "--distance", 10, 30, *flat, "--csv") == 0
+    (row,) = csv.DictReader(io.StringIO(capsys.readouterr().out))
+    assert (row["event"], row["magnitude"], row["distance_km"], row["nga"]) == ("'=cmd", "6.5", "20.0", "101")
+    assert select(folder, "--count", 1, "--event", "quake 3", "--csv") == 0
+    (row,) = csv.DictReader(io.StringIO(capsys.readouterr().out))
+    assert row["event"] == "Quake 3"
+
+
+@pytest.mark.parametrize("ending", ["svg", "png", "pdf"])
+def test_figures(folder: Path, ending: str) -> None:
+    assert select(folder, "--count", 2, "-o", folder.parent / f"suite.{ending}") == 0
+    assert ended("records", "spectra", folder, "-o", folder.parent / f"spectra.{ending}") == 0
+    for name in ("suite", "spectra"):
+        assert (folder.parent / f"{name}.{ending}").stat().st_size > 5000
+
+
+def test_spectra_of_files_and_of_their_folder_agree(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert ended("records", "spectra", folder, "--csv") == 0
+    of_folder = capsys.readouterr().out
+    assert ended("records", "spectra", *sorted(folder.glob("*.AT2")), "--csv") == 0
+    assert capsys.readouterr().out == of_folder
+    header, first, *rest = csv.reader(io.StringIO(of_folder))
+    assert header[:2] == ["period [s]", "RSN100_Q [m/s2]"]
+    assert float(first[1]) == read(folder / "RSN100_Q.AT2")[0].pga
+    assert len(rest) == 121
+
+
+def test_scaled_records_meet_the_ordinate_and_the_peak(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    files, target = sorted(folder.glob("*.AT2")), folder.parent / "target.csv"
+    assert ended("records", "scale", *files, "--target", target, "--to", "pga", "--csv") == 0
+    for row in csv.DictReader(io.StringIO(capsys.readouterr().out)):
+        assert float(row["pga_g"]) == pytest.approx(0.2, rel=1e-12)
+    assert ended("records", "scale", *files, "--target", target, "--at", 1.0, "-o", folder.parent / "scaled") == 0
+    written = sorted((folder.parent / "scaled").glob("*.csv"))
+    assert len(written) == 5
+    from records.response import response_spectrum
+
+    for path in written:
+        (record,) = read(path)
+        assert response_spectrum(record, 1.0) == pytest.approx(0.25 * g, rel=1e-9)
+    assert read_table(target).pga == pytest.approx(0.2 * g)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (("select", "{folder}"), "without project.toml"),
+        (("select", "{folder}", "--count", "3"), "--count needs --target"),
+        (("select", "{folder}", "--target", "{none}"), "none"),
+        (("select", "{none}", "--target", "{target}"), "none"),
+        (("select", "{folder}", "--target", "{target}", "--fit", "best"), 'fit "best": not known; choose one of suite'),
+        (("select", "{folder}", "--target", "{target}", "--scale-to", "x"), "choose one of spectrum, pga, none"),
+        (("select", "{folder}", "--target", "{target}", "--periods", "2", "1"), "they must rise"),
+        (("select", "{folder}", "--target", "{target}", "--periods", "5", "9"), "the spectrum ends at 4 s"),
+        (("select", "{folder}", "--target", "{target}", "--pga", "2", "1"), "--pga 2 1"),
+        (("select", "{folder}", "--target", "{target}", "--count", "99"), "99 records wanted; there are 5 components"),
+        (("select", "{folder}", "--target", "{target}", "-o", "x.gif"), "a figure is written as"),
+        (("select", "{folder}", "--target", "{target}", "--flatfile", "{target}"), "Record Sequence Number"),
+        (("select", "{folder}", "--target", "{target}", "--json", "--csv"), "exclude"),
+        (("index", "{none}"), "no such folder"),
+        (("index", "{target}"), "no such folder"),
+        (("index", "{folder}", "--catalogue", "{target}"), "target.csv: the catalogue cannot be used"),
+        (("spectra", "{folder}", "--damping", "0.1"), "holds spectra of 5 % damping"),
+        (("spectra", "{folder}/RSN100_Q.AT2", "--damping", "7"), "damping"),
+        (("scale", "{folder}/RSN100_Q.AT2"), "--target"),
+        (("scale", "{folder}/RSN100_Q.AT2", "--target", "{target}", "--to", "x"), "choose one of"),
+        (("scale", "{folder}/RSN100_Q.AT2", "--target", "{target}", "--at", "-1"), "periods are finite"),
+    ],
+)
+def test_bad_input_is_one_line_and_exit_code_2(
+    folder: Path, arguments: tuple[str, ...], said: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    places = {"folder": folder, "target": folder.parent / "target.csv", "none": folder / "none"}
+    assert ended("records", *(each.format(**places) for each in arguments)) == 2
+    captured = capsys.readouterr()
+    assert captured.err.count("\n") == 1
+    assert said in captured.err
+    assert captured.out == ""
+    assert not (folder / "none").exists()

@@ -1,0 +1,264 @@
+"""The catalogue of a folder: what is read again and what is not, hostile names, flatfiles, damage."""
+
+import os
+import sqlite3
+import subprocess
+import sys
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import replace
+from multiprocessing import get_context
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy.constants import g
+
+from records import indexing
+from records.candidates import PERIODS
+from records.catalogue import NAME, candidates, inside, opened, take
+from records.errors import RecordError
+from records.flatfile import read_flatfile
+from records.indexing import index
+from records.intensity import measures
+from records.reading import read
+from records.response import response_spectrum
+
+FLATFILE = '''\
+A search, with words above its table
+"Record Sequence Number","Earthquake Name",YEAR,"Station Name","Earthquake Magnitude","ClstD (km)","EpiD (km)",\
+"Vs30 (m/s) selected for analysis","File Name (Horizontal 1)","File Name (Horizontal 2)"
+57,"San Fernando, ""main""",1971,Castaic,6.61,22.63,25.4,450.3,SFERN\\ORR021.AT2,SFERN\\ORR291.AT2
+121,Friuli,1976,Barcis,6.50,-999,51.0,-999,FRIULI.A\\A-BCS000.AT2,TWICE.AT2
+126,Gazli,1976,Karakyr,six,,,,GAZLI\\GAZ000.AT2,TWICE.AT2
+
+Note,that,is,no,record
+'''
+
+
+def at2(path: Path, *, seed: int = 1, title: str = "San Fernando, 2/9/1971, Castaic, 21") -> Path:
+    values = np.random.default_rng(seed).normal(0.0, 0.1, 300) * np.hanning(300)
+    head = f"PEER\n{title}\nACCELERATION TIME SERIES IN UNITS OF G\nNPTS=  300, DT= .0100 SEC\n"
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(head + "".join(f" {value:.7E}\n" for value in values), encoding="latin-1")
+    return path
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    place = tmp_path / "records"
+    for number in range(3):
+        at2(place / f"RSN{57 + number}_X_{number}.AT2", seed=number)
+    at2(place / "old" / "A-BCS000.AT2", seed=9, title="FRIULI 05/06/76 2000, BARCIS, 000")
+    (place / "notes.txt").write_text("no motion here")
+    return place
+
+
+def test_a_record_comes_back_as_it_was_measured(folder: Path) -> None:
+    with opened(folder / NAME) as catalogue:
+        index(folder, catalogue)
+        found = candidates(catalogue)[0]
+    (record,) = read(folder / "RSN57_X_0.AT2")
+    assert (found.path, found.id, found.event, found.date) == ("RSN57_X_0.AT2", record.id, "San Fernando", "1971-02-09")
+    assert (found.npts, found.dt, found.nga) == (300, 0.01, 57)
+    np.testing.assert_array_equal(found.spectrum, response_spectrum(record, PERIODS))
+    of = measures(record)
+    assert found.measures == {name: getattr(of, name) for name in found.measures}
+
+
+def test_only_what_changed_is_read_again(folder: Path) -> None:
+    with opened(folder / NAME) as catalogue:
+        first = index(folder, catalogue)
+        assert (first.read, first.unchanged, first.records) == (5, 0, 4)
+        assert [path for path, _ in first.problems] == ["notes.txt"]
+        again = index(folder, catalogue)
+        assert (again.read, again.unchanged) == (0, 5)
+        before = candidates(catalogue)[0].spectrum
+        os.utime(folder / "RSN57_X_0.AT2", ns=(1, 1))  # another time, the same content
+        at2(folder / "RSN58_X_1.AT2", seed=99)
+        (folder / "old" / "A-BCS000.AT2").unlink()
+        third = index(folder, catalogue)
+        assert (third.read, third.unchanged, third.gone, third.records) == (2, 2, 1, 3)
+        np.testing.assert_array_equal(candidates(catalogue)[0].spectrum, before)
+        assert candidates(catalogue)[1].measures["pga"] == pytest.approx(
+            read(folder / "RSN58_X_1.AT2")[0].pga, rel=1e-15
+        )
+        assert index(folder, catalogue).read == 0
+
+
+def test_the_same_content_is_hashed_but_not_read(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    with opened(None) as catalogue:
+        index(folder, catalogue)
+        os.utime(folder / "RSN57_X_0.AT2", ns=(1, 1))
+        monkeypatch.setattr(indexing, "read", lambda *_, **__: pytest.fail("read again"))
+        index(folder, catalogue)
+
+
+def test_a_stated_unit_is_asked_anew(folder: Path) -> None:
+    (folder / "plain.csv").write_text("time [s],acceleration\n" + "".join(f"{i / 100},{i % 7}\n" for i in range(60)))
+    with opened(None) as catalogue:
+        assert "plain.csv" in [path for path, _ in index(folder, catalogue).problems]
+        for unit, size in (("m/s2", 1.0), ("cm/s2", 0.01)):
+            index(folder, catalogue, unit=unit)
+            (one,) = (each for each in candidates(catalogue) if each.path == "plain.csv")
+            assert one.measures["pga"] == pytest.approx(6.0 * size, rel=1e-12)
+
+
+def test_what_was_interrupted_goes_on_where_it_ended(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(indexing, "BATCH", 2)
+
+    def interrupt(done: int, total: int) -> None:
+        if done == 4:
+            raise KeyboardInterrupt
+
+    with opened(folder / NAME) as catalogue, pytest.raises(KeyboardInterrupt):
+        index(folder, catalogue, progress=interrupt)
+    with opened(folder / NAME) as catalogue:
+        assert index(folder, catalogue).read == 3
+        assert len(candidates(catalogue)) == 4
+
+
+def test_a_process_that_is_killed_loses_its_last_batch_at_most(folder: Path) -> None:
+    script = (
+        "import os, sys; from pathlib import Path; from records import indexing; from records.catalogue import opened\n"
+        "indexing.BATCH = 1; folder = Path(sys.argv[1])\n"
+        "with opened(folder / '.assess-records.sqlite') as catalogue:\n"
+        "    indexing.index(folder, catalogue, progress=lambda done, total: os.kill(os.getpid(), 9) if done == 3 else None)"
+    )
+    ended = subprocess.run([sys.executable, "-c", script, str(folder)], check=False)
+    assert ended.returncode == -9
+    with opened(folder / NAME) as catalogue:
+        assert index(folder, catalogue).read == 3
+        assert len(candidates(catalogue)) == 4
+
+
+def test_processes_find_what_one_finds(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(indexing, "FEW", 1)
+    with opened(None) as alone, opened(None) as shared:
+        index(folder, alone)
+        with ProcessPoolExecutor(2, mp_context=get_context("spawn")) as executor:
+            index(folder, shared, executor=executor)
+        for one, other in zip(candidates(alone), candidates(shared), strict=True):
+            np.testing.assert_array_equal(one.spectrum, other.spectrum)
+            assert replace(one, spectrum=PERIODS) == replace(other, spectrum=PERIODS)
+
+
+def test_a_flatfile_goes_before_what_files_say(folder: Path, tmp_path: Path) -> None:
+    table = tmp_path / "flat.csv"
+    table.write_text(FLATFILE)
+    at2(folder / "TWICE.AT2", seed=5)
+    with opened(None) as catalogue:
+        index(folder, catalogue)
+        take(catalogue, read_flatfile(table))
+        found = {one.path: one for one in candidates(catalogue)}
+        of = found["RSN57_X_0.AT2"]
+        assert (of.event, of.station, of.magnitude, of.vs30) == ('San Fernando, "main"', "Castaic", 6.61, 450.3)
+        assert of.distance == pytest.approx(22630.0)
+        by_name = found["old/A-BCS000.AT2"]  # Friuli: no distance to the rupture, so that to the epicentre
+        assert (by_name.nga, by_name.magnitude, by_name.distance, by_name.vs30) == (121, 6.5, 51000.0, None)
+        assert found["TWICE.AT2"].nga is None  # two recordings name it
+        assert found["RSN58_X_1.AT2"].magnitude is None
+        at2(folder / "RSN57_X_0.AT2", seed=77)
+        index(folder, catalogue)
+        assert candidates(catalogue)[0].magnitude == 6.61  # also of a file read anew
+
+
+@pytest.mark.parametrize(
+    "text", ["", "a,b\n1,2\n", "Record Sequence Number\nnone\n", "RSN\x00,b\n1,2\n", "RSN\n" + "x" * 200_000]
+)
+def test_a_table_that_is_no_flatfile_is_refused_in_one_line(tmp_path: Path, text: str) -> None:
+    table = tmp_path / "flat.csv"
+    table.write_text(text)
+    with pytest.raises(RecordError, match=r"flat\.csv") as caught:
+        read_flatfile(table)
+    assert "\n" not in str(caught.value)
+
+
+def test_hostile_names_are_names(folder: Path) -> None:
+    name = "'); DROP TABLE records; --.AT2"
+    at2(folder / name, title='\'; DELETE FROM files; --, 1/1/1990, "st", %s ? :x')
+    (folder / os.fsdecode(b"bad\xff.AT2")).write_bytes(b"x")
+    with opened(folder / NAME) as catalogue:
+        found = index(folder, catalogue)
+        assert name in {one.path for one in candidates(catalogue)}
+        assert ("bad?.AT2", "its name is not UTF-8; rename it") in found.problems
+        assert index(folder, catalogue).records == 5
+
+
+def test_no_path_leaves_the_folder(folder: Path, tmp_path: Path) -> None:
+    outside = at2(tmp_path / "outside" / "secret.AT2")
+    (folder / "link.AT2").symlink_to(outside)
+    (folder / "loop.AT2").symlink_to(folder / "loop.AT2")
+    (folder / "away").symlink_to(outside.parent)
+    os.mkfifo(folder / "pipe.AT2")
+    with opened(folder / NAME) as catalogue:
+        found = dict(index(folder, catalogue).problems)
+        assert "leads out" in found["link.AT2"]
+        assert "broken link" in found["loop.AT2"]
+        assert found["pipe.AT2"] == "not a regular file"
+        assert not any("secret" in one.path or "link" in one.path for one in candidates(catalogue))
+    for path in ("../outside/secret.AT2", str(outside), "link.AT2", "away/secret.AT2"):
+        with pytest.raises(RecordError, match="leads out"):
+            inside(folder, path)
+    assert inside(folder, "old/A-BCS000.AT2").is_file()
+
+
+def test_what_is_not_a_catalogue_is_left_alone(tmp_path: Path) -> None:
+    theirs = tmp_path / "theirs.sqlite"
+    with sqlite3.connect(theirs) as connection:
+        connection.execute("CREATE TABLE precious (x)")
+    connection.close()
+    with pytest.raises(RecordError, match="not a catalogue"), opened(theirs):
+        pass
+    text = tmp_path / "text.sqlite"
+    text.write_text("not a database at all " * 100)
+    with pytest.raises(RecordError, match="delete it"), opened(text):
+        pass
+    assert text.read_text().startswith("not a database")
+    (tmp_path / "link.sqlite").symlink_to(theirs)
+    with pytest.raises(RecordError, match="is a link"), opened(tmp_path / "link.sqlite"):
+        pass
+    with pytest.raises(RecordError, match="another place"), opened(tmp_path / "none" / "x.sqlite"):
+        pass
+
+
+def test_a_damaged_catalogue_is_told(folder: Path) -> None:
+    with opened(folder / NAME) as catalogue:
+        index(folder, catalogue)
+    data = bytearray((folder / NAME).read_bytes())
+    data[4096:] = os.urandom(len(data) - 4096)
+    (folder / NAME).write_bytes(data)
+    with pytest.raises(RecordError, match="index again"), opened(folder / NAME) as catalogue:
+        index(folder, catalogue)
+        candidates(catalogue)
+
+
+def test_another_version_is_made_anew(folder: Path) -> None:
+    with opened(folder / NAME) as catalogue:
+        index(folder, catalogue)
+        catalogue.execute("PRAGMA user_version = 999")
+    with opened(folder / NAME) as catalogue:
+        assert index(folder, catalogue).read == 5
+
+
+def test_a_fault_of_a_reader_stops_one_file_only(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def faulty(file: Path, *, unit: str | None = None) -> object:
+        if file.name.startswith("RSN57"):
+            raise ZeroDivisionError("oh")
+        return read(file, unit=unit)
+
+    monkeypatch.setattr(indexing, "read", faulty)
+    with opened(None) as catalogue:
+        found = index(folder, catalogue)
+    assert ("RSN57_X_0.AT2", "its reader failed: ZeroDivisionError: oh") in found.problems
+    assert found.records == 3
+
+
+def test_a_folder_that_is_none_is_refused(tmp_path: Path) -> None:
+    with opened(None) as catalogue, pytest.raises(RecordError, match="no such folder"):
+        index(tmp_path / "nothing", catalogue)
+
+
+def test_peaks_are_in_si(folder: Path) -> None:
+    with opened(None) as catalogue:
+        index(folder, catalogue)
+        assert 0.1 * g < candidates(catalogue)[0].measures["pga"] < 0.5 * g

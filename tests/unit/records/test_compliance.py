@@ -1,0 +1,162 @@
+"""Requirements of codes on suites whose numbers are known in advance: multiples of the target, and steps in it."""
+
+from dataclasses import replace
+from math import log10
+
+import numpy as np
+import pytest
+
+from records.compliance import asce7_16, asce43_05, en1998_1, ntc2018, nzs1170_5
+from records.compliance.registry import ARTIFICIAL, RECORDED, all_requirements
+from records.compliance.requirement import Requirement
+from records.compliance.suite import FINE, Suite, suite_of
+from records.record import make_record, scaled
+from records.response import response_spectrum
+from spectra.asce7 import design_spectrum
+from spectra.table import table_spectrum
+
+TARGET = design_spectrum(s_ds=5.0, s_d1=2.0, t_l=6.0)
+T_EQ = 1.0  # s, shortest and longest equivalent period
+
+
+def suite(*multiples: float, dt: float = 0.01, duration: float = 30.0) -> Suite:
+    """Records whose spectra are multiples of the target."""
+    of, ordinates = np.array(multiples), TARGET.acceleration(FINE)
+    return Suite(
+        period=FINE,
+        target=ordinates,
+        spectra=of[:, np.newaxis] * ordinates,
+        target_pga=TARGET.pga,
+        pga=of * TARGET.pga,
+        factor=of,
+        dt=np.full(of.size, dt),
+        duration=np.full(of.size, duration),
+    )
+
+
+def dented(of: Suite, period: float, share: float, *, width: int = 1) -> Suite:
+    """The suite with every spectrum times `share` at `width` points from `period` on."""
+    spectra, first = of.spectra.copy(), int(np.argmin(np.abs(of.period - period)))
+    spectra[:, first : first + width] *= share
+    return replace(of, spectra=spectra)
+
+
+def named(found: tuple[Requirement, ...], what: str) -> Requirement:
+    (one,) = (each for each in found if each.what == what)
+    return one
+
+
+LEAST, MOST = "least ratio of mean spectrum to target", "largest ratio of mean spectrum to target"
+
+
+@pytest.mark.parametrize("code", list(RECORDED))
+def test_every_code_is_content_with_a_perfect_suite_and_says_so_with_its_clause(code: str) -> None:
+    found = RECORDED[code](suite(*[1.0] * 11), shortest=T_EQ, longest=T_EQ)
+    assert [one.verdict for one in found] == ["met"] * len(found)
+    assert all(one.code == code and one.clause and "memory" in one.caveat for one in found)
+
+
+@pytest.mark.parametrize(
+    ("check", "least"),
+    [(asce7_16, 11), (en1998_1, 3), (nzs1170_5, 3), (asce43_05, 5), (ntc2018, 3)],
+)
+def test_the_number_of_records(check: object, least: int) -> None:
+    requirements = getattr(check, "natural", None) or check.requirements  # type: ignore[attr-defined]
+    for count, verdict in ((least - 1, "not met"), (least, "met")):
+        found = requirements(suite(*[1.0] * count), shortest=T_EQ, longest=T_EQ)
+        (one,) = (each for each in found if each.what.startswith("number"))
+        assert (one.value, one.limit, one.verdict) == (count, least, verdict)
+
+
+@pytest.mark.parametrize("requirements", [asce7_16.requirements, en1998_1.requirements, ntc2018.natural])
+def test_the_mean_may_fall_ten_percent_below_the_target(requirements: object) -> None:
+    for share, verdict in ((0.901, "met"), (0.899, "not met")):
+        found = named(requirements(suite(share - 0.3, share, share + 0.3), shortest=T_EQ, longest=T_EQ), LEAST)  # type: ignore[operator]
+        assert found.value == pytest.approx(share, rel=1e-12)
+        assert found.verdict == verdict
+    assert "further factor of 1.001" in found.remark
+
+
+@pytest.mark.parametrize(
+    ("requirements", "low", "high"),
+    [(asce7_16.requirements, 0.2, 2.0), (en1998_1.requirements, 0.2, 2.0), (ntc2018.natural, 0.2, 1.2)],
+)
+def test_a_dip_counts_within_the_range_of_periods_only(requirements: object, low: float, high: float) -> None:
+    for period, verdict in ((low / 1.1, "met"), (low * 1.1, "not met"), (high / 1.1, "not met"), (high * 1.1, "met")):
+        found = requirements(dented(suite(1.0, 1.0, 1.0), period, 0.5), shortest=T_EQ, longest=T_EQ)  # type: ignore[operator]
+        assert named(found, LEAST).verdict == verdict
+
+
+def test_the_range_goes_from_the_shortest_to_the_longest_equivalent_period() -> None:
+    found = asce7_16.requirements(suite(1.0), shortest=0.5, longest=3.0)
+    assert named(found, LEAST).periods == pytest.approx((0.1, 6.0))
+
+
+def test_ntc_allows_thirty_percent_above_natural_records_and_looks_to_two_seconds_at_artificial_ones() -> None:
+    for share, verdict in ((1.299, "met"), (1.301, "not met")):
+        found = ntc2018.natural(suite(share), shortest=T_EQ, longest=T_EQ)
+        assert named(found, MOST).verdict == verdict
+    made = ntc2018.artificial(suite(1.5, 1.5, 1.5), shortest=0.1, longest=0.4)
+    assert [one.verdict for one in made] == ["met", "met"]
+    assert named(made, LEAST).periods == pytest.approx((0.15, 2.0))
+    assert named(ntc2018.artificial(suite(1.0), shortest=1.0, longest=1.5), LEAST).periods == pytest.approx((0.15, 3.0))
+
+
+def test_ec8_asks_for_the_mean_peak() -> None:
+    found = named(
+        en1998_1.requirements(suite(0.8, 1.1), shortest=T_EQ, longest=T_EQ), "mean zero-period ordinate over a_g S"
+    )
+    assert (found.value, found.verdict) == (pytest.approx(0.95), "not met")
+
+
+def test_nzs_measures_the_log_misfit_and_the_family_factor() -> None:
+    found = nzs1170_5.requirements(suite(0.8, 0.9, 1.4), shortest=T_EQ, longest=T_EQ)
+    fit = named(found, "largest misfit D_1 of a record")
+    assert fit.value == pytest.approx(log10(1.4), rel=1e-12)
+    assert fit.limit == pytest.approx(log10(1.5), rel=1e-12)
+    assert named(found, "family scale factor k_2").value == 1.0
+    low = nzs1170_5.requirements(suite(0.2, 0.5, 0.7), shortest=T_EQ, longest=T_EQ)
+    assert named(low, "family scale factor k_2").value == pytest.approx(1 / 0.7, rel=1e-12)
+    assert named(low, "family scale factor k_2").verdict == "not met"
+    assert named(low, "least record scale factor k_1").verdict == "not met"
+
+
+def test_nzs_averages_over_the_period_itself_not_its_logarithm() -> None:
+    """A record 10 ^ x off at period T, with x = T, has D_1^2 = (b^3 - a^3) / 3 / (b - a)."""
+    of = replace(suite(1.0), spectra=(suite(1.0).target * 10.0**FINE)[np.newaxis])
+    found = named(nzs1170_5.requirements(of, shortest=T_EQ, longest=T_EQ), "largest misfit D_1 of a record")
+    a, b = (FINE[(FINE >= 0.4) & (FINE <= 1.3)][i] for i in (0, -1))
+    assert found.value == pytest.approx(np.sqrt((b**3 - a**3) / 3 / (b - a)), rel=1e-3)
+
+
+def test_nzs_takes_no_period_below_0_4_s() -> None:
+    found = nzs1170_5.requirements(suite(1.0), shortest=0.1, longest=0.2)
+    assert named(found, "family scale factor k_2").periods == pytest.approx((0.16, 0.52))
+
+
+def test_asce_43_counts_points_side_by_side_steps_and_durations() -> None:
+    what = "points side by side below the target"
+    for width, verdict in ((9, "met"), (10, "not met")):
+        found = asce43_05.requirements(dented(suite(*[1.0] * 5), 1.0, 0.95, width=width), shortest=1, longest=1)
+        assert (named(found, what).value, named(found, what).verdict) == (width, verdict)
+    coarse = asce43_05.requirements(suite(*[1.0] * 5, dt=0.02, duration=19.0), shortest=1, longest=1)
+    assert named(coarse, "largest time step").verdict == "not met"
+    assert named(coarse, "shortest duration").verdict == "not met"
+
+
+def test_what_the_target_does_not_reach_is_not_answered() -> None:
+    short = table_spectrum(np.array([0.0, 0.5, 1.0]), np.array([1.0, 1.0, 0.5]))
+    record = make_record("r", np.random.default_rng(1).normal(0.0, 1.0, 500), 0.01)
+    found = all_requirements(suite_of([record], [1.0], short), shortest=1.0, longest=1.0, artificial=False)
+    late = [one for one in found if one.periods is not None]
+    assert {one.verdict for one in late} == {"not answered"}
+    assert all(one.value is None and "to 1 s" in one.remark for one in late)
+
+
+def test_a_suite_is_what_its_records_scaled_are() -> None:
+    record = make_record("r", np.random.default_rng(1).normal(0.0, 1.0, 500), 0.01)
+    of = suite_of([record, record], [2.0, 0.5], TARGET)
+    np.testing.assert_allclose(of.spectra[0], response_spectrum(scaled(record, 2.0), FINE), rtol=1e-12)
+    np.testing.assert_allclose(of.pga, [2.0 * record.pga, 0.5 * record.pga], rtol=1e-12)
+    assert of.duration[0] == pytest.approx(4.99)
+    assert set(ARTIFICIAL) == set(RECORDED)

@@ -64,7 +64,8 @@ def test_five_earthquakes_fit_as_well_as_those_of_the_thesis(results: Results) -
     assert len(results.records) == 5
     assert len({(record.event, record.date) for record in results.records}) == 5
     assert all(record.nga is not None and record.mse < WORST_MSE for record in results.records)
-    assert all(0.03 < record.pga_g < 0.15 for record in results.records)  # Table 8.8: 0.07 to 0.10 g
+    peaks = np.log([record.pga_g for record in results.records])
+    assert np.exp(peaks.mean()) == pytest.approx(0.10, rel=0.3)  # of the target; Table 8.8: 0.07 to 0.10 g
 
 
 def test_the_suite_as_a_whole_fits_better_when_that_is_what_is_asked(results: Results, tmp_path: Path) -> None:

@@ -14,7 +14,7 @@ import pytest
 from scipy.constants import g
 
 from records import indexing
-from records.candidates import PERIODS
+from records.candidates import PERIODS, Candidate
 from records.catalogue import NAME, candidates, inside, opened, take
 from records.errors import RecordError
 from records.flatfile import read_flatfile
@@ -122,7 +122,7 @@ def test_a_process_that_is_killed_loses_its_last_batch_at_most(folder: Path) -> 
         "import os, sys; from pathlib import Path; from records import indexing; from records.catalogue import opened\n"
         "indexing.BATCH = 1; folder = Path(sys.argv[1])\n"
         "with opened(folder / '.assess-records.sqlite') as catalogue:\n"
-        "    indexing.index(folder, catalogue, progress=lambda done, total: os.kill(os.getpid(), 9) if done == 3 else None)"
+        "    indexing.index(folder, catalogue, progress=lambda done, _: os.kill(os.getpid(), 9) if done == 3 else None)"
     )
     ended = subprocess.run([sys.executable, "-c", script, str(folder)], check=False)
     assert ended.returncode == -9
@@ -221,15 +221,20 @@ def test_what_is_not_a_catalogue_is_left_alone(tmp_path: Path) -> None:
         pass
 
 
+def brought_up(folder: Path) -> tuple[Candidate, ...]:
+    with opened(folder / NAME) as catalogue:
+        index(folder, catalogue)
+        return candidates(catalogue)
+
+
 def test_a_damaged_catalogue_is_told(folder: Path) -> None:
     with opened(folder / NAME) as catalogue:
         index(folder, catalogue)
     data = bytearray((folder / NAME).read_bytes())
     data[4096:] = os.urandom(len(data) - 4096)
     (folder / NAME).write_bytes(data)
-    with pytest.raises(RecordError, match="index again"), opened(folder / NAME) as catalogue:
-        index(folder, catalogue)
-        candidates(catalogue)
+    with pytest.raises(RecordError, match="index again"):
+        brought_up(folder)
 
 
 def test_another_version_is_made_anew(folder: Path) -> None:

@@ -23,11 +23,13 @@ from records.candidates import DAMPING, PERIODS, Candidate, sequence_number
 from records.catalogue import MEASURES, problems
 from records.errors import RecordError
 from records.formats import FORMATS
+from records.formats.stated import Stated
 from records.intensity import measures
 from records.reading import read
 from records.record import Record
 from records.response import response_spectrum
 
+NOTHING = Stated()
 BATCH = 50  # files to a commit
 FEW = 24  # files that are read here rather than by an executor, whose workers take seconds to start
 LARGEST = 500_000_000  # bytes of one record file
@@ -70,16 +72,16 @@ def index(
     folder: Path,
     connection: sqlite3.Connection,
     *,
-    unit: str | None = None,
+    stated: Stated = NOTHING,
     executor: Executor | None = None,
     progress: Progress = lambda done, total: None,
 ) -> Indexed:
     """Bring the catalogue `connection` of `folder` and what is below it up to date.
 
-    unit : of accelerations where a file does not say (files read with another are read again); executor : of processes,
+    stated : what files do not say themselves (those read with something else are read again); executor : of processes,
     that read where files are many. Raises RecordError where the folder is none.
     """
-    asked = f"{unit or ''} {' '.join(FORMATS)}"
+    asked = f"{stated} {' '.join(FORMATS)}"
     on_disk = {found.path: found for found in files_below(folder)}
     known = {
         row[0]: row[1:] for row in connection.execute("SELECT path, size, mtime, sha256, asked, problem FROM files")
@@ -92,7 +94,7 @@ def index(
     ]
     with connection:
         connection.executemany("DELETE FROM files WHERE path = ?", [(path,) for path in gone])
-    _read(folder, changed, connection, unit=unit, asked=asked, executor=executor, progress=progress)
+    _read(folder, changed, connection, stated=stated, asked=asked, executor=executor, progress=progress)
     number = int(connection.execute("SELECT COUNT(*) FROM records").fetchone()[0])
     return Indexed(len(changed), len(on_disk) - len(changed), len(gone), number, problems(connection))
 
@@ -153,12 +155,12 @@ def _read(
     files: list[Found],
     connection: sqlite3.Connection,
     *,
-    unit: str | None,
+    stated: Stated,
     asked: str,
     executor: Executor | None,
     progress: Progress,
 ) -> None:
-    describe = partial(described, folder, unit=unit)
+    describe = partial(described, folder, stated=stated)
     many = executor is not None and len(files) > FEW
     results: Iterable[Described] = (
         executor.map(describe, files, chunksize=4) if many and executor is not None else map(describe, files)
@@ -173,7 +175,7 @@ def _read(
     _store(connection, batch, asked)
 
 
-def described(folder: Path, found: Found, *, unit: str | None) -> Described:
+def described(folder: Path, found: Found, *, stated: Stated) -> Described:
     """The records of one file with their measures and spectra, or why there are none."""
     if found.problem:
         return Described(found, "", found.problem, ())
@@ -184,12 +186,17 @@ def described(folder: Path, found: Found, *, unit: str | None) -> Described:
             sha256 = hashlib.file_digest(opened, "sha256").hexdigest()
             if sha256 == found.stored:
                 return Described(found, sha256, "", None)
-            made = tuple(candidate(record, found.path, i) for i, record in enumerate(read(file, unit=unit)))
+            made = tuple(candidate(record, found.path, i) for i, record in enumerate(read_stated(file, stated)))
     except (RecordError, OSError) as error:
         return Described(found, "", str(error).removeprefix(f"{file}: "), ())
     except Exception as error:  # of a thousand files one may meet a fault of a reader: the others go on
         return Described(found, "", f"its reader failed: {type(error).__name__}: {error}", ())
     return Described(found, sha256, "", made)
+
+
+def read_stated(file: Path, stated: Stated) -> tuple[Record, ...]:
+    """Every record of a file, with what the caller states where the file is silent."""
+    return read(file, unit=stated.unit, step=stated.step, response=stated.response)
 
 
 def candidate(record: Record, path: str, position: int = 0) -> Candidate:

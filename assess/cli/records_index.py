@@ -8,15 +8,14 @@ from typing import Annotated
 
 import typer
 
+from assess.cli.records import Response, Step, Unit
+
 Folder = Annotated[Path, typer.Argument(metavar="FOLDER", help="Folder of record files, with all below it.")]
 Flatfile = Annotated[
     Path | None, typer.Option(metavar="CSV", help="PEER flatfile: magnitude, distance, Vs30, NGA number.")
 ]
 Catalogue = Annotated[
     Path | None, typer.Option(metavar="FILE", help="Where the catalogue is, if not in the folder itself.")
-]
-Unit = Annotated[
-    str | None, typer.Option(help="Of accelerations, where a file does not say it: g, m/s2, cm/s2, gal, mm/s2.")
 ]
 
 
@@ -25,6 +24,8 @@ def index(
     flatfile: Flatfile = None,
     catalogue: Catalogue = None,
     unit: Unit = None,
+    step: Step = None,
+    response: Response = None,
     jobs: Annotated[
         int | None, typer.Option("--jobs", metavar="N", min=1, help="Processor cores to use; all if absent.")
     ] = None,
@@ -41,6 +42,7 @@ def index(
     from assess.cli.progress import progress
     from records.catalogue import NAME, candidates, opened, take
     from records.flatfile import read_flatfile
+    from records.formats.stated import Stated
     from records.indexing import files_below
     from records.indexing import index as brought_up
 
@@ -57,7 +59,7 @@ def index(
         found = brought_up(
             folder,
             connection,
-            unit=unit,
+            stated=Stated(unit, step, response),
             executor=executor if jobs != 1 else None,
             progress=lambda done, total: said.count("records", done, total),
         )

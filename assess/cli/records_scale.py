@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from assess.cli.records_index import Unit
+from assess.cli.records import Response, Step, Unit
 
 
 def scale(
@@ -22,6 +22,8 @@ def scale(
         2.0,
     ),
     unit: Unit = None,
+    step: Step = None,
+    response: Response = None,
     as_json: Annotated[
         bool, typer.Option("--json", help="Print records and ground_motion as in results.json.")
     ] = False,
@@ -36,10 +38,11 @@ def scale(
     from assess.cli.outputs import staged
     from assess.cli.suite_table import csv_text, json_text, table_text
     from assess.project.choosing import scaled_files
+    from records.formats.stated import Stated
     from records.record import scaled
     from records.writing import csv_text as record_text
 
-    motions, suite = scaled_files(target, files, to=to, at=at, periods=periods, unit=unit)
+    motions, suite = scaled_files(target, files, to=to, at=at, periods=periods, stated=Stated(unit, step, response))
     if output is not None:
         with staged(output) as stage:
             for place, motion in enumerate(motions, start=1):

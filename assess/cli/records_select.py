@@ -8,7 +8,8 @@ from typing import Annotated
 import typer
 
 from assess.cli.figures import FigurePath, refuse_figure
-from assess.cli.records_index import Catalogue, Flatfile, Unit
+from assess.cli.records import Response, Step, Unit
+from assess.cli.records_index import Catalogue, Flatfile
 
 OWN = ("places", "as_json", "as_csv", "output", "target")
 Span = tuple[float, float] | None
@@ -57,6 +58,8 @@ def select(
     flatfile: Flatfile = None,
     catalogue: Catalogue = None,
     unit: Unit = None,
+    step: Step = None,
+    response: Response = None,
     as_json: Annotated[
         bool, typer.Option("--json", help="Print records and ground_motion as in results.json.")
     ] = False,
@@ -76,29 +79,16 @@ def select(
         raise typer.BadParameter(f"{what} needs --target; a PROJECT has its own [records] select")
     from assess.cli.suite_table import csv_text, drawn, json_text, table_text
     from assess.project.choosing import Wanted, of_project, of_target
+    from records.formats.stated import Stated
 
     if target is None:
         found = of_project(places[0])
     else:
         spans = {"magnitude": magnitude, "distance": distance, "vs30": vs30, "pga": pga, "duration": duration}
-        found = of_target(
-            target,
-            places,
-            Wanted(
-                count,
-                periods,
-                scale_limits,
-                fit,
-                components,
-                scale_to,
-                not several_per_event,
-                spans,
-                tuple(event or ()),
-            ),
-            unit=unit,
-            flatfile=flatfile,
-            kept=catalogue,
-        )
+        one_per_event, events = not several_per_event, tuple(event or ())
+        wanted = Wanted(count, periods, scale_limits, fit, components, scale_to, one_per_event, spans, events)
+        stated = Stated(unit, step, response)
+        found = of_target(target, places, wanted, stated=stated, flatfile=flatfile, kept=catalogue)
     if output is not None:
         drawn(found, output)
     print((json_text if as_json else csv_text if as_csv else table_text)(found), end="")

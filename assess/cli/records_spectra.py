@@ -8,7 +8,8 @@ from typing import Annotated
 import typer
 
 from assess.cli.figures import FigurePath, refuse_figure
-from assess.cli.records_index import Catalogue, Unit
+from assess.cli.records import Response, Step, Unit
+from assess.cli.records_index import Catalogue
 
 Places = Annotated[list[Path], typer.Argument(metavar="FILES…|FOLDER", help="Record files, or a folder of them.")]
 
@@ -17,6 +18,8 @@ def spectra(
     places: Places,
     damping: Annotated[float, typer.Option(help="Damping ratio; a folder has 5 % spectra.")] = 0.05,
     unit: Unit = None,
+    step: Step = None,
+    response: Response = None,
     catalogue: Catalogue = None,
     as_csv: Annotated[bool, typer.Option("--csv", help="Print every period, a column for each record.")] = False,
     output: FigurePath = None,
@@ -24,8 +27,9 @@ def spectra(
     """Print pseudo-acceleration spectra of records; those of a folder come from its catalogue."""
     refuse_figure(output)
     from assess.cli.spectra_table import csv_text, drawn, found_in, table_text
+    from records.formats.stated import Stated
 
-    found = found_in(places, damping=damping, unit=unit, kept=catalogue)
+    found = found_in(places, damping=damping, stated=Stated(unit, step, response), kept=catalogue)
     if output is not None:
         drawn(found, output)
     print((csv_text if as_csv else table_text)(found), end="")

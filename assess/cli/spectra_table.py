@@ -18,7 +18,8 @@ from assess.errors import AssessError
 from assess.project.record_set import offered
 from assess.project.run import NAME
 from records.candidates import DAMPING, PERIODS
-from records.reading import read
+from records.formats.stated import Stated
+from records.indexing import read_stated
 from records.response import response_spectrum
 from reports.csv import field
 from reports.figure_file import write_figure
@@ -36,17 +37,17 @@ class Spectra:
     ordinates: NDArray[np.float64]
 
 
-def found_in(places: Sequence[Path], *, damping: float, unit: str | None, kept: Path | None) -> Spectra:
+def found_in(places: Sequence[Path], *, damping: float, stated: Stated, kept: Path | None) -> Spectra:
     """The spectra of the records of `places`; AssessError where a catalogue does not have the damping."""
     folders = [place for place in places if place.is_dir()]
     if folders and damping != DAMPING:
         raise AssessError(f"{folders[0]}: a folder's catalogue holds spectra of 5 % damping; give its files instead")
     if not folders:
-        records = [record for place in places for record in read(place, unit=unit)]
+        records = [record for place in places for record in read_stated(place, stated)]
         ordinates = [response_spectrum(record, PERIODS, damping=damping) for record in records]
         pga = np.array([record.pga for record in records])
         return Spectra(tuple(record.id for record in records), pga, np.array(ordinates))
-    found = offered(places, unit=unit, kept=kept).candidates
+    found = offered(places, stated=stated, kept=kept).candidates
     if not found:
         raise AssessError(f"{folders[0]}: no records in the folder that can be read; `assess records index` says why")
     pga = np.array([one.measures["pga"] for one in found])

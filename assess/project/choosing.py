@@ -21,7 +21,8 @@ from assess.project.site_spectrum import site_of, spectrum_of
 from assess.project.study import Fitting
 from assess.results import GroundMotionResult, Notice, RecordResult
 from records.band import band
-from records.reading import read
+from records.formats.stated import Stated
+from records.indexing import read_stated
 from records.scaling import Scaling, misfit, scale_to_ordinate
 from records.selection import Components, Criteria, Filters, Fit, Range, ScaleTo, select
 from spectra.spectrum import Spectrum
@@ -73,7 +74,7 @@ def of_target(
     places: Sequence[Path],
     wanted: Wanted,
     *,
-    unit: str | None,
+    stated: Stated,
     flatfile: Path | None,
     kept: Path | None,
 ) -> Suite:
@@ -81,9 +82,9 @@ def of_target(
     spectrum, criteria = spectrum_at(target), criteria_of(wanted)
     if kept is not None and sum(place.is_dir() for place in places) > 1:
         raise AssessError(f"--catalogue {kept}: one catalogue is of one folder; give one folder")
-    offer = record_set.offered(places, unit=unit, flatfile=flatfile, kept=kept)
+    offer = record_set.offered(places, stated=stated, flatfile=flatfile, kept=kept)
     found = select(offer.candidates, spectrum, criteria)
-    chosen = record_set.record_set(found, criteria.band, folder=Path.cwd(), unit=unit)
+    chosen = record_set.record_set(found, criteria.band, folder=Path.cwd(), stated=stated)
     motions = scaled_together(chosen.records, spectrum, chosen.fitting, scale_to=criteria.scale_to)
     motion = suite_result(motions, spectrum, chosen.fitting, source="given", equivalent={})
     return Suite(results_of(motions, spectrum, chosen.fitting), motion, tuple(record_set.notices_of(offer.problems)))
@@ -112,11 +113,11 @@ def criteria_of(wanted: Wanted) -> Criteria:
 
 
 def scaled_files(
-    target: Path, files: Sequence[Path], *, to: str, at: float | None, periods: Range, unit: str | None
+    target: Path, files: Sequence[Path], *, to: str, at: float | None, periods: Range, stated: Stated
 ) -> tuple[tuple[Motion, ...], Suite]:
     """Every record of `files` scaled to the spectrum of `target`: as `to` says, or to its ordinate `at` a period."""
     spectrum, fitting = spectrum_at(target), Fitting(band(*periods))
-    records = record_set.uniquely_named([record for file in files for record in read(file, unit=unit)])
+    records = record_set.uniquely_named([record for file in files for record in read_stated(file, stated)])
     if at is None:
         motions = scaled_together(records, spectrum, fitting, scale_to=_one_of("to", to, ScaleTo))
     else:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -22,8 +21,8 @@ from records.band import Band, band
 from records.candidates import PERIODS, Candidate
 from records.errors import RecordError
 from records.flatfile import described_by, read_flatfile
-from records.indexing import candidate, index
-from records.reading import read
+from records.formats.stated import Stated
+from records.indexing import NOTHING, candidate, index, read_stated
 from records.record import Record
 from records.scaling import SCALING_PERIODS
 from records.selection import Criteria, Filters, Selection, select
@@ -51,10 +50,14 @@ class Offer:
 
 def all_of(section: sections.Records, folder: Path) -> RecordSet:
     """Every record that [records] names; `folder` is that of the project file."""
-    read_one = partial(read, unit=section.unit, step=section.step, response=section.response)
-    found = [record for path in section.files for record in read_one(path)]
+    found = [record for path in section.files for record in read_stated(path, stated_in(section))]
     records = uniquely_named([replace(one, path=relative(Path(one.path), folder)) for one in found])
     return RecordSet(records, Fitting(EVERYWHERE))
+
+
+def stated_in(section: sections.Records) -> Stated:
+    """What [records] says of files that do not say it themselves."""
+    return Stated(section.unit, section.step, section.response)
 
 
 def chosen(
@@ -66,13 +69,14 @@ def chosen(
     folder: Path,
 ) -> tuple[RecordSet, tuple[Notice, ...]]:
     """The suite that [records.select] describes, and what to know of it; `folder` is that of the project file."""
-    offer = offered(section.files, unit=section.unit, flatfile=section.flatfile)
+    stated = stated_in(section)
+    offer = offered(section.files, stated=stated, flatfile=section.flatfile)
     try:
         over = band(*periods_of(wanted, spectrum, mechanisms), weights=wanted.weights)
         found = select(offer.candidates, spectrum, criteria_of(section, wanted, over))
     except RecordError as error:
         raise ProjectError(f"records.select: {error}") from None
-    return record_set(found, over, folder=folder, unit=section.unit), tuple(notices_of(offer.problems))
+    return record_set(found, over, folder=folder, stated=stated), tuple(notices_of(offer.problems))
 
 
 def periods_of(wanted: sections.Select, spectrum: Spectrum, mechanisms: Iterable[Mechanism]) -> tuple[float, float]:
@@ -100,7 +104,7 @@ def criteria_of(section: sections.Records, wanted: sections.Select, over: Band) 
 
 
 def offered(
-    files: Sequence[Path], *, unit: str | None = None, flatfile: Path | None = None, kept: Path | None = None
+    files: Sequence[Path], *, stated: Stated = NOTHING, flatfile: Path | None = None, kept: Path | None = None
 ) -> Offer:
     """Every record of `files` and of the catalogues of the folders among them, brought up to date.
 
@@ -112,11 +116,11 @@ def offered(
     recordings = () if flatfile is None else read_flatfile(flatfile)
     for place in (path for path in files if path.is_dir()):
         with catalogue.opened(kept or catalogue_of(place)) as connection:
-            problems += [(str(place / path), why) for path, why in index(place, connection, unit=unit).problems]
+            problems += [(str(place / path), why) for path, why in index(place, connection, stated=stated).problems]
             listed = catalogue.candidates(connection)
         found += [replace(one, path=str(catalogue.inside(place, one.path))) for one in listed]
     alone = [path for path in files if not path.is_dir()]
-    made = [candidate(r, str(path), i) for path in alone for i, r in enumerate(read(path, unit=unit))]
+    made = [candidate(r, str(path), i) for path in alone for i, r in enumerate(read_stated(path, stated))]
     return Offer(described_by([*found, *made], recordings), tuple(problems))
 
 
@@ -126,10 +130,10 @@ def catalogue_of(folder: Path) -> Path | None:
     return file if os.access(folder, os.W_OK) else None
 
 
-def record_set(found: Selection, over: Band, *, folder: Path, unit: str | None) -> RecordSet:
+def record_set(found: Selection, over: Band, *, folder: Path, stated: Stated) -> RecordSet:
     """The records of a selection, read from their files; ids that stand twice numbered."""
     parts = [(choice, one) for choice in found.choices for one in choice.components]
-    records = uniquely_named([_record(one, folder=folder, unit=unit) for _, one in parts])
+    records = uniquely_named([_record(one, folder=folder, stated=stated) for _, one in parts])
     by_choice: dict[int, list[str]] = {}
     for (choice, _), record in zip(parts, records, strict=True):
         by_choice.setdefault(id(choice), []).append(record.id)
@@ -142,9 +146,9 @@ def record_set(found: Selection, over: Band, *, folder: Path, unit: str | None) 
     return RecordSet(records, fitting)
 
 
-def _record(one: Candidate, *, folder: Path, unit: str | None) -> Record:
+def _record(one: Candidate, *, folder: Path, stated: Stated) -> Record:
     """The record of a candidate, with what a flatfile knows of it and its path as the project file writes it."""
-    record = read(Path(one.path), unit=unit)[one.position]
+    record = read_stated(Path(one.path), stated)[one.position]
     return replace(
         record,
         path=relative(Path(one.path), folder),

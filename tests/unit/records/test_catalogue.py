@@ -18,6 +18,7 @@ from records.candidates import PERIODS, Candidate
 from records.catalogue import NAME, candidates, inside, opened, take
 from records.errors import RecordError
 from records.flatfile import read_flatfile
+from records.formats.stated import Stated
 from records.indexing import index
 from records.intensity import measures
 from records.reading import read
@@ -98,7 +99,7 @@ def test_a_stated_unit_is_asked_anew(folder: Path) -> None:
     with opened(None) as catalogue:
         assert "plain.csv" in [path for path, _ in index(folder, catalogue).problems]
         for unit, size in (("m/s2", 1.0), ("cm/s2", 0.01)):
-            index(folder, catalogue, unit=unit)
+            index(folder, catalogue, stated=Stated(unit=unit))
             (one,) = (each for each in candidates(catalogue) if each.path == "plain.csv")
             assert one.measures["pga"] == pytest.approx(6.0 * size, rel=1e-12)
 
@@ -246,10 +247,10 @@ def test_another_version_is_made_anew(folder: Path) -> None:
 
 
 def test_a_fault_of_a_reader_stops_one_file_only(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    def faulty(file: Path, *, unit: str | None = None) -> object:
+    def faulty(file: Path, **_: object) -> object:
         if file.name.startswith("RSN57"):
             raise ZeroDivisionError("oh")
-        return read(file, unit=unit)
+        return read(file)
 
     monkeypatch.setattr(indexing, "read", faulty)
     with opened(None) as catalogue:

@@ -17,6 +17,7 @@ DAMPING = 0.05
 PERIODS: FloatArray = np.geomspace(0.01, 10.0, 121)  # s, forty to the decade
 PERIODS.flags.writeable = False
 
+DAY = re.compile(r"\d{4}-\d\d-\d\d")
 SEQUENCE_NUMBER = re.compile(r"RSN(\d+)_", re.IGNORECASE)
 
 
@@ -28,6 +29,7 @@ class Candidate:
     position : of the record in its file, from 0; id, event, station, component : as in the record
     date : of the earthquake, ISO 8601, as far as known, "" unknown
     magnitude : [-]; distance [m]: to the rupture where a flatfile gives it, else as the file has it; vs30 [m/s]
+    place : where in the ground or a structure the instrument stands, "" for the free surface or unknown
     nga : number of the recording in the PEER NGA database; None where any of these four is unknown
     dt [s], npts, measures : by name, SI ("pga" [m/s2], "d5_95" [s], …)
     spectrum : 5 % pseudo-acceleration at PERIODS [k] [m/s2]
@@ -43,6 +45,7 @@ class Candidate:
     magnitude: float | None
     distance: float | None
     vs30: float | None
+    place: str
     nga: int | None
     dt: float
     npts: int
@@ -51,7 +54,12 @@ class Candidate:
 
     @property
     def earthquake(self) -> str:
-        """What two records of one earthquake have in common: its name without punctuation, and year; else its file."""
+        """What two records of one earthquake have in common: its day; else its name and year; else its file.
+
+        Names differ from one agency to another; that two earthquakes of one day count as one is on the safe side.
+        """
+        if DAY.match(self.date):
+            return f"day {self.date[:10]}"
         name = re.sub(r"[^a-z0-9]+", "", self.event.lower())
         return f"{name} {self.date[:4]}".strip() or f"file {self.path}"
 
@@ -64,9 +72,9 @@ class Candidate:
         return f"{self.earthquake} at {station}" if station else f"file {self.path}"
 
     @property
-    def vertical(self) -> bool:
-        """Whether it is named as a vertical component."""
-        return is_vertical(self.component)
+    def shakes(self) -> bool:
+        """Whether it is a horizontal component at the free surface, as far as its file says."""
+        return not self.place and not is_vertical(self.component)
 
 
 def sequence_number(path: str) -> int | None:

@@ -30,14 +30,16 @@ CREATE TABLE files (path TEXT PRIMARY KEY, size INTEGER, mtime INTEGER, sha256 T
 CREATE TABLE records (
     path TEXT REFERENCES files(path) ON DELETE CASCADE, position INTEGER,
     id TEXT, event TEXT, station TEXT, component TEXT, date TEXT,
-    magnitude REAL, distance REAL, vs30 REAL, nga INTEGER,
+    magnitude REAL, distance REAL, vs30 REAL, place TEXT, nga INTEGER,
     dt REAL, npts INTEGER, {", ".join(f"{name} REAL" for name in MEASURES)}, spectrum BLOB,
     PRIMARY KEY (path, position)
 );
 CREATE TABLE recordings (nga INTEGER PRIMARY KEY, event TEXT, year TEXT, station TEXT,
     magnitude REAL, distance REAL, vs30 REAL, files TEXT);
 """
-COLUMNS = "path, position, id, event, station, component, date, magnitude, distance, vs30, nga, dt, npts, spectrum"
+COLUMNS = (
+    "path, position, id, event, station, component, date, magnitude, distance, vs30, place, nga, dt, npts, spectrum"
+)
 ROWS = f"SELECT {COLUMNS}, {', '.join(MEASURES)} FROM records ORDER BY path, position"
 
 
@@ -90,11 +92,11 @@ def candidates(connection: sqlite3.Connection) -> tuple[Candidate, ...]:
 
 
 def _candidate(row: Sequence[Any]) -> Candidate:
-    spectrum = np.frombuffer(row[13], dtype="<f8")
+    spectrum = np.frombuffer(row[14], dtype="<f8")
     if spectrum.size != PERIODS.size:
         raise RecordError(f'catalogue: record "{row[0]}" has {spectrum.size} ordinates; delete it and index again')
-    measures = dict(zip(MEASURES, row[14:], strict=True))
-    return Candidate(**dict(zip(COLUMNS.split(", ")[:13], row, strict=False)), measures=measures, spectrum=spectrum)
+    measures = dict(zip(MEASURES, row[15:], strict=True))
+    return Candidate(**dict(zip(COLUMNS.split(", ")[:14], row, strict=False)), measures=measures, spectrum=spectrum)
 
 
 def take(connection: sqlite3.Connection, flatfile: Sequence[Recording]) -> None:

@@ -212,6 +212,7 @@ def candidate(record: Record, path: str, position: int = 0) -> Candidate:
         magnitude=record.earthquake.magnitude,
         distance=record.distance,
         vs30=record.site.vs30,
+        place=record.site.place,
         nga=sequence_number(path),
         dt=record.dt,
         npts=record.npts,
@@ -241,7 +242,7 @@ def _store(connection: sqlite3.Connection, batch: list[Described], asked: str) -
 
 def _row(one: Candidate) -> tuple[object, ...]:
     texts = (_text(one.id), _text(one.event), _text(one.station), _text(one.component), _text(one.date))
-    known = (one.magnitude, one.distance, one.vs30, one.nga)
+    known = (one.magnitude, one.distance, one.vs30, _text(one.place), one.nga)
     spectrum = np.asarray(one.spectrum, dtype="<f8").tobytes()
     return (one.path, one.position, *texts, *known, one.dt, one.npts, *(one.measures[m] for m in MEASURES), spectrum)
 

@@ -107,7 +107,7 @@ def select(candidates: Sequence[Candidate], spectrum: Spectrum, criteria: Criter
     Raises RecordError, saying how many candidates are left after each step, where they are too few.
     """
     band = up_to(criteria.band, spectrum.longest_period)
-    horizontal = [one for one in candidates if not one.vertical]
+    horizontal = [one for one in candidates if one.shakes]
     passed = [one for one in horizontal if passes(one, criteria.filters)]
     choices, log_ratio = _scaled(_joined(passed, criteria.components), spectrum, band, criteria.scale_to)
     low, high = criteria.scale_limits
@@ -116,7 +116,7 @@ def select(candidates: Sequence[Candidate], spectrum: Spectrum, criteria: Criter
     groups = _groups(choices, one_per_event=criteria.one_per_event)
     counted = (
         ("components", len(candidates)),
-        ("horizontal", len(horizontal)),
+        ("horizontal at the free surface", len(horizontal)),
         ("that pass the filters", len(passed)),
         ("within the limits of the scale factor", len(choices)),
         ("of different earthquakes" if criteria.one_per_event else "to choose from", len(set(groups.tolist()))),

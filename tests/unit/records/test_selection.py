@@ -28,7 +28,8 @@ def candidate(number: int, *, event: str = "", component: str = "000", seed: int
         event=event or f"event {number}",
         station=f"station {number}",
         component=component,
-        date="1980-01-01",
+        date="",
+        place="",
         magnitude=5.0 + number % 3,
         distance=1e4 * (number + 1),
         vs30=None if number % 2 else 400.0,
@@ -89,7 +90,7 @@ def test_a_record_of_the_targets_own_shape_is_found_and_its_factor_is_exact() ->
 def test_each_record_is_the_best_of_its_earthquake() -> None:
     many = [candidate(number, event=f"quake {number % 6}") for number in range(60)]
     found = select(many, TARGET, Criteria(6, BAND, fit="each"))
-    assert {choice.components[0].earthquake for choice in found.choices} == {f"quake{n} 1980" for n in range(6)}
+    assert {choice.components[0].earthquake for choice in found.choices} == {f"quake{n}" for n in range(6)}
     alone = [select([one], TARGET, Criteria(1, BAND)).choices[0] for one in many]
     for choice in found.choices:
         same = [other.mse for other in alone if other.components[0].event == choice.components[0].event]
@@ -138,7 +139,7 @@ def test_scale_limits_and_too_few_records_are_told_with_numbers() -> None:
     many = [candidate(number) for number in range(20)]
     inside = select(many, TARGET, Criteria(2, BAND, scale_limits=(0.5, 2.0)))
     assert all(0.5 <= choice.factor <= 2.0 for choice in inside.choices)
-    with pytest.raises(RecordError, match="21 records wanted; there are 20 components, 20 horizontal"):
+    with pytest.raises(RecordError, match="21 records wanted; there are 20 components, 20 horizontal at"):
         select(many, TARGET, Criteria(21, BAND))
     with pytest.raises(RecordError, match="0 within the limits"):
         select(many, TARGET, Criteria(1, BAND, scale_limits=(1e-9, 2e-9)))
@@ -184,6 +185,23 @@ def test_a_spectrum_that_ends_early_cuts_the_band() -> None:
     assert up_to(BAND, 1.0).period[-1] == pytest.approx(1.0)
     with pytest.raises(RecordError, match="extend its table"):
         up_to(BAND, 0.1)
+
+
+def test_one_earthquake_by_several_names_is_known_by_its_day() -> None:
+    old, new = (
+        replace(candidate(n), event=name, date="1940-05-19") for n, name in ((1, "IMPERIAL VALLEY"), (2, "IV-02"))
+    )
+    assert old.earthquake == new.earthquake
+    assert replace(old, date="1940").earthquake == "imperialvalley 1940"
+    assert replace(old, date="", event="").earthquake == "file 1.AT2"
+    with pytest.raises(RecordError, match="1 of different earthquakes"):
+        select([old, new], TARGET, Criteria(2, BAND))
+    assert len(select([old, new], TARGET, Criteria(2, BAND, one_per_event=False)).choices) == 2
+
+
+def test_what_stands_in_the_ground_or_a_structure_is_not_chosen() -> None:
+    many = [replace(candidate(n), place="borehole" if n else "") for n in range(4)]
+    assert [one.components[0].id for one in select(many, TARGET, Criteria(1, BAND)).choices] == ["0"]
 
 
 def test_sequence_numbers_of_peer_names() -> None:

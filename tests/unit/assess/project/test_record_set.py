@@ -106,7 +106,7 @@ def test_the_suite_is_of_different_earthquakes_horizontal_and_scaled_to_the_targ
     assert motion is not None
     assert motion.selection is not None
     remaining = [(one.step, one.number) for one in motion.selection.remaining]
-    assert remaining[:2] == [("components", 13), ("horizontal", 12)]
+    assert remaining[:2] == [("components", 13), ("horizontal at the free surface", 12)]
     assert motion.misfit == pytest.approx(motion.selection.misfit, rel=1e-9)
     assert motion.selection.greedy_misfit is not None
     assert motion.misfit <= motion.selection.greedy_misfit * (1 + 1e-9)

@@ -40,6 +40,7 @@ CREATE TABLE recordings (nga INTEGER PRIMARY KEY, event TEXT, year TEXT, station
 COLUMNS = (
     "path, position, id, event, station, component, date, magnitude, distance, vs30, place, nga, dt, npts, spectrum"
 )
+TOLD = tuple(COLUMNS.split(", "))[:-1]
 ROWS = f"SELECT {COLUMNS}, {', '.join(MEASURES)} FROM records ORDER BY path, position"
 
 
@@ -96,7 +97,7 @@ def _candidate(row: Sequence[Any]) -> Candidate:
     if spectrum.size != PERIODS.size:
         raise RecordError(f'catalogue: record "{row[0]}" has {spectrum.size} ordinates; delete it and index again')
     measures = dict(zip(MEASURES, row[15:], strict=True))
-    return Candidate(**dict(zip(COLUMNS.split(", ")[:14], row, strict=False)), measures=measures, spectrum=spectrum)
+    return Candidate(**dict(zip(TOLD, row, strict=False)), measures=measures, spectrum=spectrum)
 
 
 def take(connection: sqlite3.Connection, flatfile: Sequence[Recording]) -> None:

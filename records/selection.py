@@ -125,7 +125,7 @@ def select(candidates: Sequence[Candidate], spectrum: Spectrum, criteria: Criter
         said = ", ".join(f"{number} {step}" for step, number in counted)
         raise RecordError(f"{criteria.count} records wanted; there are {said}: widen the limits, or add records")
     chosen, greedy = FITS[criteria.fit](_suite(choices, log_ratio, band, groups), criteria.count)
-    ratio = _ratios(choices, log_ratio)[chosen]
+    ratio = _ratios([choices[i] for i in chosen], log_ratio[chosen])
     misfit = float(mean_square(np.log(ratio.mean(axis=0)), weight=band.weight))
     return Selection(
         criteria, tuple(sorted((choices[i] for i in chosen), key=lambda choice: choice.mse)), misfit, greedy, counted

@@ -7,8 +7,9 @@ from typing import Annotated
 
 import typer
 
+from assess.cli.figures import FigurePath, refuse_figure
+
 OWN = ("project", "vertical", "as_json", "as_csv", "output")  # parameters of the command that are no keys
-FIGURES = (".svg", ".pdf", ".png")
 
 
 def _key(name: str, metavar: str, words: str) -> typer.models.OptionInfo:
@@ -60,9 +61,7 @@ def spectrum(
     as_csv: Annotated[
         bool, typer.Option("--csv", help="Print period and acceleration; a file for --code table.")
     ] = False,
-    output: Annotated[
-        Path | None, typer.Option("-o", "--output", metavar="FIGURE", help="Draw it: a name in .svg, .pdf or .png.")
-    ] = None,
+    output: FigurePath = None,
 ) -> None:
     """Print a design spectrum: that of a project, or of a code with its parameters.
 
@@ -88,8 +87,7 @@ def _refuse(project: Path | None, options: dict[str, str], *, as_json: bool, as_
     """Raise BadParameter for options that exclude each other, or that miss what they need."""
     if as_json and as_csv:
         raise typer.BadParameter("--json and --csv exclude each other")
-    if output is not None and output.suffix.lower() not in FIGURES:
-        raise typer.BadParameter(f"{output}: a figure is written as {', '.join(FIGURES)}; end its name so")
+    refuse_figure(output)
     if project is not None and options:
         raise typer.BadParameter(f"--{next(iter(options)).replace('_', '-')} and PROJECT exclude each other")
     if project is None and "code" not in options:

@@ -71,7 +71,13 @@ def rotd_spectrum(
 
 
 def _side_by_side(first: Record, second: Record) -> tuple[FloatArray, FloatArray]:
-    """Both accelerations over the time that they share."""
+    """Both accelerations over the time that they share, of two components of one recording."""
+    for what, one, other in (("station", first.station, second.station), ("event", first.event, second.event)):
+        if one and other and one != other:
+            raise RecordError(
+                f'records "{first.id}" and "{second.id}": {what} {one!r} and {other!r}; two components of one '
+                "recording are turned together"
+            )
     if abs(first.dt / second.dt - 1.0) > COINCIDE:
         raise RecordError(
             f'records "{first.id}" and "{second.id}": steps of {first.dt:.6g} and {second.dt:.6g} s; '

@@ -180,6 +180,8 @@ def mapped_spectrum(
     }
     given = {"s_s": s_s / g, "s_1": s_1 / g}
     cautions = [r.text for r in edition.rules if site_class in r.classes and given[r.parameter] >= r.least - ROUNDING]
+    if s_1 > s_s:
+        cautions.append(f"S_1 = {s_1 / g:.4g} g is above S_S = {s_s / g:.4g} g, which no map has; are they exchanged?")
     return replace(spectrum, parameters={**mapped, **spectrum.parameters}, cautions=tuple(cautions))
 
 

@@ -12,6 +12,7 @@ from scipy.constants import g
 from assess.errors import AssessError
 from assess.project import record_set
 from assess.project.build import build
+from assess.project.components import horizontal
 from assess.project.ground_motion import ground_motion, suite_result
 from assess.project.motions import Motion, motions_of, scaled_together
 from assess.project.outcome import record_result
@@ -117,7 +118,8 @@ def scaled_files(
 ) -> tuple[tuple[Motion, ...], Suite]:
     """Every record of `files` scaled to the spectrum of `target`: as `to` says, or to its ordinate `at` a period."""
     spectrum, fitting = spectrum_at(target), Fitting(band(*periods))
-    records = record_set.uniquely_named([record for file in files for record in read_stated(file, stated)])
+    found = record_set.uniquely_named([record for file in files for record in read_stated(file, stated)])
+    records = horizontal(found)
     if at is None:
         motions = scaled_together(records, spectrum, fitting, scale_to=_one_of("to", to, ScaleTo))
     else:

@@ -59,6 +59,9 @@ FloatArray = NDArray[np.float64]
 
 UNAMPLIFIED = AmplificationResult("none", ())
 SHORTEST_PERIOD, LONGEST_DRAWN = 0.05, 4.0  # s, of the spectra of a filtered motion
+ROUND = (0.02, 0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.75, 1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.5)  # [s]
+SHORTEST_SHOWN = 0.01  # [s]
+SAME_PERIOD = 1e-9  # relative difference of periods that are one
 LONGEST_PERIOD = 10.0  # s, of the spectra in the results, where the spectrum reaches so far
 
 
@@ -68,8 +71,13 @@ def floats(values: FloatArray) -> tuple[float, ...]:
 
 
 def periods_of(spectrum: Spectrum) -> FloatArray:
-    """Periods [s] at which spectra are shown: 0, then evenly in the logarithm."""
-    return np.concatenate(([0.0], np.geomspace(0.01, min(LONGEST_PERIOD, spectrum.longest_period), 160)))
+    """Periods [s] at which spectra are shown: 0, evenly in the logarithm, round ones, and the corners of the code."""
+    longest = min(LONGEST_PERIOD, spectrum.longest_period)
+    corners = [float(value) for key, value in spectrum.parameters.items() if key.startswith("t_") and value != "none"]
+    extra = [period for period in (*ROUND, *corners) if SHORTEST_SHOWN < period < longest]
+    even = np.geomspace(SHORTEST_SHOWN, longest, 160)
+    apart = [period for period in extra if np.abs(even / period - 1.0).min() > SAME_PERIOD]
+    return np.concatenate(([0.0], np.unique(np.concatenate([even, apart]))))
 
 
 def spectrum_result(spectrum: Spectrum) -> SpectrumResult:

@@ -202,3 +202,11 @@ def test_what_cannot_be_done_is_one_line(wrong: Callable[[], Record], words: str
     with pytest.raises(RecordError, match=words) as caught:
         wrong()
     assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("other", [{"station": "AOM004", "event": "one"}, {"station": "KNG001", "event": "two"}])
+def test_components_of_two_recordings_are_not_turned_together(other: dict[str, str]) -> None:
+    first = make_record("a", np.sin(np.arange(50.0)), 0.01, azimuth=0.0, station="KNG001", event="one")
+    second = make_record("b", np.cos(np.arange(50.0)), 0.01, azimuth=0.5 * np.pi, **other)
+    with pytest.raises(RecordError, match="of one recording"):
+        at_azimuth(first, second, azimuth=0.3)

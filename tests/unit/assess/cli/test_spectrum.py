@@ -176,3 +176,29 @@ def test_a_project_without_a_site_says_so(project: Path, capsys: pytest.CaptureF
     project.write_text(PROJECT[PROJECT.index("[mechanisms") :], encoding="utf-8")
     assert ended("spectrum", project) == 2
     assert "site.spectrum: missing; add a table [site.spectrum]" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(("code", "plateau", "corners"), [("ec8", 2.5, (0.05, 0.25)), ("asce7-16", 2.5, (0.1, 0.5))])
+def test_corners_stand_among_the_ordinates(
+    code: str, plateau: float, corners: tuple[float, float], capsys: pytest.CaptureFixture[str]
+) -> None:
+    """EN 1998-1 Table 3.3, ground E: T_B = 0.05, T_C = 0.25 s; ASCE 7-16: T_S = S_D1 / S_DS, T_0 = 0.2 T_S."""
+    options = OPTIONS[code] if code == "ec8" else ["--s-ds", "1 g", "--s-d1", "0.5 g", "--t-l", "8 s"]
+    assert ended("spectrum", "--code", code, *options, "--json") == 0
+    found = json.loads(capsys.readouterr().out)
+    period, ordinate = np.array(found["period_s"]), np.array(found["acceleration_g"])
+    assert np.all(np.diff(period) > 0.0)
+    for corner in corners:
+        k = int(np.abs(period - corner).argmin())
+        assert period[k] == pytest.approx(corner, rel=1e-12)
+        assert ordinate[k] == pytest.approx(plateau * found["pga_g"], rel=1e-9)
+
+
+def test_s_1_above_s_s_is_told(tmp_path: Path) -> None:
+    path = tmp_path / "site.toml"
+    path.write_text(
+        PROJECT.split("[site]")[0]
+        + '[site.spectrum]\ncode = "asce7-16"\ns_s = "0.2 g"\ns_1 = "0.4 g"\nsite_class = "B"\nt_l = "6 s"\n'
+        + PROJECT[PROJECT.index("[mechanisms.quick]") :]
+    )
+    assert any("exchanged" in notice.text for notice in build(load(path)).notices)

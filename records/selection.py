@@ -190,11 +190,24 @@ def _log_mean(spectra: Sequence[FloatArray]) -> FloatArray:
 
 
 def _groups(choices: Sequence[Choice], *, one_per_event: bool) -> IntArray:
-    """A number for each choice; no two of one number may stand in a suite."""
-    if not one_per_event:
-        return np.arange(len(choices))
+    """A number for each choice; no two of one number may stand in a suite.
+
+    One motion in two files, perhaps scaled, is told by the shape of its spectrum, whatever the files say of it.
+    """
     numbers: dict[str, int] = {}
-    return np.array([numbers.setdefault(c.components[0].earthquake, len(numbers)) for c in choices], dtype=np.int64)
+    motions: dict[bytes, int] = {}
+    found = []
+    for place, choice in enumerate(choices):
+        of = choice.components[0].earthquake if one_per_event else str(place)
+        number = numbers.setdefault(of, len(numbers))
+        found.append(motions.setdefault(_shape(choice.components[0]), number))
+    return np.array(found, dtype=np.int64)
+
+
+def _shape(candidate: Candidate) -> bytes:
+    """The logarithm of the spectrum over its largest ordinate, to one percent."""
+    log = np.log(np.maximum(candidate.spectrum, 1e-300))
+    return bytes(np.round(log - log.max(), 2).astype(np.float32).tobytes())
 
 
 def _ratios(choices: Sequence[Choice], log_ratio: FloatArray) -> FloatArray:

@@ -104,12 +104,18 @@ def _site(results: Results) -> list[Section]:
     if results.spectrum is not None:
         caption = (
             f"Elastic response spectrum of the site ({results.spectrum.code}, damping {results.spectrum.damping:.3g}) "
-            "and of the records as scaled to it; artificial records are fitted up to a period of 4 s."
+            f"and of the records as scaled to it{_fitted(results)}."
         )
         blocks.append(Figure("spectrum", caption, partial(spectrum.draw, results.spectrum, results.records)))
         blocks += _filled(tables.site(results))
     blocks += [*_filled(tables.records(results)), *suite.blocks(results), *_filled(tables.trails(results))]
     return [Section("Site and ground motion", 0, tuple(blocks))] if blocks else []
+
+
+def _fitted(results: Results) -> str:
+    """How far artificial records are fitted, where there are any."""
+    artificial = any(not record.path for record in results.records)
+    return "; artificial records are fitted up to a period of 4 s" if artificial else ""
 
 
 def _mechanism(

@@ -32,9 +32,9 @@ def blocks(results: Results) -> list[Block]:
 def sentences(motion: GroundMotionResult) -> tuple[str, ...]:
     """Range of periods, and the rules of the selection."""
     over = (
-        f"The records are scaled over periods from {numeral(motion.from_s)} to {numeral(motion.to_s)} s "
-        f"({motion.source}). The mean squared difference of the logarithms of their mean and the target is "
-        f"{numeral(motion.misfit)}."
+        f"The records are compared with the target at periods from {numeral(motion.from_s)} to "
+        f"{numeral(motion.to_s)} s ({motion.source}), those within it of forty to a decade. The mean squared "
+        f"difference of the logarithms of their mean and the target is {numeral(motion.misfit)}."
     )
     chosen = motion.selection
     if chosen is None:

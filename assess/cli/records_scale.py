@@ -35,6 +35,8 @@ def scale(
     """Scale records to a design spectrum, to its peak ground acceleration, or to its ordinate at a period."""
     if as_json and as_csv:
         raise typer.BadParameter("--json and --csv exclude each other")
+    if at is not None and to != "spectrum":
+        raise typer.BadParameter("--at and --to exclude each other")
     from assess.cli.outputs import staged
     from assess.cli.suite_table import csv_text, json_text, table_text
     from assess.project.choosing import scaled_files

@@ -9,6 +9,7 @@ from matplotlib.figure import Figure
 from assess.results import RecordResult, SpectrumResult
 from reports.style import FAIL, INK, MUTED, label, sheet, styled
 
+LONGEST = 5.0  # end of the axis of periods [s]; results.json has more
 NAMED = 7  # more records than this are drawn alike, without names
 COLOURS = ("#0072b2", "#e69f00", "#009e73", "#cc79a7", "#56b4e9", "#d55e00", "#6b4c9a")
 
@@ -21,7 +22,7 @@ def draw(target: SpectrumResult, records: tuple[RecordResult, ...]) -> Figure:
         _records(axes, records)
         axes.plot(target.period_s, target.acceleration_g, color=INK, linewidth=2.2, label="target")
         axes.set(xlabel="period T [s]", ylabel="pseudo-acceleration Sₐ [g]")
-        axes.set_xlim(0.0, max(target.period_s, default=1.0))
+        axes.set_xlim(0.0, min(max(target.period_s, default=1.0), LONGEST))
         axes.set_ylim(bottom=0.0)
         axes.legend(loc="upper right", ncols=2)
         return figure
@@ -31,7 +32,7 @@ def _records(axes: Axes, records: tuple[RecordResult, ...]) -> None:
     named = len(records) <= NAMED
     for place, record in enumerate(records):
         colour = COLOURS[place] if named else MUTED
-        name = label(record.id, 24) if named else (f"{len(records)} records" if place == 0 else "_")
+        name = label(record.id, 32) if named else (f"{len(records)} records" if place == 0 else "_")
         spectrum = record.spectrum
         axes.plot(spectrum.period_s, spectrum.acceleration_g, color=colour, linewidth=0.7, alpha=0.8, label=name)
     _mean(axes, records)

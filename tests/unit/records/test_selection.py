@@ -208,3 +208,13 @@ def test_sequence_numbers_of_peer_names() -> None:
     assert sequence_number("a/RSN57_SFERN_ORR021.AT2") == 57
     assert sequence_number("RSN/A-ELC180.AT2") is None
     assert sequence_number("RSN" + "9" * 400 + "_x.AT2") is None
+
+
+def test_one_motion_in_two_files_is_taken_once() -> None:
+    """Whatever the files say of event and station, and scaled: the shape of the spectrum tells."""
+    one = candidate(1)
+    again = replace(one, path="copy.csv", event="", station="", spectrum=3.0 * one.spectrum, measures={"pga": 1.0})
+    for one_per_event in (True, False):
+        with pytest.raises(RecordError, match="1 "):
+            select([one, again], TARGET, Criteria(2, BAND, one_per_event=one_per_event))
+    assert len(select([one, again, candidate(2)], TARGET, Criteria(2, BAND)).choices) == 2

@@ -11,7 +11,7 @@ tables       the same; on joints each passage through rest crosses the table's f
              within 1e-5 rad: more passages and stiffer joints cost more
 
 Where a target is missed, this is why. A step is a chain: the next one needs y, y' and y'' of the last, so it costs the
-latency of some five products in a row and of the comparisons that let it pass, 15 to 20 cycles or 5 ns, however wide the
+latency of some five products in a row and of the comparisons that let it pass, 15 to 20 cycles or 5 ns, however wide a
 processor is; only jobs side by side could share that, which is not done, as events part them. An event costs four or
 five turns of Newton's method with two polynomials each, some 50 ns. On joints a passage through rest takes the moment
 from its elastic line to its plateau over four decades of rotation, in many steps whatever their order, and a body on

@@ -431,21 +431,8 @@ def marching(glide: Glide, step: Step, potential: Potential) -> March:
 
 
 @compiled
-def growth(x: float) -> tuple[float, float, float]:
-    """sinh x, cosh x - 1 and sinh x - x, each without cancellation."""
-    q = x * x
-    if q < 0.25:
-        sinh_x = 1 + q * (1 / 20) * (1 + q * (1 / 42) * (1 + q * (1 / 72) * (1 + q * (1 / 110) * (1 + q * (1 / 156)))))
-        cosh_1 = 1 + q * (1 / 12) * (1 + q * (1 / 30) * (1 + q * (1 / 56) * (1 + q * (1 / 90) * (1 + q * (1 / 132)))))
-        sinh_x, cosh_1 = x * q * (1 / 6) * sinh_x, 0.5 * q * cosh_1
-        return x + sinh_x, cosh_1, sinh_x
-    sinh, half = math.sinh(x), math.sinh(0.5 * x)
-    return sinh, 2.0 * half * half, sinh - x
-
-
-@compiled
 def rest_of_series(n: int, x: float) -> float:
-    """x^n / n! + x^(n + 2) / (n + 2)! + ...: sinh or cosh without their first powers."""
+    """x^n / n! + x^(n + 2) / (n + 2)! + ...: sinh or cosh without their first powers, and so without cancellation."""
     term = 1.0
     for m in range(1, n + 1):
         term *= x / m
@@ -465,7 +452,8 @@ def linearised_sides(sides: FloatArray, branch: FloatArray, dt: float) -> None:
             sides[side, c] = 0.0
         p = branch[side, RATE]
         if p > 0.0:
-            sinh, cosh_1, sinh_x = growth(p * dt)
+            sinh, cosh_1 = rest_of_series(1, p * dt), rest_of_series(2, p * dt)
+            sinh_x = rest_of_series(3, p * dt)
             inverse = (1.0 - 2.0 * side) / branch[side, THRESHOLD]
             sides[side, P2], sides[side, INVERSE] = p * p, inverse
             sides[side, Y_K], sides[side, Y_V], sides[side, Y_A] = cosh_1 / p**2, sinh / p, -inverse * sinh_x / (p * dt)

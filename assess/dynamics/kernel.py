@@ -59,8 +59,8 @@ on, and the least distance of an inflection from where it is looked for. What is
 SHORT = 0.02
 """Of 1 / p: the longest arc of the linearised equation; the next power of the series of its velocity is below 1e-18."""
 
-# columns of `branch` [2, 7], one row for each side
-TURN, THRESHOLD, BOUNCE, PARTNER, RATE, LIMIT, TAIL_LIMIT = range(7)
+# columns of `branch` [2, 6], one row for each side
+THRESHOLD, BOUNCE, PARTNER, RATE, LIMIT, TAIL_LIMIT = range(6)
 # columns of `found` [jobs, FOUND]; LARGEST (y) and WHEN have two, one for each side
 LARGEST, WHEN, IMPACTS, OVERTURNED, PASSED, UPLIFTED, FOUND = 0, 2, 4, 5, 6, 7, 8
 # columns of `events` [capacity + 1, 3], whose first entry counts: time [s], kind, y of a peak or y' before an impact,
@@ -548,16 +548,16 @@ def rock_linearised(branches: FloatArray, ground: FloatArray, offset: IntArray, 
                     path: FloatArray, events: FloatArray) -> int:  # fmt: skip
     """All jobs by the linearised equation; fills found [jobs, 8], returns the samples passed by the last job.
 
-    branches [oscillators, 2, 7]; ground: all motions end to end, motion m from offset[m] to offset[m + 1]; dt, peak
+    branches [oscillators, 2, 6]; ground: all motions end to end, motion m from offset[m] to offset[m + 1]; dt, peak
     (largest |a|) of each motion; oscillator, motion, scale of each job. Beyond y = 1 + peak / threshold with y' >= 0
     the acceleration stays positive while the motion lasts, beyond 1 in free motion: overturned.
     """
     samples = 0
-    branch, sides, pushes = np.empty((2, 7)), np.empty((2, 8)), np.empty((2, 0, 2))
+    branch, sides, pushes = np.empty((2, 6)), np.empty((2, 8)), np.empty((2, 0, 2))
     for j in range(oscillator.shape[0]):
         m = motion[j]
         for side in range(2):
-            for c in range(7):
+            for c in range(6):
                 branch[side, c] = branches[oscillator[j], side, c]
             branch[side, LIMIT] = 1.0 + abs(scale[j]) * peak[m] / branch[side, THRESHOLD]
         linearised_sides(sides, branch, dt[m])
@@ -586,7 +586,7 @@ def pulse_linearised(branches: FloatArray, pulse: FloatArray, phase: float, freq
     pulse [n, 6]: unit acceleration as polynomials of phase, each over `phase` [rad]; frequency [Hz] of each motion;
     scale: acceleration [m/s2] of each job. Jobs of one oscillator and one motion are cheapest together.
     """
-    branch, sides, pushes = np.empty((2, 7)), np.empty((2, 8)), np.empty((2, len(pulse), 2))
+    branch, sides, pushes = np.empty((2, 6)), np.empty((2, 8)), np.empty((2, len(pulse), 2))
     ground, path, events = np.empty((len(pulse), 6)), np.empty((0, 3)), np.zeros((1, 4))
     for j in range(oscillator.shape[0]):
         m = motion[j]

@@ -26,7 +26,7 @@ T = TypeVar("T")
 class Packed:
     """An oscillator for one equation.
 
-    branches : the columns of `kernel.branch` [2, 7]
+    branches : the columns of `kernel.branch` [2, 6]
     sides : what the kernel's y is on each side there is, with the cubics of the exact equation
     """
 
@@ -83,13 +83,13 @@ def _of_each(oscillator: Oscillator, make: Callable[[Branch], T]) -> tuple[T, ..
 
 
 def branches_of(oscillators: Sequence[Packed]) -> FloatArray:
-    """The branches of all oscillators [oscillators, 2, 7]."""
-    return np.array([each.branches for each in oscillators]).reshape(-1, 2, 7)
+    """The branches of all oscillators [oscillators, 2, 6]."""
+    return np.array([each.branches for each in oscillators]).reshape(-1, 2, 6)
 
 
 def _rows(oscillator: Oscillator, sides: Sequence[Canonical]) -> FloatArray:
     """What the two equations share: restitution, and the branch that follows an impact."""
-    rows = np.zeros((2, 7))
+    rows = np.zeros((2, 6))
     rows[:, kernel.THRESHOLD] = math.inf  # a side that is not there never lifts
     for side, branch in enumerate(oscillator.branches):
         partner = 1 - side if oscillator.negative is not None else side

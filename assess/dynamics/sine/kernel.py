@@ -149,7 +149,7 @@ def sine_outcomes(branches: FloatArray, end: float, frequency: FloatArray, oscil
                   scale: FloatArray, found: FloatArray) -> None:  # fmt: skip
     """All jobs under a sine up to the phase `end`, pi or 2 pi; fills OVERTURNED, UPLIFTED, IMPACTS of found [jobs, 8].
 
-    branches [oscillators, 2, 7]; frequency [Hz] of each motion; scale: signed peak acceleration [m/s2] of each job.
+    branches [oscillators, 2, 6]; frequency [Hz] of each motion; scale: signed peak acceleration [m/s2] of each job.
     """
     for j in range(oscillator.shape[0]):
         w = 2.0 * math.pi * frequency[motion[j]]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from functools import singledispatch
 from pathlib import Path
@@ -67,19 +68,12 @@ def _(section: sections.Asce7MappedSpectrum) -> Spectrum:
 
 @horizontal.register
 def _(section: sections.Ec8Spectrum) -> Spectrum:
-    return ec8.elastic_spectrum(
-        a_g=section.a_g,
-        ground_type=section.ground_type,
-        spectrum_type=section.type,
-        importance_factor=section.importance_factor,
-    )
+    return of_ec8(section, ec8.elastic_spectrum)
 
 
 @horizontal.register
 def _(section: sections.Nzs1170Spectrum) -> Spectrum:
-    return nzs1170_5.site_spectrum(
-        subsoil=section.subsoil, z=section.z, r=factor_of(section), near_fault_distance=section.near_fault_distance
-    )
+    return of_nzs(section, nzs1170_5.site_spectrum)
 
 
 @horizontal.register(sections.NtcSpectrum)
@@ -96,19 +90,12 @@ def vertical(section: sections.Spectrum) -> Spectrum:
 
 @vertical.register
 def _(section: sections.Ec8Spectrum) -> Spectrum:
-    return ec8.vertical_spectrum(
-        a_g=section.a_g,
-        ground_type=section.ground_type,
-        spectrum_type=section.type,
-        importance_factor=section.importance_factor,
-    )
+    return of_ec8(section, ec8.vertical_spectrum)
 
 
 @vertical.register
 def _(section: sections.Nzs1170Spectrum) -> Spectrum:
-    return nzs1170_5.vertical_spectrum(
-        subsoil=section.subsoil, z=section.z, r=factor_of(section), near_fault_distance=section.near_fault_distance
-    )
+    return of_nzs(section, nzs1170_5.vertical_spectrum)
 
 
 @vertical.register(sections.NtcSpectrum)
@@ -116,6 +103,23 @@ def _(section: sections.Nzs1170Spectrum) -> Spectrum:
 def _(section: NtcSection) -> Spectrum:
     return at_limit_state(
         section, ntc.vertical_spectrum(hazard_of(section), place=place_of(section), code=section.code)
+    )
+
+
+def of_ec8(section: sections.Ec8Spectrum, make: Callable[..., Spectrum]) -> Spectrum:
+    """The spectrum of EN 1998-1 that `make` gives of a table, horizontal or vertical."""
+    return make(
+        a_g=section.a_g,
+        ground_type=section.ground_type,
+        spectrum_type=section.type,
+        importance_factor=section.importance_factor,
+    )
+
+
+def of_nzs(section: sections.Nzs1170Spectrum, make: Callable[..., Spectrum]) -> Spectrum:
+    """The same of NZS 1170.5."""
+    return make(
+        subsoil=section.subsoil, z=section.z, r=factor_of(section), near_fault_distance=section.near_fault_distance
     )
 
 

@@ -90,7 +90,7 @@ def _case_of(swept: Swept) -> str:
 
 def envelope_notices(study: Study) -> tuple[Notice, ...]:
     """What the engineer should know of envelopes: no procedure of a code is asked."""
-    kept = tuple(notice for notice in study.notices if notice.where not in ("procedures.dmi2008",))
+    kept = tuple(notice for notice in study.notices if notice.where != "procedures.dmi2008")
     if not study.sweeps:
         return kept
     keys = ", ".join(sweep.key for sweep in study.sweeps)
@@ -102,9 +102,9 @@ def rockers_of(study: Study, standing: Mapping[str, Swept]) -> tuple[Rocker, ...
     """Every mechanism as envelopes see it; a swept one in its controlling case."""
     found = []
     for mechanism in study.mechanisms:
-        of = standing[mechanism.name].case.study if mechanism.name in standing else study
+        swept = standing.get(mechanism.name)
+        of, case = (study, "") if swept is None else (swept.case.study, _case_of(swept))
         used = next(each for each in of.mechanisms if each.name == mechanism.name)
-        case = _case_of(standing[mechanism.name]) if mechanism.name in standing else ""
         factor = partial(factor_over_frequency, of.amplified[used.name].amplification)
         found.append(Rocker(used.name, oscillator(used), of.equations[used.name], factor, case))
     return tuple(found)

@@ -398,13 +398,19 @@ class HistoryResult:
 
 @dataclass(frozen=True)
 class SuiteResult:
-    """All records at one level; mean_ratio is None where a record overturned, max_ratio is over those that stood."""
+    """All records at one level; mean_ratio is None where a record overturned, max_ratio is over those that stood.
+
+    median_ratio, p84_ratio: rotations that half and 84 % of the records do not exceed, an overturned one counting as
+    the largest; None where such a record overturned.
+    """
 
     level_pga_g: float
     n: int
     overturned: int
     mean_ratio: float | None
     max_ratio: float | None
+    median_ratio: float | None = None
+    p84_ratio: float | None = None
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,22 @@ from functools import partial
 from typing import Literal
 
 from assess.results import MechanismResult, RecordResult, Results, SweepResult
-from reports import envelopes, governing, interfaces, sentences, sheets, siblings, suite, sweeps, tables
+from reports import (
+    assumptions,
+    cover,
+    envelopes,
+    governing,
+    interfaces,
+    literature,
+    sentences,
+    sheets,
+    siblings,
+    structure,
+    suite,
+    summary,
+    sweeps,
+    tables,
+)
 from reports.document import Block, Document, Figure, Items, Section, Signatures, Table, Text
 from reports.figures import amplification, capacity, comparison, history, pga_rotation, sketch, spectrum, view
 from reports.numerals import numeral
@@ -27,22 +42,25 @@ _FACTS = (
 def assessment(results: Results) -> Document:
     """The whole report of one run."""
     title = project(results, "title") or "Rocking assessment"
-    chapters = [_verdict(results), _basis(results), *_site(results)]
+    chapters = [cover.section(results), summary.section(results), *structure.section(results), *_site(results)]
+    chapters.append(assumptions.section(results))
     seen = siblings.earlier(results)
     for place, mechanism in enumerate(results.mechanisms, start=1):
         name = stem(mechanism.name, place)
         chapters += _mechanism(mechanism, results.sweeps, results.records, name, sibling=seen.get(mechanism.name, ""))
-    chapters += [*_comparison(results), *envelopes.critical_chapter(results), _limits(results), _signatures(results)]
+    chapters += [*_comparison(results), *envelopes.critical_chapter(results), _limits(results)]
+    chapters += [literature.section(results), _signatures(results), _annex(results)]
     return Document(
         title=title,
         subject="Seismic assessment of masonry by rocking dynamics",
         author=project(results, "engineer"),
         program=f"{results.program.name} {results.program.version}",
         paper=_paper(results),
-        facts=tuple((label, project(results, key)) for key, label in _FACTS if project(results, key)),
+        facts=_facts(results),
         sections=tuple(chapters),
         data=(
             tables.verdicts(results),
+            tables.values(results),
             tables.comparison(results),
             tables.ordinates(results),
             tables.curves(results),
@@ -58,12 +76,21 @@ def of_envelopes(results: Results) -> Document:
     for place, mechanism in enumerate(results.mechanisms, start=1):
         chapters += envelopes.chapter(mechanism, results.records, stem(mechanism.name, place), level=0)
     warned = _filled(tables.warnings(results)) or [Text(("The run gave no warnings.",))]
-    chapters += [Section("Warnings", 0, tuple(warned)), _basis(results)]
+    chapters += [Section("Warnings", 0, tuple(warned)), _annex(results)]
     return replace(
         assessment(results),
         subject="Overturning envelopes of masonry by rocking dynamics",
         sections=tuple(chapters),
         data=envelopes.data(results),
+    )
+
+
+def _facts(results: Results) -> tuple[tuple[str, str], ...]:
+    given = ((label, project(results, key)) for key, label in _FACTS if project(results, key))
+    return (
+        *given,
+        ("Program", f"{results.program.name} {results.program.version}"),
+        ("Inputs", cover.fingerprint(results)),
     )
 
 
@@ -83,20 +110,14 @@ def _paper(results: Results) -> Literal["A4", "letter"]:
     return "letter" if project(results, "report.paper").lower() == "letter" else "A4"
 
 
-def _verdict(results: Results) -> Section:
-    brief = tables.brief(results)
-    warned = _filled(tables.warnings(results)) or [Text(("The run gave no warnings.",))]
-    return Section("Verdict", 0, (Text(sentences.outcome(results)), *_filled(brief), *warned))
-
-
-def _basis(results: Results) -> Section:
+def _annex(results: Results) -> Section:
+    """The inputs, whole."""
     title, notes = project(results, "title"), project(results, "notes")
     blocks: list[Block] = []
     blocks += [Text((f"Title in full: {title}",))] if len(title) > LONG else []
     blocks += [Text((f"Notes: {notes}",))] if notes else []
-    blocks += _filled(tables.inputs(results))
-    blocks += [*_filled(tables.procedures(results)), *_filled(tables.assumptions(results))]
-    return Section("Inputs and assumptions", 0, tuple(blocks))
+    blocks += [*_filled(tables.inputs(results)), *_filled(tables.values_set(results))]
+    return Section("Annex: inputs", 0, tuple(blocks))
 
 
 def _site(results: Results) -> list[Section]:
@@ -235,7 +256,9 @@ def _comparison(results: Results) -> list[Section]:
         *standing,
         *((Text(unlike),) if unlike else ()),
         Figure("comparison", caption, draw),
+        *_filled(tables.capacities(results)),
         tables.side_by_side(results),
+        *_filled(tables.rotations(results)),
         *siblings.blocks(results, name="interfaces"),
     )
     return [Section("Comparison of the mechanisms", 0, blocks, starts_page=True)]

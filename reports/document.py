@@ -96,7 +96,15 @@ class Signatures:
     places: tuple[tuple[str, str], ...]
 
 
-Block = Text | Items | Table | Figure | Sheet | Signatures
+@dataclass(frozen=True)
+class Banner:
+    """The outcome at a glance. verdict: one of the words below; headline: what it means, in one sentence."""
+
+    verdict: Literal["pass", "fail", "incomplete", "not-applicable"]
+    headline: str
+
+
+Block = Text | Items | Table | Figure | Sheet | Signatures | Banner
 
 
 @dataclass(frozen=True)

@@ -123,3 +123,34 @@ def overturned(results: Results) -> frozenset[ComparisonRow]:
     """The rows of the comparison where the body overturned."""
     pairs = ((row, check_of(results, row)) for row in results.comparison)
     return frozenset(row for row, check in pairs if check is not None and fell(check))
+
+
+def outcome(results: Results) -> Outcome:
+    """One verdict of the whole run."""
+    return verdict(of_all(results))
+
+
+def weakest(checks: tuple[Check, ...]) -> Check | None:
+    """The check with the least known PGA at capacity; the first of equals."""
+    known = [check for check in checks if check.capacity_pga_g is not None and check.verdict != "not-applicable"]
+    return min(known, key=lambda check: check.capacity_pga_g or 0.0, default=None)
+
+
+def capacities(checks: tuple[Check, ...]) -> dict[str, float]:
+    """The least PGA at capacity of each procedure that knows one [g]."""
+    found: dict[str, float] = {}
+    for check in checks:
+        if check.capacity_pga_g is not None:
+            found[check.procedure] = min(check.capacity_pga_g, found.get(check.procedure, inf))
+    return found
+
+
+def by_procedure(checks: tuple[Check, ...]) -> dict[str, tuple[Check, ...]]:
+    """The checks of each procedure, in order of appearance."""
+    names = dict.fromkeys(check.procedure for check in checks)
+    return {name: tuple(check for check in checks if check.procedure == name) for name in names}
+
+
+def counted(number: int, noun: str) -> str:
+    """1 wall, 2 walls."""
+    return f"{number} {noun}{'' if number == 1 else 's'}"

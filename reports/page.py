@@ -19,6 +19,7 @@ from reports.typeset import REGULAR, STYLES, markup, paragraph
 PAPER = {"A4": A4, "letter": LETTER}
 _SIDE, _TOP, _BOTTOM = 18 * mm, 22 * mm, 20 * mm
 _LONGEST_ENTRY = 90
+_LONGEST_CONTENTS = 48  # sections; of a longer report only the chapters are listed, the bookmarks have all
 _SIDES = ("LEFT", "RIGHT", "TOP", "BOTTOM")
 
 
@@ -82,7 +83,8 @@ class Pages(BaseDocTemplate):
             entry = shortened(printable(flowable.text), _LONGEST_ENTRY)
             self.canv.bookmarkPage(flowable.key)
             self.canv.addOutlineEntry(entry, flowable.key, flowable.level, closed=flowable.level)
-            self.notify("TOCEntry", (flowable.level, markup(entry), self.page, flowable.key))
+            if flowable.level == 0 or len(self.document.sections) <= _LONGEST_CONTENTS:
+                self.notify("TOCEntry", (flowable.level, markup(entry), self.page, flowable.key))
 
     def afterPage(self) -> None:  # noqa: N802 - reportlab's name
         """Remember how many pages there are."""

@@ -12,19 +12,19 @@ from reportlab.lib.units import mm
 from reportlab.platypus import CondPageBreak, Flowable, KeepTogether, PageBreak, Paragraph, Spacer
 from reportlab.platypus import Table as Grid
 
-from reports.document import Block, Document, Figure, Items, Section, Sheet, Signatures, Table, Text
+from reports.document import Banner, Block, Document, Figure, Items, Section, Sheet, Signatures, Table, Text
 from reports.grid import sheet_grid, table_grid
 from reports.inking import replay
 from reports.lettering import shortened
 from reports.page import Heading, Pages, contents, only_measured
-from reports.style import GRID, MUTED
+from reports.style import BANNER, GRID, MUTED, WORDS
 from reports.typeset import BOLD, REGULAR, STYLES, markup, paragraph, register_fonts
 from reports.vector import Traced, traced
 
 rl_config.useA85 = 0  # streams as bytes, not as letters: four fifths of the size, and sooner written
 
 _LONGEST_TITLE = 120
-_ROOM, _FIGURE_ROOM = 50 * mm, 118 * mm  # a heading needs below it, or the page breaks
+_ROOM, _FIGURE_ROOM, _SIGNING_ROOM = 50 * mm, 118 * mm, 75 * mm  # a heading needs below it, or the page breaks
 
 
 class Drawing(Flowable):
@@ -81,7 +81,8 @@ class Story:
 
     def _section(self, section: Section, key: str) -> list[Flowable]:
         blocks = [self._block(block) for block in section.blocks]
-        room = _FIGURE_ROOM if isinstance(section.blocks[0], Figure) else _ROOM
+        room = _SIGNING_ROOM if any(isinstance(block, Signatures) for block in section.blocks) else _ROOM
+        room = _FIGURE_ROOM if isinstance(section.blocks[0], Figure) else room
         heading = Heading(section.title, level=section.level, key=key)
         made: list[Flowable] = [CondPageBreak(room), heading]
         return made + [flowable for block in blocks for flowable in block]
@@ -107,6 +108,14 @@ class Story:
         return [CondPageBreak(40 * mm), sheet_grid(block, title=self._number("Sheet"), width=self.width)]
 
     @_block.register
+    def _(self, block: Banner) -> list[Flowable]:
+        ink = HexColor(BANNER[block.verdict])
+        word = Paragraph(markup(WORDS[block.verdict]), STYLES["verdict"].clone("banner", textColor=ink))
+        grid = Grid([[word, paragraph(block.headline, "body")]], colWidths=[0.3 * self.width, 0.7 * self.width])
+        grid.setStyle([("BOX", (0, 0), (-1, -1), 1.4, ink), ("VALIGN", (0, 0), (-1, -1), "MIDDLE"), *_ROOMY])
+        return [Spacer(1, 4), grid, Spacer(1, 8)]
+
+    @_block.register
     def _(self, block: Figure) -> list[Flowable]:
         caption = paragraph(f"{self._number('Figure')}. {shortened(block.caption, 500)}", "caption")
         return [KeepTogether([Drawing(self.drawings[block.name], self.width), Spacer(1, 3), caption, Spacer(1, 9)])]
@@ -130,6 +139,7 @@ class Story:
         return f"{kind} {self.numbers[kind]}"
 
 
+_ROOMY = [("TOPPADDING", (0, 0), (-1, -1), 9), ("BOTTOMPADDING", (0, 0), (-1, -1), 11)]
 _TIGHT = [
     ("LEFTPADDING", (0, 0), (0, -1), 0),
     ("TOPPADDING", (0, 0), (-1, -1), 1.5),

@@ -25,7 +25,7 @@ def outcome(results: Results) -> tuple[str, ...]:
     if not judged:
         return ("No code procedure gave a verdict:", *_unanswered(results))
     open_ended = governing.unanswered(governing.of_all(results))
-    assessed = f"{_count(len(judged), 'mechanism')} assessed"
+    assessed = f"{governing.counted(len(judged), 'mechanism')} assessed"
     if failing:
         first = f"{assessed}: {len(failing)} of them {_fails(failing)} at least one code check."
         said = (first, *(_failure(mechanism) for mechanism in failing[:12]))
@@ -249,10 +249,6 @@ def _checks(results: Results) -> list[Check]:
 
 def _fails(failing: list[MechanismResult]) -> str:
     return "fails" if len(failing) == 1 else "fail"
-
-
-def _count(number: int, noun: str) -> str:
-    return f"{number} {noun}{'' if number == 1 else 's'}"
 
 
 def _list(names: dict[str, None]) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from operator import attrgetter
 
 from assess.codes.check import Check
@@ -16,6 +17,7 @@ from assess.results import (
     RecordSpectrum,
     Results,
     SpectrumResult,
+    SuiteResult,
 )
 from reports import governing, spectrum_parameters
 from reports.document import Cell, Column, Table
@@ -97,7 +99,7 @@ def inputs(results: Results) -> Table:
     return Table("inputs", "Files read, and their SHA-256.", (Column("File"), Column("SHA-256")), rows)
 
 
-def assumptions(results: Results) -> Table:
+def values(results: Results, *, name: str = "values") -> Table:
     """Every value of the project as it was used."""
     columns = (Column("Key"), Column("Value (SI)", kind="given"), Column("Source"))
     rows = tuple(
@@ -105,7 +107,13 @@ def assumptions(results: Results) -> Table:
     )
     muted = frozenset(place for place, each in enumerate(results.project.values()) if not each.given)
     caption = "Every value of the project file as it was used, in SI units; defaults (grey) were not given by the user."
-    return Table("assumptions", caption, columns, rows, muted)
+    return Table(name, caption, columns, rows, muted)
+
+
+def values_set(results: Results) -> Table:
+    """The same without what is absent: keys that were not given and have no default."""
+    project = {key: each for key, each in results.project.items() if each.given or each.value not in (None, "", [], {})}
+    return values(replace(results, project=project), name="values-set")
 
 
 def warnings(results: Results) -> Table:
@@ -270,12 +278,16 @@ def suites(mechanism: MechanismResult, *, name: str) -> Table:
         Column("Records", kind="number"),
         Column("Overturned", kind="number"),
         Column("Mean φ/φₒᵥ", "-", "number"),
-        Column("Largest φ/φₒᵥ of those that stood", "-", "number"),
+        Column("Median", "-", "number"),
+        Column("84 % of records", "-", "number"),
+        Column("Largest of those that stood", "-", "number"),
     )
-    rows = tuple(
-        (s.level_pga_g, s.n, s.overturned, _mean(s.mean_ratio, s.overturned), s.max_ratio) for s in mechanism.suites
+    rows = tuple(_statistics(suite) for suite in mechanism.suites)
+    caption = (
+        "Time histories: the suite of records at each level, the worse polarity of each. Half of the records do not "
+        "exceed the median, 84 % not the next column; one that overturns counts as the largest."
     )
-    return Table(name, "Time histories: the suite of records at each level, the worse polarity of each.", columns, rows)
+    return Table(name, caption, columns, rows)
 
 
 def histories(mechanism: MechanismResult, *, name: str) -> Table:
@@ -316,6 +328,53 @@ def side_by_side(results: Results) -> Table:
         for (mechanism, level), line in lines.items()
     )
     return Table("side-by-side", caption, columns, rows)
+
+
+def capacities(results: Results) -> Table:
+    """PGA at capacity of every mechanism by every procedure (as thesis Table 8.6)."""
+    asked = {m.name: governing.capacities(m.checks) for m in results.mechanisms}
+    known = dict.fromkeys(name for found in asked.values() for name in found)
+    columns = (_MECHANISM, *(Column(_broken(name), "g", "number") for name in known))
+    rows = tuple(
+        (name_of(m), *(asked[m.name].get(name) for name in known)) for m in results.mechanisms if asked[m.name]
+    )
+    caption = (
+        "Peak ground acceleration at capacity of every mechanism by every procedure (as thesis Table 8.6), the least "
+        "of its limit states. Readings named -thesis are informative."
+    )
+    return Table("pga-at-capacity", caption, columns, rows)
+
+
+def rotations(results: Results) -> Table:
+    """Largest rotation at each level beside the allowable, by every procedure (as thesis Table 8.10)."""
+    levels = governing.levels(tuple(check for mechanism in results.mechanisms for check in mechanism.checks))
+    columns = (
+        _MECHANISM,
+        _PROCEDURE,
+        *(Column(f"{level:.3g} g", "-", "number") for level in levels),
+        Column("Allowable", "-", "number"),
+    )
+    rows = tuple(
+        (name_of(mechanism), procedure, *_rotations(checks, levels))
+        for mechanism in results.mechanisms
+        for procedure, checks in governing.by_procedure(mechanism.checks).items()
+        if any(check.capacity_rotation_ratio is not None for check in checks)
+    )
+    caption = (
+        "Largest rotation φ/φₒᵥ at each peak ground acceleration beside the allowable (as thesis Table 8.10). What "
+        "each procedure takes as its input stands with the procedures."
+    )
+    return Table("rotations", caption, columns, rows)
+
+
+def _rotations(checks: tuple[Check, ...], levels: tuple[float, ...]) -> tuple[Cell, ...]:
+    worst = [governing.worst(governing.at_level(checks, level)) for level in levels]
+    allowed = [check.capacity_rotation_ratio for check in checks if check.capacity_rotation_ratio is not None]
+    return (*(None if check is None else _turned(check) for check in worst), min(allowed, default=None))
+
+
+def _turned(check: Check) -> Cell:
+    return OVERTURNED if governing.fell(check) else _rocking(check.rotation_ratio)
 
 
 def _broken(name: str) -> str:
@@ -417,10 +476,11 @@ def _largest(checks: tuple[Check, ...]) -> Cell:
 
 
 def _answer(check: Check, among: tuple[Check, ...]) -> tuple[Cell, ...]:
-    return (*_numbers(check, among), check.verdict, check.role, check.input_at)
+    return (*numbers(check, among), check.verdict, check.role, check.input_at)
 
 
-def _numbers(check: Check, among: tuple[Check, ...]) -> tuple[Cell, ...]:
+def numbers(check: Check, among: tuple[Check, ...]) -> tuple[Cell, Cell, Cell, Cell, Cell]:
+    """Procedure, quantity with unit, demand, allowable, ratio."""
     quantity = f"{check.quantity}, {check.unit}" if check.unit not in ("", "-") else check.quantity
     demand = OVERTURNED if governing.fell(check) else check.demand
     return (governing.named(check, among), quantity, demand, check.capacity, check.ratio)
@@ -429,7 +489,7 @@ def _numbers(check: Check, among: tuple[Check, ...]) -> tuple[Cell, ...]:
 def _demand(check: Check, among: tuple[Check, ...]) -> tuple[Cell, ...]:
     rotation = OVERTURNED if governing.fell(check) else _rocking(check.rotation_ratio)
     accelerations = (uplift(check.uplift_pga_g), check.capacity_pga_g)
-    return (check.level_pga_g, *_numbers(check, among), rotation, *accelerations, check.verdict)
+    return (check.level_pga_g, *numbers(check, among), rotation, *accelerations, check.verdict)
 
 
 def _remark(check: Check) -> str:
@@ -450,6 +510,17 @@ def _compared(results: Results, row: ComparisonRow, names: dict[str, str], beyon
     rotation = OVERTURNED if beyond else _rocking(row.rotation_ratio)
     place = (names.get(row.mechanism, row.mechanism), row.level_pga_g, row.procedure)
     return (*place, rotation, row.allowable_ratio, row.demand_capacity, check.input_at if check else None)
+
+
+def _statistics(suite: SuiteResult) -> tuple[Cell, ...]:
+    ratios = (suite.mean_ratio, suite.median_ratio, suite.p84_ratio)
+    return (
+        suite.level_pga_g,
+        suite.n,
+        suite.overturned,
+        *(_mean(r, suite.overturned) for r in ratios),
+        suite.max_ratio,
+    )
 
 
 def _mean(mean_ratio: float | None, overturned: int) -> Cell:

@@ -26,6 +26,7 @@ STYLES: dict[str, ParagraphStyle] = {
     "item": ParagraphStyle("item", _ROOT, spaceAfter=4, leftIndent=11, bulletIndent=1),
     "title": ParagraphStyle("title", _ROOT, fontName=BOLD, fontSize=19, leading=24, spaceAfter=3),
     "subject": ParagraphStyle("subject", _ROOT, fontSize=10, leading=14, textColor=HexColor(MUTED), spaceAfter=9),
+    "verdict": ParagraphStyle("verdict", _ROOT, fontName=BOLD, fontSize=19, leading=24, leftIndent=4),
     "heading-0": ParagraphStyle(
         "heading-0", _ROOT, fontName=BOLD, fontSize=13.5, leading=17, spaceBefore=12, spaceAfter=6
     ),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from math import ceil
 
 import numpy as np
 from numpy.typing import NDArray
@@ -272,12 +273,15 @@ def suite_result(histories: Sequence[HistoryResult]) -> SuiteResult:
     """All records at one level."""
     standing = [history.max_rotation_ratio for history in histories if history.max_rotation_ratio is not None]
     overturned = len(histories) - len(standing)
+    ranked = [*sorted(standing), *[None] * overturned]
     return SuiteResult(
         level_pga_g=histories[0].level_pga_g,
         n=len(histories),
         overturned=overturned,
         mean_ratio=None if overturned else float(np.mean(standing)),
         max_ratio=max(standing, default=None),
+        median_ratio=ranked[ceil(0.5 * len(ranked)) - 1],
+        p84_ratio=ranked[ceil(0.84 * len(ranked)) - 1],
     )
 
 

@@ -14,6 +14,7 @@ import re
 import tomllib
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
+from difflib import get_close_matches
 from pathlib import Path
 from typing import Any
 
@@ -69,7 +70,22 @@ def load(path: Path | str) -> Project:
         raise ProjectError(f"{file}: {one_line(error, raw=raw)}") from None
     except ProjectError as error:
         raise ProjectError(f"{file}: {error}") from None
-    return Project(content, file, hashlib.sha256(data).hexdigest(), varied, tuple(bare_numbers(raw)))
+    project = Project(content, file, hashlib.sha256(data).hexdigest(), varied, tuple(bare_numbers(raw)))
+    _check_sources(project)
+    return project
+
+
+def _check_sources(project: Project) -> None:
+    """Every key of [report.sources] is one of the file, or the beginning of one."""
+    if not project.content.report.sources:
+        return
+    keys = [key for key in resolved(project) if not key.startswith("report.sources.")]
+    starts = {".".join(key.split(".")[: n + 1]) for key in keys for n in range(key.count(".") + 1)}
+    for key in project.content.report.sources:
+        if key not in starts:
+            near = get_close_matches(key, starts, n=1)
+            remedy = f"do you mean {shown(near[0])}?" if near else 'write one like "materials.NAME.density"'
+            raise ProjectError(f"{project.path}: report.sources: {shown(key)}: not a key of this file; {remedy}")
 
 
 def _project_file(path: Path) -> Path:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Annotated, Literal, get_args
 
 from pydantic import AfterValidator, Field, StrictInt, model_validator
+from pydantic_core import PydanticCustomError
 
 from assess.project.quantities import (
     AccelerationUnit,
@@ -16,7 +17,7 @@ from assess.project.quantities import (
     Ratio,
     unique,
 )
-from assess.project.section import Section, wrong
+from assess.project.section import Section, listed, wrong
 from assess.project.sections.pulses import Pulses
 from assess.project.sections.select import Select
 from assess.project.sections.sweeps import Sweep, Sweeps
@@ -30,6 +31,20 @@ Procedure = Literal[
     "dmi2008-nonlinear-thesis",
 ]
 PROCEDURES: tuple[Procedure, ...] = get_args(Procedure)
+
+
+SOURCES = ("measured", "literature", "assumed")
+
+
+def _begins_with_its_kind(text: str) -> str:
+    if text.partition(":")[0].strip() not in SOURCES:
+        raise PydanticCustomError(
+            "project", "{reason}", {"reason": f"begin with {listed(SOURCES)}, then a colon and the source"}
+        )
+    return text
+
+
+Source = Annotated[str, AfterValidator(_begins_with_its_kind)]
 
 
 class Synthetic(Section):
@@ -121,3 +136,6 @@ class Report(Section):
     """units of the report"""
     paper: Literal["A4", "letter"] = "A4"
     """paper size"""
+    sources: dict[str, Source] = Field(default_factory=dict)
+    """where values come from: a key of this file, or the beginning of one, with "measured: …", "literature: …" or
+    "assumed: …\""""

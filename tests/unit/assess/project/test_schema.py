@@ -322,3 +322,16 @@ def test_a_bare_number_that_is_hardly_an_earthquake_is_told(tmp_path: Path) -> N
         ("unit", "analysis.levels[1]", '0.1 m/s^2 is 0.0102 g; write "0.1 g" if that was meant'),
     ]
     assert load(written(tmp_path, PROJECT)).doubts == ()
+
+
+@pytest.mark.parametrize(
+    ("sources", "said"),
+    [
+        ('"materials.stonne" = "measured: cores"', "report.sources"),
+        ('"materials" = "cores"', "begin with"),
+    ],
+)
+def test_a_source_belongs_to_a_key_and_says_its_kind(tmp_path: Path, sources: str, said: str) -> None:
+    path = written(tmp_path, f"{PROJECT}\n[report.sources]\n{sources}\n")
+    with pytest.raises(ProjectError, match=said):
+        load(path)

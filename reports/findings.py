@@ -1,0 +1,155 @@
+"""What the numbers say, in sentences: which mechanism is critical, by how much, and which procedures disagree."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import isfinite
+from statistics import median
+
+from assess.codes.check import Check
+from assess.results import MechanismResult, Results, SuiteResult
+from reports import governing
+from reports.lettering import shortened
+from reports.numerals import numeral
+from reports.tables import name_of
+
+LONGEST, MANY = 40, 6  # characters of a name in a sentence; names in a list
+MEASURES = {
+    "-nonlinear": "compares the displacement that the mechanism can take with the spectral one at its secant period",
+    "-linear": "judges the acceleration that starts the motion, reduced by q, not the rotation that is left after it",
+    "-spectrum": "replaces the rocking body by an oscillator of equal work, with the damping of its impacts",
+    "-history": "sees each record as it is, with impacts and the order of its pulses, and fails where one overturns",
+    "sliding": "asks whether friction holds until rocking starts",
+}
+
+
+def findings(results: Results) -> tuple[str, ...]:
+    """The sentences, most important first; those that have nothing to say are left out."""
+    return (*_critical(results), *_disagreements(results), *_spread(results), *_overturned(results), *_pulses(results))
+
+
+def named(mechanism: MechanismResult) -> str:
+    """The name of a mechanism in a sentence."""
+    return shortened(name_of(mechanism), LONGEST)
+
+
+def listed(names: list[str]) -> str:
+    """Names with commas and an "and"; of many the first ones, and how many there are besides."""
+    shown = names[:MANY] if len(names) > MANY + 1 else names
+    if len(shown) < len(names):
+        return f"{', '.join(shown)} and {len(names) - len(shown)} others"
+    return f"{', '.join(shown[:-1])} and {shown[-1]}" if len(shown) > 1 else "".join(shown)
+
+
+def _critical(results: Results) -> Iterator[str]:
+    """The mechanism with the least PGA at capacity, the runner-up, and what that is beside the site's own PGA."""
+    ranked = ranking(results)
+    if not ranked:
+        return
+    (first, check), *others = ranked
+    least = check.capacity_pga_g or 0.0
+    said = f"Critical is {named(first)}: it reaches its capacity at the lowest PGA, {numeral(least, digits=3)} g"
+    said += f", by {check.procedure}"
+    if others:
+        runner_up, other = others[0]
+        times = (other.capacity_pga_g or 0.0) / least
+        said += f"; next is {named(runner_up)} at {numeral(other.capacity_pga_g or 0.0, digits=3)} g"
+        said += f" by {other.procedure}, {numeral(times, digits=3)} times as much" if isfinite(times) else ""
+    yield f"{said}."
+    if results.spectrum is not None:
+        share = least / results.spectrum.pga_g
+        yield (
+            f"The site’s own spectrum has a PGA of {numeral(results.spectrum.pga_g, digits=3)} g: the critical "
+            f"mechanism reaches its capacity at {numeral(share, digits=3)} times that."
+        )
+
+
+def ranking(results: Results) -> list[tuple[MechanismResult, Check]]:
+    """Mechanisms with the check of the least PGA at capacity, rising; those where none is known are left out."""
+    pairs = ((m, governing.weakest(governing.of_code(m.checks))) for m in results.mechanisms)
+    known = [(mechanism, check) for mechanism, check in pairs if check is not None and check.capacity_pga_g]
+    return sorted(known, key=lambda pair: pair[1].capacity_pga_g or 0.0)
+
+
+def _disagreements(results: Results) -> Iterator[str]:
+    """At each level where procedures disagree: who fails whom, and what each of them measures."""
+    failing: dict[str, None] = {}
+    for level in governing.levels(governing.of_all(results)):
+        apart = [m for m in results.mechanisms if _apart(m, level)]
+        if not apart:
+            continue
+        by = {procedure: _failed(apart, level, procedure) for procedure in _asked(apart, level)}
+        fails = "; ".join(f"{procedure} fails {listed(names)}" for procedure, names in by.items() if names)
+        passing = [procedure for procedure, names in by.items() if not names]
+        rest = f"; {listed(passing)} {'passes' if len(passing) == 1 else 'pass'} all of these" if passing else ""
+        yield f"At PGA {level:.3g} g the procedures disagree on {listed([named(m) for m in apart])}: {fails}{rest}."
+        failing |= dict.fromkeys(by)
+    reasons = [f"{procedure} {measure}" for procedure in failing if (measure := measured(procedure))]
+    if reasons:
+        yield f"They measure different margins: {'; '.join(reasons)}."
+
+
+def measured(procedure: str) -> str:
+    """What a procedure measures; empty where nothing is known."""
+    return next((said for ending, said in MEASURES.items() if procedure.endswith(ending)), "")
+
+
+def _asked(mechanisms: list[MechanismResult], level: float) -> dict[str, None]:
+    checks = (check for m in mechanisms for check in governing.of_code(governing.at_level(m.checks, level)))
+    return dict.fromkeys(check.procedure for check in checks if check.verdict != "not-applicable")
+
+
+def _apart(mechanism: MechanismResult, level: float) -> bool:
+    checks = governing.of_code(governing.at_level(mechanism.checks, level))
+    return {"pass", "fail"} <= {check.verdict for check in checks}
+
+
+def _failed(mechanisms: list[MechanismResult], level: float, procedure: str) -> list[str]:
+    def fails(mechanism: MechanismResult) -> bool:
+        checks = governing.of_code(governing.at_level(mechanism.checks, level))
+        return any(check.procedure == procedure and check.verdict == "fail" for check in checks)
+
+    return [named(mechanism) for mechanism in mechanisms if fails(mechanism)]
+
+
+def _spread(results: Results) -> Iterator[str]:
+    """How far the procedures lie apart in PGA at capacity."""
+    spreads = []
+    for mechanism in results.mechanisms:
+        known = governing.capacities(governing.of_code(mechanism.checks))
+        if len(known) > 1 and min(known.values()) > 0.0:
+            low, high = min(known, key=lambda name: known[name]), max(known, key=lambda name: known[name])
+            spreads.append((known[high] / known[low], mechanism, low, high))
+    if not spreads:
+        return
+    largest, mechanism, low, high = max(spreads, key=lambda spread: spread[0])
+    middle = f"{numeral(median(spread[0] for spread in spreads), digits=3)} in the median, " if len(spreads) > 1 else ""
+    yield (
+        "The largest PGA at capacity of a mechanism over its least one, by another code procedure, is "
+        f"{middle}at most {numeral(largest, digits=3)} ({named(mechanism)}: {high} over {low})."
+    )
+
+
+def _overturned(results: Results) -> Iterator[str]:
+    """How many records overturn which mechanisms."""
+    fallen = [(m, suite) for m in results.mechanisms for suite in m.suites if suite.overturned]
+    if fallen:
+        each = listed([_fallen(mechanism, suite) for mechanism, suite in fallen])
+        yield f"In the time histories records overturn {each}. In all others every mechanism stands."
+    elif any(mechanism.suites for mechanism in results.mechanisms):
+        yield "In the time histories no record overturns a mechanism at the levels that were asked."
+
+
+def _fallen(mechanism: MechanismResult, suite: SuiteResult) -> str:
+    return f"{named(mechanism)} at {suite.level_pga_g:.3g} g ({suite.overturned} of {suite.n})"
+
+
+def _pulses(results: Results) -> Iterator[str]:
+    """Which mechanism the weakest pulse overturns, where that was asked."""
+    if results.critical is None:
+        return
+    bands = [(band, band.mechanism) for band in results.critical.bands if band.mechanism is not None]
+    if bands:
+        names = {mechanism.name: named(mechanism) for mechanism in results.mechanisms}
+        each = [f"{names.get(of, of)} ({band.from_hz:.3g}–{band.to_hz:.3g} Hz)" for band, of in bands]
+        yield f"The weakest pulse overturns, by its frequency: {listed(each)}."

@@ -1,0 +1,68 @@
+"""The summary: what the numbers say, and every procedure's answer for every mechanism."""
+
+from __future__ import annotations
+
+from assess.codes.check import Check
+from assess.results import MechanismResult, Results
+from reports import findings, governing, sentences, tables
+from reports.document import Block, Cell, Column, Items, Section, Table, Text
+from reports.tables import OVERTURNED, name_of
+
+
+def section(results: Results) -> Section:
+    """Outcome and findings in words, then the verdicts level by level and the check that governs each procedure."""
+    found = findings.findings(results)
+    warned: list[Block] = _filled(tables.warnings(results)) or [Text(("The run gave no warnings.",))]
+    blocks = (
+        Text(sentences.outcome(results)),
+        *((Items(found),) if found else ()),
+        *_filled(governing_checks(results)),
+        *_filled(tables.brief(results)),
+        *warned,
+    )
+    return Section("Summary", 0, blocks)
+
+
+def governing_checks(results: Results) -> Table:
+    """Every mechanism by every procedure, at the level that governs: demand, allowable, ratio, PGA, verdict."""
+    columns = (
+        Column("Mechanism"),
+        Column("Procedure"),
+        Column("at PGA", "g", "number"),
+        Column("Quantity, unit"),
+        Column("Demand", kind="number"),
+        Column("Allowable", kind="number"),
+        Column("Ratio", "-", "number"),
+        Column("PGA at uplift", "g", "number"),
+        Column("PGA at capacity", "g", "number"),
+        Column("Verdict", kind="verdict"),
+    )
+    pairs = [(mechanism, check) for mechanism in results.mechanisms for check in _worst_of_code(mechanism)]
+    caption = "Every mechanism by every code procedure, at the level that governs."
+    rows = tuple(_row(mechanism, check) for mechanism, check in pairs)
+    return Table("governing-checks", caption, columns, rows)
+
+
+def _worst_of_code(mechanism: MechanismResult) -> tuple[Check, ...]:
+    return governing.of_code(governing.worst_per_procedure(mechanism))
+
+
+def _row(mechanism: MechanismResult, check: Check) -> tuple[Cell, ...]:
+    named, quantity, demand, capacity, ratio = tables.numbers(check, mechanism.checks)
+    accelerations = (tables.uplift(check.uplift_pga_g), check.capacity_pga_g)
+    fell = OVERTURNED if governing.fell(check) else ratio
+    return (
+        name_of(mechanism),
+        named,
+        check.level_pga_g,
+        quantity,
+        demand,
+        capacity,
+        fell,
+        *accelerations,
+        check.verdict,
+    )
+
+
+def _filled(table: Table) -> list[Block]:
+    return [table] if table.rows else []

@@ -117,7 +117,7 @@ def _annex(results: Results) -> Section:
     blocks += [Text((f"Title in full: {title}",))] if len(title) > LONG else []
     blocks += [Text((f"Notes: {notes}",))] if notes else []
     blocks += [*_filled(tables.inputs(results)), *_filled(tables.values_set(results))]
-    return Section("Annex: inputs", 0, tuple(blocks))
+    return Section("Annex: inputs", 0, tuple(blocks), starts_page=True)
 
 
 def _site(results: Results) -> list[Section]:

@@ -13,8 +13,9 @@ from reports.numerals import as_cell
 
 SOURCES = "report.sources."
 LEFT_OUT = ("format", "title", "engineer", "checker", "reference", "client", "date", "notes", "report", "bodies")
-OWN = ("kind", "blocks", "label", "hinges", "hinges_negative")  # of a mechanism: what it is, not what is assumed of it
-NOT_SAID = "given, source not stated"
+OWN = ("kind", "blocks", "label", "cut", "hinges", "hinges_negative")  # of a mechanism: what it is, not what is assumed of it
+ASKED = ("analysis.levels", "analysis.procedures", "analysis.pulses", "analysis.sweep", "analysis.sensitivity")
+NOT_SAID = "given"
 SHORT, MANY = 24, 4  # characters of a name and names in a list
 
 
@@ -33,7 +34,7 @@ def section(results: Results) -> Section:
     """The list, and the procedures with what could not be compared."""
     said = (
         "Each value is measured, taken from literature or assumed as the project file states under report.sources; "
-        "given without a stated source; or a default of the program. A key with * holds for the mechanisms that are "
+        "given, which says no source; or a default of the program. A key with * holds for the mechanisms that are "
         "named. Every other value of the project file stands in the annex."
     )
     blocks: tuple[Block, ...] = (Text((said,)), table(results))
@@ -73,6 +74,8 @@ def _without_name(key: str) -> tuple[str, str]:
 
 def _left_out(key: str) -> bool:
     first, _, rest = key.partition(".")
+    if key.startswith(ASKED):
+        return True
     return first in LEFT_OUT or (first == "mechanisms" and rest.partition(".")[2].partition(".")[0] in OWN)
 
 

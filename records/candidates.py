@@ -9,10 +9,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from records.formats.stated import Stated
 from records.orientation import is_vertical
 
 FloatArray = NDArray[np.float64]
 
+NOTHING = Stated()
 DAMPING = 0.05
 PERIODS: FloatArray = np.geomspace(0.01, 10.0, 121)  # s, forty to the decade
 PERIODS.flags.writeable = False
@@ -33,6 +35,7 @@ class Candidate:
     nga : number of the recording in the PEER NGA database; None where any of these four is unknown
     dt [s], npts, measures : by name, SI ("pga" [m/s2], "d5_95" [s], …)
     spectrum : 5 % pseudo-acceleration at PERIODS [k] [m/s2]
+    stated : what its file does not say and the caller did when it was read
     """
 
     path: str
@@ -51,6 +54,7 @@ class Candidate:
     npts: int
     measures: Mapping[str, float]
     spectrum: FloatArray
+    stated: Stated = NOTHING
 
     @property
     def earthquake(self) -> str:

@@ -18,11 +18,12 @@ import numpy as np
 from records.candidates import PERIODS, Candidate
 from records.errors import RecordError
 from records.flatfile import Recording, described_by
+from records.formats.stated import Stated
 from records.intensity import Measures
 
 NAME = ".assess-records.sqlite"
 APPLICATION = 0x41535345  # marks the file as ours
-VERSION = 1
+VERSION = 2
 MEASURES = tuple(field.name for field in fields(Measures))
 
 TABLES = f"""
@@ -34,6 +35,7 @@ CREATE TABLE records (
     dt REAL, npts INTEGER, {", ".join(f"{name} REAL" for name in MEASURES)}, spectrum BLOB,
     PRIMARY KEY (path, position)
 );
+CREATE TABLE stated (unit TEXT, step REAL, response TEXT);
 CREATE TABLE recordings (nga INTEGER PRIMARY KEY, event TEXT, year TEXT, station TEXT,
     magnitude REAL, distance REAL, vs30 REAL, files TEXT);
 """
@@ -81,7 +83,7 @@ def _prepare(connection: sqlite3.Connection, file: Path | None) -> None:
         return
     connection.executescript(
         "BEGIN;"
-        + "".join(f"DROP TABLE IF EXISTS {name};" for name in ("recordings", "records", "files"))
+        + "".join(f"DROP TABLE IF EXISTS {name};" for name in ("recordings", "stated", "records", "files"))
         + TABLES
         + f"PRAGMA application_id = {APPLICATION}; PRAGMA user_version = {VERSION}; COMMIT;"
     )
@@ -89,15 +91,31 @@ def _prepare(connection: sqlite3.Connection, file: Path | None) -> None:
 
 def candidates(connection: sqlite3.Connection) -> tuple[Candidate, ...]:
     """Every record of the catalogue, by path, with what a flatfile taken in says of it."""
-    return described_by([_candidate(row) for row in connection.execute(ROWS)], recordings(connection))
+    said = stated(connection)
+    found = [_candidate(row, said) for row in connection.execute(ROWS)]
+    return described_by(found, recordings(connection))
 
 
-def _candidate(row: Sequence[Any]) -> Candidate:
+def _candidate(row: Sequence[Any], said: Stated) -> Candidate:
     spectrum = np.frombuffer(row[14], dtype="<f8")
     if spectrum.size != PERIODS.size:
         raise RecordError(f'catalogue: record "{row[0]}" has {spectrum.size} ordinates; delete it and index again')
     measures = dict(zip(MEASURES, row[15:], strict=True))
-    return Candidate(**dict(zip(TOLD, row, strict=False)), measures=measures, spectrum=spectrum)
+    return Candidate(**dict(zip(TOLD, row, strict=False)), measures=measures, spectrum=spectrum, stated=said)
+
+
+def stated(connection: sqlite3.Connection) -> Stated:
+    """What was stated of the files that do not say it themselves."""
+    row = connection.execute("SELECT unit, step, response FROM stated").fetchone() or (None, None, None)
+    return Stated(row[0], row[1], None if row[2] is None else Path(row[2]))
+
+
+def keep(connection: sqlite3.Connection, said: Stated) -> None:
+    """Keep what is stated of the files, in place of what was."""
+    response = None if said.response is None else str(said.response)
+    with connection:
+        connection.execute("DELETE FROM stated")
+        connection.execute("INSERT INTO stated VALUES (?, ?, ?)", (said.unit, said.step, response))
 
 
 def take(connection: sqlite3.Connection, flatfile: Sequence[Recording]) -> None:

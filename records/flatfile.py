@@ -1,7 +1,7 @@
 """PEER flatfiles: what a CSV table of the NGA database says of each recording, columns found by their names.
 
 Understood are the NGA-West flatfiles and the table that the PEER web site gives with a search; the header may stand
-some lines below the top. Numbers of -999 and below mean that a value is not known.
+some lines below the top. Numbers of -999 and below, and words like N/A, mean that a value is not known.
 """
 
 from __future__ import annotations
@@ -13,10 +13,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-import numpy as np
-
 from records.candidates import Candidate
 from records.errors import RecordError
+from records.formats.samples import number
 from spectra.columns import ColumnError, decode
 
 NUMBER = ("recordsequencenumber", "rsn", "nga", "ngaid", "nganumber")
@@ -31,6 +30,14 @@ COLUMNS: Mapping[str, Sequence[str]] = {
 """Names of each column without blanks, capitals and punctuation, the preferred first; distances are in km."""
 FILES = re.compile(r"(filename(horizontal\d|vertical)|(horizontal\d|vertical)accfilename)")
 UNKNOWN = -998.0
+UNKNOWN_WORDS = {"", "-", "--", "?", "na", "n/a", "nan", "none", "null", "unknown"}
+LIMITS: Mapping[str, tuple[float, float]] = {
+    "year": (0.0, 9999.0),
+    "magnitude": (-3.0, 10.0),
+    "distance": (0.0, 20_000.0),  # km, half of the earth's girth
+    "vs30": (1.0, 10_000.0),
+}
+"""What a number can be; one outside is a slip of the pen, or of another unit."""
 
 
 @dataclass(frozen=True)
@@ -50,8 +57,39 @@ class Recording:
     files: tuple[str, ...]
 
 
-def read_flatfile(path: Path) -> tuple[Recording, ...]:
-    """Every recording of the flatfile at `path`, in order; lines without a sequence number are passed over.
+@dataclass(frozen=True)
+class BadCell:
+    """A cell that holds no value that can be; row: from 1, as a spreadsheet counts; column: its label."""
+
+    row: int
+    column: str
+    value: str
+
+
+@dataclass(frozen=True)
+class Flatfile:
+    """The recordings of a flatfile in order, and its cells that were passed over."""
+
+    recordings: tuple[Recording, ...]
+    bad: tuple[BadCell, ...]
+
+
+@dataclass(frozen=True)
+class Merged:
+    """What became of a flatfile: rows matched and not, the records that they describe, bad cells.
+
+    doubt : why no row fits, in words, "" where some does
+    """
+
+    matched: int
+    unmatched: int
+    records: int
+    bad: tuple[BadCell, ...]
+    doubt: str
+
+
+def read_flatfile(path: Path) -> Flatfile:
+    """Every recording of the flatfile at `path`; blank lines and those of unknown sequence number are passed over.
 
     Raises RecordError, naming the file, where it cannot be read, has no column of sequence numbers, or no recording.
     """
@@ -66,10 +104,13 @@ def read_flatfile(path: Path) -> tuple[Recording, ...]:
         raise RecordError(
             f'{path}: no column "Record Sequence Number"; give a PEER NGA flatfile, saved as CSV with its header'
         )
-    found = tuple(_recordings(rows[at + 1 :], [plain(cell) for cell in rows[at]]))
+    columns = _columns([plain(cell) for cell in rows[at]])
+    below = [(number, row) for number, row in enumerate(rows[at + 1 :], start=at + 2) if any(map(str.strip, row))]
+    found = tuple(one for _, row in below if (one := _recording(row, columns)) is not None)
     if not found:
         raise RecordError(f"{path}: no recording below the header in line {at + 1}; the table is cut short")
-    return found
+    bad = (cell for number, row in below for cell in _bad(row, columns, labels=rows[at], number=number))
+    return Flatfile(found, tuple(bad))
 
 
 def plain(label: str) -> str:
@@ -77,42 +118,59 @@ def plain(label: str) -> str:
     return re.sub(r"[^a-z0-9]+", "", label.lower())
 
 
-def _recordings(rows: Sequence[Sequence[str]], header: Sequence[str]) -> Iterator[Recording]:
-    number = next(i for i, name in enumerate(header) if name in NUMBER)
-    columns = {key: [header.index(name) for name in names if name in header] for key, names in COLUMNS.items()}
-    files = [i for i, name in enumerate(header) if FILES.fullmatch(name)]
-    for row in rows:
-        nga = row[number].strip() if number < len(row) else ""
-        if re.fullmatch(r"\d{1,9}", nga):
-            words = {key: _word(row, columns[key]) for key in ("event", "station")}
-            numbers = {key: _number(row, columns[key]) for key in ("year", "magnitude", "distance", "vs30")}
-            names = tuple(filter(None, (re.split(r"[/\\]", _word(row, [i]))[-1].lower() for i in files)))
-            yield Recording(
-                nga=int(nga),
-                event=words["event"],
-                year="" if numbers["year"] is None else f"{numbers['year']:.0f}",
-                station=words["station"],
-                magnitude=numbers["magnitude"],
-                distance=None if numbers["distance"] is None else 1000.0 * numbers["distance"],
-                vs30=numbers["vs30"],
-                files=names,
-            )
+def _columns(header: Sequence[str]) -> dict[str, list[int]]:
+    """Indices of the columns of each key, the preferred first."""
+    found = {key: [header.index(name) for name in names if name in header] for key, names in COLUMNS.items()}
+    found["nga"] = [i for i, name in enumerate(header) if name in NUMBER]
+    return found | {"files": [i for i, name in enumerate(header) if FILES.fullmatch(name)]}
+
+
+def _recording(row: Sequence[str], columns: Mapping[str, Sequence[int]]) -> Recording | None:
+    """The recording of a row; None without a sequence number."""
+    nga = _word(row, columns["nga"][:1])
+    if not re.fullmatch(r"\d{1,9}", nga):
+        return None
+    known = {key: _number(row, columns[key], limits) for key, limits in LIMITS.items()}
+    names = (re.split(r"[/\\]", _word(row, [i]))[-1].lower() for i in columns["files"])
+    return Recording(
+        nga=int(nga),
+        event=_word(row, columns["event"]),
+        year="" if known["year"] is None else f"{known['year']:.0f}",
+        station=_word(row, columns["station"]),
+        magnitude=known["magnitude"],
+        distance=None if known["distance"] is None else 1000.0 * known["distance"],
+        vs30=known["vs30"],
+        files=tuple(filter(None, names)),
+    )
 
 
 def _word(row: Sequence[str], columns: Sequence[int]) -> str:
     return next((row[i].strip() for i in columns if i < len(row) and row[i].strip()), "")
 
 
-def _number(row: Sequence[str], columns: Sequence[int]) -> float | None:
-    """The first of the columns that holds a number which is known."""
-    for i in columns:
-        try:
-            value = float(row[i])
-        except (ValueError, IndexError):
-            continue
-        if np.isfinite(value) and value > UNKNOWN:
-            return value
-    return None
+def _number(row: Sequence[str], columns: Sequence[int], limits: tuple[float, float]) -> float | None:
+    """The first of the columns that holds a number which is known and can be."""
+    values = (number(row[i]) for i in columns if i < len(row))
+    return next((value for value in values if value is not None and limits[0] <= value <= limits[1]), None)
+
+
+def _bad(
+    row: Sequence[str], columns: Mapping[str, Sequence[int]], *, labels: Sequence[str], number: int
+) -> Iterator[BadCell]:
+    """The cells of a row that are neither unknown nor what their column can hold."""
+    nga = columns["nga"][0]
+    if nga < len(row) and not _unknown(row[nga]) and not re.fullmatch(r"\d{1,9}", row[nga].strip()):
+        yield BadCell(number, labels[nga].strip(), row[nga].strip())
+        return
+    for key, limits in LIMITS.items():
+        for i in columns[key]:
+            if i < len(row) and not _unknown(row[i]) and _number(row, [i], limits) is None:
+                yield BadCell(number, labels[i].strip(), row[i].strip())
+
+
+def _unknown(cell: str) -> bool:
+    value = number(cell)
+    return cell.strip().lower() in UNKNOWN_WORDS or (value is not None and value < UNKNOWN)
 
 
 def described_by(candidates: Sequence[Candidate], recordings: Sequence[Recording]) -> tuple[Candidate, ...]:
@@ -120,18 +178,49 @@ def described_by(candidates: Sequence[Candidate], recordings: Sequence[Recording
 
     They are found by the NGA number in their file's name, else by a file name that one recording alone has.
     """
+    found = _found(candidates, recordings)
+    return tuple(one if by is None else _described(one, by) for one, by in zip(candidates, found, strict=True))
+
+
+def merged(candidates: Sequence[Candidate], flatfile: Flatfile) -> Merged:
+    """How far the rows of a flatfile and the candidates found each other."""
+    found = [by for by in _found(candidates, flatfile.recordings) if by is not None]
+    matched = len({by.nga for by in found})
+    doubt = "" if found else _reason(candidates, flatfile.recordings)
+    return Merged(matched, len(flatfile.recordings) - matched, len(found), flatfile.bad, doubt)
+
+
+def _found(candidates: Sequence[Candidate], recordings: Sequence[Recording]) -> list[Recording | None]:
+    """The recording of each candidate, None where there is none."""
     by_number = {one.nga: one for one in recordings}
     by_file: dict[str, Recording | None] = {}
     for one in recordings:
         for file in one.files:
             by_file[file] = one if by_file.get(file, one) == one else None
-    if not recordings:
-        return tuple(candidates)
-    return tuple(
-        one if found is None else _described(one, found)
-        for one in candidates
-        for found in (by_number.get(one.nga or 0) or by_file.get(one.path.rsplit("/", 1)[-1].lower()),)
+    return [by_number.get(one.nga or 0) or by_file.get(_file(one.path)) for one in candidates]
+
+
+def _reason(candidates: Sequence[Candidate], recordings: Sequence[Recording]) -> str:
+    """Why no row is of a record, in words."""
+    if not candidates:
+        return "no row of the flatfile fits, for there is no record that can be read"
+    numbers = sorted(one.nga for one in candidates if one.nga is not None)
+    first, last = min(one.nga for one in recordings), max(one.nga for one in recordings)
+    if numbers:
+        return (
+            f"no row of the flatfile fits: the files have NGA numbers {numbers[0]} to {numbers[-1]}, the table "
+            f"{first} to {last}; it may be of another search or another NGA project"
+        )
+    names = sorted(file for one in recordings for file in one.files)
+    example = f"{names[0]} as the table names it" if names else f"RSN{first}_….AT2"
+    return (
+        f"no row of the flatfile fits: rows are found by the NGA number in a file's name or by the file's name, and "
+        f"{_file(candidates[0].path)} has neither; keep the names that files had when downloaded, like {example}"
     )
+
+
+def _file(path: str) -> str:
+    return path.replace("\\", "/").rsplit("/", 1)[-1].lower()
 
 
 def _described(one: Candidate, by: Recording) -> Candidate:

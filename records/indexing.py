@@ -11,29 +11,32 @@ import os
 import sqlite3
 import stat
 import warnings
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import Executor
 from dataclasses import asdict, dataclass
 from functools import partial
 from pathlib import Path
+from typing import TypeVar
 
 import numpy as np
 
-from records.candidates import DAMPING, PERIODS, Candidate, sequence_number
+from records import catalogue
+from records.candidates import DAMPING, NOTHING, PERIODS, Candidate, sequence_number
 from records.catalogue import MEASURES, problems
 from records.errors import RecordError
 from records.formats import FORMATS
-from records.formats.stated import Stated
+from records.formats.stated import Stated, check
 from records.intensity import measures
 from records.reading import read
 from records.record import Record
 from records.response import response_spectrum
 
-NOTHING = Stated()
 BATCH = 50  # files to a commit
 FEW = 24  # files that are read here rather than by an executor, whose workers take seconds to start
 LARGEST = 500_000_000  # bytes of one record file
 Progress = Callable[[int, int], None]
+T = TypeVar("T")
+R = TypeVar("R")
 
 
 @dataclass(frozen=True)
@@ -78,14 +81,18 @@ def index(
 ) -> Indexed:
     """Bring the catalogue `connection` of `folder` and what is below it up to date.
 
-    stated : what files do not say themselves (those read with something else are read again); executor : of processes,
-    that read where files are many. Raises RecordError where the folder is none.
+    stated : what files do not say themselves, kept in the catalogue for later (those read with something else are read
+    again); executor : of processes, that read where files are many. Raises RecordError where the folder is none, and
+    for a unit, step or response that cannot be.
     """
+    check(stated)
+    stated = stated.beside(catalogue.stated(connection))
     asked = f"{stated} {' '.join(FORMATS)}"
     on_disk = {found.path: found for found in files_below(folder)}
     known = {
         row[0]: row[1:] for row in connection.execute("SELECT path, size, mtime, sha256, asked, problem FROM files")
     }
+    catalogue.keep(connection, stated)
     gone = [path for path in known if path not in on_disk]
     changed = [
         _with_hash(found, known.get(path), asked)
@@ -161,10 +168,7 @@ def _read(
     progress: Progress,
 ) -> None:
     describe = partial(described, folder, stated=stated)
-    many = executor is not None and len(files) > FEW
-    results: Iterable[Described] = (
-        executor.map(describe, files, chunksize=4) if many and executor is not None else map(describe, files)
-    )
+    results = _mapped(describe, files, executor=executor)
     batch: list[Described] = []
     for done, one in enumerate(results, start=1):
         batch.append(one)
@@ -173,6 +177,13 @@ def _read(
             _store(connection, batch, asked)
             batch = []
     _store(connection, batch, asked)
+
+
+def _mapped(verb: Callable[[T], R], things: Sequence[T], *, executor: Executor | None) -> Iterable[R]:
+    """The verb of each thing, in order; by the executor where they are many."""
+    if executor is None or len(things) <= FEW:
+        return map(verb, things)
+    return executor.map(verb, things, chunksize=4)
 
 
 def described(folder: Path, found: Found, *, stated: Stated) -> Described:
@@ -199,8 +210,19 @@ def read_stated(file: Path, stated: Stated) -> tuple[Record, ...]:
     return read(file, unit=stated.unit, step=stated.step, response=stated.response)
 
 
-def candidate(record: Record, path: str, position: int = 0) -> Candidate:
-    """What a catalogue keeps of a record."""
+def candidates_of(
+    files: Sequence[Path], *, stated: Stated = NOTHING, executor: Executor | None = None
+) -> tuple[Candidate, ...]:
+    """Every record of `files`, in order, without a catalogue. Raises RecordError for the first that cannot be read."""
+    return tuple(one for made in _mapped(partial(_candidates, stated=stated), files, executor=executor) for one in made)
+
+
+def _candidates(file: Path, *, stated: Stated) -> tuple[Candidate, ...]:
+    return tuple(candidate(record, str(file), i, stated=stated) for i, record in enumerate(read_stated(file, stated)))
+
+
+def candidate(record: Record, path: str, position: int = 0, *, stated: Stated = NOTHING) -> Candidate:
+    """What a catalogue keeps of a record, and what was `stated` of its file."""
     return Candidate(
         path=path,
         position=position,
@@ -218,6 +240,7 @@ def candidate(record: Record, path: str, position: int = 0) -> Candidate:
         npts=record.npts,
         measures=asdict(measures(record)),
         spectrum=response_spectrum(record, PERIODS, damping=DAMPING),
+        stated=stated,
     )
 
 

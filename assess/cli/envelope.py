@@ -39,13 +39,16 @@ def envelope(
     loaded = load(project)
     from assess.cli.envelope_table import csv_text, json_text, table_text
     from assess.cli.outputs import ENVELOPES, staged
+    from assess.cli.processes import processes
     from assess.cli.progress import progress
     from assess.project.build import build
     from assess.project.run import envelope as of_study
     from assess.results_io import dumps
 
+    with processes(jobs) as executor:
+        study = build(loaded, executor=executor)
     with progress() as said:
-        results = of_study(build(loaded), jobs=jobs or os.cpu_count() or 1, progress=said.count)
+        results = of_study(study, jobs=jobs or os.cpu_count() or 1, progress=said.count)
         if output is not None:
             from reports.assessment import of_envelopes
             from reports.writing import write_document

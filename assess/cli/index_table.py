@@ -7,22 +7,39 @@ from dataclasses import asdict
 from pathlib import Path
 
 from assess.project.messages import printable
+from assess.project.record_set import cell_text
+from records.flatfile import Merged
 from records.indexing import Indexed
 
 
-def table_text(found: Indexed, place: Path, *, described: int) -> str:
-    """Counts, each file that could not be read with the reason, and the path of the catalogue."""
+def table_text(found: Indexed, place: Path, *, described: int, merged: Merged | None) -> str:
+    """Counts, what became of a flatfile, each file that could not be read with the reason, and the catalogue's path."""
     counts = f"{found.read} files read, {found.unchanged} unchanged, {found.gone} gone"
     lines = [
         f"{counts}; {found.records} records, {described} of known magnitude; {len(found.problems)} files not readable",
+        *([] if merged is None else _flatfile(merged)),
         *(f"{path}: {why}" for path, why in found.problems),
         str(place),
     ]
     return "".join(f"{printable(line)}\n" for line in lines)
 
 
-def json_text(found: Indexed, place: Path, *, described: int) -> str:
+def json_text(found: Indexed, place: Path, *, described: int, merged: Merged | None) -> str:
     """The same as JSON."""
     problems = [{"path": path, "reason": why} for path, why in found.problems]
     told = {**asdict(found), "problems": problems, "with_magnitude": described, "catalogue": str(place)}
-    return json.dumps(told, ensure_ascii=False, indent=1) + "\n"
+    return json.dumps({**told, "flatfile": _as_json(merged)}, ensure_ascii=False, indent=1) + "\n"
+
+
+def _flatfile(merged: Merged) -> list[str]:
+    counts = f"{merged.matched} rows matched, {merged.unmatched} unmatched, {len(merged.bad)} bad cells"
+    bad = (f"flatfile, {cell_text(cell)}: no value that can be; passed over" for cell in merged.bad)
+    return [f"flatfile: {counts}; {merged.records} records described", *bad]
+
+
+def _as_json(merged: Merged | None) -> dict[str, object] | None:
+    if merged is None:
+        return None
+    bad = [asdict(cell) for cell in merged.bad]
+    counts = {"matched": merged.matched, "unmatched": merged.unmatched, "records": merged.records}
+    return {**counts, "bad_cells": bad, "warning": merged.doubt or None}

@@ -44,9 +44,12 @@ def list_records(
     if as_json and as_csv:
         raise typer.BadParameter("--json and --csv exclude each other")
     from assess.cli.record_table import csv_text, json_text, table_text
+    from assess.cli.warning import warn
+    from records.plausibility import doubt_of
     from records.reading import read
 
     found = [record for file in files for record in read(file, unit=unit, step=step, response=response)]
+    warn([doubt_of(record) for record in found])
     text = json_text if as_json else csv_text if as_csv else table_text
     print(text(found), end="")
 
@@ -78,10 +81,14 @@ def convert(
     if azimuth is not None and rotd is not None:
         raise typer.BadParameter("--azimuth and --rotd exclude each other")
     from assess.cli.record_conversion import Processing, chosen, processed, write
+    from assess.cli.warning import warn
+    from records.plausibility import doubt_of
     from records.reading import read
 
     found = [record for file in files for record in read(file, unit=unit, step=step, response=response)]
     wanted = Processing(azimuth, rotd, baseline, low_cut, high_cut, order, trim, resample, scale)
-    record = processed(chosen(found, component=component, turned=wanted.turns), wanted)
+    used = chosen(found, component=component, turned=wanted.turns)
+    warn([doubt_of(record) for record in used])
+    record = processed(used, wanted)
     write(record, output, inputs=files)
     print(f"{output}: {record.npts} samples at {record.dt:.6g} s; {'; '.join(record.trail)}")

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import os
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
+from assess.cli.processes import Jobs, processes
 from assess.cli.records import Response, Step, Unit
 
 Folder = Annotated[Path, typer.Argument(metavar="FOLDER", help="Folder of record files, with all below it.")]
@@ -26,42 +26,42 @@ def index(
     unit: Unit = None,
     step: Step = None,
     response: Response = None,
-    jobs: Annotated[
-        int | None, typer.Option("--jobs", metavar="N", min=1, help="Processor cores to use; all if absent.")
-    ] = None,
+    jobs: Jobs = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print counts and unreadable files as JSON.")] = False,
 ) -> None:
     """Read the records of a folder once into a catalogue beside them: metadata, measures, 5 % spectra.
 
     Later runs read only files that are new or have changed; one that was stopped goes on where it ended.
     """
-    from concurrent.futures import ProcessPoolExecutor
-    from multiprocessing import get_context
-
     from assess.cli.index_table import json_text, table_text
     from assess.cli.progress import progress
+    from assess.cli.warning import warn
     from records.catalogue import NAME, candidates, opened, take
-    from records.flatfile import read_flatfile
+    from records.flatfile import merged, read_flatfile
     from records.formats.stated import Stated
     from records.indexing import files_below
     from records.indexing import index as brought_up
+    from records.plausibility import doubt_of_candidate
 
-    recordings = None if flatfile is None else read_flatfile(flatfile)
+    table = None if flatfile is None else read_flatfile(flatfile)
     next(files_below(folder), None)  # a folder that is none is told before a catalogue is made
     place = catalogue or folder / NAME
     with (
         progress() as said,
         opened(place) as connection,
-        ProcessPoolExecutor(jobs or os.cpu_count(), mp_context=get_context("spawn")) as executor,
+        processes(jobs) as executor,
     ):
-        if recordings is not None:
-            take(connection, recordings)
+        if table is not None:
+            take(connection, table.recordings)
         found = brought_up(
             folder,
             connection,
             stated=Stated(unit, step, response),
-            executor=executor if jobs != 1 else None,
+            executor=executor,
             progress=lambda done, total: said.count("records", done, total),
         )
-        described = sum(one.magnitude is not None for one in candidates(connection))
-    print((json_text if as_json else table_text)(found, place, described=described), end="")
+        listed = candidates(connection)
+    described = sum(one.magnitude is not None for one in listed)
+    met = None if table is None else merged(listed, table)
+    warn(["" if met is None else met.doubt, *(doubt_of_candidate(one) for one in listed)])
+    print((json_text if as_json else table_text)(found, place, described=described, merged=met), end="")

@@ -8,10 +8,11 @@ from typing import Annotated
 import typer
 
 from assess.cli.figures import FigurePath, refuse_figure
+from assess.cli.processes import Jobs, processes
 from assess.cli.records import Response, Step, Unit
 from assess.cli.records_index import Catalogue, Flatfile
 
-OWN = ("places", "as_json", "as_csv", "output", "target")
+OWN = ("places", "jobs", "as_json", "as_csv", "output", "target")
 Span = tuple[float, float] | None
 Target = Annotated[
     Path | None,
@@ -60,6 +61,7 @@ def select(
     unit: Unit = None,
     step: Step = None,
     response: Response = None,
+    jobs: Jobs = None,
     as_json: Annotated[
         bool, typer.Option("--json", help="Print records and ground_motion as in results.json.")
     ] = False,
@@ -82,13 +84,17 @@ def select(
     from records.formats.stated import Stated
 
     if target is None:
-        found = of_project(places[0])
+        with processes(jobs) as executor:
+            found = of_project(places[0], executor=executor)
     else:
         spans = {"magnitude": magnitude, "distance": distance, "vs30": vs30, "pga": pga, "duration": duration}
         one_per_event, events = not several_per_event, tuple(event or ())
         wanted = Wanted(count, periods, scale_limits, fit, components, scale_to, one_per_event, spans, events)
         stated = Stated(unit, step, response)
-        found = of_target(target, places, wanted, stated=stated, flatfile=flatfile, kept=catalogue)
+        with processes(jobs) as executor:
+            found = of_target(
+                target, places, wanted, stated=stated, flatfile=flatfile, kept=catalogue, executor=executor
+            )
     if output is not None:
         drawn(found, output)
     print((json_text if as_json else csv_text if as_csv else table_text)(found), end="")

@@ -8,6 +8,7 @@ from typing import Annotated
 import typer
 
 from assess.cli.figures import FigurePath, refuse_figure
+from assess.cli.processes import Jobs, processes
 from assess.cli.records import Response, Step, Unit
 from assess.cli.records_index import Catalogue
 
@@ -21,6 +22,7 @@ def spectra(
     step: Step = None,
     response: Response = None,
     catalogue: Catalogue = None,
+    jobs: Jobs = None,
     as_csv: Annotated[bool, typer.Option("--csv", help="Print every period, a column for each record.")] = False,
     output: FigurePath = None,
 ) -> None:
@@ -29,7 +31,9 @@ def spectra(
     from assess.cli.spectra_table import csv_text, drawn, found_in, table_text
     from records.formats.stated import Stated
 
-    found = found_in(places, damping=damping, stated=Stated(unit, step, response), kept=catalogue)
+    with processes(jobs) as executor:
+        stated = Stated(unit, step, response)
+        found = found_in(places, damping=damping, stated=stated, kept=catalogue, executor=executor)
     if output is not None:
         drawn(found, output)
     print((csv_text if as_csv else table_text)(found), end="")

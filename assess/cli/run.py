@@ -36,6 +36,7 @@ def run(
 
     loaded = load(project)  # before the physics is imported, which takes seconds: a slip of the pen is told at once
     from assess.cli.outputs import RESULTS, staged
+    from assess.cli.processes import processes
     from assess.cli.progress import progress
     from assess.cli.summary import some_check_fails, summary
     from assess.project.build import build
@@ -44,7 +45,9 @@ def run(
 
     folder = output or loaded.folder / f"{loaded.path.stem}-results"
     with staged(folder) as stage, progress() as said:
-        results = run_study(build(loaded), jobs=jobs or os.cpu_count() or 1, progress=said.count)
+        with processes(jobs) as executor:
+            study = build(loaded, executor=executor)
+        results = run_study(study, jobs=jobs or os.cpu_count() or 1, progress=said.count)
         main_file = stage / RESULTS
         main_file.write_bytes(dumps(results).encode())
         if not no_report:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 from collections.abc import Sequence
+from concurrent.futures import Executor
 from dataclasses import dataclass
 from importlib.metadata import version
 from pathlib import Path
@@ -37,7 +38,9 @@ class Spectra:
     ordinates: NDArray[np.float64]
 
 
-def found_in(places: Sequence[Path], *, damping: float, stated: Stated, kept: Path | None) -> Spectra:
+def found_in(
+    places: Sequence[Path], *, damping: float, stated: Stated, kept: Path | None, executor: Executor | None = None
+) -> Spectra:
     """The spectra of the records of `places`; AssessError where a catalogue does not have the damping."""
     folders = [place for place in places if place.is_dir()]
     if folders and damping != DAMPING:
@@ -47,7 +50,7 @@ def found_in(places: Sequence[Path], *, damping: float, stated: Stated, kept: Pa
         ordinates = [response_spectrum(record, PERIODS, damping=damping) for record in records]
         pga = np.array([record.pga for record in records])
         return Spectra(tuple(record.id for record in records), pga, np.array(ordinates))
-    found = offered(places, stated=stated, kept=kept).candidates
+    found = offered(places, stated=stated, kept=kept, executor=executor).candidates
     if not found:
         raise AssessError(f"{folders[0]}: no records in the folder that can be read; `assess records index` says why")
     pga = np.array([one.measures["pga"] for one in found])

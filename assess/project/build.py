@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from concurrent.futures import Executor
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -44,16 +45,16 @@ class Files:
     named: RecordSet
 
 
-def build(project: Project) -> Study:
-    """The study that `project` describes, with every file it names read.
+def build(project: Project, *, executor: Executor | None = None) -> Study:
+    """The study that `project` describes, with every file it names read; by `executor` where records are many.
 
     Raises AssessError, SpectrumError or RecordError, each one line with the file, for what cannot be assessed.
     """
     with located(str(project.path)):
-        return study_of(project)
+        return study_of(project, executor=executor)
 
 
-def study_of(project: Project) -> Study:
+def study_of(project: Project, *, executor: Executor | None = None) -> Study:
     """The same, with errors that do not name the project file."""
     content = project.content
     spectrum = None if content.site is None else spectrum_of(content.site)
@@ -67,6 +68,7 @@ def study_of(project: Project) -> Study:
             spectrum=spectrum,
             mechanisms=study.mechanisms,
             folder=project.folder,
+            executor=executor,
         )
     files = Files(solids, spectrum, named)
     return replace(
@@ -179,7 +181,10 @@ def all_records(section: sections.Records, folder: Path) -> tuple[RecordSet, tup
     if section.select is not None:
         return RecordSet((), Fitting(record_set.EVERYWHERE)), ()
     found = record_set.all_of(section, folder)
-    return replace(found, records=horizontal(found.records)), tuple(left_out(found.records))
+    return replace(found, records=horizontal(found.records)), (
+        *left_out(found.records),
+        *record_set.doubts_of(found.records),
+    )
 
 
 def inputs_of(project: Project, records: Sequence[Record]) -> Iterator[Input]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from concurrent.futures import Executor
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, get_args
@@ -57,9 +58,9 @@ class Wanted:
     events: tuple[str, ...]
 
 
-def of_project(path: Path) -> Suite:
+def of_project(path: Path, *, executor: Executor | None = None) -> Suite:
     """The records of a project as it selects and scales them, without artificial ones."""
-    study = build(load(path))
+    study = build(load(path), executor=executor)
     spectrum = required_spectrum(study)
     if not study.records:
         raise AssessError(f"{path}: records.files: missing; add the files or the folder to select from")
@@ -78,17 +79,22 @@ def of_target(
     stated: Stated,
     flatfile: Path | None,
     kept: Path | None,
+    executor: Executor | None = None,
 ) -> Suite:
     """The suite out of files and the catalogues of folders that fits the spectrum of `target`."""
     spectrum, criteria = spectrum_at(target), criteria_of(wanted)
     if kept is not None and sum(place.is_dir() for place in places) > 1:
         raise AssessError(f"--catalogue {kept}: one catalogue is of one folder; give one folder")
-    offer = record_set.offered(places, stated=stated, flatfile=flatfile, kept=kept)
+    offer = record_set.offered(places, stated=stated, flatfile=flatfile, kept=kept, executor=executor)
     found = select(offer.candidates, spectrum, criteria)
-    chosen = record_set.record_set(found, criteria.band, folder=Path.cwd(), stated=stated)
+    chosen = record_set.record_set(found, criteria.band, folder=Path.cwd())
     motions = scaled_together(chosen.records, spectrum, chosen.fitting, scale_to=criteria.scale_to)
     motion = suite_result(motions, spectrum, chosen.fitting, source="given", equivalent={})
-    return Suite(results_of(motions, spectrum, chosen.fitting), motion, tuple(record_set.notices_of(offer.problems)))
+    return Suite(
+        results_of(motions, spectrum, chosen.fitting),
+        motion,
+        (*record_set.notices_of(offer), *record_set.doubts_of(chosen.records)),
+    )
 
 
 def criteria_of(wanted: Wanted) -> Criteria:
@@ -128,7 +134,7 @@ def scaled_files(
         scalings = [Scaling(f, misfit(r, spectrum, factor=f, **over)) for r, f in zip(records, factors, strict=True)]
         motions = tuple(Motion(record, scaling) for record, scaling in zip(records, scalings, strict=True))
     motion = suite_result(motions, spectrum, fitting, source="given", equivalent={})
-    return motions, Suite(results_of(motions, spectrum, fitting), motion)
+    return motions, Suite(results_of(motions, spectrum, fitting), motion, tuple(record_set.doubts_of(records)))
 
 
 def spectrum_at(target: Path) -> Spectrum:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Iterator, Sequence
+from concurrent.futures import Executor
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -18,18 +19,20 @@ from assess.project.study import Fitting
 from assess.results import Notice
 from records import catalogue
 from records.band import Band, band
-from records.candidates import PERIODS, Candidate
+from records.candidates import NOTHING, PERIODS, Candidate
 from records.errors import RecordError
-from records.flatfile import described_by, read_flatfile
+from records.flatfile import BadCell, Merged, described_by, merged, read_flatfile
 from records.formats.stated import Stated
-from records.indexing import NOTHING, candidate, index, read_stated
+from records.indexing import candidates_of, index, read_stated
+from records.plausibility import doubt_of
 from records.record import Record
 from records.scaling import SCALING_PERIODS
 from records.selection import Criteria, Filters, Selection, select
 from spectra.spectrum import Spectrum
 
 EVERYWHERE = Band(np.array(SCALING_PERIODS), np.ones(len(SCALING_PERIODS)))
-TOLD = 3  # unreadable files that a warning names
+TOLD = 3  # files, cells or records that a warning names
+LONGEST = 30  # characters of a cell that are shown
 
 
 @dataclass(frozen=True)
@@ -42,10 +45,11 @@ class RecordSet:
 
 @dataclass(frozen=True)
 class Offer:
-    """Records to choose from, with absolute paths, and what was not read."""
+    """Records to choose from, with absolute paths, what was not read, and what became of a flatfile."""
 
     candidates: tuple[Candidate, ...]
     problems: tuple[tuple[str, str], ...]
+    merged: Merged | None = None
 
 
 def all_of(section: sections.Records, folder: Path) -> RecordSet:
@@ -67,16 +71,21 @@ def chosen(
     spectrum: Spectrum,
     mechanisms: Iterable[Mechanism],
     folder: Path,
+    executor: Executor | None = None,
 ) -> tuple[RecordSet, tuple[Notice, ...]]:
-    """The suite that [records.select] describes, and what to know of it; `folder` is that of the project file."""
+    """The suite that [records.select] describes, and what to know of it; `folder` is that of the project file.
+
+    executor : of processes, that read where files are many
+    """
     stated = stated_in(section)
-    offer = offered(section.files, stated=stated, flatfile=section.flatfile)
+    offer = offered(section.files, stated=stated, flatfile=section.flatfile, executor=executor)
     try:
         over = band(*periods_of(wanted, spectrum, mechanisms), weights=wanted.weights)
         found = select(offer.candidates, spectrum, criteria_of(section, wanted, over))
     except RecordError as error:
         raise ProjectError(f"records.select: {error}") from None
-    return record_set(found, over, folder=folder, stated=stated), tuple(notices_of(offer.problems))
+    suite = record_set(found, over, folder=folder)
+    return suite, (*notices_of(offer), *doubts_of(suite.records))
 
 
 def periods_of(wanted: sections.Select, spectrum: Spectrum, mechanisms: Iterable[Mechanism]) -> tuple[float, float]:
@@ -104,24 +113,34 @@ def criteria_of(section: sections.Records, wanted: sections.Select, over: Band) 
 
 
 def offered(
-    files: Sequence[Path], *, stated: Stated = NOTHING, flatfile: Path | None = None, kept: Path | None = None
+    files: Sequence[Path],
+    *,
+    stated: Stated = NOTHING,
+    flatfile: Path | None = None,
+    kept: Path | None = None,
+    executor: Executor | None = None,
 ) -> Offer:
     """Every record of `files` and of the catalogues of the folders among them, brought up to date.
 
-    kept : where the catalogue of the one folder is, if not in it. Raises RecordError for a file that is named and
+    kept : where the catalogue of the one folder is, if not in it; executor : of processes, that read where files are
+    many. Raises RecordError for a file that is named and
     cannot be read; those in folders become problems.
     """
     found: list[Candidate] = []
     problems: list[tuple[str, str]] = []
-    recordings = () if flatfile is None else read_flatfile(flatfile)
+    table = None if flatfile is None else read_flatfile(flatfile)
     for place in (path for path in files if path.is_dir()):
         with catalogue.opened(kept or catalogue_of(place)) as connection:
-            problems += [(str(place / path), why) for path, why in index(place, connection, stated=stated).problems]
+            indexed = index(place, connection, stated=stated, executor=executor)
+            problems += [(str(place / path), why) for path, why in indexed.problems]
             listed = catalogue.candidates(connection)
         found += [replace(one, path=str(catalogue.inside(place, one.path))) for one in listed]
     alone = [path for path in files if not path.is_dir()]
-    made = [candidate(r, str(path), i) for path in alone for i, r in enumerate(read_stated(path, stated))]
-    return Offer(described_by([*found, *made], recordings), tuple(problems))
+    made = candidates_of(alone, stated=stated, executor=executor)
+    offer = (*found, *made)
+    if table is None:
+        return Offer(offer, tuple(problems))
+    return Offer(described_by(offer, table.recordings), tuple(problems), merged(offer, table))
 
 
 def catalogue_of(folder: Path) -> Path | None:
@@ -130,10 +149,10 @@ def catalogue_of(folder: Path) -> Path | None:
     return file if os.access(folder, os.W_OK) else None
 
 
-def record_set(found: Selection, over: Band, *, folder: Path, stated: Stated) -> RecordSet:
+def record_set(found: Selection, over: Band, *, folder: Path) -> RecordSet:
     """The records of a selection, read from their files; ids that stand twice numbered."""
     parts = [(choice, one) for choice in found.choices for one in choice.components]
-    records = uniquely_named([_record(one, folder=folder, stated=stated) for _, one in parts])
+    records = uniquely_named([_record(one, folder=folder) for _, one in parts])
     by_choice: dict[int, list[str]] = {}
     for (choice, _), record in zip(parts, records, strict=True):
         by_choice.setdefault(id(choice), []).append(record.id)
@@ -146,9 +165,9 @@ def record_set(found: Selection, over: Band, *, folder: Path, stated: Stated) ->
     return RecordSet(records, fitting)
 
 
-def _record(one: Candidate, *, folder: Path, stated: Stated) -> Record:
+def _record(one: Candidate, *, folder: Path) -> Record:
     """The record of a candidate, with what a flatfile knows of it and its path as the project file writes it."""
-    record = read_stated(Path(one.path), stated)[one.position]
+    record = read_stated(Path(one.path), one.stated)[one.position]
     return replace(
         record,
         path=relative(Path(one.path), folder),
@@ -160,11 +179,33 @@ def _record(one: Candidate, *, folder: Path, stated: Stated) -> Record:
     )
 
 
-def notices_of(problems: Sequence[tuple[str, str]]) -> Iterator[Notice]:
-    if problems:
-        told = "; ".join(f"{path}: {why}" for path, why in problems[:TOLD])
-        more = f"; and {len(problems) - TOLD} more" if len(problems) > TOLD else ""
-        yield Notice("records", "records.files", f"{len(problems)} files were not read: {told}{more}")
+def notices_of(offer: Offer) -> Iterator[Notice]:
+    """What to know of the files that were not read, and of a flatfile that does not fit."""
+    if offer.problems:
+        told = _first([f"{path}: {why}" for path, why in offer.problems])
+        yield Notice("records", "records.files", f"{len(offer.problems)} files were not read: {told}")
+    if offer.merged is not None and offer.merged.doubt:
+        yield Notice("records", "records.flatfile", offer.merged.doubt)
+    if offer.merged is not None and offer.merged.bad:
+        told = _first([cell_text(cell) for cell in offer.merged.bad])
+        yield Notice("records", "records.flatfile", f"{len(offer.merged.bad)} cells are passed over: {told}")
+
+
+def cell_text(cell: BadCell) -> str:
+    """A cell of a flatfile that was passed over, in words."""
+    return f'row {cell.row}, {cell.column}: "{cell.value[:LONGEST]}"'
+
+
+def doubts_of(records: Sequence[Record]) -> Iterator[Notice]:
+    """Which records have peaks that ground hardly has."""
+    doubts = [doubt for record in records if (doubt := doubt_of(record))]
+    if doubts:
+        yield Notice("records", "records.unit", _first(doubts))
+
+
+def _first(told: Sequence[str]) -> str:
+    more = f"; and {len(told) - TOLD} more" if len(told) > TOLD else ""
+    return "; ".join(told[:TOLD]) + more
 
 
 def uniquely_named(records: Sequence[Record]) -> tuple[Record, ...]:

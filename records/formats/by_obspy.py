@@ -20,7 +20,7 @@ import numpy as np
 
 from records.errors import RecordError
 from records.formats.samples import acceleration_factor, number
-from records.formats.stated import Stated
+from records.formats.stated import GIVE_UNIT, Stated
 from records.orientation import azimuth_of
 from records.record import Earthquake, Record, Site, make_record
 
@@ -70,7 +70,9 @@ def read_sac(path: Path, stated: Stated) -> tuple[Record, ...]:
 
 def _read(path: Path, stated: Stated, *, form: str, name: str) -> tuple[Record, ...]:
     if stated.unit is None and stated.response is None:
-        raise RecordError(f"{path}: {name} does not state the unit of its samples; give unit, or response (StationXML)")
+        raise RecordError(
+            f"{path}: {name} does not state the unit of its samples; {GIVE_UNIT}, or response (StationXML)"
+        )
     import obspy
 
     with warnings.catch_warnings():

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from records.errors import RecordError
-from records.formats.stated import Stated
+from records.formats.stated import GIVE_UNIT, Stated
 from records.orientation import azimuth_of
 from records.record import Earthquake, Record, make_record
 from spectra.columns import (
@@ -103,7 +103,7 @@ def _units(columns: Columns, unit: str | None, *, path: Path) -> tuple[float, fl
     stated = acceleration or unit
     if stated is None:
         raise RecordError(
-            f"{path}: the file does not state the unit of its accelerations; write it in the header or give unit"
+            f"{path}: the file does not state the unit of its accelerations; write it in the header, or {GIVE_UNIT}"
         )
     if time is None and unit is None:
         raise RecordError(f"{path}: the header gives no unit for the time; write it like: time [s], acceleration [g]")

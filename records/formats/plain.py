@@ -19,7 +19,7 @@ import numpy as np
 from records.errors import RecordError
 from records.formats import peer_at2
 from records.formats.samples import FloatArray, acceleration_factor, check_count, numbers, positive, text_lines
-from records.formats.stated import Stated
+from records.formats.stated import GIVE_STEP, GIVE_UNIT, Stated
 from records.record import Record, make_record
 from spectra.columns import CONTROL
 
@@ -78,7 +78,7 @@ def read(path: Path, stated: Stated) -> tuple[Record, ...]:
         _refuse_tables(body, samples, path=path)
     unit = header.unit or stated.unit
     if unit is None:
-        raise RecordError(f"{path}: the file does not state the unit of its accelerations; give unit")
+        raise RecordError(f"{path}: the file does not state the unit of its accelerations; {GIVE_UNIT}")
     dt = _step(header, stated, path=path)
     said = f"unit {unit}" + ("" if header.unit else " as given, for the file does not say")
     return (
@@ -117,7 +117,7 @@ def _step(header: Header, stated: Stated, *, path: Path) -> float:
     if header.step:
         return positive(header.step, name="step", line=header.length, path=path)
     if stated.step is None:
-        raise RecordError(f"{path}: the file does not state its time step; give step, in seconds")
+        raise RecordError(f"{path}: the file does not state its time step; {GIVE_STEP}")
     return stated.step
 
 

@@ -69,7 +69,9 @@ def test_sac_says_more(tmp_path: Path) -> None:
 
 
 def test_without_unit_or_response_it_is_refused(tmp_path: Path) -> None:
-    with pytest.raises(RecordError, match=r"MiniSEED does not state the unit of its samples; give unit, or response"):
+    with pytest.raises(
+        RecordError, match=r"MiniSEED does not state the unit of its samples; give unit \(--unit g .*\), or response"
+    ):
         read(miniseed(tmp_path, trace()))
 
 

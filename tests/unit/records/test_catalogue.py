@@ -149,7 +149,7 @@ def test_a_flatfile_goes_before_what_files_say(folder: Path, tmp_path: Path) -> 
     at2(folder / "TWICE.AT2", seed=5)
     with opened(None) as catalogue:
         index(folder, catalogue)
-        take(catalogue, read_flatfile(table))
+        take(catalogue, read_flatfile(table).recordings)
         found = {one.path: one for one in candidates(catalogue)}
         of = found["RSN57_X_0.AT2"]
         assert (of.event, of.station, of.magnitude, of.vs30) == ('San Fernando, "main"', "Castaic", 6.61, 450.3)

@@ -434,9 +434,9 @@ def test_three_full_columns_are_not_taken_for_one_motion(tmp_path: Path) -> None
 def test_bare_numbers_need_unit_and_step(tmp_path: Path) -> None:
     path = tmp_path / "bare.txt"
     path.write_text(rows(VALUES, 8, "10.3f"))
-    with pytest.raises(RecordError, match="does not state the unit of its accelerations; give unit"):
+    with pytest.raises(RecordError, match=r"does not state the unit of its accelerations; give unit \(--unit"):
         read(path, step=0.02)
-    with pytest.raises(RecordError, match="does not state its time step; give step"):
+    with pytest.raises(RecordError, match=r"does not state its time step; give step, in seconds \(--step"):
         read(path, unit="g")
     (record,) = read(path, unit="g", step=0.02)
     np.testing.assert_allclose(record.acceleration, g * VALUES, rtol=0, atol=6e-3 * g)

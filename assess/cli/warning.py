@@ -1,0 +1,18 @@
+"""Warnings of commands that have no other place for them: lines on stderr."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Sequence
+
+from assess.project.messages import printable
+
+TOLD = 5  # lines
+
+
+def warn(doubts: Sequence[str]) -> None:
+    """A line for each doubt that is not "", the first few of many."""
+    told = [doubt for doubt in doubts if doubt]
+    more = [f"and {len(told) - TOLD} more such records"] if len(told) > TOLD else []
+    for text in (*told[:TOLD], *more):
+        print(f"assess: warning: {printable(text)}", file=sys.stderr)

@@ -51,8 +51,8 @@ def butterworth(record: Record, *, low: float | None = None, high: float | None 
         return record
     if not (all(0.0 < corner < nyquist for corner in corners) and corners == sorted(set(corners))):
         raise RecordError(
-            f"{_where(record)}: corner frequencies {low} and {high} Hz; they must rise, above 0 and below half the "
-            f"rate, {nyquist:.6g} Hz"
+            f"{_where(record)}: {_corners(low, high)}; a corner must lie above 0 and below half the rate, "
+            f"{nyquist:.6g} Hz{', and the low one below the high one' if len(corners) == 2 else ''}"
         )
     if not 1 <= order <= HIGHEST_ORDER:
         raise RecordError(f"{_where(record)}: filter of order {order}; it must be from 1 to {HIGHEST_ORDER}")
@@ -115,6 +115,12 @@ def _with(record: Record, samples: FloatArray, *, said: str, dt: float | None = 
     """The record with other samples, checked as when read."""
     checked = make_record(record.id, samples, record.dt if dt is None else dt, path=record.path)
     return replace(record, acceleration=checked.acceleration, dt=checked.dt, trail=(*record.trail, said))
+
+
+def _corners(low: float | None, high: float | None) -> str:
+    """Those that are given: "low corner 0.1 Hz, high corner 60 Hz"."""
+    named = {"low": low, "high": high}
+    return ", ".join(f"{name} corner {corner:.6g} Hz" for name, corner in named.items() if corner is not None)
 
 
 def _fitting(size: float, record: Record) -> int:

@@ -25,6 +25,8 @@ def read(
     Raises RecordError, naming the file, where it cannot be opened, has no format known or more than one, holds
     what is not a record, or no motion at all.
     """
+    if path.is_dir():
+        raise RecordError(f"{path}: is a folder; give the files in it, like {path / '*'}")
     try:
         with path.open("rb") as file:
             head = file.read(HEAD)

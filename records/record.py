@@ -63,7 +63,8 @@ class Record:
     acceleration : ground acceleration, read-only [n] [m/s2]
     dt : time step [s]
     path : the file it was read from, "" for synthetic ones
-    event, station, component : as the file says, "" where it does not; an event without a name has its origin's time
+    event, station, component : as the file says, "" where it does not; an event without a name is called by its
+    origin's time, magnitude and epicentre
     azimuth : direction of positive acceleration, clockwise from north [rad]; None if vertical or unknown
     distance : from the epicentre [m], None if unknown
     earthquake, site : what else the file says of them
@@ -136,8 +137,26 @@ def make_record(
     if not (np.isfinite(dt) and dt > 0):
         raise RecordError(f"{where}: time step {dt} s; it must be positive")
     samples.flags.writeable = False
-    named = event or earthquake.time
+    named = event or designation(earthquake)
     return Record(id, samples, float(dt), path, named, station, component, trail, azimuth, distance, earthquake, site)
+
+
+def designation(earthquake: Earthquake) -> str:
+    """What an earthquake without a name is called: "2018-01-24 10:51, M6.2, 41.00N 142.50E", as far as known.
+
+    A time alone stays as it is, ISO 8601.
+    """
+    magnitude, north, east = earthquake.magnitude, earthquake.latitude, earthquake.longitude
+    size = "" if magnitude is None else f"M{magnitude:.3g}"
+    place = "" if north is None or east is None else f"{_at(north, 'NS')} {_at(east, 'EW')}"
+    if not (size or place):
+        return earthquake.time
+    when = earthquake.time[:16].replace("T", " ").removesuffix("Z")
+    return ", ".join(part for part in (when, size, place) if part)
+
+
+def _at(degrees: float, sides: str) -> str:
+    return f"{abs(degrees):.2f}{sides[degrees < 0.0]}"
 
 
 def scaled(record: Record, factor: float) -> Record:

@@ -34,6 +34,12 @@ Components = Literal["single", "together"]
 COUNTABLE = 20_000  # suites that are all tried
 EXCHANGED = 2_000  # records, those of least misfit, that may be exchanged into a suite
 CHUNK = 1_000
+KNOWN: Mapping[str, Callable[[Candidate], float | None]] = {
+    "magnitude": lambda one: one.magnitude,
+    "distance": lambda one: one.distance,
+    "vs30": lambda one: one.vs30,
+}
+"""What files may not say, by the name of its filter."""
 
 
 @dataclass(frozen=True)
@@ -108,7 +114,8 @@ def select(candidates: Sequence[Candidate], spectrum: Spectrum, criteria: Criter
     """
     band = up_to(criteria.band, spectrum.longest_period)
     horizontal = [one for one in candidates if one.shakes]
-    passed = [one for one in horizontal if passes(one, criteria.filters)]
+    known = _known(horizontal, criteria.filters)
+    passed = [one for one in known[-1][1] if passes(one, criteria.filters)]
     choices, log_ratio = _scaled(_joined(passed, criteria.components), spectrum, band, criteria.scale_to)
     low, high = criteria.scale_limits
     kept = np.array([low <= choice.factor <= high for choice in choices], dtype=np.bool_)
@@ -116,14 +123,16 @@ def select(candidates: Sequence[Candidate], spectrum: Spectrum, criteria: Criter
     groups = _groups(choices, one_per_event=criteria.one_per_event)
     counted = (
         ("components", len(candidates)),
-        ("horizontal at the free surface", len(horizontal)),
+        *((step, len(left)) for step, left in known),
         ("that pass the filters", len(passed)),
         ("within the limits of the scale factor", len(choices)),
         ("of different earthquakes" if criteria.one_per_event else "to choose from", len(set(groups.tolist()))),
     )
     if counted[-1][1] < criteria.count:
         said = ", ".join(f"{number} {step}" for step, number in counted)
-        raise RecordError(f"{criteria.count} records wanted; there are {said}: widen the limits, or add records")
+        remedy = "widen the limits, or add records"
+        remedy += ", or a flatfile that knows more of them" if len(known[-1][1]) < len(horizontal) else ""
+        raise RecordError(f"{criteria.count} records wanted; there are {said}: {remedy}")
     chosen, greedy = FITS[criteria.fit](_suite(choices, log_ratio, band, groups), criteria.count)
     ratio = _ratios([choices[i] for i in chosen], log_ratio[chosen])
     misfit = float(mean_square(np.log(ratio.mean(axis=0)), weight=band.weight))
@@ -146,6 +155,17 @@ def passes(candidate: Candidate, filters: Filters) -> bool:
         return False
     name = candidate.event.lower()
     return not filters.events or any(part.lower() in name for part in filters.events)
+
+
+def _known(level: Sequence[Candidate], filters: Filters) -> list[tuple[str, Sequence[Candidate]]]:
+    """What is left of the horizontal components after each step that drops those of which a filter knows nothing."""
+    steps = [("horizontal at the free surface", level)]
+    for name, of in KNOWN.items():
+        before = steps[-1][1]
+        if getattr(filters, name) is not None:
+            left = [one for one in before if of(one) is not None]
+            steps.append((f"of known {name} ({len(before) - len(left)} unknown)", left))
+    return steps
 
 
 def _joined(candidates: Sequence[Candidate], components: Components) -> list[tuple[Candidate, ...]]:

@@ -4,19 +4,23 @@ from __future__ import annotations
 
 from scipy.constants import g
 
+from records.formats.comments import comments
 from records.record import Record
+from spectra.columns import ACCELERATION_UNITS, factor_of
 
 PER_LINE = 5
 LONGEST_LINE = 200
 
 
-def csv_text(record: Record) -> str:
-    """Times [s] and accelerations [m/s2] at full precision, below comments that the reader of CSV understands."""
-    known = {"event": record.event, "origin": record.earthquake.time, "station": record.station}
-    known |= {"component": record.component, "trail": "; ".join(record.trail)}
-    comments = "".join(f"# {key}: {_on_one_line(text)}\n" for key, text in known.items() if text)
-    rows = (f"{i * record.dt:.12g},{a!r}\n" for i, a in enumerate(record.acceleration.tolist()))
-    return comments + "time [s],acceleration [m/s2]\n" + "".join(rows)
+def csv_text(record: Record, *, unit: str = "m/s2") -> str:
+    """Times [s] and accelerations at full precision, below comments that the reader of CSV understands.
+
+    unit : of the accelerations; ColumnError for one that is not known
+    """
+    samples = record.acceleration / factor_of(unit, known=ACCELERATION_UNITS)
+    printed = repr if unit == "m/s2" else "{:.15g}".format  # what was divided has no more digits
+    rows = (f"{i * record.dt:.12g},{printed(a)}\n" for i, a in enumerate(samples.tolist()))
+    return "".join(comments(record)) + f"time [s],acceleration [{unit}]\n" + "".join(rows)
 
 
 def at2_text(record: Record) -> str:

@@ -35,8 +35,11 @@ WRITERS: Mapping[str, Callable[[Figure, Path, str], None]] = {".svg": _svg, ".pd
 
 def write_figure(figure: Figure, path: Path, *, creator: str) -> Path:
     """Write `figure` to `path`, whole or not at all, in the form its ending names (a key of WRITERS); the path."""
-    with TemporaryDirectory(prefix=".assess-partial-", dir=path.parent) as folder:
-        made = Path(folder) / path.name
-        WRITERS[path.suffix.lower()](figure, made, creator)
-        os.replace(made, path)
+    try:
+        with TemporaryDirectory(prefix=".assess-partial-", dir=path.parent) as folder:
+            made = Path(folder) / path.name
+            WRITERS[path.suffix.lower()](figure, made, creator)
+            os.replace(made, path)
+    except OSError as error:
+        raise OSError(error.errno, error.strerror, str(path)) from None
     return path

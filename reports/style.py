@@ -13,6 +13,7 @@ from textwrap import wrap
 from typing import Any
 
 import matplotlib
+from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
@@ -107,6 +108,11 @@ def bare_sheet(height: float, *, width: float = WIDTH) -> Figure:
     figure = Figure(figsize=(width, height))
     FigureCanvasAgg(figure)
     return figure
+
+
+def legend_above(axes: Axes, *, columns: int) -> None:
+    """A legend above the panel, where it covers no curve."""
+    axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), borderaxespad=0.1, ncols=columns)
 
 
 def label(text: str, limit: int = 40) -> str:

@@ -32,8 +32,8 @@ def blocks(results: Results) -> list[Block]:
 def sentences(motion: GroundMotionResult) -> tuple[str, ...]:
     """Range of periods, and the rules of the selection."""
     over = (
-        f"The records are compared with the target at periods from {numeral(motion.from_s)} to "
-        f"{numeral(motion.to_s)} s ({motion.source}), those within it of forty to a decade. The mean squared "
+        f"The records are compared with the target at periods from {motion.from_s:.4g} to "
+        f"{motion.to_s:.4g} s ({motion.source}), those within it of forty to a decade. The mean squared "
         f"difference of the logarithms of their mean and the target is {numeral(motion.misfit)}."
     )
     chosen = motion.selection
@@ -43,8 +43,8 @@ def sentences(motion: GroundMotionResult) -> tuple[str, ...]:
     kept = "; components of a recording are kept together with one factor" if chosen.components == "together" else ""
     events = "no two of one earthquake" if chosen.one_per_event else "several of one earthquake allowed"
     rule = (
-        f"They were chosen so that {fits} fits best, with scale factors from {numeral(chosen.least_factor)} to "
-        f"{numeral(chosen.largest_factor)}, {events}{kept}."
+        f"They were chosen so that {fits} fits best, with scale factors from {chosen.least_factor:.4g} to "
+        f"{chosen.largest_factor:.4g}, {events}{kept}."
     )
     return (over, rule)
 

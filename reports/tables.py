@@ -21,7 +21,7 @@ from assess.results import (
 )
 from reports import governing, spectrum_parameters
 from reports.document import Cell, Column, Table
-from reports.numerals import as_cell
+from reports.numerals import as_cell, given
 
 OVERTURNED, NO_ROCKING, NONE = "overturned", "no rocking", "none"
 _MECHANISM, _LEVEL, _PROCEDURE = Column("Mechanism"), Column("PGA", "g", "number"), Column("Procedure")
@@ -149,7 +149,7 @@ def site(results: Results) -> Table:
             ("code", "-", spectrum.code),
             ("clause", "-", spectrum.clause),
             *spectrum_parameters.named(spectrum.parameters),
-            ("damping ratio", "-", spectrum.damping),
+            ("damping ratio", "-", given(spectrum.damping)),
             ("other damping", "-", spectrum.damping_rule),
             ("peak ground acceleration, Sₐ(0)", "g", spectrum.pga_g),
         )

@@ -14,6 +14,8 @@ FigurePath = Annotated[
 
 
 def refuse_figure(output: Path | None) -> None:
-    """Raise BadParameter for a name that does not end as a figure does."""
+    """Raise BadParameter for a name that does not end as a figure does, and for a folder that is not there."""
     if output is not None and output.suffix.lower() not in ENDINGS:
         raise typer.BadParameter(f"{output}: a figure is written as {', '.join(ENDINGS)}; end its name so")
+    if output is not None and not output.parent.is_dir():
+        raise typer.BadParameter(f"{output}: there is no folder {output.parent}; make it first")

@@ -11,6 +11,8 @@ from assess.project.record_set import cell_text
 from records.flatfile import Merged
 from records.indexing import Indexed
 
+TOLD = 20  # bad cells of a flatfile
+
 
 def table_text(found: Indexed, place: Path, *, described: int, merged: Merged | None) -> str:
     """Counts, what became of a flatfile, each file that could not be read with the reason, and the catalogue's path."""
@@ -33,8 +35,9 @@ def json_text(found: Indexed, place: Path, *, described: int, merged: Merged | N
 
 def _flatfile(merged: Merged) -> list[str]:
     counts = f"{merged.matched} rows matched, {merged.unmatched} unmatched, {len(merged.bad)} bad cells"
-    bad = (f"flatfile, {cell_text(cell)}: no value that can be; passed over" for cell in merged.bad)
-    return [f"flatfile: {counts}; {merged.records} records described", *bad]
+    bad = [f"flatfile, {cell_text(cell)}: no value that can be; passed over" for cell in merged.bad[:TOLD]]
+    more = [f"flatfile: and {len(merged.bad) - TOLD} more; --json lists all"] if len(merged.bad) > TOLD else []
+    return [f"flatfile: {counts}; {merged.records} records described", *bad, *more]
 
 
 def _as_json(merged: Merged | None) -> dict[str, object] | None:

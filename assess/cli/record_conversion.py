@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import tempfile
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from math import isfinite, radians
 from pathlib import Path
@@ -15,8 +15,9 @@ from records.processing import baseline_corrected, butterworth, resampled, trimm
 from records.record import Record, scaled
 from records.rotation import at_azimuth, rotd
 from records.writing import at2_text, csv_text
+from spectra.columns import ColumnError
 
-WRITERS: Mapping[str, Callable[[Record], str]] = {".csv": csv_text, ".at2": at2_text}
+ENDINGS = (".csv", ".at2")
 
 
 @dataclass(frozen=True)
@@ -51,10 +52,15 @@ def chosen(found: Sequence[Record], *, component: str | None, turned: bool) -> t
         if len(level) != 2 or component is not None:
             raise AssessError(f"two horizontal components are turned, without --component; the files hold {names}")
         return level
-    kept = tuple(record for record in found if component is None or record.component == component)
+    kept = tuple(record for record in found if component is None or _plain(record.component) == _plain(component))
     if len(kept) != 1:
         raise AssessError(f"one record is converted, {len(kept)} fit; choose with --component: {names}")
     return kept
+
+
+def _plain(component: str) -> str:
+    """A component's name, capitals and blanks aside."""
+    return " ".join(component.casefold().split())
 
 
 def processed(records: tuple[Record, ...], wanted: Processing) -> Record:
@@ -80,19 +86,34 @@ def _scaled(record: Record, factor: float) -> Record:
     return scaled(record, factor)
 
 
-def write(record: Record, path: Path, *, inputs: Sequence[Path]) -> None:
-    """The record in the file at `path`, whole or not at all; in the format that its ending names."""
-    writer = WRITERS.get(path.suffix.lower())
-    if writer is None:
-        raise AssessError(f"{path}: ends in {path.suffix or 'nothing'}; choose one of {', '.join(WRITERS)}")
+def text_of(record: Record, path: Path, *, unit: str | None) -> str:
+    """The record in the format that the ending of `path` names; CSV in `unit`, m/s2 if None. AT2 is always in g."""
+    ending = path.suffix.lower()
+    if ending not in ENDINGS:
+        raise AssessError(f"{path}: ends in {path.suffix or 'nothing'}; choose one of {', '.join(ENDINGS)}")
+    if ending == ".at2":
+        if unit not in (None, "g"):
+            raise AssessError(f"--to-unit {unit}: PEER AT2 is in g by its format; leave --to-unit out, or write .csv")
+        return at2_text(record)
+    try:
+        return csv_text(record, unit=unit or "m/s2")
+    except ColumnError as error:
+        raise AssessError(f"--to-unit: {error}") from None
+
+
+def write(text: str, path: Path, *, inputs: Sequence[Path]) -> None:
+    """The text in the file at `path`, whole or not at all."""
     if path.is_dir() or any(path.exists() and path.samefile(each) for each in inputs):
         raise AssessError(f"{path}: is a folder or a file that is read; give another name with -o")
     if not path.parent.is_dir():
         raise AssessError(f"{path}: there is no folder {path.parent}; make it first")
-    handle, partial = tempfile.mkstemp(prefix=".assess-partial-", dir=path.parent)
+    try:
+        handle, partial = tempfile.mkstemp(prefix=".assess-partial-", dir=path.parent)
+    except OSError as error:
+        raise AssessError(f"{path}: cannot be written: {error.strerror}; give another place") from None
     try:
         with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as file:
-            file.write(writer(record))
+            file.write(text)
         os.chmod(partial, 0o644)
         os.replace(partial, path)
     except BaseException:

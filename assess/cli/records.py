@@ -76,11 +76,14 @@ def convert(
     ] = None,
     resample: Annotated[float | None, typer.Option(help="New step [s], without aliasing.")] = None,
     scale: Annotated[float | None, typer.Option(help="Multiply every acceleration.")] = None,
+    to_unit: Annotated[
+        str | None, typer.Option(metavar="UNIT", help="Of the CSV written: m/s2 (if absent), g, cm/s2, gal, mm/s2.")
+    ] = None,
 ) -> None:
     """Write one record as CSV or PEER AT2, turned, corrected, filtered, trimmed, resampled and scaled in this order."""
     if azimuth is not None and rotd is not None:
         raise typer.BadParameter("--azimuth and --rotd exclude each other")
-    from assess.cli.record_conversion import Processing, chosen, processed, write
+    from assess.cli.record_conversion import Processing, chosen, processed, text_of, write
     from assess.cli.warning import warn
     from records.plausibility import doubt_of
     from records.reading import read
@@ -90,5 +93,5 @@ def convert(
     used = chosen(found, component=component, turned=wanted.turns)
     warn([doubt_of(record) for record in used])
     record = processed(used, wanted)
-    write(record, output, inputs=files)
+    write(text_of(record, output, unit=to_unit), output, inputs=files)
     print(f"{output}: {record.npts} samples at {record.dt:.6g} s; {'; '.join(record.trail)}")

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass, replace
+from math import isnan
 from pathlib import Path
 from typing import Any, get_args
 
@@ -101,7 +102,9 @@ def criteria_of(wanted: Wanted) -> Criteria:
     """In SI; AssessError for a word that is not known or a range that falls."""
     spans = {**wanted.spans, "scale-limits": wanted.scale_limits}
     for name, span in spans.items():
-        if span is not None and not span[0] <= span[1]:
+        if span is not None and (isnan(span[0]) or isnan(span[1])):
+            raise AssessError(f"--{name} {span[0]:g} {span[1]:g}: not a number; give two numbers, the lesser first")
+        if span is not None and span[0] > span[1]:
             raise AssessError(f"--{name} {span[0]:g} {span[1]:g}: the first is larger than the second")
     si = {
         name: None if span is None else (span[0] * UNITS[name], span[1] * UNITS[name])
@@ -141,6 +144,11 @@ def spectrum_at(target: Path) -> Spectrum:
     """The spectrum of a project's site, or of a table in a file that ends in .csv or .txt."""
     if target.suffix.lower() in (".csv", ".txt") and target.is_file():
         return read_table(target)
+    if target.is_file() and target.suffix.lower() != ".toml":
+        raise AssessError(
+            f"--target {target}: a target is a project (a folder, or a file in .toml), or a table of period and "
+            "acceleration in .csv or .txt; this is neither"
+        )
     return spectrum_of(site_of(target))
 
 

@@ -74,7 +74,15 @@ def _channel(lines: list[str], start: int, end: int, *, path: Path) -> Record | 
     at = next((i for i in range(start, end) if SERIES.match(lines[i])), None)
     series = None if at is None else SERIES.match(lines[at])
     if at is None or series is None:
-        raise RecordError(f"{path}: line {start + 1}: a channel without its line of points and unit; it is cut short")
+        raise RecordError(
+            f"{path}: line {start + 1}: a channel without its line of points, even step and unit; cut short, or of "
+            "uneven steps (volume 1A), which are not read: give the volume 2 file of the agency"
+        )
+    if re.search(r"\braw\b|counts?\b", f"{series[2]} {series[4]}", re.IGNORECASE) or "volt" in series[4].lower():
+        raise RecordError(
+            f'{path}: line {at + 1}: raw data in "{series[4][:20]}" (volume 0), not yet accelerations; give the volume '
+            "1 or 2 file of the agency, or MiniSEED with the instrument's response"
+        )
     if not series[2].lower().replace("uncor.", "").strip().startswith("acc"):
         return None
     integers, reals = _block(lines, start, at, "Integer", path=path), _block(lines, start, at, "Real", path=path)

@@ -38,6 +38,7 @@ VOLUME_2 = re.compile(
     r"(?:\(units:\s*(?P<unit>[^)]+)\)|in\s+(?P<in>\S+?)\.?(?:\s|$))",
     re.IGNORECASE,
 )
+UNCORRECTED = re.compile(r"\s*uncorrected accelerogram data\b", re.IGNORECASE)  # first line of volume 1
 CHANNEL = re.compile(r"\s*Chan\s+(\d+)\s*:\s*(.*?)\s*", re.IGNORECASE)
 STATION = re.compile(r"\s*Station No\.\s*(\S+)\s+([\d.]+)\s*([NS]),\s*([\d.]+)\s*([EW])", re.IGNORECASE)
 ORIGIN = re.compile(r"Origin\s*(?:\([^()]*\))?\s*:\s*(\d+)/(\d+)/(\d+)\s*,\s*(\d+):(\d+):([\d.]+)\s*UTC", re.IGNORECASE)
@@ -50,8 +51,10 @@ STATION_1, CHANNEL_1 = 5, 6  # of volume 1
 
 
 def looks_like(head: bytes) -> bool:
-    """Whether a file that begins with `head` is CSMIP: its line of points, step and unit."""
-    return any(VOLUME_1.match(line) or VOLUME_2.match(line) for line in head.decode("latin-1").splitlines())
+    """Whether a file that begins with `head` is CSMIP: its line of points, step and unit, or the title of volume 1."""
+    lines = head.decode("latin-1").splitlines()
+    titled = bool(lines) and UNCORRECTED.match(lines[0]) is not None
+    return titled or any(VOLUME_1.match(line) or VOLUME_2.match(line) for line in lines)
 
 
 def read(path: Path, stated: Stated) -> tuple[Record, ...]:
@@ -69,7 +72,12 @@ def read(path: Path, stated: Stated) -> tuple[Record, ...]:
             records.append(_channel(lines[start:at], found, lines, at, path=path))
         if line.startswith("/&"):
             start = at + 1
-    if not records or any(line.strip() for line in lines[start:]):
+    if not records:
+        raise RecordError(
+            f"{path}: no channel of points evenly spaced in time; the file is cut short, or of pairs of time and "
+            "acceleration, which are not read: give the volume 2 file, or resample it to one step and write CSV"
+        )
+    if any(line.strip() for line in lines[start:]):
         raise RecordError(f"{path}: the last channel does not end with a line that begins with /&; it is cut short")
     return tuple(records)
 
@@ -92,7 +100,7 @@ def _channel(header: list[str], found: re.Match[str], lines: list[str], at: int,
         factor * samples,
         _step(parts, line=at + 1, path=path),
         path=str(path),
-        event=_column(header, NAME_OF_EVENT - first),
+        event=_column(header, NAME_OF_EVENT - first).removeprefix("Record of "),
         station=_station(header, NAME_OF_STATION - first),
         component=chan[2],
         trail=(f"read from {NAME} volume {1 if first else 2}, unit {unit}", *(["uncorrected"] if first else [])),

@@ -1,24 +1,21 @@
 """Two columns of text, time and acceleration, with their units in the header: `time [s], acceleration [g]`.
 
-Comments before the header may say more: `# event: Loma Prieta`, and so `origin` (time), `station` and `component`.
+Comments before the header may say more (`comments`): `# event: Loma Prieta`, `# magnitude: 6.9`.
 A file without units, or without a header, is read too where the caller states the unit of its accelerations; its
 times are then seconds.
 """
 
 from __future__ import annotations
 
-import re
-from collections.abc import Sequence
-from itertools import takewhile
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
 from records.errors import RecordError
+from records.formats.comments import described, said
 from records.formats.stated import GIVE_UNIT, Stated
-from records.orientation import azimuth_of
-from records.record import Earthquake, Record, make_record
+from records.record import Record, make_record
 from spectra.columns import (
     ACCELERATION_UNITS,
     TIME_UNITS,
@@ -36,7 +33,6 @@ from spectra.columns import (
 FloatArray = NDArray[np.float64]
 
 NAME = "CSV"
-COMMENT = re.compile(r"\s*#\s*(event|origin|station|component)\s*:\s*(.*?)\s*")
 UNIFORM = 0.05  # how far a printed time may stand from its place, in steps
 
 
@@ -72,29 +68,10 @@ def read(path: Path, stated: Stated) -> tuple[Record, ...]:
         raise RecordError(str(error)) from None
     seconds, si, words = _units(columns, stated.unit, path=path)
     dt = _step(seconds * columns.values[:, 0], path=path)
-    said = _said(decode(path.read_bytes(), where=str(path)).splitlines())
-    component = said.get("component", "")
-    return (
-        make_record(
-            path.stem,
-            si * columns.values[:, 1],
-            dt,
-            path=str(path),
-            event=said.get("event", ""),
-            station=said.get("station", ""),
-            component=component,
-            trail=(f"read from {NAME}, {words}",),
-            azimuth=azimuth_of(component),
-            earthquake=Earthquake(time=said.get("origin", "")),
-        ),
-    )
-
-
-def _said(lines: Sequence[str]) -> dict[str, str]:
-    """What comments like `# station: Corralitos` say before the first row."""
-    comments = takewhile(lambda line: not line.strip() or line.lstrip().startswith("#"), lines)
-    found = (COMMENT.fullmatch(line) for line in comments)
-    return {match[1]: match[2] for match in found if match}
+    known = said(decode(path.read_bytes(), where=str(path)).splitlines())
+    before = (f"before that: {known['trail']}",) if known.get("trail") else ()
+    trail = (f"read from {NAME}, {words}", *before)
+    return (make_record(path.stem, si * columns.values[:, 1], dt, path=str(path), trail=trail, **described(known)),)
 
 
 def _units(columns: Columns, unit: str | None, *, path: Path) -> tuple[float, float, str]:

@@ -62,7 +62,7 @@ def read(path: Path, stated: Stated) -> tuple[Record, ...]:
             factor * samples,
             dt,
             path=str(path),
-            event=text.get("EVENT_NAME", ""),
+            event=_event(text),
             station=_station(text),
             component=text.get("STREAM", ""),
             trail=(f"read from {NAME}, unit {unit}", *_processing(text)),
@@ -98,6 +98,12 @@ def _station(text: dict[str, str]) -> str:
     """Network and code, with the name where there is one: `HI.ARS1 Town Hall, Argos`."""
     code = ".".join(part for part in (text.get("NETWORK", ""), text.get("STATION_CODE", "")) if part)
     return f"{code} {text.get('STATION_NAME', '')}".strip()
+
+
+def _event(text: dict[str, str]) -> str:
+    """Name of the event, else its number in the archive; "" where both are bare digits, a time stamp."""
+    names = (text.get("EVENT_NAME", ""), text.get("EVENT_ID", ""))
+    return next((name for name in names if re.search(r"[^\W\d_]", name)), "")
 
 
 def _processing(text: dict[str, str]) -> tuple[str, ...]:

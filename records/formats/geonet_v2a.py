@@ -39,6 +39,7 @@ TEXT_LINES, NUMBER_LINES, COLUMNS = 16, 10, 10
 
 POINTS = re.compile(r"\s*Number of points\s+(\S+)")
 INTERVAL = re.compile(r"\s*Instrument corrected data at\s+(\S+)\s+sec")
+UNCORRECTED = re.compile(r"\s*Raw readings in units of")  # where a V2A has its interval
 COMPONENT = re.compile(r"\s*Component\s+(\S+)")
 PEAK = re.compile(r"\s*Acceleration:\s+peak\s+(\S+)\s+(\S+)\s+at")
 DEGREES = re.compile(r"(\d+)\s+(\d+)\s+(\d+)\s*([NS])\s+(\d+)\s+(\d+)\s+(\d+)\s*([EW])")
@@ -46,9 +47,11 @@ DATE = re.compile(r"\s*(\d{4})\s+([A-Z][a-z]+)\s+(\d+)\s+(\d+):(\d+):([\d.]+)\s+
 
 
 def looks_like(head: bytes) -> bool:
-    """Whether a file that begins with `head` is V2A: its lines of the points and of the interval."""
+    """Whether a file that begins with `head` is V2A, or V1A, which is refused: lines of the points and the interval."""
     lines = head.decode("latin-1").splitlines()
-    return len(lines) > 10 and POINTS.match(lines[9]) is not None and INTERVAL.match(lines[10]) is not None
+    if len(lines) <= 10 or POINTS.match(lines[9]) is None:
+        return False
+    return INTERVAL.match(lines[10]) is not None or UNCORRECTED.match(lines[10]) is not None
 
 
 def read(path: Path, stated: Stated) -> tuple[Record, ...]:
@@ -60,6 +63,10 @@ def read(path: Path, stated: Stated) -> tuple[Record, ...]:
     lines = text_lines(path)
     records: list[Record] = []
     start = 0
+    if UNCORRECTED.match(lines[10]):
+        raise RecordError(
+            f"{path}: line 11: uncorrected readings (V1A), which are not read; give the V2A file of GeoNet"
+        )
     while any(line.strip() for line in lines[start:]):
         records.append(_component(lines, start, path=path))
         start = numeric_end(lines, start + TEXT_LINES)
@@ -80,6 +87,7 @@ def _component(lines: list[str], start: int, *, path: Path) -> Record:
         acceleration_factor(UNIT, line=start + 14, path=path) * samples,
         positive(interval, name="interval", line=start + 11, path=path),
         path=str(path),
+        event=_place(lines[start + 6]),
         station=_station(lines[start + 1]),
         component=name,
         trail=(f"read from {NAME}, unit {UNIT}", lines[start + 11].strip()),
@@ -120,6 +128,11 @@ def _found(pattern: re.Pattern[str], lines: list[str], at: int, *, path: Path) -
 def _station(line: str) -> str:
     """The code behind "Site"."""
     return [*line.split(), "", ""][1]
+
+
+def _place(line: str) -> str:
+    """Where the epicentre is, in words: "5 km south-west of Waiau"; "" where the line is another."""
+    return line.strip() if re.fullmatch(r"\s*\d+ km \S+ of \S.*", line) else ""
 
 
 def _kilometres(line: str, key: str) -> float | None:

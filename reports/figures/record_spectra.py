@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from assess.results import GroundMotionResult, RecordResult
 from reports.figures.spectrum import COLOURS, NAMED
 from reports.figures.suite import SHORTEST, means
-from reports.style import INK, MUTED, label, sheet, styled
+from reports.style import INK, MUTED, label, legend_above, sheet, styled
 
 
 def draw(names: Sequence[str], period: NDArray[np.float64], ordinates: NDArray[np.float64]) -> Figure:
@@ -52,4 +52,4 @@ def _dress(axes: Axes, longest: float) -> None:
     axes.set_xlim(SHORTEST, longest)
     axes.set_ylim(bottom=0.0)
     axes.xaxis.set_major_formatter("{x:g}")
-    axes.legend(loc="upper right", ncols=2)
+    legend_above(axes, columns=3)

@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from assess.results import GroundMotionResult
-from reports.style import FAIL, GRID, INK, MUTED, sheet, styled
+from reports.style import FAIL, GRID, INK, MUTED, legend_above, sheet, styled
 
 BELOW, ABOVE = 0.9, 1.3  # of the target
 SHORTEST = 0.02  # s
@@ -39,4 +39,4 @@ def means(axes: Axes, motion: GroundMotionResult) -> None:
     axes.set_xlim(SHORTEST, period.max())
     axes.set_ylim(bottom=0.0)
     axes.xaxis.set_major_formatter("{x:g}")
-    axes.legend(loc="upper right", ncols=2)
+    legend_above(axes, columns=3)

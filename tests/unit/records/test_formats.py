@@ -16,7 +16,7 @@ from scipy.constants import g
 from records.errors import RecordError
 from records.formats import FORMATS
 from records.reading import read
-from records.record import Earthquake, Record
+from records.record import Earthquake, Record, make_record
 
 N = 40
 VALUES = np.round(np.random.default_rng(7).normal(size=N) * 20.0, 2)  # in the unit of the file
@@ -153,7 +153,7 @@ def csmip_2() -> str:
 
 
 def csmip_1() -> str:
-    header = ["text"] * 13
+    header = ["Uncorrected Accelerogram Data", *["text"] * 12]
     header[5], header[6] = "Some School                               CGS", "Chan  1: 360 Deg"
     header[11] = f"Units of uncor data are sec and g .        Max  =  {PEAK:.3f} g , at  30.590 sec."
     points = f" {N} Accelerogram points at 200 pts/sec in units of g .      Format: (8f9.6)"
@@ -166,6 +166,7 @@ def v2a() -> str:
     for name, scale in zip(("N28W", "S62W", "Up"), SCALES, strict=True):
         header = ["text"] * 16
         header[1] = "Site ABCD      42 37 10S  173 03 13E     Cusp file:  made up"
+        header[6] = "5 km south-west of Somewhere"
         header[7] = "2016 November 13         11:02:56 UT"
         header[8] = "Epicentre  42 41 33S 173 01 19E  Bearing S18W  Dist    9km  Depth   15km Mw 7.82"
         header[9] = f"Number of points  {N}    Duration   0.78 sec"
@@ -258,14 +259,14 @@ def first(folder: Path, name: str) -> Record:
 @pytest.mark.parametrize(
     ("name", "event", "station", "component", "azimuth"),
     [
-        ("k-net", "2018-01-24T10:51:00Z", "XYZ001", "E-W", 90),  # 19:51 Japan Standard Time
+        ("k-net", "2018-01-24 10:51, M6.2, 41.00N 142.50E", "XYZ001", "E-W", 90),  # 19:51 Japan Standard Time
         ("dyna", "SOMEWHERE", "XX.ABC", "HNE", 90),
         ("itaca", "2009-04-06T01:32:39Z", "1 / Somewhere", "WE", 90),
-        ("afad", "2017-07-20T22:31:09Z", "4819", "N-S", 0),
+        ("afad", "2017-07-20 22:31, M6.5, 36.92N 27.44E", "4819", "N-S", 0),
         ("cosmos", "Somewhere Earthquake", "XX-J1 Some School", "340 deg", 340),
         ("csmip-1", "text", "Some School", "360 Deg", 0),
         ("csmip-2", "SOMEWHERE EARTHQUAKE", "36456 SOME SCHOOL", "90 DEG", 90),
-        ("v2a", "2016-11-13T11:02:56Z", "ABCD", "N28W", 332),
+        ("v2a", "5 km south-west of Somewhere", "ABCD", "N28W", 332),
         ("smc", "Somewhere, CA", "Some School, F", "360", 0),
         ("at2", "Somewhere", "Some School", "21", 21),
     ],
@@ -312,7 +313,14 @@ def test_what_else_is_known(tmp_path: Path) -> None:
         ("itaca", "Number of Data", "Number of Dates", "has no Number of Data"),
         ("afad", "RAW PGA VALUES (gal)", "RAW PGA VALUES", "has no PGA VALUES with their unit"),
         ("afad", f"NUMBER OF DATA          : {N}", "NUMBER OF DATA          : 9", "says 9 samples"),
-        ("cosmos", "units=cm/sec2(04)", "units=counts(50)", 'unit "counts" is not known'),
+        ("cosmos", "units=cm/sec2(04)", "units=counts(50)", 'raw data in "counts" .volume 0.*give the volume 1 or 2'),
+        ("cosmos", f"{N} acceleration pts", f"{N} raw accel. pts", "raw data .* give the volume 1 or 2"),
+        (
+            "cosmos",
+            f"{N} acceleration pts, approx",
+            f"{N} time-acceleration pairs,",
+            "uneven steps .* give the volume 2",
+        ),
         ("cosmos", f"{N} acceleration pts", "9 acceleration pts", "says 9 samples"),
         ("cosmos", f"{N} acceleration pts", f"{N} velocity pts", "no acceleration in the file"),
         ("cosmos", "approx    0 secs", "approx   99 secs", "the file says 99 s"),
@@ -321,8 +329,15 @@ def test_what_else_is_known(tmp_path: Path) -> None:
         ("csmip-2", "CHAN  1: 90 DEG", "", "no line of its channel"),
         ("csmip-1", "in units of g", "in units of cm/sec2", "header states a peak"),
         ("csmip-1", "200 pts/sec", "0 pts/sec", "above zero"),
+        ("csmip-1", " at 200 pts/sec", ", time and acceleration", "pairs of time and .* give the volume 2 file"),
         ("v2a", "mm/s/s at", "g at", "unit|peak"),
         ("v2a", "at 0.020 sec", "at nan sec", "above zero"),
+        (
+            "v2a",
+            "Instrument corrected data at",
+            "Raw readings in units of 1.00 mm/s/s at",
+            "uncorrected readings .V1A.* give the V2A",
+        ),
         ("v2a", f"Number of points  {N}", "Number of points  999999999", "cut short"),
         ("v2a", f"Number of points  {N}", "Number of points  -5", "a count of samples"),
         ("v2a", "Component S62W", "text", "line .*: .text .* where GeoNet V2A has"),
@@ -448,3 +463,26 @@ def test_a_title_then_count_and_step_then_one_column(tmp_path: Path) -> None:
     path.write_text(f"made up\n{N} 0.0100\n" + rows(VALUES, 1, ".4f"))
     (record,) = read(path, unit="cm/s2")
     assert (record.npts, record.dt) == (N, 0.01)
+
+
+@pytest.mark.parametrize(
+    ("name", "number", "event"),
+    [
+        ("201011142308", "EMSC-20101114_0000001", "EMSC-20101114_0000001"),
+        ("201011142308", "3336", "2018-01-24 10:51, M6.8, 38.00N 22.00E"),
+        ("", "", "2018-01-24 10:51, M6.8, 38.00N 22.00E"),
+    ],
+)
+def test_a_time_stamp_is_no_name_of_an_event(tmp_path: Path, name: str, number: str, event: str) -> None:
+    lines = [line for line in dyna().splitlines() if not line.startswith(("EVENT_", "MAGNITUDE_"))]
+    quake = ["EVENT_DATE_YYYYMMDD: 20180124", "EVENT_TIME_HHMMSS: 105100", "MAGNITUDE_W: 6.8"]
+    place = ["EVENT_LATITUDE_DEGREE: 38.0", "EVENT_LONGITUDE_DEGREE: 22.0"]
+    path = tmp_path / "d.asc"
+    path.write_text("\n".join([f"EVENT_NAME: {name}", f"EVENT_ID: {number}", *quake, *place, *lines]) + "\n")
+    assert read(path)[0].event == event
+
+
+def test_an_epicentre_south_and_west_is_called_so() -> None:
+    quake = Earthquake(time="2010-02-27", latitude=-36.122, longitude=-72.898)
+    assert make_record("x", [0.0, 1.0], 0.01, earthquake=quake).event == "2010-02-27, 36.12S 72.90W"
+    assert make_record("x", [0.0, 1.0], 0.01, earthquake=Earthquake(time="2010-02-27")).event == "2010-02-27"

@@ -39,6 +39,7 @@ def test_two_formats_that_match_are_both_named(tmp_path: Path, monkeypatch: pyte
 
 
 def test_a_missing_file_and_a_folder_are_record_errors(tmp_path: Path) -> None:
-    for path in (tmp_path / "absent.AT2", tmp_path):
-        with pytest.raises(RecordError, match="cannot be read"):
-            read(path)
+    with pytest.raises(RecordError, match="cannot be read"):
+        read(tmp_path / "absent.AT2")
+    with pytest.raises(RecordError, match="is a folder; give the files in it"):
+        read(tmp_path)

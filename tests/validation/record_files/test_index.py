@@ -88,3 +88,19 @@ def test_components_of_one_station_lie_level_at_right_angles_or_upright() -> Non
     assert azimuths[1] is not None
     assert np.degrees(azimuths[:2]) == pytest.approx([332.0, 242.0])
     assert azimuths[2] is None
+
+
+@pytest.mark.parametrize(
+    ("name", "event"),
+    [
+        ("knet/AOM0041801241951.EW", "2018-01-24 10:51, M6.2, 41.00N 142.50E"),
+        ("kiknet/ISKH012401011610.EW2", "2024-01-01 07:10, M7.6, 37.49N 137.27E"),
+        ("geonet_v2a/20161113_110259_WTMC_20.V2A", "5 km south-west of Waiau"),
+        ("esm/20101114230825_3104_ap_RawAcc_E.asc", "2010-11-14 23:08, M5.1, 36.61N 35.99E"),
+        ("esm/HI.ARS1..HNE.D.20190728.160908.C.ACC.ASC", "GREECE"),
+        ("itaca_cor_acc/16839_H1.cor.acc", "2009-04-06T01:32:39Z"),  # its header has no more
+        ("csmip/CE89146.V1", "Mon Feb 13, 2012 13:06:45.0 PST"),
+    ],
+)
+def test_an_earthquake_is_called_by_what_the_header_has(name: str, event: str) -> None:
+    assert read(FOLDER / name)[0].event == event

@@ -11,7 +11,7 @@ from scipy.constants import g
 
 from assess.cli import main
 from records.reading import read
-from records.record import Earthquake, make_record
+from records.record import Earthquake, Record, Site, make_record
 from records.writing import at2_text, csv_text
 
 DT = 0.01
@@ -113,7 +113,16 @@ def test_hostile_names_are_text_on_one_line(tmp_path: Path, capsys: pytest.Captu
     ("arguments", "words"),
     [
         (["list", "absent.at2"], "absent.at2: the file cannot be read"),
-        (["list", "."], "cannot be read"),
+        (["list", "."], ".: is a folder; give the files in it"),
+        (["convert", ".", "-o", "out.csv"], ".: is a folder; give the files in it"),
+        (["list", "bare.txt", "--step", "1"], "give unit (--unit g on the command line"),
+        (["list", "bare.txt", "--unit", "g"], "give step, in seconds (--step 0.01 on the command line"),
+        (
+            ["convert", "n.AT2", "--high-cut", "60", "-o", "out.csv"],
+            '"n": high corner 60 Hz; a corner must lie above 0',
+        ),
+        (["convert", "n.AT2", "--to-unit", "ft", "-o", "out.csv"], '--to-unit: unit "ft" is not known; choose one of'),
+        (["convert", "n.AT2", "--to-unit", "m/s2", "-o", "out.at2"], "PEER AT2 is in g by its format"),
         (["list"], "Missing argument"),
         (["list", "n.AT2", "--json", "--csv"], "exclude each other"),
         (["list", "bare.txt"], "does not state the unit"),
@@ -128,7 +137,7 @@ def test_hostile_names_are_text_on_one_line(tmp_path: Path, capsys: pytest.Captu
         (["convert", "n.AT2", "--azimuth", "30", "-o", "out.csv"], "two horizontal components are turned"),
         (["convert", "n.AT2", "e.at2", "--azimuth", "nan", "-o", "out.csv"], "azimuth"),
         (["convert", "n.AT2", "e.at2", "--azimuth", "1", "--rotd", "50", "-o", "out.csv"], "exclude each other"),
-        (["convert", "n.AT2", "--low-cut", "99", "-o", "out.csv"], "below half the rate"),
+        (["convert", "n.AT2", "--low-cut", "99", "-o", "out.csv"], "low corner 99 Hz; a corner must lie above 0"),
         (["convert", "n.AT2", "--trim", "0.9", "0.1", "-o", "out.csv"], "0 <= from < to <= 1"),
         (["convert", "n.AT2", "--scale", "inf", "-o", "out.csv"], "--scale inf"),
         (["convert", "n.AT2", "--resample", "0", "-o", "out.csv"], "it must be positive"),
@@ -197,3 +206,82 @@ def test_a_project_states_unit_and_step_of_files_that_do_not(
     assert "records.step" in capsys.readouterr().err
     assert check('response = "absent.xml"') == 2
     assert "absent.xml" in capsys.readouterr().err
+
+
+def described() -> Record:
+    """A record of which everything is known."""
+    quake = Earthquake("1989-10-18T00:04:15Z", 6.93, "Mw", 37.04, -121.883, 17_480.0)
+    site = Site(37.046, -121.803, 97.5, 462.24, "NEHRP C", "crest of a dam")
+    words = {"event": "Loma Prieta", "station": "Corralitos, 1 Road", "component": "N30E"}
+    more = {"azimuth": np.radians(30.0), "distance": 7_170.0, "earthquake": quake, "site": site}
+    return make_record("x", SAMPLES, DT, trail=("read", "filtered"), **words, **more)
+
+
+@pytest.mark.parametrize("unit", ["m/s2", "g", "cm/s2", "gal", "mm/s2"])
+def test_a_round_trip_keeps_all_that_is_known(tmp_path: Path, unit: str) -> None:
+    before = described()
+    (tmp_path / "a.csv").write_text(csv_text(before), encoding="utf-8")
+    assert ended("convert", tmp_path / "a.csv", "--to-unit", unit, "-o", tmp_path / "b.csv") == 0
+    (after,) = read(tmp_path / "b.csv")
+    kept = ("event", "station", "component", "earthquake", "site", "distance")
+    assert [getattr(after, name) for name in kept] == [getattr(before, name) for name in kept]
+    assert after.azimuth == pytest.approx(before.azimuth, rel=1e-12)
+    np.testing.assert_allclose(after.acceleration, before.acceleration, rtol=1e-14, atol=1e-17)
+    assert f"acceleration [{unit}]" in (tmp_path / "b.csv").read_text(encoding="utf-8")
+    assert "read; filtered" in after.trail[-1]
+
+
+def test_spoilt_comments_are_text_or_not_known(tmp_path: Path) -> None:
+    head = [
+        "magnitude: six",
+        "vs30 [m/s]: inf",
+        "azimuth [deg]: nan",
+        "distance [km]:",
+        "event: [b]\x1b",
+        "trail: " + "x" * 4000,
+    ]
+    text = csv_text(make_record("x", SAMPLES, DT)).replace(
+        "time [s]", "".join(f"# {line}\n" for line in head) + "time [s]"
+    )
+    (tmp_path / "a.csv").write_text(text.replace("\x1b", ""), encoding="utf-8")
+    (record,) = read(tmp_path / "a.csv")
+    assert (record.earthquake.magnitude, record.site.vs30, record.azimuth, record.distance) == (None, None, None, None)
+    assert record.event == "[b]"
+    assert len(record.trail[-1]) < 2100
+
+
+def test_a_component_is_found_whatever_its_capitals(tmp_path: Path) -> None:
+    for name, component in (("a", "Up"), ("b", "90 Deg")):
+        (tmp_path / f"{name}.csv").write_text(csv_text(make_record("x", SAMPLES, DT, component=component)))
+    files = tmp_path / "a.csv", tmp_path / "b.csv"
+    assert ended("convert", *files, "--component", "90 deg", "-o", tmp_path / "out.csv") == 0
+    assert read(tmp_path / "out.csv")[0].component == "90 Deg"
+
+
+@pytest.mark.parametrize(
+    ("factor", "unit", "words"),
+    [
+        (
+            6.8,
+            "g",
+            "its peak is 6.8 g, above 3 g, as hardly any earthquake reaches; check the unit (read in g; in m/s2",
+        ),
+        (200.0, "m/s2", "its peak is 20.39 g, above 3 g"),
+        (0.05, "mm/s2", "below 1e-05 g; check the unit (read in mm/s2; in g it would be 0.05 g)"),
+    ],
+)
+def test_a_peak_that_cannot_be_is_warned_of(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], factor: float, unit: str, words: str
+) -> None:
+    path = tmp_path / "bare.csv"
+    path.write_text("".join(f"{i * DT:.2f},{factor * a / np.abs(SAMPLES).max():.9g}\n" for i, a in enumerate(SAMPLES)))
+    for form in ((), ("--json",)):
+        assert ended("list", path, "--unit", unit, *form) == 0
+        captured = capsys.readouterr()
+        assert captured.err.startswith("assess: warning: bare: ")
+        assert words in captured.err
+
+
+def test_a_usual_peak_is_not_warned_of(pair: tuple[Path, Path], capsys: pytest.CaptureFixture[str]) -> None:
+    assert ended("list", *pair) == 0
+    assert capsys.readouterr().err == ""

@@ -3,6 +3,7 @@
 import csv
 import io
 import json
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import numpy as np
@@ -10,6 +11,7 @@ import pytest
 from scipy.constants import g
 
 from assess.cli import main
+from records import indexing
 from records.catalogue import NAME
 from records.reading import read
 from records.record import make_record
@@ -158,7 +160,15 @@ def test_scaled_records_meet_the_ordinate_and_the_peak(folder: Path, capsys: pyt
         (("select", "{folder}", "--target", "{target}", "--flatfile", "{target}"), "Record Sequence Number"),
         (("select", "{folder}", "--target", "{target}", "--json", "--csv"), "exclude"),
         (("index", "{none}"), "no such folder"),
-        (("index", "{target}"), "no such folder"),
+        (("index", "{target}"), "target.csv: is a file; give the folder that holds it"),
+        (("index", "{folder}", "--unit", "stone"), 'unit "stone" is not known'),
+        (("index", "{folder}", "--step", "nan"), "time step nan s"),
+        (("index", "{folder}", "--response", "{none}"), "none: no such file; give the StationXML"),
+        (("scale", "{folder}", "--target", "{target}"), "motions: is a folder; give the files in it"),
+        (("select", "{folder}", "--target", "{target}", "--pga", "nan", "1"), "--pga nan 1: not a number"),
+        (("select", "{folder}", "--target", "{folder}/RSN100_Q.AT2"), "RSN100_Q.AT2: a target is a project"),
+        (("select", "{folder}", "--target", "{target}", "-o", "{none}/f.svg"), "f.svg: there is no folder"),
+        (("spectra", "{folder}", "-o", "{none}/f.svg"), "f.svg: there is no folder"),
         (("index", "{folder}", "--catalogue", "{target}"), "target.csv: the catalogue cannot be used"),
         (("spectra", "{folder}", "--damping", "0.1"), "holds spectra of 5 % damping"),
         (("spectra", "{folder}/RSN100_Q.AT2", "--damping", "7"), "damping"),
@@ -177,3 +187,105 @@ def test_bad_input_is_one_line_and_exit_code_2(
     assert said in captured.err
     assert captured.out == ""
     assert not (folder / "none").exists()
+
+
+BARE = "time [s],acceleration\n" + "".join(f"{i / 100},{(i % 7) - 3}\n" for i in range(300))
+
+
+def test_what_an_index_was_told_is_kept(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (folder / "bare.csv").write_text(BARE)
+    (folder / "column.txt").write_text("".join(f"{(i % 5) - 2}\n" for i in range(300)))
+    assert ended("records", "index", folder) == 0
+    assert "bare.csv: the file does not state the unit of its accelerations; write it" in capsys.readouterr().out
+    assert ended("records", "index", folder, "--unit", "m/s2", "--step", 0.01) == 0
+    assert "8 files read, 0 unchanged, 0 gone; 7 records" in capsys.readouterr().out
+    for more in ((), ("--unit", "m/s2")):
+        assert ended("records", "index", folder, *more) == 0
+        assert "0 files read, 8 unchanged, 0 gone; 7 records" in capsys.readouterr().out
+    assert ended("records", "spectra", folder) == 0
+    assert "\nbare " in capsys.readouterr().out
+    assert select(folder, "--count", 7, "--several-per-event", "--json") == 0
+    chosen = json.loads(capsys.readouterr().out)["records"]
+    assert {"bare", "column"} < {one["id"] for one in chosen}
+    (one,) = (each for each in chosen if each["id"] == "bare")
+    assert one["pga_g"] == pytest.approx(3.0 * one["scale_factor"] / g, rel=1e-9)
+    assert ended("records", "index", folder, "--unit", "g") == 0  # given anew it goes before what was kept
+    assert "8 files read" in capsys.readouterr().out
+
+
+def test_an_index_tells_what_became_of_a_flatfile(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    flat = folder.parent / "flat.csv"
+    flat.write_text(FLATFILE + '103,Q,1982,67,"12,5",n/a\nlast,Q,1982,6,1,300\n\n999,None,2000,7.0,40,300\n')
+    assert ended("records", "index", folder, "--flatfile", flat) == 0
+    out = capsys.readouterr().out
+    assert "flatfile: 3 rows matched, 1 unmatched, 3 bad cells; 3 records described\n" in out
+    assert 'flatfile, row 4, ClstD (km): "12,5": no value that can be; passed over\n' in out
+    assert ended("records", "index", folder, "--flatfile", flat, "--json") == 0
+    told = json.loads(capsys.readouterr().out)["flatfile"]
+    assert (told["matched"], told["unmatched"], told["records"], told["warning"]) == (3, 1, 3, None)
+    assert [(cell["row"], cell["column"], cell["value"]) for cell in told["bad_cells"]] == [
+        (4, "Earthquake Magnitude", "67"),
+        (4, "ClstD (km)", "12,5"),
+        (5, "Record Sequence Number", "last"),
+    ]
+    assert select(folder, "--count", 2, "--flatfile", flat) == 0
+    assert "warning: records.flatfile: 3 cells are passed over: row 4," in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("rows", "renamed", "reason"),
+    [
+        ("9001,Q,2010,7,20,400\n", False, "the files have NGA numbers 100 to 104, the table 9001 to 9001"),
+        ("101,Q,2010,7,20,400\n", True, "q0.at2 has neither; keep the names that files had when downloaded"),
+    ],
+)
+def test_a_flatfile_that_fits_nothing_is_warned_of(
+    folder: Path, rows: str, renamed: bool, reason: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    if renamed:
+        for number in range(5):
+            (folder / f"RSN{100 + number}_Q.AT2").rename(folder / f"q{number}.at2")
+    flat = folder.parent / "flat.csv"
+    flat.write_text(FLATFILE.splitlines()[0] + "\n" + rows)
+    assert ended("records", "index", folder, "--flatfile", flat, "--json") == 0
+    captured = capsys.readouterr()
+    assert reason in captured.err
+    assert reason in json.loads(captured.out)["flatfile"]["warning"]
+
+
+def test_records_of_unknown_magnitude_are_counted(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert select(folder, "--magnitude", 5, 8, "--flatfile", folder.parent / "flat.csv", "--count", 2) == 0
+    assert "2 of known magnitude (3 unknown); 2 that pass the filters" in capsys.readouterr().out
+    assert select(folder, "--magnitude", 5, 8, "--vs30", 1, 9, "--count", 2) == 2
+    said = capsys.readouterr().err
+    assert "0 of known magnitude (5 unknown), 0 of known vs30 (0 unknown)" in said
+    assert "or a flatfile that knows more of them" in said
+
+
+def test_many_files_are_read_by_processes(
+    folder: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    asked = []
+
+    class Executor(ThreadPoolExecutor):
+        def map(self, *arguments, **options):  # type: ignore[no-untyped-def]
+            asked.append(self._max_workers)
+            return super().map(*arguments, **options)
+
+    monkeypatch.setattr("concurrent.futures.ProcessPoolExecutor", lambda jobs, **_: Executor(jobs))
+    monkeypatch.setattr(indexing, "FEW", 1)
+    (folder.parent / "project.toml").write_text(
+        '[site.spectrum]\ncode = "table"\nfile = "target.csv"\n'
+        '[mechanisms.w]\nkind = "equivalent-block"\np = "1.6 1/s"\nuplift = 0.14\nradius = "2.8 m"\n'
+        'restitution = "housner"\n[analysis]\nlevels = ["0.1 g"]\n'
+        '[records]\nfiles = ["motions"]\nselect = { count = 2, scale_limits = [0.001, 1000], periods = [0.1, 2] }\n'
+    )
+    assert ended("run", folder.parent, "--no-report", "--jobs", 3) in (0, 1)
+    assert asked == [3]
+    for command in (("select", folder.parent), ("spectra", folder)):
+        (folder / NAME).unlink()
+        assert ended("records", *command, "--jobs", 2) == 0
+    assert asked == [3, 2, 2]
+    (folder / NAME).unlink()
+    assert ended("records", "index", folder, "--jobs", 1) == 0
+    assert asked == [3, 2, 2]

@@ -1,0 +1,93 @@
+"""What our CSV files say of a record above its columns, in comments: `# magnitude: 6.9`, `# distance [km]: 12.5`."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from itertools import takewhile
+from math import degrees, radians
+from typing import Any
+
+from records.formats.samples import number
+from records.orientation import azimuth_of
+from records.record import Earthquake, Record, Site
+
+COMMENT = re.compile(r"\s*#\s*([a-z][a-z0-9 ]*(?:\[[^\]]*\])?)\s*:\s*(.*?)\s*")
+LONGEST = 2000  # characters of a comment
+TEXTS: Mapping[str, Callable[[Record], str]] = {
+    "event": lambda record: record.event,
+    "origin": lambda record: record.earthquake.time,
+    "magnitude type": lambda record: record.earthquake.scale,
+    "station": lambda record: record.station,
+    "component": lambda record: record.component,
+    "ground": lambda record: record.site.ground,
+    "place": lambda record: record.site.place,
+    "trail": lambda record: "; ".join(record.trail),
+}
+NUMBERS: Mapping[str, Callable[[Record], float | None]] = {
+    "magnitude": lambda record: record.earthquake.magnitude,
+    "event latitude [deg]": lambda record: record.earthquake.latitude,
+    "event longitude [deg]": lambda record: record.earthquake.longitude,
+    "event depth [km]": lambda record: _times(0.001, record.earthquake.depth),
+    "distance [km]": lambda record: _times(0.001, record.distance),
+    "azimuth [deg]": lambda record: None if record.azimuth is None else degrees(record.azimuth),
+    "station latitude [deg]": lambda record: record.site.latitude,
+    "station longitude [deg]": lambda record: record.site.longitude,
+    "station elevation [m]": lambda record: record.site.elevation,
+    "vs30 [m/s]": lambda record: record.site.vs30,
+}
+
+
+def comments(record: Record) -> Iterator[str]:
+    """A line for each thing that is known of `record`."""
+    texts = {key: of(record) for key, of in TEXTS.items()}
+    known = {key: of(record) for key, of in NUMBERS.items()}
+    told = texts | {key: f"{value:.12g}" for key, value in known.items() if value is not None}
+    for key, text in told.items():
+        if text:
+            yield f"# {key}: {_on_one_line(text)}\n"
+
+
+def said(lines: Sequence[str]) -> dict[str, str]:
+    """What the comments before the first row say, by key."""
+    above = takewhile(lambda line: not line.strip() or line.lstrip().startswith("#"), lines)
+    found = (COMMENT.fullmatch(line) for line in above)
+    return {match[1]: match[2][:LONGEST] for match in found if match}
+
+
+def described(text: Mapping[str, str]) -> dict[str, Any]:
+    """The same as `make_record` takes it; what is no number, or cannot be, is not known."""
+    known = {key: number(text.get(key, "")) for key in NUMBERS}
+    component, azimuth = text.get("component", ""), known["azimuth [deg]"]
+    return {
+        "event": text.get("event", ""),
+        "station": text.get("station", ""),
+        "component": component,
+        "azimuth": azimuth_of(component) if azimuth is None else radians(azimuth % 360.0),
+        "distance": _times(1000.0, known["distance [km]"]),
+        "earthquake": Earthquake(
+            time=text.get("origin", ""),
+            magnitude=known["magnitude"],
+            scale=text.get("magnitude type", ""),
+            latitude=known["event latitude [deg]"],
+            longitude=known["event longitude [deg]"],
+            depth=_times(1000.0, known["event depth [km]"]),
+        ),
+        "site": Site(
+            latitude=known["station latitude [deg]"],
+            longitude=known["station longitude [deg]"],
+            elevation=known["station elevation [m]"],
+            vs30=known["vs30 [m/s]"],
+            ground=text.get("ground", ""),
+            place=text.get("place", ""),
+        ),
+    }
+
+
+def _times(factor: float, value: float | None) -> float | None:
+    return None if value is None else float(f"{factor * value:.12g}")
+
+
+def _on_one_line(text: str) -> str:
+    """`text` without line breaks and control characters, cut."""
+    return "".join(c if c.isprintable() else " " for c in text)[:LONGEST]

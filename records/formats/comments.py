@@ -14,36 +14,34 @@ from records.record import Earthquake, Record, Site
 
 COMMENT = re.compile(r"\s*#\s*([a-z][a-z0-9 ]*(?:\[[^\]]*\])?)\s*:\s*(.*?)\s*")
 LONGEST = 2000  # characters of a comment
-TEXTS: Mapping[str, Callable[[Record], str]] = {
+KNOWN: Mapping[str, Callable[[Record], str | float | None]] = {
     "event": lambda record: record.event,
     "origin": lambda record: record.earthquake.time,
-    "magnitude type": lambda record: record.earthquake.scale,
-    "station": lambda record: record.station,
-    "component": lambda record: record.component,
-    "ground": lambda record: record.site.ground,
-    "place": lambda record: record.site.place,
-    "trail": lambda record: "; ".join(record.trail),
-}
-NUMBERS: Mapping[str, Callable[[Record], float | None]] = {
     "magnitude": lambda record: record.earthquake.magnitude,
+    "magnitude type": lambda record: record.earthquake.scale,
     "event latitude [deg]": lambda record: record.earthquake.latitude,
     "event longitude [deg]": lambda record: record.earthquake.longitude,
     "event depth [km]": lambda record: _times(0.001, record.earthquake.depth),
     "distance [km]": lambda record: _times(0.001, record.distance),
-    "azimuth [deg]": lambda record: None if record.azimuth is None else degrees(record.azimuth),
+    "station": lambda record: record.station,
     "station latitude [deg]": lambda record: record.site.latitude,
     "station longitude [deg]": lambda record: record.site.longitude,
     "station elevation [m]": lambda record: record.site.elevation,
     "vs30 [m/s]": lambda record: record.site.vs30,
+    "ground": lambda record: record.site.ground,
+    "place": lambda record: record.site.place,
+    "component": lambda record: record.component,
+    "azimuth [deg]": lambda record: None if record.azimuth is None else degrees(record.azimuth),
+    "trail": lambda record: "; ".join(record.trail),
 }
+"""What is written, in this order, where it is known."""
 
 
 def comments(record: Record) -> Iterator[str]:
     """A line for each thing that is known of `record`."""
-    texts = {key: of(record) for key, of in TEXTS.items()}
-    known = {key: of(record) for key, of in NUMBERS.items()}
-    told = texts | {key: f"{value:.12g}" for key, value in known.items() if value is not None}
-    for key, text in told.items():
+    for key, of in KNOWN.items():
+        value = of(record)
+        text = f"{value:.12g}" if isinstance(value, float | int) else value
         if text:
             yield f"# {key}: {_on_one_line(text)}\n"
 
@@ -57,7 +55,7 @@ def said(lines: Sequence[str]) -> dict[str, str]:
 
 def described(text: Mapping[str, str]) -> dict[str, Any]:
     """The same as `make_record` takes it; what is no number, or cannot be, is not known."""
-    known = {key: number(text.get(key, "")) for key in NUMBERS}
+    known = {key: number(text.get(key, "")) for key in KNOWN}
     component, azimuth = text.get("component", ""), known["azimuth [deg]"]
     return {
         "event": text.get("event", ""),

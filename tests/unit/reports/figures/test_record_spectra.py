@@ -1,0 +1,29 @@
+"""Response spectra of records: the legend stands above the panel, and a figure that cannot be written is named."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from reports.figure_file import write_figure
+from reports.figures.record_spectra import draw
+
+PERIOD = np.geomspace(0.02, 10.0, 50)
+
+
+def test_the_legend_covers_no_curve() -> None:
+    figure = draw([f"record {i}" for i in range(7)], PERIOD, np.ones((7, 50)))
+    figure.draw_without_rendering()
+    (axes,) = figure.axes
+    legend = axes.get_legend()
+    assert legend is not None
+    box = legend.get_window_extent()
+    assert box.y0 >= axes.get_window_extent().y1
+    assert box.y1 <= figure.bbox.y1
+
+
+def test_a_place_that_cannot_be_written_is_named(tmp_path: Path) -> None:
+    path = tmp_path / "none" / "f.svg"
+    with pytest.raises(OSError, match="No such file") as caught:
+        write_figure(draw(["a"], PERIOD, np.ones((1, 50))), path, creator="test")
+    assert caught.value.filename == str(path)

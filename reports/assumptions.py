@@ -13,7 +13,7 @@ from reports.numerals import as_cell
 
 SOURCES = "report.sources."
 LEFT_OUT = ("format", "title", "engineer", "checker", "reference", "client", "date", "notes", "report", "bodies")
-OWN = ("kind", "blocks", "label", "cut", "hinges", "hinges_negative")  # of a mechanism: what it is, not what is assumed of it
+OWN = ("kind", "blocks", "label", "cut", "hinges", "hinges_negative")  # what a mechanism is, not what is assumed of it
 ASKED = ("analysis.levels", "analysis.procedures", "analysis.pulses", "analysis.sweep", "analysis.sensitivity")
 NOT_SAID = "given"
 SHORT, MANY = 24, 4  # characters of a name and names in a list

@@ -16,7 +16,7 @@ from scipy.constants import g
 
 from spectra.damping import asce7_b_factor
 from spectra.errors import SpectrumError
-from spectra.spectrum import Spectrum, checked_periods, positive
+from spectra.spectrum import Spectrum, checked_periods, implausible, positive
 
 FloatArray = NDArray[np.float64]
 Hazard = Literal["design", "mce"]
@@ -182,7 +182,8 @@ def mapped_spectrum(
     cautions = [r.text for r in edition.rules if site_class in r.classes and given[r.parameter] >= r.least - ROUNDING]
     if s_1 > s_s:
         cautions.append(f"S_1 = {s_1 / g:.4g} g is above S_S = {s_s / g:.4g} g, which no map has; are they exchanged?")
-    return replace(spectrum, parameters={**mapped, **spectrum.parameters}, cautions=tuple(cautions))
+    doubts = implausible(s_s=s_s, s_1=s_1)
+    return replace(spectrum, parameters={**mapped, **spectrum.parameters}, cautions=(*doubts, *cautions))
 
 
 def site_coefficient(mapped: float, *, table: SiteTable, site_class: str, study: str) -> float:
@@ -234,6 +235,7 @@ def design_spectrum(
         damping_rule=_damping_rule(edition),
         ordinates=lambda period, damping: factor * shape.ordinates(period, damping),
         clause=edition.design if hazard == "design" else edition.mce,
+        cautions=implausible(s_ds=s_ds, s_d1=s_d1),
     )
 
 

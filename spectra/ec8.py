@@ -13,7 +13,7 @@ from math import inf
 
 from spectra.errors import SpectrumError
 from spectra.four_branches import FourBranches
-from spectra.spectrum import Spectrum, positive
+from spectra.spectrum import Spectrum, implausible, positive
 
 AMPLIFICATION, VERTICAL_AMPLIFICATION = 2.5, 3.0  # of the level branch, (3.3) and (3.9)
 DAMPING_RULE = "EN 1998-1 eq. (3.6): eta = √(10 / (5 + ξ)) ≥ 0.55; not checked against the printed standard"
@@ -79,6 +79,7 @@ def elastic_spectrum(
         ordinates=shape.ordinates,
         clause="EN 1998-1:2004, 3.2.2.2, recommended values",
         displacements=partial(shape.displacements, t_e=ground.t_e, t_f=ground.t_f) if long else None,
+        cautions=implausible(a_g=a_g),
     )
 
 
@@ -106,6 +107,7 @@ def vertical_spectrum(
         damping_rule=DAMPING_RULE,
         ordinates=FourBranches(a_vg, VERTICAL_AMPLIFICATION, t_b, t_c, t_d).ordinates,
         clause="EN 1998-1:2004, 3.2.2.3 (vertical), recommended values",
+        cautions=implausible(a_g=a_g),
     )
 
 

@@ -20,6 +20,7 @@ FloatArray = NDArray[np.float64]
 PART_DUCTILITIES = (1.0, 1.25, 1.5, 1.75, 2.0, 3.0)  # NZS 1170.5 Table 8.2; 1.5 and 1.75 after its commentary
 PART_RESPONSE_FACTORS = (1.00, 0.85, 0.75, 0.65, 0.55, 0.45)
 LARGEST_PART_COEFFICIENT = 3.6  # F_ph / W_p, NZS 1170.5 8.5.1
+COUPLING = (0.4, 0.5)  # beta of C7.2.4
 PLATEAU = (0.8, 1.1)  # a, b of C7.2.6: the level branch lies between a T_k and b T_k
 
 
@@ -126,6 +127,35 @@ def circolare2019(period: ArrayLike, *, spectrum: Spectrum, modes: Sequence[Mode
     return np.asarray(np.where(beyond, np.maximum(summed, ground), summed), dtype=np.float64)
 
 
+def circolare2019_modal(
+    period: ArrayLike, *, spectrum: Spectrum, modes: Sequence[Mode], damping: float = 0.05, beta: float = 0.5
+) -> FloatArray:
+    """S_a [m/s2] of a part with T_a = `period` [s] (same shape) and xi_a = `damping` [-], mode by mode.
+
+        S_a,ij = R S_ij     S_ij = phi_ij Gamma_i S_i(T_i)     combined by squares
+
+    spectrum : of the ground; modes : of the building, `share` = |phi_ij Gamma_i| at the floor of the part
+    beta : of the coupling between part and building, 0.4 to 0.5 [-]; 0.5 is the larger near resonance
+
+    Raises SpectrumError for beta outside its range, and without modes.
+    Source: Circolare 7/2019, C7.2.1-C7.2.4, by a public transcription of the text.
+    """
+    T_a = _periods(period)
+    if not COUPLING[0] <= beta <= COUPLING[1]:
+        raise SpectrumError(f"beta = {beta}; Circolare 7/2019, C7.2.4 has {COUPLING[0]} to {COUPLING[1]}")
+    squares = [
+        (_modal_floor_acceleration(spectrum, mode) * part_amplification(T_a / mode.period, damping, beta=beta)) ** 2
+        for mode in _some(modes)
+    ]
+    return np.asarray(np.sqrt(sum(squares)), dtype=np.float64)
+
+
+def part_amplification(period_ratio: ArrayLike, damping: float, *, beta: float) -> FloatArray:
+    """R = [(2 xi_a r)^2 + (1 - r^2)^2]^-beta [-] at r = T_a / T_i (same shape); 1 for a rigid part (C7.2.4)."""
+    r, xi = np.asarray(period_ratio, dtype=np.float64), checked_damping(damping)
+    return np.asarray(((2.0 * xi * r) ** 2 + (1.0 - r**2) ** 2) ** -beta)
+
+
 def circolare2019_frame(
     period: ArrayLike, *, ground: float, height: float, building_height: float, building_period: float
 ) -> FloatArray:
@@ -146,8 +176,12 @@ def circolare2019_frame(
 def _modal_peak(spectrum: Spectrum, mode: Mode) -> float:
     """a_Z,k = S_e(T_k, xi_k) |gamma_k psi_k| sqrt(1 + 0.0004 xi_k^2) [m/s2], xi_k in per cent (C7.2.7)."""
     xi = 100.0 * checked_damping(mode.damping)
-    ordinate = float(spectrum.acceleration(mode.period, damping=mode.damping))
-    return ordinate * abs(mode.share) * float(np.sqrt(1.0 + 0.0004 * xi**2))
+    return _modal_floor_acceleration(spectrum, mode) * float(np.sqrt(1.0 + 0.0004 * xi**2))
+
+
+def _modal_floor_acceleration(spectrum: Spectrum, mode: Mode) -> float:
+    """S_ij = |phi_ij Gamma_i| S_i(T_i) [m/s2] (C7.2.1)."""
+    return float(spectrum.acceleration(mode.period, damping=mode.damping)) * abs(mode.share)
 
 
 def _modal_floor_spectrum(period: FloatArray, spectrum: Spectrum, mode: Mode, damping: float) -> FloatArray:

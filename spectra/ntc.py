@@ -17,7 +17,7 @@ from scipy.constants import g
 
 from spectra.errors import SpectrumError
 from spectra.four_branches import FourBranches
-from spectra.spectrum import Spectrum, positive
+from spectra.spectrum import Spectrum, implausible, positive
 
 LEAST_F_0 = 2.2  # 3.2 [-]
 SHORTEST_LIFE = 35.0  # years: least V_R, NTC 2008 2.4.3; under NTC 2018 by Table C2.4.I of Circolare 7/2019
@@ -105,6 +105,7 @@ def elastic_spectrum(hazard: Hazard, *, place: Place, code: str = "ntc2018") -> 
         ordinates=shape.ordinates,
         clause=clause,
         displacements=partial(shape.displacements, t_e=LONG_PERIODS[place.soil], t_f=T_F),
+        cautions=implausible(a_g=hazard.a_g),
     )
 
 
@@ -131,6 +132,7 @@ def vertical_spectrum(hazard: Hazard, *, place: Place, code: str = "ntc2018") ->
         damping_rule=_damping_rule(code),
         ordinates=shape.ordinates,
         clause=f"{clause} (vertical)",
+        cautions=implausible(a_g=hazard.a_g),
     )
 
 

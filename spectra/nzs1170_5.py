@@ -20,6 +20,7 @@ from spectra.spectrum import Spectrum, checked_periods, positive
 FloatArray = NDArray[np.float64]
 
 LARGEST_ZR = 0.7  # Z R need not be taken larger, 3.1.1
+LARGEST_Z = 2.0  # beyond it is a slip: Table 3.3 ends at 0.6
 RISE = 0.1  # s: end of the rising branch
 VERTICAL_RATIO = 0.7  # 3.2
 FREQUENT = 0.75  # R of 250 years: N = 1 for what is as frequent or more, 3.1.6.1
@@ -77,10 +78,16 @@ def site_spectrum(*, subsoil: str, z: float, r: float, near_fault_distance: floa
     near_fault_distance : D, to the nearest major fault of Table 3.6 [m]; None where there is none
 
     Table 3.1 ends at 4.5 s; beyond, its last branch continues.
-    Raises SpectrumError for an unknown class and for numbers that are not positive.
+    What Z R loses by this stands in `cautions`.
+    Raises SpectrumError for an unknown class, for numbers that are not positive, and for Z above 2.
     Source: NZS 1170.5:2004, 3.1.1, eq. 3.1(1), Table 3.1 (commentary C3.1.2), 3.1.6.
     """
     positive("nzs1170.5", z=z, r=r)
+    if z > LARGEST_Z:
+        raise SpectrumError(
+            f"nzs1170.5 spectrum: z = {z:.4g}; the hazard factor is at most 0.6 (Table 3.3), a number without unit; is "
+            "it in per cent?"
+        )
     soil, distance = _subsoil(subsoil), _distance(near_fault_distance)
     zr = min(z * r, LARGEST_ZR)
 
@@ -102,6 +109,7 @@ def site_spectrum(*, subsoil: str, z: float, r: float, near_fault_distance: floa
         damping_rule=DAMPING_RULE,
         ordinates=ordinates,
         clause="NZS 1170.5:2004, 3.1.1",
+        cautions=_capped(z, r),
     )
 
 
@@ -118,6 +126,17 @@ def vertical_spectrum(*, subsoil: str, z: float, r: float, near_fault_distance: 
         damping_rule=level.damping_rule,
         ordinates=lambda period, damping: VERTICAL_RATIO * level.ordinates(period, damping),
         clause="NZS 1170.5:2004, 3.2 (vertical)",
+        cautions=level.cautions,
+    )
+
+
+def _capped(z: float, r: float) -> tuple[str, ...]:
+    """A sentence where Z R is more than the standard asks for."""
+    if z * r <= LARGEST_ZR:
+        return ()
+    return (
+        f"Z R = {z:.4g} × {r:.4g} = {z * r:.4g} is taken as {LARGEST_ZR:g}, the most that NZS 1170.5, 3.1.1 asks for; "
+        "check z and r",
     )
 
 

@@ -8,11 +8,14 @@ from math import inf
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+from scipy.constants import g
 
 from spectra.errors import SpectrumError
 
 FloatArray = NDArray[np.float64]
 Ordinates = Callable[[FloatArray, float], FloatArray]
+
+LARGEST_PLAUSIBLE = 3.0  # g: a mapped or peak acceleration beyond it is more likely a slip of unit than a site
 
 
 @dataclass(frozen=True)
@@ -78,6 +81,15 @@ def positive(code: str, **values: float) -> None:
     for name, value in values.items():
         if not (np.isfinite(value) and value > 0.0):
             raise SpectrumError(f"{code} spectrum: {name} = {value}; it must be a positive number")
+
+
+def implausible(**values: float) -> tuple[str, ...]:
+    """A sentence for each of `values` [m/s2], accelerations by name, that is larger than any site has."""
+    return tuple(
+        f"{name} = {value / g:.4g} g is beyond any plausible site, {LARGEST_PLAUSIBLE:g} g; is it in another unit?"
+        for name, value in values.items()
+        if value > LARGEST_PLAUSIBLE * g
+    )
 
 
 def scaled_to_pga(spectrum: Spectrum, pga: float) -> Spectrum:

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from spectra.columns import ACCELERATION_UNITS, TIME_UNITS, ColumnError, factor_of, read_columns
 from spectra.damping import checked_damping, ec8_eta
 from spectra.errors import SpectrumError
-from spectra.spectrum import Spectrum
+from spectra.spectrum import Spectrum, implausible
 
 FloatArray = NDArray[np.float64]
 
@@ -44,6 +44,7 @@ def table_spectrum(
         ordinates=lambda at, other: points.ordinates(at, ec8_eta(other) / ec8_eta(damping)),
         clause="table given by the user",
         longest_period=T_max,
+        cautions=implausible(**{"S_a(0) of the table": float(points.acceleration[0])}),
     )
 
 

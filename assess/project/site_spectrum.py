@@ -13,7 +13,7 @@ from assess.project.messages import located
 from assess.project.schema import load
 from spectra import asce7, ec8, ntc, nzs1170_5
 from spectra.errors import SpectrumError
-from spectra.spectrum import Spectrum, scaled_to_pga
+from spectra.spectrum import Spectrum, implausible, scaled_to_pga
 from spectra.table import read_table
 
 NtcSection = sections.NtcSpectrum | sections.NtcHazardSpectrum
@@ -35,7 +35,9 @@ def spectrum_of(site: sections.Site) -> Spectrum:
     else:
         with located("site.spectrum"):
             spectrum = replace(horizontal(section), damping=section.damping)
-    return spectrum if site.pga is None else scaled_to_pga(spectrum, site.pga)
+    if site.pga is None:
+        return spectrum
+    return scaled_to_pga(replace(spectrum, cautions=(*spectrum.cautions, *implausible(pga=site.pga))), site.pga)
 
 
 def vertical_of(site: sections.Site) -> Spectrum:

@@ -119,8 +119,8 @@ def judged(ratio: float, context: Context, *, passed: str, failed: str) -> tuple
 
 
 def ground_displacement(context: Context, Ts: float) -> float:
-    """S_De(Ts) = S_e(Ts) (Ts / 2 pi)^2 [m] at the site's own PGA."""
-    return float(context.spectrum.acceleration(Ts, damping=DAMPING)) * (Ts / (2 * np.pi)) ** 2
+    """S_De(Ts) [m] at the site's own PGA: S_e(Ts) (Ts / 2 pi)^2, or what the code itself gives for long periods."""
+    return float(context.spectrum.displacement(Ts, damping=DAMPING))
 
 
 def floor_displacement(context: Context, floor: Floor, Ts: float) -> float:

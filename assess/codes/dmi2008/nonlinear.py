@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numpy as np
 from scipy.constants import g
 
 from assess.codes.check import BranchName, Check, PgaCurve, Step, Verdict
@@ -171,10 +172,9 @@ def _demand_steps(
         return ()
     ordinate = float(context.spectrum.acceleration(cap.Ts, damping=DAMPING)) * level / context.spectrum.pga
     spectral = f"T = {cap.Ts:.5g} s, PGA = {level / g:.4g} g"
-    moved = f"{ordinate:.5g} · ({cap.Ts:.5g} / 2π)²"
     steps = [
         Step("S_e(T_s)", "elastic spectrum, 5 %", context.spectrum.clause, "S_e(T_s)", spectral, ordinate, "m/s2"),
-        Step("S_De(T_s)", "demand at the ground", CLAUSE, "S_e(T_s) (T_s / 2π)²", moved, wanted.ground * level, "m"),
+        _at_ground(context, cap.Ts, ordinate=ordinate, moved=wanted.ground * level),
     ]
     floor = floor_of(context)
     if floor is not None:
@@ -186,3 +186,13 @@ def _demand_steps(
     numbers = f"{demanded:.5g} / {cap.du:.5g}"
     steps.append(Step("demand / d_u*", note, CLAUSE, "demand / capacity", numbers, demanded / cap.du, "-"))
     return tuple(steps)
+
+
+def _at_ground(context: Context, Ts: float, *, ordinate: float, moved: float) -> Step:
+    """S_De(T_s) from S_e(T_s), or from the displacements that the code gives beyond T_E."""
+    factor = (Ts / (2 * np.pi)) ** 2
+    if abs(moved - ordinate * factor) <= 1e-9 * moved:
+        numbers = f"{ordinate:.5g} · ({Ts:.5g} / 2π)²"
+        return Step("S_De(T_s)", "demand at the ground", CLAUSE, "S_e(T_s) (T_s / 2π)²", numbers, moved, "m")
+    formula = "displacement spectrum, T > T_E"
+    return Step("S_De(T_s)", "demand at the ground", context.spectrum.clause, formula, f"T_s = {Ts:.5g} s", moved, "m")

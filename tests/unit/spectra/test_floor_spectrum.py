@@ -10,11 +10,13 @@ from spectra.floor_spectrum import (
     Mode,
     circolare2019,
     circolare2019_frame,
+    circolare2019_modal,
     circolare2019_peak,
     ec8,
     first_mode_factor,
     nzs1170_5,
     part_action,
+    part_amplification,
     part_response_factor,
     part_shape,
 )
@@ -92,6 +94,23 @@ def test_circolare_2019_stays_positive_under_great_damping():
     assert np.all(circolare2019(np.linspace(0.0, 50.0, 200), spectrum=FLAT, modes=[damped], damping=0.5) > 0.0)
 
 
+def test_circolare_2019_modal_at_and_above_resonance():
+    """S_ij = 0.5 x 9/7 = 0.642857 g; R(1) = 1 / (2 x 0.05) = 10 and 10^0.8; R(2) = (0.04 + 9)^-1/2 for xi_a = 5 %."""
+    at = {"spectrum": FLAT, "modes": [TOP]}
+    assert circolare2019_modal([0.3, 0.6], **at) / g == pytest.approx([6.42857, 0.642857 / 9.04**0.5], rel=1e-6)
+    assert circolare2019_modal(0.3, **at, beta=0.4) / g == pytest.approx(0.642857 * 10**0.8, rel=1e-6)
+    assert part_amplification(1.0, 0.1, beta=0.5) == pytest.approx(5.0, rel=1e-12)
+
+
+def test_circolare_2019_modal_of_a_rigid_part_is_the_floor():
+    """T_a -> 0: R = 1, so the squares of 0.5 x 0.9 and 0.5 x 0.4 remain; a soft part feels nothing."""
+    modes = [Mode(0.3, 0.05, -0.9), Mode(0.1, 0.05, 0.4)]
+    rigid, nearly, soft = circolare2019_modal([0.0, 1e-4, 300.0], spectrum=FLAT, modes=modes) / g
+    assert rigid == pytest.approx(0.5 * np.hypot(0.9, 0.4), rel=1e-12)
+    assert nearly == pytest.approx(rigid, rel=1e-5)
+    assert soft < 1e-5
+
+
 @pytest.mark.parametrize(("storeys", "factor"), [(1, 1.0), (2, 1.2), (3, 1.2857), (5, 1.3636)])
 def test_first_mode_factor(storeys, factor):
     assert first_mode_factor(storeys) == pytest.approx(factor, abs=5e-5)
@@ -122,6 +141,8 @@ REFUSED = {
     "frame period": (lambda: circolare2019_frame(0.1, **BUILDING, building_period=-1.0), "period of the building"),
     "negative period": (lambda: nzs1170_5(-0.1, **BUILDING), "periods from 0 up"),
     "ductility": (lambda: part_response_factor(0.9), r"Table 8\.2 begins at 1"),
+    "beta": (lambda: circolare2019_modal(0.1, spectrum=FLAT, modes=[TOP], beta=0.6), r"beta = 0\.6"),
+    "no mode": (lambda: circolare2019_modal(0.1, spectrum=FLAT, modes=[]), "at least one mode"),
     "no modes": (lambda: circolare2019(0.1, spectrum=FLAT, modes=[]), "at least one mode"),
     "undamped mode": (lambda: circolare2019_peak(FLAT, modes=[Mode(0.3, 0.0, 1.0)]), "needs both positive"),
     "no storeys": (lambda: first_mode_factor(0), "0 storeys"),

@@ -5,6 +5,7 @@ The model's own curve is tan(alpha - phi), 0.2 % from the straight line here; wi
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 from scipy.constants import g
 
@@ -23,6 +24,7 @@ from assess.geometry.solid import box
 from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block
 from spectra.asce7 import design_spectrum
+from spectra.ec8 import elastic_spectrum
 
 
 @pytest.fixture(scope="module")
@@ -94,6 +96,27 @@ def test_nonlinear_demand_is_the_displacement_spectrum_at_the_secant_period(rock
     by_hand = 0.2 * g / cap.Ts * (cap.Ts / 6.283185307179586) ** 2 * 0.18 / 0.2
     assert check.demand == pytest.approx(by_hand, rel=1e-9)
     assert check.capacity_pga_g == pytest.approx(0.18 * cap.du / by_hand, rel=1e-9)
+
+
+@pytest.mark.parametrize(("size", "beyond"), [(1.0, False), (25.0, True)])
+def test_beyond_t_e_the_demand_is_the_code_s_own_displacement(size, beyond):
+    """EC8, type 1, ground B, a_g S = 0.24 g: T_E = 5 s, d_g = 0.025 a_g S T_C T_D; T_F = 10 s; by hand.
+
+    A wall 25 times as large has a T_s five times as long, beyond T_E. S_e (T / 2 pi)^2 would stay at its value at T_D.
+    """
+    wall = box(thickness=0.6 * size, length=1.0, height=6.0 * size, base=(0, 0, 0), density=1800.0, name="wall")
+    rocker = oscillator(single_block("wall", planar(wall, direction=(1, 0, 0))))
+    spectrum = elastic_spectrum(a_g=0.2 * g, ground_type="B")
+    (check,) = nonlinear.assess(rocker, Context(spectrum, (0.24 * g,), 0.0, 0.0, None), options=Options())
+    T = capacity_of(rocker.positive, mass=rocker.mass, confidence_factor=1.0).Ts
+    assert (5.0 < T < 10.0) is beyond
+    d_g = 0.025 * 0.24 * g * 0.5 * 2.0
+    long = d_g * (2.5 + (T - 5.0) / 5.0 * (1.0 - 2.5))
+    short = 2.5 * 0.24 * g * 0.5 / T * (T / (2 * np.pi)) ** 2  # T_C < T < T_D
+    assert check.demand == pytest.approx(long if beyond else short, rel=1e-9)
+    (step,) = (step for step in check.steps if step.symbol == "S_De(T_s)")
+    assert step.value == pytest.approx(check.demand, rel=1e-12)
+    assert ("T > T_E" in step.formula) is beyond
 
 
 def test_below_uplift_nothing_rocks(rocker):

@@ -202,3 +202,12 @@ def test_s_1_above_s_s_is_told(tmp_path: Path) -> None:
         + PROJECT[PROJECT.index("[mechanisms.quick]") :]
     )
     assert any("exchanged" in notice.text for notice in build(load(path)).notices)
+
+
+def test_what_no_site_has_is_told_on_stderr(capsys: pytest.CaptureFixture[str]) -> None:
+    assert ended("spectrum", "--code", "nzs1170.5", "--subsoil", "C", "--z", "0.55", "--r", "1.8", "--csv") == 0
+    found = capsys.readouterr()
+    assert "Z R = 0.55 × 1.8 = 0.99 is taken as 0.7" in found.err
+    assert found.out.startswith("period [s],acceleration [g]")
+    assert ended("spectrum", "--code", "nzs1170.5", "--subsoil", "C", "--z", "40", "--r", "1") == 2
+    assert "z = 40" in capsys.readouterr().err

@@ -102,6 +102,34 @@ def test_a_site_that_needs_a_study_is_warned_of(tmp_path: Path) -> None:
     assert "§11.4.8" in notices[0].text
 
 
+DOUBTFUL = {  # hand-worked: Z R = 0.4 x 1.8 = 0.72
+    "nzs1170.5": (("r = 1.0", "r = 1.8"), "", "Z R = 0.4 × 1.8 = 0.72 is taken as 0.7"),
+    "ec8": (('"0.25 g"', '"25 m/s^2"'), 'pga = "0.2 g"', ""),
+    "ec8, far": (('"0.25 g"', '"25 g"'), "", "a_g = 25 g is beyond any plausible site"),
+    "ntc2018": (('"0.261 g"', '"3.1 g"'), "", "a_g = 3.1 g is beyond"),
+    "asce7-16": (('"1.5 g"', '"150 m/s^2"'), "", "s_s = 15.3 g is beyond"),
+    "hazard": (("use_class", "use_class"), 'pga = "10 g"', "pga = 10 g is beyond"),
+}
+
+
+@pytest.mark.parametrize("case", list(DOUBTFUL))
+def test_values_that_no_site_has_are_doubted(case: str, tmp_path: Path) -> None:
+    (old, new), site, words = DOUBTFUL[case]
+    found = spectrum(tmp_path, CODES[case.split(",")[0]].replace(old, new), site=site).cautions
+    assert any(words in text for text in found) if words else found == ()
+
+
+def test_a_table_in_another_unit_is_doubted(tmp_path: Path) -> None:
+    (tmp_path / "table.csv").write_text("period [s],acceleration [g]\n0,9.81\n1,9.81\n", encoding="utf-8")
+    (text,) = spectrum(tmp_path, 'code = "table"\nfile = "table.csv"').cautions
+    assert "S_a(0) of the table = 9.81 g" in text
+
+
+def test_a_hazard_factor_in_per_cent_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(SpectrumError, match=r"z = 40; the hazard factor is at most 0\.6"):
+        spectrum(tmp_path, CODES["nzs1170.5"].replace("z = 0.4", "z = 40"))
+
+
 def test_bare_accelerations_of_every_code_are_told(tmp_path: Path) -> None:
     table = CODES["hazard"].replace('"0.05 g"', "0.05").replace('"0.16 g"', "0.16")
     doubts = loaded(tmp_path, table).doubts

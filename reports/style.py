@@ -80,6 +80,9 @@ PROCEDURES: dict[str, Pen] = {
     "ntc2018-linear": Pen("#cc79a7", "-", "s"),
     "ntc2018-nonlinear": Pen("#009e73", "-", "v"),
     "ntc2018-history": Pen("#6b4c9a", "-.", "D"),
+    "nzsee2017-face-loaded": Pen("#117733", "-", "P"),
+    "asce41-13-ht": Pen("#882255", "-", "X"),
+    "ec8-element": Pen("#44aa99", "-", "p"),
 }
 _OTHER = Pen(MUTED, ":", "x")
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Literal
 
 Role = Literal["code", "informative"]
@@ -44,6 +44,7 @@ class Check:
     could not be compared with the printed standard.
     `rotation_ratio` and `allowable_ratio` put the same answer as rotation /
     rigid overturning rotation of the branch, None where the procedure knows no rotation or the body overturned.
+    `score`: what the code itself counts the answer in, by name, as {"%NBS": 43.1}; empty where it has nothing.
     """
 
     procedure: str
@@ -69,3 +70,4 @@ class Check:
     pga_curve: PgaCurve
     steps: tuple[Step, ...]
     caveat: str
+    score: dict[str, float] = field(default_factory=dict)

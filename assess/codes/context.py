@@ -3,9 +3,26 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Literal
 
 from assess.codes.check import BranchName, InputAt
 from spectra.spectrum import Spectrum
+
+Support = Literal["free", "spanning", "hinged"]
+
+ON_GROUND = 0.01  # m: a base no higher than this stands on the ground
+
+
+@dataclass(frozen=True)
+class Wall:
+    """A wall seen across its plane.
+
+    height : between its supports, or of what stands free, from its base to its top [m]
+    thickness : along the direction of motion, at the base, or at the crack where it spans [m]
+    """
+
+    height: float
+    thickness: float
 
 
 @dataclass(frozen=True)
@@ -61,6 +78,8 @@ class Context:
     histories_at : where the motion of the time histories is given
     amplification : the largest, over the records, of peak acceleration at the mechanism's base over that at the ground
     incremental : further suites at rising PGA, for the curve and the PGA at collapse; empty when none were run
+    support : how the masonry is held: it stands free on its base, spans between two supports, or is a chain of hinges
+    wall : its size, None where the mechanism is no wall or has no geometry
     """
 
     spectrum: Spectrum
@@ -73,3 +92,11 @@ class Context:
     linearised: bool = False
     histories_at: InputAt = "ground"
     amplification: float = 1.0
+    support: Support = "free"
+    wall: Wall | None = None
+
+    @property
+    def support_height(self) -> float:
+        """Height of the supports above the ground [m]: the base, or the mean of base and top of a wall that spans."""
+        above = self.wall.height / 2.0 if self.support == "spanning" and self.wall is not None else 0.0
+        return max(self.elevation, 0.0) + above

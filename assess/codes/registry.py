@@ -6,12 +6,18 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import partial
 
+from assess.codes.asce41_13 import slenderness
+from assess.codes.asce41_13.clauses import Options as Asce41Options
 from assess.codes.asce43_05 import history, spectrum
 from assess.codes.asce43_05.clauses import Options as Asce43Options
 from assess.codes.check import Check
 from assess.codes.context import Context
 from assess.codes.dmi2008 import linear, nonlinear, nonlinear_thesis
 from assess.codes.dmi2008.clauses import Options as Dmi2008Options
+from assess.codes.en1998_1 import element
+from assess.codes.en1998_1.clauses import Options as Ec8Options
+from assess.codes.nzsee2017 import face_loaded
+from assess.codes.nzsee2017.clauses import Options as Nzsee2017Options
 from assess.errors import ProcedureError
 from assess.oscillator import Oscillator
 
@@ -24,6 +30,9 @@ class CodeOptions:
 
     asce43_05: Asce43Options = field(default_factory=Asce43Options)
     dmi2008: Dmi2008Options = field(default_factory=Dmi2008Options)
+    nzsee2017: Nzsee2017Options = field(default_factory=Nzsee2017Options)
+    asce41_13: Asce41Options = field(default_factory=Asce41Options)
+    ec8: Ec8Options = field(default_factory=Ec8Options)
 
 
 PROCEDURES: dict[str, Callable[[CodeOptions], Assess]] = {
@@ -33,6 +42,9 @@ PROCEDURES: dict[str, Callable[[CodeOptions], Assess]] = {
     "dmi2008-linear": lambda options: partial(linear.assess, options=options.dmi2008),
     "dmi2008-nonlinear": lambda options: partial(nonlinear.assess, options=options.dmi2008),
     "dmi2008-nonlinear-thesis": lambda options: partial(nonlinear_thesis.assess, options=options.dmi2008),
+    "nzsee2017-face-loaded": lambda options: partial(face_loaded.assess, options=options.nzsee2017),
+    "asce41-13-ht": lambda options: partial(slenderness.assess, options=options.asce41_13),
+    "ec8-element": lambda options: partial(element.assess, options=options.ec8),
 }
 
 

@@ -15,6 +15,7 @@ from assess.project.histories import Rocking, Shaken, governing_trace, rocking, 
 from assess.project.motions import Motion
 from assess.project.outcome import amplification_result, mechanism_result
 from assess.project.study import Amplified, Study
+from assess.project.wall_size import SUPPORTS, wall_of
 from assess.results import MechanismResult
 from spectra.spectrum import Spectrum
 
@@ -78,6 +79,8 @@ def context_of(
         spectrum=spectrum,
         levels=study.levels,
         vertical_ratio=study.vertical_ratio,
+        support=SUPPORTS[mechanism.kind],
+        wall=wall_of(mechanism),
         elevation=mechanism.elevation - ground,
         building=study.building,
         suites=suites,
@@ -89,5 +92,6 @@ def context_of(
 
 
 def checks_of(study: Study, rocker: Oscillator, context: Context) -> tuple[Check, ...]:
-    """The answers of every procedure of the study, in its order."""
-    return tuple(check for name in study.procedures for check in procedure(name, study.options)(rocker, context))
+    """The answers of every procedure of the study, in its order; of those nobody asked for, where they decide."""
+    checks = [check for name in study.procedures for check in procedure(name, study.options)(rocker, context)]
+    return tuple(check for check in checks if check.procedure not in study.offered or check.role == "code")

@@ -10,8 +10,11 @@ from pathlib import Path
 
 import numpy as np
 
+from assess.codes.asce41_13.clauses import Options as Asce41Options
 from assess.codes.context import Building
 from assess.codes.dmi2008.clauses import Options as Dmi2008Options
+from assess.codes.en1998_1.clauses import Options as Ec8Options
+from assess.codes.nzsee2017.clauses import Options as Nzsee2017Options
 from assess.codes.registry import CodeOptions
 from assess.errors import ProjectError
 from assess.geometry.solid import Solid
@@ -101,8 +104,9 @@ def part_of(content: sections.Content, files: Files, *, names: Iterable[str]) ->
         artificial=None if synthetic is None else Artificial(synthetic.count, synthetic.seed, synthetic.duration),
         scale_to=content.records.scale_to,
         levels=levels_of(content.analysis.levels, files.spectrum),
-        procedures=content.analysis.procedures,
-        options=CodeOptions(dmi2008=Dmi2008Options(**content.procedures.dmi2008.model_dump())),
+        procedures=(*content.analysis.procedures, *content.offered),
+        offered=content.offered,
+        options=options_of(content.procedures),
         mechanisms=tuple(each.mechanism for each in built),
         scenes={each.mechanism.name: each.scene for each in built if each.scene is not None},
         amplified={
@@ -166,6 +170,16 @@ def equation_of(section: sections.Mechanism, content: sections.Content) -> Equat
     """The equation of motion asked for, or the default of the kind: linearised for equivalent blocks, else exact."""
     default: Equation = "linearised" if isinstance(section, sections.EquivalentBlock) else "exact"
     return content.analysis.equation or default
+
+
+def options_of(section: sections.Procedures) -> CodeOptions:
+    """The options of every code."""
+    return CodeOptions(
+        dmi2008=Dmi2008Options(**section.dmi2008.model_dump()),
+        nzsee2017=Nzsee2017Options(**section.nzsee2017.model_dump()),
+        asce41_13=Asce41Options(**section.asce41_13.model_dump()),
+        ec8=Ec8Options(**section.ec8.model_dump()),
+    )
 
 
 def grid_of(section: sections.Pulses) -> PulseGrid:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from assess.codes.dmi2008.clauses import ON_GROUND
+from assess.codes.context import ON_GROUND
 from assess.geometry import mesh
 from assess.geometry.formats.reading import WITHOUT_UNIT
 from assess.geometry.solid import Solid
@@ -51,7 +51,7 @@ def _of_amplification(raised: Sequence[str], amplified: Mapping[str, Amplified])
             "amplification",
             "mechanisms",
             f"above the ground, yet histories and ASCE 43-05 use the ground's motion as it is: {', '.join(without)}; "
-            "only dmi2008 asks for the floor's motion; `amplification` carries the histories up",
+            "the floor clauses of the other codes ask for the floor's motion; `amplification` carries the histories up",
         )
     for name, one in amplified.items():
         for text in one.assumed:

@@ -80,6 +80,7 @@ class Study:
 
     spectrum : the site's elastic spectrum at its own PGA; None where the project has no site
     levels : PGA at which demands are compared, rising [m/s2]
+    offered : those of the procedures that nobody asked for; shown where they decide
     equations : the equation of motion of each mechanism's histories, by name
     amplified : how the motion of the histories reaches each mechanism, by name
     fitting : how the records are scaled
@@ -97,6 +98,7 @@ class Study:
     scale_to: ScaleTo
     levels: tuple[float, ...]
     procedures: tuple[str, ...]
+    offered: tuple[str, ...]
     options: CodeOptions
     mechanisms: tuple[Mechanism, ...]
     equations: dict[str, Equation]

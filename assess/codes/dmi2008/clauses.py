@@ -15,7 +15,7 @@ from scipy.constants import g
 from scipy.optimize import brentq
 
 from assess.codes.check import Step, Verdict
-from assess.codes.context import Context
+from assess.codes.context import ON_GROUND, Context
 from assess.codes.worked import multiplier_worked
 from assess.oscillator import Branch, displacement, interpolant, participation_ratio, resisted, threshold
 from spectra.floor_spectrum import first_mode_factor
@@ -24,7 +24,6 @@ EDITION = "DM 14.01.2008, Circolare 617/2009"
 CAVEAT = "clause numbers of C8A.4 not checked against the printed circular"
 ULTIMATE = 0.4  # d_u* / d_0*, and d_s* / d_u* (C8A.4.2.2)
 DAMPING = 0.05  # of every ordinate: the clauses know no other
-ON_GROUND = 0.01  # m: a base no higher than this stands on the ground
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,7 @@ from assess.project.sections.amplification import (
     PrintedAmplification,
     RaisedAmplification,
 )
-from assess.project.sections.analysis import PROCEDURES, Records
+from assess.project.sections.analysis import PROCEDURES, Procedures, Records
 from assess.project.sections.bodies import Body, BoxBody, DirectBody, Material, MeshBody, ProfileBody
 from assess.project.sections.content import Content
 from assess.project.sections.interfaces import Interface, Shape
@@ -76,6 +76,7 @@ __all__ = [
     "Nzs1170Spectrum",
     "OverburdenLoad",
     "PrintedAmplification",
+    "Procedures",
     "ProfileBody",
     "Pulses",
     "RadialJoints",

@@ -7,14 +7,18 @@ from typing import Annotated, Literal, get_args
 from pydantic import AfterValidator, Field, StrictInt, model_validator
 from pydantic_core import PydanticCustomError
 
+from assess.codes.asce41_13.clauses import Position
+from assess.codes.family import HOMES
 from assess.project.quantities import (
     AccelerationUnit,
     Count,
     InputFile,
     InputFiles,
     PositiveAcceleration,
+    PositiveRatio,
     PositiveTime,
     Ratio,
+    Share,
     unique,
 )
 from assess.project.section import Section, listed, wrong
@@ -29,8 +33,12 @@ Procedure = Literal[
     "dmi2008-linear",
     "dmi2008-nonlinear",
     "dmi2008-nonlinear-thesis",
+    "nzsee2017-face-loaded",
+    "asce41-13-ht",
+    "ec8-element",
 ]
 PROCEDURES: tuple[Procedure, ...] = get_args(Procedure)
+EVERYWHERE = tuple(name for name in PROCEDURES if name not in HOMES)
 
 
 SOURCES = ("measured", "literature", "assumed")
@@ -96,8 +104,9 @@ class Analysis(Section):
         None
     )
     """peak ground accelerations at which demands are compared; the site's own if absent"""
-    procedures: Annotated[tuple[Procedure, ...], Field(min_length=1), AfterValidator(unique("procedure"))] = PROCEDURES
-    """code procedures to apply; all if absent"""
+    procedures: Annotated[tuple[Procedure, ...], Field(min_length=1), AfterValidator(unique("procedure"))] = EVERYWHERE
+    """code procedures to apply; if absent these, and those that the site's code brings with it where they decide:
+    asce41-13-ht in America, nzsee2017-face-loaded in New Zealand"""
     equation: Literal["exact", "linearised"] | None = None
     """equation of motion of the histories; if absent exact, and linearised for equivalent blocks"""
     pulses: Pulses | None = None
@@ -122,11 +131,42 @@ class Dmi2008(Section):
     """limit states to check"""
 
 
+class Nzsee2017(Section):
+    """Options of the face-loaded walls of NZSEE 2017, C8."""
+
+    usable: Share | None = None
+    """usable rotation over that at instability; if absent 0.6 for walls that span, 0.3 for those that stand free"""
+    risk_factor: PositiveRatio = 1.0
+    """risk factor R_p of the part, NZS 1170.5 Table 8.1"""
+
+
+class Asce41(Section):
+    """Options of the permissible h/t of ASCE 41-13."""
+
+    position: Position | None = None
+    """row of Table 11-5: "one-storey", "first-storey", "top-storey" or "other"; if absent by [building], elevation"""
+
+
+class Ec8(Section):
+    """Options of the check of non-structural elements of EN 1998-1, 4.3.5."""
+
+    behaviour_factor: Annotated[Ratio, Field(ge=1)] | None = None
+    """q_a of Table 4.4; if absent 2.0 for walls that span, 1.0 for what stands free"""
+    importance_factor: PositiveRatio = 1.0
+    """gamma_a of the element: 1.5 where life depends on it"""
+
+
 class Procedures(Section):
     """Options of the code procedures, one table each."""
 
     dmi2008: Dmi2008 = Field(default_factory=Dmi2008)
     """options of dmi2008-linear and dmi2008-nonlinear"""
+    nzsee2017: Nzsee2017 = Field(default_factory=Nzsee2017)
+    """options of nzsee2017-face-loaded"""
+    asce41_13: Asce41 = Field(default_factory=Asce41, alias="asce41-13")
+    """options of asce41-13-ht"""
+    ec8: Ec8 = Field(default_factory=Ec8)
+    """options of ec8-element"""
 
 
 class Report(Section):

@@ -1,0 +1,69 @@
+"""ASCE/SEI 41-13, 11.3.3, Table 11-5 (41-06 Table 7-5): walls that need no analysis out of their plane.
+
+A wall anchored at floors and roof is taken as stable for life safety and collapse prevention where its height over
+thickness does not exceed the table's. Table and bounds are from memory, not checked against the printed standard; the
+later edition (41-17) may differ. One function for each rule.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Literal
+
+from assess.codes.context import ON_GROUND, Building, Wall
+
+EDITION = "ASCE/SEI 41-13"
+CAVEAT = (
+    "Table 11-5 is from memory, not checked against the printed standard; it presumes a wall anchored at its base and "
+    "top; S_X1 is that of the site's spectrum at the level, whatever hazard that stands for"
+)
+
+Position = Literal["one-storey", "first-storey", "top-storey", "other"]
+
+BOUNDS = (0.24, 0.37)  # g: S_X1 up to which the first and the second column hold
+PERMISSIBLE: Mapping[Position, tuple[float, float, float]] = {  # h/t [-], Table 11-5
+    "one-storey": (20.0, 16.0, 13.0),
+    "first-storey": (20.0, 18.0, 15.0),
+    "top-storey": (14.0, 14.0, 9.0),
+    "other": (20.0, 16.0, 13.0),
+}
+PLACES: Mapping[Position, str] = {
+    "one-storey": "wall of a one-storey building",
+    "first-storey": "first-storey wall of a multistorey building",
+    "top-storey": "wall in the top storey of a multistorey building",
+    "other": "all other walls",
+}
+
+
+@dataclass(frozen=True)
+class Options:
+    """position: row of Table 11-5; None where the building tells."""
+
+    position: Position | None = None
+
+
+def permissible(position: Position, s_x1: float) -> float:
+    """Largest h/t [-] of a wall at this place, at S_X1 [g] (Table 11-5)."""
+    return PERMISSIBLE[position][sum(s_x1 > bound for bound in BOUNDS)]
+
+
+def largest_s_x1(position: Position, slenderness: float) -> float | None:
+    """S_X1 [g] up to which a wall of h/t = `slenderness` is permitted; 0 where it never is, None where it always is."""
+    within = [slenderness <= most for most in PERMISSIBLE[position]]
+    return None if all(within) else (0.0, *BOUNDS)[sum(within)]
+
+
+def position_of(wall: Wall, elevation: float, building: Building | None) -> Position:
+    """Where a wall that stands `elevation` [m] above the ground is in its building; "other" where nobody says.
+
+    A wall whose top is within half a storey of the building's is in the top storey, the stricter row.
+    """
+    if building is None or building.storeys is None:
+        return "other"
+    if building.storeys == 1:
+        return "one-storey"
+    storey = building.height / building.storeys
+    if elevation + wall.height >= building.height - storey / 2.0:
+        return "top-storey"
+    return "first-storey" if elevation <= ON_GROUND else "other"

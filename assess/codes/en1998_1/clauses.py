@@ -1,0 +1,71 @@
+"""EN 1998-1:2004, 4.3.5: a non-structural element under a static force at its centre of mass.
+
+    F_a = S_a W_a gamma_a / q_a                                                              (4.24)
+    S_a = alpha S [3 (1 + z/H) / (1 + (1 - T_a/T_1)^2) - 0.5], at least alpha S              (4.25)
+
+alpha S is the peak acceleration of the surface over g, the PGA of the level. Formulas and Table 4.4 are from memory,
+not checked against the printed standard. One function for each formula.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from scipy.constants import g
+
+from assess.codes.context import ON_GROUND, Context, Support
+from assess.oscillator import Branch, elastic_frequency, threshold
+from spectra.floor import ec8_floor_factor
+
+EDITION = "EN 1998-1:2004"
+CAVEAT = (
+    "(4.24), (4.25) and Table 4.4 are from memory, not checked against the printed standard; the clause is of "
+    "non-structural elements, and its force check knows no reserve beyond uplift but q_a"
+)
+BEHAVIOUR: dict[Support, float] = {"free": 1.0, "spanning": 2.0, "hinged": 1.0}  # q_a, Table 4.4
+ELEMENTS: dict[Support, str] = {
+    "free": "stands free, as cantilever parapets",
+    "spanning": "held at base and top, as walls and facades",
+    "hinged": "chain of hinges, which Table 4.4 does not name: the smallest",
+}
+RESONANCE = 1.0  # T_a / T_1 where the building is not known: the worst
+
+
+@dataclass(frozen=True)
+class Options:
+    """behaviour_factor q_a [-], None for that of Table 4.4; importance_factor gamma_a [-] of the element."""
+
+    behaviour_factor: float | None = None
+    importance_factor: float = 1.0
+
+
+def element_period(branch: Branch) -> float:
+    """T_a [s]: 0 for what does not move before uplift, else of small motions on its joints."""
+    frequency = elastic_frequency(branch)
+    return 1.0 / frequency if frequency else 0.0
+
+
+def period_ratio(branch: Branch, context: Context) -> float:
+    """T_a / T_1 [-]; 1, the worst, for an element that vibrates where the building is not known."""
+    T_a = element_period(branch)
+    if T_a == 0.0 or context.building is None:
+        return RESONANCE if T_a > 0.0 else 0.0
+    return T_a / context.building.period
+
+
+def amplification(ratio: float, context: Context) -> float:
+    """S_a / (alpha S) [-] at T_a / T_1 = `ratio` (4.25); at the ground H plays no part."""
+    if context.support_height <= ON_GROUND or context.building is None:
+        return ec8_floor_factor(0.0, building_height=1.0, period_ratio=ratio)
+    return ec8_floor_factor(context.support_height, building_height=context.building.height, period_ratio=ratio)
+
+
+def force_over_weight(amplified: float, level: float, *, behaviour_factor: float, importance_factor: float) -> float:
+    """F_a / W_a = S_a gamma_a / q_a [-] at PGA `level` [m/s2] (4.24)."""
+    return amplified * level / g * importance_factor / behaviour_factor
+
+
+def uplift_pga(branch: Branch, amplified: float) -> float | None:
+    """PGA [m/s2] at which S_a itself reaches the multiplier at rest; None on joints without a threshold."""
+    at_rest = threshold(branch)
+    return None if at_rest is None else at_rest * g / amplified

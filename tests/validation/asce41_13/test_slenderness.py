@@ -1,0 +1,113 @@
+"""ASCE 41-13 Table 11-5: a wall 4.2 m high and 0.33 m thick, h/t = 12.73, at S_X1 = 0.45 g, and the table's steps."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import numpy as np
+import pytest
+from scipy.constants import g
+
+from assess.codes.asce41_13.clauses import Options, largest_s_x1, permissible, position_of
+from assess.codes.asce41_13.slenderness import assess
+from assess.codes.context import Building, Context, Wall
+from assess.mechanisms.equivalent_block import equivalent_block
+from assess.mechanisms.oscillation import oscillator
+from spectra.asce7 import design_spectrum
+from spectra.ec8 import elastic_spectrum
+from spectra.table import table_spectrum
+
+WALL = Wall(4.2, 0.33)
+SPECTRUM = design_spectrum(s_ds=1.0 * g, s_d1=0.45 * g, t_l=6.0)  # S_a(0) = 0.4 g, S_a(1 s) = 0.45 g
+AT = Context(SPECTRUM, (0.4 * g,), 0.0, 0.0, None, support="spanning", wall=WALL)
+BLOCK = oscillator(equivalent_block("w", p=1.8, uplift=0.08, radius=2.1))
+
+
+def building(storeys: int | None, height: float = 8.4) -> Building:
+    return Building(height, storeys, 0.0, 0.24, 0.05)
+
+
+@pytest.mark.parametrize(
+    ("position", "most", "verdict"),
+    [
+        ("first-storey", 15.0, "pass"),
+        ("top-storey", 9.0, "fail"),
+        ("other", 13.0, "pass"),
+        ("one-storey", 13.0, "pass"),
+    ],
+)
+def test_wall_by_its_place(position, most, verdict) -> None:
+    (check,) = assess(BLOCK, AT, options=Options(position))
+    assert (check.demand, check.capacity) == pytest.approx((12.727, most), rel=1e-4)
+    assert check.ratio == pytest.approx(12.727 / most, rel=1e-4)
+    assert (check.verdict, check.role) == (verdict, "code")
+
+
+@pytest.mark.parametrize(("s_x1", "column"), [(0.0, 0), (0.24, 0), (0.2401, 1), (0.37, 1), (0.3701, 2), (3.0, 2)])
+def test_columns(s_x1, column) -> None:
+    rows = {"one-storey": (20, 16, 13), "first-storey": (20, 18, 15), "top-storey": (14, 14, 9), "other": (20, 16, 13)}
+    for position, row in rows.items():
+        assert permissible(position, s_x1) == row[column]
+
+
+@pytest.mark.parametrize(
+    ("slenderness", "bound"), [(13.0, None), (13.1, 0.37), (16.0, 0.37), (16.1, 0.24), (20.1, 0.0)]
+)
+def test_s_x1_up_to_which_a_wall_is_permitted(slenderness, bound) -> None:
+    assert largest_s_x1("other", slenderness) == bound
+
+
+def test_pga_at_capacity_is_where_the_column_ends() -> None:
+    """h/t = 15 in row "other": up to S_X1 = 0.37 g, PGA = 0.37 x 0.4 / 0.45."""
+    at = dataclasses.replace(AT, wall=Wall(4.95, 0.33))
+    (check,) = assess(BLOCK, at, options=Options())
+    assert check.capacity_pga_g == pytest.approx(0.37 * 0.4 / 0.45, rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("elevation", "storeys", "place"),
+    [
+        (0.0, 2, "first-storey"),
+        (4.2, 2, "top-storey"),
+        (0.0, 1, "one-storey"),
+        (0.0, None, "other"),
+        (2.1, 4, "other"),
+        (4.2, 4, "top-storey"),
+    ],
+)
+def test_place_by_storeys_and_elevation(elevation, storeys, place) -> None:
+    assert position_of(WALL, elevation, building(storeys)) == place
+
+
+def test_a_wall_as_high_as_the_building_is_in_the_top_storey() -> None:
+    assert position_of(Wall(8.4, 0.5), 0.0, building(2)) == "top-storey"
+
+
+def test_a_place_that_nobody_gave_is_said() -> None:
+    (check,) = assess(BLOCK, AT, options=Options())
+    (step,) = (step for step in check.steps if step.symbol == "(h/t)_max")
+    assert "not known" in step.description
+
+
+def test_on_walls_that_stand_free_and_foreign_spectra_it_informs() -> None:
+    (free,) = assess(BLOCK, dataclasses.replace(AT, support="free"), options=Options())
+    abroad = dataclasses.replace(AT, spectrum=elastic_spectrum(a_g=0.2 * g, ground_type="B"))
+    (foreign,) = assess(BLOCK, abroad, options=Options())
+    assert {free.role, foreign.role} == {"informative"}
+    assert "stands free" in free.caveat
+    assert "one of ec8" in foreign.caveat
+
+
+SHORT = table_spectrum(np.array([0.0, 0.8]), np.array([0.4, 0.9]) * g)
+MISSING = {
+    "no geometry": ({"wall": None, "support": "free"}, "no geometry"),
+    "hinges": ({"wall": None, "support": "hinged"}, "three blocks"),
+    "spectrum": ({"spectrum": SHORT}, "extend its table"),
+}
+
+
+@pytest.mark.parametrize(("change", "words"), list(MISSING.values()), ids=list(MISSING))
+def test_what_is_missing_is_said(change, words) -> None:
+    (check,) = assess(BLOCK, dataclasses.replace(AT, **change), options=Options())
+    assert check.verdict == "not-applicable"
+    assert words in check.reason

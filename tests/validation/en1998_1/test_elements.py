@@ -1,0 +1,91 @@
+"""EN 1998-1, 4.3.5: alpha S = 0.3 (0.25 g on ground B) at heights and periods worked by hand; a parapet on a roof."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import numpy as np
+import pytest
+from scipy.constants import g
+
+from assess.codes.context import Building, Context, Wall
+from assess.codes.en1998_1.clauses import Options, amplification, element_period
+from assess.codes.en1998_1.element import assess
+from assess.mechanisms.equivalent_block import equivalent_block
+from assess.mechanisms.oscillation import oscillator
+from spectra.asce7 import design_spectrum
+from spectra.ec8 import elastic_spectrum
+
+SPECTRUM = elastic_spectrum(a_g=0.25 * g, ground_type="B")
+HOUSE = Building(height=10.0, storeys=3, ground_elevation=0.0, period=0.4, damping=0.05)
+PARAPET = oscillator(equivalent_block("parapet", p=3.0, uplift=0.2, radius=0.8))  # lambda = tan 0.2 = 0.20271
+
+
+def at(height: float = 0.0, building: Building | None = HOUSE, **more) -> Context:
+    return Context(SPECTRUM, (0.3 * g,), 0.0, height, building, **more)
+
+
+@pytest.mark.parametrize(
+    ("height", "ratio", "coefficient"), [(0.0, 0.0, 0.300), (5.0, 0.5, 0.930), (10.0, 1.0, 1.650), (10.0, 0.0, 0.750)]
+)
+def test_seismic_coefficient(height, ratio, coefficient) -> None:
+    assert 0.3 * amplification(ratio, at(height)) == pytest.approx(coefficient, rel=1e-12)
+
+
+def test_a_parapet_on_the_roof() -> None:
+    """F_a / W_a = 0.75 x 1.5 / 1 = 1.125 beside lambda = 0.20271: D/C 5.5498; PGA at capacity 0.3 / 5.5498 g."""
+    (check,) = assess(PARAPET, at(10.0), options=Options(importance_factor=1.5))
+    assert (check.demand, check.capacity) == pytest.approx((1.125, 0.20271), rel=1e-4)
+    assert check.ratio == pytest.approx(5.5498, rel=1e-4)
+    assert check.capacity_pga_g == pytest.approx(0.3 / 5.5498, rel=1e-4)
+    assert check.uplift_pga_g == pytest.approx(0.20271 / 2.5, rel=1e-4)
+    assert (check.verdict, check.role, check.input_at) == ("fail", "code", "mechanism base")
+
+
+def test_a_wall_between_floors_at_the_mean_of_its_supports() -> None:
+    """From 2 to 4 m of 10 m: z/H = 0.3, S_a = 0.3 (1.5 x 1.3 - 0.5) = 0.435; q_a = 2."""
+    spanning = at(2.0, support="spanning", wall=Wall(2.0, 0.3))
+    (check,) = assess(PARAPET, spanning, options=Options())
+    assert check.demand == pytest.approx(0.2175, rel=1e-9)
+    (own,) = assess(PARAPET, spanning, options=Options(behaviour_factor=1.0))
+    assert own.demand == pytest.approx(0.435, rel=1e-9)
+
+
+def soft():
+    """The parapet on joints that answer at once: its restoring moment rises from zero within 0.05 rad."""
+    plain = PARAPET.positive
+    risen = plain.restoring * (1.0 - np.exp(-plain.rotation / 0.05))
+    bent = dataclasses.replace(plain, restoring=risen, overturning_flexible=plain.overturning)
+    return dataclasses.replace(PARAPET, positive=bent, negative=None)
+
+
+def test_an_element_that_vibrates_has_its_own_period() -> None:
+    """T_a = T_1 / 4 on the roof: 3 x 2 / (1 + 0.75^2) - 0.5 = 3.34; unknown building: resonance, 2.5 at z = 0.
+
+    T_a = 2 pi sqrt(I / k), k = restoring(0) / 0.05 of the rigid one.
+    """
+    branch = soft().positive
+    stiffness = PARAPET.positive.restoring[0] / 0.05
+    by_hand = 2 * np.pi * np.sqrt(branch.inertia[0] / stiffness)
+    assert element_period(branch) == pytest.approx(by_hand, rel=1e-4)
+    house = dataclasses.replace(HOUSE, period=4.0 * element_period(branch))
+    (check,) = assess(soft(), at(10.0, house), options=Options())
+    assert check.demand == pytest.approx(0.3 * 3.34, rel=1e-9)
+    assert check.uplift_pga_g is None
+    (unknown,) = assess(soft(), at(0.0, None), options=Options())
+    assert unknown.demand == pytest.approx(0.3 * 2.5, rel=1e-12)
+
+
+def test_above_ground_without_a_building_it_can_fail_but_not_pass() -> None:
+    for level, verdict in ((0.1 * g, "not-applicable"), (0.3 * g, "fail")):
+        (check,) = assess(PARAPET, dataclasses.replace(at(5.0, None), levels=(level,)), options=Options())
+        assert check.verdict == verdict
+    (above,) = assess(PARAPET, at(11.0), options=Options())
+    assert "higher than the building" in above.reason
+
+
+def test_on_a_spectrum_of_another_family_it_informs() -> None:
+    american = dataclasses.replace(at(), spectrum=design_spectrum(s_ds=0.5 * g, s_d1=0.2 * g, t_l=6.0))
+    (check,) = assess(PARAPET, american, options=Options())
+    assert check.role == "informative"
+    assert "one of asce7-16" in check.caveat

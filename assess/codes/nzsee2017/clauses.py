@@ -33,7 +33,10 @@ CAVEAT = (
     "reduced thickness of C8, for rounded edges and crushing, is not applied: give the joints a strength, or the wall "
     "less thickness"
 )
-CAVEAT_FREE = "; for a wall that stands free, a usable 0.3 of the rotation at instability is unsure (0.6 in 2006)"
+CAVEAT_FREE = (
+    "; a usable 0.3 of the rotation at instability for walls that stand free is unsure (0.6 in 2006); whether the "
+    "mechanism is a wall, and no whole building, is the engineer's to judge"
+)
 
 USABLE: dict[Support, float] = {"spanning": 0.6, "free": 0.3}  # phi_m / phi_i
 LET_GO: dict[Support, float] = {"spanning": 0.6, "free": 0.8}  # rotation from which T_p is counted, over phi_m

@@ -97,7 +97,7 @@ def _check(name: BranchName, context: Context, level: float, *, reason: str) -> 
     return Check(
         procedure=NAME,
         edition=EDITION,
-        role=role_on(NAME, context.spectrum.code),
+        role="informative" if context.support == "hinged" else role_on(NAME, context.spectrum.code),
         branch=name,
         limit_state="ULS",
         level_pga_g=level / g,

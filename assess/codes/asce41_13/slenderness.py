@@ -113,6 +113,6 @@ def _steps(
         Step("t", "thickness of the wall", CLAUSE, "geometry", f"{t:.5g}", t, "m"),
         Step("h/t", "slenderness", CLAUSE, "h / t", f"{h:.5g} / {t:.5g}", h / t, "-"),
         Step("S_X1", "spectrum at 1 s", CLAUSE, "S_a(1 s)/PGA · PGA", f"{ordinate:.5g} · {level_g:.5g}", s_x1, "g"),
-        Step("(h/t)_max", row, CLAUSE, "row of the wall, column of S_X1", column, most, "-"),
+        Step("max h/t", row, CLAUSE, "row of the wall, column of S_X1", column, most, "-"),
         Step("D/C", "ratio", CLAUSE, "demand / capacity", ratio, h / t / most, "-"),
     )

@@ -29,13 +29,11 @@ from spectra.floor_spectrum import part_shape
 
 EDITION = "NZSEE/MBIE Guidelines 2017, C8"
 CAVEAT = (
-    "formulas from memory and re-derived, not checked against the printed Guidelines; numbers of clauses unsure; the "
-    "reduced thickness of C8, for rounded edges and crushing, is not applied: give the joints a strength, or the wall "
-    "less thickness"
+    "formulas from memory, re-derived, not checked against the printed Guidelines; numbers of clauses unsure; C8's "
+    "reduced thickness is not applied: give the joints a strength, or the wall less thickness"
 )
 CAVEAT_FREE = (
-    "; a usable 0.3 of the rotation at instability for walls that stand free is unsure (0.6 in 2006); whether the "
-    "mechanism is a wall, and no whole building, is the engineer's to judge"
+    "; the usable 0.3 of walls that stand free is unsure (0.6 in 2006); whether this is a wall, the engineer must judge"
 )
 
 USABLE: dict[Support, float] = {"spanning": 0.6, "free": 0.3}  # phi_m / phi_i

@@ -85,7 +85,7 @@ def test_a_wall_as_high_as_the_building_is_in_the_top_storey() -> None:
 
 def test_a_place_that_nobody_gave_is_said() -> None:
     (check,) = assess(BLOCK, AT, options=Options())
-    (step,) = (step for step in check.steps if step.symbol == "(h/t)_max")
+    (step,) = (step for step in check.steps if step.symbol == "max h/t")
     assert "not known" in step.description
 
 

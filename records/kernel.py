@@ -20,6 +20,8 @@ IntArray = NDArray[np.int64]
 FUSED = {"contract", "nnan"}
 """a * b + c in one rounding; no nan comes in, as records hold none."""
 STEPS_PER_PERIOD = 20.0
+VISIT = 2  # steps of one oscillator in a row while its numbers are at hand
+BLOCK = 16  # steps whose maximum is looked for together, a multiple of VISIT
 
 
 @njit(cache=True, nogil=True)
@@ -48,35 +50,83 @@ def divisions(period: FloatArray, dt: float) -> IntArray:
 
 
 @njit(cache=True, nogil=True)
-def recurrence(period: FloatArray, damping: float, h: float) -> FloatArray:
-    """What displacement and velocity become over h [s]: of themselves, of the acceleration and its slope [8, k]."""
+def recurrence(period: FloatArray, damping: float, h: FloatArray) -> FloatArray:
+    """What displacement and velocity become over h [k] [s]: of themselves, of the acceleration and its slope [8, k]."""
     found = np.empty((8, period.size))
     for k in range(period.size):
         omega = 2.0 * math.pi / period[k]
-        found[0, k], found[4, k] = advance(1.0, 0.0, 0.0, 0.0, h, omega, damping)
-        found[1, k], found[5, k] = advance(0.0, 1.0, 0.0, 0.0, h, omega, damping)
-        found[2, k], found[6, k] = advance(0.0, 0.0, 1.0, 0.0, h, omega, damping)
-        found[3, k], found[7, k] = advance(0.0, 0.0, 0.0, 1.0, h, omega, damping)
+        found[0, k], found[4, k] = advance(1.0, 0.0, 0.0, 0.0, h[k], omega, damping)
+        found[1, k], found[5, k] = advance(0.0, 1.0, 0.0, 0.0, h[k], omega, damping)
+        found[2, k], found[6, k] = advance(0.0, 0.0, 1.0, 0.0, h[k], omega, damping)
+        found[3, k], found[7, k] = advance(0.0, 0.0, 0.0, 1.0, h[k], omega, damping)
+    return found
+
+
+@njit(cache=True, nogil=True)
+def free_part(period: FloatArray, damping: float) -> FloatArray:
+    """Coefficients [4, k] of the free vibration within a step, u(t) + a(t) / omega^2 - 2 damping slope / omega^3.
+
+    It is free = u + [0] a + [1] slope, and a quarter of its turn away [2] free + [3] (v + [0] slope).
+    """
+    found = np.empty((4, period.size))
+    for k in range(period.size):
+        omega = 2.0 * math.pi / period[k]
+        found[0, k], found[1, k] = 1.0 / omega**2, -2.0 * damping / omega**3
+        found[2, k] = damping / math.sqrt(1.0 - damping * damping)
+        found[3, k] = 1.0 / (omega * math.sqrt(1.0 - damping * damping))
     return found
 
 
 @njit(cache=True, nogil=True, fastmath=FUSED)
-def sweep(acceleration: FloatArray, dt: float, parts: int, of: FloatArray, u: FloatArray, v: FloatArray,
-          peak: FloatArray) -> None:  # fmt: skip
-    """Through the motion with all oscillators [k] side by side, which the compiler does four at a time.
+def sweep(start: FloatArray, slope: FloatArray, of: FloatArray, free: FloatArray, u: FloatArray, v: FloatArray,
+          largest: FloatArray, swing: FloatArray) -> None:  # fmt: skip
+    """Through some steps with all oscillators [k] side by side, which the compiler does four at a time.
 
-    of : their recurrence [8, k]; u, v : displacement and velocity [k], moved on; peak : largest |u| so far [k], raised
+    start, slope : ground acceleration at the beginning of each step and its slope in it [n], n a multiple of VISIT
+    of, free : `recurrence` over a step and `free_part` of the oscillators; u, v : displacement, velocity [k], moved on
+    largest : |u| at the samples so far [k], raised; swing : squared amplitude of the free vibration [k], raised
     """
     uu, uv, ua, us, vu, vv, va, vs = of[0], of[1], of[2], of[3], of[4], of[5], of[6], of[7]
-    for i in range(acceleration.size - 1):
-        slope = (acceleration[i + 1] - acceleration[i]) / dt
+    fa, fs, qf, qv = free[0], free[1], free[2], free[3]
+    for i in range(0, start.size, VISIT):
+        for k in range(u.size):
+            x, y, most, square = u[k], v[k], largest[k], swing[k]
+            for j in range(i, i + VISIT):
+                a, rise = start[j], slope[j]
+                f = x + (fa[k] * a + fs[k] * rise)
+                quarter = qf[k] * f + qv[k] * (y + fa[k] * rise)
+                square = max(square, f * f + quarter * quarter)
+                x, y = (
+                    (uu[k] * x + uv[k] * y) + (ua[k] * a + us[k] * rise),
+                    (vu[k] * x + vv[k] * y) + (va[k] * a + vs[k] * rise),
+                )
+                most = max(most, abs(x))
+            u[k], v[k], largest[k], swing[k] = x, y, most, square
+
+
+@njit(cache=True, nogil=True)
+def largest_in(start: FloatArray, slope: FloatArray, h: float, parts: int, of: FloatArray, u: float, v: float) -> float:
+    """Largest |u| [m] of one oscillator at `parts` points h [s] apart in each of some steps; of : recurrence over h."""
+    largest = 0.0
+    for i in range(start.size):
         for part in range(parts):
-            now = acceleration[i] + slope * (part * (dt / parts))
-            for k in range(u.size):
-                moved = (uu[k] * u[k] + uv[k] * v[k]) + (ua[k] * now + us[k] * slope)
-                v[k] = (vu[k] * u[k] + vv[k] * v[k]) + (va[k] * now + vs[k] * slope)
-                u[k] = moved
-                peak[k] = max(peak[k], abs(moved))
+            a = start[i] + slope[i] * (part * h)
+            u, v = (
+                (of[0] * u + of[1] * v) + (of[2] * a + of[3] * slope[i]),
+                (of[4] * u + of[5] * v) + (of[6] * a + of[7] * slope[i]),
+            )
+            largest = max(largest, abs(u))
+    return largest
+
+
+@njit(cache=True, nogil=True)
+def largest_after(time: float, h: float, of: FloatArray, u: float, v: float) -> float:
+    """Largest |u| [m] at points h [s] apart during `time` [s] of free vibration; of : recurrence over h."""
+    largest = 0.0
+    for _ in range(math.ceil(time / h)):
+        u, v = of[0] * u + of[1] * v, of[4] * u + of[5] * v
+        largest = max(largest, abs(u))
+    return largest
 
 
 @njit(cache=True, nogil=True)
@@ -87,20 +137,34 @@ def peak_displacements(acceleration: FloatArray, dt: float, period: FloatArray, 
     dt : step [s]; period [k] [s], positive; damping [-], below 1
 
     Maxima are taken at the samples, each step divided into equal parts where it exceeds a twentieth of the period.
+    A block of steps is divided only where its parts could hold the maximum. Within a step u is a line, the static
+    displacement under the ground's acceleration and slope, and a free vibration f of amplitude F at its beginning;
+    |f| <= F and |f''| <= omega^2 F. So |u| exceeds neither the line's largest by more than F, nor the larger of the
+    samples beside it by more than (omega dt)^2 / 8 F, the rise of an arc above its chord.
     """
-    peaks, parts = np.zeros(period.size), divisions(period, dt)
-    for count in np.unique(parts):
-        which = np.flatnonzero(parts == count)
-        h = dt / count
-        of = recurrence(period[which], damping, h)
-        u, v, peak = np.zeros(which.size), np.zeros(which.size), np.zeros(which.size)
-        sweep(acceleration, dt, count, of, u, v, peak)
-        for k in range(which.size):
-            for _ in range(math.ceil(period[which[k]] / h)):  # one period of free vibration holds its largest swing
-                u[k], v[k] = of[0, k] * u[k] + of[1, k] * v[k], of[4, k] * u[k] + of[5, k] * v[k]
-                peak[k] = max(peak[k], abs(u[k]))
-        peaks[which] = peak
-    return peaks
+    parts = divisions(period, dt)
+    h, arc = dt / parts, (2.0 * math.pi * dt / period) ** 2 / 8.0
+    of, finer = recurrence(period, damping, np.full(period.size, dt)), recurrence(period, damping, h)
+    free = free_part(period, damping)
+    still = -(acceleration.size - 1) % BLOCK  # steps of rest before the first, so that blocks are whole
+    start, slope = np.zeros(still + acceleration.size - 1), np.zeros(still + acceleration.size - 1)
+    start[still:], slope[still:] = acceleration[:-1], (acceleration[1:] - acceleration[:-1]) / dt
+    u, v, peak = np.zeros(period.size), np.zeros(period.size), np.zeros(period.size)
+    u0, v0, largest, swing = np.empty_like(u), np.empty_like(u), np.empty_like(u), np.empty_like(u)
+    for i in range(0, start.size, BLOCK):
+        a, rise = start[i : i + BLOCK], slope[i : i + BLOCK]
+        u0[:], v0[:], largest[:], swing[:] = u, v, np.abs(u), 0.0
+        sweep(a, rise, of, free, u, v, largest, swing)
+        a_most, rise_most = max(np.max(np.abs(a)), np.max(np.abs(a + rise * dt))), np.max(np.abs(rise))
+        for k in range(period.size):
+            F = math.sqrt(swing[k])
+            line = free[0, k] * a_most - free[1, k] * rise_most
+            if min(largest[k] + arc[k] * F, line + F) > peak[k]:
+                within = largest_in(a, rise, h[k], parts[k], finer[:, k], u0[k], v0[k])
+                peak[k] = max(peak[k], within)
+    for k in range(period.size):  # one period of free vibration holds its largest swing
+        peak[k] = max(peak[k], largest_after(period[k], h[k], finer[:, k], u[k], v[k]))
+    return peak
 
 
 @njit(cache=True, nogil=True)

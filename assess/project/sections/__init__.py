@@ -30,6 +30,7 @@ from assess.project.sections.mechanisms import (
 )
 from assess.project.sections.pulses import Pulses
 from assess.project.sections.select import Select
+from assess.project.sections.sensitivity import Change, Sensitivity
 from assess.project.sections.site import Building, Site
 from assess.project.sections.spectra import (
     Asce7MappedSpectrum,
@@ -52,6 +53,7 @@ __all__ = [
     "BoxBody",
     "Building",
     "Chained",
+    "Change",
     "Content",
     "CutAngle",
     "CutPlane",
@@ -83,6 +85,7 @@ __all__ = [
     "RaisedAmplification",
     "Records",
     "Select",
+    "Sensitivity",
     "Shape",
     "SingleBlock",
     "Site",

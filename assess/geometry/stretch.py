@@ -26,8 +26,8 @@ def stretched(solid: Solid, *, direction: Sequence[float], middle: float, factor
     shift = (1.0 - factor) * middle * u
     S = np.trace(solid.inertia) / 2.0 * np.eye(3) - solid.inertia
     S = factor * A @ S @ A.T
-    moved = {"centroid": A @ solid.centroid + shift, "vertices": solid.vertices @ A.T + shift}
-    moved["inertia"] = np.trace(S) * np.eye(3) - S
-    for array in moved.values():
+    centroid, vertices = A @ solid.centroid + shift, solid.vertices @ A.T + shift
+    inertia = np.trace(S) * np.eye(3) - S
+    for array in (centroid, vertices, inertia):
         array.setflags(write=False)
-    return replace(solid, mass=factor * solid.mass, **moved)
+    return replace(solid, mass=factor * solid.mass, centroid=centroid, inertia=inertia, vertices=vertices)

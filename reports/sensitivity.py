@@ -86,14 +86,14 @@ def sentences(found: Sequence[Varied], called: str) -> tuple[str, ...]:
 
 def overall(found: Sequence[Varied], called: str) -> str:
     """Whether the verdict of the mechanism, by all checks at all levels, changes."""
-    turned = [
+    changed = [
         f"{name_of(each.number)} at {at(each.number, side)} ({SAID['fail' if fails(each.rows, side) else 'pass']})"
         for each in found
         for side in SIDES
         if assessed(each, side) and fails(each.rows, side) != fails(each.rows, "base")
     ]
-    if turned:
-        return f"The verdict of {called} changes with {'; '.join(turned)}."
+    if changed:
+        return f"The verdict of {called} changes with {'; '.join(changed)}."
     stands = "some check fails" if fails(found[0].rows, "base") else "no check fails"
     return f"The verdict of {called} does not change within these ranges: {stands} throughout."
 
@@ -105,7 +105,7 @@ def assessed(each: Varied, side: Side) -> bool:
 
 def single_checks(found: Sequence[Varied]) -> Iterator[str]:
     """The checks whose verdict turns."""
-    turned = [
+    told = [
         f"{row.procedure} at {level(row)} g with {name_of(row)} at {at(row, side)} "
         f"({SAID[row.verdict_base]} → {SAID[verdict(row, side)]})"
         for each in found
@@ -113,9 +113,9 @@ def single_checks(found: Sequence[Varied]) -> Iterator[str]:
         for side in SIDES
         if flips(row, side)
     ]
-    if turned:
-        more = f"; and {len(turned) - MOST} more, see the table sensitivity" if len(turned) > MOST else ""
-        yield f"Checks whose verdict turns: {'; '.join(turned[:MOST])}{more}."
+    if told:
+        more = f"; and {len(told) - MOST} more, see the table sensitivity" if len(told) > MOST else ""
+        yield f"Checks whose verdict turns: {'; '.join(told[:MOST])}{more}."
 
 
 def strongest(found: Sequence[Varied], place: int) -> str:
@@ -196,14 +196,15 @@ def figure(found: Sequence[Varied], *, name: str) -> Figure:
 
 
 def panels(found: Sequence[Varied]) -> tuple[tornado.Panel, ...]:
-    """The answers that are shown, with the names of the numbers and what turns."""
-    names = tuple((name_of(each.number), ranges(each.number), *turns(each)) for each in found)
+    """The answers that are shown, with the names of the numbers."""
+    names = [(name_of(each.number), ranges(each.number)) for each in found]
     beside = next((row for row in found[0].shown if row.quantity == "demand_capacity"), None)
     made = []
     for place, first in enumerate(found[0].shown):
         rows = [each.shown[place] for each in found]
         bars = tuple(
-            tornado.Bar(name, value(row, "low"), value(row, "high")) for name, row in zip(names, rows, strict=True)
+            tornado.Bar(name, value(row, "low"), value(row, "high"), (turned(row, "low"), turned(row, "high")))
+            for name, row in zip(names, rows, strict=True)
         )
         limit = (1.0, "limit") if first.quantity == "demand_capacity" else None
         if limit is None and beside is not None and beside.level_pga_g:
@@ -220,12 +221,9 @@ def ranges(number: SensitivityResult) -> str:
     return f"{low} to {high} {unit}".rstrip()
 
 
-def turns(each: Varied) -> Iterator[str]:
-    """Where a verdict that is shown turns, a line for each procedure and side."""
-    for row in each.shown:
-        for side in SIDES:
-            if flips(row, side):
-                yield f"{SAID[verdict(row, side)]} at {at(row, side)}, {row.procedure}"
+def turned(row: SensitivityResult, side: Side) -> str:
+    """What a verdict turns to, empty where it stays."""
+    return SAID[verdict(row, side)] if flips(row, side) else ""
 
 
 def table(found: Sequence[Varied], *, name: str) -> Table:

@@ -46,7 +46,7 @@ def varied(rows: Sequence[SensitivityResult]) -> tuple[Varied, ...]:
         return ()
     wanted = [identity(row) for row in answers(next(iter(numbers.values())))]
     found = [_varied(each, wanted) for each in numbers.values()]
-    return tuple(sorted(found, key=lambda each: [-span(row) for row in each.shown]))
+    return tuple(sorted(found, key=lambda each: [0.0 if is_still(row) else -span(row) for row in each.shown]))
 
 
 def _varied(rows: Sequence[SensitivityResult], wanted: Sequence[tuple[str, str, str, float | None]]) -> Varied:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from math import inf
-from typing import TypeGuard
+from typing import Literal, TypeGuard
 
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -16,20 +16,23 @@ from reports.style import FAIL, INK, folded, label, sheet, styled
 LOW, HIGH = "#56b4e9", "#d55e00"  # the number at its low and at its high value
 MARGIN = 0.12  # of what is shown, beside the ends of the bars
 HALF = 0.34  # height of half a bar, of a row
-LINE = 0.13  # height of a line of letters [in]
+LINE = 0.36  # height of a row [in]
+ROOM = 0.3  # of the width of a panel: a longer bar has room for a word
 LONGEST = 40  # characters of a line beside a bar
 
 
 @dataclass(frozen=True)
 class Bar:
-    """One number: the lines that stand beside it, and the answer at its low and its high value.
+    """One number: the two lines that stand beside it, and the answer at its low and its high value.
 
     low, high : infinite where the body overturns, None where nothing is known
+    said : in a word, what the verdict turns to at the low and at the high value; empty where it stays
     """
 
-    lines: tuple[str, ...]
+    lines: tuple[str, str]
     low: float | None
     high: float | None
+    said: tuple[str, str] = ("", "")
 
 
 @dataclass(frozen=True)
@@ -49,7 +52,7 @@ def draw(panels: Sequence[Panel]) -> Figure:
     """A panel for each answer; all have the rows of the first."""
     rows = panels[0].bars
     with styled():
-        figure = sheet(1.1 + sum(LINE * (max(len(bar.lines), 2) + 0.8) for bar in rows))
+        figure = sheet(1.1 + LINE * len(rows))
         beside = figure.subplots(1, len(panels), squeeze=False, sharey=True)[0]
         for axes, panel in zip(beside, panels, strict=True):
             _panel(axes, panel)
@@ -66,8 +69,9 @@ def _panel(axes: Axes, panel: Panel) -> None:
     low, high = span([value for value in (*ends, panel.base, limit) if _is_drawn(value)])
     axes.set_xlim(low, high)
     for row, bar in enumerate(panel.bars):
-        for value, colour, side in ((bar.low, LOW, -0.5), (bar.high, HIGH, 0.5)):
-            _half(axes, panel.base, value, height=row + side * HALF, colour=colour, edge=high)
+        for value, colour, side, said in zip((bar.low, bar.high), (LOW, HIGH), (-0.5, 0.5), bar.said, strict=True):
+            if value is not None and panel.base is not None:
+                _half(axes, panel.base, value, height=row + side * HALF, colour=colour, said=said)
     if _is_drawn(panel.base):
         axes.axvline(panel.base, color=INK, linewidth=0.9)
     if panel.limit is not None:
@@ -80,14 +84,18 @@ def _panel(axes: Axes, panel: Panel) -> None:
     axes.tick_params(axis="y", length=0)
 
 
-def _half(axes: Axes, base: float | None, value: float | None, *, height: float, colour: str, edge: float) -> None:
+def _half(axes: Axes, base: float, value: float, *, height: float, colour: str, said: str) -> None:
     """From the answer as assessed to the one at a low or high value; an arrow at the edge where the body overturns."""
-    if value is None or base is None:
-        return
-    start = min(base, edge)
-    axes.barh(height, min(value, edge) - start, HALF, left=start, color=colour, linewidth=0)
+    low, high = axes.get_xlim()
+    start, end = min(base, high), min(value, high)
+    axes.barh(height, end - start, HALF, left=start, color=colour, linewidth=0)
     if value == inf:
-        axes.plot(edge, height, marker=">", color=colour, markersize=5, clip_on=False)
+        axes.plot(high, height, marker=">", color=colour, markersize=5, clip_on=False)
+    inside = abs(end - start) > ROOM * (high - low)  # beside the line of the answer as assessed, else beyond the end
+    aside = 3 if end >= start else -3
+    side: Literal["left", "right"] = "left" if aside > 0 else "right"
+    at = (start if inside else end, height)
+    axes.annotate(said, at, (aside, -0.3), textcoords="offset points", fontsize=6.3, ha=side, va="center", color=INK)
 
 
 def _is_drawn(value: float | None) -> TypeGuard[float]:

@@ -192,9 +192,9 @@ def between(at_base: Variable, change: sections.Change) -> Variable | Unvaried:
     base = at_base.base
     by = abs(base) * change.share if change.share is not None else change.amount or 0.0
     if by >= abs(base):
-        return Unvaried(
-            at_base.mechanism, at_base.parameter, f"it is {base:.4g} {at_base.unit}, not more than {by:.4g}"
-        )
+        unit = "" if at_base.unit == "-" else f" {at_base.unit}"
+        why = f"it is {base:.4g}{unit}, of which a change of {by:.4g}{unit} leaves nothing"
+        return Unvaried(at_base.mechanism, at_base.parameter, why)
     return replace(at_base, low=base - by, high=base + by)
 
 

@@ -28,6 +28,7 @@ HEADINGS: Mapping[Kind, str] = {
     "program": "program",
 }
 WORDS = {"fail": "FAIL", "not-applicable": "n/a"}  # verdicts, as `assess run` prints them
+HASH = 12  # characters of a SHA-256 that tell files apart
 FIELDS = ("kind", "where", "what", "unit", "before", "after", "relative")
 
 
@@ -82,6 +83,8 @@ def _shown(value: Any, kind: Kind) -> str:
         return "-"
     if kind == "verdict":
         return WORDS.get(value, str(value))
+    if kind == "input":
+        return str(value)[:HASH]
     return f"{value:.4g}" if is_number(value) else str(_plain(value))
 
 

@@ -190,7 +190,7 @@ def with_number(subject: Subject, path: Key, value: Any) -> Study:
 def between(at_base: Variable, change: sections.Change) -> Variable | Unvaried:
     """The variable from its base less the change to its base with it."""
     base = at_base.base
-    by = abs(base) * change.share if change.share is not None else change.amount or 0.0
+    by = change.by * (abs(base) if change.of == sections.SHARE else 1.0)
     if by >= abs(base):
         unit = "" if at_base.unit == "-" else f" {at_base.unit}"
         why = f"it is {base:.4g}{unit}, of which a change of {by:.4g}{unit} leaves nothing"

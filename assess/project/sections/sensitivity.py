@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import Annotated, Any
+from typing import Annotated, Any, NamedTuple
 
 from pydantic import BeforeValidator, Field, WithJsonSchema
 
@@ -26,14 +26,15 @@ SHARES: Mapping[str, float] = {
 """By how much each parameter is varied where the project does not say it: judgement, not taken from a standard."""
 
 VaryingShare = Annotated[Ratio, Field(ge=0, lt=1)]
+SHARE = "share"
 _SHARES = ("", "%", "percent", "permille")
 
 
-class Change(Section):
-    """By how much a number is varied to either side: by a share of it, or by an amount in SI."""
+class Change(NamedTuple):
+    """By how much a number is varied to either side: by a share of it, or by an amount in the SI unit `of`."""
 
-    share: VaryingShare | None = None
-    amount: Annotated[float, Field(ge=0)] | None = None
+    by: float
+    of: str = SHARE
 
 
 def _change(kind: str) -> Callable[[Any], Any]:
@@ -44,11 +45,21 @@ def _change(kind: str) -> Callable[[Any], Any]:
             return value or None
         try:
             absolute = isinstance(value, str) and number_and_unit(value)[1] not in _SHARES
-            return {"amount": si_value(value, KINDS[kind])} if absolute else {"share": si_value(value, KINDS["ratio"])}
+            found = Change(si_value(value, KINDS[kind]), KINDS[kind].symbol) if absolute else _share(value)
         except QuantityError:
             raise ValueError(f'not a change; write a share like 0.05 or "5 %"{_or_amount(kind)}, or false') from None
+        if found.by < 0:
+            raise ValueError("must be 0 or more; it counts to both sides")
+        return found
 
     return read
+
+
+def _share(value: Any) -> Change:
+    share = si_value(value, KINDS["ratio"])
+    if share >= 1:
+        raise ValueError("must be less than 1; a share of 1 leaves nothing of the number")
+    return Change(share)
 
 
 def _or_amount(kind: str) -> str:
@@ -64,7 +75,7 @@ def _described(kind: str) -> WithJsonSchema:
 def _default(parameter: str) -> Any:
     def share(values: dict[str, Any]) -> Change:
         everywhere = values.get("vary")
-        return Change(share=SHARES[parameter] if everywhere is None else everywhere)
+        return Change(SHARES[parameter] if everywhere is None else everywhere)
 
     return Field(default_factory=share)
 

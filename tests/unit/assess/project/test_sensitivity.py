@@ -15,7 +15,7 @@ from assess.project.build import build
 from assess.project.run import run
 from assess.project.schema import json_schema, load
 from assess.project.study import Study, Unvaried, Variable
-from assess.results import Results, SensitivityResult
+from assess.results import Resolved, Results, SensitivityResult
 from assess.results_io import dumps, loads
 
 PROJECT = """
@@ -283,6 +283,7 @@ def test_the_bytes_do_not_depend_on_jobs_and_are_read_back(folder: Path) -> None
             '{ stiffness = "2 m" }',
             'sensitivity.stiffness: "2 m": not a change; write a share like 0.05 or "5 %", or false',
         ),
+        ("{ loads = 1.0 }", "sensitivity.loads: 1.0: must be less than 1"),
         ("3", "sensitivity: 3: not a table"),
     ],
 )
@@ -292,6 +293,16 @@ def test_what_is_wrong_in_the_table_is_one_line(folder: Path, table: str, told: 
         load(folder)
     assert told.replace("sensitivity", "analysis.sensitivity", 1) in str(caught.value)
     assert "\n" not in str(caught.value)
+
+
+def test_the_changes_stand_among_the_values_of_the_project(folder: Path) -> None:
+    study = study_of(folder, asked('{ vary = 0.2, thickness = "2 cm", density = false }'))
+    found = {key: each for key, each in study.resolved.items() if key.startswith("analysis.sensitivity.")}
+    assert found["analysis.sensitivity.thickness"] == Resolved([0.02, "m"], True)
+    assert found["analysis.sensitivity.density"] == Resolved(None, True)
+    assert found["analysis.sensitivity.friction"] == Resolved([0.2, "share"], False)
+    percent = study_of(folder, asked('{ thickness = "2 %" }')).resolved
+    assert percent["analysis.sensitivity.thickness"].value == [0.02, "share"]
 
 
 def test_the_schema_knows_the_table() -> None:

@@ -29,6 +29,8 @@ SUITE = {
     "overturned": "records that overturn",
     "n": "records",
     "mean_ratio": "mean of max φ/φ_ov",
+    "median_ratio": "median of max φ/φ_ov",
+    "p84_ratio": "84 % of max φ/φ_ov",
     "max_ratio": "largest φ/φ_ov",
 }
 

@@ -163,7 +163,7 @@ def measured(row: SensitivityResult, value: float | None) -> tuple[str, str]:
         return "not known", ""
     size = abs(row.base or value)
     unit = next((name for least, name in LARGE.get(row.unit, ()) if size >= least), row.unit)
-    return given(float(f"{value / SIZES.get(unit, 1.0):.4g}")), unit.replace("-", "")
+    return given(float(f"{value / SIZES.get(unit, 1.0):.4g}")), "" if unit == "-" else unit
 
 
 def name_of(row: SensitivityResult) -> str:

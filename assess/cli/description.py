@@ -40,7 +40,9 @@ def sensitivity_text(variables: Sequence[Variable | Unvaried]) -> str:
 
 def _varied(variable: Variable) -> str:
     unit = "" if variable.unit == "-" else f" {variable.unit}"
-    return f"{variable.parameter} {variable.low:.4g} to {variable.high:.4g}{unit}"
+    table, _, rest = variable.key.partition(".")
+    of = f" of {printable(rest.rpartition('.')[0])}" if table == "materials" else ""
+    return f"{variable.parameter}{of} {variable.low:.4g} to {variable.high:.4g}{unit}"
 
 
 def _unvaried(number: Unvaried) -> str:

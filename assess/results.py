@@ -8,7 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, Literal
 
-from assess.codes.check import BranchName, Check
+from assess.codes.check import BranchName, Check, Verdict
 
 SCHEMA_VERSION = 1
 Floats = tuple[float, ...]
@@ -575,6 +575,36 @@ class SweepResult:
 
 
 @dataclass(frozen=True)
+class SensitivityResult:
+    """One answer of a mechanism with one number at its low and at its high value, all others as they are.
+
+    parameter : thickness, density, …; key : where it stands in the project, or the bodies it is of
+    base, low, high : of the parameter [unit], None where it is not varied, for which `remark` says why
+    quantity : "demand_capacity" at level_pga_g, None where the body overturns or nothing is known; or
+        "capacity_pga_g", of all levels, which procedures by histories do not have here; "" where nothing is varied
+    """
+
+    mechanism: str
+    parameter: str
+    remark: str
+    key: str = ""
+    unit: str = ""
+    base: float | None = None
+    low: float | None = None
+    high: float | None = None
+    procedure: str = ""
+    limit_state: str = ""
+    level_pga_g: float | None = None
+    quantity: Literal["capacity_pga_g", "demand_capacity", ""] = ""
+    at_base: float | None = None
+    at_low: float | None = None
+    at_high: float | None = None
+    verdict_base: Verdict | None = None
+    verdict_low: Verdict | None = None
+    verdict_high: Verdict | None = None
+
+
+@dataclass(frozen=True)
 class ComparisonRow:
     """One line of the comparison; rotation_ratio is None where the mechanism overturned or rotation is not known."""
 
@@ -610,3 +640,4 @@ class Results:
     comparison: tuple[ComparisonRow, ...]
     sweeps: tuple[SweepResult, ...]
     ground_motion: GroundMotionResult | None = None
+    sensitivity: tuple[SensitivityResult, ...] = ()

@@ -25,6 +25,9 @@ from assess.results import (
     SpectrumResult,
 )
 
+NAMES = ("results.json", "envelopes.json")
+"""Files of results, as `assess run` and `assess envelope` write them."""
+
 _REMEDY = "give a results.json that `assess run` wrote"
 
 
@@ -89,6 +92,21 @@ def read(path: Path) -> Results:
     except OSError as error:
         raise ResultsError(f"{path}: {error.strerror or 'cannot be read'}; {_REMEDY}") from None
     return loads(text, source=str(path))
+
+
+def located(path: Path) -> Path:
+    """The results file that `path` names: itself, or that of the folder, or of the one NAME-results below a project's.
+
+    Raises ResultsError where there is none, or more than one.
+    """
+    if not path.is_dir():
+        return path
+    here = [file for name in NAMES if (file := path / name).is_file()]
+    below = sorted(path.glob(f"*-results/{NAMES[0]}"))
+    if here or len(below) == 1:
+        return (here or below)[0]
+    found = "none of " + " or ".join(NAMES) if not below else f"{len(below)} folders of results"
+    raise ResultsError(f"{path}: a folder with {found}; {_REMEDY}")
 
 
 @cache

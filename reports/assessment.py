@@ -15,6 +15,7 @@ from reports import (
     governing,
     interfaces,
     literature,
+    sensitivity,
     sentences,
     sheets,
     siblings,
@@ -48,6 +49,7 @@ def assessment(results: Results) -> Document:
     for place, mechanism in enumerate(results.mechanisms, start=1):
         name = stem(mechanism.name, place)
         chapters += _mechanism(mechanism, results.sweeps, results.records, name, sibling=seen.get(mechanism.name, ""))
+        chapters += sensitivity.chapter(results, mechanism.name, called=tables.name_of(mechanism), name=name)
     chapters += [*_comparison(results), *envelopes.critical_chapter(results), _limits(results)]
     chapters += [literature.section(results), _signatures(results), _annex(results)]
     return Document(
@@ -65,6 +67,7 @@ def assessment(results: Results) -> Document:
             tables.ordinates(results),
             tables.curves(results),
             tables.pga_curves(results),
+            *sensitivity.data(results),
             *envelopes.data(results),
         ),
     )

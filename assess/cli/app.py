@@ -7,6 +7,7 @@ from typing import Annotated
 import typer
 
 from assess.cli.check import check
+from assess.cli.diff import diff
 from assess.cli.envelope import envelope
 from assess.cli.new import new
 from assess.cli.parameters import parameters
@@ -31,7 +32,7 @@ app = typer.Typer(
         "default_map": {"help": False},  # else typer 0.29 imports pydantic (0.2 s) for a --help that is absent
     },
 )
-for command in (new, check, run, parameters, spectrum, envelope, report, schema):
+for command in (new, check, run, parameters, spectrum, envelope, report, diff, schema):
     app.command()(command)
 for of_records in (index, spectra, select, scale):
     records.command()(of_records)

@@ -13,9 +13,10 @@ def check(project: ProjectPath) -> None:
     from assess.project.schema import load
 
     loaded = load(project)
-    from assess.cli.description import description
+    from assess.cli.description import description, sensitivity_text
     from assess.project.build import build
     from assess.project.run import parameters
 
     study = build(loaded)
     print(description(loaded, parameters(study), study.sweeps, study.notices), end="")
+    print(sensitivity_text(study.variables), end="")

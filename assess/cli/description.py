@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 from assess.cli.parameter_table import table_text, weakest_text
 from assess.mechanisms.chain import metres
 from assess.project.messages import printable
 from assess.project.schema import Project
-from assess.project.study import Sweep
+from assess.project.study import Sweep, Unvaried, Variable
 from assess.results import LoadResult, MechanismResult, NamedPoint, Notice
 
 
@@ -27,6 +28,25 @@ def description(
 def warned(notices: tuple[Notice, ...]) -> str:
     """A line for each warning."""
     return "".join(f"warning: {printable(notice.where)}: {printable(notice.text)}\n" for notice in notices)
+
+
+def sensitivity_text(variables: Sequence[Variable | Unvaried]) -> str:
+    """A line for each mechanism whose sensitivity is asked for: its numbers with their low and high values."""
+    lines: dict[str, list[str]] = {}
+    for each in variables:
+        lines.setdefault(each.mechanism, []).append(_varied(each) if isinstance(each, Variable) else _unvaried(each))
+    return "".join(f"sensitivity of {printable(name)}: {'; '.join(each)}\n" for name, each in lines.items())
+
+
+def _varied(variable: Variable) -> str:
+    unit = "" if variable.unit == "-" else f" {variable.unit}"
+    table, _, rest = variable.key.partition(".")
+    of = f" of {printable(rest.rpartition('.')[0])}" if table == "materials" else ""
+    return f"{variable.parameter}{of} {variable.low:.4g} to {variable.high:.4g}{unit}"
+
+
+def _unvaried(number: Unvaried) -> str:
+    return printable(f"{number.parameter} not varied, {number.why}".lstrip())
 
 
 def _site(project: Project) -> str:

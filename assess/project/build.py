@@ -6,6 +6,7 @@ import hashlib
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -30,6 +31,7 @@ from assess.project.record_set import RecordSet
 from assess.project.schema import Project, relative, resolved
 from assess.project.site_spectrum import spectrum_of
 from assess.project.study import Artificial, Case, Equation, Fitting, PulseGrid, Study, Sweep
+from assess.project.variables import variables_of
 from assess.project.variations import Variant, Variation
 from assess.results import Input, Notice
 from records.pulses import shape as pulse_shape
@@ -87,6 +89,7 @@ def study_of(project: Project, *, executor: Executor | None = None) -> Study:
             *notices,
         ),
         sweeps=tuple(sweep_of(variation, project, files) for variation in project.variations),
+        variables=variables_of(project, study, solids, partial(alone, project=project, files=files)),
     )
 
 
@@ -136,6 +139,14 @@ def case_of(variant: Variant, project: Project, files: Files, *, names: tuple[st
     with located(variant.name):
         study = part_of(variant.content, reread(variant.content, project, files), names=names)
     return Case(variant.value, variant.name, study)
+
+
+def alone(
+    name: str, content: sections.Content, replaced: Mapping[str, Solid], *, project: Project, files: Files
+) -> Study:
+    """The study of one mechanism by another content of the project, with some of its bodies replaced."""
+    known = reread(content, project, files)
+    return part_of(content, replace(known, solids={**known.solids, **replaced}), names=(name,))
 
 
 def reread(content: sections.Content, project: Project, files: Files) -> Files:

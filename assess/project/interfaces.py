@@ -146,8 +146,14 @@ def law_of(interface: sections.Interface, material: sections.Material | None, *,
 
 def material_of(section: sections.Chained, content: sections.Content) -> sections.Material | None:
     """That of the first body of a mechanism that has one."""
+    name = material_name(section, content)
+    return None if name is None else content.materials[name]
+
+
+def material_name(section: sections.Chained, content: sections.Content) -> str | None:
+    """Its name."""
     bodies = (content.bodies[name] for block in section.blocks for name in block)
-    return next((content.materials[b.material] for b in bodies if not isinstance(b, sections.DirectBody)), None)
+    return next((body.material for body in bodies if not isinstance(body, sections.DirectBody)), None)
 
 
 def at_top(chain: Chain, number: int) -> bool:

@@ -17,7 +17,7 @@ from assess.project.section import Section
 from assess.project.sections.content import Content
 from assess.project.units import Kind
 
-_NOT_SWEPT = (("analysis", "sweep"), ("format",))
+_NOT_SWEPT = (("analysis", "sweep"), ("analysis", "sensitivity"), ("format",))
 Key = tuple[str | int, ...]
 Given = int | float | str
 
@@ -96,7 +96,7 @@ def counted_from_0(key: str) -> str:
     return re.sub(r"\[([1-9][0-9]{0,3})\]", lambda found: f".{int(found[1]) - 1}", key)
 
 
-def with_value(node: Any, path: Sequence[str | int], value: Given, resolved: Any) -> Any:
+def with_value(node: Any, path: Sequence[str | int], value: Any, resolved: Any) -> Any:
     """A copy of `node` with `value` at `path`; what the file leaves out on the way is taken as it was `resolved`."""
     if not path:
         return value

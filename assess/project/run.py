@@ -17,6 +17,7 @@ from assess.project.messages import located
 from assess.project.motions import Motion, motions_of
 from assess.project.outcome import amplification_result, comparison, mechanism_result, record_result, spectrum_result
 from assess.project.sampling import coarse_notices
+from assess.project.sensitivity import sensitivities
 from assess.project.study import Study
 from assess.project.sweeping import Swept, case_notices, case_text, controlling_cases, sweep_results, swept
 from assess.results import SCHEMA_VERSION, MechanismResult, Notice, Program, Results
@@ -55,6 +56,7 @@ def run(study: Study, *, jobs: int = 0, progress: Progress = lambda stage, done,
         comparison=comparison(mechanisms),
         sweeps=sweep_results(sweeps, standing),
         ground_motion=ground_motion(study, spectrum, motions),
+        sensitivity=sensitivities(study, spectrum, motions, mechanisms, jobs=jobs, progress=progress),
     )
 
 

@@ -41,6 +41,7 @@ class Project:
     path : the project file; sha256 : of its bytes
     variations : its sweeps, each with the content of every case
     doubts : what looks like a slip in the file as it was written
+    raw : what the file says, in the newest format, as it was written
     """
 
     content: Content
@@ -48,6 +49,7 @@ class Project:
     sha256: str
     variations: tuple[Variation, ...]
     doubts: tuple[Notice, ...]
+    raw: Mapping[str, Any]
 
     @property
     def folder(self) -> Path:
@@ -70,7 +72,7 @@ def load(path: Path | str) -> Project:
         raise ProjectError(f"{file}: {one_line(error, raw=raw)}") from None
     except ProjectError as error:
         raise ProjectError(f"{file}: {error}") from None
-    project = Project(content, file, hashlib.sha256(data).hexdigest(), varied, tuple(bare_numbers(raw)))
+    project = Project(content, file, hashlib.sha256(data).hexdigest(), varied, tuple(bare_numbers(raw)), raw)
     _check_sources(project)
     return project
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal
 
@@ -86,6 +87,7 @@ class Study:
     fitting : how the records are scaled
     scenes : the bodies in space of each mechanism that has geometry, by name
     sweeps : parametric studies; a case has none
+    variables : what the sensitivity of each mechanism varies
     pulses : of the overturning envelopes; None where none are asked for
     """
 
@@ -109,6 +111,7 @@ class Study:
     notices: tuple[Notice, ...]
     sweeps: tuple[Sweep, ...]
     pulses: PulseGrid | None
+    variables: tuple[Variable | Unvaried, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -131,3 +134,32 @@ class Sweep:
     key: str
     unit: str
     cases: tuple[Case, ...]
+
+
+@dataclass(frozen=True)
+class Variable:
+    """One number of a mechanism that its sensitivity varies.
+
+    parameter : in a word of the project file; key : where the number stands; unit : SI, "-" for none
+    base, low, high : [unit]; study_at : the study of the mechanism alone with another value of the number
+    remark : a sentence, empty where nothing is to be said
+    """
+
+    mechanism: str
+    parameter: str
+    key: str
+    unit: str
+    base: float
+    low: float
+    high: float
+    study_at: Callable[[float], Study]
+    remark: str = ""
+
+
+@dataclass(frozen=True)
+class Unvaried:
+    """A number of a mechanism that its sensitivity leaves as it is, and why."""
+
+    mechanism: str
+    parameter: str
+    why: str

@@ -72,7 +72,7 @@ def _variation(
     variants, units = [], []
     for given in sweep.values or _range(sweep, where=where):
         name = f"{where}: {sweep.key} = {shown(given)}"
-        read = _read(with_value(raw, place.path, given, content), folder, place.path, given, name=name)
+        read = read_case(with_value(raw, place.path, given, content), folder, place.path, given, name=name)
         number, unit = _typed(given, where=name)
         units.append(unit)
         if unit != units[0]:
@@ -109,8 +109,8 @@ def _typed(value: Given, *, where: str) -> tuple[float, str]:
         raise ProjectError(f"{where}: {error}; write a number, or one with its unit") from None
 
 
-def _read(raw: Mapping[str, Any], folder: Path, path: Key, value: Given, *, name: str) -> Content:
-    """The content of one case, with the number `value` at `path`."""
+def read_case(raw: Mapping[str, Any], folder: Path, path: Key, value: Any, *, name: str) -> Content:
+    """The content of one case, `raw` with the number `value` at `path`; name: of the case, for errors."""
     try:
         content = Content.model_validate(raw, context={"folder": folder})
     except ValidationError as error:

@@ -30,6 +30,7 @@ from assess.project.sections.mechanisms import (
 )
 from assess.project.sections.pulses import Pulses
 from assess.project.sections.select import Select
+from assess.project.sections.sensitivity import SHARE, Change, Sensitivity
 from assess.project.sections.site import Building, Site
 from assess.project.sections.spectra import (
     Asce7MappedSpectrum,
@@ -45,6 +46,7 @@ from assess.project.sections.sweeps import Sweep
 
 __all__ = [
     "PROCEDURES",
+    "SHARE",
     "Asce7MappedSpectrum",
     "Asce7Spectrum",
     "Body",
@@ -52,6 +54,7 @@ __all__ = [
     "BoxBody",
     "Building",
     "Chained",
+    "Change",
     "Content",
     "CutAngle",
     "CutPlane",
@@ -83,6 +86,7 @@ __all__ = [
     "RaisedAmplification",
     "Records",
     "Select",
+    "Sensitivity",
     "Shape",
     "SingleBlock",
     "Site",

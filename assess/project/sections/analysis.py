@@ -24,6 +24,7 @@ from assess.project.quantities import (
 from assess.project.section import Section, listed, wrong
 from assess.project.sections.pulses import Pulses
 from assess.project.sections.select import Select
+from assess.project.sections.sensitivity import Asked
 from assess.project.sections.sweeps import Sweep, Sweeps
 
 Procedure = Literal[
@@ -113,6 +114,8 @@ class Analysis(Section):
     """overturning envelopes: { shape, frequency = { from, to, count }, amplitude = { from, to, count } }"""
     sweep: Sweeps = ()
     """parametric studies: { key, values } or { key, from, to, count }, one or a list"""
+    sensitivity: Asked = None
+    """true, or { vary, thickness, density, … }: how the verdicts move with numbers that are not well known"""
 
     @property
     def sweeps(self) -> tuple[Sweep, ...]:

@@ -115,6 +115,14 @@ def test_check_prints_what_was_understood(project: Path, capsys: pytest.CaptureF
     assert "12960" in out  # mass: 1800 * 0.6 * 3 * 4
 
 
+def test_check_tells_what_the_sensitivity_varies(project: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    project.write_text(f"{PROJECT}[analysis]\nsensitivity = {{ thickness = 0.1, restitution = false }}\n")
+    assert ended("check", project) == 0
+    told = capsys.readouterr().out
+    assert "sensitivity of =wall, 1: thickness 0.54 to 0.66 m; density of brick 1620 to 1980 kg/m^3\n" in told
+    assert "sensitivity of published: uplift 0.133 to 0.147; p 1.52 to 1.68 1/s\n" in told
+
+
 def test_parameters_as_table_json_and_csv_agree(project: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert ended("parameters", project) == 0
     table = capsys.readouterr().out

@@ -1,0 +1,97 @@
+"""The changes between two runs as tables for the terminal, as CSV and as JSON."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from collections.abc import Callable, Mapping, Sequence
+from itertools import groupby
+from typing import Any
+
+from assess.cli.text_table import text_table
+from assess.comparing import Change, Kind, is_number
+from assess.project.messages import printable
+
+HEADINGS: Mapping[Kind, str] = {
+    "verdict": "verdicts",
+    "mechanism": "mechanisms",
+    "capacity": "PGA [g]",
+    "ratio": "demand over capacity",
+    "envelope": "overturning envelopes",
+    "history": "time histories",
+    "parameter": "rocking parameters (SI)",
+    "site": "site and records",
+    "project": "project (SI)",
+    "input": "files",
+    "warning": "warnings",
+    "program": "program",
+}
+WORDS = {"fail": "FAIL", "not-applicable": "n/a"}  # verdicts, as `assess run` prints them
+HASH = 12  # characters of a SHA-256 that tell files apart
+FIELDS = ("kind", "where", "what", "unit", "before", "after", "relative")
+
+
+def changes_text(changes: Sequence[Change]) -> str:
+    """A table for each kind of change, and how many there are; one line where there are none."""
+    if not changes:
+        return "no differences\n"
+    tables = (TEXTS.get(kind, _table)(kind, list(each)) for kind, each in groupby(changes, key=lambda each: each.kind))
+    return "\n".join(tables) + f"\n{len(changes)} difference{'s' if len(changes) > 1 else ''}\n"
+
+
+def csv_text(changes: Sequence[Change]) -> str:
+    """All changes as one table at full precision; lists and tables as JSON."""
+    stream = io.StringIO()
+    writer = csv.writer(stream, lineterminator="\n")
+    writer.writerow(FIELDS)
+    for change in changes:
+        ends = (_plain(end) for end in (change.before, change.after))
+        writer.writerow([change.kind, change.where, change.what, change.unit, *ends, change.relative])
+    return stream.getvalue()
+
+
+def json_text(changes: Sequence[Change]) -> str:
+    """All changes as a list, before and after as results.json has them."""
+    plain = [{field: getattr(change, field) for field in FIELDS} for change in changes]
+    return json.dumps(plain, ensure_ascii=False, allow_nan=False, indent=1) + "\n"
+
+
+def _table(kind: Kind, changes: Sequence[Change]) -> str:
+    rows = [
+        [change.where, change.what, _shown(change.before, kind), _shown(change.after, kind), _by(change)]
+        for change in changes
+    ]
+    return text_table([HEADINGS[kind], "", "before", "after", "change"], rows)
+
+
+def _lines(kind: Kind, changes: Sequence[Change]) -> str:
+    """Texts that are too long for a table, each behind the sign of the run that has it."""
+    lines = (
+        f"{'+' if change.before is None else '-'} {printable(change.where)}: "
+        f"{printable(change.after or change.before)}\n"
+        for change in changes
+    )
+    return f"{HEADINGS[kind]}\n{''.join(lines)}"
+
+
+TEXTS: Mapping[Kind, Callable[[Kind, Sequence[Change]], str]] = {"warning": _lines}
+
+
+def _shown(value: Any, kind: Kind) -> str:
+    if value is None:
+        return "-"
+    if kind == "verdict":
+        return WORDS.get(value, str(value))
+    if kind == "input":
+        return str(value)[:HASH]
+    return f"{value:.4g}" if is_number(value) else str(_plain(value))
+
+
+def _by(change: Change) -> str:
+    return "" if change.relative is None else f"{change.relative:+.2%}"
+
+
+def _plain(value: Any) -> Any:
+    """A value on one line: numbers and texts as they are."""
+    return value if value is None or isinstance(value, int | float | str) else json.dumps(value, ensure_ascii=False)

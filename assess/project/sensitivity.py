@@ -1,0 +1,164 @@
+"""How the answers of each mechanism move with numbers that are not well known, each varied alone.
+
+A case is the mechanism alone with one number at its low or its high value: through the procedures that decide, at all
+levels, with its histories under all records; without the scan over rising PGA, so procedures by histories have no PGA
+at capacity here.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+
+from assess.codes.check import Check
+from assess.errors import AssessError
+from assess.mechanisms.oscillation import oscillator
+from assess.project.assessing import Progress, at_base, checks_of, context_of
+from assess.project.histories import Rocking, Shaken, run_levels
+from assess.project.motions import Motion
+from assess.project.study import Study, Unvaried, Variable
+from assess.results import MechanismResult, SensitivityResult
+from spectra.errors import SpectrumError
+from spectra.spectrum import Spectrum
+
+Answer = tuple[str, str, str, float]
+"""What tells a check from the others of a mechanism: procedure, limit state, where its input acts, level [g]."""
+
+BY_HISTORIES = "-history"  # how the names of procedures that ask for histories end
+
+
+@dataclass(frozen=True)
+class Case:
+    """The checks of one case, by what they answer; or why it could not be assessed."""
+
+    checks: dict[Answer, Check]
+    error: str = ""
+
+
+def sensitivities(
+    study: Study,
+    spectrum: Spectrum,
+    motions: tuple[Motion, ...],
+    mechanisms: Sequence[MechanismResult],
+    *,
+    jobs: int,
+    progress: Progress,
+) -> tuple[SensitivityResult, ...]:
+    """Every variable of the study at its low and its high value, beside the `mechanisms` as assessed."""
+    known = {mechanism.name: mechanism for mechanism in mechanisms}
+    rows: list[SensitivityResult] = []
+    for done, variable in enumerate(study.variables):
+        progress("sensitivity", done, len(study.variables))
+        if isinstance(variable, Unvaried):
+            rows.append(left_out(variable))
+            continue
+        deciding = tuple(check for check in known[variable.mechanism].checks if check.role == "code")
+        procedures = tuple(dict.fromkeys(check.procedure for check in deciding))
+        low, high = (
+            case_of(variable, value, procedures, spectrum, motions, jobs=jobs)
+            for value in (variable.low, variable.high)
+        )
+        rows += rows_of(variable, deciding, low, high)
+    return tuple(rows)
+
+
+def case_of(
+    variable: Variable,
+    value: float,
+    procedures: tuple[str, ...],
+    spectrum: Spectrum,
+    motions: tuple[Motion, ...],
+    *,
+    jobs: int,
+) -> Case:
+    """The mechanism with one value of the variable, through the procedures."""
+    try:
+        study = replace(variable.study_at(value), procedures=procedures)
+        return Case(by_answer(checked(study, spectrum, motions, jobs=jobs)))
+    except (AssessError, SpectrumError) as error:
+        return Case({}, str(error))
+
+
+def checked(study: Study, spectrum: Spectrum, motions: tuple[Motion, ...], *, jobs: int) -> tuple[Check, ...]:
+    """The checks of the one mechanism of a case."""
+    (mechanism,) = study.mechanisms
+    base = at_base(study.amplified[mechanism.name], motions)
+    shaken = Shaken(mechanism.name, oscillator(mechanism), study.equations[mechanism.name], base)
+    shakes = any(name.endswith(BY_HISTORIES) for name in study.procedures)
+    levels = study.levels if shakes else ()
+    histories = (
+        run_levels(shaken, motions, levels=levels, site_pga=spectrum.pga, threads=jobs) if levels and motions else ()
+    )
+    known = context_of(replace(study, levels=levels), spectrum, mechanism, Rocking(histories, ()), base)
+    return checks_of(study, shaken.oscillator, replace(known, levels=study.levels))
+
+
+def by_answer(checks: Sequence[Check]) -> dict[Answer, Check]:
+    """Checks by what they answer, the first of several."""
+    found: dict[Answer, Check] = {}
+    for check in checks:
+        found.setdefault((check.procedure, check.limit_state, check.input_at, check.level_pga_g), check)
+    return found
+
+
+def rows_of(variable: Variable, deciding: Sequence[Check], low: Case, high: Case) -> Iterator[SensitivityResult]:
+    """Demand over capacity of each check, and the PGA at capacity of each procedure and limit state."""
+    row = SensitivityResult(
+        mechanism=variable.mechanism,
+        parameter=variable.parameter,
+        key=variable.key,
+        unit=variable.unit,
+        base=variable.base,
+        low=variable.low,
+        high=variable.high,
+        remark=remark_of(variable, low, high),
+    )
+    told: set[tuple[str, str, str]] = set()
+    for key, check in by_answer(deciding).items():
+        row = replace(row, procedure=check.procedure, limit_state=check.limit_state)
+        sides = low.checks.get(key), high.checks.get(key)
+        if key[:3] not in told and not check.procedure.endswith(BY_HISTORIES):
+            told.add(key[:3])
+            yield with_capacity(row, check, *sides)
+        yield with_ratio(row, check, *sides)
+
+
+def with_capacity(row: SensitivityResult, check: Check, low: Check | None, high: Check | None) -> SensitivityResult:
+    """The row of the PGA at capacity, which is one for all levels [g]."""
+    return replace(
+        row,
+        quantity="capacity_pga_g",
+        level_pga_g=None,
+        at_base=check.capacity_pga_g,
+        at_low=None if low is None else low.capacity_pga_g,
+        at_high=None if high is None else high.capacity_pga_g,
+    )
+
+
+def with_ratio(row: SensitivityResult, check: Check, low: Check | None, high: Check | None) -> SensitivityResult:
+    """The row of demand over capacity at the level of a check; a body that overturns has none, and fails."""
+    return replace(
+        row,
+        quantity="demand_capacity",
+        level_pga_g=check.level_pga_g,
+        at_base=check.ratio,
+        at_low=None if low is None else low.ratio,
+        at_high=None if high is None else high.ratio,
+        verdict_base=check.verdict,
+        verdict_low=None if low is None else low.verdict,
+        verdict_high=None if high is None else high.verdict,
+    )
+
+
+def remark_of(variable: Variable, low: Case, high: Case) -> str:
+    """What is to be said of a variable, and why a case of it could not be assessed."""
+    failed = (("low", variable.low, low.error), ("high", variable.high, high.error))
+    whys = (f"not assessed at the {side} value, {value:.6g}: {why}" for side, value, why in failed if why)
+    return "; ".join(text for text in (variable.remark, *whys) if text)
+
+
+def left_out(unvaried: Unvaried) -> SensitivityResult:
+    """The row of a number that is left as it is."""
+    return SensitivityResult(
+        mechanism=unvaried.mechanism, parameter=unvaried.parameter, remark=f"not varied: {unvaried.why}"
+    )

@@ -1,0 +1,259 @@
+"""Which numbers of each mechanism its sensitivity varies, between which values.
+
+A number of the project file is varied at its key, and the whole is read through the schema again, as a sweep does; the
+thickness is varied on the bodies themselves.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from functools import partial
+from math import inf
+from typing import Any
+
+from assess.geometry.solid import Solid
+from assess.geometry.stretch import stretched
+from assess.mechanisms.chain import hinge_names
+from assess.mechanisms.directions import towards
+from assess.mechanisms.mechanism import Mechanism
+from assess.project import sections
+from assess.project.amplification import RAYLEIGH
+from assess.project.bodies import Solids, pieces_of
+from assess.project.dependents import dependents
+from assess.project.interfaces import material_name
+from assess.project.keys import Key, value_at, with_value
+from assess.project.messages import written
+from assess.project.schema import Project
+from assess.project.study import Amplified, Study, Unvaried, Variable
+from assess.project.variations import read_case
+
+Alone = Callable[[str, sections.Content, Mapping[str, Solid]], Study]
+FULL = "at most 1: more would add velocity at the impact"
+SWEPT = "a parametric study changes the mechanism; write the value of its controlling case in its place"
+
+
+@dataclass(frozen=True)
+class Number:
+    """A number of the project file: what it is to the mechanism, its key, its unit in SI."""
+
+    parameter: str
+    path: Key
+    unit: str = "-"
+
+
+@dataclass(frozen=True)
+class Subject:
+    """A mechanism as built, with what the project says of it, its direction included where that was sought."""
+
+    mechanism: Mechanism
+    amplified: Amplified
+    project: Project
+    solids: Solids
+    alone: Alone
+
+    @property
+    def name(self) -> str:
+        """Of the mechanism."""
+        return self.mechanism.name
+
+    @property
+    def section(self) -> sections.Mechanism:
+        """The table of the mechanism."""
+        return self.project.content.mechanisms[self.name]
+
+    @property
+    def materials(self) -> tuple[str, ...]:
+        """The materials of its bodies, those that load it included."""
+        content = self.project.content
+        return tuple(name for name in content.materials if self.name in dependents(content, ("materials", name)))
+
+
+def variables_of(project: Project, study: Study, solids: Solids, alone: Alone) -> tuple[Variable | Unvaried, ...]:
+    """Every variable of every mechanism of a study, none where no sensitivity is asked for.
+
+    alone : the study of one mechanism by another content, with some bodies replaced
+    """
+    asked = project.content.analysis.sensitivity
+    if asked is None:
+        return ()
+    swept = {name for each in project.variations for name in dependents(project.content, each.path)}
+    found: list[Variable | Unvaried] = []
+    for mechanism in study.mechanisms:
+        if mechanism.name in swept:
+            found.append(Unvaried(mechanism.name, "", SWEPT))
+        else:
+            faced = facing(project, mechanism)
+            found += of_mechanism(Subject(mechanism, study.amplified[mechanism.name], faced, solids, alone), asked)
+    return tuple(found)
+
+
+def facing(project: Project, mechanism: Mechanism) -> Project:
+    """The project with the direction of a mechanism given where it was sought: that is kept."""
+    if mechanism.directions is None:
+        return project
+    path = ("mechanisms", mechanism.name, "direction")
+    raw = with_value(project.raw, path, list(towards(mechanism.directions.weakest)), project.content)
+    return replace(project, raw=raw, content=sections.Content.model_validate(raw, context={"folder": project.folder}))
+
+
+def of_mechanism(subject: Subject, asked: sections.Sensitivity) -> Iterator[Variable | Unvaried]:
+    """The variables of one mechanism, as far as they are asked for."""
+    if asked.thickness is not None and isinstance(subject.section, sections.Chained):
+        yield thickness(subject, subject.section, asked.thickness)
+    for number in dict.fromkeys(numbers_of(subject)):
+        change = asked.entries()[number.parameter]
+        if change is not None:
+            yield at_key(subject, number, change)
+    if asked.restitution is not None:
+        yield restitution(subject, asked.restitution)
+
+
+def numbers_of(subject: Subject) -> Iterator[Number]:
+    """The numbers of the project file that a mechanism depends on and that are seldom well known."""
+    section, materials = subject.section, subject.project.content.materials
+    if isinstance(section, sections.EquivalentBlock):
+        yield Number("uplift", ("mechanisms", subject.name, "uplift"))
+        yield Number("p", ("mechanisms", subject.name, "p"), "1/s")
+        return
+    for name in subject.materials:
+        yield Number("density", ("materials", name, "density"), "kg/m^3")
+    yield from of_joints(subject, section)
+    if any(RAYLEIGH in text for text in subject.amplified.said):
+        for name in subject.materials:
+            if materials[name].young_modulus is not None:
+                yield Number("stiffness", ("materials", name, "young_modulus"), "Pa")
+    for name in subject.materials:
+        if materials[name].friction:
+            yield Number("friction", ("materials", name, "friction"))
+    yield from of_loads(subject, section)
+
+
+def of_joints(subject: Subject, section: sections.Chained) -> Iterator[Number]:
+    """Strength and stiffness of the joints, where they stand."""
+    name = material_name(section, subject.project.content)
+    material = None if name is None else subject.project.content.materials[name]
+    for letter in hinge_names(subject.mechanism.positive):
+        joint = section.interface_at(letter)
+        own = ("interfaces", letter) if letter in section.interfaces else ("interface",)
+        table = ("mechanisms", subject.name, *own)
+        if joint.strength is not None and joint.strength < inf:
+            yield Number("compressive_strength", (*table, "strength"), "Pa")
+        elif joint.strength is None and joint.model != "rigid" and material and material.compressive_strength:
+            yield Number("compressive_strength", ("materials", str(name), "compressive_strength"), "Pa")
+        if joint.stiffness is not None and joint.stiffness < inf:
+            yield Number("stiffness", (*table, "stiffness"), "Pa/m")
+        elif joint.course_thickness is not None:
+            yield Number("stiffness", ("materials", str(name), "young_modulus"), "Pa")
+
+
+def of_loads(subject: Subject, section: sections.Chained) -> Iterator[Number]:
+    """The loads that are given as numbers; a force by its two components is two of them."""
+    for place, load in enumerate(section.loads):
+        path = ("mechanisms", subject.name, "loads", place)
+        if isinstance(load, sections.TieLoad):
+            yield Number("tie_force", (*path, "force"), "N")
+        elif isinstance(load, sections.MassLoad | sections.BodyLoad) and load.mass is not None:
+            yield Number("loads", (*path, "mass"), "kg")
+        elif isinstance(load, sections.ForceLoad) and isinstance(load.force, tuple):
+            yield from (Number("loads", (*path, "force", i), "N") for i in (0, 1) if load.force[i])
+        elif isinstance(load, sections.ForceLoad | sections.OverburdenLoad) and load.force is not None:
+            yield Number("loads", (*path, "force"), "N")
+
+
+def at_key(subject: Subject, number: Number, change: sections.Change) -> Variable | Unvaried:
+    """A number varied at its key."""
+    base = float(value_at(subject.project.content, number.path))
+    return between(
+        Variable(
+            mechanism=subject.name,
+            parameter=number.parameter,
+            key=written(number.path),
+            unit=number.unit,
+            base=base,
+            low=base,
+            high=base,
+            study_at=partial(with_number, subject, number.path),
+        ),
+        change,
+    )
+
+
+def with_number(subject: Subject, path: Key, value: Any) -> Study:
+    """The study of the mechanism with another value at a key of the project."""
+    project = subject.project
+    raw = with_value(project.raw, path, value, project.content)
+    content = read_case(raw, project.folder, path, value, name=written(path))
+    return subject.alone(subject.name, content, {})
+
+
+def between(at_base: Variable, change: sections.Change) -> Variable | Unvaried:
+    """The variable from its base less the change to its base with it."""
+    base = at_base.base
+    by = change.by * (abs(base) if change.of == sections.SHARE else 1.0)
+    if by >= abs(base):
+        unit = "" if at_base.unit == "-" else f" {at_base.unit}"
+        why = f"it is {base:.4g}{unit}, of which a change of {by:.4g}{unit} leaves nothing"
+        return Unvaried(at_base.mechanism, at_base.parameter, why)
+    return replace(at_base, low=base - by, high=base + by)
+
+
+def restitution(subject: Subject, change: sections.Change) -> Variable | Unvaried:
+    """What the impacts keep, of both branches in proportion, at most all of it."""
+    first, second = subject.mechanism.restitution
+    if first == 0.0:
+        return Unvaried(subject.name, "restitution", "it is 0: there is no rebound")
+    path = ("mechanisms", subject.name, "restitution")
+
+    def study_at(value: float) -> Study:
+        both = {"positive": value, "negative": min(1.0, second * value / first)}
+        return with_number(subject, path, both)
+
+    made = between(
+        Variable(subject.name, "restitution", written(path), "-", first, first, first, study_at),
+        change,
+    )
+    if isinstance(made, Unvaried) or made.high <= 1.0:
+        return made
+    return replace(made, high=max(1.0, first), remark=FULL)
+
+
+def thickness(subject: Subject, section: sections.Chained, change: sections.Change) -> Variable | Unvaried:
+    """The size of the blocks along the direction, about the middle of the base, which is the thickness there."""
+    why = stiff_geometry(subject, section)
+    if why:
+        return Unvaried(subject.name, "thickness", why)
+    foot = pieces_of(subject.name, section, subject.project.content, subject.solids)[0].body.base
+    assert foot is not None  # every body has geometry
+    (low, _), (high, _) = foot
+    if high <= low:
+        return Unvaried(subject.name, "thickness", "it stands on an edge")
+    study_at = partial(thickened, subject, section, width=high - low, middle=(low + high) / 2.0)
+    key = f"thickness of {', '.join(name for block in section.blocks for name in block)}"
+    return between(Variable(subject.name, "thickness", key, "m", *(high - low,) * 3, study_at), change)
+
+
+def stiff_geometry(subject: Subject, section: sections.Chained) -> str:
+    """Why the blocks of a mechanism cannot be made thicker as they are; empty where they can."""
+    direct = [name for block in section.blocks for name in block if subject.solids[name] is None]
+    if direct:
+        return f'body "{direct[0]}" has no geometry'
+    if isinstance(section, sections.FourHinge) and section.joints is not None:
+        return "the thickness of an arch is not its size along the direction"
+    hinges = (getattr(section, key, None) for key in ("hinges", "hinges_negative"))
+    if any(each is not None for each in hinges):
+        return "its hinges are given as points, which do not move with the faces"
+    joints = (section.interface_at(letter) for letter in hinge_names(subject.mechanism.positive))
+    if any(isinstance(joint.shape, sections.Shape) for joint in joints):
+        return "the shape of a joint is given by its sizes, which do not follow"
+    return ""
+
+
+def thickened(subject: Subject, section: sections.Chained, value: float, *, width: float, middle: float) -> Study:
+    """The study of the mechanism with blocks as thick as `value` [m] at a base that is `width` wide."""
+    bodies = {name: solid for block in section.blocks for name in block if (solid := subject.solids[name]) is not None}
+    thick = {
+        name: stretched(solid, direction=section.towards, middle=middle, factor=value / width)
+        for name, solid in bodies.items()
+    }
+    return subject.alone(subject.name, subject.project.content, thick)

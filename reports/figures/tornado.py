@@ -1,0 +1,119 @@
+"""How the answers of a mechanism move with numbers that are not well known: a bar for each, the widest at the top."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import inf
+from typing import Literal, TypeGuard
+
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
+
+from reports.style import FAIL, INK, folded, label, sheet, styled
+
+LOW, HIGH = "#56b4e9", "#d55e00"  # the number at its low and at its high value
+MARGIN = 0.12  # of what is shown, beside the ends of the bars
+HALF = 0.34  # height of half a bar, of a row
+LINE = 0.36  # height of a row [in]
+ROOM = 0.3  # of the width of a panel: a longer bar has room for a word
+LONGEST = 40  # characters of a line beside a bar
+
+
+@dataclass(frozen=True)
+class Bar:
+    """One number: the two lines that stand beside it, and the answer at its low and its high value.
+
+    low, high : infinite where the body overturns, None where nothing is known
+    said : in a word, what the verdict turns to at the low and at the high value; empty where it stays
+    """
+
+    lines: tuple[str, str]
+    low: float | None
+    high: float | None
+    said: tuple[str, str] = ("", "")
+
+
+@dataclass(frozen=True)
+class Panel:
+    """One answer: its name with the unit, and the procedure; its value as assessed; its bars.
+
+    limit : where passing and failing part, and its name; None where there is none
+    """
+
+    name: tuple[str, str]
+    base: float | None
+    limit: tuple[float, str] | None
+    bars: tuple[Bar, ...]
+
+
+def draw(panels: Sequence[Panel]) -> Figure:
+    """A panel for each answer; all have the rows of the first."""
+    rows = panels[0].bars
+    with styled():
+        figure = sheet(1.1 + LINE * len(rows))
+        beside = figure.subplots(1, len(panels), squeeze=False, sharey=True)[0]
+        for axes, panel in zip(beside, panels, strict=True):
+            _panel(axes, panel)
+        names = ["\n".join(label(line, LONGEST) for line in bar.lines) for bar in rows]
+        beside[0].set_yticks(range(len(rows)), names)
+        beside[0].set_ylim(len(rows) - 0.5, -0.5)
+        _legend(figure, beside[0])
+        return figure
+
+
+def _panel(axes: Axes, panel: Panel) -> None:
+    limit = None if panel.limit is None else panel.limit[0]
+    ends = [value for bar in panel.bars for value in (bar.low, bar.high)]
+    low, high = span([value for value in (*ends, panel.base, limit) if _is_drawn(value)])
+    axes.set_xlim(low, high)
+    for row, bar in enumerate(panel.bars):
+        for value, colour, side, said in zip((bar.low, bar.high), (LOW, HIGH), (-0.5, 0.5), bar.said, strict=True):
+            if value is not None and panel.base is not None:
+                _half(axes, panel.base, value, height=row + side * HALF, colour=colour, said=said)
+    if _is_drawn(panel.base):
+        axes.axvline(panel.base, color=INK, linewidth=0.9)
+    if panel.limit is not None:
+        at, name = panel.limit
+        axes.axvline(at, color=FAIL, linewidth=1.1, linestyle="--")
+        axes.text(at, 1.01, name, transform=axes.get_xaxis_transform(), ha="center", fontsize=6.5, color=FAIL)
+    axes.set_xlabel("\n".join(folded(line, width=26) for line in panel.name))
+    axes.xaxis.set_major_locator(MaxNLocator(4, steps=[1, 2, 2.5, 5, 10]))
+    axes.grid(visible=False, axis="y")
+    axes.tick_params(axis="y", length=0)
+
+
+def _half(axes: Axes, base: float, value: float, *, height: float, colour: str, said: str) -> None:
+    """From the answer as assessed to the one at a low or high value; an arrow at the edge where the body overturns."""
+    low, high = axes.get_xlim()
+    start, end = min(base, high), min(value, high)
+    axes.barh(height, end - start, HALF, left=start, color=colour, linewidth=0)
+    if value == inf:
+        axes.plot(high, height, marker=">", color=colour, markersize=5, clip_on=False)
+    inside = abs(end - start) > ROOM * (high - low)  # beside the line of the answer as assessed, else beyond the end
+    aside = 3 if end >= start else -3
+    side: Literal["left", "right"] = "left" if aside > 0 else "right"
+    at = (start if inside else end, height)
+    axes.annotate(said, at, (aside, -0.3), textcoords="offset points", fontsize=6.3, ha=side, va="center", color=INK)
+
+
+def _is_drawn(value: float | None) -> TypeGuard[float]:
+    return value is not None and value < inf
+
+
+def span(values: Sequence[float]) -> tuple[float, float]:
+    """What an axis shows: all of the values with a margin, and something where they are one."""
+    low, high = min(values, default=0.0), max(values, default=1.0)
+    width = max(high - low, 0.02 * max(abs(low), abs(high)), 1e-6)
+    return low - MARGIN * width, high + MARGIN * width
+
+
+def _legend(figure: Figure, axes: Axes) -> None:
+    handles = [
+        axes.barh([0], [0], color=LOW, label="at the low value"),
+        axes.barh([0], [0], color=HIGH, label="at the high value"),
+        *axes.plot([], [], color=INK, linewidth=0.9, label="as assessed"),
+        *axes.plot([], [], color=FAIL, linewidth=1.1, linestyle="--", label="limit"),
+    ]
+    figure.legend(handles=handles, loc="outside upper center", ncols=4)

@@ -1,0 +1,145 @@
+"""What changed between two runs: each kind of difference, and none where there is none."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from assess.comparing import KINDS, Change, changes, same
+from assess.project.build import build
+from assess.project.run import envelope, run
+from assess.project.schema import load
+from assess.results import Notice, Results
+
+PROJECT = """
+[site.spectrum]
+code = "asce7-16"
+s_ds = "0.5 g"
+s_d1 = "0.2 g"
+t_l = 6
+[materials.stone]
+density = 2000
+[bodies.wall]
+material = "stone"
+box = { thickness = 0.6, length = 4.0, height = 4.5 }
+[mechanisms.wall]
+kind = "single-block"
+blocks = ["wall"]
+sides = "one"
+[mechanisms.parapet]
+kind = "equivalent-block"
+p = 2.4
+uplift = 0.2
+radius = 1.2
+[records]
+synthetic = { count = 1, duration = 8 }
+[analysis]
+levels = ["0.1 g", "0.3 g"]
+procedures = ["asce43-05-spectrum", "dmi2008-linear"]
+"""
+TIE = 'sides = "one"\nloads = [{ kind = "tie", force = "10 kN", at = [0, 4], direction = [-1, 0] }]'
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return tmp_path_factory.mktemp("runs")
+
+
+def results_of(folder: Path, text: str) -> Results:
+    (folder / "project.toml").write_text(text)
+    return run(build(load(folder)), jobs=1)
+
+
+@pytest.fixture(scope="module")
+def before(folder: Path) -> Results:
+    return results_of(folder, PROJECT)
+
+
+@pytest.fixture(scope="module")
+def after(folder: Path, before: Results) -> Results:
+    return results_of(folder, PROJECT.replace('sides = "one"', TIE, 1))
+
+
+def of_kind(found: tuple[Change, ...], kind: str) -> Iterator[Change]:
+    return (change for change in found if change.kind == kind)
+
+
+def test_a_run_does_not_differ_from_itself(before: Results, after: Results) -> None:
+    assert changes(before, before) == changes(after, after) == ()
+
+
+def test_a_tie_turns_the_verdict_which_stands_first(before: Results, after: Results) -> None:
+    found = changes(before, after)
+    first = found[0]
+    assert (first.kind, first.where, first.before, first.after) == ("verdict", "wall", "fail", "pass")
+    assert [change.kind for change in found] == sorted((c.kind for c in found), key=KINDS.index)
+    assert {change.where for change in found} <= {"wall", "", "project.toml"}  # the parapet stays as it was
+    (tied,) = of_kind(found, "project")
+    assert (tied.what, tied.before) == ("mechanisms.wall.loads", [])
+    (file,) = of_kind(found, "input")
+    assert (file.where, file.what) == ("project.toml", "sha256")
+
+
+def test_numbers_are_those_of_both_results(before: Results, after: Results) -> None:
+    found = changes(before, after)
+    one, other = (results.mechanisms[0] for results in (before, after))
+    (uplift,) = (c for c in of_kind(found, "parameter") if c.what == "uplift_multiplier, positive")
+    assert (uplift.before, uplift.after) == (one.oscillator.uplift_multiplier, other.oscillator.uplift_multiplier)
+    assert uplift.relative == pytest.approx(uplift.after / uplift.before - 1.0, rel=1e-15)
+    (capacity,) = (c for c in of_kind(found, "capacity") if c.what == "capacity, dmi2008-linear")
+    assert (capacity.before, capacity.after) == tuple(m.checks[-1].capacity_pga_g for m in (one, other))
+    ratios = {c.what: (c.before, c.after) for c in of_kind(found, "ratio")}
+    assert ratios["dmi2008-linear at 0.3 g"] == tuple(m.checks[-1].ratio for m in (one, other))
+
+
+def test_the_other_way_round_is_the_mirror_image(before: Results, after: Results) -> None:
+    def turned(change: Change) -> Change:
+        return replace(change, before=change.after, after=change.before)
+
+    assert set(map(repr, changes(after, before))) == {repr(turned(change)) for change in changes(before, after)}
+
+
+def test_what_one_run_alone_has_is_a_change(before: Results) -> None:
+    less = replace(before, mechanisms=before.mechanisms[:1], warnings=(*before.warnings, Notice("a", "b", "c")))
+    found = changes(before, less)
+    assert [(c.kind, c.where, c.before, c.after) for c in found] == [
+        ("mechanism", "parapet", "equivalent-block", None),
+        ("warning", "b", None, "c"),
+    ]
+
+
+def test_rounding_is_hidden_and_zero_tolerance_shows_it(before: Results) -> None:
+    wall = before.mechanisms[0]
+    nudged = replace(wall, oscillator=replace(wall.oscillator, p_eq_per_s=wall.oscillator.p_eq_per_s * (1 + 1e-8)))
+    other = replace(before, mechanisms=(nudged, *before.mechanisms[1:]))
+    assert changes(before, other) == ()
+    assert [c.what for c in changes(before, other, tolerance=0.0)] == ["p_eq_per_s, positive"]
+
+
+def test_values_are_one_item_by_item() -> None:
+    assert same([1.0, {"a": 2.0}], [1.0 + 1e-9, {"a": 2.0}], tolerance=1e-6)
+    assert not same([1.0], [1.0, 2.0], tolerance=1e-6)
+    assert not same({"a": 1}, {"b": 1}, tolerance=1e-6)
+    assert not same(True, 1, tolerance=1e-6)
+    assert not same("1", 1, tolerance=1e-6)
+    assert same(1, 1.0, tolerance=0.0)
+    assert same(0.0, 1e-17, tolerance=0.0)
+    assert not same(None, 0.0, tolerance=1.0)
+
+
+def test_envelopes_are_compared_by_their_least_pulse(folder: Path) -> None:
+    pulses = (
+        '[analysis.pulses]\nfrequency = { from = 0.5, to = 2, count = 3 }\namplitude = { from = "0 g", to = "2 g", '
+        "count = 5 }\n"
+    )
+    found = []
+    for uplift in (0.2, 0.3):
+        (folder / "project.toml").write_text(PROJECT.replace("uplift = 0.2", f"uplift = {uplift}") + pulses)
+        found.append(envelope(build(load(folder)), jobs=1))
+    least = next(c for c in of_kind(changes(*found), "envelope") if c.where == "parapet")
+    ends = [min(b for b in each.mechanisms[1].envelope.lower_bound_g if b is not None) for each in found]  # type: ignore[union-attr]
+    assert (least.what, least.before, least.after) == ("least pulse that overturns", *ends)
+    assert least.before < least.after

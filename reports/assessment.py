@@ -27,6 +27,7 @@ from reports import (
 )
 from reports.document import Block, Document, Figure, Items, Section, Signatures, Table, Text
 from reports.figures import amplification, capacity, comparison, history, pga_rotation, sketch, spectrum, view
+from reports.model import of_view
 from reports.numerals import numeral
 
 LONG = 120  # characters; longer titles and names are shortened where they head something and printed once in full
@@ -183,8 +184,9 @@ def _view(mechanism: MechanismResult, name: str, *, sibling: str) -> list[Block]
         return []
     if sibling:
         return [Text((f"Its bodies in space are those of {sibling}, drawn there.",))]
-    draw = partial(view.draw, seen, len(mechanism.drawing.displaced.hinges))
-    return [Figure(f"{name}-view", sentences.view(seen), draw)]
+    positive = len(mechanism.drawing.displaced.hinges)
+    model = of_view(seen, positive=positive)
+    return [Figure(f"{name}-view", sentences.view(seen), partial(view.draw, seen, positive), model)]
 
 
 def _answer(mechanism: MechanismResult, name: str) -> Section:

@@ -5,6 +5,7 @@ All text is plain text, never markup; the renderers escape it.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
@@ -58,13 +59,53 @@ class Table:
     muted: frozenset[int] = frozenset()
 
 
+Place = tuple[float, float, float]
+
+
+@dataclass(frozen=True)
+class Part:
+    """The faces of a model that share a colour ("#rrggbb"): indices of vertices, anticlockwise seen from outside."""
+
+    colour: str
+    triangles: tuple[tuple[int, int, int], ...]
+
+
+@dataclass(frozen=True)
+class Wire:
+    """A line through points [m] over a model, with its name at its last end; empty for none."""
+
+    points: tuple[Place, ...]
+    colour: str
+    name: str = ""
+    dashed: bool = False
+    arrow: bool = False
+
+
+@dataclass(frozen=True)
+class Model:
+    """Bodies in space [m], z upwards, for renderers on which a reader can turn them.
+
+    edge : colour of the edges that are drawn
+    sharp : angle between faces from which on their common edge is drawn [rad]
+    eye : where the model is first seen from: azimuth from +x towards +y, elevation [rad]
+    """
+
+    vertices: tuple[Place, ...]
+    parts: tuple[Part, ...]
+    wires: tuple[Wire, ...]
+    edge: str
+    sharp: float
+    eye: tuple[float, float]
+
+
 @dataclass(frozen=True)
 class Figure:
-    """A figure that can be drawn any number of times. name: unique, safe as a file name."""
+    """A figure that can be drawn any number of times. name: unique, safe as a file name; model: of bodies in space."""
 
     name: str
     caption: str
     draw: Callable[[], Drawn]
+    model: Model | None = None
 
 
 @dataclass(frozen=True)
@@ -104,6 +145,8 @@ class Banner:
     headline: str
 
 
+SHEET_HEADS = ("Symbol", "Meaning; clause", "Formula; numbers", "Value")
+SIGNATURE_HEADS = ("", "Name", "Signature", "Place and date")
 Block = Text | Items | Table | Figure | Sheet | Signatures | Banner
 
 
@@ -126,6 +169,7 @@ class Document:
     data : tables too long to print, for the spreadsheet and the CSV files only
     program : name and version of the program that made it
     paper : "A4" or "letter"
+    language : of its sentences, as BCP 47 has it
     """
 
     title: str
@@ -136,6 +180,7 @@ class Document:
     facts: tuple[tuple[str, str], ...]
     sections: tuple[Section, ...]
     data: tuple[Table, ...]
+    language: str = "en-GB"
 
     @property
     def blocks(self) -> tuple[Block, ...]:
@@ -156,3 +201,15 @@ class Document:
     def sheets(self) -> tuple[Sheet, ...]:
         """Every calculation sheet."""
         return tuple(block for block in self.blocks if isinstance(block, Sheet))
+
+    @property
+    def titles(self) -> dict[tuple[str, str], str]:
+        """What figures, tables and sheets are called: (kind, name) -> "Figure 1", counted as they come."""
+        count: Counter[str] = Counter()
+        titles = {}
+        for block in self.blocks:
+            if isinstance(block, Figure | Table | Sheet):
+                kind = type(block).__name__
+                count[kind] += 1
+                titles[kind, block.name] = f"{kind} {count[kind]}"
+        return titles

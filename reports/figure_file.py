@@ -10,14 +10,14 @@ from tempfile import TemporaryDirectory
 from matplotlib.figure import Figure
 
 from reports.style import styled
-from reports.svg import write_svg
+from reports.svg import picture, write_svg
 from reports.vector import trace
 
 PNG_DPI = 200
 
 
 def _svg(figure: Figure, path: Path, creator: str) -> None:
-    write_svg(trace(figure), path, creator=creator)
+    write_svg(picture(trace(figure)), path, creator=creator)
 
 
 def _pdf(figure: Figure, path: Path, creator: str) -> None:

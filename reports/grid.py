@@ -9,9 +9,9 @@ from reportlab.lib.colors import HexColor
 from reportlab.platypus import Paragraph
 from reportlab.platypus import Table as Grid
 
-from reports.document import Cell, Column, Line, Sheet, Table
+from reports.document import SHEET_HEADS, Cell, Column, Line, Sheet, Table
 from reports.lettering import shortened
-from reports.numerals import given, numeral, shown
+from reports.numerals import outcome, shown
 from reports.page import only_measured
 from reports.style import GRID, INK, MUTED
 from reports.typeset import STYLES, Lines, formula, markup, paragraph, width_of
@@ -64,7 +64,7 @@ def table_grid(table: Table, *, title: str, width: float) -> Grid:
 
 def sheet_grid(sheet: Sheet, *, title: str, width: float) -> Grid:
     """A calculation sheet: symbol; meaning and clause; formula and numbers; value and unit."""
-    head = [paragraph(text, "head") for text in ("Symbol", "Meaning; clause", "Formula; numbers", "Value")]
+    head = [paragraph(text, "head") for text in SHEET_HEADS]
     body = [_step(line) for line in sheet.lines]
     return _grid(f"{title}. {sheet.caption}", [head, *body], [share * width for share in _SHARES])
 
@@ -126,15 +126,10 @@ def _cell(raw: Cell, text: str, column: Column, *, muted: bool) -> Paragraph:
 def _step(line: Line) -> list[Paragraph]:
     clause = f'<br/><font color="{MUTED}">{_markup(line.clause)}</font>' if line.clause else ""
     numbers = f"<br/>= {_formula(line.substituted)}" if line.substituted else ""
-    unit = "" if line.unit == "-" else f" {_markup(line.unit)}"
-    value = "—" if line.value is None else f"{_value(line.value)}{unit}"
+    value = _markup(outcome(line.value, line.unit))
     what = (_formula(line.symbol), f"{_formula(line.description)}{clause}")
     how = (f"{_formula(line.formula)}{numbers}", value)
     return [Lines(cell, STYLES["cell"]) for cell in (*what, *how)]
-
-
-def _value(value: float) -> str:
-    return given(value) if float(value).is_integer() and abs(value) < 1e5 else numeral(value, digits=4)
 
 
 def _formula(text: str) -> str:

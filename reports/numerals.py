@@ -27,6 +27,14 @@ def given(value: float) -> str:
     return f"{value:.10g}".replace("-", "−")
 
 
+def outcome(value: float | None, unit: str) -> str:
+    """What a step of a calculation came to, with its unit; a dash where there is no value."""
+    if value is None:
+        return "—"
+    number = given(value) if float(value).is_integer() and abs(value) < 1e5 else numeral(value)
+    return number if unit == "-" else f"{number} {unit}"
+
+
 def shown(cell: Cell, kind: Kind) -> str:
     """The text of a cell; a dash where there is no value."""
     if cell is None or cell == "":

@@ -66,7 +66,7 @@ class Pages(BaseDocTemplate):
             creator=document.program,
             producer=document.program,
             invariant=1,
-            lang="en-GB",
+            lang=document.language,
             initialFontName=REGULAR,
             pageCompression=1,
         )

@@ -12,7 +12,19 @@ from reportlab.lib.units import mm
 from reportlab.platypus import CondPageBreak, Flowable, KeepTogether, PageBreak, Paragraph, Spacer
 from reportlab.platypus import Table as Grid
 
-from reports.document import Banner, Block, Document, Figure, Items, Section, Sheet, Signatures, Table, Text
+from reports.document import (
+    SIGNATURE_HEADS,
+    Banner,
+    Block,
+    Document,
+    Figure,
+    Items,
+    Section,
+    Sheet,
+    Signatures,
+    Table,
+    Text,
+)
 from reports.grid import sheet_grid, table_grid
 from reports.inking import replay
 from reports.lettering import shortened
@@ -46,11 +58,11 @@ class Drawing(Flowable):
 
 
 class Story:
-    """The flowables of a document, with figures, tables and sheets numbered as they come."""
+    """The flowables of a document."""
 
     def __init__(self, document: Document, drawings: Mapping[str, Traced], width: float) -> None:
         self.document, self.drawings, self.width = document, drawings, width
-        self.numbers = {"Figure": 0, "Table": 0, "Sheet": 0}
+        self.titles = document.titles
 
     def flowables(self) -> list[Flowable]:
         """Title block and opening section, contents, then everything else."""
@@ -101,11 +113,11 @@ class Story:
 
     @_block.register
     def _(self, block: Table) -> list[Flowable]:
-        return [CondPageBreak(28 * mm), table_grid(block, title=self._number("Table"), width=self.width)]
+        return [CondPageBreak(28 * mm), table_grid(block, title=self.titles["Table", block.name], width=self.width)]
 
     @_block.register
     def _(self, block: Sheet) -> list[Flowable]:
-        return [CondPageBreak(40 * mm), sheet_grid(block, title=self._number("Sheet"), width=self.width)]
+        return [CondPageBreak(40 * mm), sheet_grid(block, title=self.titles["Sheet", block.name], width=self.width)]
 
     @_block.register
     def _(self, block: Banner) -> list[Flowable]:
@@ -117,7 +129,7 @@ class Story:
 
     @_block.register
     def _(self, block: Figure) -> list[Flowable]:
-        caption = paragraph(f"{self._number('Figure')}. {shortened(block.caption, 500)}", "caption")
+        caption = paragraph(f"{self.titles['Figure', block.name]}. {shortened(block.caption, 500)}", "caption")
         return [KeepTogether([Drawing(self.drawings[block.name], self.width), Spacer(1, 3), caption, Spacer(1, 9)])]
 
     @_block.register
@@ -125,7 +137,7 @@ class Story:
         rows = [
             [paragraph(role, "muted"), paragraph(shortened(name, 60), "cell"), "", ""] for role, name in block.places
         ]
-        labels = [paragraph(text, "muted") for text in ("", "Name", "Signature", "Place and date")]
+        labels = [paragraph(text, "muted") for text in SIGNATURE_HEADS]
         grid = Grid(
             [labels, *rows],
             colWidths=[0.14 * self.width, *[0.2867 * self.width] * 3],
@@ -133,10 +145,6 @@ class Story:
         )
         grid.setStyle([("LINEBELOW", (1, 1), (-1, -1), 0.6, HexColor(MUTED)), ("VALIGN", (0, 0), (-1, -1), "BOTTOM")])
         return [KeepTogether([grid])]
-
-    def _number(self, kind: str) -> str:
-        self.numbers[kind] += 1
-        return f"{kind} {self.numbers[kind]}"
 
 
 _ROOMY = [("TOPPADDING", (0, 0), (-1, -1), 9), ("BOTTOMPADDING", (0, 0), (-1, -1), 11)]

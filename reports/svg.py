@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
 from functools import cache
 from pathlib import Path as File
 from xml.sax.saxutils import escape, quoteattr
@@ -13,31 +14,59 @@ from matplotlib.path import Path
 from reports.lettering import font_file
 from reports.vector import Letters, Rectangle, Rgba, Segment, Stroke, Traced
 
-Windows = dict[Rectangle, int]
-
 _COMMANDS = {int(Path.MOVETO): "M", int(Path.LINETO): "L", int(Path.CURVE3): "Q", int(Path.CURVE4): "C"}
 _CAP = {"projecting": "square"}
 _EM = 100.0  # size at which the outline of a letter is taken [pt]
 
 
-def write_svg(traced: Traced, path: File, *, creator: str) -> File:
-    """Write the figure to `path`; the path written. creator: name and version of the program."""
-    wide, high = f"{traced.width:g}", f"{traced.height:g}"
+@dataclass(frozen=True)
+class Picture:
+    """A figure in the elements of SVG; what they refer to by an id is the same wherever that id stands.
+
+    Attributes
+    ----------
+    marks : its elements, y upwards
+    definitions : letters and windows by their ids
+    width, height : [pt]
+    """
+
+    marks: str
+    definitions: Mapping[str, str]
+    width: float
+    height: float
+
+    @property
+    def box(self) -> str:
+        """The attribute that says what part of the plane is seen."""
+        return f'viewBox="0 0 {self.width:g} {self.height:g}"'
+
+    @property
+    def upright(self) -> str:
+        """The marks as SVG has them, y downwards."""
+        return f'<g transform="matrix(1 0 0 -1 0 {self.height:g})">\n{self.marks}\n</g>'
+
+
+def picture(traced: Traced) -> Picture:
+    """The marks of a figure as elements."""
     letters = dict.fromkeys((m.bold, sign) for m in traced.marks if isinstance(m, Letters) for sign in m.text)
-    clips = dict.fromkeys(m.clip for m in traced.marks if isinstance(m, Stroke) and m.clip is not None)
-    windows = {clip: place for place, clip in enumerate(clips)}
+    windows = dict.fromkeys(m.clip for m in traced.marks if isinstance(m, Stroke) and m.clip is not None)
+    definitions = {_name(*letter): f'<path id="{_name(*letter)}" d="{_glyph(*letter)[0]}"/>' for letter in letters}
+    definitions |= {_pane(window): _window(window) for window in windows}
+    marks = [_stroke(mark) if isinstance(mark, Stroke) else _line_of(mark) for mark in traced.marks]
+    return Picture("\n".join(marks), definitions, traced.width, traced.height)
+
+
+def write_svg(picture: Picture, path: File, *, creator: str) -> File:
+    """Write a picture to `path`; the path written. creator: name and version of the program."""
     lines = [
         '<?xml version="1.0" encoding="utf-8" standalone="no"?>',
         '<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" version="1.1"'
-        f' width="{wide}pt" height="{high}pt" viewBox="0 0 {wide} {high}">',
+        f' width="{picture.width:g}pt" height="{picture.height:g}pt" {picture.box}>',
         f"<desc>{escape(creator)}</desc>",
         "<defs>",
-        *(f'<path id="{_name(*letter)}" d="{_glyph(*letter)[0]}"/>' for letter in letters),
-        *(_window(clip, place) for clip, place in windows.items()),
+        *picture.definitions.values(),
         "</defs>",
-        f'<g transform="matrix(1 0 0 -1 0 {high})">',
-        *(_stroke(mark, windows) if isinstance(mark, Stroke) else _line_of(mark) for mark in traced.marks),
-        "</g>",
+        picture.upright,
         "</svg>",
     ]
     path.write_text("\n".join(lines) + "\n", encoding="utf-8")
@@ -53,13 +82,18 @@ def _command(at: tuple[float, ...], code: int) -> str:
     return "Z" if code == Path.CLOSEPOLY else _COMMANDS[code] + " ".join(map(_number, at))
 
 
-def _window(clip: Rectangle, place: int) -> str:
+def _window(clip: Rectangle) -> str:
     x, y, wide, high = map(_number, clip)
-    return f'<clipPath id="w{place}"><rect x="{x}" y="{y}" width="{wide}" height="{high}"/></clipPath>'
+    rectangle = f'<rect x="{x}" y="{y}" width="{wide}" height="{high}"/>'
+    return f'<clipPath id="{_pane(clip)}">{rectangle}</clipPath>'
 
 
-def _stroke(mark: Stroke, windows: Windows) -> str:
-    clip = "" if mark.clip is None else f' clip-path="url(#w{windows[mark.clip]})"'
+def _pane(clip: Rectangle) -> str:
+    return "w" + "_".join(map(_number, clip))
+
+
+def _stroke(mark: Stroke) -> str:
+    clip = "" if mark.clip is None else f' clip-path="url(#{_pane(mark.clip)})"'
     filling = _paint("fill", mark.filling)
     return f'<path d="{outline(mark.segments)}"{clip}{filling}{_pen(mark)}/>'
 

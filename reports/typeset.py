@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from functools import cache
 from xml.sax.saxutils import escape
 
@@ -13,6 +12,7 @@ from reportlab.pdfbase import pdfmetrics
 from reportlab.pdfbase.ttfonts import TTFont
 from reportlab.platypus import Paragraph
 
+from reports.formula import marked
 from reports.lettering import font_file, printable
 from reports.style import FAIL, INK, MUTED, PASS
 
@@ -43,8 +43,8 @@ STYLES: dict[str, ParagraphStyle] = {
     "pass": ParagraphStyle("pass", _CELL, fontName=BOLD, textColor=HexColor(PASS)),
     "fail": ParagraphStyle("fail", _CELL, fontName=BOLD, textColor=HexColor(FAIL)),
 }
-_INDEX = re.compile(r"(?<=[^\W\d_])_(?:\{([^{}]+)\}|([^\W_]+(?:,[^\W_]+)*))")
-_POWER = re.compile(r"\^(?:\{([^{}]+)\}|([-−]?[\w.]+))")
+_INDEX = ('<sub rise="1.2" size="5.2">', "</sub>")
+_POWER = ('<super rise="2.4" size="5.2">', "</super>")
 
 
 class Lines(Paragraph):
@@ -73,8 +73,7 @@ def markup(text: str) -> str:
 
 def formula(text: str) -> str:
     """A formula as markup: x_e and x_{e,1} get their index lowered, ^2 is raised."""
-    lowered = _INDEX.sub(lambda found: f'<sub rise="1.2" size="5.2">{found[1] or found[2]}</sub>', markup(text))
-    return _POWER.sub(lambda found: f'<super rise="2.4" size="5.2">{found[1] or found[2]}</super>', lowered)
+    return marked(markup(text), index=_INDEX, power=_POWER)
 
 
 def paragraph(text: str, style: str) -> Lines:

@@ -12,7 +12,7 @@ from matplotlib.path import Path
 from matplotlib.textpath import TextPath
 
 from reports.style import sheet, styled
-from reports.svg import _glyph, outline, write_svg
+from reports.svg import _glyph, outline, picture, write_svg
 from reports.vector import trace
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -26,7 +26,7 @@ def written(folder: File, text: str) -> ElementTree.Element:
         axes.set_axis_off()
         axes.plot([1, 3], [0.5, 1.5], color="#ff0000", linestyle="--")
         figure.text(0.5, 0.5, text)
-    return ElementTree.parse(write_svg(trace(figure), folder / "figure.svg", creator="program <1>")).getroot()
+    return ElementTree.parse(write_svg(picture(trace(figure)), folder / "figure.svg", creator="program <1>")).getroot()
 
 
 def test_a_line_lands_where_the_axes_put_it(tmp_path: File) -> None:

@@ -96,7 +96,7 @@ def _wide(kind: str, title: str, caption: str, heads: Iterable[str], rows: Itera
     return (
         f'<div class="wide" tabindex="0" role="region" aria-labelledby="{name}-caption">'
         f'<table class="{kind}" id="{name}">'
-        f'<caption id="{name}-caption"><b>{title}.</b> {markup(caption)}</caption>\n'
+        f'<caption id="{name}-caption"><span><b>{title}.</b> {markup(caption)}</span></caption>\n'
         f"<thead><tr>{''.join(heads)}</tr></thead>\n<tbody>{''.join(rows)}</tbody></table></div>"
     )
 

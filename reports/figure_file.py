@@ -9,11 +9,10 @@ from tempfile import TemporaryDirectory
 
 from matplotlib.figure import Figure
 
+from reports.png import write_png
 from reports.style import styled
 from reports.svg import picture, write_svg
 from reports.vector import trace
-
-PNG_DPI = 200
 
 
 def _svg(figure: Figure, path: Path, creator: str) -> None:
@@ -26,8 +25,7 @@ def _pdf(figure: Figure, path: Path, creator: str) -> None:
 
 
 def _png(figure: Figure, path: Path, creator: str) -> None:
-    with styled():
-        figure.savefig(path, format="png", dpi=PNG_DPI, metadata={"Software": creator})
+    write_png(trace(figure), path, creator=creator)
 
 
 WRITERS: Mapping[str, Callable[[Figure, Path, str], None]] = {".svg": _svg, ".pdf": _pdf, ".png": _png}

@@ -3,23 +3,33 @@
 from __future__ import annotations
 
 import json
-from math import floor, isfinite, log10
+from math import isfinite
 
 from reports.document import Cell, Kind
 
 _SUPERSCRIPT = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
-def numeral(value: float, *, digits: int = 4) -> str:
+FIGURES = 4
+
+
+def numeral(value: float, *, digits: int = FIGURES) -> str:
     """`value` to `digits` significant figures: 0.1000, 12.34, 45670, 1.234×10⁶."""
     if value == 0 or not isfinite(value):
         return "0" if value == 0 else {"inf": "∞", "-inf": "−∞", "nan": "not a number"}[str(float(value))]
     mantissa, exponent = f"{value:.{digits - 1}e}".split("e")
-    if not -3 <= int(exponent) < 5:
+    places = decimals(value, figures=digits)
+    if places is None:
         return f"{mantissa}×10{str(int(exponent)).translate(_SUPERSCRIPT)}".replace("-", "−")
-    rounded = float(f"{mantissa}e{exponent}")
-    decimals = max(0, digits - 1 - floor(log10(abs(rounded)) + 1e-12))
-    return f"{rounded:.{decimals}f}".replace("-", "−")
+    return f"{float(f'{mantissa}e{exponent}'):.{places}f}".replace("-", "−")
+
+
+def decimals(value: float, *, figures: int) -> int | None:
+    """How many decimals show a finite number to so many significant figures; None for a power of ten."""
+    exponent = int(f"{value:.{figures - 1}e}".split("e")[1])
+    if value == 0:
+        return 0
+    return max(0, figures - 1 - exponent) if -3 <= exponent < 5 else None
 
 
 def given(value: float) -> str:

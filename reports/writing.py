@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
+from typing import Literal
 
 from assess.results import Results
 from reports.assessment import assessment
@@ -11,21 +12,36 @@ from reports.csv import write_csv
 from reports.document import Document
 from reports.html import write_html
 from reports.pdf import write_pdf
+from reports.png import write_png
 from reports.spreadsheet import write_xlsx
-from reports.svg import picture, write_svg
-from reports.vector import traced
+from reports.svg import Picture, picture, write_svg
+from reports.vector import Traced, traced
+
+Form = Literal["svg", "png"]
 
 
-def write_all(results: Results, folder: Path, *, progress: Callable[[str], None] | None = None) -> Path:
-    """Write report.pdf, report.html, tables.xlsx, tables/*.csv and figures/*.svg into the empty `folder`.
+def write_all(
+    results: Results,
+    folder: Path,
+    *,
+    figures: Sequence[Form] = ("svg",),
+    progress: Callable[[str], None] | None = None,
+) -> Path:
+    """Write report.pdf, report.html, tables.xlsx, tables/*.csv and figures/* into the empty `folder`.
 
+    figures : in which forms they are written
     Returns the path of the PDF.
     """
-    return write_document(assessment(results), folder, name="report.pdf", progress=progress)
+    return write_document(assessment(results), folder, name="report.pdf", figures=figures, progress=progress)
 
 
 def write_document(
-    document: Document, folder: Path, *, name: str, progress: Callable[[str], None] | None = None
+    document: Document,
+    folder: Path,
+    *,
+    name: str,
+    figures: Sequence[Form] = ("svg",),
+    progress: Callable[[str], None] | None = None,
 ) -> Path:
     """Write a document into the empty `folder` in every form, its PDF called `name`, its page alike; the PDF's path."""
     say = progress or (lambda _: None)
@@ -37,8 +53,22 @@ def write_document(
     say("figures")
     drawings = traced(document)
     pictures = {figure: picture(drawing) for figure, drawing in drawings.items()}
-    for figure, drawn in pictures.items():
-        write_svg(drawn, folder / "figures" / f"{figure}.svg", creator=document.program)
+    _write_figures(drawings, pictures, folder / "figures", forms=figures, creator=document.program)
     say("report")
     write_html(document, (folder / name).with_suffix(".html"), pictures=pictures)
     return write_pdf(document, folder / name, drawings=drawings)
+
+
+def _write_figures(
+    drawings: Mapping[str, Traced],
+    pictures: Mapping[str, Picture],
+    folder: Path,
+    *,
+    forms: Sequence[Form],
+    creator: str,
+) -> None:
+    for name, drawing in drawings.items():
+        if "svg" in forms:
+            write_svg(pictures[name], folder / f"{name}.svg", creator=creator)
+        if "png" in forms:
+            write_png(drawing, folder / f"{name}.png", creator=creator)

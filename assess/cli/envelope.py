@@ -16,7 +16,10 @@ def envelope(
     output: Annotated[
         Path | None,
         typer.Option(
-            "-o", "--output", metavar="DIR", help="Write envelopes.pdf, envelopes.json, tables and figures there."
+            "-o",
+            "--output",
+            metavar="DIR",
+            help="Write envelopes.pdf, envelopes.html, envelopes.json, tables and figures there.",
         ),
     ] = None,
     as_json: Annotated[

@@ -14,6 +14,7 @@ def report(
         Path | None,
         typer.Option("-o", "--output", metavar="DIR", help="Where to write; beside RESULTS.json if absent."),
     ] = None,
+    png: Annotated[bool, typer.Option("--png", help="Write the figures as PNG files too, 200 dots per inch.")] = False,
 ) -> None:
     """Write the report again from results.json, or from the envelopes.json of `assess envelope`, without analysis."""
     from assess.results_io import read
@@ -22,16 +23,17 @@ def report(
     from assess.cli.outputs import ENVELOPES, RESULTS, staged
     from assess.cli.progress import progress
     from reports.assessment import of_envelopes
-    from reports.writing import write_all, write_document
+    from reports.writing import Form, write_all, write_document
 
     folder = output or results.parent
     alone = found.critical is not None and not any(mechanism.checks for mechanism in found.mechanisms)
     name = ENVELOPES if alone else RESULTS
+    figures: tuple[Form, ...] = ("svg", "png") if png else ("svg",)
     with staged(folder, results=name) as stage, progress() as said:
         if alone:
-            pdf = write_document(of_envelopes(found), stage, name="envelopes.pdf", progress=said.step)
+            pdf = write_document(of_envelopes(found), stage, name="envelopes.pdf", figures=figures, progress=said.step)
         else:
-            pdf = write_all(found, stage, progress=said.step)
+            pdf = write_all(found, stage, figures=figures, progress=said.step)
         if not _same_folder(folder, results.parent):
             (stage / name).write_bytes(results.read_bytes())
     print(folder / pdf.relative_to(stage))

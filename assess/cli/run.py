@@ -29,8 +29,8 @@ def run(
 ) -> None:
     """Assess every mechanism and write the report.
 
-    Writes report.pdf, results.json, tables.xlsx, tables/*.csv and figures/*.svg; prints the verdicts and the path of
-    the report. Ends with 0 when no check fails, 1 when some check does; what could not be answered is told.
+    Writes report.pdf, report.html, results.json, tables.xlsx, tables/*.csv and figures/*.svg; prints the verdicts and
+    the path of the report. Ends with 0 when no check fails, 1 when some check does; what could not be answered is told.
     """
     from assess.project.schema import load
 

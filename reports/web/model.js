@@ -6,7 +6,7 @@ const DARKEST = 0.62; // of its colour: a face turned away from the light
 const TURN = 0.008; // rad for a CSS pixel
 const FINER = 2; // pixels of the drawing for one of CSS, at least
 const NUDGE = 0.004; // of the bodies' size: how much nearer an edge is taken than the face it belongs to
-const MARGIN = 0.82; // of the window that the bodies fill
+const FILLED = 0.92; // of the window, by the diagonal of the bodies' box
 
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 const minus = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
@@ -30,7 +30,7 @@ function turnable(canvas, model) {
     const [wide, high] = [canvas.clientWidth, canvas.clientHeight].map((side) => Math.max(1, Math.round(fine * side)));
     Object.assign(canvas, { width: wide, height: high });
     const axes = frame();
-    const scale = (zoomed * MARGIN * Math.min(wide, high)) / size;
+    const scale = (zoomed * FILLED * Math.min(wide, high)) / size;
     const seen = (point) => {
       const [right, up, near] = axes.map((axis) => dot(axis, minus(point, centre)));
       return [wide / 2 + fine * shift[0] + scale * right, high / 2 + fine * shift[1] - scale * up, near];
@@ -165,7 +165,9 @@ function cut(one, other, row) {
   return [one[0] + share * (other[0] - one[0]), one[2] + share * (other[2] - one[2])];
 }
 
+// A line over the bodies, its name at the end that is nearer to the eye; an arrow points to its last end.
 function drawWire(pen, wire, points, fine) {
+  if (wire.name && points[0][2] > points.at(-1)[2]) points.reverse();
   const [end, before] = [points.at(-1), points.at(-2)];
   const length = Math.hypot(end[0] - before[0], end[1] - before[1]) || 1;
   const way = [(end[0] - before[0]) / length, (end[1] - before[1]) / length];
@@ -175,9 +177,10 @@ function drawWire(pen, wire, points, fine) {
   for (const [right, down] of points) pen.lineTo(right, down);
   pen.stroke();
   if (wire.arrow) {
-    const at = (back, aside) => [end[0] - fine * (back * way[0] + aside * way[1]), end[1] - fine * (back * way[1] - aside * way[0])];
     pen.beginPath();
-    for (const point of [at(-4, 0), at(7, 4), at(7, -4)]) pen.lineTo(...point);
+    for (const [back, aside] of [[-4, 0], [7, 4], [7, -4]]) {
+      pen.lineTo(end[0] - fine * (back * way[0] + aside * way[1]), end[1] - fine * (back * way[1] - aside * way[0]));
+    }
     pen.fill();
   }
   Object.assign(pen, { font: `${13 * fine}px sans-serif`, textAlign: "center", textBaseline: "middle" });
@@ -189,6 +192,6 @@ function drawTriad(pen, axes, high, fine) {
   const origin = [38 * fine, high - 38 * fine, 0];
   "xyz".split("").forEach((name, axis) => {
     const end = [origin[0] + 24 * fine * axes[0][axis], origin[1] - 24 * fine * axes[1][axis], 0];
-    drawWire(pen, { name, colour: "#1b2733" }, [origin, end], fine / 1.3);
+    drawWire(pen, { name, colour: "#1b2733" }, [origin, end], fine / 1.2);
   });
 }

@@ -10,6 +10,7 @@ from html import escape
 from reports.document import (
     SHEET_HEADS,
     SIGNATURE_HEADS,
+    Banner,
     Block,
     Cell,
     Column,
@@ -26,6 +27,7 @@ from reports.document import (
 from reports.formula import marked
 from reports.lettering import visible
 from reports.numerals import outcome, shown
+from reports.style import WORDS
 from reports.svg import Picture
 
 
@@ -52,6 +54,11 @@ class Elements:
     @of.register
     def _(self, block: Items) -> str:
         return "<ul>" + "\n".join(f"<li>{markup(text)}</li>" for text in block.points) + "</ul>"
+
+    @of.register
+    def _(self, block: Banner) -> str:
+        word, headline = markup(WORDS[block.verdict]), markup(block.headline)
+        return f'<p class="banner {block.verdict}"><strong>{word}</strong> <span>{headline}</span></p>'
 
     @of.register
     def _(self, block: Table) -> str:

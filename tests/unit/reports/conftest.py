@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -40,6 +41,11 @@ from assess.results import (
     Trace,
     View,
 )
+from reports.assessment import assessment
+from reports.document import Document
+from reports.html import write_html
+from reports.svg import picture
+from reports.vector import Traced, traced
 
 LEVELS = (0.067, 0.2, 0.45)
 PERIODS = tuple(float(period) for period in np.concatenate([[0.0], np.linspace(0.05, 4.0, 80)]))
@@ -449,3 +455,20 @@ def make_results() -> Results:
 @pytest.fixture(scope="session")
 def results() -> Results:
     return make_results()
+
+
+@pytest.fixture(scope="session")
+def document(results: Results) -> Document:
+    return assessment(results)
+
+
+@pytest.fixture(scope="session")
+def drawings(document: Document) -> dict[str, Traced]:
+    return traced(document)
+
+
+@pytest.fixture(scope="session")
+def page(document: Document, drawings: dict[str, Traced], tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The report as HTML."""
+    pictures = {name: picture(drawing) for name, drawing in drawings.items()}
+    return write_html(document, tmp_path_factory.mktemp("html") / "report.html", pictures=pictures)

@@ -2,6 +2,7 @@
 PYTHON ?= python3
 BIN := .venv/bin
 DEMO := build/demo
+NO_BROWSER := chromium and chromium-driver do not install here; tests that open the HTML report in them will be skipped
 
 .PHONY: demo test check bench figures lock
 
@@ -11,7 +12,7 @@ demo: .venv/installed      ## the main job on the shipped example; the last line
 	$(BIN)/assess run $(DEMO) -o $(DEMO)/results || test $$? -eq 1
 	@echo $(DEMO)/results/report.pdf
 
-test: .venv/installed .venv/cad      ## every test but the benchmarks
+test: .venv/installed .venv/cad .venv/browser      ## every test but the benchmarks
 	$(BIN)/python -m pytest
 
 check: .venv/installed     ## style, types, direction of imports
@@ -44,4 +45,8 @@ lock:                      ## for developers, with uv: pin every dependency with
 .venv/cad: requirements-cad.lock .venv/installed  # readers of STEP, Rhino and IFC files, 330 MB, for their tests only
 	@$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes --requirement requirements-cad.lock \
 		|| echo "the readers of STEP, Rhino and IFC files do not install here; their tests will be skipped"
+	@touch $@
+
+.venv/browser: .venv/installed  # Debian's browser, 100 MB, in which tests open the HTML report
+	@command -v chromedriver >/dev/null || tests/install_browser.sh || echo "$(NO_BROWSER)"
 	@touch $@

@@ -68,7 +68,7 @@ def squeezed(text: str) -> str:
 
 def test_every_output_is_there(outputs):
     assert (outputs / "report.pdf").stat().st_size > 100_000
-    for pattern in ("results.json", "tables.xlsx", "tables/*.csv", "figures/*.svg"):
+    for pattern in ("results.json", "report.html", "tables.xlsx", "tables/*.csv", "figures/*.svg"):
         assert list(outputs.glob(pattern))
 
 

@@ -10,6 +10,7 @@ from xml.etree import ElementTree
 import pytest
 
 from assess.results import Results
+from reports.assessment import assessment
 from reports.writing import write_all
 
 
@@ -36,6 +37,7 @@ def test_every_kind_of_file_is_there(written: Path) -> None:
     names = set(digest(written))
     assert {
         "report.pdf",
+        "report.html",
         "tables.xlsx",
         "tables/verdicts.csv",
         "figures/spectrum.svg",
@@ -49,6 +51,14 @@ def test_figures_are_whole_svg_without_dates(written: Path) -> None:
     for path in (written / "figures").iterdir():
         assert ElementTree.parse(path).getroot().tag == "{http://www.w3.org/2000/svg}svg"
         assert "<dc:date>" not in path.read_text(encoding="utf-8")
+
+
+def test_figures_are_pictures_too_where_that_is_asked(results: Results, tmp_path: Path) -> None:
+    one = replace(results, mechanisms=results.mechanisms[:1], comparison=(), sweeps=())
+    write_all(one, tmp_path, figures=("png",))
+    made = sorted((tmp_path / "figures").iterdir())
+    assert [path.stem for path in made] == sorted(figure.name for figure in assessment(one).figures)
+    assert all(path.read_bytes().startswith(b"\x89PNG") for path in made)
 
 
 def test_report_is_small(written: Path) -> None:

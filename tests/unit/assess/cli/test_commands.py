@@ -2,7 +2,7 @@
 
 import csv
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -85,7 +85,13 @@ def faked(project: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[..., None]
     return fake
 
 
-def small_report(results: Results, folder: Path, *, progress: Callable[[str], None] | None = None) -> Path:
+def small_report(
+    results: Results,
+    folder: Path,
+    *,
+    figures: Sequence[str] = (),
+    progress: Callable[[str], None] | None = None,
+) -> Path:
     assert progress is not None
     progress("report")
     (folder / "report.pdf").write_text(results.mechanisms[0].name)

@@ -30,6 +30,8 @@ from reports.numerals import outcome, shown
 from reports.style import WORDS
 from reports.svg import Picture
 
+_LONG = 400  # characters
+
 
 def markup(text: str) -> str:
     """Plain text as markup that shows it letter for letter, between tags and in attributes."""
@@ -123,7 +125,12 @@ def _cell(cell: Cell, column: Column) -> str:
     verdict = str(cell) if column.kind == "verdict" and cell in ("pass", "fail") else ""
     empty = "empty" if cell is None or cell == "" else ""
     value = f' data-value="{cell!r}"' if number else ""
-    return f"<td{_classes(_kind(column), verdict, empty)}{value}>{markup(shown(cell, column.kind))}</td>"
+    return f"<td{_classes(_kind(column), verdict, empty)}{value}>{_whole(shown(cell, column.kind))}</td>"
+
+
+def _whole(text: str) -> str:
+    """The text of a cell; a long one scrolls within it."""
+    return markup(text) if len(text) <= _LONG else f'<div class="long" tabindex="0">{markup(text)}</div>'
 
 
 def _kind(column: Column) -> str:

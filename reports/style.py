@@ -77,6 +77,7 @@ PROCEDURES: dict[str, Pen] = {
     "dmi2008-linear": Pen("#e69f00", "-", "s"),
     "dmi2008-nonlinear": Pen("#d55e00", "-", "^"),
     "dmi2008-nonlinear-thesis": Pen("#d55e00", "--", "^"),
+    "dmi2008-history": Pen("#8c564b", "-.", "D"),
     "ntc2018-linear": Pen("#cc79a7", "-", "s"),
     "ntc2018-nonlinear": Pen("#009e73", "-", "v"),
     "ntc2018-history": Pen("#6b4c9a", "-.", "D"),

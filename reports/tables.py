@@ -24,6 +24,10 @@ from reports.document import Cell, Column, Table
 from reports.numerals import as_cell, given
 
 OVERTURNED, NO_ROCKING, NONE = "overturned", "no rocking", "none"
+_RATINGS = (  # of a check, where the code and the site have them
+    ("safety_index", Column("Safety index", "-", "number")),
+    ("return_period_years", Column("Return period", "years", "number")),
+)
 _MECHANISM, _LEVEL, _PROCEDURE = Column("Mechanism"), Column("PGA", "g", "number"), Column("Procedure")
 
 PARAMETERS: tuple[tuple[str, str, str], ...] = (
@@ -236,6 +240,7 @@ def loads(mechanism: MechanismResult, *, name: str) -> Table:
 
 def demands(mechanism: MechanismResult, *, name: str) -> Table:
     """Every check of one mechanism: demand, allowable, ratio and verdict, and the accelerations it stands up to."""
+    rated = [rating for rating in _RATINGS if any(getattr(check, rating[0]) is not None for check in mechanism.checks)]
     columns = (
         _LEVEL,
         _PROCEDURE,
@@ -246,16 +251,21 @@ def demands(mechanism: MechanismResult, *, name: str) -> Table:
         Column("Rotation φ/φₒᵥ", "-", "number"),
         Column("PGA at uplift", "g", "number"),
         Column("PGA at capacity", "g", "number"),
+        *(column for _, column in rated),
         Column("Verdict", kind="verdict"),
     )
-    rows = tuple(_demand(check, mechanism.checks) for check in mechanism.checks)
+    rows = tuple(
+        (*_demand(check, mechanism.checks), *(getattr(check, key) for key, _ in rated), check.verdict)
+        for check in mechanism.checks
+    )
     muted = frozenset(place for place, check in enumerate(mechanism.checks) if check.role == "informative")
     soft = any(check.uplift_pga_g is None for check in mechanism.checks)
+    rating = " Safety index: PGA at capacity over that demanded; return period: of the capacity." if rated else ""
     return Table(
         name,
         "Demand, allowable, ratio and verdict of every check; the peak ground acceleration at uplift"
         f"{' (none: its joints answer to any motion)' * soft} and at capacity. "
-        "Informative readings (grey) decide nothing.",
+        f"Informative readings (grey) decide nothing.{rating}",
         columns,
         rows,
         muted,
@@ -489,7 +499,7 @@ def numbers(check: Check, among: tuple[Check, ...]) -> tuple[Cell, Cell, Cell, C
 def _demand(check: Check, among: tuple[Check, ...]) -> tuple[Cell, ...]:
     rotation = OVERTURNED if governing.fell(check) else _rocking(check.rotation_ratio)
     accelerations = (uplift(check.uplift_pga_g), check.capacity_pga_g)
-    return (check.level_pga_g, *numbers(check, among), rotation, *accelerations, check.verdict)
+    return (check.level_pga_g, *numbers(check, among), rotation, *accelerations)
 
 
 def _remark(check: Check) -> str:

@@ -156,6 +156,11 @@ def part_amplification(period_ratio: ArrayLike, damping: float, *, beta: float) 
     return np.asarray(((2.0 * xi * r) ** 2 + (1.0 - r**2) ** 2) ** -beta)
 
 
+def resonance_factor(mode: Mode, damping: float) -> float:
+    """A = 1.1 xi_k^-0.5 eta(xi) [-], at least 1, with xi_k as a ratio. Source: Circolare 7/2019, C7.2.6."""
+    return float(max(1.1 * mode.damping**-0.5 * ec8_eta(damping), 1.0))
+
+
 def circolare2019_frame(
     period: ArrayLike, *, ground: float, height: float, building_height: float, building_period: float
 ) -> FloatArray:
@@ -186,8 +191,7 @@ def _modal_floor_acceleration(spectrum: Spectrum, mode: Mode) -> float:
 
 def _modal_floor_spectrum(period: FloatArray, spectrum: Spectrum, mode: Mode, damping: float) -> FloatArray:
     """S_eZ,k [m/s2] (C7.2.6): rises from a_Z,k at T = 0 to A a_Z,k about T_k, and falls."""
-    a, b = PLATEAU
-    A = max(1.1 * mode.damping**-0.5 * ec8_eta(damping), 1.0)
+    (a, b), A = PLATEAU, resonance_factor(mode, damping)
     rising = np.maximum(1.0 - period / (a * mode.period), 0.0) ** 1.6
     falling = np.maximum(period / (b * mode.period) - 1.0, 0.0) ** 1.2
     return np.asarray(A * _modal_peak(spectrum, mode) / (1.0 + (A - 1.0) * (rising + falling)))

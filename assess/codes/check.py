@@ -45,6 +45,8 @@ class Check:
     `rotation_ratio` and `allowable_ratio` put the same answer as rotation /
     rigid overturning rotation of the branch, None where the procedure knows no rotation or the body overturned.
     `score`: what the code itself counts the answer in, by name, as {"%NBS": 43.1}; empty where it has nothing.
+    `safety_index` (capacity over demand, both as PGA) and `return_period_years` of the capacity stand where the code
+    and the site have them.
     """
 
     procedure: str
@@ -71,3 +73,5 @@ class Check:
     steps: tuple[Step, ...]
     caveat: str
     score: dict[str, float] = field(default_factory=dict)
+    safety_index: float | None = None
+    return_period_years: float | None = None

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Literal
 
@@ -40,17 +41,41 @@ class Building:
 
 
 @dataclass(frozen=True)
+class Hazard:
+    """What an Italian site gives over return periods.
+
+    spectra : the elastic spectrum of each limit state that the rows reach, by name
+    return_period, pga : of each row, rising in return period [n] [years], [n] [m/s2] at the surface, S a_g
+    """
+
+    spectra: Mapping[str, Spectrum]
+    return_period: tuple[float, ...]
+    pga: tuple[float, ...]
+
+
+@dataclass(frozen=True)
+class FreePeriod:
+    """T_0 of an element that vibrates before it lifts off [s], and how it was found, for the calculation sheets."""
+
+    value: float
+    formula: str
+    substituted: str
+
+
+@dataclass(frozen=True)
 class Suite:
     """Largest rocking responses of one branch pair to all records at one level, the worse polarity of each.
 
     pga : level, peak ground acceleration of the target [m/s2]
     ratio : largest |rotation| / rigid overturning rotation of each record, None where it overturned
     branch : where the largest of them happened
+    branches : where the largest of each record happened; empty: all on `branch`
     """
 
     pga: float
     ratio: tuple[float | None, ...]
     branch: BranchName
+    branches: tuple[BranchName, ...] = ()
 
     @property
     def overturned(self) -> int:
@@ -80,6 +105,8 @@ class Context:
     incremental : further suites at rising PGA, for the curve and the PGA at collapse; empty when none were run
     support : how the masonry is held: it stands free on its base, spans between two supports, or is a chain of hinges
     wall : its size, None where the mechanism is no wall or has no geometry
+    hazard : of an Italian site over return periods; None where the site has but one spectrum
+    free_period : of an element that vibrates before it lifts off; None where the project gives none
     """
 
     spectrum: Spectrum
@@ -94,6 +121,8 @@ class Context:
     amplification: float = 1.0
     support: Support = "free"
     wall: Wall | None = None
+    hazard: Hazard | None = None
+    free_period: FreePeriod | None = None
 
     @property
     def support_height(self) -> float:

@@ -7,7 +7,8 @@ from collections.abc import Callable
 from assess.amplification import Carried, carried
 from assess.codes.check import Check
 from assess.codes.context import Context
-from assess.codes.registry import procedure
+from assess.codes.italian.history import suites_needed
+from assess.codes.registry import history_rules, procedure
 from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.oscillation import oscillator
 from assess.oscillator import Oscillator
@@ -19,7 +20,6 @@ from assess.project.wall_size import SUPPORTS, wall_of
 from assess.results import MechanismResult
 from spectra.spectrum import Spectrum
 
-HISTORY_PROCEDURE = "asce43-05-history"
 Progress = Callable[[str, int, int], None]
 
 
@@ -35,8 +35,9 @@ def mechanisms_assessed(
         shaken,
         motions,
         levels=study.levels,
+        besides=besides(study, spectrum),
         site_pga=spectrum.pga,
-        scanned=HISTORY_PROCEDURE in study.procedures,
+        scanned=any(name.endswith("-history") for name in study.procedures),
         threads=jobs,
         progress=progress,
     )
@@ -44,6 +45,15 @@ def mechanisms_assessed(
         assessed(study, spectrum, motions, mechanism, one, rocked[mechanism.name])
         for mechanism, one in zip(study.mechanisms, shaken, strict=True)
     )
+
+
+def besides(study: Study, spectrum: Spectrum) -> tuple[float, ...]:
+    """PGA [m/s2] at which procedures want suites besides those of the levels: limit states of their own, FC."""
+    wanted: list[float] = []
+    for name, (rule, options) in history_rules(study.options).items():
+        if name in study.procedures:
+            wanted += suites_needed(study.levels, study.hazard, spectrum, rule=rule, options=options)
+    return tuple(dict.fromkeys(wanted))
 
 
 def at_base(amplified: Amplified, motions: tuple[Motion, ...]) -> tuple[Carried, ...]:
@@ -87,7 +97,11 @@ def context_of(
         histories_at="ground" if study.amplified[mechanism.name].height is None else "mechanism base",
         amplification=max((each.factor for each in base), default=1.0),
         linearised=study.equations[mechanism.name] == "linearised",
-        incremental=tuple(sorted((*rocked.scan, *suites), key=lambda suite: suite.pga)) if rocked.scan else (),
+        incremental=tuple(sorted((*rocked.scan, *rocked.besides, *suites), key=lambda suite: suite.pga))
+        if rocked.scan
+        else (),
+        hazard=study.hazard,
+        free_period=study.free_periods.get(mechanism.name),
     )
 
 

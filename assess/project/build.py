@@ -11,16 +11,12 @@ from pathlib import Path
 
 import numpy as np
 
-from assess.codes.asce41_13.clauses import Options as Asce41Options
 from assess.codes.context import Building
-from assess.codes.dmi2008.clauses import Options as Dmi2008Options
-from assess.codes.en1998_1.clauses import Options as Ec8Options
-from assess.codes.nzsee2017.clauses import Options as Nzsee2017Options
-from assess.codes.registry import CodeOptions
 from assess.errors import ProjectError
 from assess.geometry.solid import Solid
 from assess.project import record_set, sections
 from assess.project.amplification import Standing, amplified
+from assess.project.asking import as_asked, free_periods_of, options_of, procedures_of
 from assess.project.bodies import solid_of
 from assess.project.components import horizontal, left_out
 from assess.project.dependents import dependents
@@ -29,7 +25,7 @@ from assess.project.messages import located, shown
 from assess.project.notices import notices_of
 from assess.project.record_set import RecordSet
 from assess.project.schema import Project, relative, resolved
-from assess.project.site_spectrum import spectrum_of
+from assess.project.site_spectrum import hazard_over_periods, spectrum_of
 from assess.project.study import Artificial, Case, Equation, Fitting, PulseGrid, Study, Sweep
 from assess.project.variables import variables_of
 from assess.project.variations import Variant, Variation
@@ -81,7 +77,7 @@ def study_of(project: Project, *, executor: Executor | None = None) -> Study:
         records=named.records,
         fitting=named.fitting,
         inputs=tuple(inputs_of(project, named.records)),
-        resolved=resolved(project),
+        resolved=as_asked(resolved(project), content),
         notices=(
             *project.doubts,
             *(Notice("site-study", "site.spectrum", text) for text in (spectrum.cautions if spectrum else ())),
@@ -107,7 +103,7 @@ def part_of(content: sections.Content, files: Files, *, names: Iterable[str]) ->
         artificial=None if synthetic is None else Artificial(synthetic.count, synthetic.seed, synthetic.duration),
         scale_to=content.records.scale_to,
         levels=levels_of(content.analysis.levels, files.spectrum),
-        procedures=(*content.analysis.procedures, *content.offered),
+        procedures=procedures_of(content),
         offered=content.offered,
         options=options_of(content.procedures),
         mechanisms=tuple(each.mechanism for each in built),
@@ -122,6 +118,8 @@ def part_of(content: sections.Content, files: Files, *, names: Iterable[str]) ->
         notices=(),
         sweeps=(),
         pulses=None if content.analysis.pulses is None else grid_of(content.analysis.pulses),
+        hazard=None if site is None else hazard_over_periods(site),
+        free_periods=free_periods_of(content),
     )
 
 
@@ -181,16 +179,6 @@ def equation_of(section: sections.Mechanism, content: sections.Content) -> Equat
     """The equation of motion asked for, or the default of the kind: linearised for equivalent blocks, else exact."""
     default: Equation = "linearised" if isinstance(section, sections.EquivalentBlock) else "exact"
     return content.analysis.equation or default
-
-
-def options_of(section: sections.Procedures) -> CodeOptions:
-    """The options of every code."""
-    return CodeOptions(
-        dmi2008=Dmi2008Options(**section.dmi2008.model_dump()),
-        nzsee2017=Nzsee2017Options(**section.nzsee2017.model_dump()),
-        asce41_13=Asce41Options(**section.asce41_13.model_dump()),
-        ec8=Ec8Options(**section.ec8.model_dump()),
-    )
 
 
 def grid_of(section: sections.Pulses) -> PulseGrid:

@@ -42,10 +42,11 @@ class Shaken:
 
 @dataclass(frozen=True)
 class Rocking:
-    """Histories of one mechanism: [level][record] in the worse polarity, and the suites of the scan."""
+    """Histories of one mechanism: [level][record] in the worse polarity, the suites of the scan and those besides."""
 
     histories: tuple[tuple[HistoryResult, ...], ...]
     scan: tuple[Suite, ...]
+    besides: tuple[Suite, ...]
 
 
 def rocking(
@@ -53,18 +54,21 @@ def rocking(
     motions: Sequence[Motion],
     *,
     levels: Sequence[float],
+    besides: Sequence[float],
     site_pga: float,
     scanned: bool,
     threads: int,
     progress: Progress,
 ) -> dict[str, Rocking]:
-    """Histories of every mechanism at `levels` [m/s2], and its scan where `scanned`."""
+    """Histories of every mechanism at `levels` [m/s2], suites at other PGA `besides`, and its scan where `scanned`."""
     done: dict[str, Rocking] = {}
     for count, one in enumerate(shaken):
         progress("rocking histories", count, len(shaken))
-        runs = run_levels(one, motions, levels=levels, site_pga=site_pga, threads=threads)
+        every = (*levels, *besides)
+        runs = run_levels(one, motions, levels=every, site_pga=site_pga, threads=threads)
+        suites = tuple(suite_of(runs[place], pga=every[place]) for place in range(len(levels), len(every)))
         scan = scan_of(one, motions, site_pga=site_pga, threads=threads) if scanned else ()
-        done[one.name] = Rocking(runs, scan)
+        done[one.name] = Rocking(runs[: len(levels)], scan, suites)
     progress("rocking histories", len(shaken), len(shaken))
     return done
 
@@ -116,7 +120,8 @@ def _mildness(history: HistoryResult) -> float:
 def suite_of(histories: Sequence[HistoryResult], *, pga: float) -> Suite:
     """The maxima of all records at `pga` [m/s2]; the branch is that of the worst record."""
     worst = min(histories, key=_mildness)
-    return Suite(pga, tuple(history.max_rotation_ratio for history in histories), worst.branch)
+    ratios, branches = tuple(h.max_rotation_ratio for h in histories), tuple(h.branch for h in histories)
+    return Suite(pga, ratios, worst.branch, branches)
 
 
 def scan_of(shaken: Shaken, motions: Sequence[Motion], *, site_pga: float, threads: int) -> tuple[Suite, ...]:

@@ -10,11 +10,13 @@ from assess.geometry.formats.reading import WITHOUT_UNIT
 from assess.geometry.solid import Solid
 from assess.mechanisms.mechanism import Mechanism
 from assess.project import sections
+from assess.project.asking import procedures_of
 from assess.project.gaps import gaps_of
 from assess.project.overlaps import overlaps_of
 from assess.project.study import Amplified, Equation
 from assess.results import Notice
 
+CIRCULARS = {"dmi2008": "Circolare 617/2009", "ntc2018": "Circolare 7/2019"}
 SAME_MODE = 0.05  # by how much two first modes of one building may differ
 
 
@@ -38,9 +40,9 @@ def notices_of(
     raised = [mechanism.name for mechanism in mechanisms if mechanism.elevation > ground + ON_GROUND]
     yield from _of_amplification(raised, amplified)
     yield from _of_two_first_modes(content)
-    italian = any(name.startswith("dmi2008") for name in content.analysis.procedures)
-    if italian and content.procedures.dmi2008.confidence_factor == 1.0:
-        yield from _of_crushing(mechanisms)
+    for code, circular in CIRCULARS.items():
+        if any(name.startswith(code) for name in procedures_of(content)):
+            yield from _of_crushing(code, circular, getattr(content.procedures, code), mechanisms)
 
 
 def _of_amplification(raised: Sequence[str], amplified: Mapping[str, Amplified]) -> Iterator[Notice]:
@@ -84,16 +86,21 @@ def _of_equation(equation: Equation | None, mechanisms: Sequence[Mechanism]) -> 
         )
 
 
-def _of_crushing(mechanisms: Sequence[Mechanism]) -> Iterator[Notice]:
-    """The confidence factor that goes with a model without crushing, for the mechanisms that have none."""
-    without = [mechanism.name for mechanism in mechanisms if not mechanism.crushing]
-    text = "FC = 1.00 stands for knowledge level LC3"
+def _of_crushing(
+    code: str, circular: str, options: sections.Italian, mechanisms: Sequence[Mechanism]
+) -> Iterator[Notice]:
+    """A confidence factor nobody vouched for, or less than goes with mechanisms without crushing."""
+    FC, without = options.confidence_factor, [mechanism.name for mechanism in mechanisms if not mechanism.crushing]
+    least = sections.KNOWLEDGE["LC1"]
+    if least <= FC or (FC > 1.0 and not without):
+        return
+    text = "FC = 1.00 stands for knowledge level LC3" if FC == 1.0 else f"FC = {FC:.2f}"
     if without:
         here = "as here" if len(without) == len(mechanisms) else f"as in {', '.join(without)}"
         text += (
-            f"; where crushing of the masonry is not modelled, {here}, Circolare 617/2009 asks for the FC of LC1, 1.35"
+            f"; where crushing of the masonry is not modelled, {here}, {circular} asks for the FC of LC1, {least:.2f}"
         )
-    yield Notice("confidence-factor", "procedures.dmi2008", text)
+    yield Notice("confidence-factor", f"procedures.{code}", text)
 
 
 def _of_body(name: str, solid: Solid, body: sections.Body) -> Iterator[Notice]:

@@ -92,7 +92,7 @@ def _case_of(swept: Swept) -> str:
 
 def envelope_notices(study: Study) -> tuple[Notice, ...]:
     """What the engineer should know of envelopes: no procedure of a code is asked."""
-    kept = tuple(notice for notice in study.notices if notice.where != "procedures.dmi2008")
+    kept = tuple(notice for notice in study.notices if notice.code != "confidence-factor")
     if not study.sweeps:
         return kept
     keys = ", ".join(sweep.key for sweep in study.sweeps)

@@ -170,10 +170,7 @@ def resolved(project: Project) -> dict[str, Resolved]:
 
     Paths are written relative to the project file.
     """
-    content = project.content
-    found = dict(_resolved("", content, True, project.folder))
-    asked = [*content.analysis.procedures, *content.offered]
-    return {**found, "analysis.procedures": Resolved(asked, content.analysis.given("procedures"))}
+    return dict(_resolved("", project.content, True, project.folder))
 
 
 def _resolved(key: str, value: Any, given: bool, folder: Path) -> Iterator[tuple[str, Resolved]]:

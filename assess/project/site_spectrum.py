@@ -7,6 +7,7 @@ from dataclasses import replace
 from functools import singledispatch
 from pathlib import Path
 
+from assess.codes.context import Hazard
 from assess.errors import ProjectError
 from assess.project import sections
 from assess.project.messages import located
@@ -137,10 +138,45 @@ def hazard_of(section: NtcSection) -> ntc.Hazard:
     """The hazard given, or that of the limit state."""
     if isinstance(section, sections.NtcSpectrum):
         return ntc.Hazard(section.a_g, section.f_0, section.t_c_star)
-    rows = [ntc.Hazard(row.a_g, row.f_0, row.t_c_star, row.return_period) for row in section.hazard]
     return ntc.limit_state_hazard(
-        rows, limit_state=section.limit_state, nominal_life=section.nominal_life, use_class=section.use_class
+        rows_of(section),
+        limit_state=section.limit_state,
+        nominal_life=section.nominal_life,
+        use_class=section.use_class,
     )
+
+
+def hazard_over_periods(site: sections.Site) -> Hazard | None:
+    """Spectra of the limit states and PGA of each row, scaled as the site's spectrum is; None without such a table.
+
+    A limit state whose return period lies outside the rows has no spectrum.
+    """
+    section = site.spectrum
+    if not isinstance(section, sections.NtcHazardSpectrum):
+        return None
+    with located("site.spectrum"):
+        place, factor = place_of(section), spectrum_of(site).factor
+        amplified = [ntc.soil_factor(row, place.soil) * row.a_g for row in rows_of(section)]
+        spectra = {state: found for state in ntc.EXCEEDANCE if (found := state_spectrum(section, state)) is not None}
+    return Hazard(
+        spectra={state: replace(found, factor=factor, damping=section.damping) for state, found in spectra.items()},
+        return_period=tuple(row.return_period for row in section.hazard),
+        pga=tuple(factor * ntc.topographic_factor(place) * each for each in amplified),
+    )
+
+
+def state_spectrum(section: sections.NtcHazardSpectrum, state: str) -> Spectrum | None:
+    """The spectrum of a limit state; None where the rows do not reach its return period."""
+    life = ntc.reference_life(section.nominal_life, use_class=section.use_class)
+    years = ntc.return_period(state, reference_life=life)
+    if not section.hazard[0].return_period <= years <= section.hazard[-1].return_period:
+        return None
+    return horizontal(section.model_copy(update={"limit_state": state}))
+
+
+def rows_of(section: sections.NtcHazardSpectrum) -> list[ntc.Hazard]:
+    """The rows of the hazard."""
+    return [ntc.Hazard(row.a_g, row.f_0, row.t_c_star, row.return_period) for row in section.hazard]
 
 
 def place_of(section: NtcSection) -> ntc.Place:

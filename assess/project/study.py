@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Literal
 
@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from assess.amplification import Amplification
-from assess.codes.context import Building
+from assess.codes.context import Building, FreePeriod, Hazard
 from assess.codes.registry import CodeOptions
 from assess.geometry.scene import Scene
 from assess.mechanisms.mechanism import Mechanism
@@ -80,6 +80,8 @@ class Study:
     """Site, motions, mechanisms and questions of one assessment.
 
     spectrum : the site's elastic spectrum at its own PGA; None where the project has no site
+    hazard : of an Italian site over return periods; None where the site has but one spectrum
+    free_periods : of the mechanisms that vibrate before they lift off, by name
     levels : PGA at which demands are compared, rising [m/s2]
     offered : those of the procedures that nobody asked for; shown where they decide
     equations : the equation of motion of each mechanism's histories, by name
@@ -111,6 +113,8 @@ class Study:
     notices: tuple[Notice, ...]
     sweeps: tuple[Sweep, ...]
     pulses: PulseGrid | None
+    hazard: Hazard | None
+    free_periods: Mapping[str, FreePeriod]
     variables: tuple[Variable | Unvaried, ...] = ()
 
 

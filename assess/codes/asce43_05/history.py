@@ -6,15 +6,14 @@ rotation the allowable (thesis 3.3.2 and 8.4.2, Table 8.10). A record that overt
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 from scipy.constants import g
 
 from assess.codes.asce43_05.clauses import EDITION, Options
 from assess.codes.check import BranchName, Check, InputAt, PgaCurve, Step, Verdict
 from assess.codes.context import Context, Suite
-from assess.codes.governing import branch_named, least
-from assess.oscillator import Oscillator, linearise, threshold
+from assess.codes.governing import branch_named
+from assess.codes.incremental import islands, pga_before_failure, pga_curve, uplift_multiplier
+from assess.oscillator import Oscillator
 
 CLAUSE = "ASCE 43-05, response-history method"
 CAVEAT = "the method was read in the thesis, not in the printed standard"
@@ -25,7 +24,9 @@ def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tup
     """One check for each level that has a suite of time histories."""
     curve = pga_curve(context.incremental)
     allowable = options.allowable_ratio * min(branch.unstable / branch.overturning for branch in oscillator.branches)
-    at_collapse = pga_at_collapse(context.incremental, allowable)
+    at_collapse = pga_before_failure(
+        context.incremental, lambda suite: passes(suite, allowable), least_records=LEAST_RECORDS
+    )
     lifts = uplift_multiplier(oscillator, linearised=context.linearised)
     return tuple(
         _check(
@@ -41,45 +42,9 @@ def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tup
     )
 
 
-def uplift_multiplier(oscillator: Oscillator, *, linearised: bool) -> float | None:
-    """The least PGA [g] at which the equation of the histories lets the mechanism lift off; None without a threshold.
-
-    The linearised equation has one, even on joints that answer to any motion.
-    """
-    if linearised:
-        return min(linearise(branch).multiplier for branch in oscillator.branches)
-    return least([threshold(branch) for branch in oscillator.branches])
-
-
 def passes(suite: Suite, allowable_ratio: float) -> bool:
     """Whether every record left the body standing and the mean of the maxima stays within the allowable."""
     return suite.mean is not None and suite.mean <= allowable_ratio
-
-
-def pga_curve(incremental: Sequence[Suite]) -> PgaCurve:
-    """Mean of the maxima over PGA, up to the first suite with a record that overturned."""
-    standing: list[tuple[float, float]] = []
-    for suite in incremental:
-        if suite.mean is None:
-            break
-        standing.append((suite.mean, suite.pga / g))
-    return PgaCurve(tuple(ratio for ratio, _ in standing), tuple(pga for _, pga in standing))
-
-
-def pga_at_collapse(incremental: Sequence[Suite], allowable_ratio: float) -> float | None:
-    """PGA [g] of the last suite before the first that fails; None if none failed, too few records, or no scan.
-
-    Responses are not monotone in PGA: a suite beyond the first failure may pass again, and does not count, so a level
-    can pass above this PGA.
-    """
-    last: float | None = None
-    for suite in incremental:
-        if len(suite.ratio) < LEAST_RECORDS:
-            return None
-        if not passes(suite, allowable_ratio):
-            return last
-        last = suite.pga / g
-    return None
 
 
 def _check(
@@ -113,7 +78,7 @@ def _check(
         capacity=allowable_ratio * overturning,
         ratio=None if mean is None else mean / allowable_ratio,
         verdict=verdict,
-        reason=reason + (_islands(at_collapse, suite.pga / g) if verdict == "pass" else ""),
+        reason=reason + (islands(at_collapse, suite.pga / g) if verdict == "pass" else ""),
         capacity_pga_g=at_collapse,
         uplift_pga_g=uplift,
         capacity_rotation_ratio=allowable_ratio,
@@ -139,13 +104,6 @@ def _verdict(suite: Suite, allowable_ratio: float) -> tuple[Verdict, str]:
     if passes(suite, allowable_ratio):
         return "pass", "mean of the maxima within the allowable"
     return "fail", "mean of the maxima beyond the allowable"
-
-
-def _islands(at_collapse: float | None, level: float) -> str:
-    """A remark where a level passes above the least PGA at which the scan fails."""
-    if at_collapse is None or level <= at_collapse:
-        return ""
-    return f", yet the scan already fails just above {at_collapse:.3g} g: responses do not grow steadily with PGA"
 
 
 def _steps(suite: Suite, allowable_ratio: float, overturning: float) -> tuple[Step, ...]:

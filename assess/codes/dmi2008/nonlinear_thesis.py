@@ -10,8 +10,9 @@ from scipy.constants import g
 
 from assess.codes.check import BranchName, Check, Step
 from assess.codes.context import Context
-from assess.codes.dmi2008.clauses import CAVEAT, DAMPING, EDITION, ULTIMATE, Options
+from assess.codes.dmi2008.clauses import DAMPING, EDITION, ULTIMATE
 from assess.codes.governing import branch_named, governing
+from assess.codes.italian.edition import Options
 from assess.codes.plain import plain
 from assess.codes.relation import PgaRelation, as_curve, demand, relation
 from assess.codes.spectral import spectral_answer
@@ -57,7 +58,7 @@ def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tup
         answer = spectral_answer(rotation, allowable, curve=curve, level=level, uplift=lifts, context=context)
         return Check(
             procedure="dmi2008-nonlinear-thesis",
-            edition=EDITION,
+            edition=EDITION.name,
             role="informative",
             branch=name,
             limit_state="SLV",
@@ -78,7 +79,7 @@ def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tup
             rotation_ratio=None if rotation is None else rotation / branch.overturning,
             pga_curve=as_curve(curve, branch),
             steps=_steps(like, branch, context, level=level, rotation=rotation, at_collapse=answer.capacity_pga_g),
-            caveat=CAVEAT,
+            caveat=EDITION.caveat,
         )
 
     return governing(like, context.levels, one)

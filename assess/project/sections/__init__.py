@@ -14,6 +14,7 @@ from assess.project.sections.analysis import PROCEDURES, Procedures, Records
 from assess.project.sections.bodies import Body, BoxBody, DirectBody, Material, MeshBody, ProfileBody
 from assess.project.sections.content import Content
 from assess.project.sections.interfaces import Interface, Shape
+from assess.project.sections.italian import KNOWLEDGE, FreeElement, Italian
 from assess.project.sections.loads import BodyLoad, ForceLoad, LoadTable, MassLoad, OverburdenLoad, TieLoad
 from assess.project.sections.mechanisms import (
     Chained,
@@ -45,6 +46,7 @@ from assess.project.sections.spectra import (
 from assess.project.sections.sweeps import Sweep
 
 __all__ = [
+    "KNOWLEDGE",
     "PROCEDURES",
     "SHARE",
     "Asce7MappedSpectrum",
@@ -66,8 +68,10 @@ __all__ = [
     "ForceLoad",
     "FourHinge",
     "FourHinges",
+    "FreeElement",
     "Hinges",
     "Interface",
+    "Italian",
     "LoadTable",
     "MassLoad",
     "Material",

@@ -8,7 +8,6 @@ from pydantic import AfterValidator, Field, StrictInt, model_validator
 from pydantic_core import PydanticCustomError
 
 from assess.codes.asce41_13.clauses import Position
-from assess.codes.family import HOMES
 from assess.project.quantities import (
     AccelerationUnit,
     Count,
@@ -22,6 +21,7 @@ from assess.project.quantities import (
     unique,
 )
 from assess.project.section import Section, listed, wrong
+from assess.project.sections.italian import Dmi2008, Ntc2018
 from assess.project.sections.pulses import Pulses
 from assess.project.sections.select import Select
 from assess.project.sections.sensitivity import Asked
@@ -37,9 +37,12 @@ Procedure = Literal[
     "nzsee2017-face-loaded",
     "asce41-13-ht",
     "ec8-element",
+    "dmi2008-history",
+    "ntc2018-linear",
+    "ntc2018-nonlinear",
+    "ntc2018-history",
 ]
 PROCEDURES: tuple[Procedure, ...] = get_args(Procedure)
-EVERYWHERE = tuple(name for name in PROCEDURES if name not in HOMES)
 
 
 SOURCES = ("measured", "literature", "assumed")
@@ -105,9 +108,8 @@ class Analysis(Section):
         None
     )
     """peak ground accelerations at which demands are compared; the site's own if absent"""
-    procedures: Annotated[tuple[Procedure, ...], Field(min_length=1), AfterValidator(unique("procedure"))] = EVERYWHERE
-    """code procedures to apply; if absent these, and those that the site's code brings with it where they decide:
-    asce41-13-ht in America, nzsee2017-face-loaded in New Zealand"""
+    procedures: Annotated[tuple[Procedure, ...], Field(min_length=1), AfterValidator(unique("procedure"))] | None = None
+    """code procedures to apply; if absent all that apply at the site"""
     equation: Literal["exact", "linearised"] | None = None
     """equation of motion of the histories; if absent exact, and linearised for equivalent blocks"""
     pulses: Pulses | None = None
@@ -121,17 +123,6 @@ class Analysis(Section):
     def sweeps(self) -> tuple[Sweep, ...]:
         """Every sweep, in order."""
         return self.sweep if isinstance(self.sweep, tuple) else (self.sweep,)
-
-
-class Dmi2008(Section):
-    """Options of the Italian procedure (NTC 2008 with Circolare 617/2009)."""
-
-    confidence_factor: Annotated[Ratio, Field(ge=1)] = 1.0
-    """FC of the level of knowledge: LC1 1.35, LC2 1.20, LC3 1.00"""
-    limit_states: Annotated[
-        tuple[Literal["SLD", "SLV"], ...], Field(min_length=1), AfterValidator(unique("limit state"))
-    ] = ("SLV",)
-    """limit states to check"""
 
 
 class Nzsee2017(Section):
@@ -163,7 +154,9 @@ class Procedures(Section):
     """Options of the code procedures, one table each."""
 
     dmi2008: Dmi2008 = Field(default_factory=Dmi2008)
-    """options of dmi2008-linear and dmi2008-nonlinear"""
+    """options of the procedures dmi2008-…"""
+    ntc2018: Ntc2018 = Field(default_factory=Ntc2018)
+    """options of the procedures ntc2018-…"""
     nzsee2017: Nzsee2017 = Field(default_factory=Nzsee2017)
     """options of nzsee2017-face-loaded"""
     asce41_13: Asce41 = Field(default_factory=Asce41, alias="asce41-13")

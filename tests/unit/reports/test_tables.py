@@ -83,6 +83,20 @@ def test_joints_without_a_threshold_have_no_pga_at_uplift(results: Results) -> N
         assert ("joints answer to any motion" in table.caption) == (mechanism is soft)
 
 
+def test_safety_index_and_return_period_stand_only_where_some_check_has_them(results: Results) -> None:
+    one = results.mechanisms[0]
+    first, *others = one.checks
+    rated = replace(first, safety_index=0.8, return_period_years=210.0)
+    for checks, expected in ((one.checks, []), ((rated, *others), ["Safety index", "Return period"])):
+        table = tables.demands(replace(one, checks=tuple(checks)), name="d")
+        labels = [column.label for column in table.columns]
+        assert [label for label in labels if label in ("Safety index", "Return period")] == expected
+        assert all(len(row) == len(labels) for row in table.rows)
+        assert [row[-1] for row in table.rows] == [check.verdict for check in checks]
+    assert table.rows[0][-3:-1] == (0.8, 210.0)
+    assert table.rows[1][-3:-1] == (None, None)
+
+
 def test_parameters_show_both_branches(results: Results) -> None:
     two, one = (tables.parameters(mechanism, name="p") for mechanism in results.mechanisms)
     assert all(row[2] == row[3] for row in two.rows)

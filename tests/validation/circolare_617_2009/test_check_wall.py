@@ -12,13 +12,13 @@ from scipy.constants import g
 from assess.codes.context import Building, Context
 from assess.codes.dmi2008 import linear, nonlinear
 from assess.codes.dmi2008.clauses import (
-    Options,
     capacity_of,
     floor_acceleration,
     floor_displacement,
-    floor_of,
     ground_displacement,
 )
+from assess.codes.italian.edition import Options
+from assess.codes.italian.floor import floor_of
 from assess.geometry.planar import planar
 from assess.geometry.solid import box
 from assess.mechanisms.oscillation import oscillator

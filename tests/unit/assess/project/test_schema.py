@@ -223,7 +223,7 @@ WRONG: dict[str, tuple[str | bytes, str]] = {
     "unknown code": (changed("asce7-05", "ec9"), 'site.spectrum.code: "ec9": not supported; write one of "asce7-05"'),
     "no code": (changed('code = "asce7-05"', ""), "site.spectrum.code: missing; write one of"),
     "unknown kind": (changed("single-block", "three-block"), 'mechanisms.wall.kind: "three-block": not supported'),
-    "unknown procedure": (PROJECT + 'procedures = ["ntc2018-linear"]', 'analysis.procedures[1]: "ntc2018-linear": '),
+    "unknown procedure": (PROJECT + 'procedures = ["ntc2028-linear"]', 'analysis.procedures[1]: "ntc2028-linear": '),
     "unknown material": (
         changed('"brick"', '"stone"'),
         'bodies.wall.material: "stone": no such material; known: "brick"',

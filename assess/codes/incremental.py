@@ -1,0 +1,57 @@
+"""Suites of time histories at rising PGA: the curve they make, and the PGA at which they begin to fail."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from scipy.constants import g
+
+from assess.codes.check import PgaCurve
+from assess.codes.context import Suite
+from assess.codes.governing import least
+from assess.oscillator import Oscillator, linearise, threshold
+
+
+def uplift_multiplier(oscillator: Oscillator, *, linearised: bool) -> float | None:
+    """The least PGA [g] at which the equation of the histories lets the mechanism lift off; None without a threshold.
+
+    The linearised equation has one, even on joints that answer to any motion.
+    """
+    if linearised:
+        return min(linearise(branch).multiplier for branch in oscillator.branches)
+    return least([threshold(branch) for branch in oscillator.branches])
+
+
+def pga_curve(incremental: Sequence[Suite]) -> PgaCurve:
+    """Mean of the maxima over PGA, up to the first suite with a record that overturned."""
+    standing: list[tuple[float, float]] = []
+    for suite in incremental:
+        if suite.mean is None:
+            break
+        standing.append((suite.mean, suite.pga / g))
+    return PgaCurve(tuple(ratio for ratio, _ in standing), tuple(pga for _, pga in standing))
+
+
+def pga_before_failure(
+    incremental: Sequence[Suite], passes: Callable[[Suite], bool], *, least_records: int
+) -> float | None:
+    """PGA [g] of the last suite before the first that fails; None if none failed, too few records, or no scan.
+
+    Responses are not monotone in PGA: a suite beyond the first failure may pass again, and does not count, so a level
+    can pass above this PGA.
+    """
+    last: float | None = None
+    for suite in incremental:
+        if len(suite.ratio) < least_records:
+            return None
+        if not passes(suite):
+            return last
+        last = suite.pga / g
+    return None
+
+
+def islands(at_collapse: float | None, level: float) -> str:
+    """A remark where a level passes above the least PGA at which the scan fails, both in g."""
+    if at_collapse is None or level <= at_collapse:
+        return ""
+    return f", yet the scan already fails just above {at_collapse:.3g} g: responses do not grow steadily with PGA"

@@ -1,0 +1,62 @@
+"""The linear check of either edition: the acceleration of activation against that of ground and floor."""
+
+from __future__ import annotations
+
+from scipy.constants import g
+
+from assess.codes.check import Check, PgaCurve, Step
+from assess.codes.italian.edition import Edition
+from assess.codes.italian.floor import Demands, floor_of, judged, unanswerable
+from assess.codes.italian.limit_state import Case
+
+
+def acceleration_check(
+    case: Case,
+    edition: Edition,
+    *,
+    procedure: str,
+    capacity: float,
+    demands: Demands,
+    uplift: float | None,
+    damping: float,
+    steps: tuple[Step, ...],
+) -> Check:
+    """a0* = `capacity` [m/s2] against the larger of the `demands` [m/s2]; uplift: its PGA [m/s2]."""
+    demanded = demands.largest
+    verdict, reason = judged(
+        demanded / capacity,
+        unanswerable(case.context),
+        passed="a0* covers the demand",
+        failed="a0* is less than the demand",
+    )
+    return Check(
+        procedure=procedure,
+        edition=edition.name,
+        role="code",
+        branch=case.name,
+        limit_state=case.state,
+        level_pga_g=case.level / g,
+        input_at="ground" if floor_of(case.context) is None else "mechanism base",
+        damping=damping,
+        damping_rule="",
+        quantity="acceleration",
+        unit="m/s2",
+        demand=demanded,
+        capacity=capacity,
+        ratio=demanded / capacity,
+        verdict=verdict,
+        reason=reason,
+        capacity_pga_g=case.pga * capacity / demanded / g,
+        uplift_pga_g=None if uplift is None else uplift / g,
+        capacity_rotation_ratio=None,
+        rotation_ratio=None,
+        pga_curve=PgaCurve((), ()),
+        steps=steps,
+        caveat=edition.caveat,
+    )
+
+
+def ratio_step(clause: str, *, demanded: float, capacity: float) -> Step:
+    """The last line of the sheet."""
+    numbers = f"{demanded:.5g} / {capacity:.5g}"
+    return Step("demand / a0*", "ratio", clause, "demand / capacity", numbers, demanded / capacity, "-")

@@ -1,0 +1,129 @@
+"""The non-linear check of either edition: ultimate displacement against the spectral demand at a secant period."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import isclose, pi
+
+from scipy.constants import g
+
+from assess.codes.check import Check, PgaCurve, Step, Verdict
+from assess.codes.italian.edition import Edition
+from assess.codes.italian.floor import Demands, judged, unanswerable
+from assess.codes.italian.kinematic import rotation_at
+from assess.codes.italian.limit_state import Case
+from assess.codes.relation import as_curve, relation
+from assess.oscillator import FloatArray, displacement
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What an edition finds of one case.
+
+    ultimate : displacement capacity d* [m], written `symbol`; collapse : d0* [m]; e : e* [-]
+    period : secant, at which the demand is read [s], written `period_symbol`
+    wanted : displacement for each m/s2 of PGA [s2]; None where the spectrum ends before the period
+    starts : PGA [m/s2] up to which the mechanism does not rock, and its displacement there for each m/s2 of PGA [s2]
+    uplift : PGA at uplift [m/s2], None on joints without a threshold
+    """
+
+    ultimate: float
+    symbol: str
+    collapse: float
+    e: float
+    period: float
+    period_symbol: str
+    wanted: Demands | None
+    starts: float
+    still: float
+    uplift: float | None
+
+    def demand(self, pga: float) -> float | None:
+        """Displacement d* [m] at `pga` [m/s2]; None where the spectrum says nothing."""
+        if self.wanted is None:
+            return None
+        return pga * (self.still if pga <= self.starts else self.wanted.largest)
+
+
+def displacement_check(
+    case: Case, answer: Answer, edition: Edition, *, procedure: str, damping: float, rule: str, steps: tuple[Step, ...]
+) -> Check:
+    """The check of one case; damping [-] of the demand, by the spectrum's `rule`."""
+    branch, mass, demanded = case.branch, case.mass, answer.demand(case.pga)
+    rotation = None
+    if demanded is not None and demanded < answer.collapse:
+        rotation = rotation_at(branch, demanded * answer.e, mass=mass)
+    allowable = rotation_at(branch, answer.ultimate * answer.e, mass=mass)
+    verdict, reason = _verdict(case, answer, demanded)
+    wanted = answer.wanted
+    return Check(
+        procedure=procedure,
+        edition=edition.name,
+        role="code",
+        branch=case.name,
+        limit_state=case.state,
+        level_pga_g=case.level / g,
+        input_at="ground" if wanted is None else wanted.at,
+        damping=damping,
+        damping_rule=rule,
+        quantity="d*",
+        unit="m",
+        demand=demanded,
+        capacity=answer.ultimate,
+        ratio=None if demanded is None else demanded / answer.ultimate,
+        verdict=verdict,
+        reason=reason,
+        capacity_pga_g=None if wanted is None else max(answer.ultimate / wanted.largest, answer.starts) / g,
+        uplift_pga_g=None if answer.uplift is None else answer.uplift / g,
+        capacity_rotation_ratio=allowable / branch.overturning,
+        rotation_ratio=None if rotation is None else rotation / branch.overturning,
+        pga_curve=_curve(case, answer),
+        steps=steps,
+        caveat=edition.caveat,
+    )
+
+
+def collapse_step(case: Case, clause: str, *, collapse: float) -> Step:
+    """d0* as the calculation sheets print it."""
+    formula, at = "∫ B dφ / (M e*) to φ_ov", f"φ_ov = {case.branch.unstable:.5g}"
+    return Step("d0*", "displacement where a* = 0", clause, formula, at, collapse, "m")
+
+
+def ground_step(case: Case, clause: str, symbol: str, period: float, *, ordinate: float, moved: float) -> Step:
+    """S_De at a period [s] named `symbol` from S_e [m/s2], or from the displacements that the code gives beyond T_E."""
+    words, name = "demand at the ground", f"S_De({symbol})"
+    if isclose(moved, ordinate * (period / (2 * pi)) ** 2, rel_tol=1e-9):
+        numbers = f"{ordinate:.5g} · ({period:.5g} / 2π)²"
+        return Step(name, words, clause, f"S_e({symbol}) ({symbol} / 2π)²", numbers, moved, "m")
+    formula, numbers = "displacement spectrum, T > T_E", f"{symbol} = {period:.5g} s"
+    return Step(name, words, case.context.spectrum.clause, formula, numbers, moved, "m")
+
+
+def ratio_step(answer: Answer, clause: str, *, demanded: float) -> Step:
+    """The last line of the sheet."""
+    note = "ratio" if demanded else "ratio; below uplift nothing moves"
+    numbers = f"{demanded:.5g} / {answer.ultimate:.5g}"
+    symbol, ratio = f"demand / {answer.symbol}", demanded / answer.ultimate
+    return Step(symbol, note, clause, "demand / capacity", numbers, ratio, "-")
+
+
+def _curve(case: Case, answer: Answer) -> PgaCurve:
+    """PGA over rotation: the demand is proportional to PGA, for the period does not change with it."""
+    wanted = answer.wanted
+    if wanted is None:
+        return PgaCurve((), ())
+
+    def pga_of(rotation: FloatArray) -> FloatArray:
+        return displacement(case.branch, rotation, mass=case.mass) / (answer.e * wanted.largest)
+
+    return as_curve(relation(pga_of, overturning=case.branch.unstable, uplift=answer.starts), case.branch)
+
+
+def _verdict(case: Case, answer: Answer, demanded: float | None) -> tuple[Verdict, str]:
+    if demanded is None:
+        end, T = case.context.spectrum.longest_period, f"{answer.period_symbol} = {answer.period:.4g} s"
+        return "not-applicable", f"{T} lies beyond the end of the spectrum at {end:.4g} s: extend its table"
+    still = "no rocking: the demand does not lift the body off its base"
+    within = still if demanded == 0.0 else f"displacement within {answer.symbol}"
+    beyond = f"displacement beyond {answer.symbol}"
+    return judged(demanded / answer.ultimate, unanswerable(case.context), passed=within, failed=beyond)

@@ -1,0 +1,31 @@
+"""An edition of the Italian procedures: how it is cited, and what may be asked of it."""
+
+from __future__ import annotations
+
+from collections.abc import Container
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Edition:
+    """Name and caveat of an edition, and its clauses of the multiplier, the equivalent oscillator and the factor FC."""
+
+    name: str
+    caveat: str
+    multiplier: str
+    oscillator: str
+    confidence: str
+
+
+@dataclass(frozen=True)
+class Options:
+    """confidence_factor FC [-] of the knowledge level (LC1 1.35, LC2 1.20, LC3 1.00); limit_states to check;
+    behaviour_factor q of the linear check at SLV [-]."""
+
+    confidence_factor: float = 1.0
+    limit_states: tuple[str, ...] = ("SLV",)
+    behaviour_factor: float = 2.0
+
+    def among(self, known: Container[str]) -> tuple[str, ...]:
+        """The limit states asked for that a procedure knows."""
+        return tuple(state for state in self.limit_states if state in known)

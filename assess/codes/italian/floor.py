@@ -1,0 +1,70 @@
+"""A mechanism above the ground: what the clauses take of the building, and what cannot be answered without it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from assess.codes.check import InputAt, Verdict
+from assess.codes.context import ON_GROUND, Context
+from spectra.floor_spectrum import first_mode_factor
+
+
+@dataclass(frozen=True)
+class Floor:
+    """What the clauses need of the building: psi = Z/H, gamma = 3N/(2N+1), T1 [s], xi1 [-] of the first mode."""
+
+    psi: float
+    gamma: float
+    T1: float
+    damping: float
+
+
+@dataclass(frozen=True)
+class Demands:
+    """What the motion of the ground and of the floor demand of a mechanism, one unit for both; floor: 0 at ground."""
+
+    ground: float
+    floor: float
+
+    @property
+    def largest(self) -> float:
+        """The governing one: both must hold."""
+        return max(self.ground, self.floor)
+
+    @property
+    def at(self) -> InputAt:
+        """Where the governing one acts."""
+        return "mechanism base" if self.floor > self.ground else "ground"
+
+
+def floor_of(context: Context) -> Floor | None:
+    """psi, gamma, T1 of a mechanism above ground; None at the ground, or where the building is unknown.
+
+    Source: Circolare 617/2009, C8A.4.2.3; 7/2019, C7.2.10.
+    """
+    building = context.building
+    if context.elevation <= ON_GROUND or building is None or building.storeys is None:
+        return None
+    gamma = first_mode_factor(building.storeys)
+    return Floor(context.elevation / building.height, gamma, building.period, building.damping)
+
+
+def unanswerable(context: Context) -> str:
+    """Why the clause cannot pass the mechanism ("" when it can): above ground it also asks for the floor's motion."""
+    floor = floor_of(context)
+    if context.elevation <= ON_GROUND or (floor is not None and floor.psi <= 1.0):
+        return ""
+    stands = f"the mechanism stands {context.elevation:.4g} m above ground"
+    if floor is not None:
+        return f"{stands}, higher than the building: check [building] height and ground_elevation"
+    return (
+        f"{stands}, where the clause also asks for the floor's motion: give [building] height and storeys, and "
+        "ground_elevation where the ground is not at 0; the figures here are for the ground's motion alone"
+    )
+
+
+def judged(ratio: float, missing: str, *, passed: str, failed: str) -> tuple[Verdict, str]:
+    """Verdict and reason of a ratio of demand to capacity: where something is missing it can fail but not pass."""
+    if ratio > 1.0:
+        return "fail", failed
+    return ("not-applicable", missing) if missing else ("pass", passed)

@@ -1,0 +1,1 @@
+"""Italian procedure of NTC 2018 with Circolare 7/2019."""

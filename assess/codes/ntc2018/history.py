@@ -1,0 +1,25 @@
+"""Non-linear dynamic check of Circolare 7/2019, C8.7.1.2.1: no record beyond d0*, the mean within d_SLV or d_SLC."""
+
+from __future__ import annotations
+
+from assess.codes.check import Check
+from assess.codes.context import Context
+from assess.codes.italian import history
+from assess.codes.italian.edition import Options
+from assess.codes.italian.limit_state import rated
+from assess.codes.ntc2018.clauses import EDITION, ULTIMATE
+from assess.oscillator import Oscillator
+
+RULE = history.Rule(
+    procedure="ntc2018-history",
+    edition=EDITION,
+    clause="C8.7.1.2.1 (non-linear dynamic)",
+    shares={state: ultimate.share for state, ultimate in ULTIMATE.items()},
+)
+STATES = tuple(RULE.shares)
+
+
+def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tuple[Check, ...]:
+    """The suites of time histories against 0.4 d0* (SLV) and 0.6 d0* (SLC)."""
+    checks = history.assess(oscillator, context, rule=RULE, options=options)
+    return tuple(rated(check, context) for check in checks)

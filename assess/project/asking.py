@@ -1,0 +1,91 @@
+"""What is asked of the mechanisms: which procedures, with which options.
+
+Where the project names no procedures, those that apply at its site are asked: the edition of the Italian code that its
+spectrum is of decides, the other is left out; elsewhere DM 2008 without time histories stands beside ASCE 43-05.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from assess.codes.asce41_13.clauses import Options as Asce41Options
+from assess.codes.context import FreePeriod
+from assess.codes.en1998_1.clauses import Options as Ec8Options
+from assess.codes.italian.edition import Options
+from assess.codes.ntc2018.clauses import free_period
+from assess.codes.nzsee2017.clauses import Options as Nzsee2017Options
+from assess.codes.registry import LIMIT_STATES, CodeOptions
+from assess.errors import ProjectError
+from assess.project import sections
+from assess.project.messages import shown
+from assess.results import Resolved
+
+ASCE43 = ("asce43-05-spectrum", "asce43-05-spectrum-thesis", "asce43-05-history")
+DMI2008 = ("dmi2008-linear", "dmi2008-nonlinear", "dmi2008-nonlinear-thesis")
+AT_SITE: Mapping[str, tuple[str, ...]] = {  # by the code of the spectrum
+    "ntc2008": (*ASCE43, *DMI2008, "dmi2008-history"),
+    "ntc2018": (*ASCE43, "ntc2018-linear", "ntc2018-nonlinear", "ntc2018-history"),
+}
+ELSEWHERE = (*ASCE43, *DMI2008)
+
+
+def procedures_of(content: sections.Content) -> tuple[str, ...]:
+    """The procedures that the project names, or all that apply at its site and have one of its limit states.
+
+    Raises ProjectError for a procedure that is named and has none of the limit states asked for.
+    """
+    named = content.analysis.procedures
+    if named is None:
+        code = "" if content.site is None else content.site.spectrum.code
+        unasked = (*AT_SITE.get(code, ELSEWHERE), *content.offered)
+        return tuple(name for name in unasked if not _silent(name, content))
+    for name in named:
+        if states := _silent(name, content):
+            key = f"procedures.{name.split('-')[0]}.limit_states"
+            known = ", ".join(LIMIT_STATES[name])
+            raise ProjectError(f"{key}: {', '.join(states)}: {name} checks {known}; add one, or leave it out")
+    return named
+
+
+def _silent(name: str, content: sections.Content) -> tuple[str, ...]:
+    """The limit states asked for where a procedure has none of them; empty where it has an answer."""
+    if name not in LIMIT_STATES:
+        return ()
+    states: tuple[str, ...] = getattr(content.procedures, name.split("-")[0]).limit_states
+    return () if set(states) & set(LIMIT_STATES[name]) else states
+
+
+def as_asked(resolved: Mapping[str, Resolved], content: sections.Content) -> dict[str, Resolved]:
+    """The values of the project with the procedures that are asked, and without default options of other codes."""
+    names = procedures_of(content)
+    codes = {key: key.split(".")[1] for key in resolved if key.startswith("procedures.")}
+    idle = {key for key, code in codes.items() if not any(name.startswith(f"{code}-") for name in names)}
+    kept = {key: each for key, each in resolved.items() if each.given or key not in idle}
+    return {**kept, "analysis.procedures": Resolved(list(names), content.analysis.procedures is not None)}
+
+
+def options_of(section: sections.Procedures) -> CodeOptions:
+    """The options of every code."""
+    dmi2008, ntc2018 = section.dmi2008, section.ntc2018
+    return CodeOptions(
+        nzsee2017=Nzsee2017Options(**section.nzsee2017.model_dump()),
+        asce41_13=Asce41Options(**section.asce41_13.model_dump()),
+        ec8=Ec8Options(**section.ec8.model_dump()),
+        dmi2008=Options(dmi2008.confidence_factor, dmi2008.limit_states),
+        ntc2018=Options(ntc2018.confidence_factor, ntc2018.limit_states),
+    )
+
+
+def free_periods_of(content: sections.Content) -> Mapping[str, FreePeriod]:
+    """T_0 by mechanism. Raises ProjectError for a name that is no mechanism."""
+    given = content.procedures.ntc2018.free_periods
+    for name in given:
+        if name not in content.mechanisms:
+            known = ", ".join(content.mechanisms)
+            raise ProjectError(f"procedures.ntc2018.free_periods: {shown(name)}: no such mechanism; known: {known}")
+    return {
+        name: free_period(**each.model_dump())
+        if isinstance(each, sections.FreeElement)
+        else FreePeriod(each, "given", f"{each:.5g} s")
+        for name, each in given.items()
+    }

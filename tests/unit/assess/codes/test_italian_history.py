@@ -1,0 +1,118 @@
+"""Time histories by the Italian codes: counts and means worked by hand on a slender block."""
+
+from __future__ import annotations
+
+import dataclasses
+from math import sin
+
+import pytest
+from scipy.constants import g
+
+from assess.codes.context import Context, Suite
+from assess.codes.dmi2008 import history as dmi2008
+from assess.codes.italian.edition import Options
+from assess.codes.italian.history import suites_needed
+from assess.codes.ntc2018 import history as ntc2018
+from assess.mechanisms.equivalent_block import equivalent_block
+from assess.mechanisms.oscillation import oscillator
+from spectra.asce7 import design_spectrum
+
+ALPHA, RADIUS = 0.1, 3.0
+LEVEL = 0.2 * g
+SEVEN = (0.1, 0.2, 0.3, 0.3, 0.4, 0.5, 0.6)
+
+
+def block():
+    return oscillator(equivalent_block("w", p=1.6, uplift=ALPHA, radius=RADIUS))
+
+
+def context(*ratios, pga=LEVEL, levels=(LEVEL,), **more):
+    spectrum = design_spectrum(s_ds=0.5 * g, s_d1=0.2 * g, t_l=6.0)
+    return Context(spectrum, levels, 0.0, 0.0, None, suites=(Suite(pga, ratios, "positive"),), **more)
+
+
+def moved(ratio):
+    """d / d0 of a block: (sin alpha - sin(alpha - phi)) / sin alpha."""
+    return (sin(ALPHA) - sin(ALPHA * (1 - ratio))) / sin(ALPHA)
+
+
+def one(*ratios, state="SLV", **more):
+    (check,) = ntc2018.assess(block(), context(*ratios, **more), options=Options(limit_states=(state,)))
+    return check
+
+
+def test_mean_of_seven_in_displacement():
+    check = one(*SEVEN)
+    mean = sum(moved(ratio) for ratio in SEVEN) / 7
+    assert check.ratio == pytest.approx(mean / 0.4, rel=1e-9)
+    assert check.capacity == pytest.approx(0.4 * RADIUS * sin(ALPHA), rel=1e-9)
+    assert check.demand == pytest.approx(mean * RADIUS * sin(ALPHA), rel=1e-9)
+    assert check.verdict == "pass"
+
+
+def test_collapse_limit_state_allows_six_tenths():
+    many = (0.55,) * 7
+    assert one(*many).verdict == "fail"
+    assert one(*many, state="SLC").verdict == "pass"
+    assert one(*many, state="SLC").capacity == pytest.approx(0.6 * RADIUS * sin(ALPHA), rel=1e-9)
+
+
+def test_fewer_than_seven_records_are_judged_by_the_largest():
+    check = one(0.0, 0.0, 0.0, 0.0, 0.0, 0.45)
+    assert check.verdict == "fail"
+    assert check.ratio == pytest.approx(moved(0.45) / 0.4, rel=1e-9)
+    assert one(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.45).verdict == "pass"
+    assert one(0.45, 0.45).verdict == "not-applicable"
+
+
+def test_record_that_comes_back_from_beyond_d0_fails():
+    check = one(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.02)
+    assert (check.verdict, check.branch) == ("fail", "positive")
+    assert check.ratio > 1
+    assert "beyond d0*" in check.reason
+
+
+def test_record_that_overturns_fails():
+    check = one(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, None)
+    assert (check.verdict, check.demand) == ("fail", None)
+
+
+def test_confidence_factor_goes_with_the_motion():
+    """At FC 1.2 the suite of 1.2 times the PGA is judged, and the PGA at collapse is that of the scan over 1.2."""
+    scan = tuple(Suite(pga * g, (ratio,) * 7, "positive") for pga, ratio in ((0.2, 0.1), (0.24, 0.3), (0.3, 0.5)))
+    at = dataclasses.replace(context(*(0.1,) * 7), incremental=scan)
+    (plain,) = ntc2018.assess(block(), at, options=Options())
+    (less,) = ntc2018.assess(block(), at, options=Options(confidence_factor=1.2))
+    assert plain.ratio == pytest.approx(moved(0.1) / 0.4, rel=1e-9)
+    assert less.ratio == pytest.approx(moved(0.3) / 0.4, rel=1e-9)
+    assert plain.capacity_pga_g == pytest.approx(0.24, rel=1e-9)
+    assert less.capacity_pga_g == pytest.approx(0.2, rel=1e-9)
+    assert less.safety_index == pytest.approx(1.0, rel=1e-9)
+
+
+def test_histories_of_the_ground_cannot_pass_a_mechanism_above_it():
+    raised = {"elevation": 5.0}
+    low = dataclasses.replace(context(*(0.1,) * 7), **raised)
+    (check,) = ntc2018.assess(block(), low, options=Options())
+    assert check.verdict == "not-applicable"
+    assert "amplification" in check.reason
+    (carried,) = ntc2018.assess(block(), dataclasses.replace(low, histories_at="mechanism base"), options=Options())
+    assert carried.verdict == "pass"
+    (failed,) = ntc2018.assess(block(), dataclasses.replace(context(*(0.9,) * 7), **raised), options=Options())
+    assert failed.verdict == "fail"
+
+
+def test_edition_of_2008_has_one_limit_state_and_the_same_share():
+    checks = dmi2008.assess(block(), context(*SEVEN), options=Options(limit_states=("SLD", "SLV")))
+    assert [check.limit_state for check in checks] == ["SLV"]
+    assert checks[0].ratio == pytest.approx(one(*SEVEN).ratio, rel=1e-12)
+    assert checks[0].safety_index is None
+
+
+def test_suites_needed_beside_those_of_the_levels():
+    states, rule = ("SLD", "SLV", "SLC"), ntc2018.RULE
+    spectrum = context(0.0).spectrum
+    assert suites_needed((0.1, 0.2), None, spectrum, rule=rule, options=Options(1.0, states)) == ()
+    assert suites_needed((0.1, 0.3), None, spectrum, rule=rule, options=Options(1.2, states)) == pytest.approx(
+        (0.12, 0.36, 0.12, 0.36), rel=1e-12
+    )

@@ -1,0 +1,217 @@
+"""Circolare 7/2019 C8.7.1.2 on a wall 0.6 m thick and 6 m high, worked by hand on a linear curve with g = 9.81 m/s2.
+
+The site is that of the elastic spectra's check: a_g = 0.261 g, F_0 = 2.364, T_C* = 0.347 s, soil B, so S = 1.1532,
+T_C = 0.4717 s, T_D = 2.644 s. The model's own curve is tan(alpha - phi), up to 0.5 % from the straight line here.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from math import pi, sqrt
+
+import numpy as np
+import pytest
+from scipy.constants import g
+
+from assess.codes.context import Building, Context, FreePeriod
+from assess.codes.italian.edition import Options
+from assess.codes.ntc2018 import linear, nonlinear
+from assess.codes.ntc2018.clauses import capacity_of, free_period
+from assess.geometry.planar import planar
+from assess.geometry.solid import box
+from assess.mechanisms.oscillation import oscillator
+from assess.mechanisms.single_block import single_block
+from spectra import ntc
+from spectra.asce7 import design_spectrum
+from spectra.table import table_spectrum
+
+A_G, F_0, S, T_C, T_D = 0.261 * g, 2.364, 1.1532, 0.4717, 2.644
+PGA = A_G * S
+ETA_8, ETA_10 = sqrt(10 / 13), sqrt(10 / 15)
+LC1 = 1.35
+MODEL = 5e-3  # of the straight line beside the model's own curve, and of 9.81 beside g
+
+
+@pytest.fixture(scope="module")
+def rocker():
+    return wall(thickness=0.6)
+
+
+def wall(*, thickness):
+    body = box(thickness=thickness, length=1.0, height=6.0, base=(0, 0, 0), density=1800.0, name="wall")
+    return oscillator(single_block("wall", planar(body, direction=(1, 0, 0))))
+
+
+def ground(*, levels=(PGA,), **more):
+    spectrum = ntc.elastic_spectrum(ntc.Hazard(A_G, F_0, 0.347), place=ntc.Place("B"))
+    return Context(spectrum, levels, 0.0, 0.0, None, **more)
+
+
+def top(*, levels=(0.2 * g,), **more):
+    """The top of a house of three storeys with T_1 = 0.3 s, where S_e(T_1) = 0.5 g at a PGA of 0.2 g."""
+    spectrum = design_spectrum(s_ds=0.5 * g, s_d1=0.2 * g, t_l=6.0)
+    house = Building(height=9.0, storeys=3, ground_elevation=0.0, period=0.3, damping=0.05)
+    return Context(spectrum, levels, 0.0, 9.0, house, **more)
+
+
+def steps(check):
+    return {step.symbol: step.value for step in check.steps}
+
+
+@pytest.mark.parametrize(
+    ("state", "d", "a", "T"), [("SLV", 0.120, 0.4360, 2.769), ("SLC", 0.180, 0.2907, 3.857)], ids=["SLV", "SLC"]
+)
+def test_capacity(rocker, state, d, a, T):
+    cap = capacity_of(rocker.positive, state=state, mass=rocker.mass, confidence_factor=LC1)
+    assert cap.e == pytest.approx(1.0, rel=1e-12)
+    assert (cap.d0, cap.d) == pytest.approx((0.300, d), rel=1e-9)
+    assert cap.a0 == pytest.approx(0.7267, rel=MODEL)
+    assert cap.a == pytest.approx(a, rel=MODEL)
+    assert pytest.approx(T, rel=MODEL) == cap.T
+
+
+def test_linear_at_the_ground(rocker):
+    """a_g,SLD S = a0* = 0.7267 m/s2, a_g,SLV S = 2 a_g,SLD S = 0.148 g (C8.7.1.8)."""
+    damage, life = linear.assess(rocker, ground(), options=Options(LC1, ("SLD", "SLV")))
+    assert damage.capacity_pga_g == pytest.approx(0.7267 / 9.81, rel=MODEL)
+    assert life.capacity_pga_g == pytest.approx(0.148, rel=MODEL)
+    assert damage.ratio == pytest.approx(0.301 * 9.81 / 0.7267, rel=MODEL)
+    assert life.safety_index == pytest.approx(0.148 / 0.301, rel=MODEL)
+    assert (damage.verdict, life.verdict) == ("fail", "fail")
+
+
+@pytest.mark.parametrize(("state", "eta", "d"), [("SLV", ETA_8, 0.120), ("SLC", ETA_10, 0.180)], ids=["SLV", "SLC"])
+def test_nonlinear_at_the_ground(rocker, state, eta, d):
+    """Both periods lie beyond T_D, where S_De = a_g S eta F_0 T_C T_D / 4 pi2: 0.193 m at 8 %, 0.180 m at 10 %."""
+    (check,) = nonlinear.assess(rocker, ground(), options=Options(LC1, (state,)))
+    by_hand = PGA * eta * F_0 * T_C * T_D / (4 * pi**2)
+    assert check.demand == pytest.approx(by_hand, rel=5e-4)
+    assert check.capacity == pytest.approx(d, rel=1e-9)
+    assert check.capacity_pga_g == pytest.approx(0.301 * d / by_hand, rel=1e-3)
+    assert check.safety_index == pytest.approx(d / by_hand, rel=1e-3)
+    assert check.damping == {"SLV": 0.08, "SLC": 0.10}[state]
+
+
+def test_nonlinear_stands_at_least_the_pga_of_activation():
+    """A thick low wall whose displacement capacity would allow less than a0* does not rock below a_g,SLD S = a0*."""
+    low = box(thickness=0.6, length=1.0, height=0.9, base=(0, 0, 0), density=1800.0, name="low")
+    rocker = oscillator(single_block("low", planar(low, direction=(1, 0, 0))))
+    (check,) = nonlinear.assess(rocker, ground(levels=(0.6 * g,)), options=Options())
+    assert check.capacity_pga_g >= 0.6667 * (1 - MODEL)  # b / h, rigid at the ground
+    assert (check.demand, check.verdict) == (0.0, "pass")
+    assert "no rocking" in check.reason
+
+
+def test_floor_acceleration_and_activation_at_height(rocker):
+    """a_Z = 0.5 g 9/7 sqrt(1 + 0.0004 25) = 0.6461 g, so a_g,SLD S = 0.1 g 0.2 / 0.6461 at FC 1 (C7.2.7, C8.7.1.8)."""
+    damage, life = linear.assess(rocker, top(), options=Options(1.0, ("SLD", "SLV")))
+    assert steps(damage)["a_Z"] / g == pytest.approx(0.6461, rel=1e-4)
+    assert damage.demand / g == pytest.approx(0.6461, rel=1e-4)
+    assert damage.capacity_pga_g == pytest.approx(0.1 * 0.2 / 0.6461, rel=MODEL)
+    assert life.capacity_pga_g == pytest.approx(2 * 0.1 * 0.2 / 0.6461, rel=MODEL)
+    assert damage.input_at == "mechanism base"
+
+
+@pytest.mark.parametrize(("T0", "ordinate"), [(0.15, 1.7501), (0.3, 3.1782), (0.66, 0.6461), (1.0, 0.3126)])
+def test_free_elements_at_height_feel_the_floor_spectrum_at_their_period(rocker, T0, ordinate):
+    """S_eZ(T0) of C7.2.6 [g], 5 % damping (C8.7.1.9)."""
+    at = top(free_period=FreePeriod(T0, "given", ""))
+    (check,) = linear.assess(rocker, at, options=Options(1.0, ("SLD",)))
+    assert check.demand / g == pytest.approx(ordinate, rel=2e-4)
+    assert check.capacity_pga_g == pytest.approx(0.1 * 0.2 / ordinate, rel=MODEL)
+
+
+def test_free_elements_at_the_ground_feel_the_ground_spectrum_at_their_period(rocker):
+    """On the level branch S_e = a_g S F_0."""
+    (check,) = linear.assess(rocker, ground(free_period=FreePeriod(0.3, "given", "")), options=Options())
+    assert check.demand == pytest.approx(PGA * F_0 / 2, rel=1e-4)
+
+
+def test_nonlinear_at_height(rocker):
+    """C8.7.1.12, FC 1: T_SLV = 1.68 pi sqrt(0.12 / 0.5886) = 2.383 s lies on the falling branch of the floor spectrum.
+
+    A = 1.1 / sqrt(0.05) B, with B of the damping; S_eZ = A a_Z / (1 + (A - 1) (T / 0.33 - 1)^1.2), at least S_e(T).
+    """
+    (check,) = nonlinear.assess(rocker, top(), options=Options())
+    found = steps(check)
+    T, A = 1.68 * pi * sqrt(0.12 / 0.5886), 1.1 / sqrt(0.05) * ETA_8
+    assert found["T_SLV"] == pytest.approx(T, rel=MODEL)
+    assert pytest.approx(A, rel=1e-9) == found["A"]
+    by_hand = A * 0.6461 * g / (1 + (A - 1) * (found["T_SLV"] / 0.33 - 1) ** 1.2)
+    at_ground = found["S_e(T)"]
+    assert found["S_eZ(T_SLV)"] == pytest.approx(max(by_hand, at_ground), rel=1e-4)
+    assert found["d(b T1, Z)"] == pytest.approx(A * 0.6461 * g * (1.1 * 0.3 / (2 * pi)) ** 2, rel=1e-4)
+    demands = [value * (found["T_SLV"] / (2 * pi)) ** 2 for value in (at_ground, found["S_eZ(T_SLV)"])]
+    assert check.demand == pytest.approx(max(*demands, found["d(b T1, Z)"]), rel=1e-9)
+
+
+def test_stiff_mechanism_near_resonance_is_governed_by_the_floor():
+    """A small pinnacle with T_SLV about b T1 of a flexible tower."""
+    small = box(thickness=0.5, length=0.5, height=1.5, base=(0, 0, 20.0), density=1800.0, name="pinnacle")
+    rocker = oscillator(single_block("pinnacle", planar(small, direction=(1, 0, 0))))
+    tower = Building(height=20.0, storeys=5, ground_elevation=0.0, period=1.0, damping=0.05)
+    at = Context(top().spectrum, (0.3 * g,), 0.0, 20.0, tower)
+    (check,) = nonlinear.assess(rocker, at, options=Options())
+    found = steps(check)
+    assert check.input_at == "mechanism base"
+    assert found["S_eZ(T_SLV)"] > 2 * found["S_e(T)"]
+    assert check.ratio > 1
+
+
+def test_floor_is_never_taken_to_shake_less_than_the_ground(rocker):
+    """Low in the house gamma psi tends to zero, and a_Z with it; the demand stays the PGA."""
+    low = dataclasses.replace(top(), elevation=0.3)
+    (check,) = linear.assess(rocker, low, options=Options(1.0, ("SLD",)))
+    assert steps(check)["a_Z"] < 0.2 * g
+    assert check.demand == pytest.approx(0.2 * g, rel=1e-12)
+
+
+def test_above_ground_without_a_building_nothing_is_claimed(rocker):
+    raised = dataclasses.replace(ground(levels=(0.05 * g,)), elevation=3.0)
+    for procedure in (linear, nonlinear):
+        (check,) = procedure.assess(rocker, raised, options=Options())
+        assert check.verdict == "not-applicable"
+        assert "[building]" in check.reason
+
+
+def test_largest_displacement_of_a_spectrum_that_is_not_monotone(rocker):
+    """A table with a resonance at 1.5 s: its displacement there exceeds that at T_SLV = 2.38 s."""
+    period = np.array([0.0, 0.1, 1.3, 1.5, 1.7, 3.0, 5.0])
+    spectrum = table_spectrum(period, np.array([0.2, 0.5, 0.2, 0.6, 0.1, 0.02, 0.01]) * g)
+    at = Context(spectrum, (0.2 * g,), 0.0, 0.0, None)
+    (check,) = nonlinear.assess(rocker, at, options=Options())
+    peak = float(spectrum.acceleration(1.5, damping=0.08)) * (1.5 / (2 * pi)) ** 2
+    end = float(spectrum.acceleration(steps(check)["T_SLV"], damping=0.08)) * (steps(check)["T_SLV"] / (2 * pi)) ** 2
+    assert peak > 2 * end
+    assert check.demand == pytest.approx(peak, rel=1e-2)  # between the periods that are tried
+
+
+def test_period_of_a_free_wall():
+    """C8.7.1.7 by hand: L = 2 m, t = 0.3 m, E = 0.8 GPa, 1800 kg/m3: 6.2 · 6.667 · 2 · sqrt(1800 / 0.8e9) = 0.124 s.
+
+    The first mode of a cantilever is T = 2 pi / 3.516 sqrt(12) L2 / t sqrt(rho / E): 6.19 in place of 6.2.
+    """
+    given = {"length": 2.0, "thickness": 0.3, "young_modulus": 0.8e9, "density": 1800.0}
+    assert free_period(**given).value == pytest.approx(0.124, rel=1e-3)
+    bernoulli = 2 * pi / 3.516 * sqrt(12) * 2.0**2 / 0.3 * sqrt(1800 / 0.8e9)
+    assert free_period(**given).value == pytest.approx(bernoulli, rel=2e-3)
+    simply = 2 * pi / pi**2 * sqrt(12) * 2.0**2 / 0.3 * sqrt(1800 / 0.8e9)
+    assert free_period(**given, support="supported").value == pytest.approx(simply, rel=5e-3)  # 2.2 for 2.205
+
+
+def test_elastic_branch_leaves_a_mechanism_of_short_period_as_it_is(rocker):
+    """It ends where it meets the rocking curve, far short of d_SLV; a very soft one goes on beyond it."""
+    rigid = capacity_of(rocker.positive, state="SLV", mass=rocker.mass, confidence_factor=1.0)
+    stiff = capacity_of(rocker.positive, state="SLV", mass=rocker.mass, confidence_factor=1.0, T0=0.3)
+    soft = capacity_of(rocker.positive, state="SLV", mass=rocker.mass, confidence_factor=1.0, T0=4.0)
+    assert pytest.approx(rigid.T, rel=1e-12) == stiff.T
+    assert soft.a == pytest.approx((2 * pi / 4.0) ** 2 * soft.d, rel=1e-12)
+
+
+def test_wider_base_never_fares_worse():
+    for procedure in (linear, nonlinear):
+        capacities = []
+        for thickness in (0.3, 0.5, 0.7, 0.9, 1.2):
+            (check,) = procedure.assess(wall(thickness=thickness), ground(), options=Options())
+            capacities.append(check.capacity_pga_g)
+        assert capacities == sorted(capacities)

@@ -99,6 +99,7 @@ class Context:
     elevation : of the hinges above the ground [m]
     building : None where the project gives none
     suites : time histories, one suite for each of `levels`, in that order; empty when none were run
+    besides : suites at the other PGA that procedures want, of limit states of their own
     linearised : whether the histories solve the linearised equation, which lifts off at its own multiplier
     histories_at : where the motion of the time histories is given
     amplification : the largest, over the records, of peak acceleration at the mechanism's base over that at the ground
@@ -123,6 +124,7 @@ class Context:
     wall: Wall | None = None
     hazard: Hazard | None = None
     free_period: FreePeriod | None = None
+    besides: tuple[Suite, ...] = ()
 
     @property
     def support_height(self) -> float:

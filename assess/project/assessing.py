@@ -97,9 +97,8 @@ def context_of(
         histories_at="ground" if study.amplified[mechanism.name].height is None else "mechanism base",
         amplification=max((each.factor for each in base), default=1.0),
         linearised=study.equations[mechanism.name] == "linearised",
-        incremental=tuple(sorted((*rocked.scan, *rocked.besides, *suites), key=lambda suite: suite.pga))
-        if rocked.scan
-        else (),
+        besides=rocked.besides,
+        incremental=tuple(sorted((*rocked.scan, *suites), key=lambda suite: suite.pga)) if rocked.scan else (),
         hazard=study.hazard,
         free_period=study.free_periods.get(mechanism.name),
     )

@@ -46,7 +46,7 @@ class Rocking:
 
     histories: tuple[tuple[HistoryResult, ...], ...]
     scan: tuple[Suite, ...]
-    besides: tuple[Suite, ...]
+    besides: tuple[Suite, ...] = ()
 
 
 def rocking(
@@ -64,13 +64,27 @@ def rocking(
     done: dict[str, Rocking] = {}
     for count, one in enumerate(shaken):
         progress("rocking histories", count, len(shaken))
-        every = (*levels, *besides)
-        runs = run_levels(one, motions, levels=every, site_pga=site_pga, threads=threads)
-        suites = tuple(suite_of(runs[place], pga=every[place]) for place in range(len(levels), len(every)))
+        found = asked_of(one, motions, levels=levels, besides=besides, site_pga=site_pga, threads=threads)
         scan = scan_of(one, motions, site_pga=site_pga, threads=threads) if scanned else ()
-        done[one.name] = Rocking(runs[: len(levels)], scan, suites)
+        done[one.name] = replace(found, scan=scan)
     progress("rocking histories", len(shaken), len(shaken))
     return done
+
+
+def asked_of(
+    shaken: Shaken,
+    motions: Sequence[Motion],
+    *,
+    levels: Sequence[float],
+    besides: Sequence[float],
+    site_pga: float,
+    threads: int,
+) -> Rocking:
+    """Histories of one mechanism at `levels` and suites at other PGA `besides` [m/s2], without a scan."""
+    every = (*levels, *besides)
+    runs = run_levels(shaken, motions, levels=every, site_pga=site_pga, threads=threads)
+    suites = tuple(suite_of(runs[place], pga=every[place]) for place in range(len(levels), len(every)))
+    return Rocking(runs[: len(levels)], (), suites)
 
 
 def run_levels(

@@ -13,8 +13,8 @@ from dataclasses import dataclass, replace
 from assess.codes.check import Check
 from assess.errors import AssessError
 from assess.mechanisms.oscillation import oscillator
-from assess.project.assessing import Progress, at_base, checks_of, context_of
-from assess.project.histories import Rocking, Shaken, run_levels
+from assess.project.assessing import Progress, at_base, besides, checks_of, context_of
+from assess.project.histories import Rocking, Shaken, asked_of
 from assess.project.motions import Motion
 from assess.project.study import Study, Unvaried, Variable
 from assess.results import MechanismResult, SensitivityResult
@@ -86,10 +86,11 @@ def checked(study: Study, spectrum: Spectrum, motions: tuple[Motion, ...], *, jo
     shaken = Shaken(mechanism.name, oscillator(mechanism), study.equations[mechanism.name], base)
     shakes = any(name.endswith(BY_HISTORIES) for name in study.procedures)
     levels = study.levels if shakes else ()
-    histories = (
-        run_levels(shaken, motions, levels=levels, site_pga=spectrum.pga, threads=jobs) if levels and motions else ()
-    )
-    known = context_of(replace(study, levels=levels), spectrum, mechanism, Rocking(histories, ()), base)
+    rocked = Rocking((), ())
+    if levels and motions:
+        wanted = besides(study, spectrum)
+        rocked = asked_of(shaken, motions, levels=levels, besides=wanted, site_pga=spectrum.pga, threads=jobs)
+    known = context_of(replace(study, levels=levels), spectrum, mechanism, rocked, base)
     return checks_of(study, shaken.oscillator, replace(known, levels=study.levels))
 
 

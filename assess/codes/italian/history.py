@@ -83,7 +83,7 @@ def assess(oscillator: Oscillator, context: Context, *, rule: Rule, options: Opt
 
 def suite_at(context: Context, pga: float) -> Suite | None:
     """The suite that was run at a PGA [m/s2]; None where there is none."""
-    suites = (*context.suites, *context.incremental)
+    suites = (*context.suites, *context.besides)
     return next((suite for suite in suites if isclose(suite.pga, pga, rel_tol=1e-9)), None)
 
 

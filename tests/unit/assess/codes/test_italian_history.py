@@ -80,7 +80,7 @@ def test_record_that_overturns_fails():
 def test_confidence_factor_goes_with_the_motion():
     """At FC 1.2 the suite of 1.2 times the PGA is judged, and the PGA at collapse is that of the scan over 1.2."""
     scan = tuple(Suite(pga * g, (ratio,) * 7, "positive") for pga, ratio in ((0.2, 0.1), (0.24, 0.3), (0.3, 0.5)))
-    at = dataclasses.replace(context(*(0.1,) * 7), incremental=scan)
+    at = dataclasses.replace(context(*(0.1,) * 7), incremental=scan, besides=scan[1:2])
     (plain,) = ntc2018.assess(block(), at, options=Options())
     (less,) = ntc2018.assess(block(), at, options=Options(confidence_factor=1.2))
     assert plain.ratio == pytest.approx(moved(0.1) / 0.4, rel=1e-9)

@@ -9,8 +9,10 @@ from scipy.constants import g
 
 from assess.errors import ProjectError
 from assess.project.build import build
+from assess.project.motions import motions_of
 from assess.project.run import run
 from assess.project.schema import load
+from assess.project.sensitivity import checked
 
 ROWS = """hazard = [
     { return_period = 30, a_g = "0.08 g", f_0 = 2.4, t_c_star = 0.27 },
@@ -150,3 +152,12 @@ def test_histories_are_run_at_the_pga_of_each_limit_state_times_the_confidence_f
     rated = found["ntc2018-linear", "SLV"]
     assert rated.safety_index == pytest.approx(1 / rated.ratio, rel=1e-12)
     assert 30.0 <= rated.return_period_years <= 975.0
+
+
+def test_cases_of_the_sensitivity_run_the_same_suites(tmp_path):
+    tail = '[analysis]\nprocedures = ["ntc2018-history"]\n[procedures.ntc2018]\nlimit_states = ["SLV", "SLC"]'
+    study = study_of(tmp_path, spectrum=f'soil = "A"\n{ROWS}', tail=tail, count=3)
+    whole = {check.limit_state: check.ratio for check in run(study).mechanisms[0].checks}
+    case = checked(study, study.spectrum, motions_of(study, study.spectrum), jobs=1)
+    assert {check.limit_state: check.ratio for check in case} == whole
+    assert set(whole) == {"SLV", "SLC"}

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from assess.codes.check import BranchName, InputAt
+from assess.hinge_forces import HingeForces
 from spectra.spectrum import Spectrum
 
 
@@ -60,6 +61,7 @@ class Context:
     linearised : whether the histories solve the linearised equation, which lifts off at its own multiplier
     histories_at : where the motion of the time histories is given
     amplification : the largest, over the records, of peak acceleration at the mechanism's base over that at the ground
+    hinges : what the hinges of both branches pass on when the mechanism starts to rock; none where that is not known
     incremental : further suites at rising PGA, for the curve and the PGA at collapse; empty when none were run
     """
 
@@ -73,3 +75,4 @@ class Context:
     linearised: bool = False
     histories_at: InputAt = "ground"
     amplification: float = 1.0
+    hinges: tuple[HingeForces, ...] = ()

@@ -6,7 +6,9 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import partial
 
+from assess.codes import sliding
 from assess.codes.asce43_05 import history, spectrum
+from assess.codes.asce43_05 import sliding as asce43_05_sliding
 from assess.codes.asce43_05.clauses import Options as Asce43Options
 from assess.codes.check import Check
 from assess.codes.context import Context
@@ -33,6 +35,8 @@ PROCEDURES: dict[str, Callable[[CodeOptions], Assess]] = {
     "dmi2008-linear": lambda options: partial(linear.assess, options=options.dmi2008),
     "dmi2008-nonlinear": lambda options: partial(nonlinear.assess, options=options.dmi2008),
     "dmi2008-nonlinear-thesis": lambda options: partial(nonlinear_thesis.assess, options=options.dmi2008),
+    "asce43-05-sliding": lambda options: partial(asce43_05_sliding.assess, options=options.asce43_05),
+    "sliding": lambda options: sliding.assess,
 }
 
 

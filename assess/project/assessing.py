@@ -8,6 +8,7 @@ from assess.amplification import Carried, carried
 from assess.codes.check import Check
 from assess.codes.context import Context
 from assess.codes.registry import procedure
+from assess.mechanisms.activation import hinge_forces
 from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.oscillation import oscillator
 from assess.oscillator import Oscillator
@@ -84,6 +85,7 @@ def context_of(
         histories_at="ground" if study.amplified[mechanism.name].height is None else "mechanism base",
         amplification=max((each.factor for each in base), default=1.0),
         linearised=study.equations[mechanism.name] == "linearised",
+        hinges=hinge_forces(mechanism),
         incremental=tuple(sorted((*rocked.scan, *suites), key=lambda suite: suite.pga)) if rocked.scan else (),
     )
 

@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from assess.codes.context import Building
+from assess.codes.asce43_05.clauses import Options as Asce43Options
 from assess.codes.dmi2008.clauses import Options as Dmi2008Options
 from assess.codes.registry import CodeOptions
 from assess.errors import ProjectError
@@ -28,11 +29,12 @@ from assess.project.schema import Project, relative, resolved
 from assess.project.site_spectrum import spectrum_of
 from assess.project.study import Artificial, Case, Equation, Fitting, PulseGrid, Study, Sweep
 from assess.project.variations import Variant, Variation
-from assess.results import Input, Notice
+from assess.results import Input, Notice, Resolved
 from records.pulses import shape as pulse_shape
 from records.record import Record
 from spectra.spectrum import Spectrum
 
+PROCEDURES_KEY = "analysis.procedures"
 CLAUSES_NEED = {"height", "storeys", "ground_elevation", "period", "damping"}  # of [building]
 
 
@@ -76,7 +78,7 @@ def study_of(project: Project, *, executor: Executor | None = None) -> Study:
         records=named.records,
         fitting=named.fitting,
         inputs=tuple(inputs_of(project, named.records)),
-        resolved=resolved(project),
+        resolved=as_used(project, study.procedures),
         notices=(
             *project.doubts,
             *(Notice("site-study", "site.spectrum", text) for text in (spectrum.cautions if spectrum else ())),
@@ -101,8 +103,11 @@ def part_of(content: sections.Content, files: Files, *, names: Iterable[str]) ->
         artificial=None if synthetic is None else Artificial(synthetic.count, synthetic.seed, synthetic.duration),
         scale_to=content.records.scale_to,
         levels=levels_of(content.analysis.levels, files.spectrum),
-        procedures=content.analysis.procedures,
-        options=CodeOptions(dmi2008=Dmi2008Options(**content.procedures.dmi2008.model_dump())),
+        procedures=procedures_of(content),
+        options=CodeOptions(
+            asce43_05=Asce43Options(**content.procedures.asce43_05.model_dump()),
+            dmi2008=Dmi2008Options(**content.procedures.dmi2008.model_dump()),
+        ),
         mechanisms=tuple(each.mechanism for each in built),
         scenes={each.mechanism.name: each.scene for each in built if each.scene is not None},
         amplified={
@@ -160,6 +165,20 @@ def levels_of(given: tuple[float, ...] | None, spectrum: Spectrum | None) -> tup
     if given is not None:
         return tuple(sorted(given))
     return () if spectrum is None else (spectrum.pga,)
+
+
+def procedures_of(content: sections.Content) -> tuple[str, ...]:
+    """The procedures asked for; by default all, those of sliding only where a material has friction."""
+    analysis = content.analysis
+    if analysis.given("procedures") or any(each.friction is not None for each in content.materials.values()):
+        return analysis.procedures
+    return tuple(name for name in analysis.procedures if name not in sections.OF_FRICTION)
+
+
+def as_used(project: Project, procedures: tuple[str, ...]) -> dict[str, Resolved]:
+    """Every value of the project, with the procedures that are used."""
+    values = resolved(project)
+    return {**values, PROCEDURES_KEY: replace(values[PROCEDURES_KEY], value=list(procedures))}
 
 
 def equation_of(section: sections.Mechanism, content: sections.Content) -> Equation:

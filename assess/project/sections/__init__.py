@@ -10,7 +10,7 @@ from assess.project.sections.amplification import (
     PrintedAmplification,
     RaisedAmplification,
 )
-from assess.project.sections.analysis import PROCEDURES, Records
+from assess.project.sections.analysis import OF_FRICTION, PROCEDURES, Records
 from assess.project.sections.bodies import Body, BoxBody, DirectBody, Material, MeshBody, ProfileBody
 from assess.project.sections.content import Content
 from assess.project.sections.interfaces import Interface, Shape
@@ -44,6 +44,7 @@ from assess.project.sections.spectra import (
 from assess.project.sections.sweeps import Sweep
 
 __all__ = [
+    "OF_FRICTION",
     "PROCEDURES",
     "Asce7MappedSpectrum",
     "Asce7Spectrum",

@@ -13,6 +13,7 @@ from assess.project.quantities import (
     InputFile,
     InputFiles,
     PositiveAcceleration,
+    PositiveLength,
     PositiveTime,
     Ratio,
     unique,
@@ -29,8 +30,11 @@ Procedure = Literal[
     "dmi2008-linear",
     "dmi2008-nonlinear",
     "dmi2008-nonlinear-thesis",
+    "asce43-05-sliding",
+    "sliding",
 ]
 PROCEDURES: tuple[Procedure, ...] = get_args(Procedure)
+OF_FRICTION: tuple[Procedure, ...] = ("asce43-05-sliding", "sliding")  # nothing to ask where no friction is given
 
 
 SOURCES = ("measured", "literature", "assumed")
@@ -97,7 +101,7 @@ class Analysis(Section):
     )
     """peak ground accelerations at which demands are compared; the site's own if absent"""
     procedures: Annotated[tuple[Procedure, ...], Field(min_length=1), AfterValidator(unique("procedure"))] = PROCEDURES
-    """code procedures to apply; all if absent"""
+    """procedures to apply; if absent all, those of sliding only where a material has friction"""
     equation: Literal["exact", "linearised"] | None = None
     """equation of motion of the histories; if absent exact, and linearised for equivalent blocks"""
     pulses: Pulses | None = None
@@ -122,9 +126,18 @@ class Dmi2008(Section):
     """limit states to check"""
 
 
+class Asce4305(Section):
+    """Options of ASCE/SEI 43-05."""
+
+    allowable_sliding: PositiveLength | None = None
+    """how far a body may slide on its base (A.1), like "0.05 m"; if absent its sliding is shown for information"""
+
+
 class Procedures(Section):
     """Options of the code procedures, one table each."""
 
+    asce43_05: Asce4305 = Field(alias="asce43-05", default_factory=Asce4305)
+    """options of asce43-05-sliding"""
     dmi2008: Dmi2008 = Field(default_factory=Dmi2008)
     """options of dmi2008-linear and dmi2008-nonlinear"""
 

@@ -4,8 +4,9 @@ On the block that presses at a hinge act H along the branch's own direction and 
 
     N = H n_x + V n_z        T = H n_z - V n_x        friction needed: |T| / N
 
-Below the acceleration at which the mechanism starts to rock, N and T of a single block are linear in the acceleration. A
-chain of blocks is then statically indeterminate: N is taken as when it starts to rock, and T as growing in proportion.
+Below the acceleration at which the mechanism starts to rock, N and T of a single block are linear in the acceleration.
+A chain of blocks is then statically indeterminate: N is taken as when it starts to rock, and T as growing in proportion
+to the acceleration.
 """
 
 from __future__ import annotations
@@ -83,7 +84,7 @@ class HingeForces:
         return min(reached) * self.acceleration if reached else None
 
     def _share(self, side: float, mu: float) -> float | None:
-        """The share of the acceleration at which `side` T = mu N; 0 where rest is beyond, None where it is not reached."""
+        """The share of the acceleration at which `side` T = mu N; 0 where rest is beyond, None where not reached."""
         first, last = (side * each.shear - mu * each.normal for each in (self.resting, self.starting))
         if first > 0.0:
             return 0.0

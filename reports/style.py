@@ -80,6 +80,8 @@ PROCEDURES: dict[str, Pen] = {
     "ntc2018-linear": Pen("#cc79a7", "-", "s"),
     "ntc2018-nonlinear": Pen("#009e73", "-", "v"),
     "ntc2018-history": Pen("#6b4c9a", "-.", "D"),
+    "asce43-05-sliding": Pen("#8c564b", "-", "P"),
+    "sliding": Pen("#8c564b", "-.", "X"),
 }
 _OTHER = Pen(MUTED, ":", "x")
 

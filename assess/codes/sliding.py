@@ -20,9 +20,10 @@ from assess.oscillator import Oscillator
 EDITION = "equilibrium; Coulomb"
 PROCEDURE = "sliding"
 CHAIN = (
-    "before it rocks a chain of blocks is statically indeterminate: N is taken as when it starts to rock, T in proportion "
-    "to the acceleration"
+    "before it rocks a chain of blocks is statically indeterminate: N is taken as when it starts to rock, T in "
+    "proportion to the acceleration"
 )
+HELD = "; the top of a wall is taken as held, the sheet says with what"
 NO_FORCES = "an equivalent block has no geometry: what its hinge presses on is not known; check sliding by hand"
 
 
@@ -45,10 +46,10 @@ def unanswerable(hinges: Sequence[HingeForces]) -> str:
     for each in _resting_on_friction(hinges):
         if each.friction is None:
             return f"friction at hinge {each.hinge} is not known; {each.remedy}"
-        if each.needed is None:
-            pull = -each.starting.normal
+        pull = -min(each.starting.normal, each.resting.normal)
+        if pull >= 0.0:
             return (
-                f"hinge {each.hinge} would have to pull with {pull / 1e3:.4g} kN when the mechanism starts to rock, so "
+                f"hinge {each.hinge} would have to pull with {pull / 1e3:.4g} kN before the mechanism rocks, so "
                 "friction does not hold it: check hinges and loads"
             )
     return ""
@@ -150,13 +151,30 @@ def _check(
         rotation_ratio=None,
         pga_curve=PgaCurve((), ()),
         steps=steps,
-        caveat="" if hinge is None or hinge.single else CHAIN,
+        caveat="" if hinge is None or hinge.single else CHAIN + HELD * any(each.held for each in context.hinges),
     )
 
 
 def _steps(hinge: HingeForces, level: float, context: Context, slides_at: float | None) -> tuple[Step, ...]:
     """The hinge that governs, from its forces on."""
-    return (*starting_steps(hinge), *_level_steps(hinge, level, context), *_sliding_steps(hinge, slides_at))
+    held = [each for each in context.hinges if each.held and each.branch == hinge.branch]
+    return (
+        *starting_steps(hinge),
+        *_level_steps(hinge, level, context),
+        *_sliding_steps(hinge, slides_at),
+        *(step for each in held for step in _held_steps(each)),
+    )
+
+
+def _held_steps(top: HingeForces) -> tuple[Step, ...]:
+    """What the support at the top of a wall has to take, by friction under what stands there or by an anchorage."""
+    N, T, name = top.starting.normal, top.starting.shear, top.hinge
+    balance, numbers = "equilibrium of the blocks", f"{abs(T):.5g} / {N:.5g}"
+    said = "friction it would need without an anchorage; none where nothing stands on the top"
+    return (
+        Step(f"H_{name}", "of the support at the top, at a_r", EDITION, balance, "at a_r", top.horizontal, "N"),
+        Step(f"μ_{name}", said, EDITION, "|T| / N", numbers, top.needed, "-"),
+    )
 
 
 def starting_steps(hinge: HingeForces) -> tuple[Step, ...]:

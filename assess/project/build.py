@@ -10,8 +10,8 @@ from pathlib import Path
 
 import numpy as np
 
-from assess.codes.context import Building
 from assess.codes.asce43_05.clauses import Options as Asce43Options
+from assess.codes.context import Building
 from assess.codes.dmi2008.clauses import Options as Dmi2008Options
 from assess.codes.registry import CodeOptions
 from assess.errors import ProjectError

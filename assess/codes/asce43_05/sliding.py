@@ -2,14 +2,14 @@
 
     mu_e = mu (1 - 0.4 A_v / g)      c_s = 2 mu_e g      delta_s = c_s / (2 pi f_es)^2            (A-1, A-2, A-3)
 
-f_es is the lowest frequency at which the horizontal spectrum of 10 % damping reaches c_s. Not checked against the printed
-standard: A-3 is from memory. The clause combines two horizontal directions in a vector; here the motion is in one
-vertical plane, and its ordinate is that of the spectrum.
+f_es is the lowest frequency at which the horizontal spectrum of 10 % damping reaches c_s. Not checked against the
+printed standard: A-3 is from memory. The clause combines two horizontal directions in a vector; here the motion is in
+one vertical plane, and its ordinate is that of the spectrum. Ties and given forces have no place in it.
 """
 
 from __future__ import annotations
 
-from math import inf, pi
+from math import pi
 
 import numpy as np
 from scipy.constants import g
@@ -18,12 +18,14 @@ from scipy.optimize import brentq
 from assess.codes.asce43_05.clauses import EDITION, Options
 from assess.codes.check import Check, PgaCurve, Step, Verdict
 from assess.codes.context import Context
-from assess.codes.sliding import NO_FORCES
+from assess.codes.sliding import NO_FORCES, sliding_pga
 from assess.oscillator import Oscillator
 
 PROCEDURE = "asce43-05-sliding"
 CLAUSE = "ASCE 43-05 A.1"
 CAVEAT = "Appendix A.1 was not checked against the printed standard: equation A-3 is from memory"
+ROCKS_FIRST = "; yet it rocks before it slides, which A.1 leaves out"
+UNBOUNDED = "the spectrum does not fall below c_s before it ends: extend its table, or give more friction"
 DAMPING = 0.1
 SHORTEST, MOST = 0.01, 1e4  # s: periods between which the spectrum is looked at
 HIGHEST, HALVINGS = 100.0 * g, 60  # PGA [m/s2] up to which its capacity is looked for, and how finely
@@ -69,11 +71,9 @@ def longest_period(context: Context, level: float, coefficient: float) -> float 
 
 
 def best_estimate(context: Context, level: float, mu: float) -> float | None:
-    """delta_s [m] at a level [m/s2]: 0 without sliding, inf without friction; None where the spectrum ends too early."""
+    """delta_s [m] at a level [m/s2], 0 without sliding; None where the spectrum ends too early, or without friction."""
     c_s = sliding_coefficient(effective_friction(mu, vertical=context.vertical_ratio * level))
-    if c_s == 0.0:
-        return inf
-    period = longest_period(context, level, c_s)
+    period = longest_period(context, level, c_s) if c_s > 0.0 else None
     if period is None:
         return None
     return sliding_distance(c_s, frequency=1.0 / period) if period > 0.0 else 0.0
@@ -111,24 +111,24 @@ def _check(level: float, context: Context, allowable: float | None) -> Check:
         steps = (Step("δ_s", "best estimate of sliding", CLAUSE, "-", silent, None, "m"),)
         return _answer(level, context, verdict="not-applicable", reason=silent, steps=steps)
     found = best_estimate(context, level, mu)
-    verdict, reason = _verdict(found, allowable, context)
+    verdict, reason = _verdict(found, allowable)
+    rocks_first = "" if not found or sliding_pga(context) is not None else ROCKS_FIRST
     at_capacity = pga_at(context, mu, allowable) if allowable is not None and verdict != "not-applicable" else None
     return _answer(
         level,
         context,
-        demand=None if found == inf else found,
+        demand=found,
         allowable=allowable,
         at_capacity=at_capacity,
         verdict=verdict,
-        reason=reason,
-        steps=_steps(level, context, mu, None if found == inf else found, allowable),
+        reason=reason + rocks_first,
+        steps=_steps(level, context, mu, found, allowable),
     )
 
 
-def _verdict(found: float | None, allowable: float | None, context: Context) -> tuple[Verdict, str]:
+def _verdict(found: float | None, allowable: float | None) -> tuple[Verdict, str]:
     if found is None:
-        end = context.spectrum.longest_period
-        return "not-applicable", f"the answer lies beyond the end of the spectrum at {end:.4g} s: extend its table"
+        return "not-applicable", UNBOUNDED
     if allowable is None:
         return "not-applicable", "for information; give procedures.asce43-05.allowable_sliding for a verdict"
     if found <= allowable:
@@ -174,15 +174,15 @@ def _answer(
     )
 
 
-def _steps(
-    level: float, context: Context, mu: float, found: float | None, allowable: float | None
-) -> tuple[Step, ...]:
+def _steps(level: float, context: Context, mu: float, found: float | None, allowable: float | None) -> tuple[Step, ...]:
     vertical = context.vertical_ratio * level
     mu_e = effective_friction(mu, vertical=vertical)
     c_s = sliding_coefficient(mu_e)
     period = longest_period(context, level, c_s) if c_s > 0.0 else None
     f_es = 1.0 / period if period else None
-    said = "the spectrum does not reach c_s" if period == 0.0 else "no such frequency" if f_es is None else "S_A(f) = c_s"
+    said = (
+        "the spectrum does not reach c_s" if period == 0.0 else "no such frequency" if f_es is None else "S_A(f) = c_s"
+    )
     steps = (
         Step("A_v", "peak vertical acceleration", CLAUSE, "S_aV/S_aH · PGA",
              f"{context.vertical_ratio:.4g} · {level:.5g}", vertical, "m/s2"),

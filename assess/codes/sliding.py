@@ -8,14 +8,16 @@ rocking procedures are not the ones that count. Vertical motion is left out.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from math import inf
 
 from scipy.constants import g
 
 from assess.codes.check import Check, PgaCurve, Step, Verdict
 from assess.codes.context import Context
+from assess.codes.governing import least
 from assess.hinge_forces import HingeForces
-from assess.oscillator import Oscillator
+from assess.oscillator import Oscillator, threshold
 
 EDITION = "equilibrium; Coulomb"
 PROCEDURE = "sliding"
@@ -33,10 +35,9 @@ def assess(oscillator: Oscillator, context: Context) -> tuple[Check, ...]:
     It decides only where the friction of every hinge is known, and every hinge presses.
     """
     silent = unanswerable(context.hinges)
-    return tuple(
-        _unanswered(level, context, silent) if silent else _judged(level, context, _resting_on_friction(context.hinges))
-        for level in context.levels
-    )
+    checks = [_unanswered(level, context, silent) if silent else _judged(level, context) for level in context.levels]
+    lifts = least([threshold(branch) for branch in oscillator.branches])
+    return tuple(replace(check, uplift_pga_g=lifts and lifts / context.amplification) for check in checks)
 
 
 def unanswerable(hinges: Sequence[HingeForces]) -> str:
@@ -75,9 +76,9 @@ def sliding_pga(context: Context) -> float | None:
     return min(found) / context.amplification if found else None
 
 
-def _judged(level: float, context: Context, hinges: Sequence[HingeForces]) -> Check:
+def _judged(level: float, context: Context) -> Check:
     acceleration = level * context.amplification
-    hinge = max(hinges, key=lambda each: used(each, acceleration))
+    hinge = max(_resting_on_friction(context.hinges), key=lambda each: used(each, acceleration))
     ratio, slides_at = used(hinge, acceleration), sliding_pga(context)
     verdict: Verdict = "pass" if ratio <= 1.0 else "fail"
     return _check(
@@ -127,7 +128,6 @@ def _check(
     slides_at: float | None,
     steps: tuple[Step, ...],
 ) -> Check:
-    starts = [each.acceleration for each in context.hinges]
     return Check(
         procedure=PROCEDURE,
         edition=EDITION,
@@ -146,7 +146,7 @@ def _check(
         verdict=verdict,
         reason=reason,
         capacity_pga_g=None if slides_at is None else slides_at / g,
-        uplift_pga_g=min(starts) / context.amplification / g if starts else None,
+        uplift_pga_g=None,
         capacity_rotation_ratio=None,
         rotation_ratio=None,
         pga_curve=PgaCurve((), ()),

@@ -9,6 +9,7 @@ one vertical plane, and its ordinate is that of the spectrum. Ties and given for
 
 from __future__ import annotations
 
+from dataclasses import replace
 from math import pi
 
 import numpy as np
@@ -18,8 +19,9 @@ from scipy.optimize import brentq
 from assess.codes.asce43_05.clauses import EDITION, Options
 from assess.codes.check import Check, PgaCurve, Step, Verdict
 from assess.codes.context import Context
+from assess.codes.governing import least
 from assess.codes.sliding import NO_FORCES, sliding_pga
-from assess.oscillator import Oscillator
+from assess.oscillator import Oscillator, threshold
 
 PROCEDURE = "asce43-05-sliding"
 CLAUSE = "ASCE 43-05 A.1"
@@ -34,7 +36,9 @@ LEVEL = 1e-6  # of a unit normal: faces less inclined are level
 
 def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tuple[Check, ...]:
     """One check for each level, against `options.allowable_sliding`; without that for information only."""
-    return tuple(_check(level, context, options.allowable_sliding) for level in context.levels)
+    lifts = least([threshold(branch) for branch in oscillator.branches])
+    checks = [_check(level, context, options.allowable_sliding) for level in context.levels]
+    return tuple(replace(check, uplift_pga_g=lifts) for check in checks)
 
 
 def effective_friction(mu: float, *, vertical: float) -> float:

@@ -68,7 +68,7 @@ def test_a_crack_falls_towards_the_direction_and_rises_for_the_branch_against_it
 
 
 def test_the_faces_of_an_arch_are_its_radial_joints(tmp_path: Path) -> None:
-    """To the block that presses: the one nearer the crown. Joints pass through the centre, so n is square to the hinge."""
+    """Joints pass through the centre, so n is square to the hinge; it looks to the block nearer the crown."""
     built = mechanism(tmp_path, ARCH)
     for chain, faces in zip((built.positive, built.negative), built.faces, strict=True):
         for (x, z), face in zip(chain.hinges, faces, strict=True):

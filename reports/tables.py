@@ -240,7 +240,7 @@ def hinge_forces(mechanism: MechanismResult, *, name: str) -> Table:
     """What each hinge passes on when the mechanism starts to rock, and the friction that takes."""
     columns = (
         Column("Hinge"),
-        Column("From PGA at the hinge", "g", "number"),
+        Column("Rocks from", "g", "number"),
         Column("H", "N", "number"),
         Column("V", "N", "number"),
         Column("N", "N", "number"),

@@ -25,6 +25,7 @@ CHAIN = (
     "before it rocks a chain of blocks is statically indeterminate: N is taken as when it starts to rock, T in "
     "proportion to the acceleration"
 )
+BALANCE, TABLE = "equilibrium of each block at a_r", "the table of forces at the hinges"
 HELD = "; the top of a wall is taken as held, the sheet says with what"
 NO_FORCES = "an equivalent block has no geometry: what its hinge presses on is not known; check sliding by hand"
 
@@ -169,10 +170,18 @@ def _steps(hinge: HingeForces, level: float, context: Context, slides_at: float 
 def _held_steps(top: HingeForces) -> tuple[Step, ...]:
     """What the support at the top of a wall has to take, by friction under what stands there or by an anchorage."""
     N, T, name = top.starting.normal, top.starting.shear, top.hinge
-    balance, numbers = "equilibrium of the blocks", f"{abs(T):.5g} / {N:.5g}"
+    numbers = f"{abs(T):.5g} / {N:.5g}"
     said = "friction it would need without an anchorage; none where nothing stands on the top"
     return (
-        Step(f"H_{name}", "of the support at the top, at a_r", EDITION, balance, "at a_r", top.horizontal, "N"),
+        Step(
+            f"H_{name}",
+            "of the support at the top, at a_r",
+            EDITION,
+            BALANCE,
+            TABLE,
+            top.horizontal,
+            "N",
+        ),
         Step(f"μ_{name}", said, EDITION, "|T| / N", numbers, top.needed, "-"),
     )
 
@@ -182,12 +191,12 @@ def starting_steps(hinge: HingeForces) -> tuple[Step, ...]:
     H, V, (n_x, n_z), name = hinge.horizontal, hinge.vertical, hinge.face, hinge.hinge
     N, T = hinge.starting.normal, hinge.starting.shear
     faces = "faces on the geometry" if hinge.found else "no faces found: taken level"
-    balance = "equilibrium of the blocks"
+    pushed, at_start = _balance(hinge)
     return (
         Step("a_r", "acceleration that starts rocking", EDITION, "λ g", f"{hinge.acceleration / g:.5g} · 9.80665",
              hinge.acceleration, "m/s2"),
-        Step(f"H_{name}", "on the block that presses, along the motion", EDITION, balance, "at a_r", H, "N"),
-        Step(f"V_{name}", "on the block that presses, up", EDITION, balance, "at a_r", V, "N"),
+        Step(f"H_{name}", "on the block that presses, along the motion", EDITION, pushed, at_start, H, "N"),
+        Step(f"V_{name}", "on the block that presses, up", EDITION, BALANCE, TABLE, V, "N"),
         Step(f"N_{name}", f"square to the faces, n = ({n_x:.4g}, {n_z:.4g}); {faces}", EDITION, "H n_x + V n_z",
              f"{H:.5g} · {n_x:.4g} + {V:.5g} · {n_z:.4g}", N, "N"),
         Step(f"T_{name}", "along the faces", EDITION, "H n_z − V n_x",
@@ -197,20 +206,30 @@ def starting_steps(hinge: HingeForces) -> tuple[Step, ...]:
     )  # fmt: skip
 
 
+def _balance(hinge: HingeForces) -> tuple[str, str]:
+    """How H comes about, with numbers: of a single block what it is at rest less the push on the moved mass."""
+    if not hinge.single:
+        return BALANCE, TABLE
+    (n_x, n_z), a = hinge.face, hinge.acceleration
+    at_rest = hinge.resting.normal * n_x + hinge.resting.shear * n_z + 0.0
+    mass = (at_rest - hinge.horizontal) / a
+    return "H_0 − a_r M", f"{at_rest:.5g} − {a:.5g} · {mass:.5g}"
+
+
 def _level_steps(hinge: HingeForces, level: float, context: Context) -> tuple[Step, ...]:
     """The same at the acceleration of the level, or at the one that starts rocking where that is less."""
     a = min(level * context.amplification, hinge.acceleration)
-    now, rest, start = hinge.at(a), hinge.resting, hinge.starting
+    now, rest, start, name = hinge.at(a), hinge.resting, hinge.starting, hinge.hinge
     share, demand = a / hinge.acceleration, hinge.mobilised(a)
     least = f"min({level:.5g} · {context.amplification:.4g}, {hinge.acceleration:.5g})"
     at_rest = abs(rest.shear) / rest.normal if rest.normal > 0.0 else 0.0
     return (
         Step("a", "acceleration at the hinges", EDITION, "min(PGA · amplification, a_r)", least, a, "m/s2"),
-        Step("N", "square to the faces at a", EDITION, "N_0 + (N − N_0) a / a_r",
+        Step("N_a", "square to the faces at a", EDITION, f"N_0 + (N_{name} − N_0) a / a_r",
              f"{rest.normal:.5g} + ({start.normal:.5g} − {rest.normal:.5g}) · {share:.4g}", now.normal, "N"),
-        Step("T", "along the faces at a", EDITION, "T_0 + (T − T_0) a / a_r",
+        Step("T_a", "along the faces at a", EDITION, f"T_0 + (T_{name} − T_0) a / a_r",
              f"{rest.shear:.5g} + ({start.shear:.5g} − {rest.shear:.5g}) · {share:.4g}", now.shear, "N"),
-        Step("μ_d", "friction needed up to a: at rest or at a", EDITION, "max(|T_0| / N_0, |T| / N)",
+        Step("μ_d", "friction needed up to a: at rest or at a", EDITION, "max(|T_0| / N_0, |T_a| / N_a)",
              f"max({at_rest:.5g}, {abs(now.shear):.5g} / {now.normal:.5g})", demand, "-"),
     )  # fmt: skip
 

@@ -12,7 +12,7 @@ from assess.mechanisms.chain import Chain, hinge_names
 from assess.mechanisms.face import Face
 from assess.mechanisms.flexible import FlexibleChain
 from assess.mechanisms.mechanism import Mechanism
-from assess.mechanisms.statics import Verge, verge
+from assess.mechanisms.statics import Verge, standing, verge
 
 ON_TOP = 1e-6  # of a wall's height: a load this near its top stands on it
 
@@ -42,8 +42,7 @@ def of_chain(chain: Chain, faces: tuple[Face, ...], *, positive: bool) -> list[H
     for number, (letter, face) in enumerate(zip(hinge_names(chain), faces, strict=True)):
         force = on_pressing(chain, found, number)
         starting = pressure(force, face.normal)
-        pushed = found.multiplier * chain.mass * g  # what the acceleration adds to the force of a single block
-        resting = pressure((force[0] + pushed, force[1]), face.normal) if single else Pressure(starting.normal, 0.0)
+        resting = pressure(standing(chain), face.normal) if single else Pressure(starting.normal, 0.0)
         made.append(
             HingeForces(
                 hinge=f"{letter}{mark}",

@@ -112,8 +112,8 @@ def test_the_sheet_can_be_redone_by_hand() -> None:
     check = checks(hinge(0.5))[1]
     steps = {step.symbol: step.value for step in check.steps}
     share = steps["a"] / steps["a_r"]
-    assert steps["T"] == pytest.approx(share * steps["T_A"], rel=1e-12)
-    assert steps["μ_d"] == pytest.approx(abs(steps["T"]) / steps["N"], rel=1e-12)
+    assert steps["T_a"] == pytest.approx(share * steps["T_A"], rel=1e-12)
+    assert steps["μ_d"] == pytest.approx(abs(steps["T_a"]) / steps["N_a"], rel=1e-12)
     assert check.ratio == pytest.approx(steps["μ_d"] / steps["μ"], rel=1e-12)
     assert all(step.formula and step.substituted and step.unit for step in check.steps)
 

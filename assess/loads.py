@@ -9,6 +9,8 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from math import hypot
 
+from scipy.constants import g
+
 Point = tuple[float, float]
 
 
@@ -67,6 +69,13 @@ def pull_at_rest(tie: Tie) -> Point:
     to_x, to_z = tie.anchor[0] - tie.at[0], tie.anchor[1] - tie.at[1]
     length = hypot(to_x, to_z)
     return (tie.pull * to_x / length, tie.pull * to_z / length)
+
+
+def upward(load: Load) -> float:
+    """The vertical force of a load at rest, up [N]."""
+    if isinstance(load, PointMass):
+        return -g * load.mass * load.bearing
+    return (load.force if isinstance(load, Force) else pull_at_rest(load))[1]
 
 
 def mirrored(load: Load) -> Load:

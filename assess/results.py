@@ -521,6 +521,33 @@ class CriticalResult:
 
 
 @dataclass(frozen=True)
+class HingeForceResult:
+    """What a hinge passes on when its mechanism starts to rock, at the ground acceleration activation_g.
+
+    horizontal_n, vertical_n: on the block that presses, along the branch's own direction and up; normal_n, shear_n:
+    square to its faces (compression positive) and along them; face: unit vector (along, up) square to the faces, to
+    that block; face_found: false where the geometry has no faces there and they are taken level.
+    needed_friction: |shear_n| / normal_n, None where nothing presses; friction: of the joint, None where not known.
+    sliding_g: the ground acceleration that slides it before it rocks, None where it rocks first or friction is not
+    known. held: whether a support holds it besides friction, as it does the top of a wall.
+    """
+
+    hinge: str
+    branch: BranchName
+    horizontal_n: float
+    vertical_n: float
+    needed_friction: float | None
+    friction: float | None
+    normal_n: float
+    shear_n: float
+    face: Point
+    face_found: bool
+    activation_g: float
+    sliding_g: float | None
+    held: bool
+
+
+@dataclass(frozen=True)
 class MechanismResult:
     """Everything about one mechanism; direction_sweep is None where its direction was given."""
 
@@ -544,6 +571,7 @@ class MechanismResult:
     loads: tuple[LoadResult, ...]
     direction_sweep: DirectionSweep | None
     interface_curves: InterfaceCurves | None = None
+    hinge_forces: tuple[HingeForceResult, ...] = ()
 
 
 @dataclass(frozen=True)

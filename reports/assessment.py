@@ -173,6 +173,7 @@ def _shape(mechanism: MechanismResult, name: str, *, sibling: str) -> Section:
         tables.parameters(mechanism, name=f"{name}-parameters"),
         Figure(f"{name}-capacity", sentences.capacity(mechanism), partial(capacity.draw, mechanism)),
         *interfaces.blocks(mechanism, name=name),
+        *_filled(tables.hinge_forces(mechanism, name=f"{name}-hinge-forces")),
     )
     return Section(f"Mechanism: {tables.name_of(mechanism)}", 0, blocks, starts_page=True)
 

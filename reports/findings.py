@@ -19,6 +19,7 @@ MEASURES = {
     "-linear": "judges the acceleration that starts the motion, reduced by q, not the rotation that is left after it",
     "-spectrum": "replaces the rocking body by an oscillator of equal work, with the damping of its impacts",
     "-history": "sees each record as it is, with impacts and the order of its pulses, and fails where one overturns",
+    "asce43-05-sliding": "estimates how far the body slides, without rocking",
     "sliding": "asks whether friction holds until rocking starts",
 }
 

@@ -9,6 +9,7 @@ from reports.lettering import shortened
 from reports.numerals import numeral
 from reports.tables import name_of
 
+SLIDING = "sliding"
 UNCHECKED = "not checked against the printed standard"
 _KINDS = {
     "single-block": "a single rocking block",
@@ -111,6 +112,7 @@ def limits(results: Results) -> tuple[str, ...]:
     """What the engineer must keep in mind before signing."""
     return (
         *_ALWAYS,
+        sliding(results),
         *interfaces.limits(results.mechanisms),
         *_readings(results),
         *_unlike(results),
@@ -123,7 +125,6 @@ _ALWAYS = (
     "The bodies are rigid and move in one vertical plane. Bending and torsion of the masonry, out-of-plane coupling "
     "and mechanisms that were not described in the project are outside this assessment: finding the mechanisms "
     "that matter remains the engineer’s task.",
-    "Friction at the hinges is taken as sufficient: no sliding, no bouncing, no parting but the rocking itself.",
     "A single rocking history is not predictable: a small change of the motion or the geometry can turn a large "
     "rotation into collapse or into rest. The statistics of many records are. Judge by the suite, not by one history.",
     "The coefficients of restitution of the literature assume inelastic impact without bouncing, the greatest "
@@ -133,6 +134,25 @@ _ALWAYS = (
     "Crushing and the flexibility of the joints count only where the project gives an interface; a rigid interface of "
     "unlimited strength overestimates the resistance of large walls of weak masonry.",
 )
+
+
+def sliding(results: Results) -> str:
+    """Where friction was checked, and where it is only taken as sufficient."""
+    asked = {
+        mechanism.name: any(c.procedure == SLIDING and c.verdict != "not-applicable" for c in mechanism.checks)
+        for mechanism in results.mechanisms
+    }
+    taken = "friction at the hinges is taken as sufficient"
+    tell = "the tables of forces at the hinges say how much of it rocking needs"
+    if not any(asked.values()):
+        return f"No sliding, no bouncing, no parting but the rocking itself: {taken}; {tell}."
+    silent = dict.fromkeys(shortened(name_of(m), 40) for m in results.mechanisms if not asked[m.name])
+    others = f" For {_list(silent)} it was not checked: {taken}." if silent else ""
+    return (
+        "Sliding was checked by equilibrium, at every hinge up to the moment at which the mechanism starts to rock "
+        f"(procedure {SLIDING}; horizontal motion only).{others} While it rocks {taken}: no bouncing, no parting but "
+        f"the rocking itself; {tell}. The support at the top of a wall of two blocks is taken as held."
+    )
 
 
 def _readings(results: Results) -> tuple[str, ...]:

@@ -10,6 +10,7 @@ from assess.codes.check import Check
 from assess.results import (
     BranchCurve,
     ComparisonRow,
+    HingeForceResult,
     HistoryResult,
     MechanismResult,
     OscillatorResult,
@@ -28,6 +29,7 @@ _RATINGS = (  # of a check, where the code and the site have them
     ("safety_index", Column("Safety index", "-", "number")),
     ("return_period_years", Column("Return period", "years", "number")),
 )
+LIFTS, NOT_GIVEN, ROCKS_FIRST = "lifts", "not given", "rocks first"
 _MECHANISM, _LEVEL, _PROCEDURE = Column("Mechanism"), Column("PGA", "g", "number"), Column("Procedure")
 
 PARAMETERS: tuple[tuple[str, str, str], ...] = (
@@ -236,6 +238,45 @@ def loads(mechanism: MechanismResult, *, name: str) -> Table:
         "not bearing has its weight carried elsewhere: only its horizontal inertia acts on the block."
     )
     return Table(name, caption, columns, rows)
+
+
+def hinge_forces(mechanism: MechanismResult, *, name: str) -> Table:
+    """What each hinge passes on when the mechanism starts to rock, and the friction that takes."""
+    columns = (
+        Column("Hinge"),
+        Column("Rocks from", "g", "number"),
+        Column("H", "N", "number"),
+        Column("V", "N", "number"),
+        Column("N", "N", "number"),
+        Column("T", "N", "number"),
+        Column("Friction needed", "-", "number"),
+        Column("Friction", "-", "given"),
+        Column("Slides from", "g", "number"),
+        Column("Remark"),
+    )
+    rows = tuple(
+        (f.hinge, f.activation_g, f.horizontal_n, f.vertical_n, f.normal_n, f.shear_n, *_friction(f), _held(f))
+        for f in mechanism.hinge_forces
+    )
+    caption = (
+        "Forces at the hinges when it starts to rock, by equilibrium of its blocks: on the block that presses, H along "
+        "the branch’s own direction and V up, N square to its faces and T along them. It slides before it rocks where "
+        "|T| / N is more than the friction of the joint; then also the ground acceleration from which it slides."
+    )
+    return Table(name, caption, columns, rows)
+
+
+def _friction(forces: HingeForceResult) -> tuple[Cell, Cell, Cell]:
+    """Friction needed and there is, and the acceleration that slides the hinge, or why there is none."""
+    needed: Cell = LIFTS if forces.needed_friction is None else forces.needed_friction
+    if forces.friction is None:
+        return needed, NOT_GIVEN, None
+    return needed, forces.friction, ROCKS_FIRST if forces.sliding_g is None else forces.sliding_g
+
+
+def _held(forces: HingeForceResult) -> str:
+    held = "held at the top, by friction or an anchorage" if forces.held else ""
+    return held or ("" if forces.face_found else "faces taken level")
 
 
 def demands(mechanism: MechanismResult, *, name: str) -> Table:

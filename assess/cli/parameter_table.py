@@ -9,7 +9,7 @@ from dataclasses import fields
 
 from assess.cli.text_table import text_table
 from assess.project.messages import printable
-from assess.results import DirectionSweep, LinearisedResult, MechanismResult, OscillatorResult
+from assess.results import DirectionSweep, HingeForceResult, LinearisedResult, MechanismResult, OscillatorResult
 
 _SHORT = (
     "mechanism",
@@ -23,6 +23,7 @@ _SHORT = (
     "mass [kg]",
 )
 _ON_JOINTS = "on joints [rad]"
+_HINGES = ("mechanism", "hinge", "H [N]", "V [N]", "friction needed", "friction", "slides from [g]")
 _CONSTANTS = (
     "linearised",
     "branch",
@@ -37,8 +38,8 @@ _CONSTANTS = (
 
 
 def parameters_text(mechanisms: tuple[MechanismResult, ...]) -> str:
-    """The main parameters of each branch, and below them the kinematic constants of its linearised equation."""
-    return f"{table_text(mechanisms)}\n{constants_text(mechanisms)}"
+    """The main parameters of each branch, the kinematic constants of its linearised equation, the forces of hinges."""
+    return f"{table_text(mechanisms)}\n{constants_text(mechanisms)}{hinge_forces_text(mechanisms)}"
 
 
 def table_text(mechanisms: tuple[MechanismResult, ...]) -> str:
@@ -59,6 +60,26 @@ def constants_text(mechanisms: tuple[MechanismResult, ...]) -> str:
         for branch, o in _branches(mechanism)
     ]
     return text_table(_CONSTANTS, rows)
+
+
+def hinge_forces_text(mechanisms: tuple[MechanismResult, ...]) -> str:
+    """What each hinge passes on when its mechanism starts to rock, and the friction it takes; empty where not known."""
+    rows = [[m.name, *_hinge(forces)] for m in mechanisms for forces in m.hinge_forces]
+    return f"\n{text_table(_HINGES, rows)}" if rows else ""
+
+
+def _hinge(f: HingeForceResult) -> list[str]:
+    needed = "lifts" if f.needed_friction is None else f"{f.needed_friction:.4f}"
+    friction = "not given" if f.friction is None else f"{f.friction:.3f}"
+    slides = "rocks first" if f.sliding_g is None else f"{f.sliding_g:.4f}"
+    return [
+        f.hinge,
+        f"{f.horizontal_n:.5g}",
+        f"{f.vertical_n:.5g}",
+        needed,
+        friction,
+        "-" if f.friction is None else slides,
+    ]
 
 
 def directions_text(mechanisms: tuple[MechanismResult, ...]) -> str:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from assess.codes.check import BranchName, InputAt
+from assess.hinge_forces import HingeForces
 from spectra.spectrum import Spectrum
 
 Support = Literal["free", "spanning", "hinged"]
@@ -103,6 +104,7 @@ class Context:
     linearised : whether the histories solve the linearised equation, which lifts off at its own multiplier
     histories_at : where the motion of the time histories is given
     amplification : the largest, over the records, of peak acceleration at the mechanism's base over that at the ground
+    hinges : what the hinges of both branches pass on when the mechanism starts to rock; none where that is not known
     incremental : further suites at rising PGA, for the curve and the PGA at collapse; empty when none were run
     support : how the masonry is held: it stands free on its base, spans between two supports, or is a chain of hinges
     wall : its size, None where the mechanism is no wall or has no geometry
@@ -125,6 +127,7 @@ class Context:
     hazard: Hazard | None = None
     free_period: FreePeriod | None = None
     besides: tuple[Suite, ...] = ()
+    hinges: tuple[HingeForces, ...] = ()
 
     @property
     def support_height(self) -> float:

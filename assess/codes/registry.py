@@ -6,9 +6,11 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import partial
 
+from assess.codes import sliding
 from assess.codes.asce41_13 import slenderness
 from assess.codes.asce41_13.clauses import Options as Asce41Options
 from assess.codes.asce43_05 import history, spectrum
+from assess.codes.asce43_05 import sliding as asce43_05_sliding
 from assess.codes.asce43_05.clauses import Options as Asce43Options
 from assess.codes.check import Check
 from assess.codes.context import Context
@@ -55,6 +57,8 @@ PROCEDURES: dict[str, Callable[[CodeOptions], Assess]] = {
     "ntc2018-linear": lambda options: partial(ntc2018_linear.assess, options=options.ntc2018),
     "ntc2018-nonlinear": lambda options: partial(ntc2018_nonlinear.assess, options=options.ntc2018),
     "ntc2018-history": lambda options: partial(ntc2018_history.assess, options=options.ntc2018),
+    "asce43-05-sliding": lambda options: partial(asce43_05_sliding.assess, options=options.asce43_05),
+    "sliding": lambda options: sliding.assess,
 }
 
 LIMIT_STATES: dict[str, tuple[str, ...]] = {  # that an Italian procedure checks, of those its options ask for

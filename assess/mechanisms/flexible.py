@@ -26,7 +26,7 @@ from scipy.constants import g
 
 from assess.errors import MechanismError
 from assess.interfaces.contact import Contact, contact, semi_flexible_shift
-from assess.loads import Force, Load, PointMass, Tie, pull_at_rest
+from assess.loads import Force, Load, PointMass, Tie, pull_at_rest, upward
 from assess.mechanisms.chain import Chain, hinge_names
 from assess.mechanisms.joint import PAIRS, Joint, Pair
 from assess.mechanisms.motion import closed, move, place, shares
@@ -338,7 +338,7 @@ class FlexibleChain:
             if joint is None:
                 continue
             if len(self.chain.blocks) == i == 2:
-                forces[i] = -sum(_weight(load) for load in self.at_top)
+                forces[i] = -sum(upward(load) for load in self.at_top)
                 continue
             normal = self.normal[i] * (1.0 if face is None else posture.turn[face])
             away = -1.0 if i > 1 else 1.0  # beyond the middle of the chain the pressing block comes before its face
@@ -433,13 +433,6 @@ def through_top(chain: Chain) -> tuple[Load, ...]:
 def _each(contacts: Contacts, name: str, shape: tuple[int, ...]) -> FloatArray:
     """One of the arrays of every contact [hinges, n]; zeros where a joint is rigid."""
     return np.array([np.zeros(shape[1]) if found is None else getattr(found, name) for found in contacts])
-
-
-def _weight(load: Load) -> float:
-    """What a load presses up with [N]; down is negative."""
-    if isinstance(load, PointMass):
-        return -g * load.mass * load.bearing
-    return (load.force if isinstance(load, Force) else pull_at_rest(load))[1]
 
 
 def _fixed_shift(joint: Joint, force: float, *, where: str) -> float:

@@ -9,6 +9,7 @@ from typing import Literal
 from assess.geometry.outline import Outline
 from assess.mechanisms.chain import Chain
 from assess.mechanisms.directions import Directions
+from assess.mechanisms.face import Face
 from assess.mechanisms.joint import Joint
 
 Sides = Literal["one", "two"]
@@ -29,6 +30,7 @@ class Mechanism:
     outlines : of each block (of each part, where the chains have parts), its closed polygons in the plane of motion
         [m], not mirrored
     notices : sentences the engineer must read (a rule that did not hold)
+    faces : at the hinges of the positive and of the negative branch, in its own sign; none for an equivalent block
     directions : the resistance towards each direction where the weakest was sought, else None
     """
 
@@ -44,6 +46,7 @@ class Mechanism:
     outlines: tuple[Outline, ...]
     notices: tuple[str, ...] = ()
     directions: Directions | None = None
+    faces: tuple[tuple[Face, ...], ...] = ()
 
     @property
     def flexible(self) -> bool:

@@ -47,6 +47,12 @@ def verge(chain: Chain) -> Verge:
     return Verge(float(solved[-1]), solved[:-1].reshape(-1, 2))
 
 
+def standing(chain: Chain) -> Point:
+    """The force (x, z) of the hinge on a single block at rest [N]."""
+    x, z = (-sum(force[i] for _, _, force, _ in _loads(chain)) + 0.0 for i in (0, 1))
+    return (x, z)
+
+
 def compressions(chain: Chain) -> tuple[float, ...]:
     """The vertical force [N] with which each hinge presses the blocks it joins together; negative where it pulls.
 

@@ -2,6 +2,7 @@
 
 Where the project names no procedures, those that apply at its site are asked: the edition of the Italian code that its
 spectrum is of decides, the other is left out; elsewhere DM 2008 without time histories stands beside ASCE 43-05.
+Sliding is asked where a material has friction.
 """
 
 from __future__ import annotations
@@ -9,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from assess.codes.asce41_13.clauses import Options as Asce41Options
+from assess.codes.asce43_05.clauses import Options as Asce43Options
 from assess.codes.context import FreePeriod
 from assess.codes.en1998_1.clauses import Options as Ec8Options
 from assess.codes.italian.edition import Options
@@ -27,6 +29,7 @@ AT_SITE: Mapping[str, tuple[str, ...]] = {  # by the code of the spectrum
     "ntc2018": (*ASCE43, "ntc2018-linear", "ntc2018-nonlinear", "ntc2018-history"),
 }
 ELSEWHERE = (*ASCE43, *DMI2008)
+SLIDING = ("asce43-05-sliding", "sliding")  # nothing to ask where no friction is given
 
 
 def procedures_of(content: sections.Content) -> tuple[str, ...]:
@@ -37,7 +40,8 @@ def procedures_of(content: sections.Content) -> tuple[str, ...]:
     named = content.analysis.procedures
     if named is None:
         code = "" if content.site is None else content.site.spectrum.code
-        unasked = (*AT_SITE.get(code, ELSEWHERE), *content.offered)
+        rubs = any(material.friction is not None for material in content.materials.values())
+        unasked = (*AT_SITE.get(code, ELSEWHERE), *content.offered, *(SLIDING if rubs else ()))
         return tuple(name for name in unasked if not _silent(name, content))
     for name in named:
         if states := _silent(name, content):
@@ -68,6 +72,7 @@ def options_of(section: sections.Procedures) -> CodeOptions:
     """The options of every code."""
     dmi2008, ntc2018 = section.dmi2008, section.ntc2018
     return CodeOptions(
+        asce43_05=Asce43Options(**section.asce43_05.model_dump()),
         nzsee2017=Nzsee2017Options(**section.nzsee2017.model_dump()),
         asce41_13=Asce41Options(**section.asce41_13.model_dump()),
         ec8=Ec8Options(**section.ec8.model_dump()),

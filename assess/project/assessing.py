@@ -9,6 +9,7 @@ from assess.codes.check import Check
 from assess.codes.context import Context
 from assess.codes.italian.history import suites_needed
 from assess.codes.registry import history_rules, procedure
+from assess.mechanisms.activation import hinge_forces
 from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.oscillation import oscillator
 from assess.oscillator import Oscillator
@@ -98,6 +99,7 @@ def context_of(
         amplification=max((each.factor for each in base), default=1.0),
         linearised=study.equations[mechanism.name] == "linearised",
         besides=rocked.besides,
+        hinges=hinge_forces(mechanism),
         incremental=tuple(sorted((*rocked.scan, *suites), key=lambda suite: suite.pga)) if rocked.scan else (),
         hazard=study.hazard,
         free_period=study.free_periods.get(mechanism.name),

@@ -105,6 +105,22 @@ def bed_at(
     return Bed(view.seen(plane.normal), plane, divide(piece.solids, plane, where=where).region)
 
 
+def normal_at(
+    number: int, hinge: Point, section: sections.Chained, pieces: Sequence[Piece], view: View, *, where: str
+) -> Vector:
+    """The normal of the bed at a hinge, from the held face to the pressing block; a cut is not made again for it.
+
+    Raises GeometryError where no faces meet at the hinge.
+    """
+    face, pressing = PAIRS[section.moving][number]
+    piece = pieces[min(pressing, len(pieces) - 1)]
+    if face is None and not (section.moving == number == 2) and piece.cut and len(pieces) == section.moving:
+        plane = cut_of(section, where=where)
+        if plane is not None:
+            return view.seen(plane.normal)
+    return bed_at(number, hinge, section, pieces, view, where=where).normal
+
+
 def bed_on_face(solids: Sequence[Solid], hinge: Point, view: View, side: Vector, *, where: str) -> Bed:
     """The face of a block on the ground, or of a wall under the support at its top.
 

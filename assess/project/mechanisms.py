@@ -18,6 +18,7 @@ from assess.mechanisms.two_block import two_block
 from assess.project import sections
 from assess.project.arches import hinged_arch
 from assess.project.bodies import Piece, Solids, doubts_of, pieces_of, scene_of
+from assess.project.faces import faces_of
 from assess.project.interfaces import put_on_joints
 from assess.project.loading import loads_of
 from assess.project.plane import point_in_plane
@@ -47,6 +48,7 @@ def mechanism_of(name: str, section: sections.Mechanism, content: sections.Conte
         raise error if str(error).startswith("mechanism ") else MechanismError(f'mechanism "{name}": {error}') from None
     told = replace(mechanism, notices=(*mechanism.notices, *brought.doubts))
     told = put_on_joints(told, section, members, content, restitution=restitution_of(section))
+    told = replace(told, faces=faces_of(told, section, members, content))
     return Built(told, scene_of(members, section.towards))
 
 

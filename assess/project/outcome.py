@@ -13,7 +13,9 @@ from scipy.constants import g
 from assess.amplification import Carried, ModalFilter
 from assess.codes.check import Check
 from assess.geometry.scene import Scene
+from assess.hinge_forces import HingeForces
 from assess.loads import Force, Load, PointMass, pull_at_rest
+from assess.mechanisms.activation import hinge_forces
 from assess.mechanisms.directions import Directions
 from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.table import branch
@@ -41,6 +43,7 @@ from assess.results import (
     Curve,
     DirectionSweep,
     Factor,
+    HingeForceResult,
     HistoryResult,
     LinearisedResult,
     LoadResult,
@@ -213,6 +216,7 @@ def mechanism_result(
         suites=tuple(suite_result(level) for level in histories),
         envelope=None,
         loads=tuple(load_result(load) for load in mechanism.positive.loads),
+        hinge_forces=tuple(hinge_force_result(each) for each in hinge_forces(mechanism)),
     )
 
 
@@ -254,6 +258,25 @@ def load_result(load: Load) -> LoadResult:
     if isinstance(load, Force):
         return LoadResult(load.name, "force", load.block, load.at, None, None, load.force, source)
     return LoadResult(load.name, "tie", load.block, load.at, None, None, pull_at_rest(load), source)
+
+
+def hinge_force_result(forces: HingeForces) -> HingeForceResult:
+    """What one hinge passes on when the mechanism starts to rock."""
+    return HingeForceResult(
+        hinge=forces.hinge,
+        branch=forces.branch,
+        horizontal_n=forces.horizontal,
+        vertical_n=forces.vertical,
+        needed_friction=forces.needed,
+        friction=forces.friction,
+        normal_n=forces.starting.normal,
+        shear_n=forces.starting.shear,
+        face=forces.face,
+        face_found=forces.found,
+        activation_g=forces.acceleration / g,
+        sliding_g=None if forces.sliding is None else forces.sliding / g,
+        held=forces.held,
+    )
 
 
 def direction_sweep(found: Directions) -> DirectionSweep:

@@ -13,10 +13,12 @@ from scipy.integrate import quad
 from assess.dynamics.history import free_rocking
 from assess.errors import MechanismError
 from assess.geometry.planar import planar_direct, planar_joined
-from assess.loads import Force, PointMass, Tie
+from assess.loads import Force, PointMass, Tie, pull_at_rest
 from assess.loads import mirrored as mirrored_load
+from assess.mechanisms.activation import hinge_forces
 from assess.mechanisms.arch import hinged, weakest
 from assess.mechanisms.chain import Block, Chain, mirrored, mirrored_chain
+from assess.mechanisms.face import Face
 from assess.mechanisms.four_hinge import four_hinge
 from assess.mechanisms.impact import impact
 from assess.mechanisms.motion import move, place
@@ -30,6 +32,7 @@ from assess.oscillator import energy, interpolant, linearise, multiplier
 from assess.project.build import build
 from assess.project.schema import load
 
+LOOKS_DOWN = (0.0, -1.0)
 TABLES = ("rotation", "inertia", "restoring", "excitation", "participation", "lift")
 
 
@@ -415,3 +418,35 @@ def test_a_block_of_several_bodies_in_a_project_file(tmp_path, kind):
     assert found[0].restitution == pytest.approx(found[1].restitution, rel=1e-9)
     for a, b in zip(*(oscillator(each).branches for each in found), strict=True):
         same_tables(a, b, 1e-9)
+
+
+def pushed(case):
+    """The forces at the hinges of both branches, on level faces."""
+    made, hinges = case.mechanism(), len(case.front)
+    faces = tuple(Face(LOOKS_DOWN) if len(case.blocks) == number == 2 else Face() for number in range(hinges))
+    return hinge_forces(replace(made, faces=(faces, faces)))
+
+
+@EVERY
+def test_supports_carry_weights_and_forces_and_what_the_ground_pushes_with(case):
+    """Over the whole chain: sum H + lambda M g + sum F_x = 0, sum V - sum of the weights borne + sum F_z = 0."""
+    found = pushed(case)
+    for chain, name in zip(case.chains(), ("positive", "negative"), strict=True):
+        own = [each for each in found if each.branch == name]
+        ends = (own[0], *own[-1:] * (len(own) > 1))
+        ties = [each for each in chain.loads if isinstance(each, Tie) and (each.both or taut(chain, each))]
+        given = [each.force for each in chain.loads if isinstance(each, Force)] + [pull_at_rest(tie) for tie in ties]
+        borne = sum(b.mass for b in chain.blocks)
+        borne += sum(each.mass for each in chain.loads if isinstance(each, PointMass) and each.bearing)
+        along = sum(each.horizontal for each in ends) + chain.mass * own[0].acceleration + sum(x for x, _ in given)
+        up = sum(each.vertical for each in ends if not each.held) - g * borne + sum(z for _, z in given)
+        assert (along, up) == pytest.approx((0.0, 0.0), abs=1e-9 * g * borne)
+
+
+@EVERY
+def test_forces_of_the_mirror_image_are_those_of_the_other_branch(case):
+    two = {each.hinge: each for each in pushed(image(case))}
+    for one in pushed(case):
+        other = two[one.hinge.removesuffix("'") if "'" in one.hinge else f"{one.hinge}'"]
+        expected = (other.horizontal, other.vertical, other.acceleration)
+        assert (one.horizontal, one.vertical, one.acceleration) == pytest.approx(expected, rel=1e-9, abs=1e-6)

@@ -27,9 +27,14 @@ CAVEAT = "Appendix A.2 was not checked against the printed standard: its equatio
 
 @dataclass(frozen=True)
 class Options:
-    """allowable_ratio: allowable rotation over the overturning rotation, of the interfaces in use [-]."""
+    """Options of ASCE 43-05.
+
+    allowable_ratio : allowable rotation over the overturning rotation, of the interfaces in use [-]
+    allowable_sliding : of a rigid body on its base [m]; None: sliding is shown for information
+    """
 
     allowable_ratio: float = 0.5
+    allowable_sliding: float | None = None
 
 
 def vertical_factor(a: float, ratio: float) -> float:

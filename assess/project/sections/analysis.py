@@ -14,6 +14,7 @@ from assess.project.quantities import (
     InputFile,
     InputFiles,
     PositiveAcceleration,
+    PositiveLength,
     PositiveRatio,
     PositiveTime,
     Ratio,
@@ -41,6 +42,8 @@ Procedure = Literal[
     "ntc2018-linear",
     "ntc2018-nonlinear",
     "ntc2018-history",
+    "asce43-05-sliding",
+    "sliding",
 ]
 PROCEDURES: tuple[Procedure, ...] = get_args(Procedure)
 
@@ -150,9 +153,18 @@ class Ec8(Section):
     """gamma_a of the element: 1.5 where life depends on it"""
 
 
+class Asce4305(Section):
+    """Options of ASCE/SEI 43-05."""
+
+    allowable_sliding: PositiveLength | None = None
+    """how far a body may slide on its base (A.1), like "0.05 m"; if absent its sliding is shown for information"""
+
+
 class Procedures(Section):
     """Options of the code procedures, one table each."""
 
+    asce43_05: Asce4305 = Field(alias="asce43-05", default_factory=Asce4305)
+    """options of asce43-05-sliding"""
     dmi2008: Dmi2008 = Field(default_factory=Dmi2008)
     """options of the procedures dmi2008-…"""
     ntc2018: Ntc2018 = Field(default_factory=Ntc2018)

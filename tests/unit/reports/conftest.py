@@ -21,6 +21,7 @@ from assess.results import (
     Drawing,
     DrawnLoad,
     Factor,
+    HingeForceResult,
     HistoryResult,
     Input,
     LinearisedResult,
@@ -367,6 +368,18 @@ def mechanism(
         "Housner 1963, thesis eq. 3.44" if two else "given",
         () if two else loads(),
         round_tower() if two else None,
+        hinge_forces=hinge_forces() if two else (),
+    )
+
+
+def hinge_forces() -> tuple[HingeForceResult, ...]:
+    """A hinge that slides first, one that rocks first, one that lifts, and the top of a wall."""
+    level, down = (0.0, 1.0), (0.0, -1.0)
+    return (
+        HingeForceResult("A", "positive", -4310.0, 5000.0, 0.862, 0.6, 5000.0, -4310.0, level, True, 0.4, 0.278, False),
+        HingeForceResult("B", "positive", 310.0, 2500.0, 0.124, 0.6, 2500.0, 310.0, level, False, 0.4, None, False),
+        HingeForceResult("A'", "negative", -410.0, -20.0, None, 0.6, -20.0, -410.0, level, True, 0.3, 0.0, False),
+        HingeForceResult("C", "positive", -910.0, -700.0, 1.3, None, 700.0, 910.0, down, True, 0.4, None, True),
     )
 
 

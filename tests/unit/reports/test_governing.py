@@ -78,3 +78,15 @@ def test_limits_name_what_is_unverified_informative_and_linearised(results: Resu
     ):
         assert words in text
     assert "input at the ground and others" in text
+
+
+def test_limits_say_where_sliding_was_checked_and_where_not(results: Results) -> None:
+    assert "friction at the hinges is taken as sufficient" in " ".join(sentences.limits(results))
+    first, second = results.mechanisms
+    asked = replace(first.checks[0], procedure="sliding", verdict="pass")
+    silent = replace(asked, verdict="not-applicable")
+    both = tuple(replace(one, checks=(check,)) for one, check in ((first, asked), (second, silent)))
+    text = sentences.sliding(replace(results, mechanisms=both))
+    assert text.startswith("Sliding was checked by equilibrium, at every hinge")
+    assert "For parapet it was not checked" in text
+    assert "it was not checked" not in sentences.sliding(replace(results, mechanisms=both[:1]))

@@ -147,7 +147,13 @@ def test_parameters_as_table_json_and_csv_agree(project: Path, capsys: pytest.Ca
     assert float(rows[0]["p_eq_per_s"]) == wall["oscillator"]["p_eq_per_s"]
     assert f"{wall['oscillator']['radius_m']:.4f}" in table
     assert mechanisms[1]["oscillator"]["p_eq_per_s"] == pytest.approx(1.6)
-    parameters, constants = table.split("\n\n")
+    parameters, constants, hinges = table.split("\n\n")
+    (forces,) = wall["hinge_forces"]
+    assert mechanisms[1]["hinge_forces"] == []
+    assert hinges.splitlines()[1].split() == [
+        *("=wall,", "1", "A", f"{forces['horizontal_n']:.5g}", f"{forces['vertical_n']:.5g}"),
+        *(f"{forces['needed_friction']:.4f}", "not", "given", "-"),
+    ]
     assert len(parameters.splitlines()) == len(constants.splitlines()) == 4
     linear = wall["oscillator"]["linearised"]
     assert linear["stiffness_n_m_per_rad"] / linear["inertia_kg_m2"] == pytest.approx(float(rows[0]["p_eq_per_s"]) ** 2)

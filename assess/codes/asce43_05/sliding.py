@@ -1,0 +1,203 @@
+"""ASCE/SEI 43-05, Appendix A.1: how far an unanchored rigid body slides, by an equivalent linear oscillator.
+
+    mu_e = mu (1 - 0.4 A_v / g)      c_s = 2 mu_e g      delta_s = c_s / (2 pi f_es)^2            (A-1, A-2, A-3)
+
+f_es is the lowest frequency at which the horizontal spectrum of 10 % damping reaches c_s. Not checked against the
+printed standard: A-3 is from memory. The clause combines two horizontal directions in a vector; here the motion is in
+one vertical plane, and its ordinate is that of the spectrum. Ties and given forces have no place in it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import pi
+
+import numpy as np
+from scipy.constants import g
+from scipy.optimize import brentq
+
+from assess.codes.asce43_05.clauses import EDITION, Options
+from assess.codes.check import Check, PgaCurve, Step, Verdict
+from assess.codes.context import Context
+from assess.codes.governing import least
+from assess.codes.sliding import NO_FORCES, sliding_pga
+from assess.oscillator import Oscillator, threshold
+
+PROCEDURE = "asce43-05-sliding"
+CLAUSE = "ASCE 43-05 A.1"
+CAVEAT = "Appendix A.1 was not checked against the printed standard: equation A-3 is from memory"
+ROCKS_FIRST = "; yet it rocks before it slides, which A.1 leaves out"
+UNBOUNDED = "the spectrum does not fall below c_s before it ends: extend its table, or give more friction"
+DAMPING = 0.1
+SHORTEST, MOST = 0.01, 1e4  # s: periods between which the spectrum is looked at
+HIGHEST, HALVINGS = 100.0 * g, 60  # PGA [m/s2] up to which its capacity is looked for, and how finely
+LEVEL = 1e-6  # of a unit normal: faces less inclined are level
+
+
+def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tuple[Check, ...]:
+    """One check for each level, against `options.allowable_sliding`; without that for information only."""
+    lifts = least([threshold(branch) for branch in oscillator.branches])
+    checks = [_check(level, context, options.allowable_sliding) for level in context.levels]
+    return tuple(replace(check, uplift_pga_g=lifts) for check in checks)
+
+
+def effective_friction(mu: float, *, vertical: float) -> float:
+    """mu_e [-] with a peak vertical acceleration [m/s2], not below 0 (A-1)."""
+    return max(mu * (1.0 - 0.4 * vertical / g), 0.0)
+
+
+def sliding_coefficient(friction: float) -> float:
+    """c_s [m/s2] of an effective friction [-] (A-2)."""
+    return 2.0 * friction * g
+
+
+def sliding_distance(coefficient: float, *, frequency: float) -> float:
+    """delta_s [m] (A-3)."""
+    return coefficient / (2.0 * pi * frequency) ** 2
+
+
+def longest_period(context: Context, level: float, coefficient: float) -> float | None:
+    """The longest period [s] at which the spectrum of a level [m/s2] reaches c_s [m/s2]; 0 where none does.
+
+    None where the spectrum ends before it falls below c_s.
+    """
+    spectrum, scale = context.spectrum, level / context.spectrum.pga
+
+    def excess(period: float) -> float:
+        return scale * float(spectrum.acceleration(period, damping=DAMPING)) - coefficient
+
+    periods = np.geomspace(SHORTEST, min(spectrum.longest_period, MOST), 400)
+    above = np.flatnonzero(scale * spectrum.acceleration(periods, damping=DAMPING) >= coefficient)
+    if not above.size:
+        return 0.0
+    last = int(above[-1])
+    return None if last == periods.size - 1 else float(brentq(excess, periods[last], periods[last + 1], xtol=1e-12))
+
+
+def best_estimate(context: Context, level: float, mu: float) -> float | None:
+    """delta_s [m] at a level [m/s2], 0 without sliding; None where the spectrum ends too early, or without friction."""
+    c_s = sliding_coefficient(effective_friction(mu, vertical=context.vertical_ratio * level))
+    period = longest_period(context, level, c_s) if c_s > 0.0 else None
+    if period is None:
+        return None
+    return sliding_distance(c_s, frequency=1.0 / period) if period > 0.0 else 0.0
+
+
+def pga_at(context: Context, mu: float, allowable: float) -> float | None:
+    """The largest PGA [m/s2] whose sliding stays within the allowable [m]; None where the spectrum does not tell.
+
+    More shaking never slides less, so halving finds it.
+    """
+    low, high = 0.0, HIGHEST
+    for _ in range(HALVINGS):
+        middle = (low + high) / 2.0
+        found = best_estimate(context, middle, mu)
+        low, high = (middle, high) if found is not None and found <= allowable else (low, middle)
+    return None if best_estimate(context, high, mu) is None else low
+
+
+def unanswerable(context: Context) -> str:
+    """Why A.1 says nothing of this mechanism, with the remedy; empty where it does."""
+    if not context.hinges:
+        return NO_FORCES
+    first = context.hinges[0]
+    if not first.single:
+        return f"{CLAUSE} is for one rigid body on its base; the procedure sliding looks at the hinges of a chain"
+    if any(abs(each.face[0]) > LEVEL for each in context.hinges):
+        return f"{CLAUSE} is for a level base; the procedure sliding looks at inclined ones"
+    return "" if first.friction is not None else f"friction at hinge {first.hinge} is not known; {first.remedy}"
+
+
+def _check(level: float, context: Context, allowable: float | None) -> Check:
+    silent = unanswerable(context)
+    mu = None if silent else context.hinges[0].friction
+    if mu is None:
+        steps = (Step("δ_s", "best estimate of sliding", CLAUSE, "-", silent, None, "m"),)
+        return _answer(level, context, verdict="not-applicable", reason=silent, steps=steps)
+    found = best_estimate(context, level, mu)
+    verdict, reason = _verdict(found, allowable)
+    rocks_first = "" if not found or sliding_pga(context) is not None else ROCKS_FIRST
+    at_capacity = pga_at(context, mu, allowable) if allowable is not None and verdict != "not-applicable" else None
+    return _answer(
+        level,
+        context,
+        demand=found,
+        allowable=allowable,
+        at_capacity=at_capacity,
+        verdict=verdict,
+        reason=reason + rocks_first,
+        steps=_steps(level, context, mu, found, allowable),
+    )
+
+
+def _verdict(found: float | None, allowable: float | None) -> tuple[Verdict, str]:
+    if found is None:
+        return "not-applicable", UNBOUNDED
+    if allowable is None:
+        return "not-applicable", "for information; give procedures.asce43-05.allowable_sliding for a verdict"
+    if found <= allowable:
+        return "pass", "sliding within the allowable" if found else "no sliding: the spectrum does not reach c_s"
+    return "fail", "sliding beyond the allowable"
+
+
+def _answer(
+    level: float,
+    context: Context,
+    *,
+    verdict: Verdict,
+    reason: str,
+    steps: tuple[Step, ...],
+    demand: float | None = None,
+    allowable: float | None = None,
+    at_capacity: float | None = None,
+) -> Check:
+    return Check(
+        procedure=PROCEDURE,
+        edition=EDITION,
+        role="informative" if allowable is None else "code",
+        branch="positive",
+        limit_state="sliding",
+        level_pga_g=level / g,
+        input_at="ground",
+        damping=DAMPING,
+        damping_rule=context.spectrum.damping_rule,
+        quantity="sliding",
+        unit="m",
+        demand=demand,
+        capacity=allowable,
+        ratio=None if demand is None or allowable is None else demand / allowable,
+        verdict=verdict,
+        reason=reason,
+        capacity_pga_g=None if at_capacity is None else at_capacity / g,
+        uplift_pga_g=None,
+        capacity_rotation_ratio=None,
+        rotation_ratio=None,
+        pga_curve=PgaCurve((), ()),
+        steps=steps,
+        caveat=CAVEAT,
+    )
+
+
+def _steps(level: float, context: Context, mu: float, found: float | None, allowable: float | None) -> tuple[Step, ...]:
+    vertical = context.vertical_ratio * level
+    mu_e = effective_friction(mu, vertical=vertical)
+    c_s = sliding_coefficient(mu_e)
+    period = longest_period(context, level, c_s) if c_s > 0.0 else None
+    f_es = 1.0 / period if period else None
+    said = (
+        "the spectrum does not reach c_s" if period == 0.0 else "no such frequency" if f_es is None else "S_A(f) = c_s"
+    )
+    steps = (
+        Step("A_v", "peak vertical acceleration", CLAUSE, "S_aV/S_aH · PGA",
+             f"{context.vertical_ratio:.4g} · {level:.5g}", vertical, "m/s2"),
+        Step("μ_e", "effective coefficient of friction (A-1)", CLAUSE, "μ (1 − 0.4 A_v / g)",
+             f"{mu:.4g} · (1 − 0.4 · {vertical:.5g} / 9.80665)", mu_e, "-"),
+        Step("c_s", "sliding coefficient (A-2)", CLAUSE, "2 μ_e g", f"2 · {mu_e:.5g} · 9.80665", c_s, "m/s2"),
+        Step("f_es", "lowest frequency at which the spectrum of 10 % damping reaches c_s", CLAUSE,
+             "S_A(f_es, 10 %) = c_s", said, f_es, "Hz"),
+        Step("δ_s", "best estimate of sliding (A-3, from memory)", CLAUSE, "c_s / (2π f_es)²",
+             said if f_es is None else f"{c_s:.5g} / (2π · {f_es:.5g})²", found, "m"),
+    )  # fmt: skip
+    if allowable is None:
+        return steps
+    return (*steps, Step("δ_all", "allowable sliding", CLAUSE, "given", f"{allowable:.4g}", allowable, "m"))

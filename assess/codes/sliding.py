@@ -1,0 +1,244 @@
+"""Does a hinge slide before the mechanism rocks? Equilibrium of the blocks and Coulomb's friction; no clause of a code.
+
+The ground acceleration pushes on the mechanism at rest; each hinge needs friction |T| / N (`assess.hinge_forces`).
+Where that reaches the coefficient of the joint before the mechanism starts to rock, it slides, and the answers of the
+rocking procedures are not the ones that count. Vertical motion is left out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from math import inf
+
+from scipy.constants import g
+
+from assess.codes.check import Check, PgaCurve, Step, Verdict
+from assess.codes.context import Context
+from assess.codes.governing import least
+from assess.hinge_forces import HingeForces
+from assess.oscillator import Oscillator, threshold
+
+EDITION = "equilibrium; Coulomb"
+PROCEDURE = "sliding"
+CHAIN = (
+    "before it rocks a chain of blocks is statically indeterminate: N is taken as when it starts to rock, T in "
+    "proportion to the acceleration"
+)
+BALANCE, TABLE = "equilibrium of each block at a_r", "the table of forces at the hinges"
+HELD = "; the top of a wall is taken as held, the sheet says with what"
+NO_FORCES = "an equivalent block has no geometry: what its hinge presses on is not known; check sliding by hand"
+
+
+def assess(oscillator: Oscillator, context: Context) -> tuple[Check, ...]:
+    """One check for each level: the hinge whose friction is used up most, of both branches.
+
+    It decides only where the friction of every hinge is known, and every hinge presses.
+    """
+    silent = unanswerable(context.hinges)
+    checks = [_unanswered(level, context, silent) if silent else _judged(level, context) for level in context.levels]
+    lifts = least([threshold(branch) for branch in oscillator.branches])
+    return tuple(replace(check, uplift_pga_g=lifts and lifts / context.amplification) for check in checks)
+
+
+def unanswerable(hinges: Sequence[HingeForces]) -> str:
+    """Why nothing can be said of sliding, with the remedy; empty where something can."""
+    if not hinges:
+        return NO_FORCES
+    for each in _resting_on_friction(hinges):
+        if each.friction is None:
+            return f"friction at hinge {each.hinge} is not known; {each.remedy}"
+        pull = -min(each.starting.normal, each.resting.normal)
+        if pull >= 0.0:
+            return (
+                f"hinge {each.hinge} would have to pull with {pull / 1e3:.4g} kN before the mechanism rocks, so "
+                "friction does not hold it: check hinges and loads"
+            )
+    return ""
+
+
+def _resting_on_friction(hinges: Sequence[HingeForces]) -> tuple[HingeForces, ...]:
+    return tuple(each for each in hinges if not each.held)
+
+
+def used(hinge: HingeForces, acceleration: float) -> float:
+    """The friction needed up to a ground acceleration [m/s2] over that of the joint [-]."""
+    mobilised = hinge.mobilised(acceleration)
+    if mobilised is None:
+        return inf
+    if hinge.friction:
+        return mobilised / hinge.friction
+    return inf if mobilised > 0.0 else 0.0
+
+
+def sliding_pga(context: Context) -> float | None:
+    """The least PGA [m/s2] at which a hinge slides before the mechanism rocks; None where none does."""
+    found = [each.sliding for each in _resting_on_friction(context.hinges) if each.sliding is not None]
+    return min(found) / context.amplification if found else None
+
+
+def _judged(level: float, context: Context) -> Check:
+    acceleration = level * context.amplification
+    hinge = max(_resting_on_friction(context.hinges), key=lambda each: used(each, acceleration))
+    ratio, slides_at = used(hinge, acceleration), sliding_pga(context)
+    verdict: Verdict = "pass" if ratio <= 1.0 else "fail"
+    return _check(
+        level,
+        context,
+        hinge,
+        demand=hinge.mobilised(acceleration),
+        ratio=ratio if ratio < inf else None,
+        verdict=verdict,
+        reason=_reason(hinge, slides_at, verdict),
+        slides_at=slides_at,
+        steps=_steps(hinge, level, context, slides_at),
+    )
+
+
+def _reason(hinge: HingeForces, slides_at: float | None, verdict: Verdict) -> str:
+    if verdict == "fail":
+        return f"slides before it rocks, at hinge {hinge.hinge}: the rocking answers are not the ones that count"
+    if slides_at is not None:
+        return f"no sliding yet; it would slide before it rocks from PGA {slides_at / g:.3g} g on"
+    return f"it rocks before it slides; hinge {hinge.hinge} comes nearest"
+
+
+def _unanswered(level: float, context: Context, reason: str) -> Check:
+    return _check(
+        level,
+        context,
+        context.hinges[0] if context.hinges else None,
+        demand=None,
+        ratio=None,
+        verdict="not-applicable",
+        reason=reason,
+        slides_at=None,
+        steps=(Step("|T| / N", "friction needed at the hinges", EDITION, "-", reason, None, "-"),),
+    )
+
+
+def _check(
+    level: float,
+    context: Context,
+    hinge: HingeForces | None,
+    *,
+    demand: float | None,
+    ratio: float | None,
+    verdict: Verdict,
+    reason: str,
+    slides_at: float | None,
+    steps: tuple[Step, ...],
+) -> Check:
+    return Check(
+        procedure=PROCEDURE,
+        edition=EDITION,
+        role="informative" if verdict == "not-applicable" else "code",
+        branch="positive" if hinge is None else hinge.branch,
+        limit_state="no sliding",
+        level_pga_g=level / g,
+        input_at=context.histories_at,
+        damping=None,
+        damping_rule="",
+        quantity="coefficient of friction",
+        unit="-",
+        demand=demand,
+        capacity=None if hinge is None or verdict == "not-applicable" else hinge.friction,
+        ratio=ratio,
+        verdict=verdict,
+        reason=reason,
+        capacity_pga_g=None if slides_at is None else slides_at / g,
+        uplift_pga_g=None,
+        capacity_rotation_ratio=None,
+        rotation_ratio=None,
+        pga_curve=PgaCurve((), ()),
+        steps=steps,
+        caveat="" if hinge is None or hinge.single else CHAIN + HELD * any(each.held for each in context.hinges),
+    )
+
+
+def _steps(hinge: HingeForces, level: float, context: Context, slides_at: float | None) -> tuple[Step, ...]:
+    """The hinge that governs, from its forces on."""
+    held = [each for each in context.hinges if each.held and each.branch == hinge.branch]
+    return (
+        *starting_steps(hinge),
+        *_level_steps(hinge, level, context),
+        *_sliding_steps(hinge, slides_at),
+        *(step for each in held for step in _held_steps(each)),
+    )
+
+
+def _held_steps(top: HingeForces) -> tuple[Step, ...]:
+    """What the support at the top of a wall has to take, by friction under what stands there or by an anchorage."""
+    N, T, name = top.starting.normal, top.starting.shear, top.hinge
+    numbers = f"{abs(T):.5g} / {N:.5g}"
+    said = "friction it would need without an anchorage; none where nothing stands on the top"
+    return (
+        Step(
+            f"H_{name}",
+            "of the support at the top, at a_r",
+            EDITION,
+            BALANCE,
+            TABLE,
+            top.horizontal,
+            "N",
+        ),
+        Step(f"μ_{name}", said, EDITION, "|T| / N", numbers, top.needed, "-"),
+    )
+
+
+def starting_steps(hinge: HingeForces) -> tuple[Step, ...]:
+    """H, V, N and T of a hinge when the mechanism starts to rock, and the friction they need."""
+    H, V, (n_x, n_z), name = hinge.horizontal, hinge.vertical, hinge.face, hinge.hinge
+    N, T = hinge.starting.normal, hinge.starting.shear
+    faces = "faces on the geometry" if hinge.found else "no faces found: taken level"
+    pushed, at_start = _balance(hinge)
+    return (
+        Step("a_r", "acceleration that starts rocking", EDITION, "λ g", f"{hinge.acceleration / g:.5g} · 9.80665",
+             hinge.acceleration, "m/s2"),
+        Step(f"H_{name}", "on the block that presses, along the motion", EDITION, pushed, at_start, H, "N"),
+        Step(f"V_{name}", "on the block that presses, up", EDITION, BALANCE, TABLE, V, "N"),
+        Step(f"N_{name}", f"square to the faces, n = ({n_x:.4g}, {n_z:.4g}); {faces}", EDITION, "H n_x + V n_z",
+             f"{H:.5g} · {n_x:.4g} + {V:.5g} · {n_z:.4g}", N, "N"),
+        Step(f"T_{name}", "along the faces", EDITION, "H n_z − V n_x",
+             f"{H:.5g} · {n_z:.4g} − {V:.5g} · {n_x:.4g}", T, "N"),
+        Step("μ_req", "friction needed to rock without sliding", EDITION, "|T| / N",
+             f"{abs(T):.5g} / {N:.5g}", hinge.needed, "-"),
+    )  # fmt: skip
+
+
+def _balance(hinge: HingeForces) -> tuple[str, str]:
+    """How H comes about, with numbers: of a single block what it is at rest less the push on the moved mass."""
+    if not hinge.single:
+        return BALANCE, TABLE
+    (n_x, n_z), a = hinge.face, hinge.acceleration
+    at_rest = hinge.resting.normal * n_x + hinge.resting.shear * n_z + 0.0
+    mass = (at_rest - hinge.horizontal) / a
+    return "H_0 − a_r M", f"{at_rest:.5g} − {a:.5g} · {mass:.5g}"
+
+
+def _level_steps(hinge: HingeForces, level: float, context: Context) -> tuple[Step, ...]:
+    """The same at the acceleration of the level, or at the one that starts rocking where that is less."""
+    a = min(level * context.amplification, hinge.acceleration)
+    now, rest, start, name = hinge.at(a), hinge.resting, hinge.starting, hinge.hinge
+    share, demand = a / hinge.acceleration, hinge.mobilised(a)
+    least = f"min({level:.5g} · {context.amplification:.4g}, {hinge.acceleration:.5g})"
+    at_rest = abs(rest.shear) / rest.normal if rest.normal > 0.0 else 0.0
+    return (
+        Step("a", "acceleration at the hinges", EDITION, "min(PGA · amplification, a_r)", least, a, "m/s2"),
+        Step("N_a", "square to the faces at a", EDITION, f"N_0 + (N_{name} − N_0) a / a_r",
+             f"{rest.normal:.5g} + ({start.normal:.5g} − {rest.normal:.5g}) · {share:.4g}", now.normal, "N"),
+        Step("T_a", "along the faces at a", EDITION, f"T_0 + (T_{name} − T_0) a / a_r",
+             f"{rest.shear:.5g} + ({start.shear:.5g} − {rest.shear:.5g}) · {share:.4g}", now.shear, "N"),
+        Step("μ_d", "friction needed up to a: at rest or at a", EDITION, "max(|T_0| / N_0, |T_a| / N_a)",
+             f"max({at_rest:.5g}, {abs(now.shear):.5g} / {now.normal:.5g})", demand, "-"),
+    )  # fmt: skip
+
+
+def _sliding_steps(hinge: HingeForces, slides_at: float | None) -> tuple[Step, ...]:
+    mu = hinge.friction
+    return (
+        Step("μ", "coefficient of friction of the joint", EDITION, "given", f"{mu:.4g}", mu, "-"),
+        Step("PGA_s", "least PGA that slides a hinge before it rocks; none where it rocks first", EDITION,
+             "|T| = μ N, over the amplification", "none" if slides_at is None else "of all hinges",
+             None if slides_at is None else slides_at / g, "g"),
+    )  # fmt: skip

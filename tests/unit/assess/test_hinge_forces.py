@@ -1,0 +1,80 @@
+"""When a hinge slides: closed forms of Coulomb's friction on level and inclined planes."""
+
+from __future__ import annotations
+
+from math import atan, cos, sin, tan
+
+import pytest
+from scipy.constants import g
+
+from assess.hinge_forces import HingeForces, Pressure, needed
+
+
+def on_a_plane(
+    *, slope: float, friction: float | None, weight: float = 1000.0, activation: float = 0.4 * g, thrust: float = 0.0
+) -> HingeForces:
+    """A block on a plane that falls by `slope` [rad] along the motion; thrust: a given force along the motion [N]."""
+    n_x, n_z = sin(slope), cos(slope)
+
+    def pressed(acceleration: float) -> Pressure:
+        x, z = -weight * acceleration / g - thrust, weight
+        return Pressure(x * n_x + z * n_z, x * n_z - z * n_x)
+
+    start = pressed(activation)
+    return HingeForces(
+        hinge="A",
+        branch="positive",
+        single=True,
+        horizontal=-weight * activation / g - thrust,
+        vertical=weight,
+        face=(n_x, n_z),
+        found=True,
+        starting=start,
+        resting=pressed(0.0),
+        acceleration=activation,
+        friction=friction,
+        remedy="",
+        held=False,
+    )
+
+
+@pytest.mark.parametrize("mu", [0.05, 0.2, 0.399])
+def test_a_block_on_level_ground_slides_at_mu_g_if_that_is_before_it_rocks(mu: float) -> None:
+    assert on_a_plane(slope=0.0, friction=mu).sliding == pytest.approx(mu * g, rel=1e-12)
+    assert on_a_plane(slope=0.0, friction=mu, activation=0.99 * mu * g).sliding is None
+
+
+@pytest.mark.parametrize("slope", [0.05, 0.2, -0.15])
+@pytest.mark.parametrize("mu", [0.3, 0.5])
+def test_a_block_on_a_slope_slides_at_the_angle_of_friction_less_the_slope(slope: float, mu: float) -> None:
+    block = on_a_plane(slope=slope, friction=mu, activation=2.0 * g)
+    assert block.sliding == pytest.approx(g * tan(atan(mu) - slope), rel=1e-12)
+    assert block.at(block.sliding).shear == pytest.approx(-mu * block.at(block.sliding).normal, rel=1e-12)
+    assert block.mobilised(0.0) == pytest.approx(abs(tan(slope)), rel=1e-12)
+
+
+def test_a_slope_steeper_than_the_angle_of_friction_slides_at_rest() -> None:
+    assert on_a_plane(slope=0.5, friction=tan(0.49)).sliding == 0.0
+
+
+def test_a_thrust_along_the_motion_leaves_less_for_the_ground() -> None:
+    pushed = on_a_plane(slope=0.0, friction=0.3, thrust=100.0)
+    assert pushed.sliding == pytest.approx((0.3 - 0.1) * g, rel=1e-12)
+    assert pushed.needed == pytest.approx(0.4 + 0.1, rel=1e-12)
+
+
+def test_a_pull_against_the_motion_may_need_more_friction_at_rest_than_later() -> None:
+    held = on_a_plane(slope=0.0, friction=0.3, thrust=-250.0)
+    found = [held.mobilised(a * g) for a in (0.0, 0.1, 0.25, 0.4, 0.9)]
+    assert found == pytest.approx([0.25] * 5, rel=1e-12)
+    assert held.sliding is None
+    assert on_a_plane(slope=0.0, friction=0.2, thrust=-250.0).sliding == 0.0
+
+
+def test_friction_that_is_not_known_gives_no_acceleration() -> None:
+    assert on_a_plane(slope=0.0, friction=None).sliding is None
+
+
+@pytest.mark.parametrize("normal", [0.0, -3.0])
+def test_a_hinge_on_which_nothing_presses_lifts(normal: float) -> None:
+    assert needed(Pressure(normal, 2.0)) is None

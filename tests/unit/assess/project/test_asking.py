@@ -69,7 +69,7 @@ def test_edition_of_the_site_decides_what_is_asked(tmp_path, code, spectrum, ask
 
 def test_options_of_codes_that_are_not_asked_are_no_assumption_unless_given(tmp_path):
     plain = {key.split(".")[1] for key in study_of(tmp_path).resolved if key.startswith("procedures.")}
-    assert plain == {"ntc2018"}
+    assert plain == {"asce43-05", "ntc2018"}
     given = study_of(tmp_path, tail="[procedures.dmi2008]\nconfidence_factor = 1.2").resolved
     assert [key for key in given if key.startswith("procedures.dmi")] == ["procedures.dmi2008.confidence_factor"]
 

@@ -9,6 +9,7 @@ from typing import Literal
 from assess.codes.check import Check, Verdict
 from assess.results import ComparisonRow, HistoryResult, MechanismResult, Results, Trace
 
+DAMAGE = "SLD"
 Outcome = Verdict | Literal["incomplete"]
 
 
@@ -130,16 +131,23 @@ def outcome(results: Results) -> Outcome:
     return verdict(of_all(results))
 
 
+def of_collapse(checks: tuple[Check, ...]) -> tuple[Check, ...]:
+    """The checks of each procedure but those of damage, where it has others: SLD comes before collapse."""
+    ultimate = {check.procedure for check in checks if check.limit_state != DAMAGE}
+    return tuple(check for check in checks if check.limit_state != DAMAGE or check.procedure not in ultimate)
+
+
 def weakest(checks: tuple[Check, ...]) -> Check | None:
-    """The check with the least known PGA at capacity; the first of equals."""
-    known = [check for check in checks if check.capacity_pga_g is not None and check.verdict != "not-applicable"]
+    """The check of collapse with the least known PGA at capacity; the first of equals."""
+    answered = (check for check in of_collapse(checks) if check.verdict != "not-applicable")
+    known = [check for check in answered if check.capacity_pga_g is not None]
     return min(known, key=lambda check: check.capacity_pga_g or 0.0, default=None)
 
 
 def capacities(checks: tuple[Check, ...]) -> dict[str, float]:
-    """The least PGA at capacity of each procedure that knows one [g]."""
+    """The least PGA at capacity of each procedure that knows one [g], of its limit states of collapse."""
     found: dict[str, float] = {}
-    for check in checks:
+    for check in of_collapse(checks):
         if check.capacity_pga_g is not None:
             found[check.procedure] = min(check.capacity_pga_g, found.get(check.procedure, inf))
     return found

@@ -90,3 +90,12 @@ def test_limits_say_where_sliding_was_checked_and_where_not(results: Results) ->
     assert text.startswith("Sliding was checked by equilibrium, at every hinge")
     assert "For parapet it was not checked" in text
     assert "it was not checked" not in sentences.sliding(replace(results, mechanisms=both[:1]))
+
+
+def test_damage_is_no_collapse_where_a_procedure_knows_both(results: Results) -> None:
+    check = results.mechanisms[0].checks[0]
+    damage = replace(check, procedure="ntc2018-linear", limit_state="SLD", capacity_pga_g=0.1)
+    life = replace(check, procedure="ntc2018-linear", limit_state="SLV", capacity_pga_g=0.3)
+    assert governing.weakest((damage, life)) == life
+    assert governing.capacities((damage, life)) == {"ntc2018-linear": 0.3}
+    assert governing.weakest((damage,)) == damage

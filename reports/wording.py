@@ -1,0 +1,120 @@
+"""Every text of a document through one function: headings, captions, cells, sentences, steps, letters of figures."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import fields, replace
+from functools import partial, singledispatch
+
+from matplotlib.axis import Axis
+from matplotlib.figure import Figure as Drawn
+from matplotlib.ticker import FixedFormatter
+from matplotlib.text import Text as Letters
+
+from reports.document import (
+    Banner,
+    Block,
+    Cell,
+    Column,
+    Document,
+    Figure,
+    Items,
+    Line,
+    Section,
+    Sheet,
+    Signatures,
+    Table,
+    Text,
+)
+
+Say = Callable[[str], str]
+
+
+def reworded(document: Document, say: Say) -> Document:
+    """The document with `say` applied to each of its texts, figures when they are drawn.
+
+    Left as they are: the author, names of tables and files, verdicts, and cells in columns of the kind "given".
+    """
+    return replace(
+        document,
+        title=say(document.title),
+        subject=say(document.subject),
+        facts=tuple((say(label), say(text)) for label, text in document.facts),
+        sections=tuple(_section(section, say) for section in document.sections),
+        data=tuple(_table(table, say) for table in document.data),
+    )
+
+
+def _section(section: Section, say: Say) -> Section:
+    return replace(section, title=say(section.title), blocks=tuple(_block(block, say) for block in section.blocks))
+
+
+@singledispatch
+def _block(block: Block, say: Say) -> Block:
+    raise TypeError(f"{type(block).__name__}: not a block of a document")
+
+
+@_block.register
+def _(block: Text, say: Say) -> Block:
+    return Text(tuple(map(say, block.paragraphs)))
+
+
+@_block.register
+def _(block: Items, say: Say) -> Block:
+    return Items(tuple(map(say, block.points)))
+
+
+@_block.register
+def _(block: Banner, say: Say) -> Block:
+    return replace(block, headline=say(block.headline))
+
+
+@_block.register
+def _(block: Signatures, say: Say) -> Block:
+    return Signatures(tuple((say(role), name) for role, name in block.places))
+
+
+@_block.register
+def _table(block: Table, say: Say) -> Table:
+    columns = tuple(replace(column, label=say(column.label), unit=say(column.unit)) for column in block.columns)
+    rows = tuple(
+        tuple(_cell(cell, column, say) for cell, column in zip(row, block.columns, strict=True)) for row in block.rows
+    )
+    return replace(block, caption=say(block.caption), columns=columns, rows=rows)
+
+
+def _cell(cell: Cell, column: Column, say: Say) -> Cell:
+    return say(cell) if isinstance(cell, str) and column.kind in ("text", "number") else cell
+
+
+@_block.register
+def _(block: Sheet, say: Say) -> Block:
+    return replace(block, caption=say(block.caption), lines=tuple(_line(line, say) for line in block.lines))
+
+
+def _line(line: Line, say: Say) -> Line:
+    texts = {field.name: getattr(line, field.name) for field in fields(line)}
+    return replace(line, **{name: say(text) for name, text in texts.items() if isinstance(text, str)})
+
+
+@_block.register
+def _(block: Figure, say: Say) -> Block:
+    return replace(block, caption=say(block.caption), draw=partial(_drawn, block.draw, say))
+
+
+def _drawn(draw: Callable[[], Drawn], say: Say) -> Drawn:
+    """The figure with its letters changed; lettered ticks are written by their formatter, at each drawing anew."""
+    figure = draw()
+    for axes in figure.axes:
+        for axis in (axes.xaxis, axes.yaxis):
+            _ticks(axis, say)
+    for letters in figure.findobj(Letters):
+        assert isinstance(letters, Letters)  # as asked for
+        letters.set_text(say(letters.get_text()))
+    return figure
+
+
+def _ticks(axis: Axis, say: Say) -> None:
+    formatter = axis.get_major_formatter()
+    if isinstance(formatter, FixedFormatter):
+        formatter.seq = [say(text) for text in formatter.seq]

@@ -29,6 +29,7 @@ from reports.document import Block, Document, Figure, Items, Section, Signatures
 from reports.figures import amplification, capacity, comparison, history, pga_rotation, sketch, spectrum, view
 from reports.model import of_view
 from reports.numerals import numeral
+from reports.verbatim import verbatim
 
 LONG = 120  # characters; longer titles and names are shortened where they head something and printed once in full
 _FACTS = (
@@ -71,6 +72,8 @@ def assessment(results: Results) -> Document:
             *sensitivity.data(results),
             *envelopes.data(results),
         ),
+        verbatim=verbatim(results),
+        units=_units(results),
     )
 
 
@@ -112,6 +115,10 @@ def stem(name: str, place: int) -> str:
 
 def _paper(results: Results) -> Literal["A4", "letter"]:
     return "letter" if project(results, "report.paper").lower() == "letter" else "A4"
+
+
+def _units(results: Results) -> Literal["SI", "US"]:
+    return "US" if project(results, "report.units") == "US" else "SI"
 
 
 def _annex(results: Results) -> Section:

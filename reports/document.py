@@ -170,6 +170,8 @@ class Document:
     program : name and version of the program that made it
     paper : "A4" or "letter"
     language : of its sentences, as BCP 47 has it
+    verbatim : texts of the user, which are never translated: titles, names, notes, paths
+    units : of the report; its tables, sentences and figures are made in SI and converted when it is written
     """
 
     title: str
@@ -181,6 +183,8 @@ class Document:
     sections: tuple[Section, ...]
     data: tuple[Table, ...]
     language: str = "en-GB"
+    verbatim: frozenset[str] = frozenset()
+    units: Literal["SI", "US"] = "SI"
 
     @property
     def blocks(self) -> tuple[Block, ...]:

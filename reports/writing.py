@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Literal
 
 from assess.results import Results
+from reports.asked import as_asked
 from reports.assessment import assessment
 from reports.csv import write_csv
 from reports.document import Document
@@ -44,7 +45,7 @@ def write_document(
     progress: Callable[[str], None] | None = None,
 ) -> Path:
     """Write a document into the empty `folder` in every form, its PDF called `name`, its page alike; the PDF's path."""
-    say = progress or (lambda _: None)
+    document, say = as_asked(document), progress or (lambda _: None)
     for name_of_folder in ("tables", "figures"):
         (folder / name_of_folder).mkdir(exist_ok=True)
     say("tables")

@@ -180,8 +180,8 @@ class Procedures(Section):
 class Report(Section):
     """How the report looks."""
 
-    units: Literal["SI"] = "SI"
-    """units of the report"""
+    units: Literal["SI", "US"] = "SI"
+    """units of the report, tables and figures; results.json is in SI, calculation sheets are in both"""
     paper: Literal["A4", "letter"] = "A4"
     """paper size"""
     sources: dict[str, Source] = Field(default_factory=dict)

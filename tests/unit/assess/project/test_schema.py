@@ -261,7 +261,10 @@ WRONG: dict[str, tuple[str | bytes, str]] = {
     "deep nesting": ("a = " + "[" * 5000, "nested too deeply"),
     "number of 5000 digits": ("a = " + "9" * 5000, "a number of thousands of digits"),
     "line break in a name": (PROJECT + '[materials."a\\nb\\u001b"]\ndensity = -3', r"materials.a\nb\x1b.density: -3"),
-    "US units": (PROJECT + '[report]\nunits = "US"', 'report.units: "US": not allowed; write "SI"'),
+    "imperial units": (
+        PROJECT + '[report]\nunits = "imperial"',
+        'report.units: "imperial": not allowed; write "SI" or "US"',
+    ),
 }
 
 

@@ -111,13 +111,12 @@ class UsLocator(Locator):
         super().set_axis(axis)
         self.inner.set_axis(_Scaled(axis, self.factor))  # type: ignore[arg-type]  # it answers as an axis does
 
-    def __call__(self) -> Sequence[float]:
-        return (np.asarray(self.inner(), dtype=np.float64) / self.factor).tolist()
+    def __call__(self) -> Any:
+        return np.asarray(self.inner(), dtype=np.float64) / self.factor
 
-    def tick_values(self, vmin: float, vmax: float) -> Sequence[float]:
+    def tick_values(self, vmin: float, vmax: float) -> Any:
         """Ticks between two values."""
-        found = self.inner.tick_values(vmin * self.factor, vmax * self.factor)
-        return (np.asarray(found, dtype=np.float64) / self.factor).tolist()
+        return np.asarray(self.inner.tick_values(vmin * self.factor, vmax * self.factor)) / self.factor
 
     def nonsingular(self, v0: float, v1: float) -> tuple[float, float]:
         """Limits that are not one."""
@@ -141,7 +140,7 @@ class UsFormatter(Formatter):
     def set_locs(self, locs: list[float]) -> None:
         """The ticks that are written together."""
         super().set_locs(locs)
-        self.inner.set_locs((np.asarray(locs, dtype=np.float64) * self.factor).tolist())
+        self.inner.set_locs([at * self.factor for at in locs])
 
     def get_offset(self) -> str:
         """What all numbers are to be multiplied by."""

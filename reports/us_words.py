@@ -9,20 +9,20 @@ from functools import partial
 from reports.customary import KNOWN, customary
 from reports.document import Block, Document, Section, Sheet
 from reports.numerals import numeral
-from reports.verbatim import Masks, masks
+from reports.verbatim import masks
 from reports.wording import reworded
 
-LEAST, MOST = 3, 15  # significant figures, also where a quantity is written with fewer or more
+LEAST = 3  # significant figures, also where a quantity is written with fewer
 _SUPERSCRIPT = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
-_NUMBER = r"\d+(?:\.\d+)?(?:e[+-]?\d+|×10⁻?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)?"
+_NUMBER = r"\d{1,15}(?:\.\d{1,15})?(?:e[+-]?\d{1,2}|×10⁻?[⁰¹²³⁴⁵⁶⁷⁸⁹]{1,2})?"
 _SIGN = r"[-+−]?"
 _SPELT = "|".join(re.escape(spelling) for unit in KNOWN for spelling in dict.fromkeys(
     (unit, unit.replace("²", "2").replace("³", "3"), unit.replace("²", "^2").replace("³", "^3"))
 ))  # fmt: skip
 _QUANTITY = re.compile(
     r"(?P<quoted>\"[^\"]{0,400}\"|`[^`]{0,400}`|“[^”]{0,400}”)"
-    rf"|(?<![\w.,])(?<!\w[-−])(?P<numbers>{_NUMBER}(?: (?:×|x|to|a) {_SIGN}{_NUMBER})*"
-    rf"|\({_SIGN}{_NUMBER}(?:, {_SIGN}{_NUMBER})+\))"
+    rf"|(?<![\w.,])(?<!\w[-−])(?P<numbers>{_NUMBER}(?: (?:×|x|to|a) {_SIGN}{_NUMBER}){{0,5}}"
+    rf"|\({_SIGN}{_NUMBER}(?:, {_SIGN}{_NUMBER}){{1,5}}\))"
     rf"(?P<space>\s)(?P<unit>{_SPELT})(?![\w²³^/*·°-]|\.\w)"
 )
 
@@ -34,7 +34,7 @@ def in_us_words(document: Document) -> Document:
     sheets. Works in any language that writes numbers with a point.
     """
     kept = masks(document.verbatim, spared=" ".join(KNOWN))
-    changed = reworded(document, partial(_said, kept))
+    changed = reworded(document, partial(kept.around, in_words))
     pairs = zip(document.sections, changed.sections, strict=True)
     return replace(changed, sections=tuple(_with_sheets(new, old) for old, new in pairs))
 
@@ -43,12 +43,6 @@ def _with_sheets(new: Section, old: Section) -> Section:
     pairs = zip(old.blocks, new.blocks, strict=True)
     blocks: tuple[Block, ...] = tuple(before if isinstance(before, Sheet) else after for before, after in pairs)
     return replace(new, blocks=blocks)
-
-
-def _said(kept: Masks, text: str) -> str:
-    """A text in US units, its parts that the user wrote untouched."""
-    changed = kept.around(in_words, text)
-    return text if changed is None else changed
 
 
 def in_words(text: str) -> str:
@@ -68,4 +62,4 @@ def _converted(found: re.Match[str]) -> str:
 def _number(text: str, factor: float) -> str:
     mantissa, _, power = text.replace("×10", "e").translate(_SUPERSCRIPT).partition("e")
     digits = len(mantissa.replace(".", "").lstrip("0"))
-    return numeral(float(f"{mantissa}e{power or 0}") * factor, digits=min(max(LEAST, digits), MOST))
+    return numeral(float(f"{mantissa}e{power or 0}") * factor, digits=max(LEAST, digits))

@@ -12,7 +12,7 @@ FREE = ("title", "engineer", "checker", "reference", "client", "date", "notes", 
 NAMED = ("mechanisms", "bodies", "materials")  # tables of the project file whose keys are names
 SOURCES = "report.sources."
 _FIRST_MARK = 0xF0000  # marks that stand for texts: private use, plane 15
-_KEPT = 20  # characters by which a shortened text is known
+_KEPT = 8  # characters by which a shortened text is known
 
 
 def verbatim(results: Results) -> frozenset[str]:
@@ -51,10 +51,10 @@ class Masks:
 
     pattern: re.Pattern[str] | None
 
-    def around(self, change: Callable[[str], str | None], text: str) -> str | None:
-        """`change` applied to `text` with a mark for each text of the user; None where it gives None."""
-        if any(ord(letter) >= _FIRST_MARK for letter in text):
-            return None
+    def around(self, change: Callable[[str], str], text: str) -> str:
+        """`change` applied to `text` with a mark for each text of the user; `text` where it holds such marks itself."""
+        if any(map(is_mark, text)):
+            return text
         kept: list[str] = []
 
         def mark(found: re.Match[str]) -> str:
@@ -62,8 +62,7 @@ class Masks:
             return chr(_FIRST_MARK + len(kept) - 1)
 
         masked = text if self.pattern is None else self.pattern.sub(mark, text)
-        changed = change(masked)
-        return None if changed is None else "".join(_unmasked(letter, kept) for letter in changed)
+        return "".join(kept[ord(letter) - _FIRST_MARK] if is_mark(letter) else letter for letter in change(masked))
 
 
 def is_mark(letter: str) -> bool:
@@ -78,7 +77,7 @@ def masks(texts: Iterable[str], *, spared: str) -> Masks:
     """
     wanted = sorted((text for text in texts if not _part(text, spared)), key=lambda text: (-len(text), text))
     found = "|".join(map(_pattern, wanted))
-    return Masks(re.compile(rf"(?<!\w)(?:{found})(?!\w)") if found else None)
+    return Masks(re.compile(rf"(?<![\w-])(?:{found})(?![\w-])") if found else None)
 
 
 def _pattern(text: str) -> str:
@@ -87,13 +86,9 @@ def _pattern(text: str) -> str:
 
 
 def _spaced(text: str) -> str:
-    """A text whose spaces may be ends of lines."""
-    return r"\s+".join(re.escape(word) for word in text.split())
+    """A text that may be broken into lines at its spaces and hyphens."""
+    return r"\s+".join(re.escape(word).replace(r"\-", r"\-\s*") for word in text.split())
 
 
 def _part(text: str, sentences: str) -> bool:
     return re.search(rf"(?<!\w){re.escape(text)}(?!\w)", sentences) is not None
-
-
-def _unmasked(letter: str, kept: list[str]) -> str:
-    return kept[ord(letter) - _FIRST_MARK] if is_mark(letter) else letter

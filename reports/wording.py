@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import fields, replace
 from functools import partial, singledispatch
+from typing import Any
 
 from matplotlib.axis import Axis
 from matplotlib.figure import Figure as Drawn
-from matplotlib.ticker import FixedFormatter
 from matplotlib.text import Text as Letters
+from matplotlib.ticker import FixedFormatter, FuncFormatter
 
 from reports.document import (
     Banner,
@@ -94,7 +95,8 @@ def _(block: Sheet, say: Say) -> Block:
 
 def _line(line: Line, say: Say) -> Line:
     texts = {field.name: getattr(line, field.name) for field in fields(line)}
-    return replace(line, **{name: say(text) for name, text in texts.items() if isinstance(text, str)})
+    said: dict[str, Any] = {name: say(text) for name, text in texts.items() if isinstance(text, str)}
+    return replace(line, **said)
 
 
 @_block.register
@@ -118,3 +120,9 @@ def _ticks(axis: Axis, say: Say) -> None:
     formatter = axis.get_major_formatter()
     if isinstance(formatter, FixedFormatter):
         formatter.seq = [say(text) for text in formatter.seq]
+    elif isinstance(formatter, FuncFormatter):  # as set_yticks(places, names) makes one
+        axis.set_major_formatter(FuncFormatter(partial(_tick, formatter.func, say)))
+
+
+def _tick(written: Callable[..., str], say: Say, value: float, place: int | None = None) -> str:
+    return say(written(value, place))

@@ -19,7 +19,7 @@ _MATERIAL = (
     ("tensile_strength", "Tensile strength, f_mt", "Pa"),
     ("friction", "Friction, μ", "-"),
 )
-_GEOMETRY = ("mesh", "box", "profile", "mass")
+_GEOMETRY = {"mesh": "", "box": " m", "profile": " m", "mass": " kg"}  # with their units
 Tables = dict[str, dict[str, Resolved]]
 
 
@@ -81,11 +81,11 @@ def _value(found: Mapping[str, Resolved], key: str) -> Cell:
 
 
 def _geometry(found: Mapping[str, Resolved]) -> str:
-    for key in _GEOMETRY:
+    for key, unit in _GEOMETRY.items():
         inside = {name: each.value for name, each in found.items() if name == key or name.startswith(f"{key}.")}
         given = {name: value for name, value in inside.items() if value is not None}
         if given:
-            return "; ".join(f"{name.replace('.', ' ')} {as_cell(value)}" for name, value in given.items())
+            return "; ".join(f"{name.replace('.', ' ')} {as_cell(value)}{unit}" for name, value in given.items())
     return ""
 
 

@@ -19,7 +19,6 @@ ROWS: Mapping[str, tuple[str, ...]] = {
     QUANTITY: ("Demand", "Allowable"),
 }
 """Columns that tell the unit of a row, and the columns whose numbers are in that unit."""
-BARE = ("Geometry",)  # columns of texts with numbers in SI that have no unit
 
 
 def in_us_units(document: Document) -> Document:
@@ -65,8 +64,6 @@ def table(one: Table) -> Table:
 
 def _column(column: Column) -> Column:
     found = customary(column.unit)
-    if column.label in BARE:
-        return replace(column, label=f"{column.label} (SI)")
     if found is None:
         return column
     return replace(column, unit=found.unit, kind="number" if column.kind == "given" else column.kind)

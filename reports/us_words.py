@@ -12,9 +12,9 @@ from reports.numerals import numeral
 from reports.verbatim import masks
 from reports.wording import reworded
 
-LEAST = 3  # significant figures, also where a quantity is written with fewer
+LEAST, MOST = 3, 6  # significant figures, also where a quantity is written with fewer or more
 _SUPERSCRIPT = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
-_NUMBER = r"\d{1,15}(?:\.\d{1,15})?(?:e[+-]?\d{1,2}|×10⁻?[⁰¹²³⁴⁵⁶⁷⁸⁹]{1,2})?"
+_NUMBER = r"\d{1,17}(?:\.\d{1,17})?(?:e[+-]?\d{1,2}|×10⁻?[⁰¹²³⁴⁵⁶⁷⁸⁹]{1,2})?"
 _SIGN = r"[-+−]?"
 _SPELT = "|".join(re.escape(spelling) for unit in KNOWN for spelling in dict.fromkeys(
     (unit, unit.replace("²", "2").replace("³", "3"), unit.replace("²", "^2").replace("³", "^3"))
@@ -22,13 +22,13 @@ _SPELT = "|".join(re.escape(spelling) for unit in KNOWN for spelling in dict.fro
 _QUANTITY = re.compile(
     r"(?P<quoted>\"[^\"]{0,400}\"|`[^`]{0,400}`|“[^”]{0,400}”)"
     rf"|(?<![\w.,])(?<!\w[-−])(?P<numbers>{_NUMBER}(?: (?:×|x|to|a) {_SIGN}{_NUMBER}){{0,5}}"
-    rf"|\({_SIGN}{_NUMBER}(?:, {_SIGN}{_NUMBER}){{1,5}}\))"
+    rf"|\({_SIGN}{_NUMBER}(?:, {_SIGN}{_NUMBER}){{1,5}}\)|\[[-+−\d.,e \[\]]{{1,2000}}\])"
     rf"(?P<space>\s)(?P<unit>{_SPELT})(?![\w²³^/*·°-]|\.\w)"
 )
 
 
 def in_us_words(document: Document) -> Document:
-    """The document with the quantities of its texts in US units, each to as many figures as it was written with.
+    """The document with the quantities of its texts in US units, each to the figures it was written with.
 
     Left as they are: the user's own texts (`document.verbatim`), what stands between quotation marks, and calculation
     sheets. Works in any language that writes numbers with a point.
@@ -62,4 +62,4 @@ def _converted(found: re.Match[str]) -> str:
 def _number(text: str, factor: float) -> str:
     mantissa, _, power = text.replace("×10", "e").translate(_SUPERSCRIPT).partition("e")
     digits = len(mantissa.replace(".", "").lstrip("0"))
-    return numeral(float(f"{mantissa}e{power or 0}") * factor, digits=max(LEAST, digits))
+    return numeral(float(f"{mantissa}e{power or 0}") * factor, digits=min(max(LEAST, digits), MOST))

@@ -27,6 +27,7 @@ bench: .venv/installed     ## speed, as ratios measured in one run
 	$(BIN)/python tests/benchmarks/bench_mechanisms.py
 	$(BIN)/python tests/benchmarks/bench_mesh.py
 	$(BIN)/python tests/benchmarks/bench_records.py
+	$(BIN)/python tests/benchmarks/bench_report.py
 
 figures: .venv/installed   ## figures of the thesis drawn again, into build/figures
 	$(BIN)/python tests/validation/thesis/draw_chapter_7.py

@@ -10,6 +10,7 @@ above knows nothing of codes, what stands below nothing of blocks or meshes.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import pairwise
 
 import numpy as np
@@ -20,9 +21,11 @@ from scipy.interpolate import CubicSpline, PPoly
 FloatArray = NDArray[np.float64]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Branch:
     """One direction of rocking, tabulated over rotation; between nodes the table is a cubic spline.
+
+    Equal to itself only, so that its splines can be made once.
 
     Attributes
     ----------
@@ -135,20 +138,47 @@ def interpolant(rotation: FloatArray, values: FloatArray) -> PPoly:
     return PPoly.construct_fast(coefficients, rotation)
 
 
+@lru_cache(maxsize=64)
+def restoring_spline(branch: Branch) -> PPoly:
+    """Restoring moment [N m] over rotation [rad]."""
+    return interpolant(branch.rotation, branch.restoring)
+
+
+@lru_cache(maxsize=64)
+def excitation_spline(branch: Branch) -> PPoly:
+    """Excitation B [kg m] over rotation [rad]."""
+    return interpolant(branch.rotation, branch.excitation)
+
+
+@lru_cache(maxsize=64)
+def _inertia_spline(branch: Branch) -> PPoly:
+    return interpolant(branch.rotation, branch.inertia)
+
+
+@lru_cache(maxsize=64)
+def _work(branch: Branch) -> PPoly:
+    return restoring_spline(branch).antiderivative()
+
+
+@lru_cache(maxsize=64)
+def excitation_integral(branch: Branch) -> PPoly:
+    """Integral of B dphi from rest [kg m] over rotation [rad]."""
+    return excitation_spline(branch).antiderivative()
+
+
 def restoring(branch: Branch, rotation: FloatArray) -> FloatArray:
     """Restoring moment [N m] at `rotation` [rad] (same shape)."""
-    return np.asarray(interpolant(branch.rotation, branch.restoring)(rotation), dtype=np.float64)
+    return np.asarray(restoring_spline(branch)(rotation), dtype=np.float64)
 
 
 def energy(branch: Branch, rotation: FloatArray) -> FloatArray:
     """Work stored from rest to `rotation` [rad] (same shape): the integral of the restoring moment [J]."""
-    return np.asarray(interpolant(branch.rotation, branch.restoring).antiderivative()(rotation), dtype=np.float64)
+    return np.asarray(_work(branch)(rotation), dtype=np.float64)
 
 
 def displacement(branch: Branch, rotation: FloatArray, *, mass: float) -> FloatArray:
     """Displacement of the control point, the centre of all participating masses: (integral of B dphi) / mass [m]."""
-    integral = interpolant(branch.rotation, branch.excitation).antiderivative()
-    return np.asarray(integral(rotation), dtype=np.float64) / mass
+    return np.asarray(excitation_integral(branch)(rotation), dtype=np.float64) / mass
 
 
 def multiplier(branch: Branch) -> FloatArray:
@@ -173,7 +203,7 @@ def elastic_frequency(branch: Branch) -> float | None:
     """Frequency of small motions about rest [Hz]; None where rest has a threshold."""
     if threshold(branch) is not None:
         return None
-    stiffness = float(interpolant(branch.rotation, branch.restoring)(0.0, 1))
+    stiffness = float(restoring_spline(branch)(0.0, 1))
     return float(np.sqrt(max(stiffness, 0.0) / branch.inertia[0]) / (2 * np.pi))
 
 
@@ -199,10 +229,8 @@ def block_at(branch: Branch, rotation: float, *, mass: float) -> SingleBlock:
 
     For a plain block it is the same at every rotation; on a flexible joint it is thesis 6.50-6.52.
     """
-    R, B, inertia = (
-        float(interpolant(branch.rotation, values)(rotation))
-        for values in (branch.restoring, branch.excitation, branch.inertia)
-    )
+    R, B = float(restoring_spline(branch)(rotation)), float(excitation_spline(branch)(rotation))
+    inertia = float(_inertia_spline(branch)(rotation))
     return SingleBlock(mass, float(np.hypot(R / g, B)) / mass, rotation + float(np.arctan2(R / g, B)), inertia)
 
 

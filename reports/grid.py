@@ -14,7 +14,7 @@ from reports.lettering import shortened
 from reports.numerals import outcome, shown
 from reports.page import only_measured
 from reports.style import GRID, INK, MUTED
-from reports.typeset import STYLES, Lines, formula, markup, paragraph, width_of
+from reports.typeset import STYLES, Lines, Plain, formula, markup, paragraph, width_of
 
 LONGEST = 400  # characters in a cell; the whole text stands in the CSV file and the spreadsheet
 _LONGEST_STEP = 700
@@ -44,7 +44,9 @@ class _Grid(Grid):
 
     def draw(self) -> None:
         if not only_measured(self.canv):
+            self.canv.saveState()
             super().draw()
+            self.canv.restoreState()
 
 
 def table_grid(table: Table, *, title: str, width: float) -> Grid:
@@ -58,13 +60,13 @@ def table_grid(table: Table, *, title: str, width: float) -> Grid:
         ]
         for place, (row, line) in enumerate(zip(table.rows, texts, strict=True))
     ]
-    head = [paragraph(c.heading, "head-number" if c.kind == "number" else "head") for c in table.columns]
+    head = [Plain(c.heading, "head-number" if c.kind == "number" else "head") for c in table.columns]
     return _grid(f"{title}. {table.caption}", [head, *body], widths)
 
 
 def sheet_grid(sheet: Sheet, *, title: str, width: float) -> Grid:
     """A calculation sheet: symbol; meaning and clause; formula and numbers; value and unit."""
-    head = [paragraph(text, "head") for text in SHEET_HEADS]
+    head = [Plain(text, "head") for text in SHEET_HEADS]
     body = [_step(line) for line in sheet.lines]
     return _grid(f"{title}. {sheet.caption}", [head, *body], [share * width for share in _SHARES])
 
@@ -104,7 +106,7 @@ def _cap(widths: list[float], total: float) -> float:
     return max(widths)
 
 
-def _grid(caption: str, rows: Sequence[list[Paragraph] | list[Lines]], widths: list[float]) -> Grid:
+def _grid(caption: str, rows: Sequence[list[Any]], widths: list[float]) -> Grid:
     first: list[Paragraph | str] = [paragraph(shortened(caption, 400), "caption"), *[""] * (len(widths) - 1)]
     grid = _Grid([first, *rows], colWidths=widths, repeatRows=2, hAlign="LEFT", spaceBefore=4, spaceAfter=11)
     grid.setStyle(_LOOK)
@@ -115,12 +117,12 @@ def _text(cell: Cell, column: Column) -> str:
     return shortened(shown(cell, column.kind), LONGEST)
 
 
-def _cell(raw: Cell, text: str, column: Column, *, muted: bool) -> Paragraph:
+def _cell(raw: Cell, text: str, column: Column, *, muted: bool) -> Plain:
     right = "number" if column.kind == "number" else ""
     if muted:
-        return paragraph(text, "muted-number" if right else "muted")
+        return Plain(text, "muted-number" if right else "muted")
     coloured = column.kind == "verdict" and raw in ("pass", "fail")
-    return paragraph(text, str(raw) if coloured else right or "cell")
+    return Plain(text, str(raw) if coloured else right or "cell")
 
 
 def _step(line: Line) -> list[Paragraph]:

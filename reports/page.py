@@ -31,6 +31,15 @@ class Heading(Flowable):
         self.text, self.level, self.key = shortened(text, 2 * _LONGEST_ENTRY), level, key
         self._shape = paragraph(self.text, f"heading-{level}")
 
+    @property
+    def short(self) -> str:
+        """The text as contents and bookmarks have it."""
+        return shortened(printable(self.text), _LONGEST_ENTRY)
+
+    def entry(self, page: int) -> tuple[int, str, int, str]:
+        """Its entry in the contents, on `page`."""
+        return self.level, markup(self.short), page, self.key
+
     def getSpaceBefore(self) -> float:  # noqa: N802 - reportlab's name
         return float(STYLES[f"heading-{self.level}"].spaceBefore)
 
@@ -48,7 +57,7 @@ class Heading(Flowable):
 class Pages(BaseDocTemplate):
     """The document template; the page total of one pass is printed by the next.
 
-    The first pass finds where the pages break; tables and figures are drawn from the second on.
+    The first pass finds where the pages break; tables and figures are drawn from the second on, as a rule the last.
     """
 
     def __init__(self, path: Path, document: Document) -> None:
@@ -73,6 +82,18 @@ class Pages(BaseDocTemplate):
         frame = Frame(_SIDE, _BOTTOM, self.width, self.height, 0, 0, 0, 0, id="text")
         self.addPageTemplates(PageTemplate("page", [frame], onPage=self._furniture))
 
+    def foretold(self, story: list[Flowable]) -> list[Flowable]:
+        """The story whose contents know their headings, if not the pages: the first pass leaves the room they take."""
+        entries = [each.entry(0) for each in story if isinstance(each, Heading) and self._listed(each)]
+        for table in story:
+            if isinstance(table, TableOfContents):
+                table.addEntries(entries)
+        return story
+
+    def _listed(self, heading: Heading) -> bool:
+        """Whether the contents name the heading."""
+        return heading.level == 0 or len(self.document.sections) <= _LONGEST_CONTENTS
+
     def beforeDocument(self) -> None:  # noqa: N802 - reportlab's name
         """Count the passes."""
         self.passes += 1
@@ -80,11 +101,10 @@ class Pages(BaseDocTemplate):
     def afterFlowable(self, flowable: Flowable) -> None:  # noqa: N802 - reportlab's name
         """Enter a heading into contents and bookmarks."""
         if isinstance(flowable, Heading):
-            entry = shortened(printable(flowable.text), _LONGEST_ENTRY)
             self.canv.bookmarkPage(flowable.key)
-            self.canv.addOutlineEntry(entry, flowable.key, flowable.level, closed=flowable.level)
-            if flowable.level == 0 or len(self.document.sections) <= _LONGEST_CONTENTS:
-                self.notify("TOCEntry", (flowable.level, markup(entry), self.page, flowable.key))
+            self.canv.addOutlineEntry(flowable.short, flowable.key, flowable.level, closed=flowable.level)
+            if self._listed(flowable):
+                self.notify("TOCEntry", flowable.entry(self.page))
 
     def afterPage(self) -> None:  # noqa: N802 - reportlab's name
         """Remember how many pages there are."""

@@ -31,21 +31,32 @@ from reports.lettering import shortened
 from reports.page import Heading, Pages, contents, only_measured
 from reports.style import BANNER, GRID, MUTED, WORDS
 from reports.typeset import BOLD, REGULAR, STYLES, markup, paragraph, register_fonts
-from reports.vector import Traced, traced
+from reports.vector import Traced, drawn
 
 rl_config.useA85 = 0  # streams as bytes, not as letters: four fifths of the size, and sooner written
 
 _LONGEST_TITLE = 120
 _ROOM, _FIGURE_ROOM, _SIGNING_ROOM = 50 * mm, 118 * mm, 75 * mm  # a heading needs below it, or the page breaks
+_CAPTION = 26 * mm  # left for a caption of five lines below a figure as high as the page
 
 
 class Drawing(Flowable):
-    """A traced figure on the page."""
+    """A traced figure on the page, asked for only when its place is sought: it may still be being drawn."""
 
-    def __init__(self, traced: Traced, width: float) -> None:
+    def __init__(self, drawings: Mapping[str, Traced], name: str, room: tuple[float, float]) -> None:
         super().__init__()
-        self.traced, self.factor = traced, min(1.0, width / traced.width)
+        self.drawings, self.name, self.room = drawings, name, room
         self.hAlign = "CENTER"
+
+    @property
+    def traced(self) -> Traced:
+        """The figure itself."""
+        return self.drawings[self.name]
+
+    @property
+    def factor(self) -> float:
+        """What it is made smaller by to fit."""
+        return min(1.0, self.room[0] / self.traced.width, self.room[1] / self.traced.height)
 
     def wrap(self, aW: float, aH: float) -> tuple[float, float]:
         return self.traced.width * self.factor, self.traced.height * self.factor
@@ -60,8 +71,9 @@ class Drawing(Flowable):
 class Story:
     """The flowables of a document."""
 
-    def __init__(self, document: Document, drawings: Mapping[str, Traced], width: float) -> None:
+    def __init__(self, document: Document, drawings: Mapping[str, Traced], *, width: float, height: float) -> None:
         self.document, self.drawings, self.width = document, drawings, width
+        self.for_figures = (width, height - _CAPTION)
         self.titles = document.titles
 
     def flowables(self) -> list[Flowable]:
@@ -130,7 +142,8 @@ class Story:
     @_block.register
     def _(self, block: Figure) -> list[Flowable]:
         caption = paragraph(f"{self.titles['Figure', block.name]}. {shortened(block.caption, 500)}", "caption")
-        return [KeepTogether([Drawing(self.drawings[block.name], self.width), Spacer(1, 3), caption, Spacer(1, 9)])]
+        drawing = Drawing(self.drawings, block.name, self.for_figures)
+        return [KeepTogether([drawing, Spacer(1, 3), caption, Spacer(1, 9)])]
 
     @_block.register
     def _(self, block: Signatures) -> list[Flowable]:
@@ -160,5 +173,6 @@ def write_pdf(document: Document, path: Path, *, drawings: Mapping[str, Traced] 
     """Write the document to `path`; the path written. drawings: its figures by name, where they are drawn already."""
     register_fonts()
     pages = Pages(path, document)
-    pages.multiBuild(Story(document, drawings or traced(document), pages.width).flowables())
+    figures = drawings or {figure.name: drawn(figure.draw) for figure in document.figures}
+    pages.multiBuild(pages.foretold(Story(document, figures, width=pages.width, height=pages.height).flowables()))
     return path

@@ -6,7 +6,8 @@ reports/svg.py into a file of their own.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Mapping
+from concurrent.futures import Executor, Future
 from dataclasses import dataclass
 from typing import Any
 
@@ -120,9 +121,30 @@ class _Recorder(RendererBase):
         self.marks.append(Letters(s, float(x), float(y), float(angle), size, bold, _rgba(gc.get_rgb())))
 
 
-def traced(document: Document) -> dict[str, Traced]:
-    """Every figure of the document by its name, drawn once."""
-    return {figure.name: trace(figure.draw()) for figure in document.figures}
+class Drawings(Mapping[str, Traced]):
+    """Figures by name; one that is still being drawn is waited for."""
+
+    def __init__(self, futures: Mapping[str, Future[Traced]]) -> None:
+        self._futures = futures
+
+    def __getitem__(self, name: str) -> Traced:
+        return self._futures[name].result()
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._futures)
+
+    def __len__(self) -> int:
+        return len(self._futures)
+
+
+def traced(document: Document, *, pool: Executor) -> Drawings:
+    """Every figure of the document by its name, drawn once, by `pool`."""
+    return Drawings({figure.name: pool.submit(drawn, figure.draw) for figure in document.figures})
+
+
+def drawn(draw: Callable[[], Figure]) -> Traced:
+    """The figure that `draw` makes as marks."""
+    return trace(draw())
 
 
 def trace(figure: Figure) -> Traced:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Literal
 
@@ -10,10 +12,11 @@ from assess.results import Results
 from reports.asked import as_asked
 from reports.assessment import assessment
 from reports.csv import write_csv
-from reports.document import Document
+from reports.document import Document, Figure, Section
 from reports.html import write_html
 from reports.pdf import write_pdf
 from reports.png import write_png
+from reports.processes import processes
 from reports.spreadsheet import write_xlsx
 from reports.svg import Picture, picture, write_svg
 from reports.vector import Traced, traced
@@ -26,14 +29,16 @@ def write_all(
     folder: Path,
     *,
     figures: Sequence[Form] = ("svg",),
+    jobs: int = 0,
     progress: Callable[[str], None] | None = None,
 ) -> Path:
     """Write report.pdf, report.html, tables.xlsx, tables/*.csv and figures/* into the empty `folder`.
 
     figures : in which forms they are written
+    jobs : processes to use, 0 for as many as there are cores; the files are the same
     Returns the path of the PDF.
     """
-    return write_document(assessment(results), folder, name="report.pdf", figures=figures, progress=progress)
+    return write_document(assessment(results), folder, name="report.pdf", figures=figures, jobs=jobs, progress=progress)
 
 
 def write_document(
@@ -42,22 +47,38 @@ def write_document(
     *,
     name: str,
     figures: Sequence[Form] = ("svg",),
+    jobs: int = 0,
     progress: Callable[[str], None] | None = None,
 ) -> Path:
     """Write a document into the empty `folder` in every form, its PDF called `name`, its page alike; the PDF's path."""
     document, say = as_asked(document), progress or (lambda _: None)
     for name_of_folder in ("tables", "figures"):
         (folder / name_of_folder).mkdir(exist_ok=True)
-    say("tables")
+    with processes(jobs or os.cpu_count() or 1) as pool:
+        say("figures")
+        drawings = traced(document, pool=pool)
+        tables = pool.submit(_write_tables, replace(document, sections=_without_figures(document.sections)), folder)
+        say("report")
+        path = write_pdf(document, folder / name, drawings=drawings)
+        pictures = {figure: picture(drawing) for figure, drawing in drawings.items()}
+        _write_figures(drawings, pictures, folder / "figures", forms=figures, creator=document.program)
+        write_html(document, path.with_suffix(".html"), pictures=pictures)
+        say("tables")
+        tables.result()
+    return path
+
+
+def _write_tables(document: Document, folder: Path) -> None:
     write_csv(document, folder / "tables")
     write_xlsx(document, folder / "tables.xlsx")
-    say("figures")
-    drawings = traced(document)
-    pictures = {figure: picture(drawing) for figure, drawing in drawings.items()}
-    _write_figures(drawings, pictures, folder / "figures", forms=figures, creator=document.program)
-    say("report")
-    write_html(document, (folder / name).with_suffix(".html"), pictures=pictures)
-    return write_pdf(document, folder / name, drawings=drawings)
+
+
+def _without_figures(sections: Sequence[Section]) -> tuple[Section, ...]:
+    """The sections as tables need them: little to send to another process."""
+    return tuple(
+        replace(each, blocks=tuple(block for block in each.blocks if not isinstance(block, Figure)))
+        for each in sections
+    )
 
 
 def _write_figures(

@@ -58,7 +58,7 @@ def envelope(
 
             with staged(output, results=ENVELOPES) as stage:
                 (stage / ENVELOPES).write_bytes(dumps(results).encode())
-                write_document(of_envelopes(results), stage, name="envelopes.pdf", progress=said.step)
+                write_document(of_envelopes(results), stage, name="envelopes.pdf", jobs=jobs or 0, progress=said.step)
     print((json_text if as_json else csv_text if as_csv else table_text)(results), end="")
     if output is not None and not (as_json or as_csv):
         print(output / "envelopes.pdf")

@@ -53,7 +53,7 @@ def run(
         if not no_report:
             from reports.writing import write_all
 
-            main_file = write_all(results, stage, progress=said.step)
+            main_file = write_all(results, stage, jobs=jobs or 0, progress=said.step)
     print(summary(results), end="")
     print(folder / main_file.relative_to(stage))
     raise typer.Exit(1 if some_check_fails(results) else 0)

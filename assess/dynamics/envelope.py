@@ -31,12 +31,15 @@ from records.pulses import Shape
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
 BoolArray = NDArray[np.bool_]
+Falls = Callable[[IntArray, IntArray, FloatArray], BoolArray]
 
 SCAN = {"linearised": 1.01, "exact": 1.02}
 """Ratio of two amplitudes of the scan for the lower bound."""
 FROM = 0.2
 """Of the peak acceleration that is resisted at most: where the scan begins on joints without a threshold of uplift."""
 BISECTIONS = 40
+AT_ONCE = 8
+"""Steps of the scan that are asked together; a frequency that fell within them is asked no more."""
 CHUNK = 25
 """Frequencies given to a thread at a time."""
 
@@ -77,7 +80,7 @@ def envelope(
     """The envelope of one mechanism; factor: of the ground's amplitude at its base, at each frequency [n]."""
     times = np.ones_like(frequency) if factor is None else factor
     falls = _falls(oscillator, shape, frequency, equation=equation, threads=threads)
-    overturned = falls(amplitude[None, :] * times[:, None])
+    overturned = _mapped(falls, len(polarities(oscillator)), amplitude[None, :] * times[:, None])
     bounds = _bounds(
         oscillator, shape, frequency, equation=equation, factor=times, highest=float(amplitude.max()), threads=threads
     )
@@ -86,21 +89,25 @@ def envelope(
     return Envelope(shape, equation, frequency, amplitude, worse, bound, polarity, uplift, times)
 
 
-def _falls(
-    oscillator: Oscillator, shape: Shape, frequency: FloatArray, *, equation: Equation, threads: int
-) -> Callable[[FloatArray], BoolArray]:
-    """What tells for amplitudes at the base [n, k] or [polarities, n, k] whether each polarity that differs overturns
-    the oscillator: [polarities, n, k]."""
-    answer = prepared([oscillator], shape, frequency, equation=equation, threads=threads)
-    signs = np.array(polarities(oscillator))[:, None, None]
+def _falls(oscillator: Oscillator, shape: Shape, frequency: FloatArray, *, equation: Equation, threads: int) -> Falls:
+    """What tells whether pulses overturn the oscillator [k]: by their polarity, frequency and amplitude at the base.
 
-    def falls(amplitude: FloatArray) -> BoolArray:
-        signed = np.moveaxis(signs * amplitude, 0, 1)  # all of one frequency together
-        of = np.broadcast_to(np.arange(frequency.size, dtype=np.int64)[:, None, None], signed.shape)
-        found = answer(PulseJobs(np.zeros(signed.size, dtype=np.int64), of.ravel(), signed.ravel()))
-        return np.moveaxis(found.overturned.reshape(signed.shape), 1, 0)
+    polarity [k], of [k] : indices of `polarities` and of `frequency` [n]; amplitude [k] [m/s2]
+    """
+    answer = prepared([oscillator], shape, frequency, equation=equation, threads=threads)
+    signs = np.array(polarities(oscillator))
+
+    def falls(polarity: IntArray, of: IntArray, amplitude: FloatArray) -> BoolArray:
+        return answer(PulseJobs(np.zeros(of.size, dtype=np.int64), of, signs[polarity] * amplitude)).overturned
 
     return falls
+
+
+def _mapped(falls: Falls, polarities: int, amplitude: FloatArray) -> BoolArray:
+    """Whether amplitudes at the base [n, m] overturn [polarities, n, m]."""
+    n, m = amplitude.shape
+    of, polarity, place = np.indices((n, polarities, m)).reshape(3, -1)  # all of one frequency together
+    return np.moveaxis(falls(polarity, of, amplitude[of, place]).reshape(n, polarities, m), 1, 0)
 
 
 def lower_bounds(
@@ -136,7 +143,8 @@ def _bounds(
     if closed(shape, equation):
         return _closed(oscillator, shape, frequency, lowest * factor, highest * factor, threads=threads) / factor
     falls = _falls(oscillator, shape, frequency, equation=equation, threads=threads)
-    return _scanned(falls, lowest, factor, ratio=SCAN[equation], highest=highest)
+    both = len(polarities(oscillator))
+    return _scanned(falls, both, lowest, factor, ratio=SCAN[equation], highest=highest)
 
 
 def _least(bounds: FloatArray, oscillator: Oscillator) -> tuple[FloatArray, IntArray]:
@@ -147,11 +155,7 @@ def _least(bounds: FloatArray, oscillator: Oscillator) -> tuple[FloatArray, IntA
 
 
 def _below_the_map(
-    bounds: FloatArray,
-    amplitude: FloatArray,
-    overturned: BoolArray,
-    falls: Callable[[FloatArray], BoolArray],
-    factor: FloatArray,
+    bounds: FloatArray, amplitude: FloatArray, overturned: BoolArray, falls: Falls, factor: FloatArray
 ) -> FloatArray:
     """Bounds [polarities, n] that are never above an amplitude [m] of the map that overturns [polarities, n, m].
 
@@ -159,20 +163,24 @@ def _below_the_map(
     """
     first = overturned.argmax(axis=2)
     met = np.where(overturned.any(axis=2), amplitude[first], np.inf)
-    better = met < bounds
-    if not better.any():
-        return bounds
-    low, high = np.where(first > 0, amplitude[np.maximum(first - 1, 0)], 0.0), np.where(better, met, 0.0)
-    return np.where(better, _between(low, high, falls, factor), bounds)
+    better = np.nonzero(met < bounds)
+    low = np.where(first > 0, amplitude[np.maximum(first - 1, 0)], 0.0)
+    lower = bounds.copy()
+    lower[better] = _between(low[better], met[better], better, falls, factor)
+    return lower
 
 
 def _between(
-    low: FloatArray, high: FloatArray, falls: Callable[[FloatArray], BoolArray], factor: FloatArray
+    low: FloatArray, high: FloatArray, which: tuple[IntArray, ...], falls: Falls, factor: FloatArray
 ) -> FloatArray:
-    """By bisection, from amplitudes of the ground that stand to those that overturn [polarities, n]."""
-    for _ in range(BISECTIONS):
+    """By bisection, from amplitudes of the ground that stand to those that overturn [k].
+
+    which : the polarity [k] and the frequency [k] of each, as indices
+    """
+    polarity, of = which
+    for _ in range(BISECTIONS if of.size else 0):
         middle = 0.5 * (low + high)
-        fell = falls((middle * factor)[:, :, None])[:, :, 0]
+        fell = falls(polarity, of, middle * factor[of])
         low, high = np.where(fell, low, middle), np.where(fell, middle, high)
     return high
 
@@ -203,15 +211,38 @@ def _closed(
 
 
 def _scanned(
-    falls: Callable[[FloatArray], BoolArray], lowest: FloatArray, factor: FloatArray, *, ratio: float, highest: float
+    falls: Falls, polarities: int, lowest: FloatArray, factor: FloatArray, *, ratio: float, highest: float
 ) -> FloatArray:
     """Bounds of the ground's amplitude [polarities, n], inf where nothing overturns."""
-    steps = ceil(log(max(highest / lowest.min(), 1.0)) / log(ratio))
-    scan = np.minimum(lowest[:, None] * ratio ** np.arange(steps + 1), highest)
-    down = falls(scan * factor[:, None])
-    first, rows = down.argmax(axis=2), np.arange(factor.size)
-    low = np.where(first > 0, scan[rows, np.maximum(first - 1, 0)], 0.0)
-    return np.where(down.any(axis=2), _between(low, scan[rows, first], falls, factor), np.inf)
+    powers = ratio ** np.arange(ceil(log(max(highest / lowest.min(), 1.0)) / log(ratio)) + 1)
+
+    def scan(of: IntArray, place: IntArray) -> FloatArray:
+        return np.minimum(lowest[of] * powers[place], highest)
+
+    first = _first(
+        lambda i, of, place: falls(i, of, scan(of, place) * factor[of]), polarities, factor.size, powers.size
+    )
+    found = np.nonzero(first < powers.size)
+    of, place = found[1], first[found]
+    low = np.where(place > 0, scan(of, np.maximum(place - 1, 0)), 0.0)
+    bounds = np.full(first.shape, np.inf)
+    bounds[found] = _between(low, scan(of, place), found, falls, factor)
+    return bounds
+
+
+def _first(falls: Callable[[IntArray, IntArray, IntArray], BoolArray], polarities: int, n: int, steps: int) -> IntArray:
+    """The first step of a scan that falls, of each polarity and frequency [polarities, n]; `steps` where none does.
+
+    falls : of polarities [k], frequencies [k] and steps [k], as indices. Beyond the first step no more is asked.
+    """
+    first = np.full((polarities, n), steps)
+    for begin in range(0, steps, AT_ONCE):
+        polarity, of = np.nonzero(first == steps)
+        place = np.arange(begin, min(begin + AT_ONCE, steps))
+        each = np.repeat(np.arange(of.size), place.size)
+        down = falls(polarity[each], of[each], np.tile(place, of.size)).reshape(of.size, place.size)
+        first[polarity, of] = np.where(down.any(axis=1), begin + down.argmax(axis=1), steps)
+    return first
 
 
 def polarities(oscillator: Oscillator) -> tuple[int, ...]:

@@ -35,8 +35,8 @@ TOLERANCE = 1e-10
 """Error allowed to one step of the exact equation, of phi / phi_ov and of its rate over the branch's own rate."""
 FREE_TOLERANCE = 1e-14
 """The same of `free_rocking`: step errors of one sign add up, and at this the energy of an hour is kept to 1e-8."""
-CHUNK_STEPS = 500_000
-"""Record steps given to a thread at a time."""
+CHUNK_STEPS = 20_000
+"""Record steps given to a thread at a time: few, for the batches of a scan are small."""
 MOST_EVENTS = 100_000
 """Events that `free_rocking` keeps."""
 

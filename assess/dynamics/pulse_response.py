@@ -35,8 +35,8 @@ PIECES = 100
 """In one period 2 pi of the phase: the error of a piece of a sine is (2 pi / 100)^6 / 46080 = 1e-12 of its peak."""
 TOLERANCE = 1e-9
 """Error allowed to one step of the exact equation: the amplitude that overturns is then right to 1e-7 or better."""
-CHUNK_JOBS = 4096
-"""Jobs given to a thread at a time."""
+CHUNK_JOBS = 32
+"""Jobs given to a thread at a time: few, for a bisection asks one for each frequency."""
 
 
 @dataclass(frozen=True)
@@ -102,9 +102,11 @@ def prepared(
             number=jobs.amplitude,
         )
         found = np.empty((jobs.amplitude.size, kernel.FOUND))
+        each, of = np.ascontiguousarray(jobs.oscillator), np.ascontiguousarray(jobs.frequency)
+        amplitude = np.ascontiguousarray(jobs.amplitude)
 
         def work(part: slice) -> None:
-            run(jobs.oscillator[part], jobs.frequency[part], jobs.amplitude[part], found[part])
+            run(each[part], of[part], amplitude[part], found[part])
 
         cuts = [*range(0, jobs.amplitude.size, CHUNK_JOBS), jobs.amplitude.size]
         with ThreadPoolExecutor(threads or os.cpu_count() or 1) as pool:

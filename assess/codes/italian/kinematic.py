@@ -14,7 +14,16 @@ from assess.codes.check import Step
 from assess.codes.italian.edition import Edition
 from assess.codes.italian.limit_state import Case
 from assess.codes.worked import multiplier_worked
-from assess.oscillator import Branch, displacement, interpolant, participation_ratio, resisted, threshold
+from assess.oscillator import (
+    Branch,
+    displacement,
+    excitation_integral,
+    excitation_spline,
+    participation_ratio,
+    resisted,
+    restoring_spline,
+    threshold,
+)
 
 
 def activation(branch: Branch, *, mass: float, confidence_factor: float) -> float:
@@ -30,7 +39,7 @@ def displacement_at_collapse(branch: Branch, *, mass: float) -> float:
 
 def rotation_at(branch: Branch, moved: float, *, mass: float) -> float:
     """Rotation [rad] at which the control point has moved by `moved` [m], up to the overturning rotation."""
-    integral = interpolant(branch.rotation, branch.excitation).antiderivative()
+    integral = excitation_integral(branch)
     return float(brentq(lambda phi: float(integral(phi)) / mass - moved, 0.0, branch.unstable, xtol=1e-15))
 
 
@@ -38,8 +47,7 @@ def acceleration_at(branch: Branch, moved: float, *, mass: float, confidence_fac
     """a* [m/s2] at a displacement d* = `moved` [m], on the model's own curve."""
     e = participation_ratio(branch, mass=mass)
     rotation = rotation_at(branch, moved * e, mass=mass)
-    moment = interpolant(branch.rotation, branch.restoring)
-    excitation = interpolant(branch.rotation, branch.excitation)
+    moment, excitation = restoring_spline(branch), excitation_spline(branch)
     return float(moment(rotation)) / float(excitation(rotation)) / (e * confidence_factor)
 
 

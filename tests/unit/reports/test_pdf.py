@@ -12,7 +12,10 @@ from pypdf.generic import Destination
 
 from assess.results import Resolved, Results
 from reports.assessment import assessment
+from reports.document import Figure as DrawnFigure
+from reports.document import Section
 from reports.pdf import write_pdf
+from reports.style import bare_sheet
 
 HOSTILE = ("<b>&", "<para>", "</font>", "=cmd()", "$x$", "{}%s", "\\frac{1}{2}")
 
@@ -124,3 +127,10 @@ def test_long_text_is_shortened_in_heads_and_printed_once_in_full(results: Resul
     found = sum(f"{number:05d}" in squeezed for number in range(2000))
     assert found > 1990  # headers and footers cut one or two where a page ends
     assert len(reader.pages) < 40
+
+
+def test_a_figure_higher_than_the_page_is_made_smaller(results: Results, tmp_path: Path) -> None:
+    tall = DrawnFigure("tall", "A tower. " * 60, lambda: bare_sheet(30.0))
+    document = assessment(results)
+    one = replace(document, sections=(Section("Tall", 0, (tall,)),))
+    assert len(PdfReader(write_pdf(one, tmp_path / "tall.pdf")).pages) <= 3

@@ -30,7 +30,13 @@ def test_same_results_give_the_same_bytes(results: Results, written: Path, tmp_p
     said: list[str] = []
     write_all(results, tmp_path, progress=said.append)
     assert digest(tmp_path) == digest(written)
-    assert said == ["tables", "figures", "report"]
+    assert said == ["figures", "report", "tables"]
+
+
+@pytest.mark.parametrize("jobs", [1, 2])
+def test_the_number_of_processes_changes_no_byte(results: Results, written: Path, tmp_path: Path, jobs: int) -> None:
+    write_all(results, tmp_path, jobs=jobs)
+    assert digest(tmp_path) == digest(written)
 
 
 def test_every_kind_of_file_is_there(written: Path) -> None:

@@ -89,6 +89,7 @@ def small_report(
     results: Results,
     folder: Path,
     *,
+    jobs: int = 0,
     figures: Sequence[str] = (),
     progress: Callable[[str], None] | None = None,
 ) -> Path:
@@ -203,7 +204,7 @@ def test_failing_report_leaves_old_outputs(
     assert sorted(path.name for path in tmp_path.iterdir()) == ["out", "walls.toml"]
 
 
-def failing_report(results: Results, folder: Path, *, progress: Any = None) -> Path:
+def failing_report(results: Results, folder: Path, *, jobs: int = 0, progress: Any = None) -> Path:
     (folder / "report.pdf").write_text("half")
     raise OSError(28, "No space left on device")
 

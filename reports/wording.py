@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import fields, replace
+from dataclasses import replace
 from functools import partial, singledispatch
-from typing import Any
 
 from matplotlib.axis import Axis
 from matplotlib.figure import Figure as Drawn
@@ -21,6 +20,7 @@ from reports.document import (
     Figure,
     Items,
     Line,
+    Model,
     Section,
     Sheet,
     Signatures,
@@ -94,14 +94,25 @@ def _(block: Sheet, say: Say) -> Block:
 
 
 def _line(line: Line, say: Say) -> Line:
-    texts = {field.name: getattr(line, field.name) for field in fields(line)}
-    said: dict[str, Any] = {name: say(text) for name, text in texts.items() if isinstance(text, str)}
-    return replace(line, **said)
+    return replace(
+        line,
+        symbol=say(line.symbol),
+        description=say(line.description),
+        clause=say(line.clause),
+        formula=say(line.formula),
+        substituted=say(line.substituted),
+        unit=say(line.unit),
+    )
 
 
 @_block.register
 def _(block: Figure, say: Say) -> Block:
-    return replace(block, caption=say(block.caption), draw=partial(_drawn, block.draw, say))
+    model = None if block.model is None else _model(block.model, say)
+    return replace(block, caption=say(block.caption), draw=partial(_drawn, block.draw, say), model=model)
+
+
+def _model(model: Model, say: Say) -> Model:
+    return replace(model, wires=tuple(replace(wire, name=say(wire.name)) for wire in model.wires))
 
 
 def _drawn(draw: Callable[[], Drawn], say: Say) -> Drawn:

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 from time import perf_counter
 
 import pytest
+from matplotlib.figure import Figure as Drawn
 
 from assess.results import Resolved, Results
 from reports.assessment import assessment
-from reports.document import Text
+from reports.document import Document, Figure, Section, Text
+from reports.style import sheet, styled
 from reports.us_words import in_us_words, in_words
 
 SAID = {
@@ -78,3 +81,20 @@ def test_names_of_the_user_stay_in_sentences_captions_and_figures(results: Resul
 def test_sheets_are_not_touched(results: Results) -> None:
     document = assessment(results)
     assert in_us_words(document).sheets == document.sheets
+
+
+def test_names_of_ticks_are_words_too() -> None:
+    with styled():
+        figure = sheet(1.0)
+        axes = figure.subplots()
+        axes.set_yticks([0, 1], ["thickness\n0.57 to 0.63 m", "restitution"])
+    figures = (Figure("ticks", "", partial(_same, figure)),)
+    document = Document("", "", "", "", "A4", (), (Section("One", 0, figures),), ())
+    drawn = in_us_words(document).figures[0].draw()
+    drawn.draw_without_rendering()
+    names = [text.get_text() for text in drawn.axes[0].get_yticklabels()]
+    assert names == ["thickness\n1.87 to 2.07 ft", "restitution"]
+
+
+def _same(figure: Drawn) -> Drawn:
+    return figure

@@ -84,8 +84,8 @@ PROCEDURES: dict[str, Pen] = {
     "nzsee2017-face-loaded": Pen("#117733", "-", "P"),
     "asce41-13-ht": Pen("#882255", "-", "X"),
     "ec8-element": Pen("#44aa99", "-", "p"),
-    "asce43-05-sliding": Pen("#8c564b", "-", "P"),
-    "sliding": Pen("#8c564b", "-.", "X"),
+    "asce43-05-sliding": Pen("#5c6b00", "-", "P"),
+    "sliding": Pen("#5c6b00", "-.", "X"),
 }
 _OTHER = Pen(MUTED, ":", "x")
 

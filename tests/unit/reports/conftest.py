@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 
@@ -45,6 +46,7 @@ from assess.results import (
 from reports.assessment import assessment
 from reports.document import Document
 from reports.html import write_html
+from reports.processes import processes
 from reports.svg import picture
 from reports.vector import Traced, traced
 
@@ -476,12 +478,13 @@ def document(results: Results) -> Document:
 
 
 @pytest.fixture(scope="session")
-def drawings(document: Document) -> dict[str, Traced]:
-    return traced(document)
+def drawings(document: Document) -> Mapping[str, Traced]:
+    with processes(1) as pool:
+        return traced(document, pool=pool)
 
 
 @pytest.fixture(scope="session")
-def page(document: Document, drawings: dict[str, Traced], tmp_path_factory: pytest.TempPathFactory) -> Path:
+def page(document: Document, drawings: Mapping[str, Traced], tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The report as HTML."""
     pictures = {name: picture(drawing) for name, drawing in drawings.items()}
     return write_html(document, tmp_path_factory.mktemp("html") / "report.html", pictures=pictures)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import csv
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 import pytest
@@ -102,7 +102,7 @@ def plain(formula: str) -> str:
     return squeezed(formula.translate(str.maketrans("", "", "_^{}")))
 
 
-def test_pdf(document: Document, drawings: dict[str, Traced], tmp_path: Path) -> None:
+def test_pdf(document: Document, drawings: Mapping[str, Traced], tmp_path: Path) -> None:
     """Row by row, in the order of the document; a row is whole on its page."""
     path = write_pdf(document, tmp_path / "report.pdf", drawings=drawings)
     text = squeezed("".join(page.extract_text() for page in PdfReader(path).pages))

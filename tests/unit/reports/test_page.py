@@ -25,6 +25,7 @@ from selenium.webdriver.remote.webelement import WebElement
 
 from reports.document import Column, Document, Figure, Model, Part, Section, Table, Text, Wire
 from reports.html import write_html
+from reports.processes import processes
 from reports.style import bare_sheet, styled
 from reports.svg import picture
 from reports.vector import traced
@@ -192,7 +193,8 @@ def shown(model: Model, folder: Path, *, title: str = "t", texts: tuple[str, ...
     table = Table("t", title, (Column(title),), tuple((text,) for text in texts))
     blocks = (Figure("f", title, lambda: drawn, model), Text(texts), table)
     document = Document(title, title, "", title, "A4", ((title, title),), (Section(title, 0, blocks),), ())
-    pictures = {name: picture(drawing) for name, drawing in traced(document).items()}
+    with processes(1) as pool:
+        pictures = {name: picture(drawing) for name, drawing in traced(document, pool=pool).items()}
     return write_html(document, folder / "page.html", pictures=pictures)
 
 

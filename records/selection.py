@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from records.band import Band, up_to
 from records.candidates import DAMPING, Candidate
 from records.errors import RecordError
+from records.kinship import families
 from records.scaling import least_squares, mean_square
 from spectra.spectrum import Spectrum
 
@@ -120,7 +121,7 @@ def select(candidates: Sequence[Candidate], spectrum: Spectrum, criteria: Criter
     low, high = criteria.scale_limits
     kept = np.array([low <= choice.factor <= high for choice in choices], dtype=np.bool_)
     choices, log_ratio = [choice for choice, keep in zip(choices, kept, strict=True) if keep], log_ratio[kept]
-    groups = _groups(choices, one_per_event=criteria.one_per_event)
+    groups = families([choice.components for choice in choices], one_per_event=criteria.one_per_event)
     counted = (
         ("components", len(candidates)),
         *((step, len(left)) for step, left in known),
@@ -207,27 +208,6 @@ def _scaled(
 def _log_mean(spectra: Sequence[FloatArray]) -> FloatArray:
     logs = [np.log(one) for one in spectra]
     return logs[0] if len(logs) == 1 else np.mean(logs, axis=0)
-
-
-def _groups(choices: Sequence[Choice], *, one_per_event: bool) -> IntArray:
-    """A number for each choice; no two of one number may stand in a suite.
-
-    One motion in two files, perhaps scaled, is told by the shape of its spectrum, whatever the files say of it.
-    """
-    numbers: dict[str, int] = {}
-    motions: dict[bytes, int] = {}
-    found = []
-    for place, choice in enumerate(choices):
-        of = choice.components[0].earthquake if one_per_event else str(place)
-        number = numbers.setdefault(of, len(numbers))
-        found.append(motions.setdefault(_shape(choice.components[0]), number))
-    return np.array(found, dtype=np.int64)
-
-
-def _shape(candidate: Candidate) -> bytes:
-    """The logarithm of the spectrum over its largest ordinate, to one percent."""
-    log = np.log(np.maximum(candidate.spectrum, 1e-300))
-    return bytes(np.round(log - log.max(), 2).astype(np.float32).tobytes())
 
 
 def _ratios(choices: Sequence[Choice], log_ratio: FloatArray) -> FloatArray:

@@ -46,5 +46,11 @@ def shortened(text: str, limit: int) -> str:
     return text if len(text) <= limit else text[: limit - 1].rstrip() + "…"
 
 
+def abridged(text: str, limit: int) -> str:
+    """`text`, cut in the middle to `limit` characters where it is longer: names of components differ at their ends."""
+    kept = limit - 1
+    return text if len(text) <= limit else f"{text[: kept // 2].rstrip()}…{text[-(kept - kept // 2) :].lstrip()}"
+
+
 def _code(mark: str) -> str:
     return f"⟨U+{ord(mark):04X}⟩"

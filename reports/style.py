@@ -17,7 +17,7 @@ from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
-from reports.lettering import FAMILY, printable, shortened
+from reports.lettering import FAMILY, abridged, printable, shortened
 
 WIDTH = 6.7  # of the text on the page [in]
 INK, MUTED, GRID = "#1b2733", "#6b7680", "#d7dce1"
@@ -124,6 +124,11 @@ def legend_above(axes: Axes, *, columns: int) -> None:
 def label(text: str, limit: int = 40) -> str:
     """User text as it may stand in a figure: printable, and no longer than `limit` characters."""
     return shortened(printable(text), limit)
+
+
+def record_label(text: str, limit: int) -> str:
+    """The name of a record as it may stand in a figure, with its beginning and its end."""
+    return abridged(printable(text), limit)
 
 
 def folded(text: str, *, width: int, lines: int = 2) -> str:

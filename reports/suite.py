@@ -8,6 +8,7 @@ from assess.results import GroundMotionResult, RequirementResult, Results
 from reports.document import Block, Column, Figure, Table, Text
 from reports.figures import suite
 from reports.numerals import numeral
+from reports.tables import name_of
 
 VERDICTS = {"met": "yes", "not met": "no", "not answered": "not answered"}
 
@@ -21,7 +22,7 @@ def blocks(results: Results) -> list[Block]:
         "Mean of the scaled records beside the target (as thesis Fig. 8.14b), with 90 % and 130 % of the target, "
         "limits of codes on the mean, over the periods that the records were fitted to."
     )
-    found = (periods(motion), remaining(motion), amplification(results), requirements(motion))
+    found = (periods(results, motion), remaining(motion), amplification(results), requirements(motion))
     return [
         Text(sentences(motion)),
         Figure("suite", caption, partial(suite.draw, motion)),
@@ -32,9 +33,9 @@ def blocks(results: Results) -> list[Block]:
 def sentences(motion: GroundMotionResult) -> tuple[str, ...]:
     """Range of periods, and the rules of the selection."""
     over = (
-        f"The records are compared with the target at periods from {motion.from_s:.4g} to "
-        f"{motion.to_s:.4g} s ({motion.source}), those within it of forty to a decade. The mean squared "
-        f"difference of the logarithms of their mean and the target is {numeral(motion.misfit)}."
+        f"The records are compared with the target at forty periods to a decade, of which {motion.from_s:.4g} s is the "
+        f"first and {motion.to_s:.4g} s the last within the range ({motion.source}). The mean squared difference of "
+        f"the logarithms of their mean and the target is {numeral(motion.misfit)}."
     )
     chosen = motion.selection
     if chosen is None:
@@ -49,10 +50,13 @@ def sentences(motion: GroundMotionResult) -> tuple[str, ...]:
     return (over, rule)
 
 
-def periods(motion: GroundMotionResult) -> Table:
+def periods(results: Results, motion: GroundMotionResult) -> Table:
     """Equivalent periods of the mechanisms."""
     columns = (Column("Mechanism"), Column("Shortest", "s", "number"), Column("Longest", "s", "number"))
-    rows = tuple((one.mechanism, one.shortest_s, one.longest_s) for one in motion.equivalent_periods)
+    called = {mechanism.name: name_of(mechanism) for mechanism in results.mechanisms}
+    rows = tuple(
+        (called.get(one.mechanism, one.mechanism), one.shortest_s, one.longest_s) for one in motion.equivalent_periods
+    )
     caption = (
         "Equivalent periods, which stand for T₁ in the clauses on records: a rocking body has no period of its own. "
         "Taken is that of equal work at half the overturning rotation (1/fₑ of ASCE 43-05 A.2), over both branches."
@@ -73,7 +77,7 @@ def amplification(results: Results) -> Table:
     raised = [m for m in results.mechanisms if m.amplification.height_m is not None and m.amplification.factors]
     factors = [{one.record: one.factor for one in m.amplification.factors} for m in raised]
     rows = tuple((r.id, r.event, *(of.get(r.id) for of in factors)) for r in results.records) if raised else ()
-    columns = (Column("Record"), Column("Event"), *(Column(m.label or m.name, "-", "number") for m in raised))
+    columns = (Column("Record"), Column("Event"), *(Column(name_of(m), "-", "number") for m in raised))
     caption = (
         "Scale factors for the amplification up to the base of each mechanism above the ground (as thesis Table 8.9): "
         "peak acceleration there over that of the ground."

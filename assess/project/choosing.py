@@ -24,6 +24,7 @@ from assess.project.site_spectrum import site_of, spectrum_of
 from assess.project.study import Fitting
 from assess.results import GroundMotionResult, Notice, RecordResult
 from records.band import band
+from records.candidates import PERIODS
 from records.formats.stated import Stated
 from records.indexing import read_stated
 from records.scaling import Scaling, misfit, scale_to_ordinate
@@ -126,6 +127,7 @@ def scaled_files(
     target: Path, files: Sequence[Path], *, to: str, at: float | None, periods: Range, stated: Stated
 ) -> tuple[tuple[Motion, ...], Suite]:
     """Every record of `files` scaled to the spectrum of `target`: as `to` says, or to its ordinate `at` a period."""
+    _check_period(at)
     spectrum, fitting = spectrum_at(target), Fitting(band(*periods))
     found = record_set.uniquely_named([record for file in files for record in read_stated(file, stated)])
     records = horizontal(found)
@@ -138,6 +140,14 @@ def scaled_files(
         motions = tuple(Motion(record, scaling) for record, scaling in zip(records, scalings, strict=True))
     motion = suite_result(motions, spectrum, fitting, source="given", equivalent={})
     return motions, Suite(results_of(motions, spectrum, fitting), motion, tuple(record_set.doubts_of(records)))
+
+
+def _check_period(at: float | None) -> None:
+    """Refuse a period at which spectra of records mean nothing; 0 is that of the peak."""
+    if at is not None and at != 0.0 and not PERIODS[0] <= at <= PERIODS[-1]:
+        raise AssessError(
+            f"--at {at:g}: records are scaled at 0 s, their peak, or from {PERIODS[0]:g} s to {PERIODS[-1]:g} s"
+        )
 
 
 def spectrum_at(target: Path) -> Spectrum:

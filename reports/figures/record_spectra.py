@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from assess.results import GroundMotionResult, RecordResult
 from reports.figures.spectrum import COLOURS, NAMED
 from reports.figures.suite import SHORTEST, means
-from reports.style import INK, MUTED, label, legend_above, sheet, styled
+from reports.style import INK, MUTED, legend_above, record_label, sheet, styled
 
 
 def draw(names: Sequence[str], period: NDArray[np.float64], ordinates: NDArray[np.float64]) -> Figure:
@@ -43,7 +43,7 @@ def beside_target(motion: GroundMotionResult, records: Sequence[RecordResult]) -
 def _lines(axes: Axes, names: Sequence[str], period: NDArray[np.float64], ordinates: NDArray[np.float64]) -> None:
     named = len(names) <= NAMED
     for place, (name, of) in enumerate(zip(names, ordinates, strict=True)):
-        said = label(name, 24) if named else (f"{len(names)} records" if place == 0 else "_")
+        said = record_label(name, 24) if named else (f"{len(names)} records" if place == 0 else "_")
         axes.plot(period, of, color=COLOURS[place] if named else MUTED, linewidth=0.8, alpha=0.8, label=said)
 
 

@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from assess.results import RecordResult, SpectrumResult
-from reports.style import FAIL, INK, MUTED, label, sheet, styled
+from reports.style import FAIL, INK, MUTED, record_label, sheet, styled
 
 LONGEST = 5.0  # end of the axis of periods [s]; results.json has more
 NAMED = 7  # more records than this are drawn alike, without names
@@ -32,7 +32,7 @@ def _records(axes: Axes, records: tuple[RecordResult, ...]) -> None:
     named = len(records) <= NAMED
     for place, record in enumerate(records):
         colour = COLOURS[place] if named else MUTED
-        name = label(record.id, 32) if named else (f"{len(records)} records" if place == 0 else "_")
+        name = record_label(record.id, 32) if named else (f"{len(records)} records" if place == 0 else "_")
         spectrum = record.spectrum
         axes.plot(spectrum.period_s, spectrum.acceleration_g, color=colour, linewidth=0.7, alpha=0.8, label=name)
     _mean(axes, records)

@@ -174,7 +174,8 @@ def test_scaled_records_meet_the_ordinate_and_the_peak(folder: Path, capsys: pyt
         (("spectra", "{folder}/RSN100_Q.AT2", "--damping", "7"), "damping"),
         (("scale", "{folder}/RSN100_Q.AT2"), "--target"),
         (("scale", "{folder}/RSN100_Q.AT2", "--target", "{target}", "--to", "x"), "choose one of"),
-        (("scale", "{folder}/RSN100_Q.AT2", "--target", "{target}", "--at", "-1"), "periods are finite"),
+        (("scale", "{folder}/RSN100_Q.AT2", "--target", "{target}", "--at", "-1"), "--at -1: records"),
+        (("scale", "{folder}/RSN100_Q.AT2", "--target", "{target}", "--at", "50"), "from 0.01 s to 10 s"),
     ],
 )
 def test_bad_input_is_one_line_and_exit_code_2(

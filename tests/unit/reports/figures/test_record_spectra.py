@@ -27,3 +27,13 @@ def test_a_place_that_cannot_be_written_is_named(tmp_path: Path) -> None:
     with pytest.raises(OSError, match="No such file") as caught:
         write_figure(draw(["a"], PERIOD, np.ones((1, 50))), path, creator="test")
     assert caught.value.filename == str(path)
+
+
+def test_components_of_one_recording_keep_apart_in_the_legend() -> None:
+    """As many entries as records, though their names differ at the end alone."""
+    names = [f"20161113_110259_WTMC_20 {component}" for component in ("N28W", "S62W", "Up")]
+    (axes,) = draw(names, PERIOD, np.ones((3, 50))).axes
+    shown = [line.get_label() for line in axes.get_lines()]
+    assert len(set(shown)) == 3
+    assert [str(text).split()[-1] for text in shown] == ["N28W", "S62W", "Up"]
+    assert max(len(str(text)) for text in shown) <= 24

@@ -6,7 +6,7 @@ from hashlib import sha256
 
 from assess.codes.check import Check
 from assess.results import MechanismResult, Results
-from reports import governing
+from reports import findings, governing
 from reports.document import Banner, Cell, Column, Section, Table, Text
 from reports.tables import OVERTURNED, name_of
 
@@ -16,7 +16,8 @@ NO_PASS = "what could not be answered is no pass"
 def section(results: Results) -> Section:
     """The verdict, and what decides each mechanism."""
     found = governing.outcome(results)
-    return Section("Verdict", 0, (Banner(found, headline(results)), Text((asked(results),)), glance(results)))
+    said = Text((asked(results), *returning(results)))
+    return Section("Verdict", 0, (Banner(found, headline(results)), said, glance(results)))
 
 
 def headline(results: Results) -> str:
@@ -38,6 +39,22 @@ def asked(results: Results) -> str:
     levels = ", ".join(f"{level:.3g}" for level in governing.levels(checks))
     names = ", ".join(dict.fromkeys(check.procedure for check in checks))
     return f"Peak ground accelerations asked [g]: {levels or 'none'}. Code procedures: {names or 'none'}."
+
+
+def returning(results: Results) -> tuple[str, ...]:
+    """Which mechanisms pass at a level above their PGA at capacity, and why that is no slip."""
+    names = [findings.named(m) for m in results.mechanisms if any(map(_passes_beyond, governing.of_code(m.checks)))]
+    if not names:
+        return ()
+    return (
+        f"{findings.listed(names)}: records that overturn, or turn too far, at one PGA may be survived at a "
+        "higher one. The PGA at capacity is the lowest at which the suite fails; a level above it that passes is no reserve.",
+    )
+
+
+def _passes_beyond(check: Check) -> bool:
+    capacity = check.capacity_pga_g
+    return check.verdict == "pass" and capacity is not None and check.level_pga_g > 1.000001 * capacity
 
 
 def glance(results: Results) -> Table:

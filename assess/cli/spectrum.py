@@ -52,7 +52,9 @@ def spectrum(
         str | None, _key("relief-position", "NUMBER", "ntc: 1 at the top of the relief (if absent), 0 at its foot.")
     ] = None,
     file: Annotated[str | None, _key("file", "CSV", "table: periods and accelerations, units in the header.")] = None,
-    damping: Annotated[str | None, _key("damping", "NUMBER", "Damping ratio; 0.05 if absent.")] = None,
+    damping: Annotated[
+        str | None, _key("damping", "NUMBER", "Damping ratio; 0.05 if absent. Of a table: of its own ordinates.")
+    ] = None,
     pga: Annotated[str | None, _key("pga", "ACC", "Scale the ordinates to this peak ground acceleration.")] = None,
     vertical: Annotated[
         bool, typer.Option("--vertical", help="The vertical spectrum, of ec8, nzs1170.5, ntc.")
@@ -71,11 +73,11 @@ def spectrum(
     _refuse(project, options, as_json=as_json, as_csv=as_csv, output=output)
     from assess.cli.spectrum_table import csv_text, json_text, table_text, told
     from assess.project.site_spectrum import site_of, spectrum_of, vertical_of
-    from assess.project.typed_site import typed_site
+    from assess.project.typed_site import typed_doubts, typed_site
 
     site = typed_site(options, folder=Path()) if project is None else site_of(project)
     found = (vertical_of if vertical else spectrum_of)(site)
-    told(found)
+    told(found, doubts=typed_doubts(options))
     if output is not None:
         from assess.cli.spectrum_table import draw
 

@@ -60,10 +60,10 @@ def json_text(spectrum: Spectrum) -> str:
     return dumps_spectrum(spectrum_result(spectrum))
 
 
-def told(spectrum: Spectrum) -> None:
-    """What the engineer has to know before using the spectrum, on stderr."""
+def told(spectrum: Spectrum, *, doubts: tuple[Notice, ...] = ()) -> None:
+    """What the engineer has to know before using the spectrum, on stderr; doubts: of what was typed."""
     notices = tuple(Notice("site-study", "site.spectrum", text) for text in spectrum.cautions)
-    print(warned(notices), end="", file=sys.stderr)
+    print(warned((*doubts, *notices)), end="", file=sys.stderr)
 
 
 def draw(spectrum: Spectrum, path: Path) -> Path:

@@ -10,7 +10,7 @@ from scipy.constants import g
 from assess.project.messages import Key, look_up, written
 from assess.results import Notice
 
-WEAK = 0.02 * g  # m/s2: hardly felt; no wall is assessed for less
+WEAK = 0.1 * g  # m/s2: below it a number alone was rather meant in g
 SPECTRUM: Key = ("site", "spectrum")
 PLACES: tuple[Key, ...] = (("site", "pga"), *((*SPECTRUM, key) for key in ("s_ds", "s_d1", "s_s", "s_1", "a_g")))
 

@@ -4,14 +4,17 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 from pydantic import ValidationError
 
 from assess.errors import ProjectError
+from assess.project.bare_numbers import bare_numbers
 from assess.project.messages import one_line
 from assess.project.sections.site import Site
+from assess.results import Notice
 
 NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d{1,3})?")
 
@@ -21,14 +24,26 @@ def typed_site(options: Mapping[str, str], *, folder: Path) -> Site:
 
     Raises ProjectError, one line that names the option, for what a project file would be refused for.
     """
-    table = {key: value if key == "file" else _value(value) for key, value in options.items() if key != "pga"}
-    raw: dict[str, Any] = {"spectrum": table}
-    if "pga" in options:
-        raw["pga"] = _value(options["pga"])
+    raw = _table(options)
     try:
         return Site.model_validate(raw, context={"folder": folder})
     except ValidationError as error:
         raise ProjectError(_as_option(one_line(error, raw=raw))) from None
+
+
+def typed_doubts(options: Mapping[str, str]) -> tuple[Notice, ...]:
+    """Accelerations typed without a unit that look as if g had been meant."""
+    found = bare_numbers({"site": _table(options)})
+    return tuple(replace(each, where=_as_option(each.where.removeprefix("site."))) for each in found)
+
+
+def _table(options: Mapping[str, str]) -> dict[str, Any]:
+    """The options as the table [site] of a project file has them."""
+    table = {key: value if key == "file" else _value(value) for key, value in options.items() if key != "pga"}
+    raw: dict[str, Any] = {"spectrum": table}
+    if "pga" in options:
+        raw["pga"] = _value(options["pga"])
+    return raw
 
 
 def _value(text: str) -> float | int | str:

@@ -68,3 +68,11 @@ def test_an_unanswered_check_is_no_pass_on_the_cover(results: Results) -> None:
     found = replace(results, mechanisms=(open_ended,))
     assert governing.outcome(found) == "incomplete"
     assert cover.headline(found).endswith(cover.NO_PASS + ".")
+
+
+def test_a_pass_above_the_pga_at_capacity_is_explained_on_the_cover(results: Results) -> None:
+    first = results.mechanisms[0]
+    passing = replace(first.checks[0], verdict="pass", role="code", level_pga_g=0.3, capacity_pga_g=0.28)
+    assert cover.returning(replace(results, mechanisms=(replace(first, checks=(passing,)),)))[0].startswith("Wall 6")
+    below = replace(passing, capacity_pga_g=0.31)
+    assert cover.returning(replace(results, mechanisms=(replace(first, checks=(below,)),))) == ()

@@ -318,7 +318,7 @@ def test_json_schema_is_closed_and_strict() -> None:
 
 
 def test_a_bare_number_that_is_hardly_an_earthquake_is_told(tmp_path: Path) -> None:
-    slip = changed('levels = ["0.1 g", "0.2 g"]', 'levels = [0.1, 0.3, "0.01 g"]').replace('"0.25 g"', "0.15")
+    slip = changed('levels = ["0.1 g", "0.2 g"]', 'levels = [0.1, 1.3, "0.01 g"]').replace('"0.25 g"', "0.15")
     doubts = load(written(tmp_path, slip)).doubts
     assert [(doubt.code, doubt.where, doubt.text) for doubt in doubts] == [
         ("unit", "site.spectrum.s_d1", '0.15 m/s^2 is 0.0153 g; write "0.15 g" if that was meant'),

@@ -118,7 +118,7 @@ def verdicts(before: Results, after: Results) -> Iterator[Change]:
     for one, other in shared(before, after):
         yield Change("verdict", one.name, "all checks that decide", overall(one), overall(other))
     for one, other in shared(before, after):
-        for what, first, second in paired(checks(one), checks(other)):
+        for what, first, second in paired(checks(one, one, other), checks(other, one, other)):
             yield Change("verdict", one.name, what, *both(attrgetter("verdict"), first, second))
 
 
@@ -128,21 +128,21 @@ def overall(mechanism: MechanismResult) -> str | None:
     return next((each for each in ("fail", "pass", "not-applicable") if each in found), None)
 
 
-def checks(mechanism: MechanismResult) -> dict[str, Check]:
-    """The checks of a mechanism by what they are of."""
-    return {f"{named(check, mechanism)} at {check.level_pga_g:.6g} g": check for check in mechanism.checks}
+def checks(mechanism: MechanismResult, *runs: MechanismResult) -> dict[str, Check]:
+    """The checks of a mechanism by what they are of, told apart from all those of it in both `runs`."""
+    return {f"{named(check, *runs)} at {check.level_pga_g:.6g} g": check for check in mechanism.checks}
 
 
-def named(check: Check, mechanism: MechanismResult) -> str:
-    """The procedure of a check, with its limit state where the mechanism has others of the same procedure."""
-    states = {other.limit_state for other in mechanism.checks if other.procedure == check.procedure}
+def named(check: Check, *runs: MechanismResult) -> str:
+    """The procedure of a check, with its limit state where either run has others of the same procedure."""
+    states = {other.limit_state for run in runs for other in run.checks if other.procedure == check.procedure}
     return f"{check.procedure} {check.limit_state}" if len(states) > 1 else check.procedure
 
 
 def capacities(before: Results, after: Results) -> Iterator[Change]:
     """PGA at uplift and at capacity of each procedure, which are one for all levels [g]."""
     for one, other in shared(before, after):
-        sides = [{named(check, each): check for check in each.checks} for each in (one, other)]
+        sides = [{named(check, one, other): check for check in each.checks} for each in (one, other)]
         for what, first, second in paired(*sides):
             for word in ("capacity", "uplift"):
                 ends = both(attrgetter(f"{word}_pga_g"), first, second)
@@ -152,7 +152,7 @@ def capacities(before: Results, after: Results) -> Iterator[Change]:
 def ratios(before: Results, after: Results) -> Iterator[Change]:
     """Demand over capacity of each check."""
     for one, other in shared(before, after):
-        for what, first, second in paired(checks(one), checks(other)):
+        for what, first, second in paired(checks(one, one, other), checks(other, one, other)):
             yield Change("ratio", one.name, what, *both(ratio, first, second))
 
 
@@ -160,7 +160,8 @@ def ratio(check: Check) -> float | str | None:
     """Demand over capacity, or that the body overturns; None where the check does not apply."""
     if check.verdict == "not-applicable":
         return None
-    return "overturned" if check.ratio is None and check.verdict == "fail" else check.ratio
+    fell = check.verdict == "fail" and check.demand is None and check.quantity != "sliding"
+    return "overturned" if fell else check.ratio
 
 
 def envelopes(before: Results, after: Results) -> Iterator[Change]:

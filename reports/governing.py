@@ -14,8 +14,8 @@ Outcome = Verdict | Literal["incomplete"]
 
 
 def fell(check: Check) -> bool:
-    """Whether the check failed because there is no finite demand: the body overturned."""
-    return check.verdict == "fail" and check.demand is None
+    """Whether the check failed because there is no finite demand: the body overturned, for it did not slide away."""
+    return check.verdict == "fail" and check.demand is None and check.quantity != "sliding"
 
 
 def severity(check: Check) -> float:

@@ -97,7 +97,7 @@ class Context:
     spectrum : the site's elastic spectrum at its own PGA
     levels : PGA at which demands are compared [m/s2]
     vertical_ratio : S_aV / S_aH [-]
-    elevation : of the hinges above the ground [m]
+    elevation : of the base above the ground [m]; rise : of the far support over it, 0 where there is none [m]
     building : None where the project gives none
     suites : time histories, one suite for each of `levels`, in that order; empty when none were run
     besides : suites at the other PGA that procedures want, of limit states of their own
@@ -128,9 +128,9 @@ class Context:
     free_period: FreePeriod | None = None
     besides: tuple[Suite, ...] = ()
     hinges: tuple[HingeForces, ...] = ()
+    rise: float = 0.0
 
     @property
     def support_height(self) -> float:
-        """Height of the supports above the ground [m]: the base, or the mean of base and top of a wall that spans."""
-        above = self.wall.height / 2.0 if self.support == "spanning" and self.wall is not None else 0.0
-        return max(self.elevation, 0.0) + above
+        """Height above the ground of what holds the mechanism [m]: its base, or the mean of base and far support."""
+        return max(self.elevation, 0.0) + self.rise / 2.0

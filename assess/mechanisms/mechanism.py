@@ -49,6 +49,12 @@ class Mechanism:
     faces: tuple[tuple[Face, ...], ...] = ()
 
     @property
+    def rise(self) -> float:
+        """Of the support at the far end over the base hinge [m]; 0 where the far end is free."""
+        hinges = self.positive.hinges
+        return hinges[-1][1] - hinges[0][1]
+
+    @property
     def flexible(self) -> bool:
         """Whether a hinge presses on a joint that gives way."""
         return any(joint is not None for joint in self.positive.joints)

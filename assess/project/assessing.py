@@ -93,6 +93,7 @@ def context_of(
         support=SUPPORTS[mechanism.kind],
         wall=wall_of(mechanism),
         elevation=mechanism.elevation - ground,
+        rise=mechanism.rise,
         building=study.building,
         suites=suites,
         histories_at="ground" if study.amplified[mechanism.name].height is None else "mechanism base",

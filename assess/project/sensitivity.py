@@ -21,8 +21,8 @@ from assess.results import MechanismResult, SensitivityResult
 from spectra.errors import SpectrumError
 from spectra.spectrum import Spectrum
 
-Answer = tuple[str, str, str, float]
-"""What tells a check from the others of a mechanism: procedure, limit state, where its input acts, level [g]."""
+Answer = tuple[str, str, float]
+"""What tells a check from the others of a mechanism: procedure, limit state, level [g]."""
 
 BY_HISTORIES = "-history"  # how the names of procedures that ask for histories end
 
@@ -98,7 +98,7 @@ def by_answer(checks: Sequence[Check]) -> dict[Answer, Check]:
     """Checks by what they answer, the first of several."""
     found: dict[Answer, Check] = {}
     for check in checks:
-        found.setdefault((check.procedure, check.limit_state, check.input_at, check.level_pga_g), check)
+        found.setdefault((check.procedure, check.limit_state, check.level_pga_g), check)
     return found
 
 
@@ -114,12 +114,12 @@ def rows_of(variable: Variable, deciding: Sequence[Check], low: Case, high: Case
         high=variable.high,
         remark=remark_of(variable, low, high),
     )
-    told: set[tuple[str, str, str]] = set()
+    told: set[tuple[str, str]] = set()
     for key, check in by_answer(deciding).items():
         row = replace(row, procedure=check.procedure, limit_state=check.limit_state)
         sides = low.checks.get(key), high.checks.get(key)
-        if key[:3] not in told and not check.procedure.endswith(BY_HISTORIES):
-            told.add(key[:3])
+        if key[:2] not in told and not check.procedure.endswith(BY_HISTORIES):
+            told.add(key[:2])
             yield with_capacity(row, check, *sides)
         yield with_ratio(row, check, *sides)
 

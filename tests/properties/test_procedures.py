@@ -45,7 +45,17 @@ def site(*, stretch=1.0, levels=LEVELS):
     stands = dataclasses.replace(block, faces=((Face(friction=FRICTION),),) * 2)
     forces = hinge_forces(stands)
     return Context(
-        spectrum, levels, 0.0, 0.0, house, SUITES, SUITES, support="spanning", wall=Wall(4.0, 0.28), hinges=forces
+        spectrum,
+        levels,
+        0.0,
+        0.0,
+        house,
+        SUITES,
+        SUITES,
+        support="spanning",
+        wall=Wall(4.0, 0.28),
+        hinges=forces,
+        rise=4.0,
     )
 
 
@@ -199,7 +209,12 @@ def test_a_wider_base_never_raises_demand_over_capacity(name):
             body = planar_direct(mass=5000.0, centroid=(0.0, 2.0), inertia=5000.0 * (t**2 + 16.0) / 12.0, name="w")
             rocker = oscillator(single_block("w", body, hinge=(t / 2, 0.0), hinge_negative=(-t / 2, 0.0)))
             context = dataclasses.replace(
-                site(), elevation=elevation, building=house, support=support, wall=Wall(4.0, t)
+                site(),
+                elevation=elevation,
+                building=house,
+                support=support,
+                wall=Wall(4.0, t),
+                rise=4.0 * (support == "spanning"),
             )
             ratios = [np.inf if check.ratio is None else check.ratio for check in answers(name, rocker, context)]
             assert before is None or all(now <= then * (1 + 1e-9) for now, then in zip(ratios, before, strict=True))

@@ -115,9 +115,9 @@ def _check(level: float, context: Context, allowable: float | None) -> Check:
         steps = (Step("δ_s", "best estimate of sliding", CLAUSE, "-", silent, None, "m"),)
         return _answer(level, context, verdict="not-applicable", reason=silent, steps=steps)
     found = best_estimate(context, level, mu)
-    verdict, reason = _verdict(found, allowable)
+    at_capacity = None if allowable is None else pga_at(context, mu, allowable)
+    verdict, reason = _verdict(found, allowable, at_capacity)
     rocks_first = "" if not found or sliding_pga(context) is not None else ROCKS_FIRST
-    at_capacity = pga_at(context, mu, allowable) if allowable is not None and verdict != "not-applicable" else None
     return _answer(
         level,
         context,
@@ -130,9 +130,12 @@ def _check(level: float, context: Context, allowable: float | None) -> Check:
     )
 
 
-def _verdict(found: float | None, allowable: float | None) -> tuple[Verdict, str]:
-    if found is None:
+def _verdict(found: float | None, allowable: float | None, at_capacity: float | None) -> tuple[Verdict, str]:
+    """What the estimate means; where the spectrum does not tell it, a smaller PGA may tell that it is too much."""
+    if found is None and at_capacity is None:
         return "not-applicable", UNBOUNDED
+    if found is None:
+        return "fail", "sliding beyond the allowable, at a smaller PGA already"
     if allowable is None:
         return "not-applicable", "for information; give procedures.asce43-05.allowable_sliding for a verdict"
     if found <= allowable:

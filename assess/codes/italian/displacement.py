@@ -38,11 +38,16 @@ class Answer:
     still: float
     uplift: float | None
 
+    @property
+    def before(self) -> float:
+        """Displacement d* at which the mechanism begins to rock [m]."""
+        return self.starts * self.still
+
     def demand(self, pga: float) -> float | None:
-        """Displacement d* [m] at `pga` [m/s2]; None where the spectrum says nothing."""
+        """Displacement d* [m] at `pga` [m/s2], rocking no less than before; None where the spectrum says nothing."""
         if self.wanted is None:
             return None
-        return pga * (self.still if pga <= self.starts else self.wanted.largest)
+        return pga * self.still if pga <= self.starts else max(pga * self.wanted.largest, self.before)
 
 
 def displacement_check(
@@ -101,7 +106,8 @@ def ground_step(case: Case, clause: str, symbol: str, period: float, *, ordinate
 
 def ratio_step(answer: Answer, clause: str, *, demanded: float) -> Step:
     """The last line of the sheet."""
-    note = "ratio" if demanded else "ratio; below uplift nothing moves"
+    held = ", no less than as it begins to rock" if demanded == answer.before else ""
+    note = f"ratio{held}" if demanded else "ratio; below uplift nothing moves"
     numbers = f"{demanded:.5g} / {answer.ultimate:.5g}"
     symbol, ratio = f"demand / {answer.symbol}", demanded / answer.ultimate
     return Step(symbol, note, clause, "demand / capacity", numbers, ratio, "-")

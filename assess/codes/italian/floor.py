@@ -40,13 +40,15 @@ class Demands:
 def floor_of(context: Context) -> Floor | None:
     """psi, gamma, T1 of a mechanism above ground; None at the ground, or where the building is unknown.
 
+    Z is the height of what joins the mechanism to the rest of the building: of its base, or of a wall that spans the
+    mean of base and top. What stands on the ground is checked at the ground alone, a wall that spans included.
     Source: Circolare 617/2009, C8A.4.2.3; 7/2019, C7.2.10.
     """
     building = context.building
     if context.elevation <= ON_GROUND or building is None or building.storeys is None:
         return None
     gamma = first_mode_factor(building.storeys)
-    return Floor(context.elevation / building.height, gamma, building.period, building.damping)
+    return Floor(context.support_height / building.height, gamma, building.period, building.damping)
 
 
 def unanswerable(context: Context) -> str:
@@ -54,12 +56,15 @@ def unanswerable(context: Context) -> str:
     floor = floor_of(context)
     if context.elevation <= ON_GROUND or (floor is not None and floor.psi <= 1.0):
         return ""
-    stands = f"the mechanism stands {context.elevation:.4g} m above ground"
     if floor is not None:
-        return f"{stands}, higher than the building: check [building] height and ground_elevation"
+        return (
+            f"the supports of the mechanism are {context.support_height:.4g} m above ground, higher than the building: "
+            "check [building] height and ground_elevation"
+        )
     return (
-        f"{stands}, where the clause also asks for the floor's motion: give [building] height and storeys, and "
-        "ground_elevation where the ground is not at 0; the figures here are for the ground's motion alone"
+        f"the mechanism stands {context.elevation:.4g} m above ground, where the clause also asks for the floor's "
+        "motion: give [building] height and storeys, and ground_elevation where the ground is not at 0; the figures "
+        "here are for the ground's motion alone"
     )
 
 

@@ -101,6 +101,13 @@ def suites_needed(
     return tuple(pga for pga in wanted if not any(isclose(pga, level, rel_tol=1e-9) for level in levels))
 
 
+def rising(context: Context) -> tuple[Suite, ...]:
+    """All suites at rising PGA, those that limit states of their own asked for among them; none without a scan."""
+    if not context.incremental:
+        return ()
+    return tuple(sorted((*context.incremental, *context.besides), key=lambda suite: suite.pga))
+
+
 def displaced(oscillator: Oscillator, suite: Suite) -> tuple[float | None, ...]:
     """d*/d0* of each record [-], each by the branch of its maximum; None where the body overturned."""
     found: list[float | None] = []
@@ -122,7 +129,7 @@ def _check(
     branch, allowed = branch_named(oscillator, found.suite.branch), rule.shares[state]
     d0, e = displacement_at_collapse(branch, mass=oscillator.mass), participation_ratio(branch, mass=oscillator.mass)
     scanned = pga_before_failure(
-        context.incremental,
+        rising(context),
         lambda suite: passes(Found(suite, suite.pga, displaced(oscillator, suite)), allowed),
         least_records=LEAST_RECORDS,
     )

@@ -95,6 +95,16 @@ def test_numbers_are_those_of_both_results(before: Results, after: Results) -> N
     assert ratios["dmi2008-linear at 0.3 g"] == tuple(m.checks[-1].ratio for m in (one, other))
 
 
+def test_a_limit_state_is_compared_with_itself_where_the_other_run_has_more(before: Results) -> None:
+    """SLV beside SLD in one run, alone in the other: the SLV checks are one pair, the SLD ones stand alone."""
+    wall = before.mechanisms[0]
+    more = replace(wall, checks=(*wall.checks, *(replace(check, limit_state="SLD") for check in wall.checks[-2:])))
+    assert {check.procedure for check in wall.checks[-2:]} == {"dmi2008-linear"}
+    found = changes(replace(before, mechanisms=(more, *before.mechanisms[1:])), before)
+    assert len(found) == 6  # at two levels verdict and ratio; capacity, uplift
+    assert all("SLD" in change.what and change.after is None for change in found)
+
+
 def test_the_other_way_round_is_the_mirror_image(before: Results, after: Results) -> None:
     def turned(change: Change) -> Change:
         return replace(change, before=change.after, after=change.before)

@@ -5,6 +5,8 @@ The model's own curve is tan(alpha - phi), 0.2 % from the straight line here; wi
 
 from __future__ import annotations
 
+import dataclasses
+
 import numpy as np
 import pytest
 from scipy.constants import g
@@ -18,7 +20,7 @@ from assess.codes.dmi2008.clauses import (
     ground_displacement,
 )
 from assess.codes.italian.edition import Options
-from assess.codes.italian.floor import floor_of
+from assess.codes.italian.floor import floor_of, unanswerable
 from assess.geometry.planar import planar
 from assess.geometry.solid import box
 from assess.mechanisms.oscillation import oscillator
@@ -123,3 +125,13 @@ def test_below_uplift_nothing_rocks(rocker):
     (check,) = nonlinear.assess(rocker, context(levels=(0.09 * g,)), options=Options())
     assert (check.demand, check.rotation_ratio, check.verdict) == (0.0, 0.0, "pass")
     assert "no rocking" in check.reason
+
+
+def test_floor_of_a_wall_between_floors_is_at_the_mean_of_its_supports():
+    """C8A.4.2.3: Z is that of the centroid of the lines that hold the mechanism: (3 + 6) / 2 of 9 m."""
+    between = dataclasses.replace(context(elevation=3.0, building=HOUSE), rise=3.0)
+    found, free = floor_of(between), floor_of(dataclasses.replace(between, rise=0.0))
+    assert (found.psi, free.psi) == pytest.approx((0.5, 1 / 3), rel=1e-12)
+    assert floor_of(dataclasses.replace(between, elevation=0.0)) is None
+    over = dataclasses.replace(between, elevation=8.0)
+    assert "9.5 m above ground, higher than the building" in unanswerable(over)

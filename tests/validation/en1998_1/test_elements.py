@@ -44,7 +44,7 @@ def test_a_parapet_on_the_roof() -> None:
 
 def test_a_wall_between_floors_at_the_mean_of_its_supports() -> None:
     """From 2 to 4 m of 10 m: z/H = 0.3, S_a = 0.3 (1.5 x 1.3 - 0.5) = 0.435; q_a = 2."""
-    spanning = at(2.0, support="spanning", wall=Wall(2.0, 0.3))
+    spanning = at(2.0, support="spanning", wall=Wall(2.0, 0.3), rise=2.0)
     (check,) = assess(PARAPET, spanning, options=Options())
     assert check.demand == pytest.approx(0.2175, rel=1e-9)
     (own,) = assess(PARAPET, spanning, options=Options(behaviour_factor=1.0))

@@ -19,6 +19,7 @@ from assess.codes.ntc2018 import linear, nonlinear
 from assess.codes.ntc2018.clauses import capacity_of, free_period
 from assess.geometry.planar import planar
 from assess.geometry.solid import box
+from assess.mechanisms.equivalent_block import equivalent_block
 from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block
 from spectra import ntc
@@ -215,3 +216,15 @@ def test_wider_base_never_fares_worse():
             (check,) = procedure.assess(wall(thickness=thickness), ground(), options=Options())
             capacities.append(check.capacity_pga_g)
         assert capacities == sorted(capacities)
+
+
+def test_an_element_that_begins_to_rock_is_not_displaced_less_than_before():
+    """T0 = b T1: before it rocks 5 % of damping at T0, after it at least 10 % there, which is eta = 0.82 of that."""
+    rocker = oscillator(equivalent_block("pinnacle", p=2.0, uplift=0.3, radius=1.0))
+    tower = Building(height=10.0, storeys=3, ground_elevation=0.0, period=1.0, damping=0.05)
+    levels = tuple(float(level) for level in np.linspace(0.04, 0.06, 21) * g)
+    at = Context(ground().spectrum, levels, 0.0, 9.0, tower, free_period=FreePeriod(1.1, "given", "1.1 s"))
+    checks = nonlinear.assess(rocker, at, options=Options(limit_states=("SLC",)))
+    ratios = [check.ratio for check in checks]
+    assert ratios == sorted(ratios)
+    assert any("as it begins to rock" in step.description for check in checks for step in check.steps)

@@ -42,13 +42,19 @@ def wall(*, e_p: float = 0.0, e_b: float = 0.0, load: float = 0.0, sides: str = 
     return oscillator(two_block("wall", part(0.0, H / 2), part(H / 2, H / 2), sides=sides, hinges=hinges, loads=loads))
 
 
+def test_far_support_of_a_wall_stands_its_height_over_the_base() -> None:
+    hinges = ((0.0, 0.0), (-T / 2, H / 2), (T / 2, H))
+    spans = two_block("wall", part(0.0, H / 2), part(H / 2, H / 2), sides="one", hinges=hinges)
+    assert (spans.rise, single_block("parapet", part(0.0, H)).rise) == (H, 0.0)
+
+
 def free(height: float):
     return oscillator(single_block("parapet", part(0.0, height)))
 
 
 def second_storey(*, level: float = WELLINGTON.pga, spectrum=WELLINGTON):
     """Between floors at 2 m and 6 m of a building of 8 m: h_i = 4 m."""
-    return Context(spectrum, (level,), 0.0, 2.0, HOUSE, support="spanning", wall=Wall(H, T))
+    return Context(spectrum, (level,), 0.0, 2.0, HOUSE, support="spanning", wall=Wall(H, T), rise=H)
 
 
 CASES = {  # b, a, Delta_i and J g of C8B for weight W, load P, with e_o = e_t = t/2
@@ -146,7 +152,7 @@ def test_options() -> None:
 )
 def test_floor_factor(elevation: float, building: Building | None, factor: float) -> None:
     """h_i = 4 m: 1 + 4/6, less than 3 (h_i >= 0.2 h_n); without a building 1 + h_i/6, and 3 from 12 m on."""
-    at = Context(WELLINGTON, (1.0,), 0.0, elevation, building, support="spanning", wall=Wall(H, T))
+    at = Context(WELLINGTON, (1.0,), 0.0, elevation, building, support="spanning", wall=Wall(H, T), rise=H)
     assert floor_factor(at) == pytest.approx(factor, rel=1e-12)
 
 

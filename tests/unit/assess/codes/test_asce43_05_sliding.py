@@ -77,7 +77,7 @@ def test_a_spectrum_below_the_coefficient_slides_nothing() -> None:
         (context(mu=None), "friction at hinge A is not known; give materials.w.friction"),
         (context(face=(0.1, 0.995)), "level base"),
         (replace(context(), hinges=()), "an equivalent block has no geometry"),
-        (context(level=4.0 * g), "does not fall below c_s before it ends"),
+        (context(mu=0.01), "does not fall below c_s before it ends"),
     ],
 )
 def test_what_it_is_not_for(where: Context, said: str) -> None:
@@ -90,3 +90,12 @@ def test_a_block_that_rocks_first_is_told() -> None:
     """mu = 0.56 is above tan 0.5, the multiplier; then A.1 leaves the rocking out."""
     assert "rocks before it slides" in answer(context(mu=0.56, level=0.6 * g)).reason
     assert "rocks before it slides" not in answer(context()).reason
+
+
+def test_harder_shaking_than_the_spectrum_tells_of_fails_where_less_slides_too_far() -> None:
+    """At 4 g the table ends before it falls to c_s; at 0.4 g a block slides beyond the allowable already."""
+    weak, strong = (answer(context(level=level), 0.1) for level in (0.4 * g, 4.0 * g))
+    assert (weak.verdict, strong.verdict, strong.demand) == ("fail", "fail", None)
+    assert strong.capacity_pga_g == pytest.approx(weak.capacity_pga_g, rel=1e-12)
+    assert "at a smaller PGA already" in strong.reason
+    assert answer(context(level=4.0 * g)).verdict == "not-applicable"

@@ -90,6 +90,18 @@ def test_confidence_factor_goes_with_the_motion():
     assert less.safety_index == pytest.approx(1.0, rel=1e-9)
 
 
+def test_a_suite_that_fails_beside_the_levels_ends_the_scan():
+    """At FC 1.35 the suite of 0.27 g overturns a body that the scan leaves standing at 0.26 g and at 0.4 g."""
+    scan = tuple(Suite(pga * g, (0.1,) * 7, "positive") for pga in (0.1, 0.2, 0.26, 0.4))
+    scan = (*scan, Suite(0.5 * g, (None,) * 7, "positive"))
+    beside = Suite(0.27 * g, (None, *(0.1,) * 6), "positive")
+    at = dataclasses.replace(context(*(0.1,) * 7), incremental=scan, besides=(beside,))
+    (check,) = ntc2018.assess(block(), at, options=Options(confidence_factor=1.35))
+    assert check.verdict == "fail"
+    assert check.capacity_pga_g == pytest.approx(0.26 / 1.35, rel=1e-9)
+    assert check.safety_index < 1.0
+
+
 def test_histories_of_the_ground_cannot_pass_a_mechanism_above_it():
     raised = {"elevation": 5.0}
     low = dataclasses.replace(context(*(0.1,) * 7), **raised)

@@ -3,11 +3,16 @@
 from __future__ import annotations
 
 from reports.document import Document
+from reports.translation import translated
 from reports.us_axes import in_us_axes
 from reports.us_units import in_us_units
 from reports.us_words import in_us_words
 
 
 def as_asked(document: Document) -> Document:
-    """The document in the units that it is to be written in; itself where they are SI."""
+    """The document in the units and then in the language that it is to be written in."""
+    return translated(_in_units(document))
+
+
+def _in_units(document: Document) -> Document:
     return in_us_axes(in_us_words(in_us_units(document))) if document.units == "US" else document

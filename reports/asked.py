@@ -10,8 +10,11 @@ from reports.us_words import in_us_words
 
 
 def as_asked(document: Document) -> Document:
-    """The document in the units and then in the language that it is to be written in."""
-    return translated(_in_units(document))
+    """The document in the language and then in the units that it is to be written in.
+
+    The catalogue knows the sentences as the program says them, in SI; units are changed in any language.
+    """
+    return _in_units(translated(document))
 
 
 def _in_units(document: Document) -> Document:

@@ -4,7 +4,7 @@ BIN := .venv/bin
 DEMO := build/demo
 NO_BROWSER := chromium and chromium-driver do not install here; tests that open the HTML report in them will be skipped
 
-.PHONY: demo test check bench figures lock
+.PHONY: demo test check bench figures catalogue lock
 
 demo: .venv/installed      ## the main job on the shipped example; the last line printed is the path of the report
 	rm -rf $(DEMO)
@@ -31,6 +31,9 @@ bench: .venv/installed     ## speed, as ratios measured in one run
 
 figures: .venv/installed   ## figures of the thesis drawn again, into build/figures
 	$(BIN)/python tests/validation/thesis/draw_chapter_7.py
+
+catalogue: demo            ## sentences of the demo's report that have no Italian entry
+	$(BIN)/python tests/languages/list_untranslated.py it $(DEMO)/results/results.json
 
 lock:                      ## for developers, with uv: pin every dependency with its hashes
 	uv pip compile pyproject.toml --group dev --universal --python-version 3.11 --generate-hashes --quiet --output-file requirements.lock

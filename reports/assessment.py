@@ -25,6 +25,7 @@ from reports import (
     sweeps,
     tables,
 )
+from reports.catalogue import ENGLISH
 from reports.document import Block, Document, Figure, Items, Section, Signatures, Table, Text
 from reports.figures import amplification, capacity, comparison, history, pga_rotation, sketch, spectrum, view
 from reports.model import of_view
@@ -72,6 +73,7 @@ def assessment(results: Results) -> Document:
             *sensitivity.data(results),
             *envelopes.data(results),
         ),
+        language=project(results, "report.language") or ENGLISH,
         verbatim=verbatim(results),
         units=_units(results),
     )

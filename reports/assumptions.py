@@ -44,7 +44,13 @@ def section(results: Results) -> Section:
 
 def table(results: Results) -> Table:
     """Every value that a result rests on, those alike in several mechanisms in one line."""
-    columns = (Column("Key"), Column("Value (SI)", kind="given"), Column("Source"), Column("Remark"), Column("For"))
+    columns = (
+        Column("Key", kind="given"),
+        Column("Value (SI)", kind="given"),
+        Column("Source"),
+        Column("Remark"),
+        Column("For"),
+    )
     every = len(results.mechanisms)
     rows = list(_rows(results))
     cells = tuple((row.key, row.value, row.source, row.note, _held(row.names, every)) for row in rows)

@@ -8,14 +8,15 @@ from pathlib import Path
 from reports.document import Cell, Document, Table
 from reports.lettering import visible
 from reports.sheets import as_table
+from reports.worded import worded
 
 _FORMULA = ("=", "+", "-", "@", "\t", "\r")
 
 
 def write_csv(document: Document, folder: Path) -> tuple[Path, ...]:
     """Write every table and calculation sheet into `folder` as name.csv (UTF-8); the paths written."""
-    everything = (*document.tables, *(as_table(sheet) for sheet in document.sheets))
-    return tuple(_write(table, folder) for table in everything)
+    everything = (*document.tables, *(as_table(sheet, said=document.said) for sheet in document.sheets))
+    return tuple(_write(worded(table, document.said), folder) for table in everything)
 
 
 def field(cell: Cell) -> str:

@@ -6,8 +6,8 @@ All text is plain text, never markup; the renderers escape it.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Literal
 
 if TYPE_CHECKING:
@@ -21,7 +21,8 @@ Kind = Literal["text", "number", "given", "verdict"]
 class Column:
     """One column of a table.
 
-    kind : "text"; "number" to three figures, right-aligned; "given" to the figures it was given with; "verdict"
+    kind : "text"; "number" to three figures, right-aligned; "given" to the figures and in the words it was given
+    with; "verdict"
     """
 
     label: str
@@ -169,8 +170,9 @@ class Document:
     data : tables too long to print, for the spreadsheet and the CSV files only
     program : name and version of the program that made it
     paper : "A4" or "letter"
-    language : of its sentences, as BCP 47 has it
+    language : of its sentences, as BCP 47 has it: "en", "it"
     verbatim : texts of the user, which are never translated: titles, names, notes, paths
+    words : the renderers' own words in the language of the document, by the English ones; absent: English
     units : of the report; its tables, sentences and figures are made in SI and converted when it is written
     """
 
@@ -182,9 +184,14 @@ class Document:
     facts: tuple[tuple[str, str], ...]
     sections: tuple[Section, ...]
     data: tuple[Table, ...]
-    language: str = "en-GB"
+    language: str = "en"
     verbatim: frozenset[str] = frozenset()
     units: Literal["SI", "US"] = "SI"
+    words: Mapping[str, str] = field(default_factory=dict)
+
+    def said(self, text: str) -> str:
+        """A word of a renderer in the language of the document."""
+        return self.words.get(text, text)
 
     @property
     def blocks(self) -> tuple[Block, ...]:
@@ -215,5 +222,5 @@ class Document:
             if isinstance(block, Figure | Table | Sheet):
                 kind = type(block).__name__
                 count[kind] += 1
-                titles[kind, block.name] = f"{kind} {count[kind]}"
+                titles[kind, block.name] = f"{self.said(kind)} {count[kind]}"
         return titles

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from functools import singledispatchmethod
 from html import escape
 
@@ -29,6 +29,7 @@ from reports.lettering import visible
 from reports.numerals import outcome, shown
 from reports.style import WORDS
 from reports.svg import Picture
+from reports.worded import in_words
 
 _LONG = 400  # characters
 
@@ -42,7 +43,7 @@ class Elements:
     """Makes an element of each block of a document."""
 
     def __init__(self, document: Document, pictures: Mapping[str, Picture]) -> None:
-        self.titles, self.pictures = document.titles, pictures
+        self.titles, self.pictures, self.said = document.titles, pictures, document.said
 
     @singledispatchmethod
     def of(self, block: Block) -> str:
@@ -59,18 +60,20 @@ class Elements:
 
     @of.register
     def _(self, block: Banner) -> str:
-        word, headline = markup(WORDS[block.verdict]), markup(block.headline)
+        word, headline = markup(self.said(WORDS[block.verdict])), markup(block.headline)
         return f'<p class="banner {block.verdict}"><strong>{word}</strong> <span>{headline}</span></p>'
 
     @of.register
     def _(self, block: Table) -> str:
         heads = [_head(column.heading, _kind(column)) for column in block.columns]
-        rows = [_row(row, block.columns, muted=place in block.muted) for place, row in enumerate(block.rows)]
+        rows = [
+            _row(row, block.columns, muted=place in block.muted, said=self.said) for place, row in enumerate(block.rows)
+        ]
         return _wide("sortable", self.titles["Table", block.name], block.caption, heads, rows)
 
     @of.register
     def _(self, block: Sheet) -> str:
-        heads = [_head(text, "") for text in SHEET_HEADS]
+        heads = [_head(text, "") for text in map(self.said, SHEET_HEADS)]
         return _wide("sheet", self.titles["Sheet", block.name], block.caption, heads, map(_step, block.lines))
 
     @of.register
@@ -86,7 +89,7 @@ class Elements:
 
     @of.register
     def _(self, block: Signatures) -> str:
-        heads = "".join(f'<th scope="col">{text}</th>' for text in SIGNATURE_HEADS)
+        heads = "".join(f'<th scope="col">{markup(text)}</th>' for text in map(self.said, SIGNATURE_HEADS))
         rows = "".join(
             f'<tr><th scope="row">{markup(role)}</th><td>{markup(name)}</td><td></td><td></td></tr>'
             for role, name in block.places
@@ -114,18 +117,19 @@ def _head(text: str, kind: str) -> str:
     return f'<th scope="col"{_classes(kind)}>{markup(text)}</th>'
 
 
-def _row(row: tuple[Cell, ...], columns: tuple[Column, ...], *, muted: bool) -> str:
-    cells = "".join(map(_cell, row, columns))
+def _row(row: tuple[Cell, ...], columns: tuple[Column, ...], *, muted: bool, said: Callable[[str], str]) -> str:
+    cells = "".join(_cell(cell, column, said) for cell, column in zip(row, columns, strict=True))
     return f"<tr{_classes('muted' if muted else '')}>{cells}</tr>\n"
 
 
-def _cell(cell: Cell, column: Column) -> str:
+def _cell(cell: Cell, column: Column, said: Callable[[str], str]) -> str:
     """One cell; a number carries its value to the last figure, to be sorted by."""
     number = isinstance(cell, int | float) and not isinstance(cell, bool)
     verdict = str(cell) if column.kind == "verdict" and cell in ("pass", "fail") else ""
     empty = "empty" if cell is None or cell == "" else ""
     value = f' data-value="{cell!r}"' if number else ""
-    return f"<td{_classes(_kind(column), verdict, empty)}{value}>{_whole(shown(cell, column.kind))}</td>"
+    text = shown(in_words(cell, column, said), column.kind)
+    return f"<td{_classes(_kind(column), verdict, empty)}{value}>{_whole(text)}</td>"
 
 
 def _whole(text: str) -> str:

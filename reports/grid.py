@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 from reportlab.lib.colors import HexColor
@@ -15,6 +15,7 @@ from reports.numerals import outcome, shown
 from reports.page import only_measured
 from reports.style import GRID, INK, MUTED
 from reports.typeset import STYLES, Lines, Plain, formula, markup, paragraph, width_of
+from reports.worded import in_words
 
 LONGEST = 400  # characters in a cell; the whole text stands in the CSV file and the spreadsheet
 _LONGEST_STEP = 700
@@ -49,9 +50,12 @@ class _Grid(Grid):
             self.canv.restoreState()
 
 
-def table_grid(table: Table, *, title: str, width: float) -> Grid:
-    """A table under its caption, `width` [pt] wide or as narrow as its text; caption and head repeat on each page."""
-    texts = [[_text(cell, column) for cell, column in zip(row, table.columns, strict=True)] for row in table.rows]
+def table_grid(table: Table, *, title: str, width: float, said: Callable[[str], str] = str) -> Grid:
+    """A table under its caption, `width` [pt] wide or as narrow as its text; caption and head repeat on each page.
+
+    said : how verdicts, yes and no are said in the language of the document
+    """
+    texts = [[_text(cell, column, said) for cell, column in zip(row, table.columns, strict=True)] for row in table.rows]
     widths = column_widths(table.columns, texts, width)
     body = [
         [
@@ -64,9 +68,9 @@ def table_grid(table: Table, *, title: str, width: float) -> Grid:
     return _grid(f"{title}. {table.caption}", [head, *body], widths)
 
 
-def sheet_grid(sheet: Sheet, *, title: str, width: float) -> Grid:
+def sheet_grid(sheet: Sheet, *, title: str, width: float, said: Callable[[str], str] = str) -> Grid:
     """A calculation sheet: symbol; meaning and clause; formula and numbers; value and unit."""
-    head = [Plain(text, "head") for text in SHEET_HEADS]
+    head = [Plain(text, "head") for text in map(said, SHEET_HEADS)]
     body = [_step(line) for line in sheet.lines]
     return _grid(f"{title}. {sheet.caption}", [head, *body], [share * width for share in _SHARES])
 
@@ -78,7 +82,8 @@ def column_widths(columns: tuple[Column, ...], texts: list[list[str]], width: fl
         found = {line[place] for line in texts}
         words = [width_of(word, "head") for word in column.heading.split()]
         lines = [1.02 * width_of(line, "cell") for line in found]
-        inside = [1.02 * width_of(word, "cell") for line in found for word in line.split()]
+        bold = "head" if column.kind == "verdict" else "cell"
+        inside = [1.02 * width_of(word, bold) for line in found for word in line.split()]
         least.append(_PADDING + 1 + max([*words, min(_NARROW, max(inside, default=0.0))]))
         head = 0.6 * width_of(column.heading, "head")
         natural.append(max(least[-1], _PADDING + 1 + min(_WIDE, max([head, *lines]))))
@@ -113,8 +118,8 @@ def _grid(caption: str, rows: Sequence[list[Any]], widths: list[float]) -> Grid:
     return grid
 
 
-def _text(cell: Cell, column: Column) -> str:
-    return shortened(shown(cell, column.kind), LONGEST)
+def _text(cell: Cell, column: Column, said: Callable[[str], str]) -> str:
+    return shortened(shown(in_words(cell, column, said), column.kind), LONGEST)
 
 
 def _cell(raw: Cell, text: str, column: Column, *, muted: bool) -> Plain:

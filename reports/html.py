@@ -19,6 +19,20 @@ from reports.lettering import shortened
 from reports.svg import Picture
 
 SCRIPTS = ("gestures.js", "picture.js", "model.js", "viewer.js", "tables.js")  # in the order they need each other
+FRAME = {  # what the frame of the page says
+    "to_report": "To the report",
+    "contents_word": "Contents",
+    "enlarge": "Enlarge",
+    "turn": "Turn in 3D",
+    "enlarged": "Figure, enlarged",
+    "hint_shift": "Drag to shift, wheel or pinch to enlarge, double click to start again; keys: arrows, +, −, 0.",
+    "hint_turn": "Drag to turn, with Shift or two fingers to shift, wheel or pinch to enlarge; keys: arrows, +, −, 0.",
+    "larger": "Larger",
+    "smaller": "Smaller",
+    "reset": "Reset",
+    "close": "Close",
+    "stage": "Figure, to be moved by the arrow keys",
+}
 _LONGEST_TITLE, _LONGEST_HEADING = 120, 180
 
 
@@ -28,6 +42,7 @@ def write_html(document: Document, path: Path, *, pictures: Mapping[str, Picture
     style, script = part("report.css"), "\n".join(map(part, SCRIPTS))
     page = Template(part("page.html")).substitute(
         language=markup(document.language),
+        **{name: markup(document.said(text)) for name, text in FRAME.items()},
         policy=policy(style=style, script=script),
         program=markup(document.program),
         title=markup(shortened(document.title, _LONGEST_TITLE)),

@@ -18,6 +18,7 @@ from reports.typeset import REGULAR, STYLES, markup, paragraph
 
 PAPER = {"A4": A4, "letter": LETTER}
 _SIDE, _TOP, _BOTTOM = 18 * mm, 22 * mm, 20 * mm
+PAGE = "page {page} of {total}"
 _LONGEST_ENTRY = 90
 _LONGEST_CONTENTS = 48  # sections; of a longer report only the chapters are listed, the bookmarks have all
 _SIDES = ("LEFT", "RIGHT", "TOP", "BOTTOM")
@@ -120,7 +121,8 @@ class Pages(BaseDocTemplate):
         canvas.drawRightString(right, head, shortened(printable(_reference(self.document)), 40))
         canvas.line(left, head - 4, right, head - 4)
         canvas.drawString(left, 12 * mm, self.document.program)
-        canvas.drawRightString(right, 12 * mm, f"page {self.page} of {max(self.total, self.page)}")
+        number = self.document.said(PAGE).format(page=self.page, total=max(self.total, self.page))
+        canvas.drawRightString(right, 12 * mm, number)
         canvas.restoreState()
 
 
@@ -145,4 +147,4 @@ def contents() -> TableOfContents:
 
 
 def _reference(document: Document) -> str:
-    return next((text for label, text in document.facts if label == "Reference"), "")
+    return next((text for label, text in document.facts if label == document.said("Reference")), "")

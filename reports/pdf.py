@@ -30,12 +30,13 @@ from reports.inking import replay
 from reports.lettering import shortened
 from reports.page import Heading, Pages, contents, only_measured
 from reports.style import BANNER, GRID, MUTED, WORDS
-from reports.typeset import BOLD, REGULAR, STYLES, markup, paragraph, register_fonts
+from reports.typeset import BOLD, REGULAR, STYLES, markup, paragraph, register_fonts, width_of
 from reports.vector import Traced, drawn
 
 rl_config.useA85 = 0  # streams as bytes, not as letters: four fifths of the size, and sooner written
 
 _LONGEST_TITLE = 120
+_VERDICT_MARGINS = 18  # of the banner's left cell [pt]
 _ROOM, _FIGURE_ROOM, _SIGNING_ROOM = 50 * mm, 118 * mm, 75 * mm  # a heading needs below it, or the page breaks
 _CAPTION = 26 * mm  # left for a caption of five lines below a figure as high as the page
 
@@ -82,7 +83,7 @@ class Story:
         story = self._title()
         for place, section in enumerate(opening):
             story += self._section(section, f"section-{place}")
-        story += [PageBreak(), Paragraph("Contents", STYLES["heading-0"]), contents(), PageBreak()]
+        story += [PageBreak(), paragraph(self.document.said("Contents"), "heading-0"), contents(), PageBreak()]
         for place, section in enumerate(rest, start=len(opening)):
             fresh = section.starts_page and place > len(opening)
             story += [PageBreak()] if fresh else []
@@ -125,17 +126,20 @@ class Story:
 
     @_block.register
     def _(self, block: Table) -> list[Flowable]:
-        return [CondPageBreak(28 * mm), table_grid(block, title=self.titles["Table", block.name], width=self.width)]
+        title = self.titles["Table", block.name]
+        return [CondPageBreak(28 * mm), table_grid(block, title=title, width=self.width, said=self.document.said)]
 
     @_block.register
     def _(self, block: Sheet) -> list[Flowable]:
-        return [CondPageBreak(40 * mm), sheet_grid(block, title=self.titles["Sheet", block.name], width=self.width)]
+        title = self.titles["Sheet", block.name]
+        return [CondPageBreak(40 * mm), sheet_grid(block, title=title, width=self.width, said=self.document.said)]
 
     @_block.register
     def _(self, block: Banner) -> list[Flowable]:
         ink = HexColor(BANNER[block.verdict])
-        word = Paragraph(markup(WORDS[block.verdict]), STYLES["verdict"].clone("banner", textColor=ink))
-        grid = Grid([[word, paragraph(block.headline, "body")]], colWidths=[0.3 * self.width, 0.7 * self.width])
+        word, widths = self.document.said(WORDS[block.verdict]), [0.3 * self.width, 0.7 * self.width]
+        style = STYLES["verdict"].clone("banner", textColor=ink, fontSize=_fitting(word, widths[0] - _VERDICT_MARGINS))
+        grid = Grid([[Paragraph(markup(word), style), paragraph(block.headline, "body")]], colWidths=widths)
         grid.setStyle([("BOX", (0, 0), (-1, -1), 1.4, ink), ("VALIGN", (0, 0), (-1, -1), "MIDDLE"), *_ROOMY])
         return [Spacer(1, 4), grid, Spacer(1, 8)]
 
@@ -150,7 +154,7 @@ class Story:
         rows = [
             [paragraph(role, "muted"), paragraph(shortened(name, 60), "cell"), "", ""] for role, name in block.places
         ]
-        labels = [paragraph(text, "muted") for text in SIGNATURE_HEADS]
+        labels = [paragraph(text, "muted") for text in map(self.document.said, SIGNATURE_HEADS)]
         grid = Grid(
             [labels, *rows],
             colWidths=[0.14 * self.width, *[0.2867 * self.width] * 3],
@@ -158,6 +162,12 @@ class Story:
         )
         grid.setStyle([("LINEBELOW", (1, 1), (-1, -1), 0.6, HexColor(MUTED)), ("VALIGN", (0, 0), (-1, -1), "BOTTOM")])
         return [KeepTogether([grid])]
+
+
+def _fitting(text: str, width: float) -> float:
+    """The size of letters at which the longest word of a verdict is no wider than `width` [pt]."""
+    widest = max(width_of(word, "verdict") for word in text.split())
+    return float(STYLES["verdict"].fontSize) * min(1.0, width / widest)
 
 
 _ROOMY = [("TOPPADDING", (0, 0), (-1, -1), 9), ("BOTTOMPADDING", (0, 0), (-1, -1), 11)]

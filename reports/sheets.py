@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from assess.codes.check import Check
 from reports.document import Column, Line, Sheet, Table
 
-_COLUMNS = ("Symbol", "Description", "Clause", "Formula", "Substituted")
+_COLUMNS = ("Symbol", "Description", "Clause", "Formula", "Substituted", "Value", "Unit")
 
 
 def sheet(check: Check, *, name: str, mechanism: str) -> Sheet:
@@ -19,8 +21,11 @@ def sheet(check: Check, *, name: str, mechanism: str) -> Sheet:
     return Sheet(name, f"{mechanism}: {what}, at PGA {check.level_pga_g:.3g} g: {check.verdict}{reading}.", lines)
 
 
-def as_table(sheet: Sheet) -> Table:
-    """A calculation sheet as a plain table, for the spreadsheet and the CSV files."""
-    columns = (*(Column(label) for label in _COLUMNS), Column("Value", kind="number"), Column("Unit"))
+def as_table(sheet: Sheet, *, said: Callable[[str], str] = str) -> Table:
+    """A calculation sheet as a plain table, for the spreadsheet and the CSV files.
+
+    said : how the heads of the columns are said in the language of the document
+    """
+    columns = tuple(Column(said(label), kind="number" if label == "Value" else "text") for label in _COLUMNS)
     rows = tuple((s.symbol, s.description, s.clause, s.formula, s.substituted, s.value, s.unit) for s in sheet.lines)
     return Table(sheet.name, sheet.caption, columns, rows)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import datetime
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from io import BytesIO
 from pathlib import Path
 from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
@@ -21,6 +21,7 @@ from reports.lettering import shortened, visible
 from reports.numerals import FIGURES, decimals
 from reports.sheets import as_table
 from reports.style import FAIL, INK, MUTED, PASS
+from reports.worded import in_words
 
 CONTENTS, SHEETS = "contents", "calculation sheets"
 _LONGEST_TEXT, _LONGEST_NAME, _LONGEST_PROPERTY = 32_000, 31, 255
@@ -46,28 +47,29 @@ def write_xlsx(document: Document, path: Path) -> Path:
     _describe(book, document)
     contents = book.active
     assert isinstance(contents, Worksheet)  # a new workbook has one
-    contents.title = CONTENTS
-    names = unique([table.name for table in document.tables])
+    own = (document.said(CONTENTS), document.said(SHEETS))
+    contents.title = own[0]
+    names = unique([table.name for table in document.tables], taken=own)
     starts = _starts(document)
     _contents(contents, document, names, starts)
     for table, name in zip(document.tables, names, strict=True):
-        _alone(book.create_sheet(name), table)
-    _sheets(book.create_sheet(SHEETS), document, starts)
+        _alone(book.create_sheet(name), table, said=document.said)
+    _sheets(book.create_sheet(own[1]), document, starts)
     whole = BytesIO()
     book.save(whole)
     _undated(whole, path)
     return path
 
 
-def unique(names: list[str]) -> list[str]:
-    """Valid worksheet names, no two alike without regard to case: at most 31 characters, none of []:*?/\\."""
-    taken, made = {CONTENTS, SHEETS}, []
+def unique(names: list[str], *, taken: Iterable[str] = (CONTENTS, SHEETS)) -> list[str]:
+    """Valid worksheet names, no two alike nor `taken` without regard to case: at most 31 characters, no []:*?/\\."""
+    used, made = set(taken), []
     for wanted in names:
         plain = re.sub(r"[\[\]:*?/\\']", "-", visible(wanted))[:_LONGEST_NAME] or "table"
         name, number = plain, 2
-        while name.lower() in taken:
+        while name.lower() in used:
             name, number = f"{plain[: _LONGEST_NAME - 1 - len(str(number))]}~{number}", number + 1
-        taken.add(name.lower())
+        used.add(name.lower())
         made.append(name)
     return made
 
@@ -103,13 +105,13 @@ def _contents(sheet: Worksheet, document: Document, names: list[str], starts: li
     titles = document.titles
     _text(sheet, 1, (document.title,), font=Font(bold=True, size=14))
     _text(sheet, 2, (f"{document.subject}; {document.program}",), font=_GREY)
-    _head(sheet, 4, [Column("Sheet"), Column("In the report"), Column("What it holds")])
+    _head(sheet, 4, [Column(document.said(text)) for text in ("Sheet", "In the report", "What it holds")])
     lines = [
         (name, f"'{name}'!A1", titles.get(("Table", table.name), "—"), table.caption)
         for name, table in zip(names, document.tables, strict=True)
     ]
     lines += [
-        (SHEETS, f"'{SHEETS}'!A{start}", titles["Sheet", each.name], each.caption)
+        (document.said(SHEETS), f"'{document.said(SHEETS)}'!A{start}", titles["Sheet", each.name], each.caption)
         for start, each in zip(starts, document.sheets, strict=True)
     ]
     for place, (name, target, title, caption) in enumerate(lines, start=5):
@@ -121,9 +123,9 @@ def _contents(sheet: Worksheet, document: Document, names: list[str], starts: li
     _paper(sheet, rows="4:4")
 
 
-def _alone(sheet: Worksheet, table: Table) -> None:
+def _alone(sheet: Worksheet, table: Table, *, said: Callable[[str], str]) -> None:
     """A table on its own sheet, its head in sight and ready to be filtered."""
-    _table(sheet, table, start=1)
+    _table(sheet, table, start=1, said=said)
     sheet.freeze_panes = "B3" if len(table.columns) > 2 else "A3"
     if table.rows:
         sheet.auto_filter.ref = f"A2:{get_column_letter(len(table.columns))}{len(table.rows) + 2}"
@@ -132,8 +134,8 @@ def _alone(sheet: Worksheet, table: Table) -> None:
 
 
 def _sheets(sheet: Worksheet, document: Document, starts: list[int]) -> None:
-    for start, each in zip(starts, map(as_table, document.sheets), strict=True):
-        _table(sheet, each, start=start)
+    for start, each in zip(starts, document.sheets, strict=True):
+        _table(sheet, as_table(each, said=document.said), start=start, said=document.said)
     _widths(sheet, (14, 50, 34, 40, 50, 14, 12))
     _paper(sheet, rows=None)
 
@@ -146,14 +148,16 @@ def _starts(document: Document) -> list[int]:
     return starts[:-1]
 
 
-def _table(sheet: Worksheet, table: Table, *, start: int) -> None:
+def _table(sheet: Worksheet, table: Table, *, start: int, said: Callable[[str], str]) -> None:
     """Caption, head and rows from the row `start` on."""
     fill = _fill if len(table.rows) <= _LONG else _fill_plainly
     _text(sheet, start, (table.caption,), font=_BOLD)
     _head(sheet, start + 1, table.columns)
     for place, row in enumerate(table.rows):
         for at, (value, column) in enumerate(zip(row, table.columns, strict=True), start=1):
-            fill(sheet, start + 2 + place, at, value, column, muted=place in table.muted)
+            fill(sheet, start + 2 + place, at, in_words(value, column, said), column, muted=place in table.muted)
+            if column.kind == "verdict" and value in _VERDICTS and place not in table.muted:
+                _cell(sheet, start + 2 + place, at).font = _VERDICTS[str(value)]
 
 
 def _head(sheet: Worksheet, place: int, columns: Iterable[Column]) -> None:
@@ -180,8 +184,6 @@ def _fill(sheet: Worksheet, place: int, at: int, value: Cell, column: Column, *,
         cell.number_format = number_format(value)
     if isinstance(value, str) and len(value) > _WIDEST:
         cell.alignment = _WRAPPED
-    if column.kind == "verdict" and value in _VERDICTS:
-        cell.font = _VERDICTS[str(value)]
     if muted:
         cell.font = _GREY
 

@@ -107,7 +107,7 @@ def inputs(results: Results) -> Table:
 
 def values(results: Results, *, name: str = "values") -> Table:
     """Every value of the project as it was used."""
-    columns = (Column("Key"), Column("Value (SI)", kind="given"), Column("Source"))
+    columns = (Column("Key", kind="given"), Column("Value (SI)", kind="given"), Column("Source"))
     rows = tuple(
         (key, as_cell(each.value), "given" if each.given else "default") for key, each in results.project.items()
     )
@@ -125,7 +125,8 @@ def values_set(results: Results) -> Table:
 def warnings(results: Results) -> Table:
     """What the engineer should know."""
     rows = tuple((each.code, each.where, each.text) for each in results.warnings)
-    return Table("warnings", "Warnings of this run.", (Column("Code"), Column("Where"), Column("What")), rows)
+    columns = (Column("Code", kind="given"), Column("Where", kind="given"), Column("What"))
+    return Table("warnings", "Warnings of this run.", columns, rows)
 
 
 def procedures(results: Results) -> Table:

@@ -50,7 +50,7 @@ def write_document(
     jobs: int = 0,
     progress: Callable[[str], None] | None = None,
 ) -> Path:
-    """Write a document into the empty `folder` in every form, its PDF called `name`, its page alike; the PDF's path."""
+    """Write a document in its units and language into the empty `folder` in every form; the path of its PDF, `name`."""
     document, say = as_asked(document), progress or (lambda _: None)
     for name_of_folder in ("tables", "figures"):
         (folder / name_of_folder).mkdir(exist_ok=True)

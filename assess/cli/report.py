@@ -2,10 +2,19 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from enum import StrEnum
 from pathlib import Path
 from typing import Annotated
 
 import typer
+
+
+class Language(StrEnum):
+    """The languages that a report can be written in."""
+
+    ENGLISH = "en"
+    ITALIAN = "it"
 
 
 def report(
@@ -15,6 +24,9 @@ def report(
         typer.Option("-o", "--output", metavar="DIR", help="Where to write; beside RESULTS.json if absent."),
     ] = None,
     png: Annotated[bool, typer.Option("--png", help="Write the figures as PNG files too, 200 dots per inch.")] = False,
+    language: Annotated[
+        Language | None, typer.Option("--language", help="Language of the report; that of the project if absent.")
+    ] = None,
 ) -> None:
     """Write the report again from results.json, or from the envelopes.json of `assess envelope`, without analysis."""
     from assess.results_io import read
@@ -22,18 +34,18 @@ def report(
     found = read(results)
     from assess.cli.outputs import ENVELOPES, RESULTS, staged
     from assess.cli.progress import progress
-    from reports.assessment import of_envelopes
-    from reports.writing import Form, write_all, write_document
+    from reports.assessment import assessment, of_envelopes
+    from reports.writing import Form, write_document
 
     folder = output or results.parent
     alone = found.critical is not None and not any(mechanism.checks for mechanism in found.mechanisms)
     name = ENVELOPES if alone else RESULTS
     figures: tuple[Form, ...] = ("svg", "png") if png else ("svg",)
     with staged(folder, results=name) as stage, progress() as said:
-        if alone:
-            pdf = write_document(of_envelopes(found), stage, name="envelopes.pdf", figures=figures, progress=said.step)
-        else:
-            pdf = write_all(found, stage, figures=figures, progress=said.step)
+        document = of_envelopes(found) if alone else assessment(found)
+        document = replace(document, language=language.value) if language else document
+        called = "envelopes.pdf" if alone else "report.pdf"
+        pdf = write_document(document, stage, name=called, figures=figures, progress=said.step)
         if not _same_folder(folder, results.parent):
             (stage / name).write_bytes(results.read_bytes())
     print(folder / pdf.relative_to(stage))

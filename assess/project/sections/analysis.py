@@ -184,6 +184,8 @@ class Report(Section):
     """units of the report, tables and figures; results.json is in SI, calculation sheets are in both"""
     paper: Literal["A4", "letter"] = "A4"
     """paper size"""
+    language: Literal["en", "it"] = "en"
+    """language of the report: English or Italian; numbers have decimal points in both"""
     sources: dict[str, Source] = Field(default_factory=dict)
     """where values come from: a key of this file, or the beginning of one, with "measured: …", "literature: …" or
     "assumed: …\""""

@@ -83,7 +83,7 @@ def test_alternative_texts_are_the_captions(tree: html.HtmlElement) -> None:
 
 def test_heads_of_tables_have_a_scope(tree: html.HtmlElement) -> None:
     assert all(head.get("scope") in ("col", "row") for head in tree.iter("th"))
-    assert tree.get("lang") == "en-GB"
+    assert tree.get("lang") == "en"
 
 
 def test_words_of_the_page_stand_in_its_template_alone(tree: html.HtmlElement) -> None:

@@ -28,6 +28,11 @@ RENDERERS = (
     "numerals",
     "lettering",
     "style",
+    "worded",
+    "wording",
+    "translation",
+    "catalogue",
+    "template",
 )
 DATA = {"assess.results", "assess.codes.check"}
 

@@ -14,7 +14,7 @@ from reports.lettering import shortened
 from reports.numerals import outcome, shown
 from reports.page import only_measured
 from reports.style import GRID, INK, MUTED
-from reports.typeset import STYLES, Lines, Plain, formula, markup, paragraph, width_of
+from reports.typeset import SMALL, STYLES, Lines, Plain, formula, markup, paragraph, width_of
 from reports.worded import in_words
 
 LONGEST = 400  # characters in a cell; the whole text stands in the CSV file and the spreadsheet
@@ -56,15 +56,16 @@ def table_grid(table: Table, *, title: str, width: float, said: Callable[[str], 
     said : how verdicts, yes and no are said in the language of the document
     """
     texts = [[_text(cell, column, said) for cell, column in zip(row, table.columns, strict=True)] for row in table.rows]
-    widths = column_widths(table.columns, texts, width)
+    size = "" if sum(least_widths(table.columns, texts)) <= width else SMALL
+    widths = column_widths(table.columns, texts, width, size=size)
     body = [
         [
-            _cell(raw, text, column, muted=place in table.muted)
+            _cell(raw, text, column, muted=place in table.muted, size=size)
             for raw, text, column in zip(row, line, table.columns, strict=True)
         ]
         for place, (row, line) in enumerate(zip(table.rows, texts, strict=True))
     ]
-    head = [Plain(c.heading, "head-number" if c.kind == "number" else "head") for c in table.columns]
+    head = [Plain(c.heading, f"head-number{size}" if c.kind == "number" else f"head{size}") for c in table.columns]
     return _grid(f"{title}. {table.caption}", [head, *body], widths)
 
 
@@ -75,19 +76,25 @@ def sheet_grid(sheet: Sheet, *, title: str, width: float, said: Callable[[str], 
     return _grid(f"{title}. {sheet.caption}", [head, *body], [share * width for share in _SHARES])
 
 
-def column_widths(columns: tuple[Column, ...], texts: list[list[str]], width: float) -> list[float]:
+def column_widths(columns: tuple[Column, ...], texts: list[list[str]], width: float, *, size: str = "") -> list[float]:
     """Widths [pt] that keep words whole where there is room, and add up to no more than `width`."""
-    least, natural = [], []
+    least, natural = least_widths(columns, texts, size=size), []
     for place, column in enumerate(columns):
-        found = {line[place] for line in texts}
-        words = [width_of(word, "head") for word in column.heading.split()]
-        lines = [1.02 * width_of(line, "cell") for line in found]
-        bold = "head" if column.kind == "verdict" else "cell"
-        inside = [1.02 * width_of(word, bold) for line in found for word in line.split()]
-        least.append(_PADDING + 1 + max([*words, min(_NARROW, max(inside, default=0.0))]))
-        head = 0.6 * width_of(column.heading, "head")
-        natural.append(max(least[-1], _PADDING + 1 + min(_WIDE, max([head, *lines]))))
+        lines = [1.02 * width_of(line, f"cell{size}") for line in {line[place] for line in texts}]
+        head = 0.6 * width_of(column.heading, f"head{size}")
+        natural.append(max(least[place], _PADDING + 1 + min(_WIDE, max([head, *lines]))))
     return _shared(least, natural, width)
+
+
+def least_widths(columns: tuple[Column, ...], texts: list[list[str]], *, size: str = "") -> list[float]:
+    """Widths [pt] below which words break; size: "" or `SMALL`, the ending of the styles."""
+    least = []
+    for place, column in enumerate(columns):
+        words = [width_of(word, f"head{size}") for word in column.heading.split()]
+        style = f"head{size}" if column.kind == "verdict" else f"cell{size}"
+        inside = [1.02 * width_of(word, style) for line in {line[place] for line in texts} for word in line.split()]
+        least.append(_PADDING + 1 + max([*words, min(_NARROW, max(inside, default=0.0))]))
+    return least
 
 
 def _shared(least: list[float], natural: list[float], width: float) -> list[float]:
@@ -122,12 +129,12 @@ def _text(cell: Cell, column: Column, said: Callable[[str], str]) -> str:
     return shortened(shown(in_words(cell, column, said), column.kind), LONGEST)
 
 
-def _cell(raw: Cell, text: str, column: Column, *, muted: bool) -> Plain:
+def _cell(raw: Cell, text: str, column: Column, *, muted: bool, size: str) -> Plain:
     right = "number" if column.kind == "number" else ""
     if muted:
-        return Plain(text, "muted-number" if right else "muted")
+        return Plain(text, f"muted-number{size}" if right else f"muted{size}")
     coloured = column.kind == "verdict" and raw in ("pass", "fail")
-    return Plain(text, str(raw) if coloured else right or "cell")
+    return Plain(text, f"{raw if coloured else right or 'cell'}{size}")
 
 
 def _step(line: Line) -> list[Paragraph]:

@@ -62,7 +62,7 @@ def name_of(mechanism: MechanismResult) -> str:
 def brief(results: Results) -> Table:
     """One line per mechanism and level: the verdict of each procedure that decides, and the largest ratio."""
     deciding = dict.fromkeys(c.procedure for m in results.mechanisms for c in governing.of_code(m.checks))
-    columns = (_MECHANISM, _LEVEL, *(Column(name, kind="verdict") for name in deciding))
+    columns = (_MECHANISM, _LEVEL, *(Column(_broken(name), kind="verdict") for name in deciding))
     columns += (Column("Largest ratio", "-", "number"), Column("Verdict", kind="verdict"))
     rows: list[tuple[Cell, ...]] = []
     for mechanism in results.mechanisms:

@@ -45,6 +45,9 @@ STYLES: dict[str, ParagraphStyle] = {
     "fail": ParagraphStyle("fail", _CELL, fontName=BOLD, textColor=HexColor(FAIL)),
 }
 _HAIR = 0.01  # pt: a line this near to the width is left to the paragraph to break
+SMALL = "-small"  # the ending of the styles of tables with many columns
+_OF_TABLES = ("cell", "number", "head", "head-number", "muted", "muted-number", "pass", "fail")
+STYLES |= {f"{name}{SMALL}": STYLES[name].clone(f"{name}{SMALL}", fontSize=5.7, leading=7.5) for name in _OF_TABLES}
 _INDEX = ('<sub rise="1.2" size="5.2">', "</sub>")
 _POWER = ('<super rise="2.4" size="5.2">', "</super>")
 

@@ -245,7 +245,6 @@ def _failure(mechanism: MechanismResult) -> str:
     first = min(check.level_pga_g for check in failing)
     least = min(check.level_pga_g for check in governing.of_code(mechanism.checks))
     start = f"{shortened(name_of(mechanism), 60)} fails {'at' if first == least else 'from'} PGA {first:.3g} g"
-    start += ", the lowest that was asked," if first == least and len(governing.levels(mechanism.checks)) > 1 else ""
     beyond = dict.fromkeys(check.procedure for check in failing if governing.fell(check))
     if beyond:
         return f"{start} and overturns, according to {_list(beyond)}."

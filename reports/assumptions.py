@@ -9,7 +9,7 @@ from assess.results import Resolved, Results
 from reports import tables
 from reports.document import Block, Cell, Column, Section, Table, Text
 from reports.lettering import shortened
-from reports.numerals import as_cell
+from reports.numerals import entries
 
 SOURCES = "report.sources."
 LEFT_OUT = ("format", "title", "engineer", "checker", "reference", "client", "date", "notes", "report", "bodies")
@@ -66,8 +66,9 @@ def _rows(results: Results) -> Iterator[_Row]:
         if value.value in (None, [], {}, "") or _left_out(written):
             continue
         source, note = _source(key, value, sources)
-        row = _Row(written, as_cell(value.value), source, note)
-        found.setdefault((written, str(row.value), source, note), row).names += [name] if name else []
+        for entry, cell in entries(written, value.value):
+            row = _Row(entry, cell, source, note)
+            found.setdefault((entry, str(cell), source, note), row).names += [name] if name else []
     yield from found.values()
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Iterator
 from math import isfinite
 
 from reports.document import Cell, Kind
@@ -56,6 +57,15 @@ def shown(cell: Cell, kind: Kind) -> str:
     if isinstance(cell, float):
         return given(cell) if kind == "given" else numeral(cell)
     return cell
+
+
+def entries(key: str, value: object) -> Iterator[tuple[str, Cell]]:
+    """A resolved value as cells with their keys: a list of tables gives one for each, without what is absent."""
+    if isinstance(value, list | tuple) and value and all(isinstance(each, dict) for each in value):
+        for place, each in enumerate(value):
+            yield f"{key}[{place}]", as_cell({name: held for name, held in each.items() if held is not None})
+    else:
+        yield key, as_cell(value)
 
 
 def as_cell(value: object) -> Cell:

@@ -243,7 +243,8 @@ def _failure(mechanism: MechanismResult) -> str:
     failing = tuple(check for check in governing.of_code(mechanism.checks) if check.verdict == "fail")
     worst = governing.worst(failing)
     first = min(check.level_pga_g for check in failing)
-    start = f"{shortened(name_of(mechanism), 60)} fails from PGA {first:.3g} g"
+    least = min(check.level_pga_g for check in governing.of_code(mechanism.checks))
+    start = f"{shortened(name_of(mechanism), 60)} fails {'at' if first == least else 'from'} PGA {first:.3g} g"
     beyond = dict.fromkeys(check.procedure for check in failing if governing.fell(check))
     if beyond:
         return f"{start} and overturns, according to {_list(beyond)}."

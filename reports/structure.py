@@ -62,7 +62,7 @@ def bodies(results: Results) -> Table:
     rows = tuple(
         (name, _value(found, "material"), _geometry(found)) for name, found in tables_of(results, "bodies").items()
     )
-    return Table("bodies", "Bodies.", (Column("Body"), Column("Material"), Column("Geometry")), rows)
+    return Table("bodies", "Bodies.", (Column("Body"), Column("Material"), Column("Geometry (SI)")), rows)
 
 
 def tables_of(results: Results, table: str) -> Tables:

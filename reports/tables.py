@@ -6,6 +6,7 @@ import re
 from dataclasses import replace
 from operator import attrgetter
 
+from assess.codes.check import NO_LASTING as UNLASTING
 from assess.codes.check import Check
 from assess.results import (
     BranchCurve,
@@ -22,9 +23,9 @@ from assess.results import (
 )
 from reports import governing, spectrum_parameters
 from reports.document import Cell, Column, Table
-from reports.numerals import as_cell, given
+from reports.numerals import entries, given
 
-OVERTURNED, NO_ROCKING, NONE = "overturned", "no rocking", "none"
+OVERTURNED, NO_ROCKING, NO_LASTING, NONE = "overturned", "no rocking", "none lasting", "none"
 _RATINGS = (  # of a check, where the code and the site have them
     ("safety_index", Column("Safety index", "-", "number")),
     ("return_period_years", Column("Return period", "years", "number")),
@@ -109,9 +110,11 @@ def values(results: Results, *, name: str = "values") -> Table:
     """Every value of the project as it was used."""
     columns = (Column("Key", kind="given"), Column("Value (SI)", kind="given"), Column("Source"))
     rows = tuple(
-        (key, as_cell(each.value), "given" if each.given else "default") for key, each in results.project.items()
+        (entry, cell, "given" if each.given else "default")
+        for key, each in results.project.items()
+        for entry, cell in entries(key, each.value)
     )
-    muted = frozenset(place for place, each in enumerate(results.project.values()) if not each.given)
+    muted = frozenset(place for place, (_, _, source) in enumerate(rows) if source == "default")
     caption = "Every value of the project file as it was used, in SI units; defaults (grey) were not given by the user."
     return Table(name, caption, columns, rows, muted)
 
@@ -318,7 +321,9 @@ def reasons(mechanism: MechanismResult, *, name: str) -> Table:
     """Why a check did not pass, for those that say so."""
     columns = (_PROCEDURE, Column("PGA", "g", "number"), Column("Verdict", kind="verdict"), Column("Reason"))
     rows = tuple(
-        (c.procedure, c.level_pga_g, c.verdict, c.reason) for c in mechanism.checks if c.reason and c.verdict != "pass"
+        (governing.named(c, mechanism.checks), c.level_pga_g, c.verdict, c.reason)
+        for c in mechanism.checks
+        if c.reason and c.verdict != "pass"
     )
     return Table(name, "Checks that fail or do not apply, and why.", columns, rows)
 
@@ -392,7 +397,7 @@ def capacities(results: Results) -> Table:
     )
     caption = (
         "Peak ground acceleration at capacity of every mechanism by every procedure (as thesis Table 8.6), the least "
-        "of its limit states. Readings named -thesis are informative."
+        "of its limit states of collapse. Readings named -thesis are informative."
     )
     return Table("pga-at-capacity", caption, columns, rows)
 
@@ -426,7 +431,10 @@ def _rotations(checks: tuple[Check, ...], levels: tuple[float, ...]) -> tuple[Ce
 
 
 def _turned(check: Check) -> Cell:
-    return OVERTURNED if governing.fell(check) else _rocking(check.rotation_ratio)
+    """Its rotation; a body that lifts off without a lasting rotation is not at rest."""
+    if governing.fell(check):
+        return OVERTURNED
+    return NO_LASTING if check.reason.endswith(UNLASTING) else _rocking(check.rotation_ratio)
 
 
 def _broken(name: str) -> str:
@@ -539,7 +547,7 @@ def numbers(check: Check, among: tuple[Check, ...]) -> tuple[Cell, Cell, Cell, C
 
 
 def _demand(check: Check, among: tuple[Check, ...]) -> tuple[Cell, ...]:
-    rotation = OVERTURNED if governing.fell(check) else _rocking(check.rotation_ratio)
+    rotation = _turned(check)
     accelerations = (uplift(check.uplift_pga_g), check.capacity_pga_g)
     return (check.level_pga_g, *numbers(check, among), rotation, *accelerations)
 
@@ -559,7 +567,7 @@ def _history(history: HistoryResult) -> tuple[Cell, ...]:
 
 def _compared(results: Results, row: ComparisonRow, names: dict[str, str], beyond: bool) -> tuple[Cell, ...]:
     check = governing.check_of(results, row)
-    rotation = OVERTURNED if beyond else _rocking(row.rotation_ratio)
+    rotation = OVERTURNED if beyond else _rocking(row.rotation_ratio) if check is None else _turned(check)
     place = (names.get(row.mechanism, row.mechanism), row.level_pga_g, row.procedure)
     return (*place, rotation, row.allowable_ratio, row.demand_capacity, check.input_at if check else None)
 

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 Role = Literal["code", "informative"]
+NO_LASTING = "yet the method finds no lasting rotation at this demand"  # how a reason ends: it lifts off
 Verdict = Literal["pass", "fail", "not-applicable"]
 BranchName = Literal["positive", "negative"]
 InputAt = Literal["ground", "mechanism base"]

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from scipy.constants import g
 
-from assess.codes.check import Verdict
+from assess.codes.check import NO_LASTING, Verdict
 from assess.codes.context import Context
 from assess.codes.relation import PgaRelation, capacity
 
@@ -56,7 +56,7 @@ def _rocks(rotation: float, allowable: float, level: float, uplift: float | None
 
 def _still(level: float, uplift: float | None) -> str:
     if uplift is None:
-        return "moves on its joints, yet the method finds no lasting rotation at this demand"
+        return f"moves on its joints, {NO_LASTING}"
     if level <= uplift * g:
         return "no rocking: the demand does not lift the body off its base"
-    return "lifts off, yet the method finds no lasting rotation at this demand"
+    return f"lifts off, {NO_LASTING}"

@@ -15,6 +15,7 @@ from reports.tables import name_of
 MOST = 24  # mechanisms in one figure
 COLUMNS = 6
 TALLEST, LOWEST = 2.6, 0.75  # a panel without its name [in]
+HIGHEST = 8.2  # the figure: it shares a page of either paper with its caption [in]
 NAME, GAP, LEFT = 0.34, 0.12, 0.42  # room for names, between panels, for the axis of elevation [in]
 
 
@@ -26,7 +27,7 @@ def draw(mechanisms: tuple[MechanismResult, ...]) -> Figure:
     wide = max(high - low for (low, high), _ in spans) * 1.12
     wide_panel = (WIDTH - LEFT - GAP * columns) / columns
     tall = max(high - low for _, (low, high) in spans) * 1.06
-    scale = min(wide_panel / wide, TALLEST / tall)
+    scale = min(wide_panel / wide, min(TALLEST, HIGHEST / rows - NAME) / tall)
     high_panel = max(LOWEST, tall * scale)
     with styled():
         figure = bare_sheet(rows * (high_panel + NAME) + 0.1)

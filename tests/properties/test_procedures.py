@@ -244,3 +244,27 @@ def test_histories_by_the_linearised_equation_lift_off_at_its_own_multiplier():
     for linearised, uplift in ((False, np.tan(0.54)), (True, 0.54)):
         context = dataclasses.replace(site(), linearised=linearised)
         assert answers("asce43-05-history", stocky, context)[0].uplift_pga_g == pytest.approx(uplift, rel=1e-9)
+
+
+@pytest.mark.parametrize("name", ["dmi2008-nonlinear", "ntc2018-nonlinear", "dmi2008-history", "ntc2018-history"])
+def test_displacement_and_acceleration_of_the_curve_follow_from_the_numbers_printed(name):
+    worked = [step for check in answers(name) for step in check.steps if step.symbol in ("d0*", "a_s*", "a(d_SLV)")]
+    assert worked
+    for step in worked:
+        over, under = (
+            [float(number) for number in part.strip("() ").split(" · ")] for part in step.substituted.split("/")
+        )
+        assert step.value == pytest.approx(np.prod(over) / np.prod(under), rel=1e-4)  # five figures are printed
+
+
+def test_the_spectrum_method_says_why_a_body_that_lifts_off_has_no_lasting_rotation():
+    damped = dataclasses.replace(wall().positive, restitution=0.3)
+    rocker = dataclasses.replace(wall(), positive=damped, negative=None)
+    lifts = answers("asce43-05-spectrum", rocker)[0].uplift_pga_g
+    check = answers("asce43-05-spectrum", rocker, site(levels=(1.02 * lifts * g,)))[0]
+    assert (check.demand, check.reason[:9]) == (0.0, "lifts off")
+    resting = next(step for step in check.steps if step.symbol == "θ_dem")
+    asked, least = (float(part.split()[0]) for part in resting.substituted.split("≤"))
+    assert asked == pytest.approx(1.02 * lifts, rel=1e-3)
+    curve = check.pga_curve
+    assert asked <= least <= min(curve.pga_g[1:]) * (1 + 1e-3)

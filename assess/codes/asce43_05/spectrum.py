@@ -28,10 +28,10 @@ from assess.codes.plain import plain
 from assess.codes.relation import PgaRelation, as_curve, demand
 from assess.codes.spectral import Answer, spectral_answer
 from assess.codes.worked import multiplier_worked
-from assess.oscillator import Branch, Oscillator, multiplier, resisted, threshold
+from assess.oscillator import Branch, Oscillator, energy, multiplier, resisted, threshold
 
 THESIS_DAMPING = 0.05
-A2 = "ASCE 43-05 A.2"
+A2, DEMANDED = "ASCE 43-05 A.2", "at the demand"
 
 
 @dataclass(frozen=True)
@@ -188,8 +188,16 @@ def _steps(
     if not curve.rotation.size:
         return block
     at = rotation if rotation else min(limit, float(curve.rotation[-1]))
-    where = "at the demand" if rotation else "at the allowable rotation" if at == limit else "where the curve ends"
-    return (*block, *_rotation_steps(branch, context, reading, at=at, where=where, level=level, f_v=f_v, h=h, C1=C1))
+    where = DEMANDED if rotation else "at the allowable rotation" if at == limit else "where the curve ends"
+    worked = _rotation_steps(branch, context, reading, at=at, where=where, level=level, f_v=f_v, h=h, C1=C1)
+    return (*block, *(_resting_steps(curve, level) if rotation == 0.0 else ()), *worked)
+
+
+def _resting_steps(curve: PgaRelation, level: float) -> tuple[Step, ...]:
+    """Why the demand is no rotation: less PGA than takes the body to any."""
+    words = "at the demand: none, the PGA is no more than the least that takes it to a lasting θ"
+    numbers = f"{level / g:.4g} g ≤ {float(curve.least[0]) / g:.4g} g"
+    return (Step("θ_dem", words, A2, "PGA ≤ least PGA(θ)", numbers, 0.0, "rad"),)
 
 
 def _rotation_steps(
@@ -206,7 +214,7 @@ def _rotation_steps(
 ) -> tuple[Step, ...]:
     """From a rotation to the PGA that takes the body there."""
     theta = np.array([at])
-    f1 = float(stored_work(branch, theta)[0])
+    f1, stored = float(stored_work(branch, theta)[0]), float(energy(branch, theta)[0])
     cap = float(capacity_acceleration(branch, theta, f_v=f_v)[0])
     f_e = float(effective_frequency(branch, theta)[0])
     ordinate = float(context.spectrum.acceleration(1 / f_e, damping=reading.damping)) / context.spectrum.pga
@@ -214,14 +222,16 @@ def _rotation_steps(
     root = f"√(2 · {f1:.5g} · 9.80665 / ({C1:.5g} · {h:.5g} · {at:.5g}²)) / 2π"
     spectral = f"T = {1 / f_e:.5g} s, β = {reading.damping:.4g}"
     clause, divided = context.spectrum.clause, f"{cap:.5g} / {ordinate:.5g}"
+    solved = "SA_H,DEM(θ) = SA_H,CAP(θ)", f"PGA = {level / g:.4g} g"
+    chosen = solved if where == DEMANDED else ("θ_lim, or where the curve ends", f"{at:.5g}")
     return (
-        Step("θ", where, A2, "SA_H,DEM(θ) = SA_H,CAP(θ)", f"PGA = {level / g:.4g} g", at, "rad"),
+        Step("θ", where, A2, *chosen, at, "rad"),
         Step(
             "f1",
             "work stored over M g h",
             "Eq. A-5(a)",
             "E / (g B0); rigid block: cos θ + a sin θ − 1",
-            f"θ = {at:.5g}",
+            f"{stored:.5g} / (9.80665 · {branch.excitation[0]:.5g}), θ = {at:.5g}",
             f1,
             "-",
         ),

@@ -16,10 +16,10 @@ from assess.codes.dmi2008.clauses import (
     ground_displacement,
     uplift,
 )
-from assess.codes.italian.displacement import Answer, collapse_step, displacement_check, ground_step, ratio_step
+from assess.codes.italian.displacement import Answer, displacement_check, ground_step, ratio_step
 from assess.codes.italian.edition import Options
 from assess.codes.italian.floor import Demands, floor_of
-from assess.codes.italian.kinematic import activation_steps
+from assess.codes.italian.kinematic import activation_steps, collapse_step, curve_step
 from assess.codes.italian.limit_state import Case, at_each, rated_on_hazard
 from assess.oscillator import Oscillator
 
@@ -61,21 +61,21 @@ def _check(case: Case, options: Options) -> Check:
     )
     steps = (
         *activation_steps(case, EDITION, confidence_factor=FC),
-        *_capacity_steps(case, cap),
+        *_capacity_steps(case, cap, confidence_factor=FC),
         *_demand_steps(case, cap, answer),
     )
     return displacement_check(case, answer, EDITION, procedure=PROCEDURE, damping=DAMPING, rule="", steps=steps)
 
 
-def _capacity_steps(case: Case, cap: Capacity) -> tuple[Step, ...]:
-    on_curve, at = "acceleration at d_s*, model's curve", f"d* = {cap.ds:.5g}"
+def _capacity_steps(case: Case, cap: Capacity, *, confidence_factor: float) -> tuple[Step, ...]:
+    on_curve = "acceleration at d_s*, model's curve"
     root = f"2π √({cap.ds:.5g} / {cap.as_:.5g})"
     ultimate = f"{ULTIMATE:g} · {cap.d0:.5g}"
     return (
-        collapse_step(case, CLAUSE, collapse=cap.d0),
+        collapse_step(case.branch, CLAUSE, mass=case.mass),
         Step("d_u*", "ultimate displacement", CLAUSE, "0.4 d0*", ultimate, cap.du, "m"),
         Step("d_s*", "secant displacement", CLAUSE, "0.4 d_u*", f"{ULTIMATE:g} · {cap.du:.5g}", cap.ds, "m"),
-        Step("a_s*", on_curve, CLAUSE, "λ(φ) g / (e* FC)", at, cap.as_, "m/s2"),
+        curve_step(case, CLAUSE, "a_s*", on_curve, moved=cap.ds, confidence_factor=confidence_factor),
         Step("T_s", "secant period", CLAUSE, "2π √(d_s* / a_s*)", root, cap.Ts, "s"),
     )
 

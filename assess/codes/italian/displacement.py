@@ -88,12 +88,6 @@ def displacement_check(
     )
 
 
-def collapse_step(case: Case, clause: str, *, collapse: float) -> Step:
-    """d0* as the calculation sheets print it."""
-    formula, at = "∫ B dφ / (M e*) to φ_ov", f"φ_ov = {case.branch.unstable:.5g}"
-    return Step("d0*", "displacement where a* = 0", clause, formula, at, collapse, "m")
-
-
 def ground_step(case: Case, clause: str, symbol: str, period: float, *, ordinate: float, moved: float) -> Step:
     """S_De at a period [s] named `symbol` from S_e [m/s2], or from the displacements that the code gives beyond T_E."""
     words, name = "demand at the ground", f"S_De({symbol})"

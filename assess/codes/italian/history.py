@@ -22,7 +22,7 @@ from assess.codes.governing import branch_named
 from assess.codes.incremental import islands, pga_before_failure, pga_curve, uplift_multiplier
 from assess.codes.italian.edition import Edition, Options
 from assess.codes.italian.floor import judged
-from assess.codes.italian.kinematic import displacement_at_collapse, rotation_at
+from assess.codes.italian.kinematic import collapse_step, displacement_at_collapse, rotation_at
 from assess.codes.italian.limit_state import pga_step, share
 from assess.oscillator import Oscillator, displacement, participation_ratio
 from spectra.spectrum import Spectrum
@@ -163,7 +163,8 @@ def _check(
         steps=(
             pga_step(context, state=state, level=level, pga=found.pga),
             *_record_steps(found, rule, FC=FC),
-            *_capacity_steps(found, rule, state=state, d0=d0, rotation=branch.unstable),
+            collapse_step(branch, rule.clause, mass=oscillator.mass),
+            *_capacity_steps(found, rule, state=state, d0=d0),
         ),
         caveat=rule.edition.caveat,
     )
@@ -235,13 +236,9 @@ def _record_steps(found: Found, rule: Rule, *, FC: float) -> tuple[Step, ...]:
     )
 
 
-def _capacity_steps(found: Found, rule: Rule, *, state: str, d0: float, rotation: float) -> tuple[Step, ...]:
+def _capacity_steps(found: Found, rule: Rule, *, state: str, d0: float) -> tuple[Step, ...]:
     allowed, clause = rule.shares[state], rule.clause
-    collapse, at = "∫ B dφ / (M e*) to φ_ov", f"φ_ov = {rotation:.5g}"
-    steps = (
-        Step("d0*", "displacement where a* = 0", clause, collapse, at, d0, "m"),
-        Step(f"d_{state}", "capacity", clause, f"{allowed:g} d0*", f"{allowed:g} · {d0:.5g}", allowed * d0, "m"),
-    )
+    steps = (Step(f"d_{state}", "capacity", clause, f"{allowed:g} d0*", f"{allowed:g} · {d0:.5g}", allowed * d0, "m"),)
     if found.judged is None:
         return steps
     numbers, ratio = f"{found.judged:.5g} / {allowed:g}", found.judged / allowed

@@ -76,3 +76,21 @@ def activation_steps(case: Case, edition: Edition, *, confidence_factor: float) 
         Step("FC", "confidence factor", edition.confidence, "given", given, confidence_factor, "-"),
         Step("a0*", "acceleration of activation", oscillator, "α0 g / (e* FC)", divided, a0, "m/s2"),
     )
+
+
+def collapse_step(branch: Branch, clause: str, *, mass: float) -> Step:
+    """d0* as the calculation sheets print it."""
+    e, collapse = participation_ratio(branch, mass=mass), displacement_at_collapse(branch, mass=mass)
+    words = f"displacement where a* = 0; B integrated to φ_ov = {branch.unstable:.5g} rad"
+    numbers = f"{collapse * e * mass:.5g} / ({mass:.5g} · {e:.5g})"
+    return Step("d0*", words, clause, "∫ B dφ / (M e*)", numbers, collapse, "m")
+
+
+def curve_step(case: Case, clause: str, symbol: str, words: str, *, moved: float, confidence_factor: float) -> Step:
+    """a* at the displacement d* = `moved` [m] as the calculation sheets print it: with lambda, and where it is read."""
+    e = participation_ratio(case.branch, mass=case.mass)
+    rotation = rotation_at(case.branch, moved * e, mass=case.mass)
+    a = acceleration_at(case.branch, moved, mass=case.mass, confidence_factor=confidence_factor)
+    said = f"{words}: λ at d* = {moved:.5g} m, φ = {rotation:.5g} rad"
+    numbers = f"{a * e * confidence_factor / g:.5g} · {g} / ({e:.5g} · {confidence_factor:g})"
+    return Step(symbol, said, clause, "λ(φ) g / (e* FC)", numbers, a, "m/s2")

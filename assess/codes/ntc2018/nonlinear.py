@@ -6,10 +6,10 @@ import numpy as np
 
 from assess.codes.check import Check, Step
 from assess.codes.context import Context
-from assess.codes.italian.displacement import Answer, collapse_step, displacement_check, ground_step, ratio_step
+from assess.codes.italian.displacement import Answer, displacement_check, ground_step, ratio_step
 from assess.codes.italian.edition import Options
 from assess.codes.italian.floor import Demands
-from assess.codes.italian.kinematic import activation_steps
+from assess.codes.italian.kinematic import activation_steps, collapse_step, curve_step
 from assess.codes.italian.limit_state import Case, at_each, rated
 from assess.codes.ntc2018.clauses import (
     EDITION,
@@ -52,7 +52,7 @@ def _check(case: Case, options: Options) -> Check:
         *activation_steps(case, EDITION, confidence_factor=FC),
         *period_steps(case, T0=T0),
         *demand_steps(case, over_pga, T0=T0, a0=cap.a0),
-        *_capacity_steps(case, cap),
+        *_capacity_steps(case, cap, confidence_factor=FC),
         *_displacement_steps(case, cap, answer),
     )
     rule = context.spectrum.damping_rule
@@ -76,16 +76,16 @@ def _answer(case: Case, cap: Capacity, over_pga: Demands, wanted: Demands | None
     )
 
 
-def _capacity_steps(case: Case, cap: Capacity) -> tuple[Step, ...]:
+def _capacity_steps(case: Case, cap: Capacity, *, confidence_factor: float) -> tuple[Step, ...]:
     state, ultimate = case.state, ULTIMATE[case.state]
     share, root = f"{ultimate.share:g} · {cap.d0:.5g}", f"{ultimate.factor:g} π √({cap.d:.5g} / {cap.a:.5g})"
     formula = f"{ultimate.factor:g} π √(d_{state} / a(d_{state}))"
-    on_curve, at = "acceleration on the model's curve", f"d* = {cap.d:.5g}"
+    symbol, on_curve = f"a(d_{state})", "acceleration on the model's curve"
     words = "displacement capacity; local limits are not modelled"
     return (
-        collapse_step(case, CLAUSE, collapse=cap.d0),
+        collapse_step(case.branch, CLAUSE, mass=case.mass),
         Step(f"d_{state}", words, CLAUSE, f"{ultimate.share:g} d0*", share, cap.d, "m"),
-        Step(f"a(d_{state})", on_curve, "C8.7.1.3", "λ(φ) g / (e* FC)", at, cap.a, "m/s2"),
+        curve_step(case, "C8.7.1.3", symbol, on_curve, moved=cap.d, confidence_factor=confidence_factor),
         Step(f"T_{state}", "secant period", ultimate.clause, formula, root, cap.T, "s"),
     )
 

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import pytest
 
+from assess.codes.registry import PROCEDURES
 from assess.results import MechanismResult, Results
 from reports import cover, findings, governing
 
@@ -76,3 +77,16 @@ def test_a_pass_above_the_pga_at_capacity_is_explained_on_the_cover(results: Res
     assert cover.returning(replace(results, mechanisms=(replace(first, checks=(passing,)),)))[0].startswith("Wall 6")
     below = replace(passing, capacity_pga_g=0.31)
     assert cover.returning(replace(results, mechanisms=(replace(first, checks=(below,)),))) == ()
+
+
+def test_no_record_overturns_is_not_said_of_procedures_with_a_motion_of_their_own(results: Results) -> None:
+    first = results.mechanisms[0]
+    check = replace(first.checks[0], procedure="ntc2018-history", limit_state="SLV", verdict="fail", demand=None)
+    standing = tuple(replace(suite, overturned=0) for suite in first.suites)
+    found = replace(results, mechanisms=(replace(first, suites=standing, checks=(check,)),))
+    said = " ".join(findings.findings(found))
+    assert "no record overturns a mechanism at the levels that were asked; ntc2018-history" in said
+
+
+def test_every_procedure_has_a_sentence_on_what_it_measures() -> None:
+    assert [name for name in PROCEDURES if not name.endswith("-thesis") and not findings.measured(name)] == []

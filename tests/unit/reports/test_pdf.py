@@ -12,10 +12,10 @@ from pypdf.generic import Destination
 
 from assess.results import Resolved, Results
 from reports.assessment import assessment
+from reports.document import Banner, Section
 from reports.document import Figure as DrawnFigure
-from reports.document import Section
 from reports.pdf import write_pdf
-from reports.style import bare_sheet
+from reports.style import WORDS, bare_sheet
 
 HOSTILE = ("<b>&", "<para>", "</font>", "=cmd()", "$x$", "{}%s", "\\frac{1}{2}")
 
@@ -36,7 +36,7 @@ def test_text_holds_every_verdict_and_every_mechanism(results: Results, report: 
         assert mechanism.label in text
         for check in mechanism.checks:
             assert check.procedure in text
-    number = r"(?:no rocking|\S+)"
+    number = r"(?:no rocking|none lasting|\S+)"
     rows = re.findall(
         rf"(?:rotation, rad|acceleration, g) {number} \S+ \S+ {number} \S+ \S+ (pass|fail|not-applicable)", text
     )
@@ -134,3 +134,10 @@ def test_a_figure_higher_than_the_page_is_made_smaller(results: Results, tmp_pat
     document = assessment(results)
     one = replace(document, sections=(Section("Tall", 0, (tall,)),))
     assert len(PdfReader(write_pdf(one, tmp_path / "tall.pdf")).pages) <= 3
+
+
+@pytest.mark.parametrize("verdict", ["pass", "fail", "incomplete", "not-applicable"])
+def test_the_verdict_on_the_cover_stands_on_one_line(results: Results, tmp_path: Path, verdict: str) -> None:
+    opening = Section("Verdict", 0, (Banner(verdict, "some words beside it"),))
+    document = replace(assessment(results), sections=(opening,), data=())
+    assert WORDS[verdict] in text_of(write_pdf(document, tmp_path / "verdict.pdf"))

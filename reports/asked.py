@@ -10,12 +10,11 @@ from reports.us_words import in_us_words
 
 
 def as_asked(document: Document) -> Document:
-    """The document in the language and then in the units that it is to be written in.
+    """The document in the units and the language that it is to be written in.
 
-    The catalogue knows the sentences as the program says them, in SI; units are changed in any language.
+    Tables tell their units by their English headings, and the catalogue of a language has its sentences in SI: so
+    tables first, then the language, then the quantities in sentences and figures.
     """
-    return _in_units(translated(document))
-
-
-def _in_units(document: Document) -> Document:
-    return in_us_axes(in_us_words(in_us_units(document))) if document.units == "US" else document
+    if document.units == "SI":
+        return translated(document)
+    return in_us_axes(in_us_words(translated(in_us_units(document))))

@@ -1,7 +1,4 @@
-"""For developers: sentences of a report that a language has no entry for, one a line.
-
-python -m reports.untranslated it RESULTS.json …
-"""
+"""Sentences of a report that a language has no entry for."""
 
 from __future__ import annotations
 
@@ -9,13 +6,15 @@ from assess.results import Results
 from reports.assessment import assessment, of_envelopes
 from reports.catalogue import catalogue
 from reports.translation import Speech
+from reports.us_units import in_us_units
 from reports.wording import reworded
 
 
 def untranslated(results: Results, *, language: str) -> tuple[str, ...]:
     """The sentences and parts of sentences of both reports, figures drawn, that the catalogue does not know."""
     found: dict[str, None] = {}
-    for document in (assessment(results), of_envelopes(results)):
+    whole = assessment(results)
+    for document in (whole, in_us_units(whole), of_envelopes(results)):
         speech = Speech(catalogue(language), document.verbatim)
         for figure in reworded(document, speech.said).figures:
             figure.draw()

@@ -34,7 +34,7 @@ Say = Callable[[str], str]
 def reworded(document: Document, say: Say) -> Document:
     """The document with `say` applied to each of its texts, figures when they are drawn.
 
-    Left as they are: the author, names of tables and files, verdicts, and cells in columns of the kind "given".
+    Left as they are: the author, names of tables and files, verdicts, and what was given without a unit.
     """
     return replace(
         document,
@@ -85,7 +85,8 @@ def _table(block: Table, say: Say) -> Table:
 
 
 def _cell(cell: Cell, column: Column, say: Say) -> Cell:
-    return say(cell) if isinstance(cell, str) and column.kind in ("text", "number") else cell
+    own = column.kind == "verdict" or (column.kind == "given" and not column.unit)
+    return cell if own or not isinstance(cell, str) else say(cell)
 
 
 @_block.register

@@ -28,17 +28,21 @@ def write_all(
     results: Results,
     folder: Path,
     *,
+    language: str | None = None,
     figures: Sequence[Form] = ("svg",),
     jobs: int = 0,
     progress: Callable[[str], None] | None = None,
 ) -> Path:
     """Write report.pdf, report.html, tables.xlsx, tables/*.csv and figures/* into the empty `folder`.
 
+    language : of the report; that of the project if None
     figures : in which forms they are written
     jobs : processes to use, 0 for as many as there are cores; the files are the same
     Returns the path of the PDF.
     """
-    return write_document(assessment(results), folder, name="report.pdf", figures=figures, jobs=jobs, progress=progress)
+    document = assessment(results)
+    document = replace(document, language=language or document.language)
+    return write_document(document, folder, name="report.pdf", figures=figures, jobs=jobs, progress=progress)
 
 
 def write_document(

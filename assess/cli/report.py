@@ -34,18 +34,20 @@ def report(
     found = read(results)
     from assess.cli.outputs import ENVELOPES, RESULTS, staged
     from assess.cli.progress import progress
-    from reports.assessment import assessment, of_envelopes
-    from reports.writing import Form, write_document
+    from reports.assessment import of_envelopes
+    from reports.writing import Form, write_all, write_document
 
     folder = output or results.parent
     alone = found.critical is not None and not any(mechanism.checks for mechanism in found.mechanisms)
     name = ENVELOPES if alone else RESULTS
     figures: tuple[Form, ...] = ("svg", "png") if png else ("svg",)
     with staged(folder, results=name) as stage, progress() as said:
-        document = of_envelopes(found) if alone else assessment(found)
-        document = replace(document, language=language.value) if language else document
-        called = "envelopes.pdf" if alone else "report.pdf"
-        pdf = write_document(document, stage, name=called, figures=figures, progress=said.step)
+        if alone:
+            envelopes = of_envelopes(found)
+            envelopes = replace(envelopes, language=language or envelopes.language)
+            pdf = write_document(envelopes, stage, name="envelopes.pdf", figures=figures, progress=said.step)
+        else:
+            pdf = write_all(found, stage, language=language, figures=figures, progress=said.step)
         if not _same_folder(folder, results.parent):
             (stage / name).write_bytes(results.read_bytes())
     print(folder / pdf.relative_to(stage))

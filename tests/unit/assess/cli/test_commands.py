@@ -89,6 +89,7 @@ def small_report(
     results: Results,
     folder: Path,
     *,
+    language: str | None = None,
     jobs: int = 0,
     figures: Sequence[str] = (),
     progress: Callable[[str], None] | None = None,
@@ -207,6 +208,10 @@ def test_failing_report_leaves_old_outputs(
 def failing_report(results: Results, folder: Path, *, jobs: int = 0, progress: Any = None) -> Path:
     (folder / "report.pdf").write_text("half")
     raise OSError(28, "No space left on device")
+
+
+def test_a_language_without_a_catalogue_is_refused(project: Path, tmp_path: Path) -> None:
+    assert ended("report", tmp_path / "results.json", "--language", "tlh") == 2
 
 
 def test_report_again_needs_no_analysis(

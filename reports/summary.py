@@ -8,6 +8,8 @@ from reports import findings, governing, sentences, tables
 from reports.document import Block, Cell, Column, Items, Section, Table, Text
 from reports.tables import OVERTURNED, name_of
 
+REFERENCE = "SLV"  # the limit state whose PGA is the level's
+
 
 def section(results: Results) -> Section:
     """Outcome and findings in words, then the verdicts level by level and the check that governs each procedure."""
@@ -17,10 +19,24 @@ def section(results: Results) -> Section:
         Text(sentences.outcome(results)),
         *((Items(found),) if found else ()),
         *_filled(governing_checks(results)),
+        *own_accelerations(results),
         *_filled(tables.brief(results)),
         *warned,
     )
     return Section("Summary", 0, blocks)
+
+
+def own_accelerations(results: Results) -> tuple[Text, ...]:
+    """Which limit states are not checked at the level in the table, where the site has a hazard of its own for them."""
+    checks = [check for check in governing.of_all(results) if check.return_period_years is not None]
+    states = dict.fromkeys(check.limit_state for check in checks if check.limit_state != REFERENCE)
+    if not states:
+        return ()
+    said = (
+        f"The PGA in the tables is that of the level. Limit states {findings.listed(list(states))} have their own PGA "
+        "and spectrum by the hazard of the site; their calculation sheets give them."
+    )
+    return (Text((said,)),)
 
 
 def governing_checks(results: Results) -> Table:

@@ -9,6 +9,7 @@ from typing import Literal
 
 from assess.codes.check import Verdict
 from assess.results import SensitivityResult
+from reports.governing import DAMAGE
 
 At = Literal["base", "low", "high"]
 """Where a number stands: as assessed, at its low, at its high value."""
@@ -63,8 +64,11 @@ def answers(rows: Sequence[SensitivityResult]) -> list[SensitivityResult]:
     """The answers that stand for all, out of those of one number.
 
     They are of the procedure with the least PGA at capacity, at the level nearest to it, and beside it of the histories
-    at this level; where no PGA at capacity is known, of the check with the worst ratio.
+    at this level; where no PGA at capacity is known, of the check with the worst ratio. Damage comes before collapse
+    and stands for it only where a procedure knows nothing else.
     """
+    ultimate = {row.procedure for row in rows if row.limit_state != DAMAGE}
+    rows = [row for row in rows if row.limit_state != DAMAGE or row.procedure not in ultimate]
     ratios = [row for row in rows if row.quantity == "demand_capacity"]
     known = [row for row in rows if row.quantity == "capacity_pga_g" and row.at_base]
     if not known:

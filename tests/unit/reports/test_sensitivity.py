@@ -184,3 +184,10 @@ def test_an_axis_shows_something_where_all_values_are_one() -> None:
     low, high = tornado.span([0.3, 0.3])
     assert low < 0.3 < high
     assert tornado.span([]) == pytest.approx((-0.12, 1.12))
+
+
+def test_damage_does_not_stand_for_collapse() -> None:
+    damage = [replace(row, limit_state="SLD") for row in rows("thickness", 0.08, 0.1, base=0.09)]
+    life = [replace(row, limit_state="SLV") for row in rows("thickness", 0.17, 0.205)]
+    assert {row.limit_state for row in varied([*damage, *life])[0].shown} == {"SLV"}
+    assert {row.limit_state for row in varied(damage)[0].shown} == {"SLD"}

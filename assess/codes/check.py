@@ -36,13 +36,13 @@ class PgaCurve:
     pga_g: tuple[float, ...]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, kw_only=True)
 class Check:
     """Demand, capacity, ratio and verdict of one procedure at one level, with the steps that led there.
 
     `demand`, `capacity` are in `unit` and measure `quantity`; None where there is no finite value (a body that
     overturns has no largest rotation). `uplift_pga_g` is None on joints that answer to any motion. `caveat` says what
-    could not be compared with the printed standard.
+    could not be compared with the printed standard. A check that does not apply leaves its numbers out.
     `rotation_ratio` and `allowable_ratio` put the same answer as rotation /
     rigid overturning rotation of the branch, None where the procedure knows no rotation or the body overturned.
     `score`: what the code itself counts the answer in, by name, as {"%NBS": 43.1}; empty where it has nothing.
@@ -58,21 +58,21 @@ class Check:
     level_pga_g: float
     input_at: InputAt
     damping: float | None
-    damping_rule: str
+    damping_rule: str = ""
     quantity: str
     unit: str
-    demand: float | None
-    capacity: float | None
-    ratio: float | None
+    demand: float | None = None
+    capacity: float | None = None
+    ratio: float | None = None
     verdict: Verdict
     reason: str
-    capacity_pga_g: float | None
-    uplift_pga_g: float | None
-    capacity_rotation_ratio: float | None
-    rotation_ratio: float | None
-    pga_curve: PgaCurve
-    steps: tuple[Step, ...]
-    caveat: str
+    capacity_pga_g: float | None = None
+    uplift_pga_g: float | None = None
+    capacity_rotation_ratio: float | None = None
+    rotation_ratio: float | None = None
+    pga_curve: PgaCurve = PgaCurve((), ())
+    steps: tuple[Step, ...] = ()
+    caveat: str = ""
     score: dict[str, float] = field(default_factory=dict)
     safety_index: float | None = None
     return_period_years: float | None = None

@@ -13,7 +13,7 @@ from math import inf
 
 from scipy.constants import g
 
-from assess.codes.check import Check, PgaCurve, Step, Verdict
+from assess.codes.check import Check, Step, Verdict
 from assess.codes.context import Context
 from assess.codes.governing import least
 from assess.hinge_forces import HingeForces
@@ -138,7 +138,6 @@ def _check(
         level_pga_g=level / g,
         input_at=context.histories_at,
         damping=None,
-        damping_rule="",
         quantity="coefficient of friction",
         unit="-",
         demand=demand,
@@ -147,10 +146,6 @@ def _check(
         verdict=verdict,
         reason=reason,
         capacity_pga_g=None if slides_at is None else slides_at / g,
-        uplift_pga_g=None,
-        capacity_rotation_ratio=None,
-        rotation_ratio=None,
-        pga_curve=PgaCurve((), ()),
         steps=steps,
         caveat="" if hinge is None or hinge.single else CHAIN + HELD * any(each.held for each in context.hinges),
     )

@@ -16,7 +16,7 @@ from assess.codes.asce41_13.clauses import (
     permissible,
     position_of,
 )
-from assess.codes.check import BranchName, Check, PgaCurve, Role, Step, Verdict
+from assess.codes.check import BranchName, Check, Role, Step, Verdict
 from assess.codes.context import Context, Wall
 from assess.codes.family import foreign, role_on
 from assess.codes.governing import governing
@@ -63,20 +63,11 @@ def _check(branch: Branch, name: BranchName, context: Context, level: float, *, 
         level_pga_g=level / g,
         input_at="ground",
         damping=DAMPING,
-        damping_rule="",
         quantity="h/t",
         unit="-",
-        demand=None,
-        capacity=None,
-        ratio=None,
         verdict="not-applicable",
         reason=reason,
-        capacity_pga_g=None,
         uplift_pga_g=uplift,
-        capacity_rotation_ratio=None,
-        rotation_ratio=None,
-        pga_curve=PgaCurve((), ()),
-        steps=(),
         caveat=CAVEAT + FREE * (context.support == "free") + foreign(NAME, context.spectrum.code),
     )
 

@@ -71,7 +71,6 @@ def _check(
         level_pga_g=suite.pga / g,
         input_at=input_at,
         damping=None,
-        damping_rule="",
         quantity="mean rotation",
         unit="rad",
         demand=None if mean is None else mean * overturning,

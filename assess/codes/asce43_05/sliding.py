@@ -17,7 +17,7 @@ from scipy.constants import g
 from scipy.optimize import brentq
 
 from assess.codes.asce43_05.clauses import EDITION, Options
-from assess.codes.check import Check, PgaCurve, Step, Verdict
+from assess.codes.check import Check, Step, Verdict
 from assess.codes.context import Context
 from assess.codes.governing import least
 from assess.codes.sliding import NO_FORCES, sliding_pga
@@ -172,10 +172,6 @@ def _answer(
         verdict=verdict,
         reason=reason,
         capacity_pga_g=None if at_capacity is None else at_capacity / g,
-        uplift_pga_g=None,
-        capacity_rotation_ratio=None,
-        rotation_ratio=None,
-        pga_curve=PgaCurve((), ()),
         steps=steps,
         caveat=CAVEAT,
     )

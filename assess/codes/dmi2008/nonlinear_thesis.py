@@ -65,7 +65,6 @@ def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tup
             level_pga_g=level / g,
             input_at="ground",
             damping=DAMPING,
-            damping_rule="",
             quantity="rotation",
             unit="rad",
             demand=rotation,

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 
 from scipy.constants import g
 
-from assess.codes.check import BranchName, Check, PgaCurve, Step, Verdict
+from assess.codes.check import BranchName, Check, Step, Verdict
 from assess.codes.context import ON_GROUND, Context
 from assess.codes.en1998_1.clauses import (
     BEHAVIOUR,
@@ -80,20 +80,10 @@ def _check(name: BranchName, context: Context, level: float, *, reason: str) -> 
         level_pga_g=level / g,
         input_at="mechanism base" if context.support_height > ON_GROUND else "ground",
         damping=None,
-        damping_rule="",
         quantity="force over weight",
         unit="-",
-        demand=None,
-        capacity=None,
-        ratio=None,
         verdict="not-applicable",
         reason=reason,
-        capacity_pga_g=None,
-        uplift_pga_g=None,
-        capacity_rotation_ratio=None,
-        rotation_ratio=None,
-        pga_curve=PgaCurve((), ()),
-        steps=(),
         caveat=CAVEAT + foreign(NAME, context.spectrum.code),
     )
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from scipy.constants import g
 
-from assess.codes.check import Check, PgaCurve, Step
+from assess.codes.check import Check, Step
 from assess.codes.italian.edition import Edition
 from assess.codes.italian.floor import Demands, floor_of, judged, unanswerable
 from assess.codes.italian.limit_state import Case
@@ -38,7 +38,6 @@ def acceleration_check(
         level_pga_g=case.level / g,
         input_at="ground" if floor_of(case.context) is None else "mechanism base",
         damping=damping,
-        damping_rule="",
         quantity="acceleration",
         unit="m/s2",
         demand=demanded,
@@ -48,9 +47,6 @@ def acceleration_check(
         reason=reason,
         capacity_pga_g=case.pga * capacity / demanded / g,
         uplift_pga_g=None if uplift is None else uplift / g,
-        capacity_rotation_ratio=None,
-        rotation_ratio=None,
-        pga_curve=PgaCurve((), ()),
         steps=steps,
         caveat=edition.caveat,
     )

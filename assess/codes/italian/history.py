@@ -147,7 +147,6 @@ def _check(
         level_pga_g=level / g,
         input_at=context.histories_at,
         damping=None,
-        damping_rule="",
         quantity=f"{'largest' if found.largest else 'mean'} d*",
         unit="m",
         demand=moved,

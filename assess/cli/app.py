@@ -29,7 +29,8 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     context_settings={
         "help_option_names": ["-h", "--help"],
-        "default_map": {"help": False},  # else typer 0.29 imports pydantic (0.2 s) for a --help that is absent
+        # else typer 0.29 imports pydantic (0.2 s) for a --help that is absent
+        "default_map": {"help": False, "records": {"help": False}},
     },
 )
 for command in (new, check, run, parameters, spectrum, envelope, report, diff, schema):

@@ -26,7 +26,7 @@ from reports import (
     tables,
 )
 from reports.catalogue import ENGLISH
-from reports.document import Block, Document, Figure, Items, Section, Signatures, Table, Text
+from reports.document import Block, Document, Figure, Items, Section, Signatures, Text, filled
 from reports.figures import amplification, capacity, comparison, history, pga_rotation, sketch, spectrum, view
 from reports.model import of_view
 from reports.numerals import numeral
@@ -84,7 +84,7 @@ def of_envelopes(results: Results) -> Document:
     chapters = envelopes.critical_chapter(results)
     for place, mechanism in enumerate(results.mechanisms, start=1):
         chapters += envelopes.chapter(mechanism, results.records, stem(mechanism.name, place), level=0)
-    warned = _filled(tables.warnings(results)) or [Text(("The run gave no warnings.",))]
+    warned = filled(tables.warnings(results)) or [Text(("The run gave no warnings.",))]
     chapters += [Section("Warnings", 0, tuple(warned)), _annex(results)]
     return replace(
         assessment(results),
@@ -129,7 +129,7 @@ def _annex(results: Results) -> Section:
     blocks: list[Block] = []
     blocks += [Text((f"Title in full: {title}",))] if len(title) > LONG else []
     blocks += [Text((f"Notes: {notes}",))] if notes else []
-    blocks += [*_filled(tables.inputs(results)), *_filled(tables.values_set(results))]
+    blocks += [*filled(tables.inputs(results)), *filled(tables.values_set(results))]
     return Section("Annex: inputs", 0, tuple(blocks), starts_page=True)
 
 
@@ -141,8 +141,8 @@ def _site(results: Results) -> list[Section]:
             f"and of the records as scaled to it{_fitted(results)}."
         )
         blocks.append(Figure("spectrum", caption, partial(spectrum.draw, results.spectrum, results.records)))
-        blocks += _filled(tables.site(results))
-    blocks += [*_filled(tables.records(results)), *suite.blocks(results), *_filled(tables.trails(results))]
+        blocks += filled(tables.site(results))
+    blocks += [*filled(tables.records(results)), *suite.blocks(results), *filled(tables.trails(results))]
     return [Section("Site and ground motion", 0, tuple(blocks))] if blocks else []
 
 
@@ -178,11 +178,11 @@ def _shape(mechanism: MechanismResult, name: str, *, sibling: str) -> Section:
         *sweeps.weakest(mechanism, name=name),
         Figure(f"{name}-sketch", sentences.sketch(mechanism), partial(sketch.draw, mechanism)),
         *_view(mechanism, name, sibling=sibling),
-        *_filled(tables.loads(mechanism, name=f"{name}-loads")),
+        *filled(tables.loads(mechanism, name=f"{name}-loads")),
         tables.parameters(mechanism, name=f"{name}-parameters"),
         Figure(f"{name}-capacity", sentences.capacity(mechanism), partial(capacity.draw, mechanism)),
         *interfaces.blocks(mechanism, name=name),
-        *_filled(tables.hinge_forces(mechanism, name=f"{name}-hinge-forces")),
+        *filled(tables.hinge_forces(mechanism, name=f"{name}-hinge-forces")),
     )
     return Section(f"Mechanism: {tables.name_of(mechanism)}", 0, blocks, starts_page=True)
 
@@ -210,13 +210,13 @@ def _answer(mechanism: MechanismResult, name: str) -> Section:
         blocks.append(Figure(f"{name}-pga-rotation", caption, partial(pga_rotation.draw, mechanism)))
     unlike = sentences.inputs(mechanism)
     blocks += [Text((unlike,))] if unlike else []
-    blocks += _filled(tables.demands(mechanism, name=f"{name}-demand-capacity"))
-    blocks += _filled(tables.reasons(mechanism, name=f"{name}-remarks"))
+    blocks += filled(tables.demands(mechanism, name=f"{name}-demand-capacity"))
+    blocks += filled(tables.reasons(mechanism, name=f"{name}-remarks"))
     return Section("Demand and capacity", 1, tuple(blocks))
 
 
 def _histories(mechanism: MechanismResult, name: str) -> Section:
-    blocks: list[Block] = [*_amplification(mechanism, name), *_filled(tables.suites(mechanism, name=f"{name}-suites"))]
+    blocks: list[Block] = [*_amplification(mechanism, name), *filled(tables.suites(mechanism, name=f"{name}-suites"))]
     found = governing.history(mechanism)
     if found is not None:
         one, trace = found
@@ -227,7 +227,7 @@ def _histories(mechanism: MechanismResult, name: str) -> Section:
             f"{one.impacts} impacts. Above the acceleration, below the rotation."
         )
         blocks.append(Figure(f"{name}-history", caption, draw))
-    blocks += _filled(tables.histories(mechanism, name=f"{name}-histories"))
+    blocks += filled(tables.histories(mechanism, name=f"{name}-histories"))
     return Section("Time histories", 1, tuple(blocks))
 
 
@@ -271,9 +271,9 @@ def _comparison(results: Results) -> list[Section]:
         *standing,
         *((Text(unlike),) if unlike else ()),
         Figure("comparison", caption, draw),
-        *_filled(tables.capacities(results)),
+        *filled(tables.capacities(results)),
         tables.side_by_side(results),
-        *_filled(tables.rotations(results)),
+        *filled(tables.rotations(results)),
         *siblings.blocks(results, name="interfaces"),
     )
     return [Section("Comparison of the mechanisms", 0, blocks, starts_page=True)]
@@ -290,7 +290,3 @@ def _signatures(results: Results) -> Section:
     )
     places = (("Engineer", project(results, "engineer")), ("Checker", project(results, "checker")))
     return Section("Signatures", 0, (Text((statement,)), Signatures(places)))
-
-
-def _filled(table: Table) -> list[Block]:
-    return [table] if table.rows else []

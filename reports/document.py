@@ -151,6 +151,11 @@ SIGNATURE_HEADS = ("", "Name", "Signature", "Place and date")
 Block = Text | Items | Table | Figure | Sheet | Signatures | Banner
 
 
+def filled(table: Table) -> list[Block]:
+    """The table as blocks: none where it has no rows."""
+    return [table] if table.rows else []
+
+
 @dataclass(frozen=True)
 class Section:
     """A heading and what stands under it. level: 0 for a chapter, 1 for its parts."""

@@ -7,7 +7,7 @@ from functools import partial
 
 from assess.results import MechanismResult, Resolved, Results
 from reports import joints, tables
-from reports.document import Block, Cell, Column, Figure, Section, Table
+from reports.document import Block, Cell, Column, Figure, Section, Table, filled
 from reports.figures import overview
 from reports.numerals import as_cell
 from reports.tables import name_of
@@ -26,10 +26,10 @@ Tables = dict[str, dict[str, Resolved]]
 def section(results: Results) -> list[Section]:
     """The chapter; nothing where there is nothing to show."""
     blocks: list[Block] = [
-        *_filled(materials(results)),
-        *_filled(bodies(results)),
+        *filled(materials(results)),
+        *filled(bodies(results)),
         *overviews(results.mechanisms),
-        *_filled(mechanisms(results)),
+        *filled(mechanisms(results)),
     ]
     return [Section("Structure and materials", 0, tuple(blocks), starts_page=True)] if blocks else []
 
@@ -117,7 +117,3 @@ def _row(mechanism: MechanismResult) -> tuple[Cell, ...]:
     numbers = (of.radius_m, of.slenderness_rad, of.p_eq_per_s, tables.uplift(of.uplift_multiplier), of.overturning_rad)
     kind = (name_of(mechanism), mechanism.kind, mechanism.sides, joints.model(mechanism))
     return (*kind, of.mass_kg, *numbers, of.restitution)
-
-
-def _filled(table: Table) -> list[Block]:
-    return [table] if table.rows else []

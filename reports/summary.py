@@ -5,7 +5,7 @@ from __future__ import annotations
 from assess.codes.check import Check
 from assess.results import MechanismResult, Results
 from reports import findings, governing, sentences, tables
-from reports.document import Block, Cell, Column, Items, Section, Table, Text
+from reports.document import Block, Cell, Column, Items, Section, Table, Text, filled
 from reports.tables import OVERTURNED, name_of
 
 REFERENCE = "SLV"  # the limit state whose PGA is the level's
@@ -14,13 +14,13 @@ REFERENCE = "SLV"  # the limit state whose PGA is the level's
 def section(results: Results) -> Section:
     """Outcome and findings in words, then the verdicts level by level and the check that governs each procedure."""
     found = findings.findings(results)
-    warned: list[Block] = _filled(tables.warnings(results)) or [Text(("The run gave no warnings.",))]
+    warned: list[Block] = filled(tables.warnings(results)) or [Text(("The run gave no warnings.",))]
     blocks = (
         Text(sentences.outcome(results)),
         *((Items(found),) if found else ()),
-        *_filled(governing_checks(results)),
+        *filled(governing_checks(results)),
         *own_accelerations(results),
-        *_filled(tables.brief(results)),
+        *filled(tables.brief(results)),
         *warned,
     )
     return Section("Summary", 0, blocks)
@@ -78,7 +78,3 @@ def _row(mechanism: MechanismResult, check: Check) -> tuple[Cell, ...]:
         *accelerations,
         check.verdict,
     )
-
-
-def _filled(table: Table) -> list[Block]:
-    return [table] if table.rows else []

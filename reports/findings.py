@@ -11,6 +11,7 @@ from assess.results import MechanismResult, Results, SuiteResult
 from reports import governing
 from reports.lettering import shortened
 from reports.numerals import numeral
+from reports.sentences import joined
 from reports.tables import name_of
 
 LONGEST, MANY = 40, 6  # characters of a name in a sentence; names in a list
@@ -39,10 +40,7 @@ def named(mechanism: MechanismResult) -> str:
 
 def listed(names: list[str]) -> str:
     """Names with commas and an "and"; of many the first ones, and how many there are besides."""
-    shown = names[:MANY] if len(names) > MANY + 1 else names
-    if len(shown) < len(names):
-        return f"{', '.join(shown)} and {len(names) - len(shown)} others"
-    return f"{', '.join(shown[:-1])} and {shown[-1]}" if len(shown) > 1 else "".join(shown)
+    return joined([*names[:MANY], f"{len(names) - MANY} others"] if len(names) > MANY + 1 else names)
 
 
 def _critical(results: Results) -> Iterator[str]:

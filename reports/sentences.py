@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from assess.codes.check import Check
 from assess.results import MechanismResult, Results, View
 from reports import governing, interfaces
@@ -75,8 +77,8 @@ def inputs(mechanism: MechanismResult) -> str:
     if not (at["ground"] and at["mechanism base"]):
         return ""
     return (
-        f"Not the same input: {_list(at['mechanism base'])} by the motion at the base of the mechanism, "
-        f"{_list(at['ground'])} by that at the ground. Peak accelerations (PGA) are the ground's throughout."
+        f"Not the same input: {joined(at['mechanism base'])} by the motion at the base of the mechanism, "
+        f"{joined(at['ground'])} by that at the ground. Peak accelerations (PGA) are the ground's throughout."
     )
 
 
@@ -85,7 +87,7 @@ def amplified(results: Results) -> tuple[str, ...]:
     carried = [m for m in results.mechanisms if m.amplification.height_m is not None and m.histories]
     if not carried:
         return ()
-    names = _list(dict.fromkeys(shortened(name_of(mechanism), 40) for mechanism in carried))
+    names = joined(dict.fromkeys(shortened(name_of(mechanism), 40) for mechanism in carried))
     return (
         f"Not the same input: the time histories of {names} act at the base of the mechanism, amplified; those of the "
         "others, and the spectrum of ASCE 43-05, act at the ground. The table of procedures says where each takes "
@@ -147,7 +149,7 @@ def sliding(results: Results) -> str:
     if not any(asked.values()):
         return f"No sliding, no bouncing, no parting but the rocking itself: {taken}; {tell}."
     silent = dict.fromkeys(shortened(name_of(m), 40) for m in results.mechanisms if not asked[m.name])
-    others = f" For {_list(silent)} it was not checked: {taken}." if silent else ""
+    others = f" For {joined(silent)} it was not checked: {taken}." if silent else ""
     return (
         "Sliding was checked by equilibrium, at every hinge up to the moment at which the mechanism starts to rock "
         f"(procedure {SLIDING}; horizontal motion only).{others} While it rocks {taken}: no bouncing, no parting but "
@@ -157,7 +159,9 @@ def sliding(results: Results) -> str:
 
 def _readings(results: Results) -> tuple[str, ...]:
     names = dict.fromkeys(c.procedure for c in _checks(results) if c.role == "informative")
-    return (f"{_list(names)}: informative reading, shown for comparison; it never decides a verdict.",) if names else ()
+    return (
+        (f"{joined(names)}: informative reading, shown for comparison; it never decides a verdict.",) if names else ()
+    )
 
 
 def _unlike(results: Results) -> tuple[str, ...]:
@@ -175,14 +179,14 @@ def _linearised(results: Results) -> tuple[str, ...]:
         return ()
     return (
         "The linearised equation of motion is used for the time histories of "
-        f"{_list(dict.fromkeys(shortened(name, 40) for name in names))}. It is accurate for slender bodies and departs "
-        "from the exact equation as the slenderness angle grows.",
+        f"{joined(dict.fromkeys(shortened(name, 40) for name in names))}. It is accurate for slender bodies and "
+        "departs from the exact equation as the slenderness angle grows.",
     )
 
 
 def _unverified(results: Results) -> tuple[str, ...]:
     names = dict.fromkeys(check.procedure for check in _checks(results) if _says(check, UNCHECKED))
-    return (f"{_list(names)}: holds clauses {UNCHECKED}; the table of procedures says which.",) if names else ()
+    return (f"{joined(names)}: holds clauses {UNCHECKED}; the table of procedures says which.",) if names else ()
 
 
 def _says(check: Check, words: str) -> bool:
@@ -247,7 +251,7 @@ def _failure(mechanism: MechanismResult) -> str:
     start = f"{shortened(name_of(mechanism), 60)} fails {'at' if first == least else 'from'} PGA {first:.3g} g"
     beyond = dict.fromkeys(check.procedure for check in failing if governing.fell(check))
     if beyond:
-        return f"{start} and overturns, according to {_list(beyond)}."
+        return f"{start} and overturns, according to {joined(beyond)}."
     if worst is None or worst.ratio is None:
         return f"{start}."
     return (
@@ -259,7 +263,7 @@ def _failure(mechanism: MechanismResult) -> str:
 def _unanswered(results: Results) -> tuple[str, ...]:
     """Why code checks could not be answered, and for which mechanisms none was."""
     silent = [m for m in results.mechanisms if governing.verdict(m.checks) == "not-applicable"]
-    names = _list(dict.fromkeys(shortened(name_of(mechanism), 40) for mechanism in silent))
+    names = joined(dict.fromkeys(shortened(name_of(mechanism), 40) for mechanism in silent))
     found = tuple(f"{reason}." for reason in governing.reasons(governing.of_all(results))[:12])
     return (*found, *((f"No code procedure gave a verdict for {names}.",) if silent else ()))
 
@@ -272,6 +276,7 @@ def _fails(failing: list[MechanismResult]) -> str:
     return "fails" if len(failing) == 1 else "fail"
 
 
-def _list(names: dict[str, None]) -> str:
+def joined(names: Iterable[str]) -> str:
+    """Names with commas and an "and"."""
     every = list(names)
     return f"{', '.join(every[:-1])} and {every[-1]}" if len(every) > 1 else "".join(every)

@@ -134,3 +134,13 @@ class Context:
     def support_height(self) -> float:
         """Height above the ground of what holds the mechanism [m]: its base, or the mean of base and far support."""
         return max(self.elevation, 0.0) + self.rise / 2.0
+
+    def above_building(self, supported: str, *, clause: str) -> str:
+        """That the supports of what is `supported` are higher than the building of `clause`; empty if they are not."""
+        building, height = self.building, self.support_height
+        if building is None or height <= building.height * (1.0 + 1e-9):
+            return ""
+        return (
+            f"the supports of the {supported} are {height:.4g} m above the ground, higher than the building of "
+            f"{clause}: check [building] height and ground_elevation"
+        )

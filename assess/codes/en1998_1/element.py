@@ -44,7 +44,7 @@ def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tup
     """4.3.5: F_a / W_a against the multiplier that the mechanism resists, on the worse branch."""
 
     def one(branch: Branch, name: BranchName, level: float) -> Check:
-        empty = _check(name, context, level, reason=_beyond(context))
+        empty = _check(name, context, level, reason=context.above_building("element", clause=CLAUSE))
         return empty if empty.reason else _answered(empty, branch, context, options, level)
 
     return governing(oscillator, context.levels, one)
@@ -58,16 +58,6 @@ def demand_of(branch: Branch, context: Context, options: Options, level: float) 
     gamma_a = options.importance_factor
     force = force_over_weight(amplified, level, behaviour_factor=q_a, importance_factor=gamma_a)
     return Demand(ratio, amplified, q_a, gamma_a, force)
-
-
-def _beyond(context: Context) -> str:
-    building, height = context.building, context.support_height
-    if building is None or height <= building.height * (1.0 + 1e-9):
-        return ""
-    return (
-        f"the supports of the element are {height:.4g} m above the ground, higher than the building of {CLAUSE}: check "
-        "[building] height and ground_elevation"
-    )
 
 
 def _check(name: BranchName, context: Context, level: float, *, reason: str) -> Check:

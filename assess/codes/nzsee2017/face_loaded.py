@@ -74,13 +74,7 @@ def unanswerable(context: Context) -> str:
     """Why the clause says nothing of the mechanism; empty where it does."""
     if context.support == "hinged":
         return f"{CLAUSE} is of walls that stand free or span between floors; a chain of three blocks is neither"
-    building, height = context.building, context.support_height
-    if building is not None and height > building.height * (1.0 + 1e-9):
-        return (
-            f"the supports of the wall are {height:.4g} m above the ground, higher than the building of {PARTS}: check "
-            "[building] height and ground_elevation"
-        )
-    return ""
+    return context.above_building("wall", clause=PARTS)
 
 
 def response(branch: Branch, context: Context, options: Options) -> Response:

@@ -14,10 +14,11 @@ from typing import Any
 
 import matplotlib
 from matplotlib.axes import Axes
-from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from reports.lettering import FAMILY, abridged, printable, shortened
+from reports.panel import Panel
+from reports.ruler import Canvas
 
 WIDTH = 6.7  # of the text on the page [in]
 INK, MUTED, GRID = "#1b2733", "#6b7680", "#d7dce1"
@@ -39,6 +40,7 @@ _RC: dict[Any, Any] = {
     "axes.labelcolor": INK,
     "axes.grid": True,
     "axes.axisbelow": True,
+    "axes.titley": 1.0,  # scales stand below
     "axes.spines.top": False,
     "axes.spines.right": False,
     "axes.formatter.use_mathtext": False,
@@ -104,16 +106,34 @@ def styled() -> Iterator[None]:
 
 def sheet(height: float, *, width: float = WIDTH) -> Figure:
     """An empty figure of `width` x `height` [in] that lays itself out; made within `styled`."""
-    figure = Figure(figsize=(width, height), layout="constrained")
-    FigureCanvasAgg(figure)
-    return figure
+    return _Sheet(figsize=(width, height), layout="constrained")
 
 
 def bare_sheet(height: float, *, width: float = WIDTH) -> Figure:
     """An empty figure of `width` x `height` [in] whose panels are placed by hand; made within `styled`."""
-    figure = Figure(figsize=(width, height))
-    FigureCanvasAgg(figure)
-    return figure
+    return _Sheet(figsize=(width, height))
+
+
+class _Sheet(Figure):
+    """A figure of panels whose scales are drawn whole."""
+
+    def __init__(self, **given: Any) -> None:
+        super().__init__(**given)
+        Canvas(self)
+
+    def add_subplot(self, *place: Any, **given: Any) -> Axes:
+        """A panel, unless another projection is asked for."""
+        made: Axes = super().add_subplot(*place, **_as_panel(given))
+        return made
+
+    def add_axes(self, *place: Any, **given: Any) -> Axes:
+        """A panel, unless another projection is asked for."""
+        made: Axes = super().add_axes(*place, **_as_panel(given))
+        return made
+
+
+def _as_panel(given: dict[str, Any]) -> dict[str, Any]:
+    return given if "projection" in given else {**given, "axes_class": Panel}
 
 
 def legend_above(axes: Axes, *, columns: int) -> None:

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from concurrent.futures import Executor, Future
 from dataclasses import dataclass
+from itertools import cycle, repeat
 from typing import Any
 
 import numpy as np
@@ -87,23 +88,54 @@ class _Recorder(RendererBase):
     def draw_path(self, gc: GraphicsContextBase, path: Path, transform: Transform, rgbFace: Any = None) -> None:
         width = float(gc.get_linewidth())
         simplify = rgbFace is None and path.should_simplify
-        offset, dashes = gc.get_dashes()
-        clip = gc.get_clip_rectangle()
         self.marks.append(
             Stroke(
                 segments=tuple(_segments(path, transform, simplify=simplify)),
                 line=_rgba(gc.get_rgb()) if width > 0 else None,
                 filling=None if rgbFace is None else _filling(gc, rgbFace),
                 width=width,
-                dashes=(
-                    () if dashes is None else tuple(np.asarray(dashes, dtype=np.float64).tolist()),
-                    float(offset or 0),
-                ),
+                dashes=_dashes(*gc.get_dashes()),
                 cap=str(gc.get_capstyle()),
                 join=str(gc.get_joinstyle()),
-                clip=None if clip is None else (float(clip.x0), float(clip.y0), float(clip.width), float(clip.height)),
+                clip=_window(gc),
             )
         )
+
+    def draw_path_collection(
+        self,
+        gc: GraphicsContextBase,
+        master_transform: Transform,
+        paths: Any,
+        all_transforms: Any,
+        offsets: Any,
+        offset_trans: Transform,
+        facecolors: Any,
+        edgecolors: Any,
+        linewidths: Any,
+        linestyles: Any,
+        *rest: Any,
+        **more: Any,
+    ) -> None:
+        """Many paths where they are; those that are shifted or turned each by itself as matplotlib draws them."""
+        looks = facecolors, edgecolors, linewidths, linestyles
+        if len(all_transforms) or np.any(offset_trans.transform(offsets)):
+            placed = paths, all_transforms, offsets, offset_trans
+            super().draw_path_collection(gc, master_transform, *placed, *looks, *rest, **more)
+            return
+        cap, join, clip = str(gc.get_capstyle()), str(gc.get_joinstyle()), _window(gc)
+        for path, face, edge, width, dashes in zip(paths, *map(_repeated, looks), strict=False):
+            self.marks.append(
+                Stroke(
+                    segments=tuple(_segments(path, master_transform, simplify=False)),
+                    line=_rgba(edge) if edge is not None and width > 0 and edge[3] > 0 else None,
+                    filling=_rgba(face) if face is not None and face[3] > 0 else None,
+                    width=float(width),
+                    dashes=_dashes(*dashes),
+                    cap=cap,
+                    join=join,
+                    clip=clip,
+                )
+            )
 
     def draw_text(
         self,
@@ -155,6 +187,20 @@ def trace(figure: Figure) -> Traced:
         recorder = _Recorder(width, height)
         figure.draw(recorder)
     return Traced(tuple(recorder.marks), width, height)
+
+
+def _repeated(looks: Any) -> Iterator[Any]:
+    """One look after the other, from the first again after the last; without any, None."""
+    return cycle(looks.tolist() if isinstance(looks, np.ndarray) else looks) if len(looks) else repeat(None)
+
+
+def _dashes(offset: float | None, dashes: Any) -> tuple[tuple[float, ...], float]:
+    return () if dashes is None else tuple(np.asarray(dashes, dtype=np.float64).tolist()), float(offset or 0)
+
+
+def _window(gc: GraphicsContextBase) -> Rectangle | None:
+    clip = gc.get_clip_rectangle()
+    return None if clip is None else (float(clip.x0), float(clip.y0), float(clip.width), float(clip.height))
 
 
 def _segments(path: Path, transform: Transform, *, simplify: bool) -> Iterator[Segment]:

@@ -1,0 +1,35 @@
+"""Letters measured as they are drawn, unrounded, and each text once for all figures."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from typing import Any
+
+from matplotlib.backend_bases import FigureCanvasBase, RendererBase
+from matplotlib.font_manager import FontProperties
+
+
+class Ruler(RendererBase):
+    """A renderer that measures and draws nothing."""
+
+    def get_text_width_height_descent(self, s: str, prop: FontProperties, ismath: Any) -> tuple[float, float, float]:
+        """Width, height and depth below the line [pt]."""
+        return _measured(s, prop.copy())
+
+
+class Canvas(FigureCanvasBase):
+    """What a figure is laid out on."""
+
+    def get_renderer(self) -> Ruler:
+        """What its letters are measured with."""
+        return RULER
+
+
+RULER = Ruler()
+_BARE = RendererBase()
+
+
+@lru_cache(maxsize=16384)
+def _measured(text: str, font: FontProperties) -> tuple[float, float, float]:
+    width, height, depth = _BARE.get_text_width_height_descent(text, font, ismath=False)
+    return float(width), float(height), float(depth)

@@ -18,7 +18,7 @@ class Ruler(RendererBase):
 
 
 class Canvas(FigureCanvasBase):
-    """What a figure is laid out on."""
+    """What a figure is laid out on; it is drawn as marks, not by what matplotlib saves."""
 
     def get_renderer(self) -> Ruler:
         """What its letters are measured with."""

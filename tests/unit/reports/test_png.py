@@ -13,9 +13,10 @@ from reports.style import sheet, styled
 from reports.vector import trace
 
 
-def drawn() -> Figure:
+def drawn(figure: Figure | None = None) -> Figure:
+    """A scene on a figure; on one of the report if none is given."""
     with styled():
-        figure = sheet(2.0, width=4.0)
+        figure = figure or sheet(2.0, width=4.0)
         axes = figure.add_subplot(xlabel="rotation φ [rad]", ylabel="λ")
         axes.plot([0, 1, 2], [0, 2, 1], color="#c1121f", linestyle="--")
         axes.fill_between([0, 1, 2], [0, 1, 0.5], color="#0072b2", alpha=0.4)
@@ -26,7 +27,7 @@ def drawn() -> Figure:
 def test_pixels_are_those_of_matplotlib(tmp_path: Path) -> None:
     ours = imread(write_png(trace(drawn()), tmp_path / "ours.png", creator="assess"))[..., :3]
     with styled():
-        drawn().savefig(tmp_path / "theirs.png", dpi=DPI)
+        drawn(Figure(figsize=(4.0, 2.0), layout="constrained")).savefig(tmp_path / "theirs.png", dpi=DPI)
     theirs = imread(tmp_path / "theirs.png")[..., :3]
     assert ours.shape == theirs.shape == (2 * DPI, 4 * DPI, 3)
     apart = np.abs(ours - theirs).max(axis=2)

@@ -26,6 +26,7 @@ from assess.dynamics.history import Trace, trace
 from assess.oscillator import Oscillator
 from records.record import Record, make_record
 from records.synthetic import artificial
+from reports.figure_file import write_figure
 from reports.style import FAIL, INK, MUTED, sheet, styled
 from spectra.asce7 import design_spectrum
 
@@ -273,11 +274,7 @@ def peaks_panel(axes: Axes, *, even: bool) -> str:
 
 def written(name: str, figure: Figure, folder: Path) -> list[Path]:
     """The figure as PNG and SVG in an existing folder; the paths."""
-    paths = [folder / f"{name}.png", folder / f"{name}.svg"]
-    with styled():
-        figure.savefig(paths[0], dpi=150)
-        figure.savefig(paths[1], metadata={"Date": None})
-    return paths
+    return [write_figure(figure, folder / f"{name}{ending}", creator="assess") for ending in (".png", ".svg")]
 
 
 def main(folder: Path = FOLDER) -> None:

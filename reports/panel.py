@@ -18,12 +18,13 @@ from matplotlib.axes import Axes
 from matplotlib.axis import Axis, XAxis, YAxis
 from matplotlib.backend_bases import RendererBase
 from matplotlib.figure import Figure
+from matplotlib.font_manager import FontProperties
 from matplotlib.path import Path
 from matplotlib.text import Text
 from matplotlib.transforms import Bbox, IdentityTransform
 from numpy.typing import NDArray
 
-from reports.ruler import RULER
+from reports.ruler import RULER, Ruler
 
 FloatArray = NDArray[np.float64]
 Point = tuple[float, float]
@@ -50,6 +51,24 @@ class _Ticks:
     pad: float
     size: Any
     colour: Any
+
+
+@dataclass(frozen=True)
+class _Line:
+    """A line of text and where it begins, from the point that the text is set at [pt]."""
+
+    text: str
+    x: float
+    y: float
+    font: FontProperties
+
+
+@dataclass(frozen=True)
+class _Lettered:
+    """A text as its lines, and its lower left and upper right corners [2, 2] [pt]."""
+
+    box: FloatArray
+    lines: tuple[_Line, ...]
 
 
 class _Scale(Axis):
@@ -161,12 +180,12 @@ class _Scale(Axis):
         pen.restore()
 
     def _draw_numbers(self, renderer: RendererBase, ticks: _Ticks) -> None:
-        across, up = self.setting
-        letters = Text(color=ticks.colour, fontsize=ticks.size, ha=across, va=up, figure=self.axes.get_figure())
-        for place, number in self._places(ticks):
-            letters.set_position(place)
-            letters.set_text(number)
-            letters.draw(renderer)
+        pen = renderer.new_gc()
+        pen.set_foreground(ticks.colour)
+        for (x, y), number in self._places(ticks):
+            for line in _lettered(number, ticks.size, self.setting).lines:
+                renderer.draw_text(pen, x + line.x, y + line.y, line.text, line.font, 0.0)
+        pen.restore()
 
     def _places(self, ticks: _Ticks) -> list[tuple[Point, str]]:
         """Numbers and where they stand."""
@@ -178,7 +197,9 @@ class _Scale(Axis):
     def _set_letters(self, ticks: tuple[_Ticks, _Ticks]) -> Bbox:
         """Put the label and the power of ten beside ticks and numbers; what ticks and numbers cover [pt]."""
         boxes = [
-            place + _box(number, each.size, self.setting) for each in ticks for place, number in self._places(each)
+            place + _lettered(number, each.size, self.setting).box
+            for each in ticks
+            for place, number in self._places(each)
         ]
         numbers = np.array(boxes).reshape(-1, 2)
         longest = max((each.length for each in ticks if each.at.size and each.is_drawn), default=0.0)
@@ -241,11 +262,23 @@ class Panel(Axes):
 
 
 @lru_cache(maxsize=4096)
-def _box(text: str, size: Any, setting: tuple[str, str]) -> FloatArray:
-    """The corners of a text about the point that it is set at [2, 2] [pt]."""
+def _lettered(text: str, size: Any, setting: tuple[str, str]) -> _Lettered:
+    """A text as matplotlib sets it at the origin."""
     across, up = setting
-    letters = Text(0.0, 0.0, text, fontsize=size, ha=across, va=up, figure=_PAPER)
-    return np.asarray(letters.get_window_extent(RULER).get_points())
+    letters, catcher = Text(0.0, 0.0, text, fontsize=size, ha=across, va=up, figure=_PAPER), _Catcher()
+    letters.draw(catcher)
+    return _Lettered(np.asarray(letters.get_window_extent(RULER).get_points()), tuple(catcher.lines))
+
+
+class _Catcher(Ruler):
+    """Keeps the lines that it is asked to draw."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.lines: list[_Line] = []
+
+    def draw_text(self, gc: Any, x: float, y: float, s: str, prop: FontProperties, *_: Any, **__: Any) -> None:
+        self.lines.append(_Line(s, float(x), float(y), prop.copy()))
 
 
 def _extent(text: Text) -> Bbox | None:

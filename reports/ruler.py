@@ -12,6 +12,10 @@ from matplotlib.font_manager import FontProperties
 class Ruler(RendererBase):
     """A renderer that measures and draws nothing."""
 
+    def flipy(self) -> bool:
+        """Heights grow upwards."""
+        return False
+
     def get_text_width_height_descent(self, s: str, prop: FontProperties, ismath: Any) -> tuple[float, float, float]:
         """Width, height and depth below the line [pt]."""
         return _measured(s, prop.copy())

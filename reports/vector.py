@@ -6,14 +6,14 @@ reports/svg.py into a file of their own.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import Executor, Future
 from dataclasses import dataclass
 from itertools import cycle, repeat
 from typing import Any
 
 import numpy as np
-from matplotlib.backend_bases import GraphicsContextBase, RendererBase
+from matplotlib.backend_bases import GraphicsContextBase
 from matplotlib.figure import Figure
 from matplotlib.font_manager import FontProperties
 from matplotlib.path import Path
@@ -21,11 +21,13 @@ from matplotlib.text import Text
 from matplotlib.transforms import Transform
 
 from reports.document import Document
+from reports.ruler import Ruler
 from reports.style import styled
 
 Rgba = tuple[float, float, float, float]
 Segment = tuple[tuple[float, ...], int]
 Rectangle = tuple[float, float, float, float]
+_CURVES = {int(Path.CURVE3), int(Path.CURVE4), int(Path.STOP)}
 
 
 @dataclass(frozen=True)
@@ -68,16 +70,13 @@ class Traced:
     height: float
 
 
-class _Recorder(RendererBase):
+class _Recorder(Ruler):
     """A matplotlib renderer that writes down what it is asked to draw; origin at the lower left, unit 1 pt."""
 
     def __init__(self, width: float, height: float) -> None:
         super().__init__()
         self.width, self.height = width, height
         self.marks: list[Stroke | Letters] = []
-
-    def flipy(self) -> bool:
-        return False
 
     def points_to_pixels(self, points: Any) -> Any:
         return points
@@ -123,10 +122,11 @@ class _Recorder(RendererBase):
             super().draw_path_collection(gc, master_transform, *placed, *looks, *rest, **more)
             return
         cap, join, clip = str(gc.get_capstyle()), str(gc.get_joinstyle()), _window(gc)
-        for path, face, edge, width, dashes in zip(paths, *map(_repeated, looks), strict=False):
+        shapes = _all_segments(paths, master_transform)
+        for segments, face, edge, width, dashes in zip(shapes, *map(_repeated, looks), strict=False):
             self.marks.append(
                 Stroke(
-                    segments=tuple(_segments(path, master_transform, simplify=False)),
+                    segments=segments,
                     line=_rgba(edge) if edge is not None and width > 0 and edge[3] > 0 else None,
                     filling=_rgba(face) if face is not None and face[3] > 0 else None,
                     width=float(width),
@@ -201,6 +201,22 @@ def _dashes(offset: float | None, dashes: Any) -> tuple[tuple[float, ...], float
 def _window(gc: GraphicsContextBase) -> Rectangle | None:
     clip = gc.get_clip_rectangle()
     return None if clip is None else (float(clip.x0), float(clip.y0), float(clip.width), float(clip.height))
+
+
+def _all_segments(paths: Sequence[Path], transform: Transform) -> Iterator[tuple[Segment, ...]]:
+    """The segments of many paths; those of straight lines, which most are, together."""
+    codes = [_codes(path) for path in paths]
+    if any(_CURVES & set(each) for each in codes):
+        yield from (tuple(_segments(path, transform, simplify=False)) for path in paths)
+    elif paths:
+        points = iter(transform.transform(np.concatenate([path.vertices for path in paths])).tolist())
+        yield from (tuple((tuple(next(points)), code) for code in each) for each in codes)
+
+
+def _codes(path: Path) -> list[int]:
+    if path.codes is None:
+        return [int(Path.MOVETO)] + [int(Path.LINETO)] * (np.shape(path.vertices)[0] - 1)
+    return [int(code) for code in np.asarray(path.codes).tolist()]
 
 
 def _segments(path: Path, transform: Transform, *, simplify: bool) -> Iterator[Segment]:

@@ -8,10 +8,9 @@ from math import cos, radians, sin
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.collections import PathCollection
+from matplotlib.collections import PolyCollection
 from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
-from matplotlib.path import Path
 from numpy.typing import NDArray
 
 from assess.results import View
@@ -107,24 +106,29 @@ def _bodies(axes: Axes, view: View, camera: Camera) -> None:
     faces = front(every, camera.frame[2])
     seen = camera.seen(faces.corners.reshape(-1, 3))[:, :2].reshape(-1, 3, 2)
     colours, edge = shaded(faces, camera), to_rgb(STONE_EDGE)
-    paths, inks, widths = [], [], []
+    shapes: list[FloatArray] = []
+    inks, widths = [], []
     for place in farthest_first(faces.corners @ camera.frame.T):
-        paths.append(Path(np.vstack([seen[place], seen[place][:1]]), closed=True))
+        drawn = faces.edges[place].tolist()
+        shapes.append(seen[place])
         inks.append(colours[place])
         widths.append(SEAM)
-        if faces.edges[place].any():
-            paths.append(sides(seen[place], faces.edges[place]))
+        if any(drawn):
+            shapes.append(seen[place, along(drawn)])
             inks.append(edge)
             widths.append(EDGE)
-    axes.add_collection(
-        PathCollection(paths, facecolors=inks, edgecolors=inks, linewidths=widths, joinstyle="round"), autolim=False
-    )
+    painted = PolyCollection(shapes, facecolors=inks, edgecolors=inks, linewidths=widths, joinstyle="round")
+    axes.add_collection(painted, autolim=False)
 
 
-def sides(corners: FloatArray, drawn: NDArray[np.bool_]) -> Path:
-    """The edges of a triangle [3, 2] that are drawn [3], each from its corner to the next."""
-    ends = np.stack([corners, np.roll(corners, -1, axis=0)], axis=1)[drawn]
-    return Path(ends.reshape(-1, 2), [Path.MOVETO, Path.LINETO] * len(ends))
+def along(drawn: Sequence[bool]) -> list[int]:
+    """The corners of a triangle in the order of a closed line along those edges, from each to the next, that are drawn.
+
+    At least one is; a line that runs along one or two of them runs back the same way.
+    """
+    first = next(k for k in range(3) if drawn[k] and not (drawn[k - 1] and not all(drawn)))
+    there = [(first + k) % 3 for k in range(sum(drawn) + 1)]
+    return there[:3] if all(drawn) else there + there[-2:0:-1]
 
 
 def shaded(faces: Faces, camera: Camera) -> list[tuple[float, float, float]]:

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
-import numpy as np
+from itertools import product
 
-from reports.figures.view import NAME, freed, sides
+import numpy as np
+import pytest
+
+from reports.figures.view import NAME, along, freed
 
 
 def test_a_name_is_lowered_until_both_can_be_read() -> None:
@@ -16,10 +19,8 @@ def test_a_name_is_lowered_until_both_can_be_read() -> None:
         np.testing.assert_array_equal(freed(clear, [first]), clear)
 
 
-def test_the_drawn_sides_of_a_triangle_go_from_corner_to_next() -> None:
-    corners = np.array([[0.0, 0.0], [4.0, 0.0], [0.0, 3.0]])
-    path = sides(corners, np.array([True, False, True]))
-    assert [tuple(map(tuple, each)) for each in path.vertices.reshape(-1, 2, 2).tolist()] == [
-        ((0.0, 0.0), (4.0, 0.0)),
-        ((0.0, 3.0), (0.0, 0.0)),
-    ]
+@pytest.mark.parametrize("drawn", [each for each in product((False, True), repeat=3) if any(each)])
+def test_a_closed_line_runs_along_the_drawn_edges_of_a_triangle_and_no_other(drawn: tuple[bool, bool, bool]) -> None:
+    corners = along(drawn)
+    passed = {frozenset(pair) for pair in zip(corners, [*corners[1:], corners[0]], strict=True)}
+    assert passed == {frozenset({k, (k + 1) % 3}) for k in range(3) if drawn[k]}

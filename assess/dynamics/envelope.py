@@ -40,6 +40,8 @@ FROM = 0.2
 BISECTIONS = 40
 AT_ONCE = 8
 """Steps of the scan that are asked together; a frequency that fell within them is asked no more."""
+SAME = 1e-12
+"""Of the largest value of a table: less than this between two branches is rounding."""
 CHUNK = 25
 """Frequencies given to a thread at a time."""
 
@@ -266,9 +268,14 @@ def _resisted(oscillator: Oscillator) -> float:
 
 
 def alike(one: Branch, other: Branch) -> bool:
-    """Whether two branches are the same to the last digit."""
+    """Whether two branches are the same but for rounding, of meshes and of what is computed from them."""
     columns = ("rotation", "inertia", "restoring", "excitation")
     return one is other or (
-        one.restitution == other.restitution
-        and all(np.array_equal(getattr(one, name), getattr(other, name)) for name in columns)
+        one.rotation.shape == other.rotation.shape
+        and abs(one.restitution - other.restitution) <= SAME
+        and all(_same(getattr(one, name), getattr(other, name)) for name in columns)
     )
+
+
+def _same(one: FloatArray, other: FloatArray) -> bool:
+    return bool(np.abs(one - other).max() <= SAME * np.abs(one).max())

@@ -87,11 +87,14 @@ def test_a_mirrored_oscillator_has_the_same_bound_in_the_other_polarity(equation
 @BOTH
 def test_branches_that_are_alike_need_one_polarity(equation: Equation) -> None:
     same = Oscillator(ONE, replace(ONE, inertia=ONE.inertia.copy()), 1.0)
-    nearly = Oscillator(ONE, replace(ONE, inertia=ONE.inertia * (1 + 1e-14)), 1.0)
+    rounded = Oscillator(ONE, replace(ONE, inertia=ONE.inertia * (1 + 1e-14)), 1.0)
+    nearly = Oscillator(ONE, replace(ONE, inertia=ONE.inertia * (1 + 1e-11)), 1.0)
     assert alike(*same.branches)
+    assert alike(*rounded.branches)
     assert not alike(*nearly.branches)
     assert not alike(ONE, replace(ONE, restitution=0.91))
-    assert (polarities(BLOCK), polarities(same), polarities(nearly), polarities(ONE_SIDED)) == ((1,), (1,), (1, -1), (1, -1))  # fmt: skip  # noqa: E501
+    assert not alike(ONE, plain_branch(SingleBlock(1.0, 1.0, 0.2, g / 4.0), restitution=0.9, end=1.4))
+    assert [polarities(each) for each in (BLOCK, same, rounded, nearly, ONE_SIDED)] == [(1,)] * 3 + [(1, -1)] * 2
     ours, theirs = mapped(same, equation), mapped(nearly, equation)
     np.testing.assert_allclose(ours.lower_bound, theirs.lower_bound, rtol=1e-10)
     np.testing.assert_array_equal(ours.overturned, theirs.overturned)

@@ -31,6 +31,7 @@ FloatArray = NDArray[np.float64]
 
 PERIODS: tuple[float, ...] = tuple(float(period) for period in np.geomspace(0.1, 20.0, 61))
 FEWEST = 5.0  # steps of the record in the shortest period
+GAIN = 1.5  # of the explained energy by refining, at most: it is some percent between two periods of the default grid
 WIDEST = 1.25  # ratio of neighbouring periods of a grid: beyond it a maximum can be missed
 
 
@@ -98,8 +99,8 @@ def primary_pulses(
     coarse = _best_at_each(record, T, shape=shape)
     share = np.array([0.0, *(fit.explained for fit in coarse), 0.0])
     peaks = np.flatnonzero((share[1:-1] > share[:-2]) & (share[1:-1] >= share[2:]))
-    found = _distinct([_refined(record, coarse[k], shape=shape, grid=T) for k in peaks])
-    return tuple(_pulse(fit, shape=shape, energy=energy, grid=T) for fit in found[:count])
+    found = _best([coarse[k] for k in peaks], record, shape=shape, grid=T, count=count)
+    return tuple(_pulse(fit, shape=shape, energy=energy, grid=T) for fit in found)
 
 
 def _grid(record: Record, period: ArrayLike, *, shape: Shape) -> FloatArray:
@@ -166,6 +167,18 @@ def _refined(record: Record, fit: _Fit, *, shape: Shape, grid: FloatArray) -> _F
         options={"initial_simplex": simplex, "xatol": 1e-6, "fatol": 1e-11, "maxfev": 200},
     )
     return near(found.x)
+
+
+def _best(coarse: list[_Fit], record: Record, *, shape: Shape, grid: FloatArray, count: int) -> list[_Fit]:
+    """The `count` best maxima, refined, best first; those that cannot come so far are left as they are."""
+    refined: list[_Fit] = []
+    found: list[_Fit] = []
+    for fit in sorted(coarse, key=lambda fit: -fit.explained):
+        if len(found) >= count and GAIN * fit.explained < found[count - 1].explained:
+            break
+        refined.append(_refined(record, fit, shape=shape, grid=grid))
+        found = _distinct(refined)
+    return found[:count]
 
 
 def _distinct(fits: list[_Fit]) -> list[_Fit]:

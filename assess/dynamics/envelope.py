@@ -16,32 +16,36 @@ import os
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
-from math import ceil, log
+from functools import partial
+from math import ceil, log, sqrt
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.constants import g
+from scipy.integrate import trapezoid
 
-from assess.dynamics.packing import Equation, packed
-from assess.dynamics.pulse_response import PulseJobs, closed, prepared
-from assess.dynamics.sine.kernel import sine_bounds
-from assess.oscillator import Branch, Oscillator, linearise
+from assess.dynamics import kernel
+from assess.dynamics.packing import Equation, packed, tables_of
+from assess.dynamics.pulse_response import TOLERANCE, check_frequency, closed, polynomials
+from assess.dynamics.sine.kernel import envelope_sine
+from assess.oscillator import Branch, Oscillator, energy, linearise
 from records.pulses import Shape
 
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
 BoolArray = NDArray[np.bool_]
-Falls = Callable[[IntArray, IntArray, FloatArray], BoolArray]
 
 SCAN = {"linearised": 1.01, "exact": 1.02}
 """Ratio of two amplitudes of the scan for the lower bound."""
 FROM = 0.2
 """Of the peak acceleration that is resisted at most: where the scan begins on joints without a threshold of uplift."""
 BISECTIONS = 40
-AT_ONCE = 8
-"""Steps of the scan that are asked together; a frequency that fell within them is asked no more."""
-CHUNK = 25
-"""Frequencies given to a thread at a time."""
+MARGIN = 0.99
+"""Of the impulse that overturns: tables bow between their nodes, and the kernel errs by 1e-7."""
+SAME = 1e-12
+"""Of the largest value of a table: less than this between two branches is rounding."""
+CHUNK = 3
+"""Frequencies given to a thread at a time: slow pulses cost more than quick ones."""
 
 
 @dataclass(frozen=True)
@@ -77,172 +81,75 @@ def envelope(
     factor: FloatArray | None = None,
     threads: int = 0,
 ) -> Envelope:
-    """The envelope of one mechanism; factor: of the ground's amplitude at its base, at each frequency [n]."""
+    """The envelope of one mechanism over rising amplitudes; factor: of the ground's at its base, at each frequency [n].
+
+    Raises MechanismError for a branch that cannot rock, ValueError for a frequency that is not positive.
+    """
+    check_frequency(frequency)
     times = np.ones_like(frequency) if factor is None else factor
-    falls = _falls(oscillator, shape, frequency, equation=equation, threads=threads)
-    overturned = _mapped(falls, len(polarities(oscillator)), amplitude[None, :] * times[:, None])
-    bounds = _bounds(
-        oscillator, shape, frequency, equation=equation, factor=times, highest=float(amplitude.max()), threads=threads
-    )
-    bound, polarity = _least(_below_the_map(bounds, amplitude, overturned, falls, times), oscillator)
-    uplift, worse = threshold(oscillator, equation) / times, np.asarray(np.any(overturned, axis=0))
+    signs = np.array(polarities(oscillator), dtype=np.float64)
+    overturned = np.empty((frequency.size, signs.size, amplitude.size), dtype=np.bool_)
+    least = np.empty((frequency.size, 2))
+    each = frequency, times, safe(oscillator, shape, frequency, equation=equation)
+    scan = _scan(oscillator, times, equation=equation, highest=float(amplitude.max()))
+    fill = _filling(oscillator, shape, equation)
+
+    def work(part: slice) -> None:
+        fill(
+            *(values[part] for values in each), scan[part], signs, amplitude, BISECTIONS, overturned[part], least[part]
+        )
+
+    with ThreadPoolExecutor(threads or os.cpu_count() or 1) as pool:
+        list(pool.map(work, [slice(i, i + CHUNK) for i in range(0, frequency.size, CHUNK)]))
+    bound = np.where(np.isfinite(least[:, 0]), least[:, 0], np.nan)
+    polarity, uplift = least[:, 1].astype(np.int64), threshold(oscillator, equation) / times
+    worse = np.asarray(np.any(overturned, axis=1))
     return Envelope(shape, equation, frequency, amplitude, worse, bound, polarity, uplift, times)
 
 
-def _falls(oscillator: Oscillator, shape: Shape, frequency: FloatArray, *, equation: Equation, threads: int) -> Falls:
-    """What tells whether pulses overturn the oscillator [k]: by their polarity, frequency and amplitude at the base.
-
-    polarity [k], of [k] : indices of `polarities` and of `frequency` [n]; amplitude [k] [m/s2]
-    """
-    answer = prepared([oscillator], shape, frequency, equation=equation, threads=threads)
-    signs = np.array(polarities(oscillator))
-
-    def falls(polarity: IntArray, of: IntArray, amplitude: FloatArray) -> BoolArray:
-        return answer(PulseJobs(np.zeros(of.size, dtype=np.int64), of, signs[polarity] * amplitude)).overturned
-
-    return falls
-
-
-def _mapped(falls: Falls, polarities: int, amplitude: FloatArray) -> BoolArray:
-    """Whether amplitudes at the base [n, m] overturn [polarities, n, m]."""
-    n, m = amplitude.shape
-    of, polarity, place = np.indices((n, polarities, m)).reshape(3, -1)  # all of one frequency together
-    return np.moveaxis(falls(polarity, of, amplitude[of, place]).reshape(n, polarities, m), 1, 0)
-
-
-def lower_bounds(
-    oscillator: Oscillator,
-    shape: Shape,
-    frequency: FloatArray,
-    *,
-    equation: Equation,
-    factor: FloatArray,
-    highest: float,
-    threads: int = 0,
-) -> tuple[FloatArray, IntArray]:
-    """Least amplitude of the ground that overturns at each frequency [n] [m/s2], up to `highest`, and its polarity.
-
-    factor : of the ground's amplitude at the mechanism's base [n]. nan and 0 where no amplitude overturns.
-    """
-    bounds = _bounds(oscillator, shape, frequency, equation=equation, factor=factor, highest=highest, threads=threads)
-    return _least(bounds, oscillator)
-
-
-def _bounds(
-    oscillator: Oscillator,
-    shape: Shape,
-    frequency: FloatArray,
-    *,
-    equation: Equation,
-    factor: FloatArray,
-    highest: float,
-    threads: int,
-) -> FloatArray:
-    """The same of each polarity that differs [polarities, n], inf where nothing overturns."""
-    lowest = (threshold(oscillator, equation) or FROM * _resisted(oscillator)) / factor
+def _filling(oscillator: Oscillator, shape: Shape, equation: Equation) -> Callable[..., None]:
+    """The kernel's envelope of the oscillator and the shape."""
+    one = packed(oscillator, equation)
     if closed(shape, equation):
-        return _closed(oscillator, shape, frequency, lowest * factor, highest * factor, threads=threads) / factor
-    falls = _falls(oscillator, shape, frequency, equation=equation, threads=threads)
-    both = len(polarities(oscillator))
-    return _scanned(falls, both, lowest, factor, ratio=SCAN[equation], highest=highest)
+        return partial(envelope_sine, one.branches, shape.end)
+    if equation == "linearised":
+        return partial(kernel.envelope_linearised, one.branches, *polynomials(shape))
+    table, smooth, (span,) = tables_of([one])
+    return partial(kernel.envelope_exact, one.branches, table, smooth, span, TOLERANCE, *polynomials(shape))
 
 
-def _least(bounds: FloatArray, oscillator: Oscillator) -> tuple[FloatArray, IntArray]:
-    """Of bounds [polarities, n], the lower, nan where there is none, and its polarity, 0 where there is none."""
-    worst, least = bounds.argmin(axis=0), bounds.min(axis=0)
-    polarity = np.where(np.isfinite(least), np.array(polarities(oscillator))[worst], 0)
-    return np.where(np.isfinite(least), least, np.nan), polarity.astype(np.int64)
+def _scan(oscillator: Oscillator, factor: FloatArray, *, equation: Equation, highest: float) -> FloatArray:
+    """Amplitudes of the ground at which the lower bound is looked for first [n, k]; the last ones are `highest`."""
+    lowest = (threshold(oscillator, equation) or FROM * _resisted(oscillator)) / factor
+    steps = ceil(log(max(highest / lowest.min(), 1.0)) / log(SCAN[equation])) + 1
+    return np.minimum(lowest[:, None] * SCAN[equation] ** np.arange(steps), highest)
 
 
-def _below_the_map(
-    bounds: FloatArray, amplitude: FloatArray, overturned: BoolArray, falls: Falls, factor: FloatArray
-) -> FloatArray:
-    """Bounds [polarities, n] that are never above an amplitude [m] of the map that overturns [polarities, n, m].
+def safe(oscillator: Oscillator, shape: Shape, frequency: FloatArray, *, equation: Equation) -> FloatArray:
+    """Peak acceleration at the base that is too weak to overturn, whatever the phase, at each frequency [n] [m/s2].
 
-    The map may meet a band that the scan has stepped over.
+    By the impulse: the energy E = I phi'^2 / 2 + V changes at the rate -B u_g'' phi', and |phi'| <= sqrt(2 E / I), so
+    that sqrt(2 E) grows by no more than the integral of |u_g''| B / sqrt(I), besides what impacts take. Who overturns
+    passes the work up to overturning. Where an impact that turns the body about a nearer hinge adds energy, the one
+    that follows takes more.
     """
-    first = overturned.argmax(axis=2)
-    met = np.where(overturned.any(axis=2), amplitude[first], np.inf)
-    better = np.nonzero(met < bounds)
-    low = np.where(first > 0, amplitude[np.maximum(first - 1, 0)], 0.0)
-    lower = bounds.copy()
-    lower[better] = _between(low[better], met[better], better, falls, factor)
-    return lower
+    tables = [_impulsive(branch, equation) for branch in oscillator.branches]
+    needed, gained, at_rest = (np.array(column) for column in zip(*tables, strict=True))
+    left = np.array([branch.restitution for branch in oscillator.branches]) * np.sqrt(at_rest[::-1] / at_rest)
+    theta = np.linspace(shape.start, shape.end, 2001)
+    impulse = float(trapezoid(np.abs(shape.value(theta)), theta)) / (2.0 * np.pi * frequency)
+    return np.asarray(MARGIN * needed.min() / (gained.max() * max(1.0, left.max()) * impulse))
 
 
-def _between(
-    low: FloatArray, high: FloatArray, which: tuple[IntArray, ...], falls: Falls, factor: FloatArray
-) -> FloatArray:
-    """By bisection, from amplitudes of the ground that stand to those that overturn [k].
-
-    which : the polarity [k] and the frequency [k] of each, as indices
-    """
-    polarity, of = which
-    for _ in range(BISECTIONS if of.size else 0):
-        middle = 0.5 * (low + high)
-        fell = falls(polarity, of, middle * factor[of])
-        low, high = np.where(fell, low, middle), np.where(fell, middle, high)
-    return high
-
-
-def _closed(
-    oscillator: Oscillator,
-    shape: Shape,
-    frequency: FloatArray,
-    lowest: FloatArray,
-    highest: FloatArray,
-    *,
-    threads: int,
-) -> FloatArray:
-    """Bounds at the base between two amplitudes at each frequency [polarities, n], inf where nothing overturns."""
-    branch, signs = packed(oscillator, "linearised").branches, polarities(oscillator)
-    bounds = np.empty((len(signs), frequency.size))
-
-    def work(part: tuple[int, slice]) -> None:
-        row, some = part
-        limits = lowest[some], highest[some]
-        ratio, sign = SCAN["linearised"], float(signs[row])
-        sine_bounds(branch, shape.end, frequency[some], *limits, ratio, sign, BISECTIONS, bounds[row, some])
-
-    parts = [(row, slice(i, i + CHUNK)) for row in range(len(signs)) for i in range(0, frequency.size, CHUNK)]
-    with ThreadPoolExecutor(threads or os.cpu_count() or 1) as pool:
-        list(pool.map(work, parts))
-    return bounds
-
-
-def _scanned(
-    falls: Falls, polarities: int, lowest: FloatArray, factor: FloatArray, *, ratio: float, highest: float
-) -> FloatArray:
-    """Bounds of the ground's amplitude [polarities, n], inf where nothing overturns."""
-    powers = ratio ** np.arange(ceil(log(max(highest / lowest.min(), 1.0)) / log(ratio)) + 1)
-
-    def scan(of: IntArray, place: IntArray) -> FloatArray:
-        return np.minimum(lowest[of] * powers[place], highest)
-
-    first = _first(
-        lambda i, of, place: falls(i, of, scan(of, place) * factor[of]), polarities, factor.size, powers.size
-    )
-    found = np.nonzero(first < powers.size)
-    of, place = found[1], first[found]
-    low = np.where(place > 0, scan(of, np.maximum(place - 1, 0)), 0.0)
-    bounds = np.full(first.shape, np.inf)
-    bounds[found] = _between(low, scan(of, place), found, falls, factor)
-    return bounds
-
-
-def _first(falls: Callable[[IntArray, IntArray, IntArray], BoolArray], polarities: int, n: int, steps: int) -> IntArray:
-    """The first step of a scan that falls, of each polarity and frequency [polarities, n]; `steps` where none does.
-
-    falls : of polarities [k], frequencies [k] and steps [k], as indices. Beyond the first step no more is asked.
-    """
-    first = np.full((polarities, n), steps)
-    for begin in range(0, steps, AT_ONCE):
-        polarity, of = np.nonzero(first == steps)
-        place = np.arange(begin, min(begin + AT_ONCE, steps))
-        each = np.repeat(np.arange(of.size), place.size)
-        down = falls(polarity[each], of[each], np.tile(place, of.size)).reshape(of.size, place.size)
-        first[polarity, of] = np.where(down.any(axis=1), begin + down.argmax(axis=1), steps)
-    return first
+def _impulsive(branch: Branch, equation: Equation) -> tuple[float, float, float]:
+    """Of one branch: sqrt(2 E) at overturning, the largest B / sqrt(I), and I at rest."""
+    if equation == "linearised":
+        form = linearise(branch)
+        needed = sqrt(form.stiffness) * form.overturning
+        return needed, form.excitation / sqrt(form.inertia), form.inertia
+    end = np.array(min(branch.unstable, float(branch.rotation[-1])))
+    gained = np.abs(branch.excitation) / np.sqrt(branch.inertia)
+    return sqrt(2.0 * float(energy(branch, end))), float(gained.max()), float(branch.inertia[0])
 
 
 def polarities(oscillator: Oscillator) -> tuple[int, ...]:
@@ -266,9 +173,14 @@ def _resisted(oscillator: Oscillator) -> float:
 
 
 def alike(one: Branch, other: Branch) -> bool:
-    """Whether two branches are the same to the last digit."""
+    """Whether two branches are the same but for rounding, of meshes and of what is computed from them."""
     columns = ("rotation", "inertia", "restoring", "excitation")
     return one is other or (
-        one.restitution == other.restitution
-        and all(np.array_equal(getattr(one, name), getattr(other, name)) for name in columns)
+        one.rotation.shape == other.rotation.shape
+        and abs(one.restitution - other.restitution) <= SAME
+        and all(_same(getattr(one, name), getattr(other, name)) for name in columns)
     )
+
+
+def _same(one: FloatArray, other: FloatArray) -> bool:
+    return bool(np.abs(one - other).max() <= SAME * np.abs(one).max())

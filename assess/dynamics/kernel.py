@@ -34,6 +34,7 @@ from assess.kernel import compiled, entry, reachable
 
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
+BoolArray = NDArray[np.bool_]
 Arc = tuple[float, float, float, float, float, float, float, float, float]  # of y [-], lowest power of time first
 State = tuple[float, float, float]  # y [-], y' [1/s], y'' [1/s2]
 Ground = tuple[float, ...]  # acceleration as a polynomial of time, lowest power first: 2 of a record, 6 of a pulse
@@ -42,6 +43,8 @@ Glide = Callable[..., tuple[int, float, float]]
 Step = Callable[..., tuple[Arc, float, State]]
 Potential = Callable[..., float]
 March = Callable[..., int]
+Overturns = Callable[[Any, float], bool]
+Seek = Callable[..., None]
 
 REST = 1e-4
 """After an impact slower than REST times the velocity that reaches 1 (p, linearised) on the side that it comes to, with
@@ -427,6 +430,62 @@ def marching(glide: Glide, step: Step, potential: Potential) -> March:
     return march
 
 
+# ------------------------------------------------------------------------------------ pulses of one frequency, shared
+
+
+def seeking(overturns: Overturns) -> Seek:
+    """What maps the pulses of one frequency and seeks the least that overturns, by the equation of `overturns`."""
+
+    @compiled
+    def between(job: Any, low: float, high: float, factor: float, bisections: int) -> float:
+        """By bisection, from an amplitude of the ground that the body stands to one that overturns it.
+
+        factor: of it at the base, with the sign of the polarity.
+        """
+        for _ in range(bisections):
+            middle = 0.5 * (low + high)
+            if overturns(job, middle * factor):
+                high = middle
+            else:
+                low = middle
+        return high
+
+    @compiled
+    def seek(job: Any, factor: float, safe: float, scan: FloatArray, signs: FloatArray, amplitude: FloatArray,
+             bisections: int, overturned: BoolArray, least: FloatArray) -> None:  # fmt: skip
+        """Fills overturned [polarities, m]; least: the least amplitude that overturns, inf where none, and its sign.
+
+        factor: of the ground's amplitude at the base; safe: at the base, what overturns nothing [m/s2]; scan [k],
+        amplitude [m]: of the ground, rising [m/s2]; signs [polarities].
+
+        The scan ends at the first step that overturns in any polarity, for the others need more.
+        """
+        bound, sign = math.inf, 0.0
+        for q in range(len(signs)):
+            for m in range(len(amplitude)):
+                base = amplitude[m] * factor
+                overturned[q, m] = base > safe and overturns(job, signs[q] * base)
+        for k in range(len(scan)):
+            if scan[k] * factor > safe:
+                for q in range(len(signs)):
+                    if overturns(job, signs[q] * (scan[k] * factor)):
+                        edge = between(job, scan[k - 1] if k > 0 else 0.0, scan[k], signs[q] * factor, bisections)
+                        if edge < bound:
+                            bound, sign = edge, signs[q]
+            if sign != 0.0 or scan[k] == scan[-1]:
+                break
+        for q in range(len(signs)):  # the map may meet a band that the scan has stepped over
+            for m in range(len(amplitude)):
+                if overturned[q, m]:
+                    if amplitude[m] < bound:
+                        low = amplitude[m - 1] if m > 0 else 0.0
+                        bound, sign = between(job, low, amplitude[m], signs[q] * factor, bisections), signs[q]
+                    break
+        least[0], least[1] = bound, sign
+
+    return seek
+
+
 # --------------------------------------------------------------------------------------------------- the linearised
 
 
@@ -578,6 +637,16 @@ def of_frequency(ground: FloatArray, pulse: FloatArray, frequency: float) -> Non
             factor *= 2.0 * math.pi * frequency
 
 
+@reachable
+def overturns_linearised(job: Any, scale: float) -> bool:
+    """Whether a pulse of peak acceleration `scale`, with its sign, overturns."""
+    flow, branch, ground, dt, found, path, events = job
+    for side in range(2):
+        branch[side, LIMIT] = 1.0 + abs(scale) / branch[side, THRESHOLD]
+    march_linearised(flow, branch, ground, dt, scale, 0.0, found, path, events, True)
+    return bool(found[OVERTURNED] > 0.0)
+
+
 @entry
 def pulse_linearised(branches: FloatArray, pulse: FloatArray, phase: float, frequency: FloatArray,
                      oscillator: IntArray, motion: IntArray, scale: FloatArray, found: FloatArray) -> None:  # fmt: skip
@@ -596,9 +665,31 @@ def pulse_linearised(branches: FloatArray, pulse: FloatArray, phase: float, freq
             of_frequency(ground, pulse, frequency[m])
             linearised_sides(sides, branch, dt)
             linearised_pushes(pushes, sides, ground, dt)
-        for side in range(2):
-            branch[side, LIMIT] = 1.0 + abs(scale[j]) / branch[side, THRESHOLD]
-        march_linearised((sides, pushes), branch, ground, dt, scale[j], 0.0, found[j], path, events, True)
+        overturns_linearised(((sides, pushes), branch, ground, dt, found[j], path, events), scale[j])
+
+
+seek_linearised = seeking(overturns_linearised)
+
+
+@entry
+def envelope_linearised(branch: FloatArray, pulse: FloatArray, phase: float, frequency: FloatArray, factor: FloatArray,
+                        safe: FloatArray, scan: FloatArray, signs: FloatArray, amplitude: FloatArray, bisections: int,
+                        overturned: BoolArray, least: FloatArray) -> None:  # fmt: skip
+    """Map and lower bound of one oscillator by the linearised equation at n frequencies.
+
+    branch [2, 6]; pulse, phase: as of `pulse_linearised`; frequency [n] [Hz]; factor, safe [n], scan [n, k], signs,
+    amplitude [m], bisections: as of `seek`, which fills overturned [n, polarities, m] and least [n, 2].
+    """
+    sides, pushes = np.empty((2, 8)), np.empty((2, len(pulse), 2))
+    own, ground, found = branch.copy(), np.empty((len(pulse), 6)), np.empty(FOUND)
+    path, events = np.empty((0, 3)), np.zeros((1, 4))
+    for i in range(len(frequency)):
+        dt = phase / (2.0 * math.pi * frequency[i])
+        of_frequency(ground, pulse, frequency[i])
+        linearised_sides(sides, own, dt)
+        linearised_pushes(pushes, sides, ground, dt)
+        job = ((sides, pushes), own, ground, dt, found, path, events)
+        seek_linearised(job, factor[i], safe[i], scan[i], signs, amplitude, bisections, overturned[i], least[i])
 
 
 # --------------------------------------------------------------------------------------------------------- the exact
@@ -805,6 +896,16 @@ def rock_exact(branches: FloatArray, table: FloatArray, smooth: IntArray, spans:
     return samples
 
 
+@reachable
+def overturns_exact(job: Any, scale: float) -> bool:
+    """Whether a pulse of peak acceleration `scale`, with its sign, overturns."""
+    flow, branch, ground, dt, found, path, events = job
+    _, _, span, hint, _, _, pace = flow
+    hint[0], hint[1], pace[0] = span[0, 0], span[1, 0], math.inf
+    march_exact(flow, branch, ground, dt, scale, 0.0, found, path, events, True)
+    return bool(found[OVERTURNED] > 0.0)
+
+
 @entry
 def pulse_exact(branches: FloatArray, table: FloatArray, smooth: IntArray, spans: IntArray, tolerance: float,
                 pulse: FloatArray, phase: float, frequency: FloatArray, oscillator: IntArray, motion: IntArray,
@@ -815,12 +916,28 @@ def pulse_exact(branches: FloatArray, table: FloatArray, smooth: IntArray, spans
     ground, path, events = np.empty((len(pulse), 6)), np.empty((0, 3)), np.zeros((1, 4))
     for j in range(oscillator.shape[0]):
         m, o = motion[j], oscillator[j]
-        branch, span = branches[o], spans[o]
-        dt = phase / (2.0 * math.pi * frequency[m])
         if j == 0 or motion[j - 1] != m:
             of_frequency(ground, pulse, frequency[m])
-        for side in range(2):
-            hint[side], slow[side] = span[side, 0], 0.2 / branch[side, RATE]
-        flow = (table, smooth, span, hint, 1.0 / tolerance, slow, pace)
-        pace[0] = math.inf
-        march_exact(flow, branch, ground, dt, scale[j], 0.0, found[j], path, events, True)
+        slow[0], slow[1] = 0.2 / branches[o, 0, RATE], 0.2 / branches[o, 1, RATE]
+        flow, dt = (table, smooth, spans[o], hint, 1.0 / tolerance, slow, pace), phase / (2.0 * math.pi * frequency[m])
+        overturns_exact((flow, branches[o], ground, dt, found[j], path, events), scale[j])
+
+
+seek_exact = seeking(overturns_exact)
+
+
+@entry
+def envelope_exact(branch: FloatArray, table: FloatArray, smooth: IntArray, span: IntArray, tolerance: float,
+                   pulse: FloatArray, phase: float, frequency: FloatArray, factor: FloatArray, safe: FloatArray,
+                   scan: FloatArray, signs: FloatArray, amplitude: FloatArray, bisections: int, overturned: BoolArray,
+                   least: FloatArray) -> None:  # fmt: skip
+    """Map and lower bound of one oscillator by the exact equation at each frequency, as `envelope_linearised`."""
+    hint = np.empty(2, dtype=np.int64)
+    slow, pace = 0.2 / branch[:, RATE], np.empty(1)
+    flow = (table, smooth, span, hint, 1.0 / tolerance, slow, pace)
+    ground, found = np.empty((len(pulse), 6)), np.empty(FOUND)
+    path, events = np.empty((0, 3)), np.zeros((1, 4))
+    for i in range(len(frequency)):
+        of_frequency(ground, pulse, frequency[i])
+        job = (flow, branch, ground, phase / (2.0 * math.pi * frequency[i]), found, path, events)
+        seek_exact(job, factor[i], safe[i], scan[i], signs, amplitude, bisections, overturned[i], least[i])

@@ -12,7 +12,7 @@ import os
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
-from functools import partial
+from functools import lru_cache, partial
 from itertools import pairwise
 from math import ceil, pi
 
@@ -86,9 +86,7 @@ def prepared(
     Jobs of one oscillator and one frequency are quickest one after the other. Raises MechanismError for a branch that
     cannot rock, ValueError for a frequency that is not positive.
     """
-    bad = np.flatnonzero(~(np.isfinite(frequency) & (frequency > 0.0)))
-    if bad.size:
-        raise ValueError(f"frequency[{bad[0]}] = {frequency[bad[0]]} Hz of a pulse; it must be a positive number")
+    check_frequency(frequency)
     each = [packed(oscillator, equation) for oscillator in oscillators]
     if closed(shape, equation):
         run: Run = partial(sine_outcomes, branches_of(each), shape.end, np.ascontiguousarray(frequency))
@@ -120,6 +118,13 @@ def prepared(
     return answer
 
 
+def check_frequency(frequency: FloatArray) -> None:
+    """Raises ValueError for a frequency [n] that is not positive."""
+    bad = np.flatnonzero(~(np.isfinite(frequency) & (frequency > 0.0)))
+    if bad.size:
+        raise ValueError(f"frequency[{bad[0]}] = {frequency[bad[0]]} Hz of a pulse; it must be a positive number")
+
+
 def closed(shape: Shape, equation: Equation) -> bool:
     """Whether the motion between two events is closed: a sine, whole or half, by the linearised equation."""
     return equation == "linearised" and shape.name in ("sine", "half-sine")
@@ -140,6 +145,14 @@ def polynomials(shape: Shape) -> tuple[FloatArray, float]:
     """The shape as polynomials of phase from the beginning of each piece, lowest power first [n, 6], and the phase of
     a piece [rad]."""
     n = max(ceil(PIECES * (shape.end - shape.start) / (2 * pi)), 2)
-    theta = np.linspace(shape.start, shape.end, n + 1)
-    pieces = PPoly.from_bernstein_basis(BPoly.from_derivatives(theta, shape.derivatives(theta)[:3].T))
-    return np.ascontiguousarray(pieces.c[::-1].T), (shape.end - shape.start) / n
+    return _fitted(shape, n), (shape.end - shape.start) / n
+
+
+@lru_cache(maxsize=8)
+def _fitted(shape: Shape, pieces: int) -> FloatArray:
+    """The polynomials [pieces, 6], made once for all mechanisms: it takes longer than the histories of one."""
+    theta = np.linspace(shape.start, shape.end, pieces + 1)
+    fitted = PPoly.from_bernstein_basis(BPoly.from_derivatives(theta, shape.derivatives(theta)[:3].T))
+    coefficients = np.ascontiguousarray(fitted.c[::-1].T)
+    coefficients.flags.writeable = False
+    return coefficients

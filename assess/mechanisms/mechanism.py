@@ -15,9 +15,11 @@ from assess.mechanisms.joint import Joint
 Sides = Literal["one", "two"]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Mechanism:
     """One way in which masonry can collapse.
+
+    Equal to itself only, so that its oscillator can be made once.
 
     Attributes
     ----------

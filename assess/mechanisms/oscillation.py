@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 from assess.mechanisms.flexible_table import flexible_oscillator
 from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.table import branch
 from assess.oscillator import Oscillator
 
 
+@lru_cache(maxsize=256)
 def oscillator(mechanism: Mechanism) -> Oscillator:
     """The mechanism as the dynamics and the codes see it."""
     if mechanism.flexible:

@@ -41,7 +41,7 @@ from scipy.constants import g
 from scipy.integrate import solve_ivp
 
 from assess.dynamics.critical import critical
-from assess.dynamics.envelope import envelope, lower_bounds
+from assess.dynamics.envelope import envelope
 from assess.dynamics.history import _RUNS, Jobs, Peaks, peaks, product
 from assess.dynamics.kernel import FOUND, REST
 from assess.dynamics.packing import Equation, packed
@@ -299,12 +299,11 @@ def envelopes() -> list[Row]:
     rows[0] = Row(
         rows[0].what, rows[0].cost, "s", rows[0].target, f"{np.abs(lowest[known] / unit / closed - 1).max():.1e}"
     )
-    mechanisms, one = blocks(20, seed=7), np.ones_like(frequency)
+    mechanisms, highest = blocks(20, seed=7), np.array([3.0 * g])
 
     def bounds() -> None:
         found = [
-            lower_bounds(each, SHAPES["sine"], frequency, equation="linearised", factor=one, highest=3.0 * g)[0]
-            for each in mechanisms
+            envelope(each, SHAPES["sine"], frequency, highest, equation="linearised").lower_bound for each in mechanisms
         ]
         critical(frequency, np.array(found))
 

@@ -26,8 +26,9 @@ from assess.dynamics.kernel import (
     REST,
     THRESHOLD,
     UPLIFTED,
+    seeking,
 )  # fmt: skip
-from assess.kernel import compiled, entry
+from assess.kernel import compiled, entry, reachable
 
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
@@ -159,28 +160,21 @@ def sine_outcomes(branches: FloatArray, end: float, frequency: FloatArray, oscil
         found[j, IMPACTS] = impacts
 
 
-@entry
-def sine_bounds(branch: FloatArray, end: float, frequency: FloatArray, lowest: FloatArray, highest: FloatArray,
-                ratio: float, sign: float, bisections: int, found: FloatArray) -> None:  # fmt: skip
-    """Least amplitude of one polarity that overturns at each frequency [n] [Hz]; fills found [n], inf where none does.
+@reachable
+def overturns(job: tuple[FloatArray, float, float], scale: float) -> bool:
+    """Whether a sine of peak acceleration `scale`, with its sign, overturns; job: branch, w, end as of `falls`."""
+    branch, w, end = job
+    return falls(branch, scale, w, end)[0]
 
-    Looked for from `lowest` [n] to `highest` [n] in steps of `ratio`, then between the last that stands and the first
-    that falls.
-    """
-    for i in range(frequency.shape[0]):
-        w, low, high = 2.0 * math.pi * frequency[i], 0.0, min(lowest[i], highest[i])
-        found[i] = math.inf
-        while not falls(branch, sign * high, w, end)[0]:
-            if high >= highest[i]:
-                high = math.inf
-                break
-            low, high = high, min(high * ratio, highest[i])
-        if high == math.inf:
-            continue
-        for _ in range(bisections):
-            middle = 0.5 * (low + high)
-            if falls(branch, sign * middle, w, end)[0]:
-                high = middle
-            else:
-                low = middle
-        found[i] = high
+
+seek = seeking(overturns)
+
+
+@entry
+def envelope_sine(branch: FloatArray, end: float, frequency: FloatArray, factor: FloatArray, safe: FloatArray,
+                  scan: FloatArray, signs: FloatArray, amplitude: FloatArray, bisections: int, overturned: BoolArray,
+                  least: FloatArray) -> None:  # fmt: skip
+    """Map and lower bound of one oscillator under a sine up to the phase `end`, as `envelope_linearised`."""
+    for i in range(len(frequency)):
+        job = (branch, 2.0 * math.pi * frequency[i], end)
+        seek(job, factor[i], safe[i], scan[i], signs, amplitude, bisections, overturned[i], least[i])

@@ -33,7 +33,7 @@ from assess.results import (
     SweepResult,
     View,
 )
-from assess.results_io import dumps, dumps_mechanisms, loads, read
+from assess.results_io import _at_once, _step_by_step, dumps, dumps_mechanisms, loads, read
 
 
 def oscillator() -> OscillatorResult:
@@ -97,6 +97,13 @@ def results() -> Results:
 
 def test_round_trip_keeps_every_value() -> None:
     assert loads(dumps(results())) == results()
+
+
+def test_read_at_once_as_step_by_step() -> None:
+    text = dumps(results())
+    assert _at_once(text) == _step_by_step(text, "results") == results()
+    told = replace(results(), warnings=(Notice("NaN", "Infinity", "a word, not a number"),))
+    assert loads(dumps(told)) == told
 
 
 def test_text_is_the_same_each_time_and_after_reading() -> None:

@@ -165,6 +165,17 @@ def test_refused(samples: np.ndarray, dt: float, period: list[float], text: str)
         primary_pulses(make_record("bad", samples, dt), period=period)
 
 
+@pytest.mark.parametrize("one", EVERY, ids=label)
+@pytest.mark.parametrize("count", [1, 3])
+def test_the_best_are_the_first_of_all(one: Shape, count: int) -> None:
+    """A maximum that is not refined could not have become one of them."""
+    for seed in (1, 2, 3):
+        assert (
+            primary_pulses(violent(seed), shape=one, count=count)
+            == primary_pulses(violent(seed), shape=one, count=99)[:count]
+        )
+
+
 def test_speed() -> None:
     record = make_record("long", np.random.default_rng(1).normal(size=10_000), 0.005)
     started = time.perf_counter()

@@ -313,7 +313,7 @@ def test_a_level_cut_is_the_mechanism_of_what_lies_above(tmp_path):
     assert min(z for _, z in mechanism.outlines[0][0]) == 1.5
     assert "amplification" in {notice.code for notice in study.notices}
     (at_base,) = study_of(tmp_path, mechanism="cut = 0").mechanisms
-    assert at_base == whole
+    assert vars(at_base) == vars(whole)
 
 
 def test_an_inclined_cut_has_each_hinge_at_its_own_elevation(tmp_path):

@@ -32,6 +32,8 @@ STYLES: dict[str, ParagraphStyle] = {
     "heading-1": ParagraphStyle(
         "heading-1", _ROOT, fontName=BOLD, fontSize=10.5, leading=14, spaceBefore=9, spaceAfter=4
     ),
+    "contents-0": ParagraphStyle("contents-0", _ROOT),
+    "contents-1": ParagraphStyle("contents-1", _ROOT, fontSize=7.6, leading=10, textColor=HexColor(MUTED)),
     "caption": ParagraphStyle("caption", _CELL, fontSize=7.4, leading=9.6, textColor=HexColor(INK)),
     "cell": _CELL,
     "number": ParagraphStyle("number", _CELL, alignment=TA_RIGHT),

@@ -84,7 +84,7 @@ def cell(paragraphs: Iterable[Sequence[Piece]], style: str, *, width: float) -> 
 
 def written(text: str, style: str) -> list[Piece]:
     """Plain text in one of STYLES."""
-    return [(printable(text), _look(style))]
+    return [(_spaced(text), _look(style))]
 
 
 def formula(text: str) -> list[Piece]:
@@ -92,7 +92,7 @@ def formula(text: str) -> list[Piece]:
     base = _look("cell")
     index, power = (Look(base.font, _SIZE_OF_INDEX, base.colour, rise) for rise in (_LOWERED, _RAISED))
     looks = {"": base, "index": index, "power": power}
-    return [(part, looks[kind]) for part, kind in parts(printable(text))]
+    return [(part, looks[kind]) for part, kind in parts(_spaced(text))]
 
 
 def ink(canvas: Canvas, cells: Iterable[tuple[Cell, float, float]]) -> None:
@@ -130,10 +130,16 @@ def _look(style: str) -> Look:
     return Look(of.fontName, of.fontSize, f"#{of.textColor.hexval()[2:]}")
 
 
+def _spaced(text: str) -> str:
+    """`text` in letters of the font, with one plain space between words; a space that forbids a break is a letter."""
+    return " ".join(_SPACES.split(printable(text))).strip(" ")
+
+
 def _lines(pieces: Sequence[Piece], *, width: float) -> list[Word]:
-    """One paragraph, as wide as `width` at most; one line where it is empty."""
-    if not pieces:
-        return [Word((), 0.0)]
+    """One paragraph, as wide as `width` at most; most paragraphs of tables have one line."""
+    whole = _word(pieces)
+    if whole.width <= width:
+        return [whole]
     space = (" ", pieces[0][1])
     wide = _width(space)
     lines, used = [list[Word]()], -wide
@@ -154,14 +160,13 @@ def _lines(pieces: Sequence[Piece], *, width: float) -> list[Word]:
 
 
 def _words(pieces: Iterable[Piece]) -> list[Word]:
-    """The words of a paragraph; a space that forbids a break is a letter."""
+    """The words of a paragraph."""
     words: list[list[Piece]] = [[]]
     for text, look in pieces:
-        first, *others = _SPACES.split(text)
+        first, *others = text.split(" ")
         words[-1].append((first, look))
         words += [[(each, look)] for each in others]
-    kept = [[piece for piece in word if piece[0]] for word in words]
-    return [_word(word) for word in kept if word]
+    return [_word([piece for piece in word if piece[0]]) for word in words]
 
 
 def _cut(word: Word, first: float, width: float) -> list[Word]:

@@ -50,10 +50,12 @@ class _Book:
 
     def format(self, look: Look) -> Format | None:
         """The format of a look; None for that of every cell."""
+        if not look:
+            return None
         key = tuple(look.items())
-        if key and key not in self.made:
+        if key not in self.made:
             self.made[key] = self.book.add_format(look)
-        return self.made.get(key)
+        return self.made[key]
 
 
 def write_xlsx(document: Document, path: Path) -> Path:

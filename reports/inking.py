@@ -2,18 +2,37 @@
 
 from __future__ import annotations
 
-from itertools import groupby
+from collections.abc import Callable, Mapping
+from itertools import chain, groupby
+from typing import Any
 
 from matplotlib.path import Path
 from reportlab.lib.colors import Color
 from reportlab.pdfgen.canvas import Canvas
-from reportlab.pdfgen.pathobject import PDFPathObject
 
-from reports.vector import Letters, Rectangle, Segment, Stroke, Traced
+from reports.vector import Letters, Rectangle, Rgba, Segment, Stroke, Traced
 
 _CAP = {"butt": 0, "projecting": 2, "round": 1}
 _JOIN = {"miter": 0, "round": 1, "bevel": 2}
-_OPERATORS = {int(Path.MOVETO): "m", int(Path.LINETO): "l", int(Path.CURVE3): "c", int(Path.CURVE4): "c"}
+_CLOSE = int(Path.CLOSEPOLY)
+_PLACE = "%.2f %.2f"  # a hundredth of a point is less than paper holds
+_OPERATORS = {
+    int(Path.MOVETO): f"{_PLACE} m",
+    int(Path.LINETO): f"{_PLACE} l",
+    int(Path.CURVE4): f"{_PLACE} {_PLACE} {_PLACE} c",
+    _CLOSE: "h",
+}
+_PAINT = {(True, True): "B", (True, False): "S", (False, True): "f", (False, False): "n"}  # a line, a filling
+_SETTING: Mapping[str, Callable[[Canvas, Any], None]] = {
+    "line": lambda canvas, ink: canvas.addLiteral("{:.4f} {:.4f} {:.4f} RG".format(*ink)),
+    "opacity of lines": lambda canvas, alpha: canvas.setStrokeAlpha(alpha),
+    "width": lambda canvas, width: canvas.addLiteral(f"{width:.3f} w"),
+    "cap": lambda canvas, cap: canvas.setLineCap(_CAP[cap]),
+    "join": lambda canvas, join: canvas.setLineJoin(_JOIN[join]),
+    "dashes": lambda canvas, dashes: canvas.setDash(list(dashes[0]), dashes[1]),
+    "filling": lambda canvas, ink: canvas.addLiteral("{:.4f} {:.4f} {:.4f} rg".format(*ink)),
+    "opacity of fillings": lambda canvas, alpha: canvas.setFillAlpha(alpha),
+}
 
 
 def replay(traced: Traced, canvas: Canvas, *, font: str, bold: str) -> None:
@@ -21,11 +40,10 @@ def replay(traced: Traced, canvas: Canvas, *, font: str, bold: str) -> None:
     for clip, marks in groupby(traced.marks, key=lambda mark: mark.clip if isinstance(mark, Stroke) else None):
         canvas.saveState()
         _clip(clip, canvas)
-        last: Stroke | None = None
+        held: dict[str, object] = {}
         for mark in marks:
             if isinstance(mark, Stroke):
-                _stroke(mark, last, canvas)
-                last = mark
+                _stroke(mark, held, canvas)
             else:
                 _write(mark, canvas, bold if mark.bold else font)
         canvas.restoreState()
@@ -38,38 +56,51 @@ def _clip(window: Rectangle | None, canvas: Canvas) -> None:
         canvas.clipPath(outline, stroke=0, fill=0)
 
 
-def _stroke(mark: Stroke, last: Stroke | None, canvas: Canvas) -> None:
-    """One outline; what its line and filling share with the last one is set already."""
-    if mark.line is not None and (last is None or _pen(mark) != _pen(last)):
-        canvas.setStrokeColor(Color(*mark.line))
-        canvas.setLineWidth(mark.width)
-        canvas.setLineCap(_CAP[mark.cap])
-        canvas.setLineJoin(_JOIN[mark.join])
-        canvas.setDash(list(mark.dashes[0]), mark.dashes[1])
-    if mark.filling is not None and (last is None or mark.filling != last.filling):
-        canvas.setFillColor(Color(*mark.filling))
-    outline = PDFPathObject(code=["n", *operators(mark.segments)])
-    canvas.drawPath(outline, stroke=int(mark.line is not None), fill=int(mark.filling is not None))
+def _stroke(mark: Stroke, held: dict[str, object], canvas: Canvas) -> None:
+    """One outline; what is `held` already is not set again."""
+    for name, value in (*_line(mark), *_filling(mark.filling)):
+        if held.get(name) != value:
+            held[name] = value
+            _SETTING[name](canvas, value)
+    paint = _PAINT[mark.line is not None, mark.filling is not None]
+    canvas.addLiteral(f"n {operators(mark.segments)} {paint}")
 
 
-def _pen(mark: Stroke) -> tuple[object, ...]:
-    return mark.line, mark.width, mark.cap, mark.join, mark.dashes
+def _line(mark: Stroke) -> tuple[tuple[str, object], ...]:
+    if mark.line is None:
+        return ()
+    ink = (("line", mark.line[:3]), ("opacity of lines", mark.line[3]))
+    return (*ink, ("width", mark.width), ("cap", mark.cap), ("join", mark.join), ("dashes", mark.dashes))
 
 
-def operators(segments: tuple[Segment, ...]) -> list[str]:
-    """The outline in the operators of PDF, to 0.001 pt; a curve of second degree raised to the third."""
-    made = []
+def _filling(ink: Rgba | None) -> tuple[tuple[str, object], ...]:
+    return () if ink is None else (("filling", ink[:3]), ("opacity of fillings", ink[3]))
+
+
+def operators(segments: tuple[Segment, ...]) -> str:
+    """The outline in the operators of PDF; a curve of second degree raised to the third.
+
+    The numbers of all segments are formatted at once: a report has a hundred thousand segments.
+    """
+    if any(code == Path.CURVE3 for _, code in segments):
+        segments = _raised(segments)
+    shape = " ".join([_OPERATORS[code] for _, code in segments])
+    return shape % tuple(chain.from_iterable([at for at, code in segments if code != _CLOSE]))
+
+
+def _raised(segments: tuple[Segment, ...]) -> tuple[Segment, ...]:
+    """The outline without curves of second degree."""
+    made: list[Segment] = []
     x, y = 0.0, 0.0
     for at, code in segments:
-        if code == Path.CLOSEPOLY:
-            made.append("h")
-            continue
         if code == Path.CURVE3:
             u, v, x1, y1 = at
-            at = ((x + 2 * u) / 3, (y + 2 * v) / 3, (x1 + 2 * u) / 3, (y1 + 2 * v) / 3, x1, y1)
-        made.append(" ".join([*[f"{number:.3f}" for number in at], _OPERATORS[code]]))
+            third = ((x + 2 * u) / 3, (y + 2 * v) / 3, (x1 + 2 * u) / 3, (y1 + 2 * v) / 3, x1, y1)
+            made.append((third, int(Path.CURVE4)))
+        else:
+            made.append((at, code))
         x, y = at[-2:]
-    return made
+    return tuple(made)
 
 
 def _write(mark: Letters, canvas: Canvas, font: str) -> None:

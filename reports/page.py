@@ -1,27 +1,47 @@
-"""The page: margins, header, footer with "page x of y", contents with links, bookmarks."""
+"""The page: margins, header, footer with "page x of y", bookmarks."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 from reportlab.lib.colors import HexColor
 from reportlab.lib.pagesizes import A4, LETTER
 from reportlab.lib.units import mm
 from reportlab.pdfgen.canvas import Canvas
-from reportlab.platypus import BaseDocTemplate, Flowable, Frame, PageTemplate, TableStyle
-from reportlab.platypus.tableofcontents import TableOfContents
+from reportlab.platypus import BaseDocTemplate, Flowable, Frame, PageTemplate
 
 from reports.document import Document
 from reports.lettering import printable, shortened
-from reports.style import GRID, INK, MUTED
-from reports.typeset import REGULAR, STYLES, markup, paragraph
+from reports.style import GRID, MUTED
+from reports.typeset import REGULAR, STYLES, paragraph
 
 PAPER = {"A4": A4, "letter": LETTER}
 _SIDE, _TOP, _BOTTOM = 18 * mm, 22 * mm, 20 * mm
 PAGE = "page {page} of {total}"
 _LONGEST_ENTRY = 90
-_LONGEST_CONTENTS = 48  # sections; of a longer report only the chapters are listed, the bookmarks have all
-_SIDES = ("LEFT", "RIGHT", "TOP", "BOTTOM")
+
+
+class LateCanvas(Canvas):
+    """A canvas on which room is left for what is known only when all pages are there: one pass over them is enough."""
+
+    def __init__(self, *given: Any, **named: Any) -> None:
+        super().__init__(*given, **named)
+        self._late: dict[str, Callable[[Canvas], None]] = {}
+
+    def later(self, name: str, draw: Callable[[Canvas], None]) -> None:
+        """Show here what `draw` draws at the end, within a page from the present origin on; name: used once."""
+        self._late[name] = draw
+        self.doForm(name)
+
+    def save(self) -> None:
+        """Draw what was left for later, and write the file."""
+        for name, draw in self._late.items():
+            self.beginForm(name)
+            draw(self)
+            self.endForm()
+        super().save()
 
 
 class Heading(Flowable):
@@ -36,10 +56,6 @@ class Heading(Flowable):
     def short(self) -> str:
         """The text as contents and bookmarks have it."""
         return shortened(printable(self.text), _LONGEST_ENTRY)
-
-    def entry(self, page: int) -> tuple[int, str, int, str]:
-        """Its entry in the contents, on `page`."""
-        return self.level, markup(self.short), page, self.key
 
     def getSpaceBefore(self) -> float:  # noqa: N802 - reportlab's name
         return float(STYLES[f"heading-{self.level}"].spaceBefore)
@@ -56,13 +72,11 @@ class Heading(Flowable):
 
 
 class Pages(BaseDocTemplate):
-    """The document template; the page total of one pass is printed by the next.
-
-    The first pass finds where the pages break; tables and figures are drawn from the second on, as a rule the last.
-    """
+    """The document template. numbers: of the pages on which headings stand, by their keys, as they become known."""
 
     def __init__(self, path: Path, document: Document) -> None:
-        self.document, self.total, self.passes = document, 0, 0
+        self.document = document
+        self.numbers: dict[str, int] = {}
         super().__init__(
             str(path),
             pagesize=PAPER[document.paper],
@@ -83,67 +97,37 @@ class Pages(BaseDocTemplate):
         frame = Frame(_SIDE, _BOTTOM, self.width, self.height, 0, 0, 0, 0, id="text")
         self.addPageTemplates(PageTemplate("page", [frame], onPage=self._furniture))
 
-    def foretold(self, story: list[Flowable]) -> list[Flowable]:
-        """The story whose contents know their headings, if not the pages: the first pass leaves the room they take."""
-        entries = [each.entry(0) for each in story if isinstance(each, Heading) and self._listed(each)]
-        for table in story:
-            if isinstance(table, TableOfContents):
-                table.addEntries(entries)
-        return story
-
-    def _listed(self, heading: Heading) -> bool:
-        """Whether the contents name the heading."""
-        return heading.level == 0 or len(self.document.sections) <= _LONGEST_CONTENTS
-
-    def beforeDocument(self) -> None:  # noqa: N802 - reportlab's name
-        """Count the passes."""
-        self.passes += 1
-
     def afterFlowable(self, flowable: Flowable) -> None:  # noqa: N802 - reportlab's name
         """Enter a heading into contents and bookmarks."""
         if isinstance(flowable, Heading):
             self.canv.bookmarkPage(flowable.key)
             self.canv.addOutlineEntry(flowable.short, flowable.key, flowable.level, closed=flowable.level)
-            if self._listed(flowable):
-                self.notify("TOCEntry", flowable.entry(self.page))
-
-    def afterPage(self) -> None:  # noqa: N802 - reportlab's name
-        """Remember how many pages there are."""
-        self.total = max(self.total, self.page)
+            self.numbers[flowable.key] = self.page
 
     def _furniture(self, canvas: Canvas, _: object) -> None:
+        assert isinstance(canvas, LateCanvas)  # the only one that write_pdf makes
         left, right, head = _SIDE, _SIDE + self.width, _BOTTOM + self.height + 8 * mm
         canvas.saveState()
-        canvas.setFont(REGULAR, 7)
-        canvas.setFillColor(HexColor(MUTED))
+        _small(canvas)
         canvas.setStrokeColor(HexColor(GRID))
         canvas.drawString(left, head, shortened(printable(self.document.title), 70))
         canvas.drawRightString(right, head, shortened(printable(_reference(self.document)), 40))
         canvas.line(left, head - 4, right, head - 4)
         canvas.drawString(left, 12 * mm, self.document.program)
-        number = self.document.said(PAGE).format(page=self.page, total=max(self.total, self.page))
-        canvas.drawRightString(right, 12 * mm, number)
+        page = self.page
+        canvas.later(f"number-{page}", lambda canvas: self._number(canvas, page))
         canvas.restoreState()
 
+    def _number(self, canvas: Canvas, page: int) -> None:
+        """The number of a page, when the last page has its number."""
+        _small(canvas)
+        number = self.document.said(PAGE).format(page=page, total=self.page)
+        canvas.drawRightString(_SIDE + self.width, 12 * mm, number)
 
-def only_measured(canvas: Canvas) -> bool:
-    """Whether this is the first pass over the document, of which nothing is kept but the page numbers."""
-    pages = getattr(canvas, "_doctemplate", None)
-    return isinstance(pages, Pages) and pages.passes == 1
 
-
-def contents() -> TableOfContents:
-    """The table of contents, with page numbers and links."""
-    table = TableOfContents(dotsMinLevel=0)
-    paddings = [(f"{side}PADDING", (0, 0), (-1, -1), 2.6 if side == "TOP" else 0) for side in _SIDES]
-    table.tableStyle = TableStyle([("VALIGN", (0, 0), (-1, -1), "TOP"), *paddings])
-    table.levelStyles = [
-        STYLES["body"].clone("contents-0", spaceBefore=0, spaceAfter=0, textColor=HexColor(INK)),
-        STYLES["body"].clone(
-            "contents-1", leftIndent=14, spaceAfter=0, fontSize=7.6, leading=10, textColor=HexColor(MUTED)
-        ),
-    ]
-    return table
+def _small(canvas: Canvas) -> None:
+    canvas.setFont(REGULAR, 7)
+    canvas.setFillColor(HexColor(MUTED))
 
 
 def _reference(document: Document) -> str:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from functools import singledispatchmethod
+from itertools import chain
 from pathlib import Path
 
 from reportlab import rl_config
@@ -12,6 +13,7 @@ from reportlab.lib.units import mm
 from reportlab.platypus import CondPageBreak, Flowable, KeepTogether, PageBreak, Paragraph, Spacer
 from reportlab.platypus import Table as Grid
 
+from reports.contents import contents
 from reports.document import (
     SIGNATURE_HEADS,
     Banner,
@@ -28,7 +30,7 @@ from reports.document import (
 from reports.grid import sheet_grid, table_grid
 from reports.inking import replay
 from reports.lettering import shortened
-from reports.page import Heading, Pages, contents, only_measured
+from reports.page import Heading, LateCanvas, Pages
 from reports.style import BANNER, GRID, MUTED, WORDS
 from reports.typeset import BOLD, REGULAR, STYLES, markup, paragraph, register_fonts, width_of
 from reports.vector import Traced, drawn
@@ -63,8 +65,6 @@ class Drawing(Flowable):
         return self.traced.width * self.factor, self.traced.height * self.factor
 
     def draw(self) -> None:
-        if only_measured(self.canv):
-            return
         self.canv.scale(self.factor, self.factor)
         replay(self.traced, self.canv, font=REGULAR, bold=BOLD)
 
@@ -72,23 +72,26 @@ class Drawing(Flowable):
 class Story:
     """The flowables of a document."""
 
-    def __init__(self, document: Document, drawings: Mapping[str, Traced], *, width: float, height: float) -> None:
-        self.document, self.drawings, self.width = document, drawings, width
-        self.for_figures = (width, height - _CAPTION)
-        self.titles = document.titles
+    def __init__(self, document: Document, drawings: Mapping[str, Traced], pages: Pages) -> None:
+        self.document, self.drawings, self.width = document, drawings, pages.width
+        self.for_figures = (pages.width, pages.height - _CAPTION)
+        self.titles, self.numbers = document.titles, pages.numbers
 
     def flowables(self) -> list[Flowable]:
         """Title block and opening section, contents, then everything else."""
-        opening, rest = self.document.sections[:1], self.document.sections[1:]
-        story = self._title()
-        for place, section in enumerate(opening):
-            story += self._section(section, f"section-{place}")
-        story += [PageBreak(), paragraph(self.document.said("Contents"), "heading-0"), contents(), PageBreak()]
-        for place, section in enumerate(rest, start=len(opening)):
-            fresh = section.starts_page and place > len(opening)
-            story += [PageBreak()] if fresh else []
-            story += self._section(section, f"section-{place}")
-        return story
+        made = [self._section(section, f"section-{place}") for place, section in enumerate(self.document.sections)]
+        headings = [flowable for each in made for flowable in each if isinstance(flowable, Heading)]
+        opening = [*self._title(), *chain.from_iterable(made[:1]), PageBreak()]
+        listed = [paragraph(self.document.said("Contents"), "heading-0"), *contents(headings, self.numbers)]
+        return [*opening, *listed, PageBreak(), *self._rest(made)]
+
+    def _rest(self, made: Sequence[list[Flowable]]) -> Iterator[Flowable]:
+        """All sections but the opening one, each on a page of its own where it asks for one."""
+        for place, (section, flowables) in enumerate(zip(self.document.sections, made, strict=True)):
+            if section.starts_page and place > 1:
+                yield PageBreak()
+            if place > 0:
+                yield from flowables
 
     def _title(self) -> list[Flowable]:
         facts = [
@@ -184,5 +187,5 @@ def write_pdf(document: Document, path: Path, *, drawings: Mapping[str, Traced] 
     register_fonts()
     pages = Pages(path, document)
     figures = drawings or {figure.name: drawn(figure.draw) for figure in document.figures}
-    pages.multiBuild(pages.foretold(Story(document, figures, width=pages.width, height=pages.height).flowables()))
+    pages.build(Story(document, figures, pages).flowables(), canvasmaker=LateCanvas)
     return path

@@ -5,20 +5,17 @@ from __future__ import annotations
 import datetime
 import re
 from collections.abc import Callable, Iterable, Sequence
-from io import BytesIO
+from dataclasses import dataclass, field
+from math import isfinite
 from pathlib import Path
-from zipfile import ZIP_DEFLATED, ZipFile, ZipInfo
 
-from openpyxl import Workbook
-from openpyxl.cell import Cell as XlsxCell
-from openpyxl.styles import Alignment, Border, Font, PatternFill, Side
-from openpyxl.utils import get_column_letter
-from openpyxl.worksheet.properties import PageSetupProperties
-from openpyxl.worksheet.worksheet import Worksheet
+from xlsxwriter import Workbook
+from xlsxwriter.format import Format
+from xlsxwriter.worksheet import Worksheet
 
 from reports.document import Cell, Column, Document, Table
 from reports.lettering import shortened, visible
-from reports.numerals import FIGURES, decimals
+from reports.numerals import FIGURES, decimals, numeral
 from reports.sheets import as_table
 from reports.style import FAIL, INK, MUTED, PASS
 from reports.worded import in_words
@@ -30,34 +27,49 @@ _LONG = 500  # rows; numbers of longer tables stand as they are, to be computed 
 _CREATED = datetime.datetime(2000, 1, 1)  # fixed: the same results give the same workbook
 
 
-def _font(colour: str = INK, *, bold: bool = False, underline: bool = False) -> Font:
-    return Font(color=colour.removeprefix("#"), bold=bold, underline="single" if underline else None)
+Look = dict[str, str | int]
+"""How a cell looks, in xlsxwriter's words."""
+_BOLD: Look = {"font_color": INK, "bold": 1}
+_GREY: Look = {"font_color": MUTED}
+_LINK: Look = {"font_color": "#00588a", "underline": 1}
+_TITLE: Look = {"bold": 1, "font_size": 14}
+_VERDICTS: dict[object, Look] = {
+    "pass": {"font_color": PASS, "bold": 1},
+    "fail": {"font_color": FAIL, "bold": 1},
+}
+_HEAD: Look = {**_BOLD, "bg_color": "#E3E8ED", "bottom": 1, "bottom_color": "#6B7680", "text_wrap": 1}
+_WRAPPED: Look = {"text_wrap": 1, "valign": "top"}
 
 
-_BOLD, _GREY, _LINK = _font(bold=True), _font(MUTED), _font("#00588a", underline=True)
-_VERDICTS = {"pass": _font(PASS, bold=True), "fail": _font(FAIL, bold=True)}
-_HEAD = PatternFill("solid", start_color="E3E8ED")
-_RULE = Border(bottom=Side("thin", color="6B7680"))
-_WRAPPED, _RIGHT = Alignment(wrap_text=True, vertical="top"), Alignment(wrap_text=True, horizontal="right")
+@dataclass(frozen=True)
+class _Book:
+    """A workbook that makes each look once."""
+
+    book: Workbook
+    made: dict[tuple[tuple[str, str | int], ...], Format] = field(default_factory=dict)
+
+    def format(self, look: Look) -> Format | None:
+        """The format of a look; None for that of every cell."""
+        if not look:
+            return None
+        key = tuple(look.items())
+        if key not in self.made:
+            self.made[key] = self.book.add_format(look)
+        return self.made[key]
 
 
 def write_xlsx(document: Document, path: Path) -> Path:
     """Write every table of the document to a workbook at `path`; text is never taken for a formula."""
-    book = Workbook()
-    _describe(book, document)
-    contents = book.active
-    assert isinstance(contents, Worksheet)  # a new workbook has one
     own = (document.said(CONTENTS), document.said(SHEETS))
-    contents.title = own[0]
     names = unique([table.name for table in document.tables], taken=own)
     starts = _starts(document)
-    _contents(contents, document, names, starts)
-    for table, name in zip(document.tables, names, strict=True):
-        _alone(book.create_sheet(name), table, said=document.said)
-    _sheets(book.create_sheet(own[1]), document, starts)
-    whole = BytesIO()
-    book.save(whole)
-    _undated(whole, path)
+    with Workbook(str(path), {"in_memory": True}) as made:
+        book = _Book(made)
+        _describe(made, document)
+        _contents(made.add_worksheet(own[0]), document, names, starts, book=book)
+        for table, name in zip(document.tables, names, strict=True):
+            _alone(made.add_worksheet(name), table, said=document.said, book=book)
+        _sheets(made.add_worksheet(own[1]), document, starts, book=book)
     return path
 
 
@@ -83,128 +95,105 @@ def number_format(value: float) -> str:
 
 
 def _describe(book: Workbook, document: Document) -> None:
-    about = book.properties
-    about.created = about.modified = _CREATED
-    about.creator = shortened(visible(document.program), _LONGEST_PROPERTY)
-    about.title = shortened(visible(document.title), _LONGEST_PROPERTY)
-    about.subject = shortened(visible(document.subject), _LONGEST_PROPERTY)
+    texts = {"title": document.title, "subject": document.subject, "author": document.program}
+    described = {key: shortened(visible(text), _LONGEST_PROPERTY) for key, text in texts.items()}
+    book.set_properties({**described, "created": _CREATED})
 
 
-def _undated(whole: BytesIO, path: Path) -> None:
-    """The workbook again, without the time at which it was saved."""
-    fixed = f"{_CREATED.isoformat()}Z".encode()
-    with ZipFile(whole) as dated, ZipFile(path, "w", ZIP_DEFLATED) as undated:
-        for entry in dated.infolist():
-            content = dated.read(entry)
-            if entry.filename == "docProps/core.xml":
-                content = re.sub(rb"(<dcterms:modified[^>]*>)[^<]*", rb"\g<1>" + fixed, content)
-            undated.writestr(ZipInfo(entry.filename, _CREATED.timetuple()[:6]), content, ZIP_DEFLATED)
-
-
-def _contents(sheet: Worksheet, document: Document, names: list[str], starts: list[int]) -> None:
+def _contents(sheet: Worksheet, document: Document, names: list[str], starts: list[int], *, book: _Book) -> None:
     titles = document.titles
-    _text(sheet, 1, (document.title,), font=Font(bold=True, size=14))
-    _text(sheet, 2, (f"{document.subject}; {document.program}",), font=_GREY)
-    _head(sheet, 4, [Column(document.said(text)) for text in ("Sheet", "In the report", "What it holds")])
+    _write(sheet, 0, 0, document.title, book.format(_TITLE))
+    _write(sheet, 1, 0, f"{document.subject}; {document.program}", book.format(_GREY))
+    _head(sheet, 3, [Column(document.said(text)) for text in ("Sheet", "In the report", "What it holds")], book=book)
     lines = [
         (name, f"'{name}'!A1", titles.get(("Table", table.name), "—"), table.caption)
         for name, table in zip(names, document.tables, strict=True)
     ]
     lines += [
-        (document.said(SHEETS), f"'{document.said(SHEETS)}'!A{start}", titles["Sheet", each.name], each.caption)
+        (document.said(SHEETS), f"'{document.said(SHEETS)}'!A{start + 1}", titles["Sheet", each.name], each.caption)
         for start, each in zip(starts, document.sheets, strict=True)
     ]
-    for place, (name, target, title, caption) in enumerate(lines, start=5):
-        _text(sheet, place, (name, title, caption))
-        sheet.cell(place, 1).hyperlink = f"#{target}"
-        sheet.cell(place, 1).font = _LINK
-    sheet.freeze_panes = "A5"
+    for place, (name, target, title, caption) in enumerate(lines, start=4):
+        sheet.write_url(place, 0, f"internal:{target}", book.format(_LINK), name)
+        _write(sheet, place, 1, title, None)
+        _write(sheet, place, 2, caption, None)
+    sheet.freeze_panes(4, 0)
     _widths(sheet, (34, 14, 100))
-    _paper(sheet, rows="4:4")
+    _paper(sheet, head=3)
 
 
-def _alone(sheet: Worksheet, table: Table, *, said: Callable[[str], str]) -> None:
+def _alone(sheet: Worksheet, table: Table, *, said: Callable[[str], str], book: _Book) -> None:
     """A table on its own sheet, its head in sight and ready to be filtered."""
-    _table(sheet, table, start=1, said=said)
-    sheet.freeze_panes = "B3" if len(table.columns) > 2 else "A3"
+    _table(sheet, table, start=0, said=said, book=book)
+    sheet.freeze_panes(2, 1 if len(table.columns) > 2 else 0)
     if table.rows:
-        sheet.auto_filter.ref = f"A2:{get_column_letter(len(table.columns))}{len(table.rows) + 2}"
+        sheet.autofilter(1, 0, len(table.rows) + 1, len(table.columns) - 1)
     _widths(sheet, [_width(column, [row[at] for row in table.rows[:200]]) for at, column in enumerate(table.columns)])
-    _paper(sheet, rows="2:2")
+    _paper(sheet, head=1)
 
 
-def _sheets(sheet: Worksheet, document: Document, starts: list[int]) -> None:
+def _sheets(sheet: Worksheet, document: Document, starts: list[int], *, book: _Book) -> None:
     for start, each in zip(starts, document.sheets, strict=True):
-        _table(sheet, as_table(each, said=document.said), start=start, said=document.said)
+        _table(sheet, as_table(each, said=document.said), start=start, said=document.said, book=book)
     _widths(sheet, (14, 50, 34, 40, 50, 14, 12))
-    _paper(sheet, rows=None)
+    _paper(sheet, head=None)
 
 
 def _starts(document: Document) -> list[int]:
-    """The row of each calculation sheet's caption; one row stays empty between them."""
-    starts = [1]
+    """The row of each calculation sheet's caption, from 0; one row stays empty between them."""
+    starts = [0]
     for each in document.sheets:
         starts.append(starts[-1] + len(each.lines) + 3)
     return starts[:-1]
 
 
-def _table(sheet: Worksheet, table: Table, *, start: int, said: Callable[[str], str]) -> None:
+def _table(sheet: Worksheet, table: Table, *, start: int, said: Callable[[str], str], book: _Book) -> None:
     """Caption, head and rows from the row `start` on."""
-    fill = _fill if len(table.rows) <= _LONG else _fill_plainly
-    _text(sheet, start, (table.caption,), font=_BOLD)
-    _head(sheet, start + 1, table.columns)
+    _write(sheet, start, 0, table.caption, book.format(_BOLD))
+    _head(sheet, start + 1, table.columns, book=book)
+    look = _look if len(table.rows) <= _LONG else _look_of_verdicts
     for place, row in enumerate(table.rows):
-        for at, (value, column) in enumerate(zip(row, table.columns, strict=True), start=1):
-            fill(sheet, start + 2 + place, at, in_words(value, column, said), column, muted=place in table.muted)
-            if column.kind == "verdict" and value in _VERDICTS and place not in table.muted:
-                _cell(sheet, start + 2 + place, at).font = _VERDICTS[str(value)]
+        muted = place in table.muted
+        for at, (cell, column) in enumerate(zip(row, table.columns, strict=True)):
+            shape = book.format(look(cell, column, muted=muted))
+            _write(sheet, start + 2 + place, at, in_words(cell, column, said), shape)
 
 
-def _head(sheet: Worksheet, place: int, columns: Iterable[Column]) -> None:
-    for at, column in enumerate(columns, start=1):
-        cell = _cell(sheet, place, at)
-        _write(cell, column.heading)
-        cell.font, cell.fill, cell.border = _BOLD, _HEAD, _RULE
-        cell.alignment = _RIGHT if column.kind == "number" else _WRAPPED
+def _head(sheet: Worksheet, place: int, columns: Iterable[Column], *, book: _Book) -> None:
+    for at, column in enumerate(columns):
+        side: Look = {"align": "right"} if column.kind == "number" else {"valign": "top"}
+        _write(sheet, place, at, column.heading, book.format({**_HEAD, **side}))
 
 
-def _text(sheet: Worksheet, place: int, texts: Iterable[str], *, font: Font | None = None) -> None:
-    for at, text in enumerate(texts, start=1):
-        cell = _cell(sheet, place, at)
-        _write(cell, text)
-        if font is not None:
-            cell.font = font
+def _look(cell: Cell, column: Column, *, muted: bool) -> Look:
+    """How a cell looks: as the report shows it."""
+    look: Look = _GREY if muted else _look_of_verdicts(cell, column, muted=muted)
+    if isinstance(cell, float) and column.kind != "given":
+        return {**look, "num_format": number_format(cell)}
+    return {**look, **_WRAPPED} if isinstance(cell, str) and len(cell) > _WIDEST else look
 
 
-def _fill(sheet: Worksheet, place: int, at: int, value: Cell, column: Column, *, muted: bool) -> None:
-    """A value as the report shows it, at full precision."""
-    _fill_plainly(sheet, place, at, value, column, muted=muted)
-    cell = _cell(sheet, place, at)
-    if isinstance(value, float) and column.kind != "given":
-        cell.number_format = number_format(value)
-    if isinstance(value, str) and len(value) > _WIDEST:
-        cell.alignment = _WRAPPED
-    if muted:
-        cell.font = _GREY
+def _look_of_verdicts(cell: Cell, column: Column, *, muted: bool) -> Look:
+    """Verdicts in their colours, anything else plain."""
+    return _VERDICTS.get(cell, {}) if column.kind == "verdict" and not muted else {}
 
 
-def _fill_plainly(sheet: Worksheet, place: int, at: int, value: Cell, _: Column, *, muted: bool) -> None:
-    """A value alone."""
-    if isinstance(value, str):
-        _write(_cell(sheet, place, at), value)
-    elif value is not None:
-        sheet.cell(place, at, value)
+def _write(sheet: Worksheet, place: int, at: int, cell: Cell, look: Format | None) -> None:
+    """A value at full precision, or text that is never taken for anything else."""
+    if isinstance(cell, bool):
+        sheet.write_boolean(place, at, cell, look)
+    elif isinstance(cell, int | float) and isfinite(cell):
+        sheet.write_number(place, at, cell, look)
+    elif cell is not None and cell != "":
+        _write_text(sheet, place, at, cell if isinstance(cell, str) else numeral(cell), look)
 
 
-def _write(cell: XlsxCell, text: str) -> None:
-    cell.value = shortened(visible(text), _LONGEST_TEXT)
-    cell.data_type = "s"  # also where it begins with "="
-
-
-def _cell(sheet: Worksheet, place: int, at: int) -> XlsxCell:
-    cell = sheet.cell(place, at)
-    assert isinstance(cell, XlsxCell)  # no merged cells here
-    return cell
+def _write_text(sheet: Worksheet, place: int, at: int, text: str, look: Format | None) -> None:
+    shown = shortened(visible(text), _LONGEST_TEXT)
+    if shown.startswith("<r>"):  # which xlsxwriter takes for markup of its own; in pieces it is text
+        sheet.write_rich_string(place, at, *"<r", shown[2:], *([look] if look else []))
+    else:
+        sheet.write_string(place, at, shown, look)
 
 
 def _width(column: Column, cells: Sequence[Cell]) -> int:
@@ -216,13 +205,13 @@ def _width(column: Column, cells: Sequence[Cell]) -> int:
 
 
 def _widths(sheet: Worksheet, widths: Iterable[int]) -> None:
-    for place, width in enumerate(widths, start=1):
-        sheet.column_dimensions[get_column_letter(place)].width = width
+    for place, width in enumerate(widths):
+        sheet.set_column(place, place, width)
 
 
-def _paper(sheet: Worksheet, *, rows: str | None) -> None:
+def _paper(sheet: Worksheet, *, head: int | None) -> None:
     """Printed across the page, as wide as it, with the head on every page."""
-    sheet.page_setup.orientation = "landscape"
-    sheet.sheet_properties.pageSetUpPr = PageSetupProperties(fitToPage=True)
-    sheet.page_setup.fitToHeight = 0
-    sheet.print_title_rows = rows
+    sheet.set_landscape()
+    sheet.fit_to_pages(1, 0)
+    if head is not None:
+        sheet.repeat_rows(head)

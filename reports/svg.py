@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
+from itertools import chain
 from pathlib import Path as File
 from xml.sax.saxutils import escape, quoteattr
 
@@ -14,7 +15,15 @@ from matplotlib.path import Path
 from reports.lettering import font_file
 from reports.vector import Letters, Rectangle, Rgba, Segment, Stroke, Traced
 
-_COMMANDS = {int(Path.MOVETO): "M", int(Path.LINETO): "L", int(Path.CURVE3): "Q", int(Path.CURVE4): "C"}
+_CLOSE = int(Path.CLOSEPOLY)
+_PLACE = "%.5g %.5g"  # a hundredth of a point on a page
+_COMMANDS = {
+    int(Path.MOVETO): f"M{_PLACE}",
+    int(Path.LINETO): f"L{_PLACE}",
+    int(Path.CURVE3): f"Q{_PLACE} {_PLACE}",
+    int(Path.CURVE4): f"C{_PLACE} {_PLACE} {_PLACE}",
+    _CLOSE: "Z",
+}
 _CAP = {"projecting": "square"}
 _EM = 100.0  # size at which the outline of a letter is taken [pt]
 
@@ -73,13 +82,10 @@ def write_svg(picture: Picture, path: File, *, creator: str) -> File:
     return path
 
 
-def outline(segments: Iterable[Segment]) -> str:
-    """Path data of SVG, to 0.001 of its unit."""
-    return "".join([_command(at, code) for at, code in segments])
-
-
-def _command(at: tuple[float, ...], code: int) -> str:
-    return "Z" if code == Path.CLOSEPOLY else _COMMANDS[code] + " ".join(map(_number, at))
+def outline(segments: Sequence[Segment]) -> str:
+    """Path data of SVG, to five figures, all of which are formatted at once."""
+    shape = "".join([_COMMANDS[code] for _, code in segments])
+    return shape % tuple(chain.from_iterable([at for at, code in segments if code != _CLOSE]))
 
 
 def _window(clip: Rectangle) -> str:
@@ -114,7 +120,7 @@ def _paint(what: str, colour: Rgba | None) -> str:
     if colour is None:
         return f' {what}="none"'
     red, green, blue, opacity = colour
-    solid = "#" + "".join(f"{round(255 * part):02x}" for part in (red, green, blue))
+    solid = f"#{round(255 * red):02x}{round(255 * green):02x}{round(255 * blue):02x}"
     return f' {what}="{solid}"' + ("" if opacity == 1.0 else f' {what}-opacity="{_number(opacity)}"')
 
 
@@ -137,7 +143,7 @@ def _glyph(bold: bool, sign: str) -> tuple[str, float]:
     glyph = font.load_char(ord(sign), flags=LoadFlags.NO_HINTING)
     vertices, codes = font.get_path()
     segments = Path(vertices, codes).iter_segments(simplify=False)
-    return outline((tuple(at.tolist()), int(code)) for at, code in segments), glyph.linearHoriAdvance / 65536
+    return outline([(tuple(at.tolist()), int(code)) for at, code in segments]), glyph.linearHoriAdvance / 65536
 
 
 @cache
@@ -152,4 +158,4 @@ def _name(bold: bool, sign: str) -> str:
 
 
 def _number(value: float) -> str:
-    return f"{value:.3f}".rstrip("0").rstrip(".")
+    return f"{value:.5g}"

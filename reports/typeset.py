@@ -10,10 +10,8 @@ from reportlab.lib.enums import TA_RIGHT
 from reportlab.lib.styles import ParagraphStyle
 from reportlab.pdfbase import pdfmetrics
 from reportlab.pdfbase.ttfonts import TTFont
-from reportlab.pdfgen.canvas import Canvas
-from reportlab.platypus import Flowable, Paragraph
+from reportlab.platypus import Paragraph
 
-from reports.formula import marked
 from reports.lettering import font_file, printable
 from reports.style import FAIL, INK, MUTED, PASS
 
@@ -34,6 +32,8 @@ STYLES: dict[str, ParagraphStyle] = {
     "heading-1": ParagraphStyle(
         "heading-1", _ROOT, fontName=BOLD, fontSize=10.5, leading=14, spaceBefore=9, spaceAfter=4
     ),
+    "contents-0": ParagraphStyle("contents-0", _ROOT),
+    "contents-1": ParagraphStyle("contents-1", _ROOT, fontSize=7.6, leading=10, textColor=HexColor(MUTED)),
     "caption": ParagraphStyle("caption", _CELL, fontSize=7.4, leading=9.6, textColor=HexColor(INK)),
     "cell": _CELL,
     "number": ParagraphStyle("number", _CELL, alignment=TA_RIGHT),
@@ -44,16 +44,13 @@ STYLES: dict[str, ParagraphStyle] = {
     "pass": ParagraphStyle("pass", _CELL, fontName=BOLD, textColor=HexColor(PASS)),
     "fail": ParagraphStyle("fail", _CELL, fontName=BOLD, textColor=HexColor(FAIL)),
 }
-_HAIR = 0.01  # pt: a line this near to the width is left to the paragraph to break
 SMALL = "-small"  # the ending of the styles of tables with many columns
 _OF_TABLES = ("cell", "number", "head", "head-number", "muted", "muted-number", "pass", "fail")
 STYLES |= {f"{name}{SMALL}": STYLES[name].clone(f"{name}{SMALL}", fontSize=5.7, leading=7.5) for name in _OF_TABLES}
-_INDEX = ('<sub rise="1.2" size="5.2">', "</sub>")
-_POWER = ('<super rise="2.4" size="5.2">', "</super>")
 
 
 class Lines(Paragraph):
-    """A paragraph that is broken into lines once for a width: a table asks for the height of a cell three times."""
+    """A paragraph that is broken into lines once for a width."""
 
     _for: float | None = None
 
@@ -61,36 +58,6 @@ class Lines(Paragraph):
         if self._for != availWidth or not hasattr(self, "blPara"):  # splitting over pages takes the lines away
             self._for, self._size = availWidth, super().wrap(availWidth, availHeight)
         return self._size
-
-
-class Plain(Flowable):
-    """Plain text in one of STYLES: on one line, without the cost of a paragraph, where the width allows."""
-
-    def __init__(self, text: str, style: str) -> None:
-        super().__init__()
-        shown, self.style = printable(text), STYLES[style]
-        self.text = " ".join(shown.split())
-        self._long = width_of(self.text, style)
-        rare = any(sign.isspace() and sign != " " for sign in shown)  # spaces that break no line, and others
-        self._paragraph = Lines(escape(shown), self.style) if rare else None
-
-    def wrap(self, availWidth: float, availHeight: float) -> tuple[float, float]:
-        self.width, self.height = availWidth, float(self.style.leading)
-        if self._long < availWidth - _HAIR and self._paragraph is None:
-            return self.width, self.height
-        self._paragraph = self._paragraph or Lines(escape(self.text), self.style)
-        return self._paragraph.wrap(availWidth, availHeight)
-
-    def drawOn(self, canvas: Canvas, x: float, y: float, _sW: float = 0) -> None:  # noqa: N802 - reportlab's name
-        """Draw with the lower left corner at (x, y); colour and font of the canvas stay the style's."""
-        if self._paragraph is not None:
-            self._paragraph.drawOn(canvas, x, y)
-            return
-        of = self.style
-        canvas.setFillColor(of.textColor)
-        canvas.setFont(of.fontName, of.fontSize, of.leading)
-        indent = self.width - self._long if of.alignment == TA_RIGHT else 0.0
-        canvas.drawString(x + indent, y + self.height - of.fontSize, self.text)
 
 
 @cache
@@ -104,11 +71,6 @@ def register_fonts() -> None:
 def markup(text: str) -> str:
     """Plain text as reportlab markup that shows it letter for letter."""
     return escape(printable(text))
-
-
-def formula(text: str) -> str:
-    """A formula as markup: x_e and x_{e,1} get their index lowered, ^2 is raised."""
-    return marked(markup(text), index=_INDEX, power=_POWER)
 
 
 def paragraph(text: str, style: str) -> Lines:

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import pytest
-from reportlab.platypus import Table as Grid
 
 from reports.document import Cell, Column, Table
 from reports.grid import column_widths, table_grid
+from reports.ruled import Ruled
 from reports.typeset import register_fonts, width_of
 
 COLUMNS = (Column("Record"), Column("PGA", "g", "number"), Column("Verdict", kind="verdict"))
@@ -27,10 +27,25 @@ def test_a_long_table_splits_and_repeats_caption_and_head() -> None:
     grid = table_grid(Table("t", "Many.", COLUMNS, (row,) * 100), title="Table 1", width=300.0)
     grid.wrap(300, 400)
     first, second = grid.split(300, 400)
-    assert isinstance(first, Grid)
-    assert isinstance(second, Grid)
-    assert first.repeatRows == second.repeatRows == 2
-    assert vars(second)["_cellvalues"][0][0][0].getPlainText() == "Table 1. Many."
+    assert isinstance(first, Ruled)
+    assert isinstance(second, Ruled)
+    assert first.wrap(300, 400)[1] <= 400
+    assert len(first.body.rows) + len(second.body.rows) == 100
+    for part in (first, second):
+        assert part.caption.getPlainText() == "Table 1. Many."
+        assert part.body.head == grid.body.head
+
+
+@pytest.mark.parametrize("count", [1, 4, 5, 9])
+def test_few_rows_are_not_left_alone(count: int) -> None:
+    register_fonts()
+    row: tuple[Cell, ...] = ("artificial-1", 0.1, "pass")
+    grid = table_grid(Table("t", "Some.", COLUMNS, (row,) * count), title="Table 1", width=300.0)
+    whole = grid.wrap(300, 1000)[1]
+    assert grid.split(300, whole) == [grid]
+    for lack in range(1, int(whole)):
+        parts = [part.body.rows for part in grid.split(300, whole - lack)]
+        assert parts == [] or (len(parts[0]) >= 2 and len(parts[1]) >= 3)
 
 
 def test_a_cell_of_ten_thousand_letters_fits_a_page() -> None:

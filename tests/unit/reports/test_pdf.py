@@ -70,6 +70,18 @@ def test_contents_link_to_their_sections(report: Path) -> None:
     assert all(link["/Subtype"] == "/Link" for link in links)
 
 
+def test_contents_have_the_numbers_of_the_pages(report: Path) -> None:
+    reader = PdfReader(report)
+    numbers = {int(found) for found in re.findall(r"(?: \. )+(\d+)", reader.pages[1].extract_text())}
+    marks = [mark for mark in reader.outline if isinstance(mark, Destination)]
+    assert {(reader.get_destination_page_number(mark) or 0) + 1 for mark in marks} <= numbers
+    assert len(numbers) > 5
+
+
+def test_the_same_document_gives_the_same_bytes(results: Results, report: Path, tmp_path: Path) -> None:
+    assert write_pdf(assessment(results), tmp_path / "again.pdf").read_bytes() == report.read_bytes()
+
+
 def test_symbols_and_numbers_reach_the_text(report: Path) -> None:
     text = text_of(report)
     for wanted in ("overturned", "no rocking", "artificial-5", "φₒᵥ", "β", "not checked against the printed standard"):

@@ -26,14 +26,39 @@ def test_a_sheet_for_each_table_with_its_numbers(results: Results, tmp_path: Pat
 
 
 def test_hostile_text_is_text(tmp_path: Path) -> None:
-    texts = ("=cmd()", "@x", "<b>&", "a\x07b", "😀", "x" * 40_000, "#REF!", "$x$")
+    texts = (
+        "=cmd()",
+        "@x",
+        "<b>&",
+        "a\x07b",
+        "😀",
+        "x" * 40_000,
+        "#REF!",
+        "$x$",
+        "<r>&<b></r>",
+        "_x0041_",
+        "http://x.y",
+    )
     table = Table("=t", "=c", (Column("=h"),), tuple((text,) for text in texts))
     document = Document("=title", "", "", "", "A4", (), (Section("s", 0, (table,)),), ())
     book = load_workbook(write_xlsx(document, tmp_path / "t.xlsx"))
     cells = [cell for sheet in book for row in sheet.iter_rows() for cell in row if cell.value is not None]
     assert {cell.data_type for cell in cells} == {"s"}
     found = {str(cell.value) for cell in cells}
-    assert {"=cmd()", "@x", "<b>&", "a⟨U+0007⟩b", "😀", "#REF!", "$x$", "=title", "=h"} <= found
+    assert {
+        "=cmd()",
+        "@x",
+        "<b>&",
+        "a⟨U+0007⟩b",
+        "😀",
+        "#REF!",
+        "$x$",
+        "<r>&<b></r>",
+        "_x0041_",
+        "http://x.y",
+        "=title",
+        "=h",
+    } <= found
 
 
 def test_sheet_names_are_valid_and_unique() -> None:

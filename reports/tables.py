@@ -23,13 +23,10 @@ from assess.results import (
 )
 from reports import governing, spectrum_parameters
 from reports.document import Cell, Column, Table
-from reports.numerals import entries, given
+from reports.numerals import bounded, entries, given
 
 OVERTURNED, NO_ROCKING, NO_LASTING, NONE = "overturned", "no rocking", "none lasting", "none"
-_RATINGS = (  # of a check, where the code and the site have them
-    ("safety_index", Column("Safety index", "-", "number")),
-    ("return_period_years", Column("Return period", "years", "number")),
-)
+_INDEX, _YEARS = Column("Safety index", "-", "number"), Column("Return period", "years", "number")
 LIFTS, NOT_GIVEN, ROCKS_FIRST = "lifts", "not given", "rocks first"
 _MECHANISM, _LEVEL, _PROCEDURE = Column("Mechanism"), Column("PGA", "g", "number"), Column("Procedure")
 
@@ -285,7 +282,8 @@ def _held(forces: HingeForceResult) -> str:
 
 def demands(mechanism: MechanismResult, *, name: str) -> Table:
     """Every check of one mechanism: demand, allowable, ratio and verdict, and the accelerations it stands up to."""
-    rated = [rating for rating in _RATINGS if any(getattr(check, rating[0]) is not None for check in mechanism.checks)]
+    ratings = [_rating(check) for check in mechanism.checks]
+    rated = [column for column in (_INDEX, _YEARS) if any(rating[column] is not None for rating in ratings)]
     columns = (
         _LEVEL,
         _PROCEDURE,
@@ -296,12 +294,12 @@ def demands(mechanism: MechanismResult, *, name: str) -> Table:
         Column("Rotation φ/φₒᵥ", "-", "number"),
         Column("PGA at uplift", "g", "number"),
         Column("PGA at capacity", "g", "number"),
-        *(column for _, column in rated),
+        *rated,
         Column("Verdict", kind="verdict"),
     )
     rows = tuple(
-        (*_demand(check, mechanism.checks), *(getattr(check, key) for key, _ in rated), check.verdict)
-        for check in mechanism.checks
+        (*_demand(check, mechanism.checks), *(rating[column] for column in rated), check.verdict)
+        for check, rating in zip(mechanism.checks, ratings, strict=True)
     )
     muted = frozenset(place for place, check in enumerate(mechanism.checks) if check.role == "informative")
     soft = any(check.uplift_pga_g is None for check in mechanism.checks)
@@ -315,6 +313,11 @@ def demands(mechanism: MechanismResult, *, name: str) -> Table:
         rows,
         muted,
     )
+
+
+def _rating(check: Check) -> dict[Column, Cell]:
+    """What a check has where the code and the site know it."""
+    return {_INDEX: check.safety_index, _YEARS: bounded(check.return_period_years, check.return_period_bound)}
 
 
 def reasons(mechanism: MechanismResult, *, name: str) -> Table:

@@ -51,7 +51,7 @@ def _noted(sections: list[Section]) -> tuple[Section, ...]:
 def _line(line: Line) -> Line:
     """A step with its result in both systems: 1.234 m (4.049 ft)."""
     found = customary(line.unit)
-    if found is None or line.value is None:
+    if found is None or not isinstance(line.value, float | int):
         return line
     return replace(line, unit=f"{line.unit} ({numeral(line.value * found.factor)} {found.unit})")
 

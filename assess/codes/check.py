@@ -10,11 +10,15 @@ NO_LASTING = "yet the method finds no lasting rotation at this demand"  # how a 
 Verdict = Literal["pass", "fail", "not-applicable"]
 BranchName = Literal["positive", "negative"]
 InputAt = Literal["ground", "mechanism base"]
+Bound = Literal["", "<=", ">="]
 
 
 @dataclass(frozen=True)
 class Step:
-    """One line of a calculation sheet: the formula, the numbers put into it, and what came out."""
+    """One line of a calculation sheet: the formula, the numbers put into it, and what came out.
+
+    bound : "<=" or ">=" where all that is known is that it is no more, or no less, than `value`
+    """
 
     symbol: str
     description: str
@@ -23,6 +27,7 @@ class Step:
     substituted: str
     value: float | None
     unit: str
+    bound: Bound = ""
 
 
 @dataclass(frozen=True)
@@ -47,7 +52,8 @@ class Check:
     rigid overturning rotation of the branch, None where the procedure knows no rotation or the body overturned.
     `score`: what the code itself counts the answer in, by name, as {"%NBS": 43.1}; empty where it has nothing.
     `safety_index` (capacity over demand, both as PGA) and `return_period_years` of the capacity stand where the code
-    and the site have them.
+    and the site have them; `return_period_bound` is "<=" or ">=" where the capacity lies beyond the rows of the hazard,
+    whose end it then is.
     """
 
     procedure: str
@@ -76,3 +82,4 @@ class Check:
     score: dict[str, float] = field(default_factory=dict)
     safety_index: float | None = None
     return_period_years: float | None = None
+    return_period_bound: Bound = ""

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from dataclasses import asdict, replace
 
+from assess.codes.check import Bound, Step
 from assess.results import Results
 from reports import tables
 from reports.assessment import assessment
-from reports.sheets import as_table
+from reports.numerals import outcome
+from reports.sheets import as_table, sheet
 
 
 def numbers_in(tree: object) -> set[float]:
@@ -40,6 +42,19 @@ def test_rows_fit_their_columns_and_names_are_unique(results: Results) -> None:
     for names in (tables_and_sheets, [figure.name for figure in document.figures]):
         assert len({name.lower() for name in names}) == len(names)
         assert all(name.replace("-", "").isalnum() and name.isascii() for name in names)
+
+
+def test_a_return_period_beyond_the_hazard_is_shown_as_a_bound(results: Results) -> None:
+    one = results.mechanisms[0]
+    step = Step("T_R,C", "return period of the capacity", "NTC Annex A", "", "", 2475.0, "years", ">=")
+    ends: tuple[tuple[Bound, str], ...] = (("<=", "≤ 30"), (">=", "≥ 30"))
+    for bound, shown in ends:
+        check = replace(one.checks[0], return_period_years=30.0, return_period_bound=bound, steps=(step,))
+        table = tables.demands(replace(one, checks=(check,)), name="t")
+        assert table.rows[0][[column.label for column in table.columns].index("Return period")] == shown
+        made = sheet(check, name="s", mechanism="m")
+        assert outcome(made.lines[0].value, made.lines[0].unit) == "≥ 2475 years"
+        assert as_table(made).rows[0][-2:] == ("≥ 2475", "years")
 
 
 def test_brief_gives_one_line_per_mechanism_and_level(results: Results) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from assess.codes.check import Check
+from assess.codes.check import GROUND_AT_HEIGHT, Check
 from assess.results import MechanismResult, Results, View
 from reports import governing, interfaces
 from reports.lettering import shortened
@@ -118,6 +118,7 @@ def limits(results: Results) -> tuple[str, ...]:
         *interfaces.limits(results.mechanisms),
         *_readings(results),
         *_unlike(results),
+        *_unamplified(results),
         *_linearised(results),
         *_unverified(results),
     )
@@ -171,6 +172,16 @@ def _unlike(results: Results) -> tuple[str, ...]:
         "Some procedures take their input at the ground and others at the base of the mechanism; each table says "
         "which. Their ratios are not to be compared line by line.",
     )
+
+
+def _unamplified(results: Results) -> tuple[str, ...]:
+    """Which procedures judge which mechanisms at height by the motion of the ground."""
+    told = [(m, check) for m in results.mechanisms for check in m.checks if GROUND_AT_HEIGHT in check.caveat]
+    if not told:
+        return ()
+    procedures = dict.fromkeys(check.procedure for _, check in told)
+    names = dict.fromkeys(shortened(name_of(mechanism), 40) for mechanism, _ in told)
+    return (f"{joined(procedures)}, for {joined(names)}: {GROUND_AT_HEIGHT}.",)
 
 
 def _linearised(results: Results) -> tuple[str, ...]:

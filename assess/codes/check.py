@@ -7,6 +7,9 @@ from typing import Literal
 
 Role = Literal["code", "informative"]
 NO_LASTING = "yet the method finds no lasting rotation at this demand"  # how a reason ends: it lifts off
+GROUND_AT_HEIGHT = (  # in a caveat
+    "at height the motion of the ground is taken as it is: unconservative where the building amplifies it"
+)
 Verdict = Literal["pass", "fail", "not-applicable"]
 BranchName = Literal["positive", "negative"]
 InputAt = Literal["ground", "mechanism base"]

@@ -157,11 +157,8 @@ def ratios(before: Results, after: Results) -> Iterator[Change]:
 
 
 def ratio(check: Check) -> float | str | None:
-    """Demand over capacity, or that the body overturns; None where the check does not apply."""
-    if check.verdict == "not-applicable":
-        return None
-    fell = check.verdict == "fail" and check.demand is None and check.quantity != "sliding"
-    return "overturned" if fell else check.ratio
+    """Demand over capacity, or why there is none; None where the check does not apply."""
+    return None if check.verdict == "not-applicable" else check.unbounded or check.ratio
 
 
 def envelopes(before: Results, after: Results) -> Iterator[Change]:

@@ -260,10 +260,11 @@ def _comparison(results: Results) -> list[Section]:
     if not results.comparison:
         return []
     names = {mechanism.name: tables.name_of(mechanism) for mechanism in results.mechanisms}
-    draw = partial(comparison.draw, results.comparison, names, governing.overturned(results))
+    draw = partial(comparison.draw, governing.drawn(results), names, governing.overturned(results))
     caption = (
         "Demand over capacity of every mechanism by every procedure; right of the line the check fails. Open markers "
-        "are informative readings, a cross marks overturning, an arrow a ratio beyond the axis."
+        "are informative readings, a cross marks overturning, an arrow a ratio beyond the axis or the end of "
+        "the spectrum."
     )
     standing = sweeps.standing(results.sweeps, names)
     unlike = sentences.amplified(results)

@@ -8,7 +8,7 @@ from assess.codes.check import Check
 from assess.results import MechanismResult, Results
 from reports import findings, governing
 from reports.document import Banner, Cell, Column, Section, Table, Text
-from reports.tables import OVERTURNED, name_of
+from reports.tables import name_of
 
 NO_PASS = "what could not be answered is no pass"
 
@@ -84,7 +84,7 @@ def _line(mechanism: MechanismResult) -> tuple[Cell, ...]:
 
 
 def _deciding(worst: Check) -> tuple[Cell, Cell, Cell]:
-    return worst.procedure, worst.level_pga_g, OVERTURNED if governing.fell(worst) else worst.ratio
+    return worst.procedure, worst.level_pga_g, worst.unbounded or worst.ratio
 
 
 def fingerprint(results: Results) -> str:

@@ -263,6 +263,8 @@ def _failure(mechanism: MechanismResult) -> str:
     beyond = dict.fromkeys(check.procedure for check in failing if governing.fell(check))
     if beyond:
         return f"{start} and overturns, according to {joined(beyond)}."
+    if worst is not None and worst.unbounded:
+        return f"{start}; its demand lies {worst.unbounded}, by {worst.procedure} at PGA {worst.level_pga_g:.3g} g."
     if worst is None or worst.ratio is None:
         return f"{start}."
     return (

@@ -6,7 +6,7 @@ from assess.codes.check import Check
 from assess.results import MechanismResult, Results
 from reports import findings, governing, sentences, tables
 from reports.document import Block, Cell, Column, Items, Section, Table, Text, filled
-from reports.tables import OVERTURNED, name_of
+from reports.tables import name_of
 
 REFERENCE = "SLV"  # the limit state whose PGA is the level's
 
@@ -66,7 +66,6 @@ def _worst_of_code(mechanism: MechanismResult) -> tuple[Check, ...]:
 def _row(mechanism: MechanismResult, check: Check) -> tuple[Cell, ...]:
     named, quantity, demand, capacity, ratio = tables.numbers(check, mechanism.checks)
     accelerations = (tables.uplift(check.uplift_pga_g), check.capacity_pga_g)
-    fell = OVERTURNED if governing.fell(check) else ratio
     return (
         name_of(mechanism),
         named,
@@ -74,7 +73,7 @@ def _row(mechanism: MechanismResult, check: Check) -> tuple[Cell, ...]:
         quantity,
         demand,
         capacity,
-        fell,
+        check.unbounded or ratio,
         *accelerations,
         check.verdict,
     )

@@ -371,11 +371,11 @@ def histories(mechanism: MechanismResult, *, name: str) -> Table:
 def side_by_side(results: Results) -> Table:
     """Demand over capacity of every procedure beside each other, one line for each mechanism and level."""
     known = dict.fromkeys(row.procedure for row in results.comparison)
-    beyond = governing.overturned(results)
     names = {mechanism.name: name_of(mechanism) for mechanism in results.mechanisms}
     lines: dict[tuple[str, float], dict[str, Cell]] = {}
     for row in results.comparison:
-        answer: Cell = OVERTURNED if row in beyond else row.demand_capacity
+        check = governing.check_of(results, row)
+        answer: Cell = (check.unbounded if check else "") or row.demand_capacity
         line = lines.setdefault((row.mechanism, row.level_pga_g), {})
         line[row.procedure] = _worse(line.get(row.procedure), answer)
     columns = (_MECHANISM, _LEVEL, *(Column(_broken(name), "-", "number") for name in known))
@@ -435,8 +435,8 @@ def _rotations(checks: tuple[Check, ...], levels: tuple[float, ...]) -> tuple[Ce
 
 def _turned(check: Check) -> Cell:
     """Its rotation; a body that lifts off without a lasting rotation is not at rest."""
-    if governing.fell(check):
-        return OVERTURNED
+    if check.unbounded:
+        return check.unbounded
     return NO_LASTING if check.reason.endswith(UNLASTING) else _rocking(check.rotation_ratio)
 
 
@@ -447,8 +447,11 @@ def _broken(name: str) -> str:
 
 def _worse(one: Cell, other: Cell) -> Cell:
     """The worse of two ratios of one procedure (several limit states)."""
+    words = [cell for cell in (one, other) if isinstance(cell, str)]
     numbers = [cell for cell in (one, other) if isinstance(cell, float)]
-    return OVERTURNED if OVERTURNED in (one, other) else max(numbers, default=None)
+    if words:
+        return OVERTURNED if OVERTURNED in words else words[0]
+    return max(numbers, default=None)
 
 
 def comparison(results: Results) -> Table:
@@ -463,8 +466,7 @@ def comparison(results: Results) -> Table:
         Column("Input at"),
     )
     names = {mechanism.name: name_of(mechanism) for mechanism in results.mechanisms}
-    beyond = governing.overturned(results)
-    rows = tuple(_compared(results, row, names, row in beyond) for row in results.comparison)
+    rows = tuple(_compared(results, row, names) for row in results.comparison)
     caption = (
         "Demand and capacity of all mechanisms. Compare only lines with the same input; informative readings are grey."
     )
@@ -535,7 +537,7 @@ def _largest(checks: tuple[Check, ...]) -> Cell:
     worst = governing.worst(checks)
     if worst is None:
         return None
-    return OVERTURNED if governing.fell(worst) else worst.ratio
+    return worst.unbounded or worst.ratio
 
 
 def _answer(check: Check, among: tuple[Check, ...]) -> tuple[Cell, ...]:
@@ -545,7 +547,7 @@ def _answer(check: Check, among: tuple[Check, ...]) -> tuple[Cell, ...]:
 def numbers(check: Check, among: tuple[Check, ...]) -> tuple[Cell, Cell, Cell, Cell, Cell]:
     """Procedure, quantity with unit, demand, allowable, ratio."""
     quantity = f"{check.quantity}, {check.unit}" if check.unit not in ("", "-") else check.quantity
-    demand = OVERTURNED if governing.fell(check) else check.demand
+    demand = check.unbounded or check.demand
     return (governing.named(check, among), quantity, demand, check.capacity, check.ratio)
 
 
@@ -568,9 +570,9 @@ def _history(history: HistoryResult) -> tuple[Cell, ...]:
     return (history.record, history.level_pga_g, history.polarity, *scaling, rotation, ratio, *times)
 
 
-def _compared(results: Results, row: ComparisonRow, names: dict[str, str], beyond: bool) -> tuple[Cell, ...]:
+def _compared(results: Results, row: ComparisonRow, names: dict[str, str]) -> tuple[Cell, ...]:
     check = governing.check_of(results, row)
-    rotation = OVERTURNED if beyond else _rocking(row.rotation_ratio) if check is None else _turned(check)
+    rotation = _rocking(row.rotation_ratio) if check is None else _turned(check)
     place = (names.get(row.mechanism, row.mechanism), row.level_pga_g, row.procedure)
     return (*place, rotation, row.allowable_ratio, row.demand_capacity, check.input_at if check else None)
 

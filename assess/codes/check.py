@@ -10,10 +10,12 @@ NO_LASTING = "yet the method finds no lasting rotation at this demand"  # how a 
 GROUND_AT_HEIGHT = (  # in a caveat
     "at height the motion of the ground is taken as it is: unconservative where the building amplifies it"
 )
+BEYOND_SPECTRUM = "rotation beyond the allowable, and beyond the end of the spectrum"  # a reason
 Verdict = Literal["pass", "fail", "not-applicable"]
 BranchName = Literal["positive", "negative"]
 InputAt = Literal["ground", "mechanism base"]
 Bound = Literal["", "<=", ">="]
+Unbounded = Literal["", "overturned", "beyond the spectrum"]
 
 
 @dataclass(frozen=True)
@@ -86,3 +88,10 @@ class Check:
     safety_index: float | None = None
     return_period_years: float | None = None
     return_period_bound: Bound = ""
+
+    @property
+    def unbounded(self) -> Unbounded:
+        """Why it fails without a finite demand: the body overturns, or the spectrum ends first; "" where it slides."""
+        if self.verdict != "fail" or self.demand is not None or self.quantity == "sliding":
+            return ""
+        return "beyond the spectrum" if self.reason == BEYOND_SPECTRUM else "overturned"

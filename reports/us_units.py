@@ -11,7 +11,8 @@ from reports.numerals import numeral
 
 WORKED_IN_SI = (
     "Calculation sheets are worked in SI units, as the constants of the clauses are printed; the result of each step "
-    "stands beside it in US customary units. Values of the project file are listed in SI units."
+    "stands beside it in US customary units, accelerations in g = 32.174 ft/s². Values of the project file are listed "
+    "in SI units."
 )
 UNIT, QUANTITY = "Unit", "Quantity, unit"
 ROWS: Mapping[str, tuple[str, ...]] = {

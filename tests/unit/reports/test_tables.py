@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import asdict, replace
 
+import pytest
+
 from assess.codes.check import Bound, Step
 from assess.results import Results
 from reports import tables
@@ -26,6 +28,8 @@ def numbers_in(tree: object) -> set[float]:
 
 def test_every_number_of_every_table_stands_in_the_results(results: Results) -> None:
     known = numbers_in(asdict(results))
+    assert results.spectrum is not None
+    known |= {value / 9.80665 for value in numbers_in(results.spectrum.parameters)}  # accelerations are shown in g
     document = assessment(results)
     everything = (*document.tables, *(as_table(sheet) for sheet in document.sheets))
     cells = [cell for table in everything for row in table.rows for cell in row]
@@ -55,6 +59,13 @@ def test_a_return_period_beyond_the_hazard_is_shown_as_a_bound(results: Results)
         made = sheet(check, name="s", mechanism="m")
         assert outcome(made.lines[0].value, made.lines[0].unit) == "≥ 2475 years"
         assert as_table(made).rows[0][-2:] == ("≥ 2475", "years")
+
+
+def test_accelerations_of_the_site_are_all_in_g(results: Results) -> None:
+    rows = {row[0]: row[1:] for row in tables.site(results).rows}
+    assert rows["S_DS, design, at short periods"] == ("g", pytest.approx(0.167, rel=1e-4))
+    assert rows["T_L, long-period transition"] == ("s", 6.0)
+    assert rows["peak ground acceleration, Sₐ(0)"][0] == "g"
 
 
 def test_brief_gives_one_line_per_mechanism_and_level(results: Results) -> None:

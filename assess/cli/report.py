@@ -34,20 +34,22 @@ def report(
     found = read(results)
     from assess.cli.outputs import ENVELOPES, RESULTS, staged
     from assess.cli.progress import progress
-    from reports.assessment import of_envelopes
+    from reports.assessment import of_envelopes, project
+    from reports.catalogue import ENGLISH, checked
     from reports.writing import Form, write_all, write_document
 
+    source = f"{results}: project.report.language"
+    wanted = language or checked(project(found, "report.language") or ENGLISH, source=source)
     folder = output or results.parent
     alone = found.critical is not None and not any(mechanism.checks for mechanism in found.mechanisms)
     name = ENVELOPES if alone else RESULTS
     figures: tuple[Form, ...] = ("svg", "png") if png else ("svg",)
     with staged(folder, results=name) as stage, progress() as said:
         if alone:
-            envelopes = of_envelopes(found)
-            envelopes = replace(envelopes, language=language or envelopes.language)
+            envelopes = replace(of_envelopes(found), language=wanted)
             pdf = write_document(envelopes, stage, name="envelopes.pdf", figures=figures, progress=said.step)
         else:
-            pdf = write_all(found, stage, language=language, figures=figures, progress=said.step)
+            pdf = write_all(found, stage, language=wanted, figures=figures, progress=said.step)
         if not _same_folder(folder, results.parent):
             (stage / name).write_bytes(results.read_bytes())
     print(folder / pdf.relative_to(stage))

@@ -8,7 +8,6 @@ translated. `unchanged` lists words that are alike in both languages.
 
 from __future__ import annotations
 
-import json
 import tomllib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -16,7 +15,6 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from assess.errors import ResultsError
 from reports.template import Template, has_gaps, template, words
 
 FOLDER = Path(__file__).parent / "languages"
@@ -53,14 +51,6 @@ class Catalogue:
 def languages() -> tuple[str, ...]:
     """The codes of all languages that a report can be written in, English first."""
     return (ENGLISH, *sorted(path.stem for path in FOLDER.glob("*.toml")))
-
-
-def checked(language: str, *, source: str) -> str:
-    """The language, of which there is a catalogue. Raises ResultsError that names the `source` where there is none."""
-    if language in languages():
-        return language
-    known = " or ".join(f'"{each}"' for each in languages())
-    raise ResultsError(f"{source}: {json.dumps(language)[:40]}: no such language; write {known}, or give --language")
 
 
 @cache

@@ -167,8 +167,3 @@ def by_procedure(checks: tuple[Check, ...]) -> dict[str, tuple[Check, ...]]:
     """The checks of each procedure, in order of appearance."""
     names = dict.fromkeys(check.procedure for check in checks)
     return {name: tuple(check for check in checks if check.procedure == name) for name in names}
-
-
-def counted(number: int, noun: str) -> str:
-    """1 wall, 2 walls."""
-    return f"{number} {noun}{'' if number == 1 else 's'}"

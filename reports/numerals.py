@@ -6,12 +6,11 @@ import json
 from collections.abc import Iterator, Mapping
 from math import isfinite
 
-from assess.codes.check import Bound
 from reports.document import Cell, Kind
 
 _SUPERSCRIPT = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
-SIGNS: Mapping[Bound, str] = {"<=": "≤", ">=": "≥"}
+SIGNS: Mapping[str, str] = {"<=": "≤", ">=": "≥"}
 FIGURES = 4
 
 
@@ -39,7 +38,7 @@ def given(value: float) -> str:
     return f"{value:.10g}".replace("-", "−")
 
 
-def bounded(value: float | None, bound: Bound) -> float | str | None:
+def bounded(value: float | None, bound: str) -> float | str | None:
     """`value` where it is known, else that it is no more, or no less: "≤ 30", "≥ 2475"."""
     return value if value is None or not bound else f"{SIGNS[bound]} {given(value)}"
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from assess.codes.check import GROUND_AT_HEIGHT, Check
+from assess.plural import counted
 from assess.results import MechanismResult, Results, View
 from reports import governing, interfaces
 from reports.lettering import shortened
@@ -28,7 +29,7 @@ def outcome(results: Results) -> tuple[str, ...]:
     if not judged:
         return ("No code procedure gave a verdict:", *_unanswered(results))
     open_ended = governing.unanswered(governing.of_all(results))
-    assessed = f"{governing.counted(len(judged), 'mechanism')} assessed"
+    assessed = f"{counted(len(judged), 'mechanism')} assessed"
     if failing:
         first = f"{assessed}: {len(failing)} of them {_fails(failing)} at least one code check."
         said = (first, *(_failure(mechanism) for mechanism in failing[:12]))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from assess.codes.check import Check
 from assess.results import MechanismResult, Results
-from reports import findings, governing, sentences, tables
+from reports import findings, governing, inputs, sentences, tables
 from reports.document import Block, Cell, Column, Items, Section, Table, Text, filled
 from reports.tables import name_of
 
@@ -14,7 +14,7 @@ REFERENCE = "SLV"  # the limit state whose PGA is the level's
 def section(results: Results) -> Section:
     """Outcome and findings in words, then the verdicts level by level and the check that governs each procedure."""
     found = findings.findings(results)
-    warned: list[Block] = filled(tables.warnings(results)) or [Text(("The run gave no warnings.",))]
+    warned: list[Block] = filled(inputs.warnings(results)) or [Text(("The run gave no warnings.",))]
     blocks = (
         Text(sentences.outcome(results)),
         *((Items(found),) if found else ()),
@@ -42,13 +42,10 @@ def own_accelerations(results: Results) -> tuple[Text, ...]:
 def governing_checks(results: Results) -> Table:
     """Every mechanism by every procedure, at the level that governs: demand, allowable, ratio, PGA, verdict."""
     columns = (
-        Column("Mechanism"),
-        Column("Procedure"),
+        tables.MECHANISM,
+        tables.PROCEDURE,
         Column("at PGA", "g", "number"),
-        Column("Quantity, unit"),
-        Column("Demand", kind="number"),
-        Column("Allowable", kind="number"),
-        Column("Ratio", "-", "number"),
+        *tables.ANSWER,
         Column("PGA at uplift", "g", "number"),
         Column("PGA at capacity", "g", "number"),
         Column("Verdict", kind="verdict"),

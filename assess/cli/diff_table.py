@@ -11,6 +11,7 @@ from typing import Any
 
 from assess.cli.text_table import on_one_line, text_table
 from assess.comparing import Change, Kind, is_number
+from assess.plural import counted
 from assess.project.messages import printable
 
 HEADINGS: Mapping[Kind, str] = {
@@ -41,7 +42,7 @@ def changes_text(changes: Sequence[Change]) -> str:
     if not changes:
         return "no differences\n"
     tables = (TEXTS.get(kind, _table)(kind, list(each)) for kind, each in groupby(changes, key=lambda each: each.kind))
-    return "\n".join(tables) + f"\n{len(changes)} difference{'s' if len(changes) > 1 else ''}\n"
+    return "\n".join(tables) + f"\n{counted(len(changes), 'difference')}\n"
 
 
 def csv_text(changes: Sequence[Change]) -> str:

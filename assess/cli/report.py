@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from dataclasses import replace
 from enum import StrEnum
 from pathlib import Path
@@ -35,11 +36,9 @@ def report(
     from assess.cli.outputs import ENVELOPES, RESULTS, staged
     from assess.cli.progress import progress
     from reports.assessment import of_envelopes, project
-    from reports.catalogue import ENGLISH, checked
     from reports.writing import Form, write_all, write_document
 
-    source = f"{results}: project.report.language"
-    wanted = language or checked(project(found, "report.language") or ENGLISH, source=source)
+    wanted = language or _known(project(found, "report.language"), source=results)
     folder = output or results.parent
     alone = found.critical is not None and not any(mechanism.checks for mechanism in found.mechanisms)
     name = ENVELOPES if alone else RESULTS
@@ -53,6 +52,19 @@ def report(
         if not _same_folder(folder, results.parent):
             (stage / name).write_bytes(results.read_bytes())
     print(folder / pdf.relative_to(stage))
+
+
+def _known(language: str, *, source: Path) -> str:
+    """The language of results, English where they have none. Raises ResultsError for one without a catalogue."""
+    from assess.errors import ResultsError
+    from reports.catalogue import ENGLISH, languages
+
+    if language in ("", *languages()):
+        return language or ENGLISH
+    known, said = " or ".join(f'"{each}"' for each in languages()), json.dumps(language)[:40]
+    raise ResultsError(
+        f"{source}: project.report.language: {said}: no such language; write {known}, or give --language"
+    )
 
 
 def _same_folder(one: Path, other: Path) -> bool:

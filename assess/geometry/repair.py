@@ -14,7 +14,6 @@ from assess.geometry.surface import (
     Surface,
     area,
     border,
-    counted,
     edges_of,
     linked,
     moved_by,
@@ -23,6 +22,7 @@ from assess.geometry.surface import (
     volume,
     without_lines,
 )
+from assess.plural import counted
 
 NEAR = 1e-4  # of the body's size: corners of an open border nearer than this are one
 

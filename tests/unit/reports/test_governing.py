@@ -9,7 +9,7 @@ import pytest
 
 from assess.codes.check import BEYOND_SPECTRUM
 from assess.results import ComparisonRow, Results
-from reports import cover, governing, sentences, summary, tables
+from reports import comparisons, cover, governing, sentences, summary, tables
 
 
 def test_overturning_governs_before_every_ratio(results: Results) -> None:
@@ -52,8 +52,8 @@ def test_what_lies_beyond_the_spectrum_is_not_said_to_overturn(results: Results)
     lines = (
         tables.demands(one, name="d").rows[-1],
         next(line for line in tables.brief(made).rows if line[1] == 9.0),
-        next(line for line in tables.side_by_side(made).rows if line[1] == 9.0),
-        next(line for line in tables.comparison(made).rows if line[1] == 9.0),
+        next(line for line in comparisons.side_by_side(made).rows if line[1] == 9.0),
+        next(line for line in comparisons.comparison(made).rows if line[1] == 9.0),
         next(line for line in cover.glance(made).rows if line[3] == 9.0),
         next(line for line in summary.governing_checks(made).rows if line[2] == 9.0),
     )

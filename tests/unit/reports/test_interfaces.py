@@ -13,10 +13,11 @@ from assess.project.build import build
 from assess.project.run import parameters
 from assess.project.schema import load
 from assess.results import HistoryResult, MechanismResult, Resolved, Results, Trace
-from reports import interfaces, joints, sentences, siblings, tables
+from reports import interfaces, joints, sentences, siblings
 from reports.assessment import assessment
 from reports.document import Figure, Table, Text
 from reports.figures import capacity, contact, moment_rotation
+from reports.parameters import parameters as table_of_parameters
 
 PROJECT = """
 [materials.stone]
@@ -126,7 +127,7 @@ def test_only_mechanisms_with_joints_have_the_pages(mechanisms):
 
 
 def test_parameters_show_rest_frequency_and_no_threshold(mechanisms):
-    rows = {row[0]: row[2:] for row in tables.parameters(mechanisms["flexible"], name="p").rows}
+    rows = {row[0]: row[2:] for row in table_of_parameters(mechanisms["flexible"], name="p").rows}
     assert rows["Load multiplier at uplift, λ"] == ("none", "none")
     assert rows["Rotation at rest, φₑ"] == (0.0, 0.0)
     frequency = mechanisms["flexible"].oscillator.elastic_frequency_hz

@@ -178,8 +178,10 @@ def _filled(surface: Surface) -> tuple[Surface, Told]:
     edges = counted(sum(hole.edges for hole in holes), "edge")
     moved = moved_by(volume(*surface), volume(*new))
     first = f"the first around {place(holes[0].centre)} m"
-    against = "against the open mesh, holes taken as cones to the middle of its box"
-    return new, (f"{counted(len(holes), 'hole')} of {edges}, {size}, closed by planes ({first}; {moved} {against})",)
+    return new, (
+        f"{counted(len(holes), 'hole')} of {edges}, {size}, closed by planes ({first}; {moved} against the open mesh, "
+        "holes taken as cones to the middle of its box)",
+    )
 
 
 def _unclosable(surface: Surface, holes: list[Hole]) -> str:

@@ -209,7 +209,10 @@ def test_names_that_are_words_of_the_catalogue_are_kept(name: str) -> None:
     text = (
         f'load "{name}": nothing else in the project carries it, so its whole weight is on the block: else give share'
     )
-    assert Speech(catalogue("it"), frozenset({name})).said(text).startswith(f'carico "{name}": nient’altro')
+    speech = Speech(catalogue("it"), frozenset({name}))
+    assert speech.said(text).startswith(f'carico "{name}": nient’altro')
+    assert speech.said(f'share 0.5 (statics; the rest on "{name}", "{name}")').endswith(f'"{name}", "{name}")')
+    assert not speech.unknown
 
 
 @pytest.mark.parametrize("language", languages()[1:])

@@ -17,5 +17,5 @@ def _told(check: Check, elevation: float) -> Check:
     if check.input_at != "ground":
         return check
     words = "height of the base above the ground; the motion is that of the ground, not amplified"
-    step = Step("z", words, "", "of the base − of the ground", "geometry", elevation, "m")
+    step = Step("z", words, "", "z_base − z_ground", "geometry", elevation, "m")
     return replace(check, caveat=f"{check.caveat}; {GROUND_AT_HEIGHT}", steps=(step, *check.steps))

@@ -1,26 +1,34 @@
 """What changed between two runs, as before and after a retrofit.
 
 Things are told apart by their names: mechanisms, records, files and keys by their own, checks by mechanism, procedure,
-limit state and level. What one run alone has is a change too, with nothing on the other side. Curves, single histories,
-parametric studies and sensitivities follow from what is compared and are left out.
+limit state and level. What one run alone has is a change too, with nothing on the other side. Curves and single
+histories follow from what is compared and are left out.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, fields
+from itertools import zip_longest
 from math import isclose
 from operator import attrgetter
 from typing import Any, Literal, TypeVar, get_args
 
 from assess.codes.check import Check
-from assess.results import EnvelopeResult, MechanismResult, OscillatorResult, Results
+from assess.results import (
+    EnvelopeResult,
+    MechanismResult,
+    OscillatorResult,
+    Results,
+    SensitivityResult,
+    SweepResult,
+)
 
 K = TypeVar("K")
 V = TypeVar("V")
 Kind = Literal[
-    "verdict", "mechanism", "capacity", "ratio", "envelope", "history", "parameter", "site", "project", "input",
-    "warning", "program",
+    "verdict", "mechanism", "capacity", "ratio", "envelope", "history", "parameter", "sweep", "sensitivity", "site",
+    "project", "input", "warning", "program",
 ]  # fmt: skip
 TOLERANCE = 1e-6  # relative: differences of rounding
 ZERO = 1e-12  # numbers nearer to 0 are 0
@@ -33,6 +41,7 @@ SUITE = {
     "p84_ratio": "84 % of max φ/φ_ov",
     "max_ratio": "largest φ/φ_ov",
 }
+SWEPT = {"demand_capacity": "", "capacity_pga_g": "g", "uplift_multiplier": "", "p_eq_per_s": "1/s", "restitution": ""}
 
 
 @dataclass(frozen=True)
@@ -157,11 +166,8 @@ def ratios(before: Results, after: Results) -> Iterator[Change]:
 
 
 def ratio(check: Check) -> float | str | None:
-    """Demand over capacity, or that the body overturns; None where the check does not apply."""
-    if check.verdict == "not-applicable":
-        return None
-    fell = check.verdict == "fail" and check.demand is None and check.quantity != "sliding"
-    return "overturned" if fell else check.ratio
+    """Demand over capacity, or why there is none; None where the check does not apply."""
+    return None if check.verdict == "not-applicable" else check.unbounded or check.ratio
 
 
 def envelopes(before: Results, after: Results) -> Iterator[Change]:
@@ -207,6 +213,58 @@ def numbers(oscillator: OscillatorResult | None) -> dict[str, float | None]:
     return {each.name: getattr(oscillator, each.name) for each in fields(oscillator) if each.name != "linearised"}
 
 
+def sweeps(before: Results, after: Results) -> Iterator[Change]:
+    """What each case of a parametric study comes to, and which case controls."""
+    sides = [{(sweep.mechanism, sweep.key): sweep for sweep in results.sweeps} for results in (before, after)]
+    for (where, key), one, other in paired(*sides):
+        controls = both(lambda sweep: sweep.value[sweep.controlling], one, other)
+        unit = next(sweep.unit.strip("-") for sweep in (other, one) if sweep is not None)
+        yield Change("sweep", where, f"{key} that controls", *controls, unit=unit)
+        cases = ({} if sweep is None else cases_of(sweep) for sweep in (one, other))
+        for (what, unit), first, second in paired(*cases):
+            yield Change("sweep", where, what, first, second, unit=unit)
+
+
+def cases_of(sweep: SweepResult) -> dict[tuple[str, str], float | str | None]:
+    """The answers of a parametric study, by what they are of and their unit."""
+    unit = sweep.unit.replace("-", "")
+    found: dict[tuple[str, str], float | str | None] = {}
+    for place, value in enumerate(sweep.value):
+        case = f"{sweep.key} = {value:.6g} {unit}".rstrip()
+        found |= {(f"{name}, {case}", unit): getattr(sweep, name)[place] for name, unit in SWEPT.items()}
+        if sweep.overturned[place]:
+            found[f"demand_capacity, {case}", ""] = "overturned"
+    return found
+
+
+def sensitivities(before: Results, after: Results) -> Iterator[Change]:
+    """The range of each number that is varied, and what each answer comes to at its ends."""
+    for number in (ranges_of, answers_of):
+        sides = [dict(pair for row in results.sensitivity for pair in number(row)) for results in (before, after)]
+        for (where, what, unit), first, second in paired(*sides):
+            yield Change("sensitivity", where, what, first, second, unit=unit)
+
+
+def ranges_of(row: SensitivityResult) -> Iterator[tuple[tuple[str, str, str], float | str | None]]:
+    """The low and the high value of a number, and what is said of it."""
+    number, unit = row.key or row.parameter, row.unit.replace("-", "")
+    yield (row.mechanism, f"{number}, low", unit), row.low
+    yield (row.mechanism, f"{number}, high", unit), row.high
+    yield (row.mechanism, f"{number}, remark", ""), row.remark or None
+
+
+def answers_of(row: SensitivityResult) -> Iterator[tuple[tuple[str, str, str], float | str | None]]:
+    """An answer and its verdict at the low and the high value of a number."""
+    if not row.quantity:
+        return
+    unit = "g" if row.quantity == "capacity_pga_g" else ""
+    at = "" if row.level_pga_g is None else f" at {row.level_pga_g:.6g} g"
+    what = f"{row.quantity}, {' '.join((row.procedure, row.limit_state)).strip()}{at}, {row.key or row.parameter}"
+    for side, found, verdict in (("low", row.at_low, row.verdict_low), ("high", row.at_high, row.verdict_high)):
+        yield (row.mechanism, f"{what} {side}", unit), found
+        yield (row.mechanism, f"verdict of {what} {side}", ""), verdict
+
+
 def site(before: Results, after: Results) -> Iterator[Change]:
     """The spectrum, and which records with which scale factors."""
     sides: list[dict[str, float | str]] = []
@@ -222,9 +280,32 @@ def site(before: Results, after: Results) -> Iterator[Change]:
 
 
 def project(before: Results, after: Results) -> Iterator[Change]:
-    """Every value of the project as it was used, in SI."""
+    """Every value of the project as it was used, in SI; of tables and lists of tables each entry."""
     for key, one, other in paired(before.project, after.project):
-        yield Change("project", "", key, *both(attrgetter("value"), one, other))
+        for entry, first, second in opened(key, *both(attrgetter("value"), one, other)):
+            yield Change("project", "", entry, first, second)
+
+
+def opened(key: str, one: Any, other: Any) -> Iterator[tuple[str, Any, Any]]:
+    """Two values entry by entry, with their keys, as far as both are tables or lists of tables."""
+    if isinstance(one, Mapping) and isinstance(other, Mapping):
+        for name, first, second in paired(one, other):
+            yield from opened(f"{key}.{name}", first, second)
+    elif is_list_of_tables(one) and is_list_of_tables(other):
+        for place, (first, second) in enumerate(zip_longest(one, other)):
+            yield from opened(f"{key}[{place}]", first, second)
+    else:
+        yield key, stated(one), stated(other)
+
+
+def is_list_of_tables(value: Any) -> bool:
+    """Whether a value is a list with nothing but tables in it."""
+    return isinstance(value, list | tuple) and all(isinstance(each, Mapping) for each in value)
+
+
+def stated(value: Any) -> Any:
+    """A value; of a table what it states, without the keys that are absent."""
+    return {key: each for key, each in value.items() if each is not None} if isinstance(value, Mapping) else value
 
 
 def inputs(before: Results, after: Results) -> Iterator[Change]:
@@ -256,6 +337,8 @@ COMPARED: tuple[Callable[[Results, Results], Iterator[Change]], ...] = (
     envelopes,
     histories,
     parameters,
+    sweeps,
+    sensitivities,
     site,
     project,
     inputs,

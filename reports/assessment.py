@@ -10,15 +10,20 @@ from typing import Literal
 from assess.results import MechanismResult, RecordResult, Results, SweepResult
 from reports import (
     assumptions,
+    comparisons,
     cover,
     envelopes,
     governing,
+    histories,
+    inputs,
     interfaces,
     literature,
+    parameters,
     sensitivity,
     sentences,
     sheets,
     siblings,
+    site,
     structure,
     suite,
     summary,
@@ -65,10 +70,10 @@ def assessment(results: Results) -> Document:
         sections=tuple(chapters),
         data=(
             tables.verdicts(results),
-            tables.values(results),
-            tables.comparison(results),
-            tables.ordinates(results),
-            tables.curves(results),
+            inputs.values(results),
+            comparisons.comparison(results),
+            site.ordinates(results),
+            parameters.curves(results),
             tables.pga_curves(results),
             *sensitivity.data(results),
             *envelopes.data(results),
@@ -84,7 +89,7 @@ def of_envelopes(results: Results) -> Document:
     chapters = envelopes.critical_chapter(results)
     for place, mechanism in enumerate(results.mechanisms, start=1):
         chapters += envelopes.chapter(mechanism, results.records, stem(mechanism.name, place), level=0)
-    warned = filled(tables.warnings(results)) or [Text(("The run gave no warnings.",))]
+    warned = filled(inputs.warnings(results)) or [Text(("The run gave no warnings.",))]
     chapters += [Section("Warnings", 0, tuple(warned)), _annex(results)]
     return replace(
         assessment(results),
@@ -129,7 +134,7 @@ def _annex(results: Results) -> Section:
     blocks: list[Block] = []
     blocks += [Text((f"Title in full: {title}",))] if len(title) > LONG else []
     blocks += [Text((f"Notes: {notes}",))] if notes else []
-    blocks += [*filled(tables.inputs(results)), *filled(tables.values_set(results))]
+    blocks += [*filled(inputs.inputs(results)), *filled(inputs.values_set(results))]
     return Section("Annex: inputs", 0, tuple(blocks), starts_page=True)
 
 
@@ -141,8 +146,8 @@ def _site(results: Results) -> list[Section]:
             f"and of the records as scaled to it{_fitted(results)}."
         )
         blocks.append(Figure("spectrum", caption, partial(spectrum.draw, results.spectrum, results.records)))
-        blocks += filled(tables.site(results))
-    blocks += [*filled(tables.records(results)), *suite.blocks(results), *filled(tables.trails(results))]
+        blocks += filled(site.site(results))
+    blocks += [*filled(site.records(results)), *suite.blocks(results), *filled(site.trails(results))]
     return [Section("Site and ground motion", 0, tuple(blocks))] if blocks else []
 
 
@@ -178,11 +183,11 @@ def _shape(mechanism: MechanismResult, name: str, *, sibling: str) -> Section:
         *sweeps.weakest(mechanism, name=name),
         Figure(f"{name}-sketch", sentences.sketch(mechanism), partial(sketch.draw, mechanism)),
         *_view(mechanism, name, sibling=sibling),
-        *filled(tables.loads(mechanism, name=f"{name}-loads")),
-        tables.parameters(mechanism, name=f"{name}-parameters"),
+        *filled(parameters.loads(mechanism, name=f"{name}-loads")),
+        parameters.parameters(mechanism, name=f"{name}-parameters"),
         Figure(f"{name}-capacity", sentences.capacity(mechanism), partial(capacity.draw, mechanism)),
         *interfaces.blocks(mechanism, name=name),
-        *filled(tables.hinge_forces(mechanism, name=f"{name}-hinge-forces")),
+        *filled(parameters.hinge_forces(mechanism, name=f"{name}-hinge-forces")),
     )
     return Section(f"Mechanism: {tables.name_of(mechanism)}", 0, blocks, starts_page=True)
 
@@ -216,7 +221,10 @@ def _answer(mechanism: MechanismResult, name: str) -> Section:
 
 
 def _histories(mechanism: MechanismResult, name: str) -> Section:
-    blocks: list[Block] = [*_amplification(mechanism, name), *filled(tables.suites(mechanism, name=f"{name}-suites"))]
+    blocks: list[Block] = [
+        *_amplification(mechanism, name),
+        *filled(histories.suites(mechanism, name=f"{name}-suites")),
+    ]
     found = governing.history(mechanism)
     if found is not None:
         one, trace = found
@@ -227,7 +235,7 @@ def _histories(mechanism: MechanismResult, name: str) -> Section:
             f"{one.impacts} impacts. Above the acceleration, below the rotation."
         )
         blocks.append(Figure(f"{name}-history", caption, draw))
-    blocks += filled(tables.histories(mechanism, name=f"{name}-histories"))
+    blocks += filled(histories.histories(mechanism, name=f"{name}-histories"))
     return Section("Time histories", 1, tuple(blocks))
 
 
@@ -260,10 +268,11 @@ def _comparison(results: Results) -> list[Section]:
     if not results.comparison:
         return []
     names = {mechanism.name: tables.name_of(mechanism) for mechanism in results.mechanisms}
-    draw = partial(comparison.draw, results.comparison, names, governing.overturned(results))
+    draw = partial(comparison.draw, governing.drawn(results), names, governing.overturned(results))
     caption = (
         "Demand over capacity of every mechanism by every procedure; right of the line the check fails. Open markers "
-        "are informative readings, a cross marks overturning, an arrow a ratio beyond the axis."
+        "are informative readings, a cross marks overturning, an arrow a ratio beyond the axis or the end of "
+        "the spectrum."
     )
     standing = sweeps.standing(results.sweeps, names)
     unlike = sentences.amplified(results)
@@ -271,9 +280,9 @@ def _comparison(results: Results) -> list[Section]:
         *standing,
         *((Text(unlike),) if unlike else ()),
         Figure("comparison", caption, draw),
-        *filled(tables.capacities(results)),
-        tables.side_by_side(results),
-        *filled(tables.rotations(results)),
+        *filled(comparisons.capacities(results)),
+        comparisons.side_by_side(results),
+        *filled(comparisons.rotations(results)),
         *siblings.blocks(results, name="interfaces"),
     )
     return [Section("Comparison of the mechanisms", 0, blocks, starts_page=True)]

@@ -5,10 +5,11 @@ from __future__ import annotations
 from hashlib import sha256
 
 from assess.codes.check import Check
+from assess.plural import counted
 from assess.results import MechanismResult, Results
 from reports import findings, governing
 from reports.document import Banner, Cell, Column, Section, Table, Text
-from reports.tables import OVERTURNED, name_of
+from reports.tables import name_of
 
 NO_PASS = "what could not be answered is no pass"
 
@@ -28,7 +29,7 @@ def headline(results: Results) -> str:
     if found == "fail":
         return f"{failing} of {len(judged)} mechanisms fail at least one code check at the levels that were asked."
     if found == "pass":
-        return f"Every code check passes at every level, for {governing.counted(len(judged), 'mechanism')}."
+        return f"Every code check passes at every level, for {counted(len(judged), 'mechanism')}."
     silent = governing.unanswered(governing.of_all(results)) or "no code procedure gave a verdict"
     return f"{silent[0].upper()}{silent[1:]}: {NO_PASS}."
 
@@ -84,10 +85,10 @@ def _line(mechanism: MechanismResult) -> tuple[Cell, ...]:
 
 
 def _deciding(worst: Check) -> tuple[Cell, Cell, Cell]:
-    return worst.procedure, worst.level_pga_g, OVERTURNED if governing.fell(worst) else worst.ratio
+    return worst.procedure, worst.level_pga_g, worst.unbounded or worst.ratio
 
 
 def fingerprint(results: Results) -> str:
     """One SHA-256 over those of all files read, and how many they are: which inputs this report is of."""
     joined = "".join(each.sha256 for each in results.inputs).encode("ascii", "replace")
-    return f"{governing.counted(len(results.inputs), 'file')}, together SHA-256 {sha256(joined).hexdigest()}"
+    return f"{counted(len(results.inputs), 'file')}, together SHA-256 {sha256(joined).hexdigest()}"

@@ -1,6 +1,7 @@
 """US customary units: what each unit of the report becomes, and the exact factor (NIST Handbook 44, appendix C).
 
-Forces become kips throughout, so that moments (kip ft) go with them; masses become pounds.
+Forces become kips throughout, so that moments (kip ft) go with them; masses become pounds. Accelerations are in g, as
+American codes give them.
 """
 
 from __future__ import annotations
@@ -8,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from scipy.constants import foot, giga, inch, kilo, lbf, mega, mile, milli, pound, psi
+from scipy.constants import foot, g, giga, inch, kilo, lbf, mega, mile, milli, pound, psi
 
 KIP = kilo * lbf
 _RAISED = str.maketrans("23", "²³")
@@ -29,7 +30,7 @@ _UNITS: Mapping[str, Customary] = {
     "m²": Customary("ft²", 1 / foot**2),
     "m³": Customary("ft³", 1 / foot**3),
     "m/s": Customary("ft/s", 1 / foot),
-    "m/s²": Customary("ft/s²", 1 / foot),
+    "m/s²": Customary("g", 1 / g),
     "kg": Customary("lb", 1 / pound),
     "kg m": Customary("lb ft", 1 / (pound * foot)),
     "kg m²": Customary("lb ft²", 1 / (pound * foot**2)),

@@ -111,14 +111,17 @@ class Figure:
 
 @dataclass(frozen=True)
 class Line:
-    """One step of a calculation: what, where it stands, the formula, the numbers put in, what came out."""
+    """One step of a calculation: what, where it stands, the formula, the numbers put in, what came out.
+
+    value : a number, or in words where that is all that is known: "≥ 2475"
+    """
 
     symbol: str
     description: str
     clause: str
     formula: str
     substituted: str
-    value: float | None
+    value: float | str | None
     unit: str
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
+from dataclasses import replace
 from math import inf
 from typing import Literal
 
@@ -14,12 +15,12 @@ Outcome = Verdict | Literal["incomplete"]
 
 
 def fell(check: Check) -> bool:
-    """Whether the check failed because there is no finite demand: the body overturned, for it did not slide away."""
-    return check.verdict == "fail" and check.demand is None and check.quantity != "sliding"
+    """Whether the check failed because the body overturned."""
+    return check.unbounded == "overturned"
 
 
 def severity(check: Check) -> float:
-    """Demand over allowable [-]: infinite where the body overturned, negative where the check does not apply."""
+    """Demand over allowable [-]: infinite where there is no finite demand, negative where the check does not apply."""
     if check.verdict == "not-applicable":
         return -1.0
     if check.ratio is not None:
@@ -126,6 +127,15 @@ def overturned(results: Results) -> frozenset[ComparisonRow]:
     return frozenset(row for row, check in pairs if check is not None and fell(check))
 
 
+def drawn(results: Results) -> tuple[ComparisonRow, ...]:
+    """The rows of the comparison, those whose demand lies beyond the end of the spectrum with an infinite one."""
+    pairs = ((row, check_of(results, row)) for row in results.comparison)
+    beyond = [check is not None and check.unbounded == "beyond the spectrum" for _, check in pairs]
+    return tuple(
+        replace(row, demand_capacity=inf) if far else row for row, far in zip(results.comparison, beyond, strict=True)
+    )
+
+
 def outcome(results: Results) -> Outcome:
     """One verdict of the whole run."""
     return verdict(of_all(results))
@@ -157,8 +167,3 @@ def by_procedure(checks: tuple[Check, ...]) -> dict[str, tuple[Check, ...]]:
     """The checks of each procedure, in order of appearance."""
     names = dict.fromkeys(check.procedure for check in checks)
     return {name: tuple(check for check in checks if check.procedure == name) for name in names}
-
-
-def counted(number: int, noun: str) -> str:
-    """1 wall, 2 walls."""
-    return f"{number} {noun}{'' if number == 1 else 's'}"

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from math import isfinite
 
 from reports.document import Cell, Kind
 
 _SUPERSCRIPT = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
-
+SIGNS: Mapping[str, str] = {"<=": "≤", ">=": "≥"}
 FIGURES = 4
 
 
@@ -38,12 +38,21 @@ def given(value: float) -> str:
     return f"{value:.10g}".replace("-", "−")
 
 
-def outcome(value: float | None, unit: str) -> str:
+def bounded(value: float | None, bound: str) -> float | str | None:
+    """`value` where it is known, else that it is no more, or no less: "≤ 30", "≥ 2475"."""
+    return value if value is None or not bound else f"{SIGNS[bound]} {given(value)}"
+
+
+def outcome(value: float | str | None, unit: str) -> str:
     """What a step of a calculation came to, with its unit; a dash where there is no value."""
     if value is None:
         return "—"
-    number = given(value) if float(value).is_integer() and abs(value) < 1e5 else numeral(value)
+    number = value if isinstance(value, str) else _result(value)
     return number if unit == "-" else f"{number} {unit}"
+
+
+def _result(value: float) -> str:
+    return given(value) if float(value).is_integer() and abs(value) < 1e5 else numeral(value)
 
 
 def shown(cell: Cell, kind: Kind) -> str:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from assess.codes.check import Check
+from assess.codes.check import GROUND_AT_HEIGHT, Check
+from assess.plural import counted
 from assess.results import MechanismResult, Results, View
 from reports import governing, interfaces
 from reports.lettering import shortened
@@ -28,7 +29,7 @@ def outcome(results: Results) -> tuple[str, ...]:
     if not judged:
         return ("No code procedure gave a verdict:", *_unanswered(results))
     open_ended = governing.unanswered(governing.of_all(results))
-    assessed = f"{governing.counted(len(judged), 'mechanism')} assessed"
+    assessed = f"{counted(len(judged), 'mechanism')} assessed"
     if failing:
         first = f"{assessed}: {len(failing)} of them {_fails(failing)} at least one code check."
         said = (first, *(_failure(mechanism) for mechanism in failing[:12]))
@@ -118,6 +119,7 @@ def limits(results: Results) -> tuple[str, ...]:
         *interfaces.limits(results.mechanisms),
         *_readings(results),
         *_unlike(results),
+        *_unamplified(results),
         *_linearised(results),
         *_unverified(results),
     )
@@ -171,6 +173,16 @@ def _unlike(results: Results) -> tuple[str, ...]:
         "Some procedures take their input at the ground and others at the base of the mechanism; each table says "
         "which. Their ratios are not to be compared line by line.",
     )
+
+
+def _unamplified(results: Results) -> tuple[str, ...]:
+    """Which procedures judge which mechanisms at height by the motion of the ground."""
+    told = [(m, check) for m in results.mechanisms for check in m.checks if GROUND_AT_HEIGHT in check.caveat]
+    if not told:
+        return ()
+    procedures = dict.fromkeys(check.procedure for _, check in told)
+    names = dict.fromkeys(shortened(name_of(mechanism), 40) for mechanism, _ in told)
+    return (f"{joined(procedures)}, for {joined(names)}: {GROUND_AT_HEIGHT}.",)
 
 
 def _linearised(results: Results) -> tuple[str, ...]:
@@ -252,6 +264,8 @@ def _failure(mechanism: MechanismResult) -> str:
     beyond = dict.fromkeys(check.procedure for check in failing if governing.fell(check))
     if beyond:
         return f"{start} and overturns, according to {joined(beyond)}."
+    if worst is not None and worst.unbounded:
+        return f"{start}; its demand lies {worst.unbounded}, by {worst.procedure} at PGA {worst.level_pga_g:.3g} g."
     if worst is None or worst.ratio is None:
         return f"{start}."
     return (

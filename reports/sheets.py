@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 from assess.codes.check import Check
 from reports.document import Column, Line, Sheet, Table
+from reports.numerals import bounded
 
 _COLUMNS = ("Symbol", "Description", "Clause", "Formula", "Substituted", "Value", "Unit")
 
@@ -13,7 +14,8 @@ _COLUMNS = ("Symbol", "Description", "Clause", "Formula", "Substituted", "Value"
 def sheet(check: Check, *, name: str, mechanism: str) -> Sheet:
     """The steps of one check, at its level."""
     lines = tuple(
-        Line(s.symbol, s.description, s.clause, s.formula, s.substituted, s.value, s.unit) for s in check.steps
+        Line(s.symbol, s.description, s.clause, s.formula, s.substituted, bounded(s.value, s.bound), s.unit)
+        for s in check.steps
     )
     state = f", limit state {check.limit_state}" if check.limit_state else ""
     reading = " — informative reading" if check.role == "informative" else ""

@@ -17,7 +17,7 @@ SHORT = 50  # characters of a name in a sentence
 
 @dataclass(frozen=True)
 class Siblings:
-    """Mechanisms of the same blocks, each under what its interfaces are; named by the first."""
+    """Mechanisms alike but for their interfaces, each under what those are; named by the first."""
 
     members: dict[str, MechanismResult]
 
@@ -28,12 +28,13 @@ class Siblings:
 
 
 def siblings_of(results: Results) -> tuple[Siblings, ...]:
-    """Every group of two or more, the rigid one first, then in the order of the project."""
-    return tuple(Siblings(_by_interface(group)) for group in _groups(results))
+    """Every group with two interfaces or more, the rigid one first, then in the order of the project."""
+    groups = (_unlike(group) for group in _groups(results))
+    return tuple(Siblings(_by_interface(group)) for group in groups if len(group) > 1)
 
 
 def earlier(results: Results) -> dict[str, str]:
-    """For each mechanism that has siblings before it in the report, what the first of them is called."""
+    """For each mechanism with others before it that have its bodies, what the first of them is called."""
     return {other.name: name_of(first) for first, *others in _groups(results) for other in others}
 
 
@@ -42,6 +43,15 @@ def _groups(results: Results) -> list[list[MechanismResult]]:
     for mechanism in results.mechanisms:
         found.setdefault(described(results, mechanism), []).append(mechanism)
     return [group for group in found.values() if len(group) > 1]
+
+
+def _unlike(group: list[MechanismResult]) -> list[MechanismResult]:
+    """The first mechanism of each interface: others with the same one differ in nothing."""
+    found: list[MechanismResult] = []
+    for mechanism in group:
+        if all(mechanism.interfaces != other.interfaces for other in found):
+            found.append(mechanism)
+    return found
 
 
 def described(results: Results, mechanism: MechanismResult) -> frozenset[tuple[str, str]]:

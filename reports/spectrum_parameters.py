@@ -1,10 +1,12 @@
-"""What the parameters of design spectra are called, with their symbols and units."""
+"""What the parameters of design spectra are called, with their symbols and units; accelerations in g."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 
-ACCELERATION = "m/s²"
+from scipy.constants import g
+
+ACCELERATION = "g"
 
 NAMES: Mapping[str, tuple[str, str]] = {
     # ASCE 7
@@ -73,4 +75,9 @@ def corners(parameters: Mapping[str, float | str]) -> tuple[float, ...]:
 
 def named(parameters: Mapping[str, float | str]) -> tuple[tuple[str, str, float | str], ...]:
     """Name, unit and value of each parameter; one that is not known here keeps the name it has."""
-    return tuple((*NAMES.get(key, (key, "-")), value) for key, value in parameters.items())
+    return tuple(_named(*NAMES.get(key, (key, "-")), value) for key, value in parameters.items())
+
+
+def _named(name: str, unit: str, value: float | str) -> tuple[str, str, float | str]:
+    """A parameter in the unit that it is shown in: results hold accelerations in m/s2."""
+    return name, unit, value / g if unit == ACCELERATION and not isinstance(value, str) else value

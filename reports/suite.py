@@ -7,7 +7,7 @@ from functools import partial
 from assess.results import GroundMotionResult, RequirementResult, Results
 from reports.document import Block, Column, Figure, Table, Text
 from reports.figures import suite
-from reports.numerals import numeral
+from reports.numerals import SIGNS, numeral
 from reports.tables import name_of
 
 VERDICTS = {"met": "yes", "not met": "no", "not answered": "not answered"}
@@ -107,7 +107,7 @@ def requirements(motion: GroundMotionResult) -> Table:
 
 def _row(one: RequirementResult) -> tuple[str | float | None, ...]:
     unit = "" if one.unit == "-" else f" {one.unit}"
-    limit = f"{'≥' if one.sense == '>=' else '≤'} {one.limit:.4g}{unit}"
+    limit = f"{SIGNS[one.sense]} {one.limit:.4g}{unit}"
     over = "" if one.from_s is None or one.to_s is None else f"{one.from_s:.3g} to {one.to_s:.3g}"
     found = one.value if one.value is None or one.value % 1.0 else int(one.value)
     return (one.code, one.clause, one.what, found, limit, over, VERDICTS[one.verdict], one.remark)

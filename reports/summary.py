@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from assess.codes.check import Check
 from assess.results import MechanismResult, Results
-from reports import findings, governing, sentences, tables
+from reports import findings, governing, inputs, sentences, tables
 from reports.document import Block, Cell, Column, Items, Section, Table, Text, filled
-from reports.tables import OVERTURNED, name_of
+from reports.tables import name_of
 
 REFERENCE = "SLV"  # the limit state whose PGA is the level's
 
@@ -14,7 +14,7 @@ REFERENCE = "SLV"  # the limit state whose PGA is the level's
 def section(results: Results) -> Section:
     """Outcome and findings in words, then the verdicts level by level and the check that governs each procedure."""
     found = findings.findings(results)
-    warned: list[Block] = filled(tables.warnings(results)) or [Text(("The run gave no warnings.",))]
+    warned: list[Block] = filled(inputs.warnings(results)) or [Text(("The run gave no warnings.",))]
     blocks = (
         Text(sentences.outcome(results)),
         *((Items(found),) if found else ()),
@@ -42,13 +42,10 @@ def own_accelerations(results: Results) -> tuple[Text, ...]:
 def governing_checks(results: Results) -> Table:
     """Every mechanism by every procedure, at the level that governs: demand, allowable, ratio, PGA, verdict."""
     columns = (
-        Column("Mechanism"),
-        Column("Procedure"),
+        tables.MECHANISM,
+        tables.PROCEDURE,
         Column("at PGA", "g", "number"),
-        Column("Quantity, unit"),
-        Column("Demand", kind="number"),
-        Column("Allowable", kind="number"),
-        Column("Ratio", "-", "number"),
+        *tables.ANSWER,
         Column("PGA at uplift", "g", "number"),
         Column("PGA at capacity", "g", "number"),
         Column("Verdict", kind="verdict"),
@@ -66,7 +63,6 @@ def _worst_of_code(mechanism: MechanismResult) -> tuple[Check, ...]:
 def _row(mechanism: MechanismResult, check: Check) -> tuple[Cell, ...]:
     named, quantity, demand, capacity, ratio = tables.numbers(check, mechanism.checks)
     accelerations = (tables.uplift(check.uplift_pga_g), check.capacity_pga_g)
-    fell = OVERTURNED if governing.fell(check) else ratio
     return (
         name_of(mechanism),
         named,
@@ -74,7 +70,7 @@ def _row(mechanism: MechanismResult, check: Check) -> tuple[Cell, ...]:
         quantity,
         demand,
         capacity,
-        fell,
+        check.unbounded or ratio,
         *accelerations,
         check.verdict,
     )

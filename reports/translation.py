@@ -77,7 +77,7 @@ class Speech:
         return self.parts[text]
 
     def _looked_up(self, text: str) -> str | None:
-        if text in self.verbatim:
+        if text in self.verbatim or text.strip('"') in self.verbatim:
             return text
         if text in self.catalogue.exact:
             return self.catalogue.exact[text]

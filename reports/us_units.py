@@ -11,7 +11,8 @@ from reports.numerals import numeral
 
 WORKED_IN_SI = (
     "Calculation sheets are worked in SI units, as the constants of the clauses are printed; the result of each step "
-    "stands beside it in US customary units. Values of the project file are listed in SI units."
+    "stands beside it in US customary units, accelerations in g = 32.174 ft/s². Values of the project file are listed "
+    "in SI units."
 )
 UNIT, QUANTITY = "Unit", "Quantity, unit"
 ROWS: Mapping[str, tuple[str, ...]] = {
@@ -51,7 +52,7 @@ def _noted(sections: list[Section]) -> tuple[Section, ...]:
 def _line(line: Line) -> Line:
     """A step with its result in both systems: 1.234 m (4.049 ft)."""
     found = customary(line.unit)
-    if found is None or line.value is None:
+    if found is None or not isinstance(line.value, float | int):
         return line
     return replace(line, unit=f"{line.unit} ({numeral(line.value * found.factor)} {found.unit})")
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
+from pathlib import PurePath
 
 from assess.results import Results
 
@@ -36,7 +37,8 @@ def _of_project(results: Results) -> Iterator[str]:
 
 
 def _of_records(results: Results) -> Iterator[str]:
-    yield from (each.path for each in results.inputs)
+    for each in results.inputs:
+        yield from (each.path, PurePath(each.path).name)
     for record in results.records:
         yield from (record.id, record.path, record.event, record.station, record.component)
 

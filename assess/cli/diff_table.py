@@ -9,8 +9,9 @@ from collections.abc import Callable, Mapping, Sequence
 from itertools import groupby
 from typing import Any
 
-from assess.cli.text_table import text_table
+from assess.cli.text_table import on_one_line, text_table
 from assess.comparing import Change, Kind, is_number
+from assess.plural import counted
 from assess.project.messages import printable
 
 HEADINGS: Mapping[Kind, str] = {
@@ -21,6 +22,8 @@ HEADINGS: Mapping[Kind, str] = {
     "envelope": "overturning envelopes",
     "history": "time histories",
     "parameter": "rocking parameters (SI)",
+    "sweep": "parametric studies",
+    "sensitivity": "sensitivity",
     "site": "site and records",
     "project": "project (SI)",
     "input": "files",
@@ -28,6 +31,8 @@ HEADINGS: Mapping[Kind, str] = {
     "program": "program",
 }
 WORDS = {"fail": "FAIL", "not-applicable": "n/a"}  # verdicts, as `assess run` prints them
+LONGEST, WIDEST = 40, 100  # characters of names and values, and of what they are of
+AROUND = 12  # characters that are shown of what two long texts have in common
 HASH = 12  # characters of a SHA-256 that tell files apart
 FIELDS = ("kind", "where", "what", "unit", "before", "after", "relative")
 
@@ -37,7 +42,7 @@ def changes_text(changes: Sequence[Change]) -> str:
     if not changes:
         return "no differences\n"
     tables = (TEXTS.get(kind, _table)(kind, list(each)) for kind, each in groupby(changes, key=lambda each: each.kind))
-    return "\n".join(tables) + f"\n{len(changes)} difference{'s' if len(changes) > 1 else ''}\n"
+    return "\n".join(tables) + f"\n{counted(len(changes), 'difference')}\n"
 
 
 def csv_text(changes: Sequence[Change]) -> str:
@@ -58,11 +63,8 @@ def json_text(changes: Sequence[Change]) -> str:
 
 
 def _table(kind: Kind, changes: Sequence[Change]) -> str:
-    rows = [
-        [change.where, change.what, _shown(change.before, kind), _shown(change.after, kind), _by(change)]
-        for change in changes
-    ]
-    return text_table([HEADINGS[kind], "", "before", "after", "change"], rows)
+    rows = [[on_one_line(change.where, LONGEST), change.what, *_ends(change), _by(change)] for change in changes]
+    return text_table([HEADINGS[kind], "", "before", "after", "change"], rows, widest=WIDEST)
 
 
 def _lines(kind: Kind, changes: Sequence[Change]) -> str:
@@ -76,6 +78,16 @@ def _lines(kind: Kind, changes: Sequence[Change]) -> str:
 
 
 TEXTS: Mapping[Kind, Callable[[Kind, Sequence[Change]], str]] = {"warning": _lines}
+
+
+def _ends(change: Change) -> tuple[str, str]:
+    """Both sides of a change, cut; of two texts that part where they are cut what stands around there."""
+    before, after = (_shown(end, change.kind) for end in (change.before, change.after))
+    pairs = enumerate(zip(before, after, strict=False))
+    parts = next((place for place, (one, other) in pairs if one != other), min(len(before), len(after)))
+    if parts + AROUND > LONGEST and max(len(before), len(after)) > LONGEST:
+        before, after = (f"…{end[parts - AROUND :]}" for end in (before, after))
+    return on_one_line(before, LONGEST), on_one_line(after, LONGEST)
 
 
 def _shown(value: Any, kind: Kind) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from dataclasses import replace
 from enum import StrEnum
 from pathlib import Path
@@ -34,23 +35,36 @@ def report(
     found = read(results)
     from assess.cli.outputs import ENVELOPES, RESULTS, staged
     from assess.cli.progress import progress
-    from reports.assessment import of_envelopes
+    from reports.assessment import of_envelopes, project
     from reports.writing import Form, write_all, write_document
 
+    wanted = language or _known(project(found, "report.language"), source=results)
     folder = output or results.parent
     alone = found.critical is not None and not any(mechanism.checks for mechanism in found.mechanisms)
     name = ENVELOPES if alone else RESULTS
     figures: tuple[Form, ...] = ("svg", "png") if png else ("svg",)
     with staged(folder, results=name) as stage, progress() as said:
         if alone:
-            envelopes = of_envelopes(found)
-            envelopes = replace(envelopes, language=language or envelopes.language)
+            envelopes = replace(of_envelopes(found), language=wanted)
             pdf = write_document(envelopes, stage, name="envelopes.pdf", figures=figures, progress=said.step)
         else:
-            pdf = write_all(found, stage, language=language, figures=figures, progress=said.step)
+            pdf = write_all(found, stage, language=wanted, figures=figures, progress=said.step)
         if not _same_folder(folder, results.parent):
             (stage / name).write_bytes(results.read_bytes())
     print(folder / pdf.relative_to(stage))
+
+
+def _known(language: str, *, source: Path) -> str:
+    """The language of results, English where they have none. Raises ResultsError for one without a catalogue."""
+    from assess.errors import ResultsError
+    from reports.catalogue import ENGLISH, languages
+
+    if language in ("", *languages()):
+        return language or ENGLISH
+    known, said = " or ".join(f'"{each}"' for each in languages()), json.dumps(language)[:40]
+    raise ResultsError(
+        f"{source}: project.report.language: {said}: no such language; write {known}, or give --language"
+    )
 
 
 def _same_folder(one: Path, other: Path) -> bool:

@@ -75,7 +75,7 @@ def draw(spectrum: Spectrum, path: Path) -> Path:
 
 
 def _shown(value: float | str, unit: str) -> tuple[str, str]:
-    """A value and its unit; accelerations in g."""
+    """A value and its unit."""
     if not isinstance(value, float):
         return str(value), unit
-    return (f"{value / g:.4g}", "g") if unit == ACCELERATION else (f"{value:.5g}", unit)
+    return f"{value:.4g}" if unit == ACCELERATION else f"{value:.5g}", unit

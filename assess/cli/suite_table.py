@@ -16,8 +16,8 @@ from assess.results_io import dumps_suite
 from reports.csv import field
 from reports.figure_file import write_figure
 from reports.figures import record_spectra
+from reports.site import event_of
 from reports.suite import requirements, sentences
-from reports.tables import event_of
 
 _COLUMNS = ("record", "event", "NGA", "M", "comp.", "misfit", "factor", "PGA [g]")
 

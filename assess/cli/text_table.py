@@ -4,10 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+WIDEST = 40  # characters of a cell
 
-def text_table(header: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    """Columns aligned, the first to the left and the others to the right; each line ends with a line break."""
-    lines = [[_on_one_line(cell) for cell in row] for row in (header, *rows)]
+
+def text_table(header: Sequence[str], rows: Sequence[Sequence[str]], *, widest: int = WIDEST) -> str:
+    """Columns aligned, the first to the left and the others to the right; each line ends with a line break.
+
+    widest : characters of a cell; longer ones are cut
+    """
+    lines = [[on_one_line(cell, widest) for cell in row] for row in (header, *rows)]
     widths = [max(len(line[i]) for line in lines) for i in range(len(header))]
     return "".join(_line(cells, widths) for cells in lines)
 
@@ -18,7 +23,7 @@ def _line(cells: Sequence[str], widths: Sequence[int]) -> str:
     return "  ".join((first, *others)).rstrip() + "\n"
 
 
-def _on_one_line(text: str) -> str:
+def on_one_line(text: str, widest: int) -> str:
     """`text` without control characters, cut to what a terminal can show."""
     shown = "".join(c if c.isprintable() else " " for c in text)
-    return shown if len(shown) <= 40 else f"{shown[:39]}…"
+    return shown if len(shown) <= widest else f"{shown[: widest - 1]}…"

@@ -7,14 +7,23 @@ from typing import Literal
 
 Role = Literal["code", "informative"]
 NO_LASTING = "yet the method finds no lasting rotation at this demand"  # how a reason ends: it lifts off
+GROUND_AT_HEIGHT = (  # in a caveat
+    "at height the motion of the ground is taken as it is: unconservative where the building amplifies it"
+)
+BEYOND_SPECTRUM = "rotation beyond the allowable, and beyond the end of the spectrum"  # a reason
 Verdict = Literal["pass", "fail", "not-applicable"]
 BranchName = Literal["positive", "negative"]
 InputAt = Literal["ground", "mechanism base"]
+Bound = Literal["", "<=", ">="]
+Unbounded = Literal["", "overturned", "beyond the spectrum"]
 
 
 @dataclass(frozen=True)
 class Step:
-    """One line of a calculation sheet: the formula, the numbers put into it, and what came out."""
+    """One line of a calculation sheet: the formula, the numbers put into it, and what came out.
+
+    bound : "<=" or ">=" where all that is known is that it is no more, or no less, than `value`
+    """
 
     symbol: str
     description: str
@@ -23,6 +32,7 @@ class Step:
     substituted: str
     value: float | None
     unit: str
+    bound: Bound = ""
 
 
 @dataclass(frozen=True)
@@ -47,7 +57,8 @@ class Check:
     rigid overturning rotation of the branch, None where the procedure knows no rotation or the body overturned.
     `score`: what the code itself counts the answer in, by name, as {"%NBS": 43.1}; empty where it has nothing.
     `safety_index` (capacity over demand, both as PGA) and `return_period_years` of the capacity stand where the code
-    and the site have them.
+    and the site have them; `return_period_bound` is "<=" or ">=" where the capacity lies beyond the rows of the hazard,
+    whose end it then is.
     """
 
     procedure: str
@@ -76,3 +87,11 @@ class Check:
     score: dict[str, float] = field(default_factory=dict)
     safety_index: float | None = None
     return_period_years: float | None = None
+    return_period_bound: Bound = ""
+
+    @property
+    def unbounded(self) -> Unbounded:
+        """Why it fails without a finite demand: the body overturns, or the spectrum ends first; "" where it slides."""
+        if self.verdict != "fail" or self.demand is not None or self.quantity == "sliding":
+            return ""
+        return "beyond the spectrum" if self.reason == BEYOND_SPECTRUM else "overturned"

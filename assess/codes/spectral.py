@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from scipy.constants import g
 
-from assess.codes.check import NO_LASTING, Verdict
+from assess.codes.check import BEYOND_SPECTRUM, NO_LASTING, Verdict
 from assess.codes.context import Context
 from assess.codes.relation import PgaRelation, capacity
 
@@ -41,7 +41,7 @@ def spectral_answer(
     if curve.complete:
         return Answer("fail", "overturns: no rotation holds this demand", in_g)
     if at_capacity is not None:
-        return Answer("fail", "rotation beyond the allowable", in_g)
+        return Answer("fail", BEYOND_SPECTRUM, in_g)
     end = context.spectrum.longest_period
     return Answer(
         "not-applicable", f"the answer lies beyond the end of the spectrum at {end:.4g} s: extend its table", None

@@ -14,7 +14,6 @@ from assess.geometry.surface import (
     Surface,
     area,
     border,
-    counted,
     edges_of,
     linked,
     moved_by,
@@ -23,6 +22,7 @@ from assess.geometry.surface import (
     volume,
     without_lines,
 )
+from assess.plural import counted
 
 NEAR = 1e-4  # of the body's size: corners of an open border nearer than this are one
 
@@ -178,8 +178,10 @@ def _filled(surface: Surface) -> tuple[Surface, Told]:
     edges = counted(sum(hole.edges for hole in holes), "edge")
     moved = moved_by(volume(*surface), volume(*new))
     first = f"the first around {place(holes[0].centre)} m"
-    against = "against the open mesh, holes taken as cones to the middle of its box"
-    return new, (f"{counted(len(holes), 'hole')} of {edges}, {size}, closed by planes ({first}; {moved} {against})",)
+    return new, (
+        f"{counted(len(holes), 'hole')} of {edges}, {size}, closed by planes ({first}; {moved} against the open mesh, "
+        "holes taken as cones to the middle of its box)",
+    )
 
 
 def _unclosable(surface: Surface, holes: list[Hole]) -> str:

@@ -17,7 +17,6 @@ from assess.geometry.surface import (
     IntArray,
     Surface,
     area_vectors,
-    counted,
     edges_of,
     linked,
     merged,
@@ -27,6 +26,7 @@ from assess.geometry.surface import (
     volume,
 )
 from assess.geometry.winding import layers
+from assess.plural import counted
 
 ASKED = 64  # triangles of a shell beside which the others are looked up
 

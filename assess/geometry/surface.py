@@ -166,11 +166,6 @@ def place(point: FloatArray) -> str:
     return "(" + ", ".join(f"{round(float(value), 4) + 0.0:.12g}" for value in point) + ")"
 
 
-def counted(number: int, noun: str) -> str:
-    """A number with its noun: 1 shell, 2 shells."""
-    return f"{number} {noun}" + ("" if number == 1 else "s")
-
-
 def moved_by(before: float, after: float) -> str:
     """By how much a repair moved the volume [m3], as a share of what it is now."""
     return f"volume {100.0 * (after - before) / after:+.3g} %" if after else "no volume left"

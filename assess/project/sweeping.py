@@ -178,7 +178,7 @@ def sweep_result(swept: Swept, *, governs: bool) -> SweepResult:
         elastic_frequency_hz=tuple(branch.elastic_frequency_hz for branch in branches),
         restitution=tuple(branch.restitution for branch in branches),
         demand_capacity=tuple(None if ratio == inf else ratio for ratio in ratios),
-        overturned=tuple(ratio == inf for ratio in ratios),
+        overturned=tuple(any(check.unbounded == "overturned" for check in each) for each in checks),
         capacity_pga_g=tuple(least_capacity(each) for each in checks),
         controlling=swept.controlling,
         governs=governs,

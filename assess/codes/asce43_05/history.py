@@ -9,6 +9,7 @@ from __future__ import annotations
 from scipy.constants import g
 
 from assess.codes.asce43_05.clauses import EDITION, Options
+from assess.codes.asce43_05.height import told
 from assess.codes.check import BranchName, Check, InputAt, PgaCurve, Step, Verdict
 from assess.codes.context import Context, Suite
 from assess.codes.governing import branch_named
@@ -28,7 +29,7 @@ def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tup
         context.incremental, lambda suite: passes(suite, allowable), least_records=LEAST_RECORDS
     )
     lifts = uplift_multiplier(oscillator, linearised=context.linearised)
-    return tuple(
+    checks = (
         _check(
             oscillator,
             suite,
@@ -40,6 +41,7 @@ def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tup
         )
         for suite in context.suites
     )
+    return told(tuple(checks), context=context)
 
 
 def passes(suite: Suite, allowable_ratio: float) -> bool:

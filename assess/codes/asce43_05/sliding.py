@@ -17,6 +17,7 @@ from scipy.constants import g
 from scipy.optimize import brentq
 
 from assess.codes.asce43_05.clauses import EDITION, Options
+from assess.codes.asce43_05.height import told
 from assess.codes.check import Check, Step, Verdict
 from assess.codes.context import Context
 from assess.codes.governing import least
@@ -37,8 +38,8 @@ LEVEL = 1e-6  # of a unit normal: faces less inclined are level
 def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tuple[Check, ...]:
     """One check for each level, against `options.allowable_sliding`; without that for information only."""
     lifts = least([threshold(branch) for branch in oscillator.branches])
-    checks = [_check(level, context, options.allowable_sliding) for level in context.levels]
-    return tuple(replace(check, uplift_pga_g=lifts) for check in checks)
+    checks = tuple(_check(level, context, options.allowable_sliding) for level in context.levels)
+    return tuple(replace(check, uplift_pga_g=lifts) for check in told(checks, context=context))
 
 
 def effective_friction(mu: float, *, vertical: float) -> float:

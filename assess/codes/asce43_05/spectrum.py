@@ -21,6 +21,7 @@ from assess.codes.asce43_05.clauses import (
     thesis_limit_ratio,
     vertical_factor,
 )
+from assess.codes.asce43_05.height import told
 from assess.codes.check import BranchName, Check, Role, Step
 from assess.codes.context import Context
 from assess.codes.governing import branch_named, governing
@@ -101,7 +102,7 @@ def _checks(
         lifts = threshold(branch_named(own, name))
         return _check(oscillator, branch, name, context, reading_of(branch), level, lifts=lifts)
 
-    return governing(oscillator, context.levels, one)
+    return told(governing(oscillator, context.levels, one), context=context)
 
 
 def _check(

@@ -13,7 +13,7 @@ from math import exp, log
 import numpy as np
 from scipy.constants import g
 
-from assess.codes.check import BranchName, Check, Step
+from assess.codes.check import Bound, BranchName, Check, Step
 from assess.codes.context import Context, Hazard
 from assess.codes.governing import governing
 from assess.oscillator import Branch, Oscillator
@@ -116,26 +116,29 @@ def rated(check: Check, context: Context) -> Check:
 
 
 def _with_years(check: Check, hazard: Hazard, capacity_g: float) -> Check:
-    years = return_period(hazard, capacity_g * g)
-    first, last = hazard.return_period[0], hazard.return_period[-1]
-    ends = {first: f"or less: the hazard begins at {first:.4g}", last: f"or more: the hazard ends at {last:.4g}"}
-    words = "return period of the capacity" + (f", {ends[years]} years" if years in ends else "")
+    years, bound = return_period(hazard, capacity_g * g)
+    ends = {
+        "<=": f", or less: the hazard begins at {years:.4g} years",
+        ">=": f", or more: the hazard ends at {years:.4g} years",
+    }
+    words = f"return period of the capacity{ends.get(bound, '')}"
     formula, numbers = "log T_R linear in log PGA between rows of the hazard, S a_g", f"PGA_C = {capacity_g:.5g} g"
-    step = Step("T_R,C", words, HAZARD_CLAUSE, formula, numbers, years, "years")
-    return replace(check, return_period_years=years, steps=(*check.steps, step))
+    step = Step("T_R,C", words, HAZARD_CLAUSE, formula, numbers, years, "years", bound)
+    return replace(check, return_period_years=years, return_period_bound=bound, steps=(*check.steps, step))
 
 
-def return_period(hazard: Hazard, pga: float) -> float:
+def return_period(hazard: Hazard, pga: float) -> tuple[float, Bound]:
     """The least return period [years] at which the site reaches a PGA [m/s2], between rows linear in logarithms.
 
-    Clamped to the rows of the hazard. On soft soils S a_g may fall while a_g rises, so the least is not the only one.
+    Beyond the rows of the hazard it is that of the first or the last one, and a bound: "<=" or ">=". On soft soils
+    S a_g may fall while a_g rises, so the least is not the only one.
     """
     reached = np.maximum.accumulate(hazard.pga)
     above = int(np.searchsorted(reached, pga))
     if above == 0:
-        return hazard.return_period[0]
+        return hazard.return_period[0], "<=" if pga < reached[0] else ""
     if above == reached.size:
-        return hazard.return_period[-1]
+        return hazard.return_period[-1], ">="
     between = log(pga / reached[above - 1]) / log(reached[above] / reached[above - 1])
     low, high = hazard.return_period[above - 1 : above + 1]
-    return exp(log(low) + between * log(high / low))
+    return exp(log(low) + between * log(high / low)), ""

@@ -12,7 +12,7 @@ from assess.comparing import KINDS, Change, changes, same
 from assess.project.build import build
 from assess.project.run import envelope, run
 from assess.project.schema import load
-from assess.results import Notice, Results
+from assess.results import Notice, Resolved, Results, SensitivityResult, SweepResult
 
 PROJECT = """
 [site.spectrum]
@@ -78,7 +78,8 @@ def test_a_tie_turns_the_verdict_which_stands_first(before: Results, after: Resu
     assert [change.kind for change in found] == sorted((c.kind for c in found), key=KINDS.index)
     assert {change.where for change in found} <= {"wall", "", "project.toml"}  # the parapet stays as it was
     (tied,) = of_kind(found, "project")
-    assert (tied.what, tied.before) == ("mechanisms.wall.loads", [])
+    assert (tied.what, tied.before) == ("mechanisms.wall.loads[0]", None)
+    assert (tied.after["kind"], tied.after["force"]) == ("tie", 10000.0)
     (file,) = of_kind(found, "input")
     assert (file.where, file.what) == ("project.toml", "sha256")
 
@@ -138,6 +139,50 @@ def test_values_are_one_item_by_item() -> None:
     assert same(1, 1.0, tolerance=0.0)
     assert same(0.0, 1e-17, tolerance=0.0)
     assert not same(None, 0.0, tolerance=1.0)
+
+
+def test_what_changed_in_a_load_is_one_number(after: Results) -> None:
+    loads = after.project["mechanisms.wall.loads"]
+    stronger = Resolved([{**loads.value[0], "force": 12000.0}], True)
+    found = changes(after, replace(after, project={**after.project, "mechanisms.wall.loads": stronger}))
+    assert [(c.what, c.before, c.after) for c in found] == [("mechanisms.wall.loads[0].force", 10000.0, 12000.0)]
+
+
+def swept(values: tuple[float, ...], ratios: tuple[float | None, ...], controlling: int) -> SweepResult:
+    """A study of a density by hand: the last case overturns where it has no ratio."""
+    n = len(values)
+    fell = tuple(ratio is None for ratio in ratios)
+    same, none = (0.5,) * n, (None,) * n
+    answers = (ratios, fell, (0.2,) * n, controlling, True)
+    return SweepResult(
+        "wall", "materials.stone.density", "kg/m^3", values, same, same, same, none, none, same, *answers
+    )
+
+
+def test_cases_of_a_study_are_compared_value_by_value(before: Results) -> None:
+    one = replace(before, sweeps=(swept((1800.0, 2000.0), (0.8, 0.9), 1),))
+    other = replace(before, sweeps=(swept((1800.0, 2000.0, 2200.0), (0.8, None, None), 2),))
+    found = {c.what: (c.before, c.after) for c in of_kind(changes(one, other), "sweep")}
+    assert found["materials.stone.density that controls"] == (2000.0, 2200.0)
+    assert found["demand_capacity, materials.stone.density = 2000 kg/m^3"] == (0.9, "overturned")
+    assert found["demand_capacity, materials.stone.density = 2200 kg/m^3"] == (None, "overturned")
+    assert not any("1800" in what for what in found)
+    assert list(changes(one, one)) == []
+
+
+def test_sensitivities_are_compared_at_both_ends(before: Results) -> None:
+    row = SensitivityResult(
+        "wall", "density", "", "materials.stone.density", "kg/m^3", 2000.0, 1800.0, 2200.0, "dmi2008-linear", "SLV",
+        0.3, "demand_capacity", 0.9, 0.8, 1.0, "pass", "pass", "pass",
+    )  # fmt: skip
+    other = replace(row, high=2400.0, at_high=1.1, verdict_high="fail")
+    found = changes(replace(before, sensitivity=(row,)), replace(before, sensitivity=(other,)))
+    what = "demand_capacity, dmi2008-linear SLV at 0.3 g, materials.stone.density high"
+    assert {(c.kind, c.where, c.what, c.before, c.after, c.unit) for c in found} == {
+        ("sensitivity", "wall", "materials.stone.density, high", 2200.0, 2400.0, "kg/m^3"),
+        ("sensitivity", "wall", what, 1.0, 1.1, ""),
+        ("sensitivity", "wall", f"verdict of {what}", "pass", "fail", ""),
+    }
 
 
 def test_envelopes_are_compared_by_their_least_pulse(folder: Path) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from assess.results import Resolved, Results
-from reports import assumptions, tables
+from reports import assumptions, inputs
 
 
 def listed(results: Results, project: dict[str, Resolved]) -> list[tuple[object, ...]]:
@@ -48,7 +48,7 @@ def test_what_is_absent_or_a_title_is_no_assumption(results: Results) -> None:
 def test_a_long_list_of_tables_has_a_line_for_each_and_no_value_is_cut(results: Results) -> None:
     rows = [{"return_period": 30.0 + place, "a_g": 0.77472535, "f_0": None} for place in range(40)]
     found = replace(results, project={**results.project, "site.spectrum.hazard": Resolved(rows, True)})
-    for table in (tables.values(found), assumptions.table(found)):
+    for table in (inputs.values(found), assumptions.table(found)):
         lines = {row[0]: row[1] for row in table.rows}
         assert lines["site.spectrum.hazard[39]"] == '{"return_period": 69.0, "a_g": 0.77472535}'
         assert "site.spectrum.hazard" not in lines

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from math import inf
 
 import pytest
 
-from assess.results import Results
-from reports import governing, sentences, tables
+from assess.codes.check import BEYOND_SPECTRUM
+from assess.results import ComparisonRow, Results
+from reports import comparisons, cover, governing, sentences, summary, tables
 
 
 def test_overturning_governs_before_every_ratio(results: Results) -> None:
@@ -34,6 +36,30 @@ def test_the_overturning_history_governs(results: Results) -> None:
 def test_rows_of_the_comparison_that_overturned(results: Results) -> None:
     rows = governing.overturned(results)
     assert [(row.mechanism, row.level_pga_g, row.procedure) for row in rows] == [("parapet", 0.45, "asce43-05-history")]
+
+
+def test_what_lies_beyond_the_spectrum_is_not_said_to_overturn(results: Results) -> None:
+    """The check that governs fails where its spectrum ends: every place that shows it says so."""
+    first, *others = results.mechanisms
+    worst = replace(first.checks[0], level_pga_g=9.0, demand=None, ratio=None, verdict="fail", reason=BEYOND_SPECTRUM)
+    row = ComparisonRow(first.name, 9.0, worst.procedure, None, 0.5, None)
+    one = replace(first, checks=(*first.checks, worst))
+    made = replace(results, mechanisms=(one, *others), comparison=(*results.comparison, row))
+    assert not governing.fell(worst)
+    assert row not in governing.overturned(made)
+    assert governing.drawn(made)[-1].demand_capacity == inf
+    assert governing.drawn(made)[:-1] == results.comparison
+    lines = (
+        tables.demands(one, name="d").rows[-1],
+        next(line for line in tables.brief(made).rows if line[1] == 9.0),
+        next(line for line in comparisons.side_by_side(made).rows if line[1] == 9.0),
+        next(line for line in comparisons.comparison(made).rows if line[1] == 9.0),
+        next(line for line in cover.glance(made).rows if line[3] == 9.0),
+        next(line for line in summary.governing_checks(made).rows if line[2] == 9.0),
+    )
+    assert all("beyond the spectrum" in line and "overturned" not in line for line in lines)
+    said = " ".join(sentences.outcome(made))
+    assert f"its demand lies beyond the spectrum, by {worst.procedure} at PGA 9 g." in said
 
 
 @pytest.mark.parametrize(

@@ -13,10 +13,11 @@ from assess.project.build import build
 from assess.project.run import parameters
 from assess.project.schema import load
 from assess.results import HistoryResult, MechanismResult, Resolved, Results, Trace
-from reports import interfaces, joints, sentences, siblings, tables
+from reports import interfaces, joints, sentences, siblings
 from reports.assessment import assessment
 from reports.document import Figure, Table, Text
 from reports.figures import capacity, contact, moment_rotation
+from reports.parameters import parameters as table_of_parameters
 
 PROJECT = """
 [materials.stone]
@@ -126,7 +127,7 @@ def test_only_mechanisms_with_joints_have_the_pages(mechanisms):
 
 
 def test_parameters_show_rest_frequency_and_no_threshold(mechanisms):
-    rows = {row[0]: row[2:] for row in tables.parameters(mechanisms["flexible"], name="p").rows}
+    rows = {row[0]: row[2:] for row in table_of_parameters(mechanisms["flexible"], name="p").rows}
     assert rows["Load multiplier at uplift, λ"] == ("none", "none")
     assert rows["Rotation at rest, φₑ"] == (0.0, 0.0)
     frequency = mechanisms["flexible"].oscillator.elastic_frequency_hz
@@ -224,12 +225,26 @@ def test_what_differs_by_its_interface_alone_stands_side_by_side(compared):
     assert muted == {"asce43-05-spectrum-thesis"}
 
 
-def test_two_of_one_model_have_a_column_each(compared, mechanisms):
-    twin = replace(compared.mechanisms[0], name="again")
-    project = {k.replace(".flexible.", ".again."): v for k, v in compared.project.items() if ".flexible." in k}
-    more = replace(compared, mechanisms=(*compared.mechanisms, twin), project={**compared.project, **project})
-    (group,) = siblings.siblings_of(more)
+def with_twin(compared: Results, twin: MechanismResult) -> Results:
+    """The results with one mechanism more, of which the project says what it says of `flexible`."""
+    project = {k.replace(".flexible.", f".{twin.name}."): v for k, v in compared.project.items() if ".flexible." in k}
+    return replace(compared, mechanisms=(*compared.mechanisms, twin), project={**compared.project, **project})
+
+
+def test_two_of_one_model_have_a_column_each(compared):
+    flexible = compared.mechanisms[0]
+    softer = tuple({**interface, "normal_force_n": 1.0} for interface in flexible.interfaces)
+    (group,) = siblings.siblings_of(with_twin(compared, replace(flexible, name="again", interfaces=softer)))
     assert list(group.members) == ["rigid", "flexible", "flexible 2"]
+
+
+def test_what_has_the_same_interface_too_is_not_said_to_differ_by_it(compared):
+    more = with_twin(compared, replace(compared.mechanisms[0], name="again"))
+    (group,) = siblings.siblings_of(more)
+    assert [mechanism.name for mechanism in group.members.values()] == ["rigid", "flexible"]
+    assert set(siblings.earlier(more)) == {"rigid", "again"}  # their bodies are the same all the same
+    twins = replace(more, mechanisms=(more.mechanisms[0], more.mechanisms[-1]))
+    assert siblings.blocks(twins, name="t") == []
 
 
 def test_bodies_in_space_are_drawn_once_for_siblings(compared, mechanisms):

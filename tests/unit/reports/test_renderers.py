@@ -34,7 +34,7 @@ RENDERERS = (
     "catalogue",
     "template",
 )
-DATA = {"assess.results", "assess.codes.check"}
+DATA = {"assess.results", "assess.codes.check", "assess.plural"}
 
 
 def imports(path: Path) -> set[str]:

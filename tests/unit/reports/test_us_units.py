@@ -11,7 +11,8 @@ import pytest
 from assess.results import Resolved, Results
 from reports import tables
 from reports.assessment import assessment
-from reports.document import Cell, Column, Document, Sheet, Table, Text
+from reports.document import Cell, Column, Document, Line, Section, Sheet, Table, Text
+from reports.numerals import outcome
 from reports.us_units import WORKED_IN_SI, in_us_units, table
 
 REGISTRY = pint.UnitRegistry()
@@ -117,10 +118,18 @@ def test_sheets_stay_in_si_with_the_result_in_both(both: tuple[Document, Documen
             assert replace(other, unit=line.unit) == line
             if line.unit in ("m", "m/s2") and line.value is not None:
                 number, unit = other.unit.removeprefix(f"{line.unit} (").removesuffix(")").split(" ")
-                assert float(number) == pytest.approx(line.value / 0.3048, rel=1e-3)  # shown to four figures
-                assert unit == {"m": "ft", "m/s2": "ft/s²"}[line.unit]
+                one, name = {"m": (0.3048, "ft"), "m/s2": (9.80665, "g")}[line.unit]
+                assert float(number) == pytest.approx(line.value / one, rel=1e-3)  # shown to four figures
+                assert unit == name
                 seen += 1
     assert seen > 0
+
+
+def test_an_acceleration_of_a_sheet_stands_in_g_beside_it(both: tuple[Document, Document]) -> None:
+    made = Sheet("s", "S.", (Line("a*", "", "", "", "", 0.2 * 9.80665, "m/s2"),))
+    *_, shown = in_us_units(replace(both[0], sections=(Section("s", 0, (made,)),))).blocks
+    assert isinstance(shown, Sheet)
+    assert outcome(shown.lines[0].value, shown.lines[0].unit) == "1.961 m/s2 (0.2000 g)"
 
 
 def test_the_sheets_are_explained_once_before_the_first(both: tuple[Document, Document]) -> None:

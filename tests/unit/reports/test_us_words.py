@@ -32,6 +32,7 @@ SAID = {
     "6400 kg; bears on 0.8 m2, fill 80 kg/m²": "14110 lb; bears on 8.61 ft², fill 16.4 lb/ft²",
     "1620 to 1980 kg/m^3": "101.1 to 123.6 lb/ft³",
     "0.4 mm off, 20 km away, 360 m/s": "0.0157 in off, 12.4 mi away, 1180 ft/s",
+    "a* = 1.962 m/s2, 9.81 m/s²": "a* = 0.2001 g, 1.00 g",
     "kept: 0.3 g, 2.5 Hz, 0.2 rad, 5 s, 3 °": "kept: 0.3 g, 2.5 Hz, 0.2 rad, 5 s, 3 °",
 }
 KEPT = (

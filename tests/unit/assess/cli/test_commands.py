@@ -17,7 +17,8 @@ from assess.codes.check import Check, PgaCurve, Role, Verdict
 from assess.project import run as running
 from assess.project.build import build
 from assess.project.schema import load
-from assess.results import MechanismResult, Notice, Program, Results
+from assess.results import MechanismResult, Notice, Program, Resolved, Results
+from assess.results_io import dumps
 
 PROJECT = """
 title = "<b>&"
@@ -212,6 +213,20 @@ def failing_report(results: Results, folder: Path, *, jobs: int = 0, progress: A
 
 def test_a_language_without_a_catalogue_is_refused(project: Path, tmp_path: Path) -> None:
     assert ended("report", tmp_path / "results.json", "--language", "tlh") == 2
+
+
+@pytest.mark.parametrize("said", ["tlh", "../languages/it", "x\n\x1b[31m" + "y" * 10_000, 7])
+def test_an_unknown_language_in_results_is_one_line(
+    project: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], said: str | int
+) -> None:
+    results = replace(results_of(project), project={"report.language": Resolved(said, True)})
+    path = tmp_path / "results.json"
+    path.write_text(dumps(results))
+    assert ended("report", path) == 2
+    told = capsys.readouterr().err
+    assert f"{path}: project.report.language: {json.dumps(str(said))[:40]}" in told
+    assert told.endswith('no such language; write "en" or "it", or give --language\n')
+    assert told.count("\n") == 1
 
 
 def test_report_again_needs_no_analysis(

@@ -115,5 +115,12 @@ def test_names_are_only_text() -> None:
     change = Change("verdict", hostile, hostile, "pass", "fail")
     told = changes_text([change, replace(change, kind="warning"), replace(change, kind="project", before=[hostile])])
     assert "\x1b" not in told
-    assert max(map(len, told.splitlines()[:3])) < 120
+    assert max(map(len, told.splitlines()[:3])) < 180
     assert "FAIL" in told
+
+
+def test_texts_that_are_cut_show_where_they_part() -> None:
+    alike = "the same words over and over again, "
+    told = changes_text([Change("project", "", "notes", f"{4 * alike}lime", f"{4 * alike}cement")])
+    assert "…over again, lime" in told
+    assert "…over again, cement" in told

@@ -1,0 +1,8 @@
+"""Numbers with their nouns."""
+
+from __future__ import annotations
+
+
+def counted(number: int, noun: str) -> str:
+    """1 wall, 2 walls."""
+    return f"{number} {noun}{'' if number == 1 else 's'}"

@@ -1,0 +1,233 @@
+"""Every warning is known in every language: its texts are read out of the functions that make them.
+
+A text is a literal of the source with 7 in its gaps; `counted(n, "hole")` gives "1 hole" and "7 holes". Literals of
+what is raised, of `where` it would be, and those of one word, are none. What stands only within others is in COMPOSED,
+with the sentences that it makes.
+"""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator, Mapping
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from assess.geometry.mesh import load
+from reports.catalogue import catalogue, languages
+from reports.translation import Speech
+
+ROOT = Path(__file__).parents[2]
+FILLED = "7"
+SOURCES: Mapping[str, tuple[str, ...]] = {
+    "assess/geometry/mesh.py": ("_likely_unit", "_turned", "_unit", "suspicious"),
+    "assess/geometry/repair.py": ("_filled", "_single", "_split", "_welded", "_wound_alike"),
+    "assess/geometry/shells.py": ("_overlaps_united", "_turned", "_without_flat", "counted_once"),
+    "assess/geometry/sounding.py": ("doubts_of",),
+    "assess/geometry/surface.py": ("moved_by",),
+    "assess/interfaces/contact.py": ("sideways_doubt",),
+    "assess/mechanisms/doubts.py": ("across_the_crack", "loose_hinges", "pulling_supports"),
+    "assess/mechanisms/equivalent_block.py": ("equivalent_block",),
+    "assess/mechanisms/impact.py": ("_faster", "no_rebound", "rebound"),
+    "assess/mechanisms/single_block.py": ("_off_base",),
+    "assess/natural_frequency.py": ("ASSUMPTIONS",),
+    "assess/project/amplification.py": ("RAYLEIGH", "by_first_mode"),
+    "assess/project/arches.py": ("doubtful", "told"),
+    "assess/project/bare_numbers.py": ("bare_numbers",),
+    "assess/project/bodies.py": ("ASKEW", "doubts_of", "uneven"),
+    "assess/project/body_loads.py": ("alone", "beside_the_block", "body_loads", "part_of"),
+    "assess/project/build.py": (),
+    "assess/project/components.py": ("left_out",),
+    "assess/project/directions.py": ("CORNER",),
+    "assess/project/gaps.py": ("loose", "parted", "told"),
+    "assess/project/interfaces.py": ("apart", "joint_at", "sideways"),
+    "assess/project/loading.py": ("in_the_air", "moving_anchors"),
+    "assess/project/notices.py": (
+        "_of_amplification",
+        "_of_body",
+        "_of_crushing",
+        "_of_equation",
+        "_of_two_first_modes",
+    ),
+    "assess/project/overlaps.py": ("overlaps",),
+    "assess/project/record_set.py": ("_first", "cell_text", "notices_of"),
+    "assess/project/run.py": ("envelope_notices", "suite_notices"),
+    "assess/project/sampling.py": ("coarse_notices", "longest_step"),
+    "assess/project/sweeping.py": ("case_notices",),
+    "assess/project/walls.py": ("by_formula", "by_search"),
+    "records/flatfile.py": ("_reason",),
+    "records/plausibility.py": ("_doubt", "_likely"),
+    "spectra/asce7.py": ("STUDIES_2016", "mapped_spectrum"),
+    "spectra/nzs1170_5.py": ("_capped",),
+    "spectra/spectrum.py": ("implausible",),
+}
+"""Files with the functions and constants that warnings are written in; without any: their texts come from elsewhere."""
+
+_LONGEST = 'body "7" measures 7 m at its longest; is its unit right?'
+_APART = 'bodies "7" and "7" touch nowhere: they lie 7 m apart;'
+_BLOCK = "as one block they are taken to be joined"
+_HINGE = "with a hinge between them they are taken to meet: close the gap, or check hinges and blocks"
+_ALONE, _BESIDE = (
+    "nothing else in the project carries it",
+    "the hinge lies 7 m 7 the edge of its contact, which is 7 m deep",
+)
+_HALF = "half of it is taken, since its other foot must stand on something: else give share"
+_CRUSHING = "; where crushing of the masonry is not modelled, 7, 7 asks for the FC of LC1, 7"
+_SHARED = "7 m3, 7 % of the smaller"
+_OVERLAP = 'bodies "7" and "7" overlap by 7, which is weighed with both; cut one back'
+_CRACK = "crack at z = 7 m, 7 of the height, where the uplift multiplier is least, 7"
+_HELD = " with the mortar's tension before it opens"
+COMPOSED: Mapping[str, tuple[str, ...]] = {
+    f"{_LONGEST}7": (_LONGEST,),
+    ' With mesh_unit = "7" it would measure 7 m': (f'{_LONGEST} With mesh_unit = "7" it would measure 7 m',),
+    _APART: (f"{_APART} {_BLOCK}", f"{_APART} {_HINGE}"),
+    f"7 {_BLOCK}": (),
+    f"7 {_HINGE}": (),
+    f"7; {_HALF}": (f"{_ALONE}; {_HALF}",),
+    "7, so its whole weight is on the block: else give share": (
+        f"{_ALONE}, so its whole weight is on the block: else give share",
+    ),
+    _ALONE: (f"share 1 ({_ALONE})",),
+    "; by statics 7": ("share 7 (given; by statics 7)",),
+    f"7: {_BESIDE}; pressure is counted from the hinge on": tuple(
+        f"interface A: {_BESIDE.replace(' m 7 ', f' m {side} ')}; pressure is counted from the hinge on"
+        for side in ("inside", "outside")
+    ),
+    _CRUSHING: tuple(
+        f"{known}{_CRUSHING.replace('modelled, 7, 7', f'modelled, {here}, {circular}')}"
+        for known in ("FC = 1.00 stands for knowledge level LC3", "FC = 7")
+        for here in ("as here", "as in 7")
+        for circular in ("Circolare 617/2009", "Circolare 7/2019")
+    ),
+    "as here": (),
+    "as in 7": (),
+    _SHARED: (_OVERLAP.replace("by 7", f"by {_SHARED}"),),
+    _OVERLAP: (),
+    _HELD: (f"{_CRACK}{_HELD}",),
+    " and 7 more": ("7 (7 s) and 7 more",),
+    " (read in 7; in 7 it would be 7 g)": (
+        "its peak is 7 g, below 7 g; check the unit (read in 7; in 7 it would be 7 g)",
+    ),
+}
+
+
+def messages() -> Iterator[tuple[str, str]]:
+    """Every text that stands alone, with where it is."""
+    for file, names in SOURCES.items():
+        for text in (text for name in names for text in texts(_definition(file, name))):
+            yield from ((file, whole) for whole in COMPOSED.get(text, (text,)))
+
+
+def texts(node: ast.AST) -> Iterator[str]:
+    """The texts within a piece of source."""
+    for child in ast.iter_child_nodes(node):
+        if isinstance(child, ast.Raise) or _is_docstring(child) or _is_place(child):
+            continue
+        if isinstance(child, ast.Call) and isinstance(child.func, ast.Name) and child.func.id == "counted":
+            noun = ast.literal_eval(child.args[1])
+            yield from (f"1 {noun}", f"{FILLED} {noun}s")
+        elif (text := _written(child)) is not None:
+            yield from (text,) if " " in text.strip() else ()
+            yield from (each for value in getattr(child, "values", ()) for each in texts(value))
+        else:
+            yield from texts(child)
+
+
+def _written(node: ast.AST) -> str | None:
+    """A literal with its gaps filled."""
+    if isinstance(node, ast.Constant):
+        return node.value if isinstance(node.value, str) else None
+    if not isinstance(node, ast.JoinedStr):
+        return None
+    return "".join(str(each.value) if isinstance(each, ast.Constant) else FILLED for each in node.values)
+
+
+def _is_docstring(node: ast.AST) -> bool:
+    return isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
+
+
+def _is_place(node: ast.AST) -> bool:
+    """Whether it says where an error would be."""
+    if isinstance(node, ast.keyword):
+        return node.arg == "where"
+    return isinstance(node, ast.Assign) and ast.unparse(node.targets[0]) == "where"
+
+
+def _definition(file: str, name: str) -> ast.AST:
+    """The function or the constant of a name. Raises ValueError where the file has none."""
+    for node in _tree(file).body:
+        targets = node.targets if isinstance(node, ast.Assign) else ()
+        named = {node.name} if isinstance(node, ast.FunctionDef) else {ast.unparse(target) for target in targets}
+        if name in named:
+            return node
+    raise ValueError(f"{file}: {name}: not there any more; say where its texts are written now")
+
+
+@cache
+def _tree(file: str) -> ast.Module:
+    return ast.parse((ROOT / file).read_text(encoding="utf-8"))
+
+
+def makers() -> set[str]:
+    """The files of the program in which a warning is made: that name Notice and call it."""
+    paths = [path for path in (ROOT / "assess").rglob("*.py") if "cli" not in path.parts]
+    return {str(path.relative_to(ROOT)) for path in paths if _calls_notice(str(path.relative_to(ROOT)))}
+
+
+def _calls_notice(file: str) -> bool:
+    calls = (node for node in ast.walk(_tree(file)) if isinstance(node, ast.Call))
+    return any(isinstance(call.func, ast.Name) and call.func.id == "Notice" for call in calls)
+
+
+def unknown(text: str, *, language: str, verbatim: frozenset[str] = frozenset()) -> list[str]:
+    """The parts of a text that the catalogue of a language does not know."""
+    speech = Speech(catalogue(language), verbatim)
+    speech.said(text)
+    return list(speech.unknown)
+
+
+@pytest.mark.parametrize("language", languages()[1:])
+def test_every_text_of_a_warning_is_known(language: str) -> None:
+    found = list(messages())
+    assert len(found) > 100
+    assert [(file, text) for file, text in found if unknown(text, language=language)] == []
+
+
+def test_every_file_that_warns_is_looked_at() -> None:
+    assert makers() <= SOURCES.keys()
+
+
+def test_what_stands_within_others_is_still_there() -> None:
+    written = {text for file, names in SOURCES.items() for name in names for text in texts(_definition(file, name))}
+    assert COMPOSED.keys() <= written
+
+
+@pytest.mark.parametrize("name", ["floor", "the wall", "overturned"])
+def test_names_that_are_words_of_the_catalogue_are_kept(name: str) -> None:
+    text = (
+        f'load "{name}": nothing else in the project carries it, so its whole weight is on the block: else give share'
+    )
+    speech = Speech(catalogue("it"), frozenset({name}))
+    assert speech.said(text).startswith(f'carico "{name}": nient’altro')
+    assert speech.said(f'share 0.5 (statics; the rest on "{name}", "{name}")').endswith(f'"{name}", "{name}")')
+    assert not speech.unknown
+
+
+@pytest.mark.parametrize("language", languages()[1:])
+def test_the_warning_of_a_mended_mesh_is_known_whole(language: str, tmp_path: Path) -> None:
+    """Two cubes apart, one inside out and with a hole: what was done to it, after the name of its file."""
+    corners = np.array(np.meshgrid([0.0, 1.0], [0.0, 1.0], [0.0, 1.0], indexing="ij")).reshape(3, -1).T
+    cube = np.array([[0, 1, 3], [0, 3, 2], [4, 6, 7], [4, 7, 5], [0, 4, 5], [0, 5, 1],
+                     [2, 3, 7], [2, 7, 6], [0, 2, 6], [0, 6, 4], [1, 5, 7], [1, 7, 3]])  # fmt: skip
+    faces = np.vstack([cube, cube[:-1, ::-1] + 8])
+    lines = [f"v {x} {y} {z}" for x, y, z in np.vstack([corners, corners + 3.0])]
+    lines += [f"f {a} {b} {c}" for a, b, c in faces + 1]
+    file = tmp_path / "my wall.obj"
+    file.write_text("\n".join(lines))
+    trail = load(file, name="wall", density=1.0).trail
+    assert "hole" in str(trail)
+    assert "turned" in str(trail)
+    text = f"{file.name}: {'; '.join(trail)}"
+    assert unknown(text, language=language, verbatim=frozenset({file.name})) == []

@@ -69,7 +69,7 @@ def _contour(facing: IntArray, count: int) -> IntArray:
 def _enclosed(edges: FloatArray) -> shapely.Geometry:
     """What edges [k, 2, 2] enclose, without holes. Quick unless thousands of edges cross one another."""
     crossing = shapely.union_all(shapely.linestrings(edges))
-    faces = shapely.get_parts(shapely.polygonize(shapely.get_parts(crossing)))
+    faces = shapely.get_parts(shapely.polygonize([crossing]))
     return _without_holes(shapely.coverage_union_all(faces))
 
 

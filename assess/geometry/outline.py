@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import numpy as np
 import shapely
 from numpy.typing import NDArray
@@ -16,6 +14,7 @@ Outline = tuple[tuple[Point, ...], ...]
 
 FLAT = 1e-12  # of the body's size squared: triangles smaller than this in projection are seen edge-on
 STRAIGHT = 1e-9  # of the body's size: corners flatter than this are no corners
+FEW = 1500  # edges of the contour that are made to cross one another
 AT_ONCE = 1000  # triangles united at least, before others are looked up in their union
 SQUARES = 64  # of the coarse grid, along the body
 PER_CELL = 4  # triangles in a cell of the grid that finds the rim
@@ -23,10 +22,6 @@ PER_CELL = 4  # triangles in a cell of the grid that finds the rim
 
 def outline(points: FloatArray, triangles: IntArray) -> Outline:
     """Outer borders of the projection of closed surfaces: of the union of all triangles that face the viewer.
-
-    A scan has hundreds of thousands of triangles, nearly all of them far from the border. So the rim is united
-    first, its holes are filled, and only triangles that still stand out are added. The result is exact however the
-    rim was chosen, because every triangle is either in a union or was found covered by one.
 
     Parameters
     ----------
@@ -40,11 +35,10 @@ def outline(points: FloatArray, triangles: IntArray) -> Outline:
     """
     middle = (points.min(axis=0) + points.max(axis=0)) / 2.0
     size = float(np.ptp(points, axis=0).max())
-    corners = _facing(points - middle, triangles, smallest=FLAT * size**2)
-    rim = _rim(corners.mean(axis=1), size=size)
-    body = _grown(shapely.MultiPolygon(), corners[rim])
-    others = corners[~rim]
-    whole = _grown(body, others[~_well_inside(body, others, size=size)])
+    placed = points - middle
+    facing = _facing(placed, triangles, smallest=FLAT * size**2)
+    edges = _contour(facing, len(points))
+    whole = _enclosed(placed[edges]) if len(edges) <= FEW else _united(placed[facing], size=size)
     rings = [_ring(part, straight=STRAIGHT * size) + middle for part in shapely.get_parts(whole)]
     return tuple(sorted(tuple((float(x), float(z)) for x, z in ring) for ring in rings))
 
@@ -55,11 +49,42 @@ def distance(rings: Outline, point: Point) -> float:
     return float(shapely.distance(whole, shapely.Point(point)))
 
 
-def _facing(points: FloatArray, triangles: IntArray, *, smallest: float) -> FloatArray:
-    """Corners [k, 3, 2] of the triangles that run anticlockwise and have more than the smallest area [m2]."""
+def _facing(points: FloatArray, triangles: IntArray, *, smallest: float) -> IntArray:
+    """The triangles [k, 3] that run anticlockwise and have more than the smallest area [m2]."""
     corners = points[triangles]
     (ax, az), (bx, bz) = (corners[:, 1] - corners[:, 0]).T, (corners[:, 2] - corners[:, 0]).T
-    return np.asarray(corners[ax * bz - az * bx > 2.0 * smallest], dtype=np.float64)
+    return np.asarray(triangles[ax * bz - az * bx > 2.0 * smallest], dtype=np.int64)
+
+
+def _contour(facing: IntArray, count: int) -> IntArray:
+    """Edges [k, 2] of the facing triangles on one side of which no facing triangle lies; count : of vertices.
+
+    All else is inside: where facing triangles lie on both sides of an edge, the border of their union does not run.
+    """
+    edges = facing[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2)
+    there, back = edges @ [count, 1], edges @ [1, count]
+    return np.asarray(edges[~np.isin(there, back)], dtype=np.int64)
+
+
+def _enclosed(edges: FloatArray) -> shapely.Geometry:
+    """What edges [k, 2, 2] enclose, without holes. Quick unless thousands of edges cross one another."""
+    crossing = shapely.union_all(shapely.linestrings(edges))
+    faces = shapely.get_parts(shapely.polygonize([crossing]))
+    return _without_holes(shapely.coverage_union_all(faces))
+
+
+def _united(corners: FloatArray, *, size: float) -> shapely.Geometry:
+    """The union of triangles [k, 3, 2], without holes.
+
+    A scan has hundreds of thousands of triangles, nearly all of them far from the border, and its rough skin seen
+    edge-on has edges that cross everywhere. So the rim is united first, its holes are filled, and only triangles that
+    still stand out are added. The result is exact however the rim was chosen, because every triangle is either in a
+    union or was found covered by one.
+    """
+    rim = _rim(corners.mean(axis=1), size=size)
+    body = _grown(shapely.MultiPolygon(), corners[rim])
+    others = corners[~rim]
+    return _grown(body, others[~_well_inside(body, others, size=size)])
 
 
 def _rim(centres: FloatArray, *, size: float) -> BoolArray:
@@ -106,13 +131,12 @@ def _grown(body: shapely.Geometry, corners: FloatArray) -> shapely.Geometry:
         if not len(left):
             return body
         many = max(AT_ONCE, len(left) // 3)
-        body, left = _filled([body, *left[:many]]), left[many:]
+        body, left = _without_holes(shapely.union_all([body, *left[:many]])), left[many:]
 
 
-def _filled(polygons: Sequence[shapely.Geometry] | NDArray[np.object_]) -> shapely.Geometry:
-    """The union of polygons, without its holes."""
-    parts = shapely.get_parts(shapely.union_all(polygons))
-    return shapely.union_all(shapely.polygons(shapely.get_exterior_ring(parts)))
+def _without_holes(polygons: shapely.Geometry) -> shapely.Geometry:
+    """One or several polygons as one geometry, their holes filled."""
+    return shapely.union_all(shapely.polygons(shapely.get_exterior_ring(shapely.get_parts(polygons))))
 
 
 def _ring(polygon: shapely.Geometry, *, straight: float) -> FloatArray:

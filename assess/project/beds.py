@@ -179,16 +179,17 @@ def _neighbours(
 
 def normals_at(solids: Sequence[Solid], at: FloatArray, view: View) -> list[FloatArray]:
     """Outward unit normals of the faces that the axis through a place [3] lies in, largest face first."""
-    found: list[tuple[FloatArray, float]] = []
+    there: list[tuple[FloatArray, FloatArray]] = []
     for corners, normal, area in map(_faces, solids):
         off = np.abs(np.einsum("ij,ij->i", corners[:, 0] - at, normal))
-        aside = np.abs(normal @ view.axis)
-        for row in np.flatnonzero((off <= TOUCH) & (aside <= ACROSS)):
-            same = next((i for i, (n, _) in enumerate(found) if np.abs(n - normal[row]).max() <= ALIKE), None)
-            if same is None:
-                found.append((normal[row], float(area[row])))
-            else:
-                found[same] = (found[same][0], found[same][1] + float(area[row]))
+        lying = (off <= TOUCH) & (np.abs(normal @ view.axis) <= ACROSS)
+        there.append((normal[lying], area[lying]))
+    normals, areas = (np.concatenate(each) for each in zip(*there, strict=True))
+    found = []
+    while len(normals):
+        alike = np.abs(normals - normals[0]).max(axis=1) <= ALIKE
+        found.append((normals[0], areas[alike].sum()))
+        normals, areas = normals[~alike], areas[~alike]
     return [normal for normal, _ in sorted(found, key=lambda each: -each[1])]
 
 

@@ -6,9 +6,12 @@ from collections.abc import Mapping
 from difflib import get_close_matches
 from typing import Any, ClassVar
 
-from pydantic import BaseModel, ConfigDict, model_validator
+from pydantic import BaseModel, ConfigDict, GetJsonSchemaHandler, model_validator
 from pydantic.fields import FieldInfo
-from pydantic_core import PydanticCustomError
+from pydantic.json_schema import JsonSchemaValue
+from pydantic_core import CoreSchema, PydanticCustomError
+
+from assess.project.descriptions import descriptions
 
 
 def wrong(key: str | tuple[str | int, ...], reason: str) -> PydanticCustomError:
@@ -30,7 +33,7 @@ class Section(BaseModel):
     same table, each with what is wrong about them here.
     """
 
-    model_config = ConfigDict(frozen=True, extra="forbid", use_attribute_docstrings=True)
+    model_config = ConfigDict(frozen=True, extra="forbid")
     planned: ClassVar[Mapping[str, str]] = {}
     elsewhere: ClassVar[Mapping[str, str]] = {}
 
@@ -38,6 +41,23 @@ class Section(BaseModel):
     def table_keys(cls) -> dict[str, FieldInfo]:
         """The keys of the table as the file writes them; `from` is the alias of a field, as Python keeps the word."""
         return {field.alias or name: field for name, field in cls.model_fields.items()}
+
+    @classmethod
+    def meanings(cls) -> dict[str, str]:
+        """What each key means, as the file writes them: the field's description, or the sentence below it."""
+        below: dict[str, str] = {}
+        for table in reversed(cls.__mro__):
+            below |= descriptions(table) if issubclass(table, Section) else {}
+        said = {name: field.description or below.get(name) for name, field in cls.model_fields.items()}
+        return {cls.model_fields[name].alias or name: text for name, text in said.items() if text}
+
+    @classmethod
+    def __get_pydantic_json_schema__(cls, schema: CoreSchema, handler: GetJsonSchemaHandler) -> JsonSchemaValue:
+        found = handler(schema)
+        properties = handler.resolve_ref_schema(found)["properties"]
+        for key, text in cls.meanings().items():
+            properties[key]["description"] = text
+        return found
 
     @model_validator(mode="before")
     @classmethod
@@ -48,7 +68,7 @@ class Section(BaseModel):
                     raise wrong(key, cls._unknown(key))
             for key, field in cls.table_keys().items():
                 if field.is_required() and key not in values:
-                    raise wrong(key, f"missing; {field.description}")
+                    raise wrong(key, f"missing; {cls.meanings()[key]}")
         return values
 
     @classmethod

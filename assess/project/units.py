@@ -1,7 +1,8 @@
 """Quantities of the project file: a number in SI, or a string of a number and its unit, becomes an SI float.
 
 The number is split off by a regular expression and only the unit goes to pint, whose own parser would evaluate
-`9**9**9 m`. pint is imported when the first string is read (0.7 s) and computes with fractions, so "690 mm" is 0.69.
+`9**9**9 m`. pint is imported for the first unit that is not a usual one (0.5 s). All is computed with fractions, so
+"690 mm" is 0.69.
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ from typing import Any
 from scipy.constants import g
 
 from assess.errors import ProjectError
+from assess.project.usual_units import USUAL
 
 _NUMBER = re.compile(r"\s*([+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d{1,3})?)\s*")
 _POWER = r"(?:(?:\^|\*\*)?-?\d|[⁻]?[¹²³⁴])?"
@@ -134,11 +136,13 @@ def _factor(unit: str, kind: Kind) -> Fraction:
         raise QuantityError(f'"{unit}" is not a unit; {_remedy(kind)}')
     if re.search(r"(?<![^\W\d_])g(?![^\W\d_])", unit):
         raise QuantityError(f'"g" is standard gravity, alone and for accelerations only; {_remedy(kind)}')
-    return _pint_factor(unit, kind)
+    usual = USUAL.get(kind.name, {}).get(unit)
+    return pint_factor(unit, kind) if usual is None else usual
 
 
 @cache
-def _pint_factor(unit: str, kind: Kind) -> Fraction:
+def pint_factor(unit: str, kind: Kind) -> Fraction:
+    """The same by pint, for any unit. Raises QuantityError."""
     import pint
 
     try:
@@ -158,7 +162,7 @@ def _pint_factor(unit: str, kind: Kind) -> Fraction:
 
 @cache
 def _registry() -> Any:
-    """One pint registry in exact fractions; making it takes most of a second."""
+    """One pint registry in exact fractions; making it takes half a second."""
     import pint
 
     return pint.UnitRegistry(non_int_type=Fraction)

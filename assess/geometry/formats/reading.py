@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 
 from assess.errors import GeometryError
-from assess.geometry.formats import by_trimesh
+from assess.geometry.formats import binary, by_trimesh
 from assess.geometry.formats.ifc import read_ifc
 from assess.geometry.formats.parts import MeshFile, Part
 from assess.geometry.formats.rhino import read_3dm
@@ -15,9 +15,9 @@ from assess.geometry.formats.step import read_step
 Reader = Callable[[Path], MeshFile]
 
 READERS: Mapping[str, Reader] = {
-    ".stl": by_trimesh.read_stl,
+    ".stl": binary.read_stl,
     ".obj": by_trimesh.read_obj,
-    ".ply": by_trimesh.read_ply,
+    ".ply": binary.read_ply,
     ".off": by_trimesh.read_off,
     ".glb": by_trimesh.read_glb,
     ".gltf": by_trimesh.read_gltf,

@@ -10,8 +10,8 @@ SQUARE = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
 FACES = np.array([[0, 1, 2], [0, 2, 3]])
 
 
-def test_outline_of_a_fine_rough_body_is_the_union_of_its_triangles() -> None:
-    n, m = 60, 90
+@pytest.mark.parametrize(("n", "m"), [(8, 12), (16, 30), (60, 90)])
+def test_outline_of_a_rough_body_coarse_or_fine_is_the_union_of_its_triangles(n: int, m: int) -> None:
     rng = np.random.default_rng(2)
     turn, rise = 2.0 * np.pi * np.arange(n) / n, np.linspace(0.0, 8.0, m)
     radius = 1.5 + 0.06 * rng.normal(size=(m, n))

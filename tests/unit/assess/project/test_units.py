@@ -7,7 +7,8 @@ import pytest
 from scipy.constants import foot, g, inch, lb, lbf, psi
 
 from assess.errors import ProjectError
-from assess.project.units import KINDS, to_si
+from assess.project.units import KINDS, pint_factor, to_si
+from assess.project.usual_units import USUAL
 
 GOOD = [
     (3, "length", 3.0),
@@ -103,3 +104,9 @@ def test_example_of_each_kind_is_read(kind: str) -> None:
     assert to_si(example, kind, key="k") > 0
     with pytest.raises(ProjectError, match=KINDS[kind].name):
         to_si("1 candela", kind, key="k")
+
+
+@pytest.mark.parametrize(("name", "unit"), [(name, unit) for name, units in USUAL.items() for unit in units])
+def test_usual_unit_is_what_pint_makes_of_it(name: str, unit: str) -> None:
+    (kind,) = (kind for kind in KINDS.values() if kind.name == name)
+    assert USUAL[name][unit] == pint_factor(unit, kind)

@@ -203,3 +203,9 @@ def test_a_restitution_above_one_says_that_energy_is_kept():
     (told,) = [text for text in mechanism.notices if "restitution" in text]
     assert told.startswith(f"restitution {eta:.4g} is above 1 though energy is lost")
     assert told.endswith(f"keeps {100 * eta**2 * new / old:.3g} % of the energy")
+
+
+def test_a_block_that_is_the_same_both_ways_has_one_branch():
+    assert oscillator(single_block("w", wall_in_plane())).symmetric
+    leaning = planar_direct(mass=1000.0, centroid=(0.1, 2.0), inertia=900.0, name="leaning")
+    assert not oscillator(single_block("a", leaning, hinge=(0.5, 0.0), hinge_negative=(-0.5, 0.0))).symmetric

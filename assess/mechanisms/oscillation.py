@@ -11,6 +11,8 @@ from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.table import branch
 from assess.oscillator import Branch, Oscillator
 
+ROUNDING = 1e-12
+"""Of the largest value of a column: what the two ways of a symmetric body may differ by."""
 COLUMNS = ("rotation", "inertia", "restoring", "excitation", "participation", "lift")
 NUMBERS = ("restitution", "overturning", "critical", "unstable")
 
@@ -18,8 +20,8 @@ NUMBERS = ("restitution", "overturning", "critical", "unstable")
 def oscillator(mechanism: Mechanism) -> Oscillator:
     """The mechanism as the dynamics and the codes see it.
 
-    Where both directions are the same they are one branch, so that what is asked of both, or of both polarities of a
-    motion, is worked out once.
+    Where both directions are the same but for ROUNDING they are one branch, so that what is asked of both, or of both
+    polarities of a motion, is worked out once, and no answer hangs on the last digits of a mesh.
     """
     made = flexible_oscillator(mechanism) if mechanism.flexible else _rigid(mechanism)
     if made.negative is None or not _alike(made.positive, made.negative):
@@ -38,7 +40,7 @@ def _rigid(mechanism: Mechanism) -> Oscillator:
 
 
 def _alike(one: Branch, other: Branch) -> bool:
-    """Whether two branches are the same to the last digit."""
+    """Whether two branches are the same but for ROUNDING."""
+    shape = [(branch.rotation.size, branch.overturning_flexible is None) for branch in (one, other)]
     pairs = [(getattr(one, name), getattr(other, name)) for name in (*NUMBERS, *COLUMNS)]
-    flexible = (one.overturning_flexible is None, other.overturning_flexible is None)
-    return one is other or (flexible[0] == flexible[1] and all(np.array_equal(*pair) for pair in pairs))
+    return shape[0] == shape[1] and all(np.abs(a - b).max() <= ROUNDING * np.abs(a).max() for a, b in pairs)

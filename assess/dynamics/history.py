@@ -152,8 +152,11 @@ def prepared(
             path, events = np.empty((0, 3)), np.zeros((1, 4))
             run(checked.oscillator[part], checked.motion[part], checked.scale[part], 0.0, found[part], path, events)
 
-        with ThreadPoolExecutor(threads or os.cpu_count() or 1) as pool:
-            list(pool.map(work, _parts(checked, motions)))
+        if threads == 1:
+            work(slice(0, checked.scale.size))
+        else:
+            with ThreadPoolExecutor(threads or os.cpu_count() or 1) as pool:
+                list(pool.map(work, _parts(checked, motions)))
         return _peaks(found, checked, oscillators, each)
 
     return answer

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from assess.mechanisms.flexible_table import flexible_oscillator
+from assess.mechanisms.flexible_table import flexible_oscillator, same_chain
 from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.table import branch
 from assess.oscillator import Branch, Oscillator
@@ -31,11 +31,15 @@ def oscillator(mechanism: Mechanism) -> Oscillator:
 
 def _rigid(mechanism: Mechanism) -> Oscillator:
     first, second = mechanism.restitution
-    negative = mechanism.negative
+    chain, back = mechanism.positive, mechanism.negative
+    positive = branch(chain, restitution=first, name=mechanism.name)
+    if back is None:
+        return Oscillator(positive, None, chain.mass)
+    same = same_chain(chain, back) and first == second
     return Oscillator(
-        positive=branch(mechanism.positive, restitution=first, name=mechanism.name),
-        negative=None if negative is None else branch(negative, restitution=second, name=mechanism.name),
-        mass=mechanism.positive.mass,
+        positive=positive,
+        negative=positive if same else branch(back, restitution=second, name=mechanism.name),
+        mass=chain.mass,
     )
 
 

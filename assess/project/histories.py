@@ -7,7 +7,9 @@ steps of integration, so there the scan has half as many levels.
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from math import inf, log
@@ -66,14 +68,25 @@ def rocking(
     threads: int,
     progress: Progress,
 ) -> dict[str, Rocking]:
-    """Histories of every mechanism at `levels` [m/s2], suites at other PGA `besides`, and its scan where `scanned`."""
+    """Histories of every mechanism at `levels` [m/s2], suites at other PGA `besides`, and its scan where `scanned`.
+
+    Each thread takes a mechanism; where there are fewer than threads, several share one. The longest come first.
+    """
+    workers = threads or os.cpu_count() or 1
+    each = max(1, workers // max(1, len(shaken)))
+
+    def of(one: Shaken) -> Rocking:
+        found = asked_of(one, motions, levels=levels, besides=besides, site_pga=site_pga, threads=each)
+        scan = scan_of(one, motions, site_pga=site_pga, threads=each) if scanned else ()
+        return replace(found, scan=scan)
+
+    longest = sorted(shaken, key=lambda one: not vibrates(one.oscillator))
     done: dict[str, Rocking] = {}
-    for count, one in enumerate(shaken):
-        progress("rocking histories", count, len(shaken))
-        found = asked_of(one, motions, levels=levels, besides=besides, site_pga=site_pga, threads=threads)
-        scan = scan_of(one, motions, site_pga=site_pga, threads=threads) if scanned else ()
-        done[one.name] = replace(found, scan=scan)
-    progress("rocking histories", len(shaken), len(shaken))
+    progress("rocking histories", 0, len(shaken))
+    with ThreadPoolExecutor(workers) as pool:
+        for one, found in zip(longest, pool.map(of, longest), strict=True):
+            done[one.name] = found
+            progress("rocking histories", len(done), len(shaken))
     return done
 
 
@@ -174,13 +187,17 @@ def branch_of(rotation: float) -> BranchName:
     return "negative" if rotation < 0 else "positive"
 
 
+def vibrates(oscillator: Oscillator) -> bool:
+    """Whether it moves about rest, on joints that answer to any motion."""
+    return any(elastic_frequency(branch) is not None for branch in oscillator.branches)
+
+
 def scan_of(shaken: Shaken, motions: Sequence[Motion], *, site_pga: float, threads: int) -> tuple[Suite, ...]:
     """Suites at rising PGA, up to and with the first in which a record overturns the mechanism."""
     strongest = max(m.scaling.factor * at.record.pga for m, at in zip(motions, shaken.base, strict=True)) / site_pga
     uplift = g * min(resisted(branch) for branch in shaken.oscillator.branches)
     start = SCAN_START * uplift / max(1.0, strongest)
-    vibrates = any(elastic_frequency(branch) is not None for branch in shaken.oscillator.branches)
-    step, most = (JOINTS_STEP, MOST_ON_JOINTS) if vibrates else (SCAN_STEP, MOST_LEVELS)
+    step, most = (JOINTS_STEP, MOST_ON_JOINTS) if vibrates(shaken.oscillator) else (SCAN_STEP, MOST_LEVELS)
     run = at_levels(shaken, motions, site_pga=site_pga, threads=threads)
     below = round(log(1.0 / SCAN_START) / log(step))  # levels short of uplift, which none overturns
     suites: list[Suite] = []

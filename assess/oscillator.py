@@ -62,7 +62,8 @@ class Branch:
 class Oscillator:
     """A mechanism as the dynamics and the codes see it.
 
-    positive, negative : the branches; negative is None for one-sided rocking
+    positive, negative : the branches; negative is None for one-sided rocking, and the positive one where both ways are
+        the same
     mass : total moved mass, bearing or not [kg]
     equilibrium, equilibrium_negative : phi_e, the rotation at rest from which each branch counts, in its own sign
         [rad]; not zero where a flexible joint carries an eccentric load
@@ -78,6 +79,11 @@ class Oscillator:
     def branches(self) -> tuple[Branch, ...]:
         """The branches there are, positive first."""
         return (self.positive,) if self.negative is None else (self.positive, self.negative)
+
+    @property
+    def symmetric(self) -> bool:
+        """Whether both ways are one branch: a motion reversed then turns it as far to the other side."""
+        return self.negative is self.positive
 
 
 @dataclass(frozen=True)

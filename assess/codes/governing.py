@@ -16,9 +16,11 @@ NAMES: tuple[BranchName, BranchName] = ("positive", "negative")
 def governing(oscillator: Oscillator, levels: Sequence[float], one: OneCheck) -> tuple[Check, ...]:
     """For each PGA of `levels` [m/s2] the worse of `one(branch, name, level)` over the oscillator's branches.
 
-    PGA at capacity and at uplift are the smaller of the branches', whichever is the worse at the level.
+    PGA at capacity and at uplift are the smaller of the branches', whichever is the worse at the level. Of a branch
+    that serves both ways the positive one is asked.
     """
-    named = tuple(zip(oscillator.branches, NAMES, strict=False))
+    branches = tuple(dict.fromkeys(oscillator.branches))
+    named = tuple(zip(branches, NAMES, strict=False))
     return tuple(_of_all([one(branch, name, level) for branch, name in named]) for level in levels)
 
 

@@ -35,7 +35,7 @@ TOLERANCE = 1e-10
 """Error allowed to one step of the exact equation, of phi / phi_ov and of its rate over the branch's own rate."""
 FREE_TOLERANCE = 1e-14
 """The same of `free_rocking`: step errors of one sign add up, and at this the energy of an hour is kept to 1e-8."""
-CHUNK_STEPS = 20_000
+CHUNK_STEPS = 7_000
 """Record steps given to a thread at a time: few, for the batches of a scan are small."""
 MOST_EVENTS = 100_000
 """Events that `free_rocking` keeps."""
@@ -119,31 +119,47 @@ def peaks(
     equation: Equation,
     threads: int = 0,
     tolerance: float = TOLERANCE,
-    progress: Callable[[int], None] | None = None,
 ) -> Peaks:
     """Largest response of every job; the same whatever the number of `threads` (0: all cores).
 
     tolerance : error allowed to a step of the exact equation [-]; the linearised one has none
-    progress : called with the number of jobs done so far, from this thread
 
     Raises ValueError for jobs that name no oscillator or motion, MechanismError for a branch that cannot rock.
     """
-    checked = _checked(jobs, oscillators=len(oscillators), motions=len(motions))
+    return prepared(oscillators, motions, equation=equation, threads=threads, tolerance=tolerance)(jobs)
+
+
+def prepared(
+    oscillators: Sequence[Oscillator],
+    motions: Sequence[Record],
+    *,
+    equation: Equation,
+    threads: int = 0,
+    tolerance: float = TOLERANCE,
+) -> Callable[[Jobs], Peaks]:
+    """What answers any number of jobs of these oscillators and motions, as `peaks` does.
+
+    Raises MechanismError for a branch that cannot rock.
+    """
     each = [packed(oscillator, equation) for oscillator in oscillators]
     run = _RUNS[equation](each, motions, tolerance)
-    found = np.empty((checked.scale.size, kernel.FOUND))
 
-    def work(part: slice) -> int:
-        path, events = np.empty((0, 3)), np.zeros((1, 4))
-        run(checked.oscillator[part], checked.motion[part], checked.scale[part], 0.0, found[part], path, events)
-        return int(part.stop)
+    def answer(jobs: Jobs) -> Peaks:
+        checked = _checked(jobs, oscillators=len(oscillators), motions=len(motions))
+        found = np.empty((checked.scale.size, kernel.FOUND))
 
-    parts = _parts(checked, motions)
-    with ThreadPoolExecutor(threads or os.cpu_count() or 1) as pool:
-        for done in pool.map(work, parts):
-            if progress is not None:
-                progress(done)
-    return _peaks(found, checked, oscillators, each)
+        def work(part: slice) -> None:
+            path, events = np.empty((0, 3)), np.zeros((1, 4))
+            run(checked.oscillator[part], checked.motion[part], checked.scale[part], 0.0, found[part], path, events)
+
+        if threads == 1:
+            work(slice(0, checked.scale.size))
+        else:
+            with ThreadPoolExecutor(threads or os.cpu_count() or 1) as pool:
+                list(pool.map(work, _parts(checked, motions)))
+        return _peaks(found, checked, oscillators, each)
+
+    return answer
 
 
 def trace(

@@ -30,7 +30,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from assess.kernel import compiled, entry, reachable
+from assess.kernel import compiled, entry, inlined, reachable
 
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
@@ -256,7 +256,7 @@ def largest(found: FloatArray, y: float, side: int, time: float) -> None:
 def marching(glide: Glide, step: Step, potential: Potential) -> March:
     """The march of one job by the equation that the three functions stand for."""
 
-    @compiled
+    @inlined
     def through(flow: Any, branch: FloatArray, found: FloatArray, events: FloatArray, column: int, peaked: int,
                 wanted: int, side: int, y: float, v: float, time: float, ground: Ground,
                 h: float) -> tuple[int, float, float, int]:  # fmt: skip
@@ -695,7 +695,7 @@ def envelope_linearised(branch: FloatArray, pulse: FloatArray, phase: float, fre
 # --------------------------------------------------------------------------------------------------------- the exact
 
 
-@compiled
+@inlined
 def segment(table: FloatArray, y: float, v: float, j: int, first: int, last: int) -> int:
     """The segment of `table` in which a body at y moving with v is about to move, looked for from segment j on."""
     while j < last and (y > table[j, RIGHT] or (y == table[j, RIGHT] and v >= 0.0)):
@@ -763,7 +763,7 @@ def quick(of: Force, s: float, a: Ground) -> tuple[float, float]:
     return of[4] * (s * a[4]), of[4] * (s * a[5])
 
 
-@compiled
+@inlined
 def exact_glide(flow: Any, side: int, y: float, v: float, ground: FloatArray, scale: float, dt: float, i: int,
                 until: int, top: float, limit: float) -> tuple[int, float, float]:  # fmt: skip
     """One step for an interval, while its error is small enough and it passes no jump of the table."""
@@ -809,7 +809,7 @@ def exact_glide(flow: Any, side: int, y: float, v: float, ground: FloatArray, sc
     return i, y, v
 
 
-@compiled
+@inlined
 def exact_step(flow: Any, side: int, y: float, v: float, a: Ground, h: float) -> tuple[Arc, float, State]:
     """An arc over h, or less, and its end: as far as the error allows, and up to rest, a jump of the table, or its end.
 

@@ -13,7 +13,7 @@ from assess.mechanisms.activation import hinge_forces
 from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.oscillation import oscillator
 from assess.oscillator import Oscillator
-from assess.project.histories import Rocking, Shaken, governing_trace, rocking, suite_of
+from assess.project.histories import Rocking, Shaken, governing_trace, rocking
 from assess.project.motions import Motion
 from assess.project.outcome import amplification_result, mechanism_result
 from assess.project.study import Amplified, Study
@@ -83,9 +83,6 @@ def context_of(
 ) -> Context:
     """What the procedures may know of one mechanism."""
     ground = study.building.ground_elevation if study.building is not None else 0.0
-    suites = tuple(
-        suite_of(histories, pga=level) for level, histories in zip(study.levels, rocked.histories, strict=True)
-    )
     return Context(
         spectrum=spectrum,
         levels=study.levels,
@@ -95,13 +92,13 @@ def context_of(
         elevation=mechanism.elevation - ground,
         rise=mechanism.rise,
         building=study.building,
-        suites=suites,
+        suites=rocked.suites,
         histories_at="ground" if study.amplified[mechanism.name].height is None else "mechanism base",
         amplification=max((each.factor for each in base), default=1.0),
         linearised=study.equations[mechanism.name] == "linearised",
         besides=rocked.besides,
         hinges=hinge_forces(mechanism),
-        incremental=tuple(sorted((*rocked.scan, *suites), key=lambda suite: suite.pga)) if rocked.scan else (),
+        incremental=tuple(sorted((*rocked.scan, *rocked.suites), key=lambda suite: suite.pga)) if rocked.scan else (),
         hazard=study.hazard,
         free_period=study.free_periods.get(mechanism.name),
     )

@@ -7,27 +7,34 @@ steps of integration, so there the scan has half as many levels.
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from math import inf, log
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.constants import g
 
 from assess.amplification import Carried
+from assess.codes.check import BranchName
 from assess.codes.context import Suite
-from assess.dynamics.history import Jobs, Peaks, peaks, trace
+from assess.dynamics.history import Jobs, Peaks, prepared, trace
 from assess.oscillator import Oscillator, elastic_frequency, resisted
 from assess.project.motions import Motion
 from assess.project.study import Equation
 from assess.results import HistoryResult, Trace
 
+FloatArray = NDArray[np.float64]
+IntArray = NDArray[np.int64]
 Progress = Callable[[str, int, int], None]
 
 SCAN_STEP, JOINTS_STEP = 1.025, 1.05  # ratio of two PGAs of the scan, and where joints vibrate about rest
 SCAN_START = 0.4  # of the smaller uplift acceleration, or of what a flexible joint resists at most
-BATCH = 1.35  # ratio by which the levels that run at once raise the PGA
-MOST_BATCHES = 17
+MOST_LEVELS, MOST_ON_JOINTS = 204, 102
+AT_ONCE = 3  # levels, for the threads to share; those above the first that overturns are run in vain
 
 
 @dataclass(frozen=True)
@@ -42,11 +49,12 @@ class Shaken:
 
 @dataclass(frozen=True)
 class Rocking:
-    """Histories of one mechanism: [level][record] in the worse polarity, the suites of the scan and those besides."""
+    """Histories of one mechanism: [level][record] in the worse polarity, their suites, those besides, and the scan."""
 
     histories: tuple[tuple[HistoryResult, ...], ...]
-    scan: tuple[Suite, ...]
+    suites: tuple[Suite, ...]
     besides: tuple[Suite, ...] = ()
+    scan: tuple[Suite, ...] = ()
 
 
 def rocking(
@@ -60,14 +68,25 @@ def rocking(
     threads: int,
     progress: Progress,
 ) -> dict[str, Rocking]:
-    """Histories of every mechanism at `levels` [m/s2], suites at other PGA `besides`, and its scan where `scanned`."""
+    """Histories of every mechanism at `levels` [m/s2], suites at other PGA `besides`, and its scan where `scanned`.
+
+    Each thread takes a mechanism; where there are fewer than threads, several share one. The longest come first.
+    """
+    workers = threads or os.cpu_count() or 1
+    each = max(1, workers // max(1, len(shaken)))
+
+    def of(one: Shaken) -> Rocking:
+        found = asked_of(one, motions, levels=levels, besides=besides, site_pga=site_pga, threads=each)
+        scan = scan_of(one, motions, site_pga=site_pga, threads=each) if scanned else ()
+        return replace(found, scan=scan)
+
+    longest = sorted(shaken, key=lambda one: not vibrates(one.oscillator))
     done: dict[str, Rocking] = {}
-    for count, one in enumerate(shaken):
-        progress("rocking histories", count, len(shaken))
-        found = asked_of(one, motions, levels=levels, besides=besides, site_pga=site_pga, threads=threads)
-        scan = scan_of(one, motions, site_pga=site_pga, threads=threads) if scanned else ()
-        done[one.name] = replace(found, scan=scan)
-    progress("rocking histories", len(shaken), len(shaken))
+    progress("rocking histories", 0, len(shaken))
+    with ThreadPoolExecutor(workers) as pool:
+        for one, found in zip(longest, pool.map(of, longest), strict=True):
+            done[one.name] = found
+            progress("rocking histories", len(done), len(shaken))
     return done
 
 
@@ -81,30 +100,55 @@ def asked_of(
     threads: int,
 ) -> Rocking:
     """Histories of one mechanism at `levels` and suites at other PGA `besides` [m/s2], without a scan."""
-    every = (*levels, *besides)
-    runs = run_levels(shaken, motions, levels=every, site_pga=site_pga, threads=threads)
-    suites = tuple(suite_of(runs[place], pga=every[place]) for place in range(len(levels), len(every)))
-    return Rocking(runs[: len(levels)], (), suites)
-
-
-def run_levels(
-    shaken: Shaken, motions: Sequence[Motion], *, levels: Sequence[float], site_pga: float, threads: int
-) -> tuple[tuple[HistoryResult, ...], ...]:
-    """[level][record] histories, each in its worse polarity."""
-    n, factors = len(motions), np.array([motion.scaling.factor for motion in motions])
-    scale = np.asarray(levels)[:, None, None] / site_pga * factors[None, :, None] * np.array([1.0, -1.0])
-    motion = np.broadcast_to(np.arange(n)[None, :, None], scale.shape)
-    jobs = Jobs(np.zeros(scale.size, dtype=np.int64), motion.ravel().astype(np.int64), scale.ravel())
-    records = [carried.record for carried in shaken.base]
-    found = peaks([shaken.oscillator], records, jobs, equation=shaken.equation, threads=threads)
-    at = np.arange(scale.size).reshape(scale.shape)
-    return tuple(
+    ran = at_levels(shaken, motions, site_pga=site_pga, threads=threads)((*levels, *besides))
+    histories = tuple(
         tuple(
-            min((_history(found, int(job), carried, level, float(jobs.scale[job])) for job in at[i, k]), key=_mildness)
-            for k, carried in enumerate(shaken.base)
+            _history(ran.found, int(job), carried, level, float(ran.scale[job]))
+            for job, carried in zip(ran.worse[i], shaken.base, strict=True)
         )
         for i, level in enumerate(levels)
     )
+    suites = suites_of(ran)
+    return Rocking(histories, suites[: len(levels)], suites[len(levels) :])
+
+
+@dataclass(frozen=True)
+class Ran:
+    """Histories of one mechanism under every record, in both polarities.
+
+    levels : PGA of the target [levels] [m/s2]; found : what every job found; scale : of each job [-]
+    worse : the job of the worse polarity; of two that overturn, or that rest, the first stands [levels, records]
+    """
+
+    levels: tuple[float, ...]
+    found: Peaks
+    scale: FloatArray
+    worse: IntArray
+
+
+def at_levels(
+    shaken: Shaken, motions: Sequence[Motion], *, site_pga: float, threads: int
+) -> Callable[[Sequence[float]], Ran]:
+    """What runs the histories at any levels [m/s2]. A symmetric body needs but one polarity: the other mirrors it."""
+    n, factors = len(motions), np.array([motion.scaling.factor for motion in motions])
+    records = [carried.record for carried in shaken.base]
+    run = prepared([shaken.oscillator], records, equation=shaken.equation, threads=threads)
+    signs = np.array([1.0] if shaken.oscillator.symmetric else [1.0, -1.0])
+
+    def ran(levels: Sequence[float]) -> Ran:
+        scale = np.asarray(levels)[:, None, None] / site_pga * factors[:, None] * signs
+        motion = np.broadcast_to(np.arange(n)[:, None], scale.shape)
+        found = run(Jobs(np.zeros(scale.size, dtype=np.int64), motion.ravel(), scale.ravel()))
+        polarity = _severity(found).reshape(scale.shape).argmax(axis=2)
+        first = np.arange(0, scale.size, signs.size).reshape(polarity.shape)
+        return Ran(tuple(levels), found, scale.ravel(), first + polarity)
+
+    return ran
+
+
+def _severity(found: Peaks) -> FloatArray:
+    """The larger the worse, for each job."""
+    return np.where(found.overturned, inf, found.max_ratio)
 
 
 def _history(found: Peaks, job: int, carried: Carried, level: float, scale: float) -> HistoryResult:
@@ -122,20 +166,30 @@ def _history(found: Peaks, job: int, carried: Carried, level: float, scale: floa
         overturned=overturned,
         overturning_time_s=float(found.overturning_time[job]) if overturned else None,
         trace=None,
-        branch="negative" if found.max_rotation[job] < 0 else "positive",
+        branch=branch_of(float(found.max_rotation[job])),
     )
 
 
-def _mildness(history: HistoryResult) -> float:
-    """Smaller is worse; of two polarities that overturn, or that rest, the first stands."""
-    return -inf if history.max_rotation_ratio is None else -history.max_rotation_ratio
+def suites_of(ran: Ran) -> tuple[Suite, ...]:
+    """The maxima of all records at each level; the branch is that of the worst record."""
+    worst = _severity(ran.found)[ran.worse].argmax(axis=1)
+    suites = []
+    for level, jobs, place in zip(ran.levels, ran.worse, worst.tolist(), strict=True):
+        ratios, fallen = ran.found.max_ratio[jobs].tolist(), ran.found.overturned[jobs].tolist()
+        branches = tuple(branch_of(rotation) for rotation in ran.found.max_rotation[jobs].tolist())
+        ratio = tuple(None if over else ratio for ratio, over in zip(ratios, fallen, strict=True))
+        suites.append(Suite(level, ratio, branches[place], branches))
+    return tuple(suites)
 
 
-def suite_of(histories: Sequence[HistoryResult], *, pga: float) -> Suite:
-    """The maxima of all records at `pga` [m/s2]; the branch is that of the worst record."""
-    worst = min(histories, key=_mildness)
-    ratios, branches = tuple(h.max_rotation_ratio for h in histories), tuple(h.branch for h in histories)
-    return Suite(pga, ratios, worst.branch, branches)
+def branch_of(rotation: float) -> BranchName:
+    """The branch of a signed rotation [rad]."""
+    return "negative" if rotation < 0 else "positive"
+
+
+def vibrates(oscillator: Oscillator) -> bool:
+    """Whether it moves about rest, on joints that answer to any motion."""
+    return any(elastic_frequency(branch) is not None for branch in oscillator.branches)
 
 
 def scan_of(shaken: Shaken, motions: Sequence[Motion], *, site_pga: float, threads: int) -> tuple[Suite, ...]:
@@ -143,17 +197,14 @@ def scan_of(shaken: Shaken, motions: Sequence[Motion], *, site_pga: float, threa
     strongest = max(m.scaling.factor * at.record.pga for m, at in zip(motions, shaken.base, strict=True)) / site_pga
     uplift = g * min(resisted(branch) for branch in shaken.oscillator.branches)
     start = SCAN_START * uplift / max(1.0, strongest)
-    vibrates = any(elastic_frequency(branch) is not None for branch in shaken.oscillator.branches)
-    step = JOINTS_STEP if vibrates else SCAN_STEP
-    batch = round(log(BATCH) / log(step))
+    step, most = (JOINTS_STEP, MOST_ON_JOINTS) if vibrates(shaken.oscillator) else (SCAN_STEP, MOST_LEVELS)
+    run = at_levels(shaken, motions, site_pga=site_pga, threads=threads)
+    below = round(log(1.0 / SCAN_START) / log(step))  # levels short of uplift, which none overturns
     suites: list[Suite] = []
-    for first in range(0, MOST_BATCHES * batch, batch):
-        levels = [start * step ** (first + k) for k in range(batch)]
-        for level, histories in zip(
-            levels, run_levels(shaken, motions, levels=levels, site_pga=site_pga, threads=threads), strict=True
-        ):
-            suites.append(suite_of(histories, pga=level))
-            if suites[-1].overturned:
+    for first, beyond in pairwise([0, *range(below, most, AT_ONCE), most]):
+        for suite in suites_of(run([start * step**k for k in range(first, beyond)])):
+            suites.append(suite)
+            if suite.overturned:
                 return tuple(suites)
     return tuple(suites)
 
@@ -163,7 +214,7 @@ def governing_trace(
 ) -> tuple[tuple[HistoryResult, ...], ...]:
     """The histories with the trace of the worst record of the highest level filled in."""
     *lower, highest = [tuple(level) for level in histories]
-    worst = min(highest, key=_mildness)
+    worst = max(highest, key=lambda one: inf if one.max_rotation_ratio is None else one.max_rotation_ratio)
     place = next(place for place, motion in enumerate(motions) if motion.record.id == worst.record)
     ground, base = motions[place].record, shaken.base[place].record
     scale = worst.polarity * worst.scale_factor

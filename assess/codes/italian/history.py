@@ -110,12 +110,14 @@ def rising(context: Context) -> tuple[Suite, ...]:
 
 def displaced(oscillator: Oscillator, suite: Suite) -> tuple[float | None, ...]:
     """d*/d0* of each record [-], each by the branch of its maximum; None where the body overturned."""
-    found: list[float | None] = []
-    for ratio, name in zip(suite.ratio, suite.branches or (suite.branch,) * len(suite.ratio), strict=True):
-        branch = branch_named(oscillator, name)
-        moved = displacement(branch, np.array([(ratio or 0.0) * branch.overturning, branch.unstable]), mass=1.0)
-        found.append(None if ratio is None else float(moved[0] / moved[1]))
-    return tuple(found)
+    names = suite.branches or (suite.branch,) * len(suite.ratio)
+    share = np.zeros(len(names))
+    for name in dict.fromkeys(names):
+        branch, here = branch_named(oscillator, name), [place for place, each in enumerate(names) if each == name]
+        rotation = np.array([(suite.ratio[place] or 0.0) * branch.overturning for place in here])
+        *moved, collapse = displacement(branch, np.append(rotation, branch.unstable), mass=1.0)
+        share[here] = moved / collapse
+    return tuple(None if ratio is None else each for ratio, each in zip(suite.ratio, share.tolist(), strict=True))
 
 
 def passes(found: Found, allowed: float) -> bool:

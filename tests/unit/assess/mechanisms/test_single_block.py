@@ -203,3 +203,17 @@ def test_a_restitution_above_one_says_that_energy_is_kept():
     (told,) = [text for text in mechanism.notices if "restitution" in text]
     assert told.startswith(f"restitution {eta:.4g} is above 1 though energy is lost")
     assert told.endswith(f"keeps {100 * eta**2 * new / old:.3g} % of the energy")
+
+
+def test_a_block_that_is_the_same_both_ways_has_one_branch():
+    assert oscillator(single_block("w", wall_in_plane())).symmetric
+    leaning = planar_direct(mass=1000.0, centroid=(0.1, 2.0), inertia=900.0, name="leaning")
+    assert not oscillator(single_block("a", leaning, hinge=(0.5, 0.0), hinge_negative=(-0.5, 0.0))).symmetric
+
+
+@pytest.mark.parametrize(("off", "symmetric"), [(1e-15, True), (1e-9, False)])
+def test_rounding_does_not_make_two_branches_of_one(off, symmetric):
+    body = planar_direct(mass=1000.0, centroid=(off, 2.0), inertia=900.0, name="w")
+    both = oscillator(single_block("a", body, hinge=(0.5, 0.0), hinge_negative=(-0.5, 0.0)))
+    assert both.symmetric == symmetric
+    np.testing.assert_allclose(both.negative.restoring, both.positive.restoring, rtol=1e-7, atol=1e-6)

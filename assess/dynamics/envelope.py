@@ -42,8 +42,6 @@ FROM = 0.2
 BISECTIONS = 40
 MARGIN = 0.99
 """Of the impulse that overturns: tables bow between their nodes, and the kernel errs by 1e-7."""
-SAME = 1e-12
-"""Of the largest value of a table: less than this between two branches is rounding."""
 CHUNK = 3
 """Frequencies given to a thread at a time: slow pulses cost more than quick ones."""
 
@@ -154,7 +152,7 @@ def _impulsive(branch: Branch, equation: Equation) -> tuple[float, float, float]
 
 def polarities(oscillator: Oscillator) -> tuple[int, ...]:
     """Signs of a pulse that differ in what they do: one for an oscillator that is the same both ways."""
-    return (1,) if oscillator.negative is not None and alike(*oscillator.branches) else (1, -1)
+    return (1,) if oscillator.symmetric else (1, -1)
 
 
 def threshold(oscillator: Oscillator, equation: Equation) -> float:
@@ -170,17 +168,3 @@ def _resisted(oscillator: Oscillator) -> float:
         float((branch.restoring / branch.excitation)[branch.rotation <= branch.unstable].max())
         for branch in oscillator.branches
     )
-
-
-def alike(one: Branch, other: Branch) -> bool:
-    """Whether two branches are the same but for rounding, of meshes and of what is computed from them."""
-    columns = ("rotation", "inertia", "restoring", "excitation")
-    return one is other or (
-        one.rotation.shape == other.rotation.shape
-        and abs(one.restitution - other.restitution) <= SAME
-        and all(_same(getattr(one, name), getattr(other, name)) for name in columns)
-    )
-
-
-def _same(one: FloatArray, other: FloatArray) -> bool:
-    return bool(np.abs(one - other).max() <= SAME * np.abs(one).max())

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.dynamics.envelope import MARGIN, Envelope, alike, envelope, polarities, safe, threshold
+from assess.dynamics.envelope import MARGIN, Envelope, envelope, polarities, safe, threshold
 from assess.dynamics.packing import Equation
 from assess.dynamics.pulse_response import PulseJobs, outcomes
 from assess.oscillator import Oscillator, SingleBlock, linearise, multiplier, plain_branch
@@ -89,16 +89,10 @@ def test_a_mirrored_oscillator_has_the_same_bound_in_the_other_polarity(equation
 
 
 @BOTH
-def test_branches_that_are_alike_need_one_polarity(equation: Equation) -> None:
-    same = Oscillator(ONE, replace(ONE, inertia=ONE.inertia.copy()), 1.0)
-    rounded = Oscillator(ONE, replace(ONE, inertia=ONE.inertia * (1 + 1e-14)), 1.0)
+def test_an_oscillator_that_is_the_same_both_ways_needs_one_polarity(equation: Equation) -> None:
+    same = Oscillator(ONE, ONE, 1.0)
     nearly = Oscillator(ONE, replace(ONE, inertia=ONE.inertia * (1 + 1e-11)), 1.0)
-    assert alike(*same.branches)
-    assert alike(*rounded.branches)
-    assert not alike(*nearly.branches)
-    assert not alike(ONE, replace(ONE, restitution=0.91))
-    assert not alike(ONE, plain_branch(SingleBlock(1.0, 1.0, 0.2, g / 4.0), restitution=0.9, end=1.4))
-    assert [polarities(each) for each in (BLOCK, same, rounded, nearly, ONE_SIDED)] == [(1,)] * 3 + [(1, -1)] * 2
+    assert [polarities(each) for each in (same, nearly, ONE_SIDED)] == [(1,), (1, -1), (1, -1)]
     ours, theirs = mapped(same, equation), mapped(nearly, equation)
     np.testing.assert_allclose(ours.lower_bound, theirs.lower_bound, rtol=1e-10)
     np.testing.assert_array_equal(ours.overturned, theirs.overturned)

@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 import os
+from contextlib import nullcontext
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from assess.cli.arguments import ProjectPath
+from assess.cli.writer import Begin, writer
+
+if TYPE_CHECKING:
+    from assess.results import Results
 
 
 def run(
@@ -32,13 +37,23 @@ def run(
     Writes report.pdf, report.html, results.json, tables.xlsx, tables/*.csv and figures/*.svg; prints the verdicts and
     the path of the report. Ends with 0 when no check fails, 1 when some check does; what could not be answered is told.
     """
+    with nullcontext() if no_report else writer(jobs) as report:
+        results, path = _assessed(project, output, jobs, report)
+    from assess.cli.summary import some_check_fails, summary
+
+    print(summary(results), end="")
+    print(path)
+    raise typer.Exit(1 if some_check_fails(results) else 0)
+
+
+def _assessed(project: Path, output: Path | None, jobs: int | None, report: Begin | None) -> tuple[Results, Path]:
+    """The results, and the path of what was written: the PDF where `report` writes one, else results.json."""
     from assess.project.schema import load
 
     loaded = load(project)  # before the physics is imported, which takes seconds: a slip of the pen is told at once
     from assess.cli.outputs import RESULTS, staged
     from assess.cli.processes import processes
     from assess.cli.progress import progress
-    from assess.cli.summary import some_check_fails, summary
     from assess.project.build import build
     from assess.project.run import run as run_study
     from assess.results_io import dumps
@@ -48,12 +63,8 @@ def run(
         with processes(jobs) as executor:
             study = build(loaded, executor=executor)
         results = run_study(study, jobs=jobs or os.cpu_count() or 1, progress=said.count)
+        written = report(results, stage, said.step) if report else None
         main_file = stage / RESULTS
         main_file.write_bytes(dumps(results).encode())
-        if not no_report:
-            from reports.writing import write_all
-
-            main_file = write_all(results, stage, jobs=jobs or 0, progress=said.step)
-    print(summary(results), end="")
-    print(folder / main_file.relative_to(stage))
-    raise typer.Exit(1 if some_check_fails(results) else 0)
+        main_file = written() if written else main_file
+    return results, folder / main_file.relative_to(stage)

@@ -1,0 +1,116 @@
+"""The writer of the report: where a process can be copied, one of its own that gets ready while the analysis runs.
+
+What draws pages takes a second to import, and in most of that time the analysis has no use for a second core.
+"""
+
+from __future__ import annotations
+
+import os
+import signal
+import sys
+import traceback
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from functools import partial
+from multiprocessing import get_context
+from multiprocessing.connection import Connection
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from assess.results import Results
+
+Say = Callable[[str], None]
+Begin = Callable[["Results", Path, Say], Callable[[], Path]]
+"""Begins to write the report of results into a folder and says the stages; its answer waits for the path of the PDF."""
+
+
+@contextmanager
+def writer(jobs: int | None) -> Iterator[Begin]:
+    """What writes a report by `jobs` processes, of all cores if None."""
+    number = jobs or os.cpu_count() or 1
+    if number == 1 or sys.platform != "linux":
+        yield lambda results, folder, say: lambda: _write(results, folder, say, jobs=number)
+        return
+    process = _Process(number)
+    try:
+        yield process.begin
+    finally:
+        process.end()
+
+
+class _Process:
+    """A copy of this process that writes one report."""
+
+    def __init__(self, jobs: int) -> None:
+        context = get_context("fork")
+        self._connection, theirs = context.Pipe()
+        self._process = context.Process(target=_serve, args=(theirs, self._connection, jobs))
+        self._process.start()
+        theirs.close()
+        self._asked = self._answered = False
+
+    def begin(self, results: Results, folder: Path, say: Say) -> Callable[[], Path]:
+        self._asked = True
+        self._connection.send((results, folder))
+        return partial(self._wait, say)
+
+    def _wait(self, say: Say) -> Path:
+        while True:
+            told = self._told()
+            if isinstance(told, str):
+                say(told)
+                continue
+            self._answered = True
+            if isinstance(told, BaseException):
+                raise told
+            assert isinstance(told, Path)  # all that is told
+            return told
+
+    def _told(self) -> object:
+        try:
+            return self._connection.recv()
+        except EOFError:
+            self._process.join()
+            code = self._process.exitcode
+            raise RuntimeError(f"the process that writes the report ended by itself (exit code {code})") from None
+
+    def end(self) -> None:
+        """Wait until it has ended; what it has not begun or not finished is not wanted any more."""
+        self._connection.close()
+        if not self._asked:
+            self._process.kill()
+        elif not self._answered:
+            self._process.terminate()
+        self._process.join()
+
+
+def _serve(connection: Connection, other_end: Connection, jobs: int) -> None:
+    """Get ready, write what comes, tell the stages, and last the path or what went wrong."""
+    other_end.close()
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, _interrupt)
+    try:
+        import reports.writing  # noqa: F401 - while the analysis runs
+
+        results, folder = connection.recv()
+        try:
+            connection.send(_write(results, folder, connection.send, jobs=jobs))
+        except Exception as error:
+            error.add_note(traceback.format_exc())
+            connection.send(error)
+    except (EOFError, OSError, KeyboardInterrupt):
+        pass  # nobody waits for it
+
+
+def _interrupt(*_: object) -> None:
+    """End once, however often it is asked for."""
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, signal.SIG_IGN)
+    raise KeyboardInterrupt
+
+
+def _write(results: Results, folder: Path, say: Say, *, jobs: int) -> Path:
+    from reports.writing import write_all
+
+    return write_all(results, folder, jobs=jobs, progress=say)

@@ -1,0 +1,86 @@
+"""The process that writes the report: what it is told, what it tells, and how it ends."""
+
+from __future__ import annotations
+
+import multiprocessing
+import os
+import signal
+import sys
+import time
+from contextlib import suppress
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import reports.writing
+from assess.cli.writer import writer
+
+pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="a process is copied on Linux only")
+
+
+def stand_in(monkeypatch: pytest.MonkeyPatch, write: Any) -> None:
+    """Let `write(results, folder, progress)` stand for the report."""
+    monkeypatch.setattr(
+        reports.writing, "write_all", lambda results, folder, *, jobs, progress: write(results, folder, progress)
+    )
+
+
+@pytest.mark.parametrize("jobs", [1, 2])
+def test_stages_are_said_and_the_path_comes_back(monkeypatch: pytest.MonkeyPatch, tmp_path: Path, jobs: int) -> None:
+    def write(results: str, folder: Path, say: Any) -> Path:
+        say("figures")
+        say("report")
+        (folder / "report.pdf").write_text(f"{results} {os.getpid() == parent}", encoding="utf-8")
+        return folder / "report.pdf"
+
+    parent, said = os.getpid(), list[str]()
+    stand_in(monkeypatch, write)
+    with writer(jobs) as begin:
+        path = begin("walls", tmp_path, said.append)()  # type: ignore[arg-type]  # stands for results
+    assert said == ["figures", "report"]
+    assert path == tmp_path / "report.pdf"
+    assert path.read_text(encoding="utf-8") == f"walls {jobs == 1}"
+    assert not multiprocessing.active_children()
+
+
+@pytest.mark.parametrize("jobs", [1, 2])
+def test_what_goes_wrong_is_raised_here(monkeypatch: pytest.MonkeyPatch, tmp_path: Path, jobs: int) -> None:
+    def write(*_: Any) -> Path:
+        raise OSError(28, "No space left on device", str(tmp_path / "report.pdf"))
+
+    stand_in(monkeypatch, write)
+    with pytest.raises(OSError, match="No space left") as raised, writer(jobs) as begin:
+        begin("walls", tmp_path, print)()  # type: ignore[arg-type]
+    assert raised.value.filename == str(tmp_path / "report.pdf")
+    assert not multiprocessing.active_children()
+
+
+def test_the_place_of_a_mistake_in_the_program_is_kept(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    def write(*_: Any) -> Path:
+        raise ZeroDivisionError("a mistake")
+
+    stand_in(monkeypatch, write)
+    with pytest.raises(ZeroDivisionError) as raised, writer(2) as begin:
+        begin("walls", tmp_path, print)()  # type: ignore[arg-type]
+    assert any("test_writer.py" in note for note in raised.value.__notes__)
+
+
+def test_a_writer_that_is_killed_is_told(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    stand_in(monkeypatch, lambda *_: os.kill(os.getpid(), signal.SIGKILL))
+    with pytest.raises(RuntimeError, match=r"ended by itself \(exit code -9\)"), writer(2) as begin:
+        begin("walls", tmp_path, print)()  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("asked", [False, True])
+def test_nothing_waits_for_a_report_that_is_not_wanted_any_more(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, asked: bool
+) -> None:
+    stand_in(monkeypatch, lambda *_: time.sleep(60))
+    start = time.monotonic()
+    with suppress(KeyboardInterrupt), writer(2) as begin:
+        if asked:
+            begin("walls", tmp_path, print)  # type: ignore[arg-type]
+        raise KeyboardInterrupt
+    assert time.monotonic() - start < 20.0
+    assert not multiprocessing.active_children()

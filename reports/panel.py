@@ -58,7 +58,7 @@ class _Ticks:
 
 @dataclass(frozen=True)
 class _Numbered:
-    """Where the larger or the smaller ticks that are seen stand [n], their numbers [n], and the power of ten of these."""
+    """Where the ticks that are seen stand [n], their numbers [n], and the power of ten of these."""
 
     values: FloatArray
     numbers: tuple[str, ...]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -75,7 +76,7 @@ def _dots(axes: Axes, procedure: str, seen: str, at: list[tuple[float, float]]) 
     ink = pen(procedure)
     face = "white" if ink.dash == "--" else ink.colour
     marker = {"overturned": "x", "beyond": ">", "inside": ink.marker}[seen]
-    size = {"markersize": 6.0, "markeredgewidth": 1.6} if seen == "overturned" else {"markersize": 4.5}
+    size: dict[str, Any] = {"markersize": 6, "markeredgewidth": 1.6} if seen == "overturned" else {"markersize": 4.5}
     line = Line2D(*np.transpose(at), marker=marker, color=ink.colour, markerfacecolor=face, linestyle="none", **size)
     line.set_clip_on(False)
     axes.add_artist(line)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any, cast
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -33,7 +34,9 @@ def draw(one: EnvelopeResult, records: Sequence[RecordResult]) -> Figure:
         top = float(amplitude[-1])
         axes.fill_between(frequency, np.minimum(one.uplift_g, top), top, color=ROCKS, linewidth=0.0)
         axes.add_collection(
-            PolyCollection(_fallen(one, frequency, amplitude), facecolor=FALLS, edgecolor=FALLS, linewidth=0.2),
+            PolyCollection(
+                cast("Any", _fallen(one, frequency, amplitude)), facecolor=FALLS, edgecolor=FALLS, linewidth=0.2
+            ),
             autolim=False,
         )
         axes.plot(frequency, one.uplift_g, color=MUTED, linewidth=0.9, linestyle="--", label="rocking starts")

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from math import cos, radians, sin
+from typing import Any, cast
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -108,9 +109,8 @@ def _bodies(axes: Axes, view: View, camera: Camera) -> None:
     seen = camera.seen(faces.corners.reshape(-1, 3))[:, :2].reshape(-1, 3, 2)
     order = farthest_first(faces.corners @ camera.frame.T)
     shapes, inks = painted(seen[order], faces.edges[order], shaded(faces, camera)[order])
-    axes.add_collection(
-        PolyCollection(shapes, facecolors=inks, edgecolors=inks, linewidths=LINE, joinstyle="round"), autolim=False
-    )
+    faced = PolyCollection(cast("Any", shapes), facecolors=inks, edgecolors=inks, linewidths=LINE, joinstyle="round")
+    axes.add_collection(faced, autolim=False)
 
 
 def painted(corners: FloatArray, drawn: BoolArray, colours: FloatArray) -> tuple[FloatArray, FloatArray]:

@@ -124,15 +124,20 @@ def separated(one: FloatArray, other: FloatArray, *, by: float) -> BoolArray:
 
     by : the gap from which on they are; a negative one lets them overlap by that much
     """
-    found = np.zeros(len(one), dtype=np.bool_)
-    for these, those in ((one, other), (other, one)):
-        edge = np.roll(these, -1, axis=1) - these
-        outward = np.stack([edge[..., 1], -edge[..., 0]], axis=-1)
-        outward /= np.maximum(np.linalg.norm(edge, axis=-1, keepdims=True), np.finfo(np.float64).tiny)
-        turn = np.sign(edge[:, 0, 0] * edge[:, 1, 1] - edge[:, 0, 1] * edge[:, 1, 0])
-        gap = np.einsum("kvd,ked->kev", those, outward) - np.einsum("ked,ked->ke", these, outward)[..., None]
-        found |= ((gap * turn[:, None, None]).min(axis=2) > by).any(axis=1)
+    found = parted(one, other, by=by)
+    rest = ~found
+    found[rest] = parted(other[rest], one[rest], by=by)
     return found
+
+
+def parted(these: FloatArray, those: FloatArray, *, by: float) -> BoolArray:
+    """Whether an edge of the first of two triangles in a plane [k, 3, 2] lies between them [k], as `separated`."""
+    edge = np.roll(these, -1, axis=1) - these
+    outward = np.stack([edge[..., 1], -edge[..., 0]], axis=-1)
+    outward /= np.maximum(np.linalg.norm(edge, axis=-1, keepdims=True), np.finfo(np.float64).tiny)
+    outward *= np.sign(edge[:, 0, 0] * edge[:, 1, 1] - edge[:, 0, 1] * edge[:, 1, 0])[:, None, None]
+    gap = (outward @ those.swapaxes(1, 2)).min(axis=2) - np.einsum("ked,ked->ke", these, outward)
+    return np.asarray((gap > by).any(axis=1))
 
 
 def heights(corners: FloatArray, at: FloatArray) -> FloatArray:

@@ -6,7 +6,7 @@ one for its ticks, and letters. Figures have 72 pixels to the inch: a pixel is a
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any, Literal, cast
@@ -19,11 +19,14 @@ from matplotlib.axis import Axis, XAxis, YAxis
 from matplotlib.backend_bases import RendererBase
 from matplotlib.figure import Figure
 from matplotlib.font_manager import FontProperties
+from matplotlib.legend import Legend
 from matplotlib.path import Path
 from matplotlib.text import Text
+from matplotlib.ticker import NullLocator
 from matplotlib.transforms import Bbox, IdentityTransform
 from numpy.typing import NDArray
 
+from reports.legend import settled
 from reports.ruler import RULER, Ruler
 
 FloatArray = NDArray[np.float64]
@@ -51,6 +54,15 @@ class _Ticks:
     pad: float
     size: Any
     colour: Any
+
+
+@dataclass(frozen=True)
+class _Numbered:
+    """Where the ticks that are seen stand [n], their numbers [n], and the power of ten of these."""
+
+    values: FloatArray
+    numbers: tuple[str, ...]
+    power: str
 
 
 @dataclass(frozen=True)
@@ -90,6 +102,7 @@ class _Scale(Axis):
         """No artist is made of a tick before somebody asks for it."""
         self.majorTicks: Any = []
         self.minorTicks: Any = []
+        self._found: dict[tuple[object, ...], _Numbered] = {}
 
     def get_children(self) -> list[Artist]:
         """Its label, and the power of ten of its numbers."""
@@ -117,18 +130,16 @@ class _Scale(Axis):
         self.offsetText.draw(renderer)
         self.stale = False
 
-    def _ticks(self) -> tuple[_Ticks, _Ticks]:
-        return self._kind("major"), self._kind("minor")
+    def _ticks(self) -> list[_Ticks]:
+        """The larger ticks, and the smaller ones of a scale that has any."""
+        has_minor = not isinstance(self.get_minor_locator(), NullLocator)
+        return [self._kind("major")] + ([self._kind("minor")] if has_minor else [])
 
     def _kind(self, which: Literal["major", "minor"]) -> _Ticks:
-        major = which == "major"
-        values = np.asarray(self.get_majorticklocs() if major else self.get_minorticklocs(), dtype=np.float64)
-        formatter = self.get_major_formatter() if major else self.get_minor_formatter()
-        given, name, seen = self.get_tick_params(which), f"{self.axis_name}tick", self._is_seen(values)
-        numbers = formatter.format_ticks(values.tolist()) if values.size else []
+        found, given, name = self._numbered(which), self.get_tick_params(which), f"{self.axis_name}tick"
         return _Ticks(
-            at=self._points(values[seen]),
-            numbers=tuple(number for number, is_seen in zip(numbers, seen.tolist(), strict=True) if is_seen),
+            at=self._points(found.values),
+            numbers=found.numbers,
             has_grid=given["gridOn"],
             is_drawn=given.get(self.side, True),
             is_numbered=given.get(f"label{self.side}", True),
@@ -138,6 +149,20 @@ class _Scale(Axis):
             size=given.get("labelsize", _STYLE[f"{name}.labelsize"]),
             colour=given.get("color", _STYLE[f"{name}.color"]),
         )
+
+    def _numbered(self, which: Literal["major", "minor"]) -> _Numbered:
+        """The ticks that are seen: a scale is laid out twice and then drawn, most often with the same ones."""
+        major = which == "major"
+        locator = self.get_major_locator() if major else self.get_minor_locator()
+        formatter = self.get_major_formatter() if major else self.get_minor_formatter()
+        known = (locator, formatter, *self.get_view_interval(), self.get_tick_space())
+        if known not in self._found:
+            values = np.asarray(self.get_majorticklocs() if major else self.get_minorticklocs(), dtype=np.float64)
+            seen = self._is_seen(values)
+            numbers = formatter.format_ticks(values.tolist()) if values.size else []
+            kept = tuple(number for number, is_seen in zip(numbers, seen.tolist(), strict=True) if is_seen)
+            self._found[known] = _Numbered(values[seen], kept, formatter.get_offset())
+        return self._found[known]
 
     def _is_seen(self, values: FloatArray) -> NDArray[np.bool_]:
         """Which values lie within the panel [n]."""
@@ -194,7 +219,7 @@ class _Scale(Axis):
         away = self._edge - ticks.length - ticks.pad
         return [(self._point(at, away), number) for at, number in zip(ticks.at.tolist(), ticks.numbers, strict=True)]
 
-    def _set_letters(self, ticks: tuple[_Ticks, _Ticks]) -> Bbox:
+    def _set_letters(self, ticks: Sequence[_Ticks]) -> Bbox:
         """Put the label and the power of ten beside ticks and numbers; what ticks and numbers cover [pt]."""
         boxes = [
             place + _lettered(number, each.size, self.setting).box
@@ -208,7 +233,7 @@ class _Scale(Axis):
         lowest, highest = corners.min(axis=0), corners.max(axis=0)
         middle = self.label.get_position()[self.along]
         self.label.set_position(self._point(middle, lowest[1 - self.along] - self.labelpad))
-        self.offsetText.set_text(self.get_major_formatter().get_offset())
+        self.offsetText.set_text(self._numbered("major").power)
         self.offsetText.set_y(self._power(numbers[:, 1].min() if boxes else self._edge))
         return Bbox([lowest, highest])
 
@@ -252,6 +277,10 @@ class Panel(Axes):
         self.yaxis: Any = _Up(self, clear=False)
         for side, axis in (("bottom", self.xaxis), ("top", self.xaxis), ("left", self.yaxis), ("right", self.yaxis)):
             self.spines[side].register_axis(axis)
+
+    def legend(self, *given: Any, **named: Any) -> Legend:
+        """A legend whose boxes are measured once."""
+        return settled(super().legend(*given, **named))
 
     def clear(self) -> None:
         """Frames at the edges of the panel, which take no place beside their scales."""

@@ -6,7 +6,7 @@ from functools import lru_cache
 from typing import Any
 
 from matplotlib.backend_bases import FigureCanvasBase, RendererBase
-from matplotlib.font_manager import FontProperties
+from matplotlib.font_manager import FontProperties, findfont, get_font
 
 
 class Ruler(RendererBase):
@@ -20,6 +20,13 @@ class Ruler(RendererBase):
         """Width, height and depth below the line [pt]."""
         return _measured(s, prop.copy())
 
+    def _get_font_height_metrics(self, prop: FontProperties) -> tuple[float, float, float]:
+        """Height above the line, depth below it and gap between lines [pt] of a font.
+
+        Asked by matplotlib 3.11, which else reads the tables of the font anew for every text.
+        """
+        return _leading(prop.copy())
+
 
 class Canvas(FigureCanvasBase):
     """What a figure is laid out on; it is drawn as marks, not by what matplotlib saves."""
@@ -31,6 +38,14 @@ class Canvas(FigureCanvasBase):
 
 RULER = Ruler()
 _BARE = RendererBase()
+
+
+@lru_cache(maxsize=1024)
+def _leading(font: FontProperties) -> tuple[float, float, float]:
+    face = get_font(findfont(font))
+    scale = font.get_size_in_points() / face.units_per_EM
+    table: Any = face.get_sfnt_table("OS/2")
+    return table["sTypoAscender"] * scale, -table["sTypoDescender"] * scale, table["sTypoLineGap"] * scale
 
 
 @lru_cache(maxsize=16384)

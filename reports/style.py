@@ -15,7 +15,9 @@ from typing import Any
 import matplotlib
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.legend import Legend
 
+from reports.legend import settled
 from reports.lettering import FAMILY, abridged, printable, shortened
 from reports.panel import Panel
 from reports.ruler import Canvas
@@ -120,6 +122,10 @@ class _Sheet(Figure):
     def __init__(self, **given: Any) -> None:
         super().__init__(**given)
         Canvas(self)
+
+    def legend(self, *given: Any, **named: Any) -> Legend:
+        """A legend whose boxes are measured once."""
+        return settled(super().legend(*given, **named))
 
     def add_subplot(self, *place: Any, **given: Any) -> Axes:
         """A panel, unless another projection is asked for."""

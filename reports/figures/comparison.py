@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 from collections import Counter
+from typing import Any
 
+import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 
 from assess.results import ComparisonRow
 from reports.style import FAIL, GRID, folded, label, pen, sheet, styled
@@ -49,22 +52,34 @@ def _panel(axes: Axes, rows: list[ComparisonRow], order: list[str], overturned: 
     for line in range(len(order) - 1):
         axes.axhline(line + 0.5, color=GRID, linewidth=0.5)
     procedures = sorted({row.procedure for row in rows})
+    spread = 0.62 / max(len(procedures) - 1, 1)
+    places: dict[tuple[str, str], list[tuple[float, float]]] = {}
     for row in rows:
-        spread = 0.62 / max(len(procedures) - 1, 1)
         height = order.index(row.mechanism) - 0.31 + spread * procedures.index(row.procedure)
-        _dot(axes, row, height, row in overturned)
+        if row in overturned or row.demand_capacity is not None:
+            at = BEYOND if row in overturned else min(row.demand_capacity or 0.0, BEYOND)
+            places.setdefault((row.procedure, look(row, overturned)), []).append((at, height))
+    for (procedure, seen), dots in places.items():
+        _dots(axes, procedure, seen, dots)
     axes.grid(visible=False, axis="y")
 
 
-def _dot(axes: Axes, row: ComparisonRow, height: float, fell: bool) -> None:
-    ink = pen(row.procedure)
+def look(row: ComparisonRow, overturned: frozenset[ComparisonRow]) -> str:
+    """How a row is drawn: "overturned", "beyond" the scale or "inside" it."""
+    if row in overturned:
+        return "overturned"
+    return "beyond" if (row.demand_capacity or 0.0) > BEYOND else "inside"
+
+
+def _dots(axes: Axes, procedure: str, seen: str, at: list[tuple[float, float]]) -> None:
+    """The rows of a procedure that look alike, in one line without ink between them."""
+    ink = pen(procedure)
     face = "white" if ink.dash == "--" else ink.colour
-    if fell:
-        axes.plot(BEYOND, height, marker="x", color=ink.colour, markersize=6, markeredgewidth=1.6, clip_on=False)
-    elif row.demand_capacity is not None:
-        marker = ">" if row.demand_capacity > BEYOND else ink.marker
-        at = min(row.demand_capacity, BEYOND)
-        axes.plot(at, height, marker=marker, color=ink.colour, markerfacecolor=face, markersize=4.5, clip_on=False)
+    marker = {"overturned": "x", "beyond": ">", "inside": ink.marker}[seen]
+    size: dict[str, Any] = {"markersize": 6, "markeredgewidth": 1.6} if seen == "overturned" else {"markersize": 4.5}
+    line = Line2D(*np.transpose(at), marker=marker, color=ink.colour, markerfacecolor=face, linestyle="none", **size)
+    line.set_clip_on(False)
+    axes.add_artist(line)
 
 
 def _legend(figure: Figure, rows: tuple[ComparisonRow, ...]) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any, cast
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -33,7 +34,10 @@ def draw(one: EnvelopeResult, records: Sequence[RecordResult]) -> Figure:
         top = float(amplitude[-1])
         axes.fill_between(frequency, np.minimum(one.uplift_g, top), top, color=ROCKS, linewidth=0.0)
         axes.add_collection(
-            PolyCollection(_fallen(one, frequency, amplitude), facecolor=FALLS, edgecolor=FALLS, linewidth=0.2)
+            PolyCollection(
+                cast("Any", _fallen(one, frequency, amplitude)), facecolor=FALLS, edgecolor=FALLS, linewidth=0.2
+            ),
+            autolim=False,
         )
         axes.plot(frequency, one.uplift_g, color=MUTED, linewidth=0.9, linestyle="--", label="rocking starts")
         axes.plot(frequency, _numbers(one.lower_bound_g), color=FAIL, label="least pulse that overturns")
@@ -43,16 +47,16 @@ def draw(one: EnvelopeResult, records: Sequence[RecordResult]) -> Figure:
         return figure
 
 
-def _fallen(one: EnvelopeResult, frequency: FloatArray, amplitude: FloatArray) -> list[FloatArray]:
-    """Rectangles [4, 2] of the pulses that overturn: at each frequency, one for each run of amplitudes."""
+def _fallen(one: EnvelopeResult, frequency: FloatArray, amplitude: FloatArray) -> FloatArray:
+    """Rectangles [k, 4, 2] of the pulses that overturn: at each frequency, one for each run of amplitudes."""
     f, a = _between(frequency), _between(amplitude)
     found = []
     for column, row in enumerate(np.array(one.overturned, dtype=np.int64)):
         steps = np.flatnonzero(np.diff(np.r_[0, row, 0]))
         for first, last in steps.reshape(-1, 2):
             left, right, low, high = f[column], f[column + 1], a[first], a[last]
-            found.append(np.array([(left, low), (right, low), (right, high), (left, high)]))
-    return found
+            found.append([(left, low), (right, low), (right, high), (left, high)])
+    return np.array(found, dtype=np.float64).reshape(-1, 4, 2)
 
 
 def _between(values: FloatArray) -> FloatArray:

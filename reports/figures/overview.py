@@ -57,10 +57,10 @@ def _panel(
     axes.set_ylim(low - 0.04 * size[1], low + 0.96 * size[1])
     drawing = mechanism.drawing
     for ring in drawing.fixed:
-        axes.add_patch(Polygon(ring, facecolor=FIXED, edgecolor=STONE_EDGE, linewidth=0.3))
+        axes.add_artist(Polygon(ring, facecolor=FIXED, edgecolor=STONE_EDGE, linewidth=0.3))
     for ring, block in zip(drawing.blocks, drawing.block_of, strict=True):
         colour = FIXED if block < 0 else BLOCKS[block % len(BLOCKS)]
-        axes.add_patch(Polygon(ring, facecolor=colour, edgecolor=STONE_EDGE, linewidth=0.5))
+        axes.add_artist(Polygon(ring, facecolor=colour, edgecolor=STONE_EDGE, linewidth=0.5))
     for hinge in drawing.hinges:
         if not hinge.name.endswith("'"):
             axes.plot(*hinge.at, marker="o", markersize=2.6, color=POSITIVE, markerfacecolor="white", clip_on=False)

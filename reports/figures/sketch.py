@@ -154,7 +154,7 @@ def _at_rest(axes: Axes, drawing: Drawing, window: Window, layout: Layout) -> No
     axes.set_title("at rest", loc="left")
     _ground(axes, drawing, window)
     for ring, block in zip(drawing.blocks, drawing.block_of, strict=True):
-        axes.add_patch(Polygon(ring, facecolor=shade(block), edgecolor=STONE_EDGE, linewidth=0.9))
+        axes.add_artist(Polygon(ring, facecolor=shade(block), edgecolor=STONE_EDGE, linewidth=0.9))
     _centroids(axes, drawing.centroids)
     if len(drawing.centroids) > 1:
         axes.plot(*drawing.centroid, marker="x", markersize=5, markeredgewidth=1.2, color=INK)
@@ -199,9 +199,9 @@ def _turned(axes: Axes, drawing: Drawing, displaced: Displaced, colour: str, win
     axes.set_title(f"{side} side\nφ = {displaced.rotation_rad:.2g} rad", loc="left")
     _ground(axes, drawing, window)
     for ring, block in zip(displaced.blocks, displaced.block_of, strict=True):
-        axes.add_patch(Polygon(ring, facecolor=shade(block), edgecolor=STONE_EDGE, linewidth=0.9))
+        axes.add_artist(Polygon(ring, facecolor=shade(block), edgecolor=STONE_EDGE, linewidth=0.9))
     for ring in drawing.blocks:
-        axes.add_patch(Polygon(ring, facecolor="none", edgecolor=MUTED, linewidth=0.7, linestyle=(0, (3, 2))))
+        axes.add_artist(Polygon(ring, facecolor="none", edgecolor=MUTED, linewidth=0.7, linestyle=(0, (3, 2))))
     _centroids(axes, displaced.centroids)
     _loads(axes, displaced.loads, window)
     for hinge in displaced.hinges:
@@ -229,7 +229,7 @@ def _labels(axes: Axes, named: Sequence[tuple[Point, str, str]], layout: Layout)
 def _ground(axes: Axes, drawing: Drawing, window: Window) -> None:
     """What the mechanism stands on: masonry that stays, or level ground, hatched below."""
     for ring in drawing.fixed:
-        axes.add_patch(Polygon(ring, facecolor=FIXED, edgecolor=MUTED, linewidth=0.6, zorder=0.6))
+        axes.add_artist(Polygon(ring, facecolor=FIXED, edgecolor=MUTED, linewidth=0.6, zorder=0.6))
     if drawing.fixed:
         return
     low = min(z for _, z in (*(hinge.at for hinge in drawing.hinges), *(p for ring in drawing.blocks for p in ring)))

@@ -127,3 +127,16 @@ def test_a_hidden_scale_takes_no_place() -> None:
         box = axes.yaxis.get_tightbbox()
         assert box is not None
         assert box.x0 < axes.bbox.x0
+
+
+def test_a_scale_that_has_been_drawn_shows_its_new_range() -> None:
+    def numbers(*ranges: tuple[float, float]) -> list[str]:
+        with styled():
+            figure = sheet(2.0)
+            axes = figure.subplots()
+            for low, high in ranges:
+                axes.set_xlim(low, high)
+                marks = trace(figure).marks
+        return [mark.text for mark in marks if isinstance(mark, Letters)]
+
+    assert numbers((0.0, 1.0), (0.0, 7e7)) == numbers((0.0, 7e7)) != numbers((0.0, 1.0))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from matplotlib.backend_bases import RendererBase
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.font_manager import FontProperties
@@ -36,3 +37,11 @@ def test_figures_of_the_report_are_laid_out_with_it() -> None:
         canvas = sheet(2.0).canvas
     assert isinstance(canvas, Canvas)
     assert canvas.get_renderer() is RULER
+
+
+@pytest.mark.parametrize("weight", ["normal", "bold"])
+def test_lines_stand_as_far_apart_as_the_font_says(weight: str) -> None:
+    with styled():
+        text = Figure(dpi=72).text(0.0, 0.0, "two\nlines", fontsize=7.5, weight=weight)
+        found, plain = (text.get_window_extent(renderer).bounds for renderer in (RULER, RendererBase()))
+    assert found == pytest.approx(plain, rel=1e-12, abs=1e-12)

@@ -7,7 +7,7 @@ from itertools import product
 import numpy as np
 import pytest
 
-from reports.figures.view import NAME, along, freed
+from reports.figures.view import NAME, freed, painted
 
 
 def test_a_name_is_lowered_until_both_can_be_read() -> None:
@@ -19,8 +19,13 @@ def test_a_name_is_lowered_until_both_can_be_read() -> None:
         np.testing.assert_array_equal(freed(clear, [first]), clear)
 
 
-@pytest.mark.parametrize("drawn", [each for each in product((False, True), repeat=3) if any(each)])
-def test_a_closed_line_runs_along_the_drawn_edges_of_a_triangle_and_no_other(drawn: tuple[bool, bool, bool]) -> None:
-    corners = along(drawn)
-    passed = {frozenset(pair) for pair in zip(corners, [*corners[1:], corners[0]], strict=True)}
-    assert passed == {frozenset({k, (k + 1) % 3}) for k in range(3) if drawn[k]}
+@pytest.mark.parametrize("drawn", list(product((False, True), repeat=3)))
+def test_a_face_is_followed_by_its_drawn_edges_and_no_other(drawn: tuple[bool, bool, bool]) -> None:
+    corners = np.array([[0.0, 0.0], [3.0, 0.0], [1.0, 2.0]])
+    shapes, inks = painted(corners[None], np.array([drawn]), np.array([[0.5, 0.6, 0.7]]))
+    np.testing.assert_array_equal(shapes[0], corners)
+    np.testing.assert_array_equal(inks[0], [0.5, 0.6, 0.7])
+    passed = {frozenset(map(tuple, shape.tolist())) for shape in shapes[1:]}
+    ends = [tuple(corner) for corner in corners.tolist()]
+    assert passed == {frozenset({ends[k], ends[(k + 1) % 3]}) for k in range(3) if drawn[k]}
+    assert len(inks) == len(shapes) == 1 + sum(drawn)

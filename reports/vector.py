@@ -6,8 +6,8 @@ reports/svg.py into a file of their own.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from concurrent.futures import Executor, Future
+from collections.abc import Iterator, Mapping, Sequence
+from concurrent.futures import Future
 from dataclasses import dataclass
 from itertools import accumulate, cycle, pairwise, repeat
 from typing import Any
@@ -22,6 +22,7 @@ from matplotlib.transforms import Transform
 from numpy.typing import NDArray
 
 from reports.document import Document
+from reports.processes import Pool
 from reports.ruler import Ruler
 from reports.style import styled
 
@@ -175,14 +176,14 @@ class Drawings(Mapping[str, Traced]):
         return len(self._futures)
 
 
-def traced(document: Document, *, pool: Executor) -> Drawings:
-    """Every figure of the document by its name, drawn once, by `pool`."""
-    return Drawings({figure.name: pool.submit(drawn, figure.draw) for figure in document.figures})
+def traced(document: Document, *, pool: Pool) -> Drawings:
+    """Every figure of the document by its name, drawn once, by a `pool` that works on the document."""
+    return Drawings({figure.name: pool.submit(drawn, place) for place, figure in enumerate(document.figures)})
 
 
-def drawn(draw: Callable[[], Figure]) -> Traced:
-    """The figure that `draw` makes as marks."""
-    return trace(draw())
+def drawn(document: Document, place: int) -> Traced:
+    """The figure at this place among those of the document as marks."""
+    return trace(document.figures[place].draw())
 
 
 def trace(figure: Figure) -> Traced:
@@ -223,7 +224,7 @@ def _outlines(paths: Sequence[Path], transform: Transform) -> Iterator[Outline]:
 
 def _codes(path: Path) -> bytes:
     if path.codes is None:
-        return bytes((Path.MOVETO,)) + bytes((Path.LINETO,)) * (np.shape(path.vertices)[0] - 1)
+        return bytes((Path.MOVETO, *[Path.LINETO] * (len(np.asarray(path.vertices)) - 1)))
     return bytes(np.asarray(path.codes, dtype=np.uint8))
 
 

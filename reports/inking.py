@@ -3,25 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from itertools import chain, groupby
+from functools import cache
+from itertools import groupby
 from typing import Any
 
 from matplotlib.path import Path
 from reportlab.lib.colors import Color
 from reportlab.pdfgen.canvas import Canvas
 
-from reports.vector import Letters, Rectangle, Rgba, Segment, Stroke, Traced
+from reports.vector import Letters, Rectangle, Rgba, Stroke, Traced
 
 _CAP = {"butt": 0, "projecting": 2, "round": 1}
 _JOIN = {"miter": 0, "round": 1, "bevel": 2}
-_CLOSE = int(Path.CLOSEPOLY)
 _PLACE = "%.2f %.2f"  # a hundredth of a point is less than paper holds
-_OPERATORS = {
-    int(Path.MOVETO): f"{_PLACE} m",
-    int(Path.LINETO): f"{_PLACE} l",
-    int(Path.CURVE4): f"{_PLACE} {_PLACE} {_PLACE} c",
-    _CLOSE: "h",
-}
+_OPERATORS = {int(Path.MOVETO): f"{_PLACE} m", int(Path.LINETO): f"{_PLACE} l", int(Path.CLOSEPOLY): "h"}
 _PAINT = {(True, True): "B", (True, False): "S", (False, True): "f", (False, False): "n"}  # a line, a filling
 _SETTING: Mapping[str, Callable[[Canvas, Any], None]] = {
     "line": lambda canvas, ink: canvas.addLiteral("{:.4f} {:.4f} {:.4f} RG".format(*ink)),
@@ -63,7 +58,7 @@ def _stroke(mark: Stroke, held: dict[str, object], canvas: Canvas) -> None:
             held[name] = value
             _SETTING[name](canvas, value)
     paint = _PAINT[mark.line is not None, mark.filling is not None]
-    canvas.addLiteral(f"n {operators(mark.segments)} {paint}")
+    canvas.addLiteral(f"n {operators(mark.codes, mark.numbers)} {paint}")
 
 
 def _line(mark: Stroke) -> tuple[tuple[str, object], ...]:
@@ -77,30 +72,15 @@ def _filling(ink: Rgba | None) -> tuple[tuple[str, object], ...]:
     return () if ink is None else (("filling", ink[:3]), ("opacity of fillings", ink[3]))
 
 
-def operators(segments: tuple[Segment, ...]) -> str:
-    """The outline in the operators of PDF; a curve of second degree raised to the third.
-
-    The numbers of all segments are formatted at once: a report has a hundred thousand segments.
-    """
-    if any(code == Path.CURVE3 for _, code in segments):
-        segments = _raised(segments)
-    shape = " ".join([_OPERATORS[code] for _, code in segments])
-    return shape % tuple(chain.from_iterable([at for at, code in segments if code != _CLOSE]))
+def operators(codes: bytes, numbers: tuple[float, ...]) -> str:
+    """An outline in the operators of PDF."""
+    return _shape(codes) % numbers
 
 
-def _raised(segments: tuple[Segment, ...]) -> tuple[Segment, ...]:
-    """The outline without curves of second degree."""
-    made: list[Segment] = []
-    x, y = 0.0, 0.0
-    for at, code in segments:
-        if code == Path.CURVE3:
-            u, v, x1, y1 = at
-            third = ((x + 2 * u) / 3, (y + 2 * v) / 3, (x1 + 2 * u) / 3, (y1 + 2 * v) / 3, x1, y1)
-            made.append((third, int(Path.CURVE4)))
-        else:
-            made.append((at, code))
-        x, y = at[-2:]
-    return tuple(made)
+@cache
+def _shape(codes: bytes) -> str:
+    """The operators with room for the numbers: outlines are ten thousands, shapes of them a hundred."""
+    return " ".join([_OPERATORS[code] for code in codes])
 
 
 def _write(mark: Letters, canvas: Canvas, font: str) -> None:

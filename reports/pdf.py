@@ -33,7 +33,7 @@ from reports.lettering import shortened
 from reports.page import Heading, LateCanvas, Pages
 from reports.style import BANNER, GRID, MUTED, WORDS
 from reports.typeset import BOLD, REGULAR, STYLES, markup, paragraph, register_fonts, width_of
-from reports.vector import Traced, drawn
+from reports.vector import Traced, trace
 
 rl_config.useA85 = 0  # streams as bytes, not as letters: four fifths of the size, and sooner written
 
@@ -186,6 +186,6 @@ def write_pdf(document: Document, path: Path, *, drawings: Mapping[str, Traced] 
     """Write the document to `path`; the path written. drawings: its figures by name, where they are drawn already."""
     register_fonts()
     pages = Pages(path, document)
-    figures = drawings or {figure.name: drawn(figure.draw) for figure in document.figures}
+    figures = drawings or {figure.name: trace(figure.draw()) for figure in document.figures}
     pages.build(Story(document, figures, pages).flowables(), canvasmaker=LateCanvas)
     return path

@@ -35,10 +35,9 @@ def write_png(traced: Traced, path: File, *, creator: str) -> File:
 
 def _background(traced: Traced) -> Stroke:
     right, top = traced.width, traced.height
-    corners = ((0.0, 0.0), (right, 0.0), (right, top), (0.0, top), (0.0, 0.0))
-    codes = (Path.MOVETO, Path.LINETO, Path.LINETO, Path.LINETO, Path.CLOSEPOLY)
-    segments = tuple((corner, int(code)) for corner, code in zip(corners, codes, strict=True))
-    return Stroke(segments, None, (1.0, 1.0, 1.0, 1.0), 0.0, ((), 0.0), "butt", "miter", None)
+    codes = bytes((Path.MOVETO, Path.LINETO, Path.LINETO, Path.LINETO, Path.CLOSEPOLY))
+    corners = (0.0, 0.0, right, 0.0, right, top, 0.0, top)
+    return Stroke(codes, corners, None, (1.0, 1.0, 1.0, 1.0), 0.0, ((), 0.0), "butt", "miter", None)
 
 
 def _stroke(mark: Stroke, renderer: RendererAgg) -> None:
@@ -57,9 +56,11 @@ def _stroke(mark: Stroke, renderer: RendererAgg) -> None:
 
 
 def _path(mark: Stroke) -> Path:
-    codes = [code for at, code in mark.segments for _ in range(len(at) // 2)]
-    points = [number for at, _ in mark.segments for number in at]
-    return Path(np.array(points).reshape(-1, 2), codes)
+    """The outline as matplotlib keeps it: what closes has a point too, which means nothing."""
+    codes = np.frombuffer(mark.codes, dtype=np.uint8)
+    points = np.zeros((codes.size, 2))
+    points[codes != Path.CLOSEPOLY] = np.reshape(mark.numbers, (-1, 2))
+    return Path(points, codes)
 
 
 def _write(mark: Letters, renderer: RendererAgg) -> None:

@@ -14,36 +14,53 @@ from typing import Any
 class _Here(Executor):
     """Does what is asked at once, in this process."""
 
+    def __init__(self, subject: object) -> None:
+        self._subject = subject
+
     def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
         done: Future[Any] = Future()
-        done.set_result(fn(*args, **kwargs))
+        done.set_result(fn(self._subject, *args, **kwargs))
         return done
 
 
 class _Copies(ProcessPoolExecutor):
-    """Copies of this process, which need not import anything again.
+    """Copies of this process, which need not import anything again, nor be sent the subject.
 
     Copies have no threads but their own. None of this program's holds a lock at that moment: those of the dynamics have
     ended, that of the progress bar locks its console only, of which no copy says anything. Python warns all the same.
     """
 
-    def __init__(self, jobs: int) -> None:
-        super().__init__(jobs, mp_context=get_context("fork"))
+    def __init__(self, jobs: int, subject: object) -> None:
+        super().__init__(jobs, mp_context=get_context("fork"), initializer=_keep, initargs=(subject,))
 
     def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
         with warnings.catch_warnings():
             warnings.filterwarnings("ignore", message=".*use of fork", category=DeprecationWarning)
-            return super().submit(fn, *args, **kwargs)
+            return super().submit(_of_kept, fn, *args, **kwargs)
+
+
+Pool = _Here | _Copies
+_kept: object = None  # the subject; set in copies only
+
+
+def _keep(subject: object) -> None:
+    global _kept
+    _kept = subject
+
+
+def _of_kept(fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Any:
+    return fn(_kept, *args, **kwargs)
 
 
 @contextmanager
-def processes(jobs: int) -> Iterator[Executor]:
+def processes(jobs: int, subject: object) -> Iterator[Pool]:
     """What does work on `jobs` processes besides this one; at 1, and where a process cannot be copied, in this one.
 
+    A function that is submitted gets the `subject` before its arguments: that need not be sent, however large it is.
     An error ends the rest: what has not begun is not done.
     """
     copies = jobs > 1 and sys.platform == "linux"
-    pool: Executor = _Copies(jobs) if copies else _Here()
+    pool: Pool = _Copies(jobs, subject) if copies else _Here(subject)
     try:
         yield pool
     except BaseException:

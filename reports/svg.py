@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache
 from itertools import chain
@@ -13,16 +13,15 @@ from matplotlib.ft2font import FT2Font, LoadFlags
 from matplotlib.path import Path
 
 from reports.lettering import font_file
-from reports.vector import Letters, Rectangle, Rgba, Segment, Stroke, Traced
+from reports.vector import Letters, Rectangle, Rgba, Stroke, Traced
 
-_CLOSE = int(Path.CLOSEPOLY)
 _PLACE = "%.5g %.5g"  # a hundredth of a point on a page
 _COMMANDS = {
     int(Path.MOVETO): f"M{_PLACE}",
     int(Path.LINETO): f"L{_PLACE}",
     int(Path.CURVE3): f"Q{_PLACE} {_PLACE}",
     int(Path.CURVE4): f"C{_PLACE} {_PLACE} {_PLACE}",
-    _CLOSE: "Z",
+    int(Path.CLOSEPOLY): "Z",
 }
 _CAP = {"projecting": "square"}
 _EM = 100.0  # size at which the outline of a letter is taken [pt]
@@ -82,10 +81,15 @@ def write_svg(picture: Picture, path: File, *, creator: str) -> File:
     return path
 
 
-def outline(segments: Sequence[Segment]) -> str:
-    """Path data of SVG, to five figures, all of which are formatted at once."""
-    shape = "".join([_COMMANDS[code] for _, code in segments])
-    return shape % tuple(chain.from_iterable([at for at, code in segments if code != _CLOSE]))
+def outline(codes: bytes, numbers: tuple[float, ...]) -> str:
+    """Path data of SVG, to five figures."""
+    return _shape(codes) % numbers
+
+
+@cache
+def _shape(codes: bytes) -> str:
+    """The commands with room for the numbers."""
+    return "".join([_COMMANDS[code] for code in codes])
 
 
 def _window(clip: Rectangle) -> str:
@@ -101,7 +105,7 @@ def _pane(clip: Rectangle) -> str:
 def _stroke(mark: Stroke) -> str:
     clip = "" if mark.clip is None else f' clip-path="url(#{_pane(mark.clip)})"'
     filling = _paint("fill", mark.filling)
-    return f'<path d="{outline(mark.segments)}"{clip}{filling}{_pen(mark)}/>'
+    return f'<path d="{outline(mark.codes, mark.numbers)}"{clip}{filling}{_pen(mark)}/>'
 
 
 def _pen(mark: Stroke) -> str:
@@ -142,8 +146,10 @@ def _glyph(bold: bool, sign: str) -> tuple[str, float]:
     font = _font(bold)
     glyph = font.load_char(ord(sign), flags=LoadFlags.NO_HINTING)
     vertices, codes = font.get_path()
-    segments = Path(vertices, codes).iter_segments(simplify=False)
-    return outline([(tuple(at.tolist()), int(code)) for at, code in segments]), glyph.linearHoriAdvance / 65536
+    segments = [(at, int(code)) for at, code in Path(vertices, codes).iter_segments(simplify=False)]
+    numbers = chain.from_iterable(at.tolist() for at, code in segments if code != Path.CLOSEPOLY)
+    data = outline(bytes(code for _, code in segments), tuple(numbers))
+    return data, glyph.linearHoriAdvance / 65536
 
 
 @cache

@@ -6,10 +6,10 @@ reports/svg.py into a file of their own.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from concurrent.futures import Executor, Future
+from collections.abc import Iterator, Mapping, Sequence
+from concurrent.futures import Future
 from dataclasses import dataclass
-from itertools import cycle, repeat
+from itertools import accumulate, cycle, pairwise, repeat
 from typing import Any
 
 import numpy as np
@@ -19,26 +19,31 @@ from matplotlib.font_manager import FontProperties
 from matplotlib.path import Path
 from matplotlib.text import Text
 from matplotlib.transforms import Transform
+from numpy.typing import NDArray
 
 from reports.document import Document
+from reports.processes import Pool
 from reports.ruler import Ruler
 from reports.style import styled
 
 Rgba = tuple[float, float, float, float]
-Segment = tuple[tuple[float, ...], int]
 Rectangle = tuple[float, float, float, float]
-_CURVES = {int(Path.CURVE3), int(Path.CURVE4), int(Path.STOP)}
+Outline = tuple[bytes, tuple[float, ...]]  # codes and numbers of a stroke
+_CLOSE = int(Path.CLOSEPOLY)
+_STRAIGHT = bytes((Path.MOVETO, Path.LINETO, Path.CLOSEPOLY))
 
 
 @dataclass(frozen=True)
 class Stroke:
-    """An outline with its line and its filling; lengths in points.
+    """An outline of straight lines with its line and its filling; lengths in points.
 
-    segments : (coordinates, code of matplotlib.path.Path) each
+    codes : of matplotlib.path.Path, one each: MOVETO, LINETO, CLOSEPOLY
+    numbers : x and y of all that move or draw, one after the other; closing needs none
     cap : "butt", "projecting" or "round"; join : "miter", "round" or "bevel"
     """
 
-    segments: tuple[Segment, ...]
+    codes: bytes
+    numbers: tuple[float, ...]
     line: Rgba | None
     filling: Rgba | None
     width: float
@@ -86,10 +91,11 @@ class _Recorder(Ruler):
 
     def draw_path(self, gc: GraphicsContextBase, path: Path, transform: Transform, rgbFace: Any = None) -> None:
         width = float(gc.get_linewidth())
-        simplify = rgbFace is None and path.should_simplify
+        codes, numbers = _outline(path, transform, simplify=rgbFace is None and path.should_simplify)
         self.marks.append(
             Stroke(
-                segments=tuple(_segments(path, transform, simplify=simplify)),
+                codes=codes,
+                numbers=numbers,
                 line=_rgba(gc.get_rgb()) if width > 0 else None,
                 filling=None if rgbFace is None else _filling(gc, rgbFace),
                 width=width,
@@ -122,11 +128,12 @@ class _Recorder(Ruler):
             super().draw_path_collection(gc, master_transform, *placed, *looks, *rest, **more)
             return
         cap, join, clip = str(gc.get_capstyle()), str(gc.get_joinstyle()), _window(gc)
-        shapes = _all_segments(paths, master_transform)
-        for segments, face, edge, width, dashes in zip(shapes, *map(_repeated, looks), strict=False):
+        shapes = _outlines(paths, master_transform)
+        for (codes, numbers), face, edge, width, dashes in zip(shapes, *map(_repeated, looks), strict=False):
             self.marks.append(
                 Stroke(
-                    segments=segments,
+                    codes=codes,
+                    numbers=numbers,
                     line=_rgba(edge) if edge is not None and width > 0 and edge[3] > 0 else None,
                     filling=_rgba(face) if face is not None and face[3] > 0 else None,
                     width=float(width),
@@ -169,14 +176,14 @@ class Drawings(Mapping[str, Traced]):
         return len(self._futures)
 
 
-def traced(document: Document, *, pool: Executor) -> Drawings:
-    """Every figure of the document by its name, drawn once, by `pool`."""
-    return Drawings({figure.name: pool.submit(drawn, figure.draw) for figure in document.figures})
+def traced(document: Document, *, pool: Pool) -> Drawings:
+    """Every figure of the document by its name, drawn once, by a `pool` that works on the document."""
+    return Drawings({figure.name: pool.submit(drawn, place) for place, figure in enumerate(document.figures)})
 
 
-def drawn(draw: Callable[[], Figure]) -> Traced:
-    """The figure that `draw` makes as marks."""
-    return trace(draw())
+def drawn(document: Document, place: int) -> Traced:
+    """The figure at this place among those of the document as marks."""
+    return trace(document.figures[place].draw())
 
 
 def trace(figure: Figure) -> Traced:
@@ -203,32 +210,35 @@ def _window(gc: GraphicsContextBase) -> Rectangle | None:
     return None if clip is None else (float(clip.x0), float(clip.y0), float(clip.width), float(clip.height))
 
 
-def _all_segments(paths: Sequence[Path], transform: Transform) -> Iterator[tuple[Segment, ...]]:
-    """The segments of many paths; those of straight lines, which most are, together."""
+def _outlines(paths: Sequence[Path], transform: Transform) -> Iterator[Outline]:
+    """The outlines of many paths; where all are straight, which most are, together."""
     codes = [_codes(path) for path in paths]
-    if any(_CURVES & set(each) for each in codes):
-        yield from (tuple(_segments(path, transform, simplify=False)) for path in paths)
+    if any(each.strip(_STRAIGHT) for each in codes):
+        yield from (_outline(path, transform, simplify=False) for path in paths)
     elif paths:
-        points = iter(transform.transform(np.concatenate([path.vertices for path in paths])).tolist())
-        yield from (tuple((tuple(next(points)), code) for code in each) for each in codes)
+        points = transform.transform(np.concatenate([path.vertices for path in paths]))
+        numbers = _numbers(points, np.frombuffer(b"".join(codes), dtype=np.uint8))
+        ends = accumulate((2 * (len(each) - each.count(_CLOSE)) for each in codes), initial=0)
+        yield from ((each, numbers[start:end]) for each, (start, end) in zip(codes, pairwise(ends), strict=True))
 
 
-def _codes(path: Path) -> list[int]:
+def _codes(path: Path) -> bytes:
     if path.codes is None:
-        return [int(Path.MOVETO)] + [int(Path.LINETO)] * (np.shape(path.vertices)[0] - 1)
-    return [int(code) for code in np.asarray(path.codes).tolist()]
+        return bytes((Path.MOVETO, *[Path.LINETO] * (len(np.asarray(path.vertices)) - 1)))
+    return bytes(np.asarray(path.codes, dtype=np.uint8))
 
 
-def _segments(path: Path, transform: Transform, *, simplify: bool) -> Iterator[Segment]:
-    """What `Path.iter_segments` gives, in half its time."""
+def _outline(path: Path, transform: Transform, *, simplify: bool) -> Outline:
+    """The path cleaned as matplotlib does it: without what is not a number, curves as lines."""
     clean = path.cleaned(transform=transform, remove_nans=True, simplify=simplify)
-    points, codes = np.asarray(clean.vertices).tolist(), np.asarray(clean.codes).tolist()
-    place = 0
-    while place < len(codes) and codes[place] != Path.STOP:
-        code = codes[place]
-        end = place + Path.NUM_VERTICES_FOR_CODE[code]
-        yield tuple([number for point in points[place:end] for number in point]), code
-        place = end
+    codes = np.asarray(clean.codes, dtype=np.uint8)
+    drawn = codes[: codes.tobytes().index(Path.STOP)]
+    return drawn.tobytes(), _numbers(np.asarray(clean.vertices)[: drawn.size], drawn)
+
+
+def _numbers(points: NDArray[np.float64], codes: NDArray[np.uint8]) -> tuple[float, ...]:
+    """Coordinates [2 n] of the n points [., 2] that do not close."""
+    return tuple(points[codes != _CLOSE].ravel().tolist())
 
 
 def _filling(gc: GraphicsContextBase, face: Any) -> Rgba:

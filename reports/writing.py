@@ -12,7 +12,7 @@ from assess.results import Results
 from reports.asked import as_asked
 from reports.assessment import assessment
 from reports.csv import write_csv
-from reports.document import Document, Figure, Section
+from reports.document import Document
 from reports.html import write_html
 from reports.pdf import write_pdf
 from reports.png import write_png
@@ -58,10 +58,10 @@ def write_document(
     document, say = as_asked(document), progress or (lambda _: None)
     for name_of_folder in ("tables", "figures"):
         (folder / name_of_folder).mkdir(exist_ok=True)
-    with processes(jobs or os.cpu_count() or 1) as pool:
+    with processes(jobs or os.cpu_count() or 1, document) as pool:
         say("figures")
         drawings = traced(document, pool=pool)
-        tables = pool.submit(_write_tables, replace(document, sections=_without_figures(document.sections)), folder)
+        tables = pool.submit(_write_tables, folder)
         say("report")
         path = write_pdf(document, folder / name, drawings=drawings)
         pictures = {figure: picture(drawing) for figure, drawing in drawings.items()}
@@ -75,14 +75,6 @@ def write_document(
 def _write_tables(document: Document, folder: Path) -> None:
     write_csv(document, folder / "tables")
     write_xlsx(document, folder / "tables.xlsx")
-
-
-def _without_figures(sections: Sequence[Section]) -> tuple[Section, ...]:
-    """The sections as tables need them: little to send to another process."""
-    return tuple(
-        replace(each, blocks=tuple(block for block in each.blocks if not isinstance(block, Figure)))
-        for each in sections
-    )
 
 
 def _write_figures(

@@ -479,7 +479,7 @@ def document(results: Results) -> Document:
 
 @pytest.fixture(scope="session")
 def drawings(document: Document) -> Mapping[str, Traced]:
-    with processes(1) as pool:
+    with processes(1, document) as pool:
         return traced(document, pool=pool)
 
 

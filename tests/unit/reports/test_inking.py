@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import io
 
-import numpy as np
-import pytest
 from matplotlib.path import Path
 from pypdf import PdfReader
 from reportlab.pdfgen.canvas import Canvas
@@ -13,25 +11,17 @@ from reportlab.pdfgen.canvas import Canvas
 from reports.inking import operators, replay
 from reports.vector import Stroke, Traced
 
-POINTS = ((0.0, 0.0), (3.0, 6.0), (9.0, 0.0))
 
-
-def test_a_curve_of_second_degree_is_drawn_as_one_of_the_third() -> None:
-    (start, control, end) = map(np.array, POINTS)
-    made = operators(((POINTS[0], int(Path.MOVETO)), ((*POINTS[1], *POINTS[2]), int(Path.CURVE3))))
-    assert made.startswith("0.00 0.00 m ")
-    one, two, three = np.array([float(x) for x in made.split()[3:-1]]).reshape(3, 2)
-    for t in (0.25, 0.5, 0.9):
-        s = 1 - t
-        square = s**2 * start + 2 * s * t * control + t**2 * end
-        cube = s**3 * start + 3 * s**2 * t * one + 3 * s * t**2 * two + t**3 * three
-        assert cube == pytest.approx(square, abs=1e-2)
+def test_outlines_in_the_operators_of_pdf() -> None:
+    codes = bytes((Path.MOVETO, Path.LINETO, Path.LINETO, Path.CLOSEPOLY, Path.MOVETO, Path.LINETO))
+    made = operators(codes, (0.0, 0.0, 3.0, 6.0, 9.0, 0.004, 1.0, 1.0, 2.5, 2.0))
+    assert made == "0.00 0.00 m 3.00 6.00 l 9.00 0.00 l h 1.00 1.00 m 2.50 2.00 l"
 
 
 def stroke(line: str, clip: tuple[float, float, float, float] | None) -> Stroke:
     colour = {"red": (1.0, 0.0, 0.0, 1.0), "blue": (0.0, 0.0, 1.0, 1.0)}[line]
-    segments = (((1.0, 2.0), int(Path.MOVETO)), ((3.0, 4.0), int(Path.LINETO)))
-    return Stroke(segments, colour, None, 1.0, ((), 0.0), "butt", "miter", clip)
+    codes = bytes((Path.MOVETO, Path.LINETO))
+    return Stroke(codes, (1.0, 2.0, 3.0, 4.0), colour, None, 1.0, ((), 0.0), "butt", "miter", clip)
 
 
 def test_pen_and_window_are_set_where_they_change() -> None:

@@ -193,7 +193,7 @@ def shown(model: Model, folder: Path, *, title: str = "t", texts: tuple[str, ...
     table = Table("t", title, (Column(title),), tuple((text,) for text in texts))
     blocks = (Figure("f", title, lambda: drawn, model), Text(texts), table)
     document = Document(title, title, "", title, "A4", ((title, title),), (Section(title, 0, blocks),), ())
-    with processes(1) as pool:
+    with processes(1, document) as pool:
         pictures = {name: picture(drawing) for name, drawing in traced(document, pool=pool).items()}
     return write_html(document, folder / "page.html", pictures=pictures)
 

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.path import Path
 from matplotlib.ticker import MaxNLocator, NullFormatter
 
 from reports.ruler import Canvas
@@ -92,9 +93,10 @@ def lines(figure: Figure) -> list[tuple[object, ...]]:
     found = set()
     for mark in trace(figure).marks:
         if isinstance(mark, Stroke) and mark.line is not None:
-            points = [np.round(at, 6).tolist() for at, _ in mark.segments]
-            pairs = zip(mark.segments, points, points[1:], mark.segments[1:], strict=False)
-            found |= {(*a, *b, mark.width, mark.line) for _, a, b, (_, code) in pairs if code == 2}
+            points = np.round(mark.numbers, 6).reshape(-1, 2).tolist()
+            drawn = [code for code in mark.codes if code != Path.CLOSEPOLY][1:]
+            pairs = zip(points, points[1:], drawn, strict=False)
+            found |= {(*a, *b, mark.width, mark.line) for a, b, code in pairs if code == Path.LINETO}
     return sorted(found)
 
 

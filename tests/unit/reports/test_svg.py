@@ -66,6 +66,5 @@ def test_letters_are_those_of_the_font(bold: bool) -> None:
 
 
 def test_outline_in_the_commands_of_svg() -> None:
-    path = Path([(0, 0), (1, 0), (2, 1), (3, 1), (4, 2), (5, 2.5), (0, 0)], [1, 2, 3, 3, 2, 2, 79])
-    segments = [(tuple(at.tolist()), int(code)) for at, code in path.iter_segments()]
-    assert outline(segments) == "M0 0L1 0Q2 1 3 1L4 2L5 2.5Z"
+    codes = bytes((Path.MOVETO, Path.LINETO, Path.CURVE3, Path.LINETO, Path.LINETO, Path.CLOSEPOLY))
+    assert outline(codes, (0, 0, 1, 0, 2, 1, 3, 1, 4, 2, 5, 2.5)) == "M0 0L1 0Q2 1 3 1L4 2L5 2.5Z"

@@ -258,6 +258,7 @@ def plain_branch(block: SingleBlock, *, restitution: float, end: float = 1.5) ->
     )
 
 
+@lru_cache(maxsize=64)
 def linearise(branch: Branch) -> Linearised:
     """The branch linearised about phi_cr, the unstable equilibrium of the weights (thesis 3.3-3.7).
 

@@ -22,7 +22,6 @@ from math import ceil, log, sqrt
 import numpy as np
 from numpy.typing import NDArray
 from scipy.constants import g
-from scipy.integrate import trapezoid
 
 from assess.dynamics import kernel
 from assess.dynamics.packing import Equation, packed, tables_of
@@ -135,7 +134,7 @@ def safe(oscillator: Oscillator, shape: Shape, frequency: FloatArray, *, equatio
     needed, gained, at_rest = (np.array(column) for column in zip(*tables, strict=True))
     left = np.array([branch.restitution for branch in oscillator.branches]) * np.sqrt(at_rest[::-1] / at_rest)
     theta = np.linspace(shape.start, shape.end, 2001)
-    impulse = float(trapezoid(np.abs(shape.value(theta)), theta)) / (2.0 * np.pi * frequency)
+    impulse = float(np.trapezoid(np.abs(shape.value(theta)), theta)) / (2.0 * np.pi * frequency)
     return np.asarray(MARGIN * needed.min() / (gained.max() * max(1.0, left.max()) * impulse))
 
 

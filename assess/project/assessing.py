@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 
 from assess.amplification import Carried, carried
 from assess.codes.check import Check
@@ -13,7 +15,7 @@ from assess.mechanisms.activation import hinge_forces
 from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.oscillation import oscillator
 from assess.oscillator import Oscillator
-from assess.project.histories import Rocking, Shaken, governing_trace, rocking
+from assess.project.histories import Rocking, Shaken, governing_trace, rocking, vibrates
 from assess.project.motions import Motion
 from assess.project.outcome import amplification_result, mechanism_result
 from assess.project.study import Amplified, Study
@@ -27,25 +29,32 @@ Progress = Callable[[str, int, int], None]
 def mechanisms_assessed(
     study: Study, spectrum: Spectrum, motions: tuple[Motion, ...], *, jobs: int, progress: Progress
 ) -> tuple[MechanismResult, ...]:
-    """Every mechanism of `study` under the `motions`, which fit the `spectrum`; `jobs` threads."""
-    shaken = [
-        Shaken(m.name, oscillator(m), study.equations[m.name], at_base(study.amplified[m.name], motions))
+    """Every mechanism of `study` under the `motions`, which fit the `spectrum`; `jobs` threads, 0 for all cores.
+
+    Each thread takes a mechanism, the longest first; where there are fewer than threads, several share its histories.
+    So the procedures of one, which hold the interpreter's lock, go on beside the histories of another, which do not.
+    """
+    shaken = {
+        m.name: Shaken(m.name, oscillator(m), study.equations[m.name], at_base(study.amplified[m.name], motions))
         for m in study.mechanisms
-    ]
-    rocked = rocking(
-        shaken,
-        motions,
-        levels=study.levels,
-        besides=besides(study, spectrum),
-        site_pga=spectrum.pga,
-        scanned=any(name.endswith("-history") for name in study.procedures),
-        threads=jobs,
-        progress=progress,
-    )
-    return tuple(
-        assessed(study, spectrum, motions, mechanism, one, rocked[mechanism.name])
-        for mechanism, one in zip(study.mechanisms, shaken, strict=True)
-    )
+    }
+    wanted, scanned = besides(study, spectrum), any(name.endswith("-history") for name in study.procedures)
+    workers = jobs or os.cpu_count() or 1
+    each = max(1, workers // max(1, len(shaken)))
+
+    def of(mechanism: Mechanism) -> MechanismResult:
+        one, pga = shaken[mechanism.name], spectrum.pga
+        rocked = rocking(one, motions, levels=study.levels, besides=wanted, site_pga=pga, scanned=scanned, threads=each)
+        return assessed(study, spectrum, motions, mechanism, one, rocked)
+
+    longest = sorted(study.mechanisms, key=lambda m: not vibrates(shaken[m.name].oscillator))
+    done: dict[str, MechanismResult] = {}
+    progress("rocking histories", 0, len(longest))
+    with ThreadPoolExecutor(workers) as pool:
+        for found in pool.map(of, longest):
+            done[found.name] = found
+            progress("rocking histories", len(done), len(longest))
+    return tuple(done[m.name] for m in study.mechanisms)
 
 
 def besides(study: Study, spectrum: Spectrum) -> tuple[float, ...]:

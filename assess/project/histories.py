@@ -7,9 +7,7 @@ steps of integration, so there the scan has half as many levels.
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from math import inf, log
@@ -29,7 +27,6 @@ from assess.results import HistoryResult, Trace
 
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
-Progress = Callable[[str, int, int], None]
 
 SCAN_STEP, JOINTS_STEP = 1.025, 1.05  # ratio of two PGAs of the scan, and where joints vibrate about rest
 SCAN_START = 0.4  # of the smaller uplift acceleration, or of what a flexible joint resists at most
@@ -58,7 +55,7 @@ class Rocking:
 
 
 def rocking(
-    shaken: Sequence[Shaken],
+    shaken: Shaken,
     motions: Sequence[Motion],
     *,
     levels: Sequence[float],
@@ -66,28 +63,11 @@ def rocking(
     site_pga: float,
     scanned: bool,
     threads: int,
-    progress: Progress,
-) -> dict[str, Rocking]:
-    """Histories of every mechanism at `levels` [m/s2], suites at other PGA `besides`, and its scan where `scanned`.
-
-    Each thread takes a mechanism; where there are fewer than threads, several share one. The longest come first.
-    """
-    workers = threads or os.cpu_count() or 1
-    each = max(1, workers // max(1, len(shaken)))
-
-    def of(one: Shaken) -> Rocking:
-        found = asked_of(one, motions, levels=levels, besides=besides, site_pga=site_pga, threads=each)
-        scan = scan_of(one, motions, site_pga=site_pga, threads=each) if scanned else ()
-        return replace(found, scan=scan)
-
-    longest = sorted(shaken, key=lambda one: not vibrates(one.oscillator))
-    done: dict[str, Rocking] = {}
-    progress("rocking histories", 0, len(shaken))
-    with ThreadPoolExecutor(workers) as pool:
-        for one, found in zip(longest, pool.map(of, longest), strict=True):
-            done[one.name] = found
-            progress("rocking histories", len(done), len(shaken))
-    return done
+) -> Rocking:
+    """Histories of one mechanism at `levels` [m/s2], suites at other PGA `besides`, and its scan where `scanned`."""
+    found = asked_of(shaken, motions, levels=levels, besides=besides, site_pga=site_pga, threads=threads)
+    scan = scan_of(shaken, motions, site_pga=site_pga, threads=threads) if scanned else ()
+    return replace(found, scan=scan)
 
 
 def asked_of(

@@ -23,11 +23,18 @@ class Motion:
     scaling: Scaling
 
 
-def motions_of(study: Study, spectrum: Spectrum) -> tuple[Motion, ...]:
-    """Every record of the study, files first, each with its scaling."""
+def motions_of(study: Study, spectrum: Spectrum, *, jobs: int = 1) -> tuple[Motion, ...]:
+    """Every record of the study, files first, each with its scaling; `jobs` threads, 0 for all cores."""
+    return scaled_together(
+        (*study.records, *_made(study, spectrum, jobs=jobs)), spectrum, study.fitting, scale_to=study.scale_to
+    )
+
+
+def _made(study: Study, spectrum: Spectrum, *, jobs: int) -> tuple[Record, ...]:
     made = study.artificial
-    artificials = () if made is None else artificial(spectrum, count=made.count, seed=made.seed, duration=made.duration)
-    return scaled_together((*study.records, *artificials), spectrum, study.fitting, scale_to=study.scale_to)
+    if made is None:
+        return ()
+    return artificial(spectrum, count=made.count, seed=made.seed, duration=made.duration, threads=jobs)
 
 
 def scaled_together(

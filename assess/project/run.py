@@ -33,7 +33,7 @@ def run(study: Study, *, jobs: int = 0, progress: Progress = lambda stage, done,
     """
     spectrum = required_spectrum(study)
     progress("ground motions", 0, 1)
-    motions = motions_of(study, spectrum)
+    motions = motions_of(study, spectrum, jobs=jobs)
     sweeps = swept(study, motions, jobs=jobs, progress=progress)
     standing = controlling_cases(sweeps)
     alone = replace(study, mechanisms=tuple(m for m in study.mechanisms if m.name not in standing))

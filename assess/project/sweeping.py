@@ -67,7 +67,7 @@ def case_assessed(case: Case, study: Study, motions: tuple[Motion, ...], *, jobs
     assert spectrum is not None  # no number takes the site away
     same = all(getattr(case.study, key) == getattr(study, key) for key in ("artificial", "scale_to"))
     shared = same and spectrum is study.spectrum and case.study.records is study.records
-    moving = motions if shared else motions_of(case.study, spectrum)
+    moving = motions if shared else motions_of(case.study, spectrum, jobs=jobs)
     return mechanisms_assessed(case.study, spectrum, moving, jobs=jobs, progress=lambda stage, done, total: None)
 
 

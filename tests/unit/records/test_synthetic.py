@@ -80,6 +80,12 @@ def test_the_seed_settles_everything_and_the_count_nothing(seven: tuple[Record, 
     assert [record.id for record in seven] == [f"artificial-{k}" for k in range(1, 8)]
 
 
+def test_threads_change_nothing(seven: tuple[Record, ...]) -> None:
+    for record, same in zip(artificial(TARGET, count=7, seed=1, threads=3), seven, strict=True):
+        assert record.id == same.id
+        np.testing.assert_array_equal(record.acceleration, same.acceleration)
+
+
 def test_the_trail_states_the_fit(seven: tuple[Record, ...]) -> None:
     text = " ".join(seven[0].trail)
     for words in ("seed 1, number 1", "asce7-16", "0.05 s to 4 s", "rms", "10 s stationary", "baseline"):

@@ -39,7 +39,7 @@ SUITE = {
     "mean_ratio": "mean of max φ/φ_ov",
     "median_ratio": "median of max φ/φ_ov",
     "p84_ratio": "84 % of max φ/φ_ov",
-    "max_ratio": "largest φ/φ_ov",
+    "max_ratio": "largest φ/φ_ov of those that stand",
 }
 SWEPT = {"demand_capacity": "", "capacity_pga_g": "g", "uplift_multiplier": "", "p_eq_per_s": "1/s", "restitution": ""}
 

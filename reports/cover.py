@@ -48,8 +48,9 @@ def returning(results: Results) -> tuple[str, ...]:
     if not names:
         return ()
     return (
-        f"{findings.listed(names)}: records that overturn, or turn too far, at one PGA can be survived at a higher "
-        "one. The PGA at capacity is the lowest at which the suite fails; a level above it that passes is no reserve.",
+        f"{findings.listed(names)}: records that overturn, or turn too far, at one PGA can be survived at a "
+        "higher one. The PGA at capacity is the last before the suite first fails; a level above it that passes is no "
+        "reserve.",
     )
 
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 import re
 from dataclasses import replace
 from functools import lru_cache, partial
+from itertools import accumulate
 from textwrap import fill
 
 from reports.catalogue import ENGLISH, Catalogue, catalogue
@@ -28,6 +29,16 @@ def translated(document: Document) -> Document:
         return document
     say = partial(_said, document.language, document.verbatim)
     return replace(reworded(document, say), words=catalogue(document.language).furniture)
+
+
+def _bracketed(gaps: dict[int, str]) -> bool:
+    """Whether no gap closes a bracket that opens before it, as "7) and b (2 of 7" in a list of "a (2 of 7)"."""
+    return all(_closed(part) for part in gaps.values())
+
+
+def _closed(text: str) -> bool:
+    depths = accumulate({"(": 1, ")": -1}.get(letter, 0) for letter in text)
+    return min(depths, default=0) >= 0
 
 
 def _said(language: str, verbatim: frozenset[str], text: str) -> str:
@@ -91,8 +102,8 @@ class Speech:
         return self._paragraph(text) if found is None else found
 
     def _filled(self, each: Template, text: str) -> str | None:
-        """The translation of a template that fits, where its gaps are known."""
-        for gaps in each.matches(text):
+        """The translation of a template that fits, where its gaps are known and each keeps its own brackets."""
+        for gaps in filter(_bracketed, each.matches(text)):
             said = {gap: found for gap, part in gaps.items() if (found := self._whole(part)) is not None}
             if len(said) == len(gaps):
                 return each.filled(said)

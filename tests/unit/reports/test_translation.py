@@ -36,7 +36,14 @@ SMALL = parsed(
                 "Records: {0}.": "Accelerogrammi: {0}.",
             }
         },
-        "phrases": {"a": {"{0} and {1}": "{0} e {1}", "{0}, {1}": "{0}, {1}", "{0}. {1}": "{0}. {1}"}},
+        "phrases": {
+            "a": {"{0} and {1}": "{0} e {1}", "{0}, {1}": "{0}, {1}", "{0}. {1}": "{0}. {1}"},
+            "b": {
+                "{0} at {1} g ({2} of {3})": "{0} a {1} g ({2} su {3})",
+                "{0} of {1}": "{0} di {1}",
+                "{0} at {1}": "{0} a {1}",
+            },
+        },
     },
     language="it",
 )
@@ -54,6 +61,7 @@ def document(results: Results) -> Document:
         ("Mechanism North is a wall.", "Il meccanismo North è una parete."),
         ("North, a wall and 3.5", "North, una parete e 3.5"),
         ("a wall and what nobody knows", "a wall and what nobody knows"),
+        ("3 at 0.3 g (2 of 7) and 6 at 0.3 g (1 of 7)", "3 a 0.3 g (2 su 7) e 6 a 0.3 g (1 su 7)"),
         ("Records: nobody knows.", "Accelerogrammi: nobody knows."),
         ("Mechanism North is a wall. a wall", "Il meccanismo North è una parete. una parete"),
         ("", ""),

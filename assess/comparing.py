@@ -292,7 +292,7 @@ def opened(key: str, one: Any, other: Any) -> Iterator[tuple[str, Any, Any]]:
         for name, first, second in paired(one, other):
             yield from opened(f"{key}.{name}", first, second)
     elif is_list_of_tables(one) and is_list_of_tables(other):
-        for place, (first, second) in enumerate(zip_longest(one, other)):
+        for place, (first, second) in enumerate(zip_longest(one, other), start=1):  # as sweeps count
             yield from opened(f"{key}[{place}]", first, second)
     else:
         yield key, stated(one), stated(other)

@@ -71,7 +71,7 @@ def shown(cell: Cell, kind: Kind) -> str:
 def entries(key: str, value: object) -> Iterator[tuple[str, Cell]]:
     """A resolved value as cells with their keys: a list of tables gives one for each, without what is absent."""
     if isinstance(value, list | tuple) and value and all(isinstance(each, dict) for each in value):
-        for place, each in enumerate(value):
+        for place, each in enumerate(value, start=1):
             yield f"{key}[{place}]", as_cell({name: held for name, held in each.items() if held is not None})
     else:
         yield key, as_cell(value)

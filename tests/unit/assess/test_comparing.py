@@ -78,7 +78,7 @@ def test_a_tie_turns_the_verdict_which_stands_first(before: Results, after: Resu
     assert [change.kind for change in found] == sorted((c.kind for c in found), key=KINDS.index)
     assert {change.where for change in found} <= {"wall", "", "project.toml"}  # the parapet stays as it was
     (tied,) = of_kind(found, "project")
-    assert (tied.what, tied.before) == ("mechanisms.wall.loads[0]", None)
+    assert (tied.what, tied.before) == ("mechanisms.wall.loads[1]", None)
     assert (tied.after["kind"], tied.after["force"]) == ("tie", 10000.0)
     (file,) = of_kind(found, "input")
     assert (file.where, file.what) == ("project.toml", "sha256")
@@ -145,7 +145,7 @@ def test_what_changed_in_a_load_is_one_number(after: Results) -> None:
     loads = after.project["mechanisms.wall.loads"]
     stronger = Resolved([{**loads.value[0], "force": 12000.0}], True)
     found = changes(after, replace(after, project={**after.project, "mechanisms.wall.loads": stronger}))
-    assert [(c.what, c.before, c.after) for c in found] == [("mechanisms.wall.loads[0].force", 10000.0, 12000.0)]
+    assert [(c.what, c.before, c.after) for c in found] == [("mechanisms.wall.loads[1].force", 10000.0, 12000.0)]
 
 
 def swept(values: tuple[float, ...], ratios: tuple[float | None, ...], controlling: int) -> SweepResult:

@@ -19,6 +19,7 @@ _ABOVE, _BELOW, _BELOW_CAPTION = 1.6, 2.2, 4.0
 _LEAST_CAPTION = 12.0
 _FILLING = "#edf0f3"
 _FEWEST_FIRST, _FEWEST_LAST = 2, 3  # rows before and after a break of the page
+_TALL = 100.0  # a row: where there is such a one any may stand alone, for a few fill a page
 _ROUND = 1
 
 Row = Sequence[Cell]
@@ -63,8 +64,9 @@ class Ruled(Flowable):
         room = sum(end <= aH for end in accumulate(self.heights)) - 2
         if room >= len(rows):
             return [self]
-        kept = min(room, len(rows) - _FEWEST_LAST)
-        if kept < _FEWEST_FIRST:
+        first, last = (1, 1) if max(self.heights[1:]) > _TALL else (_FEWEST_FIRST, _FEWEST_LAST)
+        kept = min(room, len(rows) - last)
+        if kept < first:
             return []
         parts = (replace(self.body, rows=rows[:kept], ends=False), replace(self.body, rows=rows[kept:]))
         return [Ruled(self.caption, part, width=self.width) for part in parts]

@@ -22,6 +22,7 @@ from reports.worded import in_words
 
 CONTENTS, SHEETS = "contents", "calculation sheets"
 _LONGEST_TEXT, _LONGEST_NAME, _LONGEST_PROPERTY = 32_000, 31, 255
+_RESERVED = "history"  # a name that Excel keeps for itself
 _NARROWEST, _WIDEST = 9, 60  # columns [characters]
 _LONG = 500  # rows; numbers of longer tables stand as they are, to be computed with
 _CREATED = datetime.datetime(2000, 1, 1)  # fixed: the same results give the same workbook
@@ -75,15 +76,20 @@ def write_xlsx(document: Document, path: Path) -> Path:
 
 def unique(names: list[str], *, taken: Iterable[str] = (CONTENTS, SHEETS)) -> list[str]:
     """Valid worksheet names, no two alike nor `taken` without regard to case: at most 31 characters, no []:*?/\\."""
-    used, made = set(taken), []
+    used, made = {_RESERVED, *(name.lower() for name in taken)}, []
     for wanted in names:
-        plain = re.sub(r"[\[\]:*?/\\']", "-", visible(wanted))[:_LONGEST_NAME] or "table"
+        plain = _cut(re.sub(r"[\[\]:*?/\\']", "-", visible(wanted)), _LONGEST_NAME) or "table"
         name, number = plain, 2
         while name.lower() in used:
-            name, number = f"{plain[: _LONGEST_NAME - 1 - len(str(number))]}~{number}", number + 1
+            name, number = f"{_cut(plain, _LONGEST_NAME - 1 - len(str(number)))}~{number}", number + 1
         used.add(name.lower())
         made.append(name)
     return made
+
+
+def _cut(name: str, length: int) -> str:
+    """The first `length` characters as Excel counts them, in units of UTF-16: an emoji has two."""
+    return name.encode("utf-16-le")[: 2 * length].decode("utf-16-le", "ignore")
 
 
 def number_format(value: float) -> str:
@@ -168,7 +174,7 @@ def _head(sheet: Worksheet, place: int, columns: Iterable[Column], *, book: _Boo
 def _look(cell: Cell, column: Column, *, muted: bool) -> Look:
     """How a cell looks: as the report shows it."""
     look: Look = _GREY if muted else _look_of_verdicts(cell, column, muted=muted)
-    if isinstance(cell, float) and column.kind != "given":
+    if isinstance(cell, float) and isfinite(cell) and column.kind != "given":
         return {**look, "num_format": number_format(cell)}
     return {**look, **_WRAPPED} if isinstance(cell, str) and len(cell) > _WIDEST else look
 

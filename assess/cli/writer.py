@@ -10,7 +10,7 @@ import signal
 import sys
 import traceback
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from functools import partial
 from multiprocessing import get_context
 from multiprocessing.connection import Connection
@@ -52,7 +52,10 @@ class _Process:
 
     def begin(self, results: Results, folder: Path, say: Say) -> Callable[[], Path]:
         self._asked = True
-        self._connection.send((results, folder))
+        try:
+            self._connection.send((results, folder))
+        except ConnectionError:
+            raise self._ended() from None
         return partial(self._wait, say)
 
     def _wait(self, say: Say) -> Path:
@@ -70,10 +73,12 @@ class _Process:
     def _told(self) -> object:
         try:
             return self._connection.recv()
-        except EOFError:
-            self._process.join()
-            code = self._process.exitcode
-            raise RuntimeError(f"the process that writes the report ended by itself (exit code {code})") from None
+        except (EOFError, ConnectionError):
+            raise self._ended() from None
+
+    def _ended(self) -> RuntimeError:
+        self._process.join()
+        return RuntimeError(f"the process that writes the report ended by itself (exit code {self._process.exitcode})")
 
     def end(self) -> None:
         """Wait until it has ended; what it has not begun or not finished is not wanted any more."""
@@ -89,10 +94,11 @@ def _serve(connection: Connection, other_end: Connection, jobs: int) -> None:
     """Get ready, write what comes, tell the stages, and last the path or what went wrong."""
     other_end.close()
     for number in (signal.SIGINT, signal.SIGTERM):
-        signal.signal(number, _interrupt)
+        if signal.getsignal(number) is not signal.SIG_IGN:  # as Ctrl-C is in the background: the analysis goes on too
+            signal.signal(number, _interrupt)
     try:
-        import reports.writing  # noqa: F401 - while the analysis runs
-
+        with suppress(Exception):  # what goes wrong here goes wrong again when it is to write, and is told then
+            import reports.writing  # noqa: F401 - while the analysis runs
         results, folder = connection.recv()
         try:
             connection.send(_write(results, folder, connection.send, jobs=jobs))

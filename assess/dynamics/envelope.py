@@ -83,13 +83,13 @@ def envelope(
     Raises MechanismError for a branch that cannot rock, ValueError for a frequency that is not positive.
     """
     check_frequency(frequency)
+    fill = _filling(oscillator, shape, equation)  # first, for it tells what cannot rock
     times = np.ones_like(frequency) if factor is None else factor
     signs = np.array(polarities(oscillator), dtype=np.float64)
     overturned = np.empty((frequency.size, signs.size, amplitude.size), dtype=np.bool_)
     least = np.empty((frequency.size, 2))
     each = frequency, times, safe(oscillator, shape, frequency, equation=equation)
     scan = _scan(oscillator, times, equation=equation, highest=float(amplitude.max()))
-    fill = _filling(oscillator, shape, equation)
 
     def work(part: slice) -> None:
         fill(

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
-import pytest
+from pathlib import Path
 
-from reports.document import Cell, Column, Table
-from reports.grid import column_widths, table_grid
+import pytest
+from pypdf import PdfReader
+
+from reports.document import Cell, Column, Document, Section, Table
+from reports.grid import LONGEST, column_widths, table_grid
+from reports.pdf import write_pdf
 from reports.ruled import Ruled
 from reports.typeset import register_fonts, width_of
 
@@ -54,3 +58,12 @@ def test_a_cell_of_ten_thousand_letters_fits_a_page() -> None:
         Table("t", "x" * 10_000, COLUMNS, (("y" * 10_000, 0.1, "z" * 10_000),)), title="Table 1", width=300.0
     )
     assert grid.wrap(300, 700)[1] < 700
+
+
+@pytest.mark.parametrize("count", [3, 4, 5])
+def test_rows_that_fill_half_a_page_each_have_room(count: int, tmp_path: Path) -> None:
+    columns = tuple(Column(f"c{place}") for place in range(12))
+    table = Table("t", "Long.", columns, (("y" * LONGEST,) * 12,) * count)
+    document = Document("t", "s", "a", "p", "A4", (), (Section("S", 0, (table,)),), ())
+    pages = PdfReader(write_pdf(document, tmp_path / "tall.pdf")).pages
+    assert "".join(page.extract_text() for page in pages).count("y") == 12 * count * LONGEST

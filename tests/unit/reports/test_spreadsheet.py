@@ -66,3 +66,20 @@ def test_sheet_names_are_valid_and_unique() -> None:
     assert len({name.lower() for name in names}) == len(names)
     assert all(1 <= len(name) <= 31 and not set(name) & set("[]:*?/\\'") for name in names)
     assert "contents" not in names
+
+
+@pytest.mark.parametrize("name", ["\U0001f3db" * 40, "x" + "\U0001f3db" * 40, "History"])
+def test_names_of_sheets_are_those_that_excel_takes(tmp_path: Path, name: str) -> None:
+    table = Table(name, "c", (Column("h"),), (("a",),))
+    document = Document("t", "", "", "", "A4", (), (Section("s", 0, (table, table)),), ())
+    names = load_workbook(write_xlsx(document, tmp_path / "t.xlsx")).sheetnames
+    assert all(len(each.encode("utf-16-le")) <= 2 * 31 and each.lower() != "history" for each in names)
+    assert len({each.lower() for each in names}) == 4
+
+
+@pytest.mark.parametrize("value", [float("inf"), float("-inf"), float("nan")])
+def test_numbers_that_are_not_finite_are_text(tmp_path: Path, value: float) -> None:
+    table = Table("t", "c", (Column("h", "", "number"),), ((value,),))
+    document = Document("t", "", "", "", "A4", (), (Section("s", 0, (table,)),), ())
+    cell = load_workbook(write_xlsx(document, tmp_path / "t.xlsx"))["t"]["A3"]
+    assert cell.data_type == "s"

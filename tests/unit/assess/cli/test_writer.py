@@ -7,7 +7,7 @@ import os
 import signal
 import sys
 import time
-from contextlib import suppress
+from contextlib import nullcontext, suppress
 from pathlib import Path
 from typing import Any
 
@@ -70,6 +70,38 @@ def test_a_writer_that_is_killed_is_told(monkeypatch: pytest.MonkeyPatch, tmp_pa
     stand_in(monkeypatch, lambda *_: os.kill(os.getpid(), signal.SIGKILL))
     with pytest.raises(RuntimeError, match=r"ended by itself \(exit code -9\)"), writer(2) as begin:
         begin("walls", tmp_path, print)()  # type: ignore[arg-type]
+
+
+def test_a_writer_that_is_killed_before_it_is_asked_is_told(tmp_path: Path) -> None:
+    with writer(2) as begin:
+        (child,) = multiprocessing.active_children()
+        os.kill(child.pid or 0, signal.SIGKILL)
+        child.join(20.0)
+        with pytest.raises(RuntimeError, match=r"ended by itself \(exit code -9\)"):
+            begin("walls" * 100_000, tmp_path, print)()  # type: ignore[arg-type]
+
+
+def test_what_goes_wrong_while_it_gets_ready_is_raised_here(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setitem(sys.modules, "reports.writing", None)
+    with pytest.raises(ModuleNotFoundError, match="writing"), writer(2) as begin:
+        begin("walls", tmp_path, print)()  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("ignored", [False, True])
+def test_ctrl_c_reaches_the_writer_only_where_it_reaches_the_analysis(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, ignored: bool
+) -> None:
+    def write(results: str, folder: Path, say: Any) -> Path:
+        os.kill(os.getpid(), signal.SIGINT)
+        return folder
+
+    stand_in(monkeypatch, write)
+    before = signal.signal(signal.SIGINT, signal.SIG_IGN if ignored else signal.default_int_handler)
+    try:
+        with nullcontext() if ignored else pytest.raises(RuntimeError, match="ended by itself"), writer(2) as begin:
+            assert begin("walls", tmp_path, print)() == tmp_path  # type: ignore[arg-type]
+    finally:
+        signal.signal(signal.SIGINT, before)
 
 
 @pytest.mark.parametrize("asked", [False, True])

@@ -15,6 +15,7 @@ from scipy.constants import g
 from assess.dynamics.envelope import MARGIN, Envelope, envelope, polarities, safe, threshold
 from assess.dynamics.packing import Equation
 from assess.dynamics.pulse_response import PulseJobs, outcomes
+from assess.errors import MechanismError
 from assess.oscillator import Oscillator, SingleBlock, linearise, multiplier, plain_branch
 from records.pulses import SHAPES
 
@@ -137,6 +138,16 @@ def test_the_same_bytes_on_any_number_of_threads(equation: Equation) -> None:
     one, two = (mapped(UNLIKE, equation, threads=n) for n in (1, 2))
     for name in ("overturned", "lower_bound", "polarity"):
         assert getattr(one, name).tobytes() == getattr(two, name).tobytes()
+
+
+@pytest.mark.parametrize(
+    ("equation", "restoring", "wrong"),
+    [("exact", -ONE.restoring, "already falling"), ("linearised", 1.0 + ONE.rotation, "stiffness K .* positive")],
+)
+def test_a_body_that_cannot_rock_is_told(equation: Equation, restoring: np.ndarray, wrong: str) -> None:
+    branch = replace(ONE, restoring=restoring)
+    with pytest.raises(MechanismError, match=wrong):
+        mapped(Oscillator(branch, branch, 1.0), equation)
 
 
 @BOTH

@@ -21,6 +21,7 @@ IntArray = NDArray[np.int64]
 
 LARGEST = 500.0  # m: no masonry body is longer
 SMALLEST = 0.01  # m: none is shorter
+FARTHEST = 1e12  # of any unit: no coordinate of a map in any unit is larger
 USUAL = 5.0  # m: a body's usual length
 COARSE = 1e-4  # of the body's size: rounding of coordinates that moves results
 SAME_UNIT = 1e-6  # of a unit: units that differ by less are one
@@ -126,10 +127,12 @@ def _sound(vertices: FloatArray, triangles: IntArray, *, where: str) -> FloatArr
     if triangles.min() < 0 or triangles.max() >= len(vertices):
         wrong = int(triangles[(triangles < 0) | (triangles >= len(vertices))][0])
         raise GeometryError(f"{where}: a triangle uses vertex {wrong} of {len(vertices)}; export the mesh again")
-    if np.isfinite(vertices).all():
-        return vertices
-    bad = np.setdiff1d(np.unique(triangles), np.flatnonzero(np.isfinite(vertices).all(axis=1)))
+    stands = np.all(np.abs(vertices) < FARTHEST, axis=1)
+    bad = np.setdiff1d(np.unique(triangles), np.flatnonzero(stands))
     if len(bad):
         at = ", ".join(f"{value:g}" for value in vertices[bad[0]])
-        raise GeometryError(f"{where}: {len(bad)} vertices are not finite, the first at ({at}); export the mesh again")
+        raise GeometryError(
+            f"{where}: {len(bad)} vertices are not finite or beyond {FARTHEST:g}, the first at ({at}); "
+            "export the mesh again"
+        )
     return vertices

@@ -50,5 +50,5 @@ def test_a_long_list_of_tables_has_a_line_for_each_and_no_value_is_cut(results: 
     found = replace(results, project={**results.project, "site.spectrum.hazard": Resolved(rows, True)})
     for table in (inputs.values(found), assumptions.table(found)):
         lines = {row[0]: row[1] for row in table.rows}
-        assert lines["site.spectrum.hazard[39]"] == '{"return_period": 69.0, "a_g": 0.77472535}'
+        assert lines["site.spectrum.hazard[40]"] == '{"return_period": 69.0, "a_g": 0.77472535}'
         assert "site.spectrum.hazard" not in lines

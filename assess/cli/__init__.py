@@ -18,7 +18,7 @@ from spectra.errors import SpectrumError
 INPUT_IS_WRONG = 2
 INTERRUPTED = 130
 BUG = 70
-MADE_BETWEEN_COLLECTIONS = 2_000_000  # objects: looking for unreachable ones more often takes a twentieth of a run or more
+MADE_BETWEEN_COLLECTIONS = 2_000_000  # objects: looking for unreachable ones oftener takes a twentieth of a run
 
 
 def main(arguments: list[str] | None = None) -> NoReturn:

@@ -133,8 +133,8 @@ def verdicts(before: Results, after: Results) -> Iterator[Change]:
 
 def overall(mechanism: MechanismResult) -> str | None:
     """The verdict of all checks that decide: fail where one fails; None where there is none."""
-    found = {check.verdict for check in mechanism.checks if check.role == "code"}
-    return next((each for each in ("fail", "pass", "not-applicable") if each in found), None)
+    found = {check.verdict for check in mechanism.checks if check.reading == "letter"}
+    return next((each for each in ("fail", "not-answered", "pass", "not-applicable") if each in found), None)
 
 
 def checks(mechanism: MechanismResult, *runs: MechanismResult) -> dict[str, Check]:
@@ -317,9 +317,7 @@ def inputs(before: Results, after: Results) -> Iterator[Change]:
 
 def warnings(before: Results, after: Results) -> Iterator[Change]:
     """Warnings that one run alone has."""
-    sides = [
-        {(each.code, each.where, each.text): each.text for each in results.warnings} for results in (before, after)
-    ]
+    sides = [{(each.key, each.where, each.text): each.text for each in results.warnings} for results in (before, after)]
     for (code, where, _), one, other in paired(*sides):
         yield Change("warning", where, code, one, other)
 

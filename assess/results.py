@@ -8,9 +8,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, Literal
 
-from assess.codes.check import BranchName, Check, Verdict
+from assess.codes.check import BranchName, Check, Outcome
+from assess.codes.verdict import Verdict
+from assess.message import Message
 
-SCHEMA_VERSION = 1
+SCHEMA_VERSION = 2
 Floats = tuple[float, ...]
 Point = tuple[float, float]
 Place = tuple[float, float, float]
@@ -31,15 +33,6 @@ class Input:
 
     path: str
     sha256: str
-
-
-@dataclass(frozen=True)
-class Notice:
-    """Something the engineer should know: a short code, where, and a sentence."""
-
-    code: str
-    where: str
-    text: str
 
 
 @dataclass(frozen=True)
@@ -627,9 +620,9 @@ class SensitivityResult:
     at_base: float | None = None
     at_low: float | None = None
     at_high: float | None = None
-    verdict_base: Verdict | None = None
-    verdict_low: Verdict | None = None
-    verdict_high: Verdict | None = None
+    verdict_base: Outcome | None = None
+    verdict_low: Outcome | None = None
+    verdict_high: Outcome | None = None
 
 
 @dataclass(frozen=True)
@@ -659,7 +652,7 @@ class Results:
     schema_version: int
     program: Program
     inputs: tuple[Input, ...]
-    warnings: tuple[Notice, ...]
+    warnings: tuple[Message, ...]
     project: dict[str, Resolved]
     spectrum: SpectrumResult | None
     records: tuple[RecordResult, ...]
@@ -667,5 +660,6 @@ class Results:
     critical: CriticalResult | None
     comparison: tuple[ComparisonRow, ...]
     sweeps: tuple[SweepResult, ...]
+    verdict: Verdict | None = None
     ground_motion: GroundMotionResult | None = None
     sensitivity: tuple[SensitivityResult, ...] = ()

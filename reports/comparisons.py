@@ -100,7 +100,7 @@ def comparison(results: Results) -> Table:
         "Demand and capacity of all mechanisms. Compare only lines with the same input; informative readings are grey."
     )
     checks = [governing.check_of(results, row) for row in results.comparison]
-    muted = frozenset(place for place, check in enumerate(checks) if check is not None and check.role == "informative")
+    muted = frozenset(place for place, check in enumerate(checks) if check is not None and check.reading == "thesis")
     return Table("comparison", caption, columns, rows, muted)
 
 

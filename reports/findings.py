@@ -6,7 +6,8 @@ from collections.abc import Iterator
 from math import isfinite
 from statistics import median
 
-from assess.codes.check import Check
+from assess.codes.check import Check, Family
+from assess.codes.family import FAMILIES, of_histories
 from assess.results import MechanismResult, Results, SuiteResult
 from reports import governing
 from reports.lettering import shortened
@@ -16,15 +17,15 @@ from reports.tables import name_of
 
 LONGEST, MANY = 40, 6  # characters of a name in a sentence; names in a list
 MEASURES = {
-    "-nonlinear": "compares the displacement that the mechanism can take with the spectral one at its secant period",
-    "-linear": "judges the acceleration that starts the motion, reduced by q, not the rotation that is left after it",
-    "-spectrum": "replaces the rocking body by an oscillator of equal work, with the damping of its impacts",
-    "-face-loaded": "compares the rotation that the wall can take with the spectral one of a part at its floor",
-    "-ht": "looks up the height over thickness that the spectrum at 1 s allows, whatever the load",
-    "-element": "compares the force on a part at its floor, reduced by q_a, with the one that starts the motion",
-    "-history": "sees each record as it is, with impacts and the order of its pulses, and fails where one overturns",
-    "asce43-05-sliding": "estimates how far the body slides, without rocking",
-    "sliding": "asks whether friction holds until rocking starts",
+    Family.DISPLACEMENT: "compares the displacement capacity with the spectral displacement at the secant period",
+    Family.LINEAR: "judges the acceleration that starts the motion, reduced by q, not the rotation after it",
+    Family.ENERGY: "replaces the rocking body by an oscillator of equal work, with the damping of its impacts",
+    Family.PART: "compares the rotation that the wall can take with the spectral one of a part at its floor",
+    Family.TABLE: "looks up the height over thickness that the spectrum at 1 s allows, whatever the load",
+    Family.ELEMENT: "compares the force on a part at its floor, reduced by q_a, with the one that starts the motion",
+    Family.HISTORY: "sees each record with its impacts and the order of its pulses, and fails where one overturns",
+    Family.SLIDING: "estimates how far the body slides, without rocking",
+    Family.FRICTION: "asks whether friction holds until rocking starts",
 }
 
 
@@ -93,12 +94,12 @@ def _disagreements(results: Results) -> Iterator[str]:
 
 def measured(procedure: str) -> str:
     """What a procedure measures; empty where nothing is known."""
-    return next((said for ending, said in MEASURES.items() if procedure.endswith(ending)), "")
+    return MEASURES[FAMILIES[procedure]] if procedure in FAMILIES else ""
 
 
 def _asked(mechanisms: list[MechanismResult], level: float) -> dict[str, None]:
     checks = (check for m in mechanisms for check in governing.of_code(governing.at_level(m.checks, level)))
-    return dict.fromkeys(check.procedure for check in checks if check.verdict != "not-applicable")
+    return dict.fromkeys(check.procedure for check in checks if check.verdict in ("pass", "fail"))
 
 
 def _apart(mechanism: MechanismResult, level: float) -> bool:
@@ -149,7 +150,7 @@ def _factored(results: Results) -> str:
         governing.named(check, mechanism.checks)
         for mechanism in results.mechanisms
         for check in mechanism.checks
-        if check.procedure.endswith("-history") and governing.fell(check)
+        if of_histories(check.procedure) and governing.fell(check)
     )
     said = f"; {listed(list(fallen))}, with the confidence factor or at the PGA of another limit state, finds some"
     return said if fallen else ""

@@ -7,11 +7,12 @@ from dataclasses import replace
 from math import inf
 from typing import Literal
 
-from assess.codes.check import Check, Verdict
+from assess.codes.check import Check
+from assess.codes.family import of_histories
 from assess.results import ComparisonRow, HistoryResult, MechanismResult, Results, Trace
 
 DAMAGE = "SLD"
-Outcome = Verdict | Literal["incomplete"]
+Outcome = Literal["pass", "fail", "incomplete", "not-applicable"]
 
 
 def fell(check: Check) -> bool:
@@ -21,7 +22,7 @@ def fell(check: Check) -> bool:
 
 def severity(check: Check) -> float:
     """Demand over allowable [-]: infinite where there is no finite demand, negative where the check does not apply."""
-    if check.verdict == "not-applicable":
+    if check.verdict in ("not-answered", "not-applicable"):
         return -1.0
     if check.ratio is not None:
         return check.ratio
@@ -36,7 +37,7 @@ def worst(checks: tuple[Check, ...]) -> Check | None:
 
 def of_code(checks: tuple[Check, ...]) -> tuple[Check, ...]:
     """The checks that decide: readings of a code, not informative ones."""
-    return tuple(check for check in checks if check.role == "code")
+    return tuple(check for check in checks if check.reading == "letter" and not check.informs)
 
 
 def at_level(checks: tuple[Check, ...], level_pga_g: float) -> tuple[Check, ...]:
@@ -51,7 +52,7 @@ def verdict(checks: tuple[Check, ...]) -> Outcome:
         return "fail"
     if "pass" not in found:
         return "not-applicable"
-    return "incomplete" if "not-applicable" in found else "pass"
+    return "incomplete" if found & {"not-answered", "not-applicable"} else "pass"
 
 
 def of_all(results: Results) -> tuple[Check, ...]:
@@ -62,14 +63,14 @@ def of_all(results: Results) -> tuple[Check, ...]:
 def unanswered(checks: tuple[Check, ...]) -> str:
     """How many of the checks that decide could not be answered, of how many; empty where all were."""
     deciding = of_code(checks)
-    silent = sum(check.verdict == "not-applicable" for check in deciding)
+    silent = sum(check.verdict == "not-answered" for check in deciding)
     return f"{silent} of {len(deciding)} checks could not be answered" if silent else ""
 
 
 def reasons(checks: tuple[Check, ...]) -> tuple[str, ...]:
     """Why checks that decide could not be answered, each reason once: procedure, reason, and how many they are."""
-    silent = [check for check in of_code(checks) if check.verdict == "not-applicable"]
-    counts = Counter((check.procedure, check.reason or "no reason is known") for check in silent)
+    silent = [check for check in of_code(checks) if check.verdict == "not-answered"]
+    counts = Counter((check.procedure, check.reason.text) for check in silent)
     return tuple(
         f"{procedure}: {reason}" + (f" ({number} checks)" if number > 1 else "")
         for (procedure, reason), number in counts.items()
@@ -110,7 +111,7 @@ def history(mechanism: MechanismResult) -> tuple[HistoryResult, Trace] | None:
 def allowable(mechanism: MechanismResult, level_pga_g: float) -> float | None:
     """Allowable rotation / phi_ov [-] of the mechanism's history procedure at a level; None without one."""
     checks = at_level(mechanism.checks, level_pga_g)
-    found = (check.capacity_rotation_ratio for check in checks if check.procedure.endswith("-history"))
+    found = (check.capacity_rotation_ratio for check in checks if of_histories(check.procedure))
     return next((ratio for ratio in found if ratio is not None), None)
 
 
@@ -149,7 +150,7 @@ def of_collapse(checks: tuple[Check, ...]) -> tuple[Check, ...]:
 
 def weakest(checks: tuple[Check, ...]) -> Check | None:
     """The check of collapse with the least known PGA at capacity; the first of equals."""
-    answered = (check for check in of_collapse(checks) if check.verdict != "not-applicable")
+    answered = (check for check in of_collapse(checks) if check.verdict in ("pass", "fail"))
     known = [check for check in answered if check.capacity_pga_g is not None]
     return min(known, key=lambda check: check.capacity_pga_g or 0.0, default=None)
 

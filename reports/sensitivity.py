@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from functools import partial
 from math import inf
 
-from assess.codes.check import Verdict
+from assess.codes.check import Outcome
 from assess.results import Results, SensitivityResult
 from reports.document import Block, Cell, Column, Figure, Section, Table, Text
 from reports.figures import tornado
@@ -30,7 +30,13 @@ LARGE = {
     "kg/m^3": ((0.0, "kg/m³"),),
 }
 SIZES = {"GPa": 1e9, "MPa": 1e6, "GPa/m": 1e9, "kN": 1e3}
-SAID: dict[Verdict | None, str] = {"pass": "pass", "fail": "FAIL", "not-applicable": "not answered", None: "not known"}
+SAID: dict[Outcome | None, str] = {
+    Outcome.PASS: "pass",
+    Outcome.FAIL: "FAIL",
+    Outcome.NOT_ANSWERED: "not answered",
+    Outcome.NOT_APPLICABLE: "n/a",
+    None: "not known",
+}
 MOST = 8  # checks that are named in a sentence
 INTENT = (
     "Each of these numbers is varied alone, all others staying as they are, and the mechanism is assessed again by the "
@@ -87,7 +93,7 @@ def sentences(found: Sequence[Varied], called: str) -> tuple[str, ...]:
 def overall(found: Sequence[Varied], called: str) -> str:
     """Whether the verdict of the mechanism, by all checks at all levels, changes."""
     changed = [
-        f"{name_of(each.number)} at {at(each.number, side)} ({SAID['fail' if fails(each.rows, side) else 'pass']})"
+        f"{name_of(each.number)} at {at(each.number, side)} ({SAID[Outcome.FAIL if fails(each.rows, side) else Outcome.PASS]})"
         for each in found
         for side in SIDES
         if assessed(each, side) and fails(each.rows, side) != fails(each.rows, "base")

@@ -4,15 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from assess.codes.check import GROUND_AT_HEIGHT, Check
+from assess.codes.check import Check
 from assess.plural import counted
 from assess.results import MechanismResult, Results, View
+from assess.texts import TEXTS
 from reports import governing, interfaces
 from reports.lettering import shortened
 from reports.numerals import numeral
 from reports.tables import name_of
 
 SLIDING = "sliding"
+GROUND_AT_HEIGHT = "ground-motion"  # key of a remark
 UNCHECKED = "not checked against the printed standard"
 _KINDS = {
     "single-block": "a single rocking block",
@@ -160,7 +162,7 @@ def sliding(results: Results) -> str:
 
 
 def _readings(results: Results) -> tuple[str, ...]:
-    names = dict.fromkeys(c.procedure for c in _checks(results) if c.role == "informative")
+    names = dict.fromkeys(c.procedure for c in _checks(results) if c.reading == "thesis")
     return (
         (f"{joined(names)}: informative reading, shown for comparison; it never decides a verdict.",) if names else ()
     )
@@ -177,12 +179,13 @@ def _unlike(results: Results) -> tuple[str, ...]:
 
 def _unamplified(results: Results) -> tuple[str, ...]:
     """Which procedures judge which mechanisms at height by the motion of the ground."""
-    told = [(m, check) for m in results.mechanisms for check in m.checks if GROUND_AT_HEIGHT in check.caveat]
+    every = [(m, check) for m in results.mechanisms for check in m.checks]
+    told = [(m, check) for m, check in every if GROUND_AT_HEIGHT in {remark.key for remark in check.remarks}]
     if not told:
         return ()
     procedures = dict.fromkeys(check.procedure for _, check in told)
     names = dict.fromkeys(shortened(name_of(mechanism), 40) for mechanism, _ in told)
-    return (f"{joined(procedures)}, for {joined(names)}: {GROUND_AT_HEIGHT}.",)
+    return (f"{joined(procedures)}, for {joined(names)}: {TEXTS[GROUND_AT_HEIGHT]}.",)
 
 
 def _linearised(results: Results) -> tuple[str, ...]:
@@ -203,7 +206,7 @@ def _unverified(results: Results) -> tuple[str, ...]:
 
 def _says(check: Check, words: str) -> bool:
     texts = (
-        check.reason,
+        check.reason.text,
         check.edition,
         check.damping_rule,
         check.caveat,

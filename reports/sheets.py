@@ -18,7 +18,7 @@ def sheet(check: Check, *, name: str, mechanism: str) -> Sheet:
         for s in check.steps
     )
     state = f", limit state {check.limit_state}" if check.limit_state else ""
-    reading = " — informative reading" if check.role == "informative" else ""
+    reading = " — informative reading" if check.reading == "thesis" else ""
     what = f"{check.procedure} ({check.edition}){state}, {check.branch} branch"
     return Sheet(name, f"{mechanism}: {what}, at PGA {check.level_pga_g:.3g} g: {check.verdict}{reading}.", lines)
 

@@ -98,7 +98,7 @@ def table(groups: tuple[Siblings, ...], *, name: str) -> Table:
         "8.7). Informative readings are grey."
     )
     cells = tuple(_row(check, group, models, every) for check, group in rows)
-    muted = frozenset(place for place, (check, _) in enumerate(rows) if check.role == "informative")
+    muted = frozenset(place for place, (check, _) in enumerate(rows) if check.reading == "thesis")
     return Table(name, caption, columns, cells, muted)
 
 

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import re
 
-from assess.codes.check import NO_LASTING as UNLASTING
-from assess.codes.check import Check
+from assess.codes.check import Check, Reason
 from assess.results import MechanismResult, Results
 from reports import governing
 from reports.document import Cell, Column, Table
 from reports.numerals import bounded
 
+UNLASTING = (Reason.NO_LASTING, Reason.ON_JOINTS)
 OVERTURNED, NO_ROCKING, NO_LASTING, NONE = "overturned", "no rocking", "none lasting", "none"
 _INDEX, _YEARS = Column("Safety index", "-", "number"), Column("Return period", "years", "number")
 MECHANISM, LEVEL, PROCEDURE = Column("Mechanism"), Column("PGA", "g", "number"), Column("Procedure")
@@ -60,7 +60,7 @@ def verdicts(results: Results) -> Table:
     rows = tuple(
         (name_of(mechanism), check.level_pga_g, *_answer(check, mechanism.checks)) for mechanism, check in pairs
     )
-    muted = frozenset(place for place, (_, check) in enumerate(pairs) if check.role == "informative")
+    muted = frozenset(place for place, (_, check) in enumerate(pairs) if check.reading == "thesis")
     caption = "Demand, allowable, ratio and verdict of every check. Informative readings (grey) decide nothing."
     return Table("verdicts", caption, columns, rows, muted)
 
@@ -101,7 +101,7 @@ def demands(mechanism: MechanismResult, *, name: str) -> Table:
         (*_demand(check, mechanism.checks), *(rating[column] for column in rated), check.verdict)
         for check, rating in zip(mechanism.checks, ratings, strict=True)
     )
-    muted = frozenset(place for place, check in enumerate(mechanism.checks) if check.role == "informative")
+    muted = frozenset(place for place, check in enumerate(mechanism.checks) if check.reading == "thesis")
     soft = any(check.uplift_pga_g is None for check in mechanism.checks)
     rating = " Safety index: PGA at capacity over that demanded; return period: of the capacity." if rated else ""
     return Table(
@@ -124,9 +124,9 @@ def reasons(mechanism: MechanismResult, *, name: str) -> Table:
     """Why a check did not pass, for those that say so."""
     columns = (PROCEDURE, Column("PGA", "g", "number"), Column("Verdict", kind="verdict"), Column("Reason"))
     rows = tuple(
-        (governing.named(c, mechanism.checks), c.level_pga_g, c.verdict, c.reason)
+        (governing.named(c, mechanism.checks), c.level_pga_g, c.verdict, c.reason.text)
         for c in mechanism.checks
-        if c.reason and c.verdict != "pass"
+        if c.verdict != "pass"
     )
     return Table(name, "Checks that fail or do not apply, and why.", columns, rows)
 
@@ -135,7 +135,7 @@ def turned(check: Check) -> Cell:
     """Its rotation; a body that lifts off without a lasting rotation is not at rest."""
     if check.unbounded:
         return check.unbounded
-    return NO_LASTING if check.reason.endswith(UNLASTING) else rocking(check.rotation_ratio)
+    return NO_LASTING if check.reason.key in UNLASTING else rocking(check.rotation_ratio)
 
 
 def broken(name: str) -> str:

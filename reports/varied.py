@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from math import inf, log
 from typing import Literal
 
-from assess.codes.check import Verdict
+from assess.codes.check import Outcome
+from assess.codes.family import of_histories
 from assess.results import SensitivityResult
 from reports.governing import DAMAGE
 
@@ -79,7 +80,7 @@ def answers(rows: Sequence[SensitivityResult]) -> list[SensitivityResult]:
     near = min(levels, key=lambda level: abs(log(level / (least.at_base or level))))
     there = [row for row in ratios if row.level_pga_g == near]
     own = [row for row in there if (row.procedure, row.limit_state) == (least.procedure, least.limit_state)]
-    return [least, *own[:1], *[row for row in there if row.procedure.endswith("-history")][:1]]
+    return [least, *own[:1], *[row for row in there if of_histories(row.procedure)][:1]]
 
 
 def value(row: SensitivityResult, at: At) -> float | None:
@@ -88,7 +89,7 @@ def value(row: SensitivityResult, at: At) -> float | None:
     return inf if found is None and verdict(row, at) == "fail" else found
 
 
-def verdict(row: SensitivityResult, at: At) -> Verdict | None:
+def verdict(row: SensitivityResult, at: At) -> Outcome | None:
     """The verdict with the number there; None where it was not assessed."""
     return {"base": row.verdict_base, "low": row.verdict_low, "high": row.verdict_high}[at]
 

@@ -7,14 +7,15 @@ from typing import Any
 
 from assess.cli.parameter_table import table_text, weakest_text
 from assess.mechanisms.chain import metres
+from assess.message import Message
 from assess.project.messages import printable
 from assess.project.schema import Project
 from assess.project.study import Sweep, Unvaried, Variable
-from assess.results import LoadResult, MechanismResult, NamedPoint, Notice
+from assess.results import LoadResult, MechanismResult, NamedPoint
 
 
 def description(
-    project: Project, mechanisms: tuple[MechanismResult, ...], sweeps: tuple[Sweep, ...], notices: tuple[Notice, ...]
+    project: Project, mechanisms: tuple[MechanismResult, ...], sweeps: tuple[Sweep, ...], notices: tuple[Message, ...]
 ) -> str:
     """The site, each mechanism with its geometry, loads and interfaces, sweeps, the table of parameters, warnings."""
     title = printable(project.content.title) or "no title"
@@ -25,7 +26,7 @@ def description(
     return "\n".join(lines) + "\n" + table_text(mechanisms) + warned(notices)
 
 
-def warned(notices: tuple[Notice, ...]) -> str:
+def warned(notices: tuple[Message, ...]) -> str:
     """A line for each warning."""
     return "".join(f"warning: {printable(notice.where)}: {printable(notice.text)}\n" for notice in notices)
 

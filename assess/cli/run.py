@@ -35,15 +35,16 @@ def run(
     """Assess every mechanism and write the report.
 
     Writes report.pdf, report.html, results.json, tables.xlsx, tables/*.csv and figures/*.svg; prints the verdicts and
-    the path of the report. Ends with 0 when no check fails, 1 when some check does; what could not be answered is told.
+    the path of the report. Ends with 0 when the verdict is pass, 1 when it is fail, 3 when it is incomplete; the last
+    lines then say what is missing.
     """
     with nullcontext() if no_report else writer(jobs) as report:
         results, path = _assessed(project, output, jobs, report)
-    from assess.cli.summary import some_check_fails, summary
+    from assess.cli.summary import exit_code, summary
 
     print(summary(results), end="")
     print(path)
-    raise typer.Exit(1 if some_check_fails(results) else 0)
+    raise typer.Exit(exit_code(results))
 
 
 def _assessed(project: Path, output: Path | None, jobs: int | None, report: Begin | None) -> tuple[Results, Path]:

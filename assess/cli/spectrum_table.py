@@ -12,9 +12,9 @@ from scipy.constants import g
 
 from assess.cli.description import warned
 from assess.cli.text_table import text_table
+from assess.message import Message, warning
 from assess.project.outcome import spectrum_result
 from assess.project.run import NAME
-from assess.results import Notice
 from assess.results_io import dumps_spectrum
 from reports.spectrum_parameters import ACCELERATION, corners, named
 from spectra.spectrum import Spectrum
@@ -60,9 +60,9 @@ def json_text(spectrum: Spectrum) -> str:
     return dumps_spectrum(spectrum_result(spectrum))
 
 
-def told(spectrum: Spectrum, *, doubts: tuple[Notice, ...] = ()) -> None:
+def told(spectrum: Spectrum, *, doubts: tuple[Message, ...] = ()) -> None:
     """What the engineer has to know before using the spectrum, on stderr; doubts: of what was typed."""
-    notices = tuple(Notice("site-study", "site.spectrum", text) for text in spectrum.cautions)
+    notices = tuple(warning("site-study", "site.spectrum", text) for text in spectrum.cautions)
     print(warned((*doubts, *notices)), end="", file=sys.stderr)
 
 

@@ -1,63 +1,81 @@
-"""What `assess run` prints: the verdict of each mechanism at each level, by each procedure that decides."""
+"""What `assess run` prints: the verdict of each mechanism and of the building, its conditions, and what is missing."""
 
 from __future__ import annotations
 
 from assess.cli.description import warned
 from assess.cli.text_table import text_table
-from assess.codes.check import Check
+from assess.codes.verdict import Answer, Decision, MechanismVerdict, Verdict
 from assess.project.messages import printable
-from assess.results import MechanismResult, Results
-from reports.governing import of_all, of_code, reasons, unanswered
+from assess.results import Results
 
-_WORDS = {"pass": "pass", "fail": "FAIL", "not-applicable": "n/a"}
+CODES = {Decision.PASS: 0, Decision.FAIL: 1, Decision.INCOMPLETE: 3}
+"""Exit codes of `assess run`."""
+_WORDS = {Decision.PASS: "pass", Decision.FAIL: "FAIL", Decision.INCOMPLETE: "incomplete"}
+_ABOUT = {"D/C": 1.0, "zeta_E": 1.0, "%NBS": 100.0}
 
 
-def some_check_fails(results: Results) -> bool:
-    """Whether a check that decides fails; informative readings never decide."""
-    return any(check.verdict == "fail" for check in of_all(results))
+def exit_code(results: Results) -> int:
+    """The exit code of a run: incomplete where no verdict was asked."""
+    return CODES[Decision.INCOMPLETE if results.verdict is None else results.verdict.outcome]
 
 
 def summary(results: Results) -> str:
-    """A table of verdicts with demand over capacity, the warnings, and the verdict of all."""
-    procedures = list(dict.fromkeys(check.procedure for check in of_all(results)))
-    rows = [row for mechanism in results.mechanisms for row in _rows(mechanism, procedures)]
-    warnings = warned(results.warnings)
-    if not rows:
-        return f"{warnings}no check applies\n"
-    not_answered = "".join(f"not answered: {printable(reason)}\n" for reason in reasons(of_all(results)))
-    return text_table(["mechanism", "PGA [g]", *procedures], rows) + warnings + not_answered + f"{_verdict(results)}\n"
+    """A line for each mechanism, the warnings, and the verdict with what it rests on and what is missing."""
+    found = results.verdict
+    if found is None:
+        return f"{warned(results.warnings)}no verdict\n"
+    rows = [row for one in found.mechanisms for row in _rows(one, found)]
+    table = text_table(["mechanism", "verdict", "limit state", "decided by", "index", "holds up to", "why"], rows)
+    return table + warned(results.warnings) + "".join(f"{line}\n" for line in _closing(found))
 
 
-def _verdict(results: Results) -> str:
-    checks = of_all(results)
-    missing = unanswered(checks)
-    if some_check_fails(results):
-        return "some check fails" + (f"; {missing}" if missing else "")
-    if not missing:
-        return "all checks pass"
-    none = all(check.verdict == "not-applicable" for check in checks)
-    return "no check gave a verdict" if none else f"incomplete: {missing}; no check fails"
+def _rows(one: MechanismVerdict, found: Verdict) -> list[list[str]]:
+    holds = "" if one.margin is None else f"{one.margin * found.action.pga_g:.3g} g = {one.margin:.3g} x"
+    first, *others = one.answers or (None,)
+    rows = [[printable(one.mechanism), _word(one.outcome, near=one.at_the_limit), *_cells(first), holds, _why(first)]]
+    return rows + [["", _word(each.outcome, near=each.at_the_limit), *_cells(each), "", _why(each)] for each in others]
 
 
-def _rows(mechanism: MechanismResult, procedures: list[str]) -> list[list[str]]:
-    checks = of_code(mechanism.checks)
-    levels = sorted({check.level_pga_g for check in checks})
-    return [
-        [mechanism.name, f"{level:.3g}", *(_cell(checks, procedure, level) for procedure in procedures)]
-        for level in levels
-    ]
+def _word(outcome: Decision, *, near: bool) -> str:
+    return _WORDS[outcome] + (" at the limit" if near and outcome != Decision.INCOMPLETE else "")
 
 
-def _cell(checks: tuple[Check, ...], procedure: str, level: float) -> str:
-    """Verdict and ratio of the check that governs among those of one procedure at one level."""
-    found = [check for check in checks if check.procedure == procedure and check.level_pga_g == level]
-    if not found:
-        return ""
-    worst = max(found, key=_severity)
-    ratio = "" if worst.ratio is None else f" {worst.ratio:.2f}"
-    return _WORDS[worst.verdict] + ratio
+def _cells(answer: Answer | None) -> list[str]:
+    if answer is None:
+        return ["", "", ""]
+    index = answer.index
+    value = "" if index is None else f"{index.name} {index.value * _ABOUT[index.name]:.3g} {index.grade}".strip()
+    return [answer.limit_state, answer.procedure, value]
 
 
-def _severity(check: Check) -> tuple[int, float]:
-    rank = {"pass": 0, "not-applicable": 1, "fail": 2}[check.verdict]
-    return rank, float("inf") if check.ratio is None else check.ratio
+def _why(answer: Answer | None) -> str:
+    return "" if answer is None else printable(answer.reason.text)
+
+
+def _closing(found: Verdict) -> list[str]:
+    action = found.action
+    state = ", ".join(found.limit_states) or "no limit state"
+    lines = [f"basis: {found.edition or 'none'}; {state}; site's own PGA {action.pga_g:.3g} g"]
+    lines += [f"on condition: {each.text}" for each in found.conditions]
+    near = " at the limit" if found.at_the_limit and found.outcome != Decision.INCOMPLETE else ""
+    lines.append(f"verdict: {_WORDS[found.outcome]}{near}")
+    return lines + _missing(found)
+
+
+def _missing(found: Verdict) -> list[str]:
+    """What would complete the verdict: why, and a block of TOML to paste."""
+    if found.outcome != Decision.INCOMPLETE or not found.missing:
+        return []
+    lines = [f"missing: {each.key}: {printable(each.text)}" for each in found.missing]
+    if found.provisional is not None:
+        lines.append(f"with the safe values the verdict would be: {_WORDS[found.provisional]}")
+    return [*lines, "to complete it, add to the project file:", *toml_block(found)]
+
+
+def toml_block(found: Verdict) -> list[str]:
+    """The missing keys as TOML, by table."""
+    tables: dict[str, list[str]] = {}
+    for each in found.missing:
+        if each.toml:
+            tables.setdefault(each.key.rpartition(".")[0], []).append(each.toml)
+    return [line for table, keys in tables.items() for line in (f"[{table}]", *keys)]

@@ -3,36 +3,99 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from enum import StrEnum
 from typing import Literal
 
-Role = Literal["code", "informative"]
-NO_LASTING = "yet the method finds no lasting rotation at this demand"  # how a reason ends: it lifts off
-GROUND_AT_HEIGHT = (  # in a caveat
-    "at height the motion of the ground is taken as it is: unconservative where the building amplifies it"
-)
-BEYOND_SPECTRUM = "rotation beyond the allowable, and beyond the end of the spectrum"  # a reason
-Verdict = Literal["pass", "fail", "not-applicable"]
+from assess.codes.step import Bound, Input, Step, step
+from assess.message import Message, Severity, Value, message
+
+__all__ = [
+    "Bound",
+    "Check",
+    "Family",
+    "Input",
+    "InputAt",
+    "Outcome",
+    "PgaCurve",
+    "Reading",
+    "Reason",
+    "Role",
+    "Step",
+    "because",
+    "step",
+]
+
+Role = Literal["deciding", "comparison"]
+Reading = Literal["letter", "thesis"]
 BranchName = Literal["positive", "negative"]
-InputAt = Literal["ground", "mechanism base"]
-Bound = Literal["", "<=", ">="]
+InputAt = Literal["ground", "mechanism base", "missing"]
 Unbounded = Literal["", "overturned", "beyond the spectrum"]
 
 
-@dataclass(frozen=True)
-class Step:
-    """One line of a calculation sheet: the formula, the numbers put into it, and what came out.
+class Outcome(StrEnum):
+    """What a check says: not answered where something that could be given is missing, not applicable where the
+    clause is not for such a mechanism."""
 
-    bound : "<=" or ">=" where all that is known is that it is no more, or no less, than `value`
-    """
+    PASS = "pass"
+    FAIL = "fail"
+    NOT_ANSWERED = "not-answered"
+    NOT_APPLICABLE = "not-applicable"
 
-    symbol: str
-    description: str
-    clause: str
-    formula: str
-    substituted: str
-    value: float | None
-    unit: str
-    bound: Bound = ""
+
+class Family(StrEnum):
+    """What a procedure compares."""
+
+    LINEAR = "linear"
+    DISPLACEMENT = "displacement"
+    ENERGY = "energy"
+    HISTORY = "history"
+    PART = "part"
+    TABLE = "table"
+    ELEMENT = "element"
+    SLIDING = "sliding"
+    FRICTION = "friction"
+
+
+class Reason(StrEnum):
+    """Why a check ends as it does: the keys of `assess.texts.TEXTS` that a check may give."""
+
+    WITHIN = "within-capacity"
+    BEYOND = "beyond-capacity"
+    NO_ROCKING = "no-rocking"
+    NO_LASTING = "no-lasting-rotation"
+    ON_JOINTS = "moves-on-joints"
+    OVERTURNS = "overturns"
+    BEYOND_SPECTRUM = "beyond-spectrum"
+    SPECTRUM_TOO_SHORT = "spectrum-too-short"
+    LIMIT_BEYOND_OVERTURNING = "limit-beyond-overturning"
+    RECORDS_OVERTURN = "records-overturn"
+    RECORDS_BEYOND_COLLAPSE = "records-beyond-collapse"
+    TOO_FEW_RECORDS = "too-few-records"
+    ABOVE_BUILDING = "above-building"
+    GROUND_MOTION = "ground-motion-at-height"
+    SCALAR_MOTION = "scalar-motion-at-height"
+    GROUND_UNKNOWN = "ground-unknown"
+    ONE_SIDED = "one-sided"
+    NOT_A_WALL = "not-a-wall"
+    NOT_SPANNING = "not-spanning"
+    NO_WALL_SIZE = "no-wall-size"
+    FRICTION_UNKNOWN = "friction-unknown"
+    HINGE_PULLS = "hinge-pulls"
+    NO_HINGE_FORCES = "no-hinge-forces"
+    SLIDES_FIRST = "slides-first"
+    SLIDES_LATER = "slides-later"
+    ROCKS_FIRST = "rocks-first"
+    ONE_BLOCK_ONLY = "one-block-only"
+    LEVEL_BASE_ONLY = "level-base-only"
+    SLIDING_BEYOND_BEFORE = "sliding-beyond-before"
+    NO_SLIDING = "no-sliding"
+    NO_ALLOWABLE_SLIDING = "no-allowable-sliding"
+    SLIDING_UNBOUNDED = "sliding-unbounded"
+
+
+def because(reason: Reason, **values: Value) -> Message:
+    """The message of a reason."""
+    return message(reason, values, severity=Severity.NOTE)
 
 
 @dataclass(frozen=True)
@@ -58,12 +121,16 @@ class Check:
     `score`: what the code itself counts the answer in, by name, as {"%NBS": 43.1}; empty where it has nothing.
     `safety_index` (capacity over demand, both as PGA) and `return_period_years` of the capacity stand where the code
     and the site have them; `return_period_bound` is "<=" or ">=" where the capacity lies beyond the rows of the hazard,
-    whose end it then is.
+    whose end it then is. `provisional`: of a check that is not answered for want of an input, what its numbers say.
+    `may_pass`: whether its input lets it pass at all. `informs`: it may not decide, whatever the basis, as with a
+    confidence factor below the code's. `conditions`: what a pass rests on and nobody has shown; `remarks`: what else
+    bears on the answer.
     """
 
     procedure: str
     edition: str
-    role: Role
+    reading: Reading = "letter"
+    role: Role = "comparison"
     branch: BranchName
     limit_state: str
     level_pga_g: float
@@ -75,8 +142,8 @@ class Check:
     demand: float | None = None
     capacity: float | None = None
     ratio: float | None = None
-    verdict: Verdict
-    reason: str
+    verdict: Outcome
+    reason: Message
     capacity_pga_g: float | None = None
     uplift_pga_g: float | None = None
     capacity_rotation_ratio: float | None = None
@@ -88,10 +155,15 @@ class Check:
     safety_index: float | None = None
     return_period_years: float | None = None
     return_period_bound: Bound = ""
+    provisional: Outcome | None = None
+    informs: bool = False
+    may_pass: bool = True
+    conditions: tuple[Message, ...] = ()
+    remarks: tuple[Message, ...] = ()
 
     @property
     def unbounded(self) -> Unbounded:
         """Why it fails without a finite demand: the body overturns, or the spectrum ends first; "" where it slides."""
-        if self.verdict != "fail" or self.demand is not None or self.quantity == "sliding":
+        if self.verdict != Outcome.FAIL or self.demand is not None or self.reason.key == Reason.SLIDING_BEYOND_BEFORE:
             return ""
-        return "beyond the spectrum" if self.reason == BEYOND_SPECTRUM else "overturned"
+        return "beyond the spectrum" if self.reason.key == Reason.BEYOND_SPECTRUM else "overturned"

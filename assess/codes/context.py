@@ -3,16 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Literal
 
 from assess.codes.check import BranchName, InputAt
 from assess.hinge_forces import HingeForces
+from assess.message import Message
+from assess.oscillator import Oscillator
 from spectra.spectrum import Spectrum
 
 Support = Literal["free", "spanning", "hinged"]
 
-ON_GROUND = 0.01  # m: a base no higher than this stands on the ground
+PLINTH, PLINTH_SHARE = 0.5, 0.05  # m, and of the building's height: a support no higher than either is on the ground
+Carried = Literal["not", "by a factor", "by a filter"]
+"""How the motion of histories reaches a mechanism: as it is at the ground, times one number, or through a mode."""
+Kind = Literal["break", "seat"]
 
 
 @dataclass(frozen=True)
@@ -31,12 +36,11 @@ class Wall:
 class Building:
     """The structure below a mechanism.
 
-    height H [m] above `ground_elevation` [m]; storeys N; period T_1 [s] of the first mode; damping [-].
+    height H [m] above the ground; storeys N; period T_1 [s] of the first mode; damping [-].
     """
 
     height: float
     storeys: int | None
-    ground_elevation: float
     period: float
     damping: float
 
@@ -61,6 +65,19 @@ class FreePeriod:
     value: float
     formula: str
     substituted: str
+
+
+@dataclass(frozen=True)
+class LocalLimit:
+    """A rotation of one branch at which a tie or force ends ("break") or a floor or beam loses its seat ("seat") [rad].
+
+    what : the load, by its name
+    """
+
+    kind: Kind
+    what: str
+    branch: BranchName
+    rotation: float
 
 
 @dataclass(frozen=True)
@@ -103,7 +120,15 @@ class Context:
     besides : suites at the other PGA that procedures want, of limit states of their own
     linearised : whether the histories solve the linearised equation, which lifts off at its own multiplier
     histories_at : where the motion of the time histories is given
+    carried : how it got there; one number misses resonance
+    starting : the mechanism with every action that is there at rest, for multipliers; None: the oscillator itself
+    breaking : the same with actions until they end, for the acceleration on the capacity curve; None: the oscillator
+    limits : rotations at which actions end or seats are lost
+    crushing : whether every hinge presses on a joint of finite strength
+    floor_spectrum : of the motion at the mechanism's base, at the site's PGA; None where none is given
+    impossible : why no answer can be given at all, and why none by histories; each with the remedy
     amplification : the largest, over the records, of peak acceleration at the mechanism's base over that at the ground
+    suite_faults : by the code of a procedure, the rules for suites that the records miss, with the change that would do
     hinges : what the hinges of both branches pass on when the mechanism starts to rock; none where that is not known
     incremental : further suites at rising PGA, for the curve and the PGA at collapse; empty when none were run
     support : how the masonry is held: it stands free on its base, spans between two supports, or is a chain of hinges
@@ -121,6 +146,15 @@ class Context:
     incremental: tuple[Suite, ...] = ()
     linearised: bool = False
     histories_at: InputAt = "ground"
+    carried: Carried = "not"
+    starting: Oscillator | None = None
+    breaking: Oscillator | None = None
+    limits: tuple[LocalLimit, ...] = ()
+    crushing: bool = False
+    floor_spectrum: Spectrum | None = None
+    impossible: tuple[Message, ...] = ()
+    impossible_by_histories: tuple[Message, ...] = ()
+    suite_faults: Mapping[str, tuple[Message, ...]] = field(default_factory=dict)
     amplification: float = 1.0
     support: Support = "free"
     wall: Wall | None = None
@@ -135,12 +169,13 @@ class Context:
         """Height above the ground of what holds the mechanism [m]: its base, or the mean of base and far support."""
         return max(self.elevation, 0.0) + self.rise / 2.0
 
-    def above_building(self, supported: str, *, clause: str) -> str:
-        """That the supports of what is `supported` are higher than the building of `clause`; empty if they are not."""
-        building, height = self.building, self.support_height
-        if building is None or height <= building.height * (1.0 + 1e-9):
-            return ""
-        return (
-            f"the supports of the {supported} are {height:.4g} m above the ground, higher than the building of "
-            f"{clause}: check [building] height and ground_elevation"
-        )
+    @property
+    def above_ground(self) -> bool:
+        """Whether what holds the mechanism is above the ground; a plinth is ground."""
+        height = 0.0 if self.building is None else self.building.height
+        return self.support_height > max(PLINTH, PLINTH_SHARE * height)
+
+    @property
+    def above_building(self) -> bool:
+        """Whether the supports are higher than the building."""
+        return self.building is not None and self.support_height > self.building.height * (1.0 + 1e-9)

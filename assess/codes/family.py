@@ -1,15 +1,39 @@
-"""Which site spectra a procedure is written for: on another code's spectrum its answer is information."""
+"""What each procedure compares, whose code it belongs to, and for which site spectra it is written."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 
-from assess.codes.check import Role
+from assess.codes.check import Family
 
 AMERICAN = ("asce7-05", "ibc2009", "asce7-10", "asce7-16")
 EUROPEAN = ("ec8", "ntc2008", "ntc2018")
 NEW_ZEALAND = ("nzs1170.5",)
 GIVEN = "table"  # the engineer's own spectrum, for any code
+
+FAMILIES: Mapping[str, Family] = {
+    "asce43-05-spectrum": Family.ENERGY,
+    "asce43-05-spectrum-thesis": Family.ENERGY,
+    "asce43-05-history": Family.HISTORY,
+    "dmi2008-linear": Family.LINEAR,
+    "dmi2008-nonlinear": Family.DISPLACEMENT,
+    "dmi2008-nonlinear-thesis": Family.DISPLACEMENT,
+    "dmi2008-history": Family.HISTORY,
+    "ntc2018-linear": Family.LINEAR,
+    "ntc2018-nonlinear": Family.DISPLACEMENT,
+    "ntc2018-history": Family.HISTORY,
+    "nzsee2017-face-loaded": Family.PART,
+    "asce41-13-ht": Family.TABLE,
+    "ec8-element": Family.ELEMENT,
+    "asce43-05-sliding": Family.SLIDING,
+    "sliding": Family.FRICTION,
+}
+CODES: Mapping[str, str] = {  # whose rules for suites a procedure by histories goes by
+    "asce43-05-history": "asce43-05",
+    "dmi2008-history": "ntc2018",
+    "ntc2018-history": "ntc2018",
+}
+READINGS = ("asce43-05-spectrum-thesis", "dmi2008-nonlinear-thesis")  # of the thesis: shown, and they never decide
 
 HOMES: Mapping[str, tuple[str, ...]] = {
     "asce41-13-ht": AMERICAN,
@@ -19,14 +43,14 @@ HOMES: Mapping[str, tuple[str, ...]] = {
 ONLY_ASKED = ("ec8-element",)  # whether a mechanism is a non-structural element, the engineer must say
 
 
+def of_histories(procedure: str) -> bool:
+    """Whether a procedure asks for time histories."""
+    return FAMILIES.get(procedure) == Family.HISTORY
+
+
 def at_home(procedure: str, spectrum_code: str) -> bool:
     """Whether a site of this spectrum is one that the procedure is written for; True for those without a family."""
     return procedure not in HOMES or spectrum_code in (*HOMES[procedure], GIVEN)
-
-
-def role_on(procedure: str, spectrum_code: str) -> Role:
-    """What an answer counts for on a spectrum."""
-    return "code" if at_home(procedure, spectrum_code) else "informative"
 
 
 def foreign(procedure: str, spectrum_code: str) -> str:

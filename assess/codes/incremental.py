@@ -9,6 +9,7 @@ from scipy.constants import g
 from assess.codes.check import PgaCurve
 from assess.codes.context import Suite
 from assess.codes.governing import least
+from assess.message import Message, Quantity, message
 from assess.oscillator import Oscillator, linearise, threshold
 
 
@@ -50,8 +51,8 @@ def pga_before_failure(
     return None
 
 
-def islands(at_collapse: float | None, level: float) -> str:
+def islands(at_collapse: float | None, level: float) -> tuple[Message, ...]:
     """A remark where a level passes above the least PGA at which the scan fails, both in g."""
     if at_collapse is None or level <= at_collapse:
-        return ""
-    return f", yet the scan already fails just above {at_collapse:.3g} g: responses do not grow steadily with PGA"
+        return ()
+    return (message("fails-below", {"pga": Quantity(at_collapse, "ground acceleration", 3)}),)

@@ -13,10 +13,11 @@ from math import inf
 
 from scipy.constants import g
 
-from assess.codes.check import Check, Step, Verdict
+from assess.codes.check import Check, Outcome, Reason, Step, because, step
 from assess.codes.context import Context
 from assess.codes.governing import least
 from assess.hinge_forces import HingeForces
+from assess.message import Message, Quantity
 from assess.oscillator import Oscillator, threshold
 
 EDITION = "equilibrium; Coulomb"
@@ -27,7 +28,6 @@ CHAIN = (
 )
 BALANCE, TABLE = "equilibrium of each block at a_r", "the table of forces at the hinges"
 HELD = "; the top of a wall is taken as held, the sheet says with what"
-NO_FORCES = "an equivalent block has no geometry: what its hinge presses on is not known; check sliding by hand"
 
 
 def assess(oscillator: Oscillator, context: Context) -> tuple[Check, ...]:
@@ -41,20 +41,17 @@ def assess(oscillator: Oscillator, context: Context) -> tuple[Check, ...]:
     return tuple(replace(check, uplift_pga_g=lifts and lifts / context.amplification) for check in checks)
 
 
-def unanswerable(hinges: Sequence[HingeForces]) -> str:
-    """Why nothing can be said of sliding, with the remedy; empty where something can."""
+def unanswerable(hinges: Sequence[HingeForces]) -> Message | None:
+    """Why nothing can be said of sliding, with the remedy; None where something can."""
     if not hinges:
-        return NO_FORCES
+        return because(Reason.NO_HINGE_FORCES)
     for each in _resting_on_friction(hinges):
         if each.friction is None:
-            return f"friction at hinge {each.hinge} is not known; {each.remedy}"
+            return because(Reason.FRICTION_UNKNOWN, hinge=each.hinge, remedy=each.remedy)
         pull = -min(each.starting.normal, each.resting.normal)
         if pull >= 0.0:
-            return (
-                f"hinge {each.hinge} would have to pull with {pull / 1e3:.4g} kN before the mechanism rocks, so "
-                "friction does not hold it: check hinges and loads"
-            )
-    return ""
+            return because(Reason.HINGE_PULLS, hinge=each.hinge, pull=Quantity(pull, "force"))
+    return None
 
 
 def _resting_on_friction(hinges: Sequence[HingeForces]) -> tuple[HingeForces, ...]:
@@ -81,7 +78,7 @@ def _judged(level: float, context: Context) -> Check:
     acceleration = level * context.amplification
     hinge = max(_resting_on_friction(context.hinges), key=lambda each: used(each, acceleration))
     ratio, slides_at = used(hinge, acceleration), sliding_pga(context)
-    verdict: Verdict = "pass" if ratio <= 1.0 else "fail"
+    verdict = Outcome.PASS if ratio <= 1.0 else Outcome.FAIL
     return _check(
         level,
         context,
@@ -95,25 +92,25 @@ def _judged(level: float, context: Context) -> Check:
     )
 
 
-def _reason(hinge: HingeForces, slides_at: float | None, verdict: Verdict) -> str:
-    if verdict == "fail":
-        return f"slides before it rocks, at hinge {hinge.hinge}: the rocking answers are not the ones that count"
+def _reason(hinge: HingeForces, slides_at: float | None, verdict: Outcome) -> Message:
+    if verdict == Outcome.FAIL:
+        return because(Reason.SLIDES_FIRST, hinge=hinge.hinge)
     if slides_at is not None:
-        return f"no sliding yet; it would slide before it rocks from PGA {slides_at / g:.3g} g on"
-    return f"it rocks before it slides; hinge {hinge.hinge} comes nearest"
+        return because(Reason.SLIDES_LATER, pga=Quantity(slides_at / g, "ground acceleration", 3))
+    return because(Reason.ROCKS_FIRST, hinge=hinge.hinge)
 
 
-def _unanswered(level: float, context: Context, reason: str) -> Check:
+def _unanswered(level: float, context: Context, reason: Message) -> Check:
     return _check(
         level,
         context,
         context.hinges[0] if context.hinges else None,
         demand=None,
         ratio=None,
-        verdict="not-applicable",
+        verdict=Outcome.NOT_ANSWERED,
         reason=reason,
         slides_at=None,
-        steps=(Step("|T| / N", "friction needed at the hinges", EDITION, "-", reason, None, "-"),),
+        steps=(step("|T| / N", "friction needed at the hinges", EDITION, "-", None, remark=reason.text),),
     )
 
 
@@ -124,15 +121,14 @@ def _check(
     *,
     demand: float | None,
     ratio: float | None,
-    verdict: Verdict,
-    reason: str,
+    verdict: Outcome,
+    reason: Message,
     slides_at: float | None,
     steps: tuple[Step, ...],
 ) -> Check:
     return Check(
         procedure=PROCEDURE,
         edition=EDITION,
-        role="informative" if verdict == "not-applicable" else "code",
         branch="positive" if hinge is None else hinge.branch,
         limit_state="no sliding",
         level_pga_g=level / g,
@@ -141,7 +137,7 @@ def _check(
         quantity="coefficient of friction",
         unit="-",
         demand=demand,
-        capacity=None if hinge is None or verdict == "not-applicable" else hinge.friction,
+        capacity=None if hinge is None or verdict == Outcome.NOT_ANSWERED else hinge.friction,
         ratio=ratio,
         verdict=verdict,
         reason=reason,

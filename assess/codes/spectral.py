@@ -6,17 +6,18 @@ from dataclasses import dataclass
 
 from scipy.constants import g
 
-from assess.codes.check import BEYOND_SPECTRUM, NO_LASTING, Verdict
+from assess.codes.check import Outcome, Reason, because
 from assess.codes.context import Context
 from assess.codes.relation import PgaRelation, capacity
+from assess.message import Message, Quantity
 
 
 @dataclass(frozen=True)
 class Answer:
     """Verdict, why, and the PGA at capacity [g] where it is known."""
 
-    verdict: Verdict
-    reason: str
+    verdict: Outcome
+    reason: Message
     capacity_pga_g: float | None
 
 
@@ -37,26 +38,23 @@ def spectral_answer(
     at_capacity = capacity(curve, allowable)
     in_g = None if at_capacity is None else at_capacity / g
     if rotation is not None:
-        return Answer("pass" if rotation <= allowable else "fail", _rocks(rotation, allowable, level, uplift), in_g)
+        within = Outcome.PASS if rotation <= allowable else Outcome.FAIL
+        return Answer(within, _rocks(rotation, allowable, level, uplift), in_g)
     if curve.complete:
-        return Answer("fail", "overturns: no rotation holds this demand", in_g)
+        return Answer(Outcome.FAIL, because(Reason.OVERTURNS), in_g)
     if at_capacity is not None:
-        return Answer("fail", BEYOND_SPECTRUM, in_g)
-    end = context.spectrum.longest_period
-    return Answer(
-        "not-applicable", f"the answer lies beyond the end of the spectrum at {end:.4g} s: extend its table", None
-    )
+        return Answer(Outcome.FAIL, because(Reason.BEYOND_SPECTRUM), in_g)
+    end = Quantity(context.spectrum.longest_period, "time")
+    return Answer(Outcome.NOT_ANSWERED, because(Reason.SPECTRUM_TOO_SHORT, period="the answer", end=end), None)
 
 
-def _rocks(rotation: float, allowable: float, level: float, uplift: float | None) -> str:
+def _rocks(rotation: float, allowable: float, level: float, uplift: float | None) -> Message:
     if rotation == 0.0:
-        return _still(level, uplift)
-    return "rotation within the allowable" if rotation <= allowable else "rotation beyond the allowable"
+        return because(_still(level, uplift))
+    return because(Reason.WITHIN if rotation <= allowable else Reason.BEYOND, capacity="the allowable rotation")
 
 
-def _still(level: float, uplift: float | None) -> str:
+def _still(level: float, uplift: float | None) -> Reason:
     if uplift is None:
-        return f"moves on its joints, {NO_LASTING}"
-    if level <= uplift * g:
-        return "no rocking: the demand does not lift the body off its base"
-    return f"lifts off, {NO_LASTING}"
+        return Reason.ON_JOINTS
+    return Reason.NO_ROCKING if level <= uplift * g else Reason.NO_LASTING

@@ -10,6 +10,7 @@ from assess.errors import GeometryError, ProjectError
 from assess.natural_frequency import ASSUMPTIONS, SLICES, Rayleigh, cantilever, rayleigh
 from assess.project import sections
 from assess.project.bodies import Solids
+from assess.project.grounding import ground_of
 from assess.project.mechanisms import Built
 from assess.project.study import Amplified
 from spectra.errors import SpectrumError
@@ -59,7 +60,7 @@ class Standing:
     @property
     def ground(self) -> float:
         """Elevation of the ground [m]."""
-        return self.content.building.ground_elevation if self.content.building is not None else 0.0
+        return ground_of(self.content)
 
 
 def amplified(standing: Standing) -> Amplified:
@@ -94,7 +95,7 @@ def by_floor_factor(
 ) -> Amplified:
     """The factor of a code for the height."""
     building = standing.content.building
-    if building is None:
+    if building is None or building.height is None:
         raise ProjectError(
             f'{standing.where}: "{asked.method}" needs the height of the building; add a table [building] with height'
         )
@@ -142,7 +143,7 @@ def frequency_given(
         return asked.natural_frequency, "given"
     if building is not None and building.natural_frequency is not None:
         return building.natural_frequency, "given for the building"
-    if building is not None and building.given("period"):
+    if building is not None and building.period is not None and building.given("period"):
         return 1.0 / building.period, "1 / period of the building"
     return None
 

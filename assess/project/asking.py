@@ -7,7 +7,7 @@ Sliding is asked where a material has friction.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 from assess.codes.asce41_13.clauses import Options as Asce41Options
 from assess.codes.asce43_05.clauses import Options as Asce43Options
@@ -19,6 +19,7 @@ from assess.codes.nzsee2017.clauses import Options as Nzsee2017Options
 from assess.codes.registry import LIMIT_STATES, CodeOptions
 from assess.errors import ProjectError
 from assess.project import sections
+from assess.project.deciding import methods_of, question_of, states_of
 from assess.project.messages import shown
 from assess.results import Resolved
 
@@ -42,13 +43,19 @@ def procedures_of(content: sections.Content) -> tuple[str, ...]:
         code = "" if content.site is None else content.site.spectrum.code
         rubs = any(material.friction is not None for material in content.materials.values())
         unasked = (*AT_SITE.get(code, ELSEWHERE), *content.offered, *(SLIDING if rubs else ()))
-        return tuple(name for name in unasked if not _silent(name, content))
+        return with_methods((name for name in unasked if not _silent(name, content)), content)
     for name in named:
         if states := _silent(name, content):
             key = f"procedures.{name.split('-')[0]}.limit_states"
             known = ", ".join(LIMIT_STATES[name])
             raise ProjectError(f"{key}: {', '.join(states)}: {name} checks {known}; add one, or leave it out")
-    return named
+    return with_methods(named, content)
+
+
+def with_methods(names: Iterable[str], content: sections.Content) -> tuple[str, ...]:
+    """The procedures with those that may decide, which run whatever else is asked."""
+    deciding = () if content.site is None else methods_of(question_of(content, site_pga=0.0))
+    return tuple(dict.fromkeys((*names, *deciding)))
 
 
 def _silent(name: str, content: sections.Content) -> tuple[str, ...]:
@@ -68,17 +75,22 @@ def as_asked(resolved: Mapping[str, Resolved], content: sections.Content) -> dic
     return {**kept, "analysis.procedures": Resolved(list(names), content.analysis.procedures is not None)}
 
 
-def options_of(section: sections.Procedures) -> CodeOptions:
-    """The options of every code."""
+def options_of(content: sections.Content) -> CodeOptions:
+    """The options of every code, with the limit states that decide among theirs."""
+    section, deciding = content.procedures, states_of(question_of(content, site_pga=0.0))
     dmi2008, ntc2018 = section.dmi2008, section.ntc2018
     return CodeOptions(
         asce43_05=Asce43Options(**section.asce43_05.model_dump()),
         nzsee2017=Nzsee2017Options(**section.nzsee2017.model_dump()),
         asce41_13=Asce41Options(**section.asce41_13.model_dump()),
         ec8=Ec8Options(**section.ec8.model_dump()),
-        dmi2008=Options(dmi2008.confidence_factor, dmi2008.limit_states),
-        ntc2018=Options(ntc2018.confidence_factor, ntc2018.limit_states),
+        dmi2008=Options(dmi2008.confidence_factor, _states(dmi2008.limit_states, deciding)),
+        ntc2018=Options(ntc2018.confidence_factor, _states(ntc2018.limit_states, deciding)),
     )
+
+
+def _states(asked: tuple[str, ...], deciding: tuple[str, ...]) -> tuple[str, ...]:
+    return tuple(state for state in ("SLD", "SLV", "SLC") if state in (*asked, *deciding))
 
 
 def free_periods_of(content: sections.Content) -> Mapping[str, FreePeriod]:

@@ -6,9 +6,12 @@ import os
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 
-from assess.amplification import Carried, carried
-from assess.codes.check import Check
+from assess.amplification import Carried, ModalFilter, carried
+from assess.codes.admission import admitted
+from assess.codes.check import Check, Outcome
+from assess.codes.context import Carried as CarriedBy
 from assess.codes.context import Context
+from assess.codes.family import of_histories
 from assess.codes.italian.history import suites_needed
 from assess.codes.registry import history_rules, procedure
 from assess.mechanisms.activation import hinge_forces
@@ -38,7 +41,7 @@ def mechanisms_assessed(
         m.name: Shaken(m.name, oscillator(m), study.equations[m.name], at_base(study.amplified[m.name], motions))
         for m in study.mechanisms
     }
-    wanted, scanned = besides(study, spectrum), any(name.endswith("-history") for name in study.procedures)
+    wanted, scanned = besides(study, spectrum), any(map(of_histories, study.procedures))
     workers = jobs or os.cpu_count() or 1
     each = max(1, workers // max(1, len(shaken)))
 
@@ -91,18 +94,20 @@ def context_of(
     study: Study, spectrum: Spectrum, mechanism: Mechanism, rocked: Rocking, base: tuple[Carried, ...]
 ) -> Context:
     """What the procedures may know of one mechanism."""
-    ground = study.building.ground_elevation if study.building is not None else 0.0
     return Context(
         spectrum=spectrum,
         levels=study.levels,
         vertical_ratio=study.vertical_ratio,
         support=SUPPORTS[mechanism.kind],
         wall=wall_of(mechanism),
-        elevation=mechanism.elevation - ground,
+        elevation=mechanism.elevation - study.ground,
         rise=mechanism.rise,
         building=study.building,
         suites=rocked.suites,
         histories_at="ground" if study.amplified[mechanism.name].height is None else "mechanism base",
+        carried=carried_by(study.amplified[mechanism.name]),
+        crushing=mechanism.crushing,
+        impossible=study.impossible,
         amplification=max((each.factor for each in base), default=1.0),
         linearised=study.equations[mechanism.name] == "linearised",
         besides=rocked.besides,
@@ -114,6 +119,16 @@ def context_of(
 
 
 def checks_of(study: Study, rocker: Oscillator, context: Context) -> tuple[Check, ...]:
-    """The answers of every procedure of the study, in its order; of those nobody asked for, where they decide."""
-    checks = [check for name in study.procedures for check in procedure(name, study.options)(rocker, context)]
-    return tuple(check for check in checks if check.procedure not in study.offered or check.role == "code")
+    """The answers of every procedure of the study, in its order; of those nobody asked for, where they apply."""
+    found: list[Check] = []
+    for name in study.procedures:
+        checks = admitted(name, procedure(name, study.options), rocker, context)
+        found += (c for c in checks if name not in study.offered or c.verdict != Outcome.NOT_APPLICABLE)
+    return tuple(found)
+
+
+def carried_by(amplified: Amplified) -> CarriedBy:
+    """How the motion of the histories gets to the mechanism's base."""
+    if amplified.height is None:
+        return "not"
+    return "by a filter" if isinstance(amplified.amplification, ModalFilter) else "by a factor"

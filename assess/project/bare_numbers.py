@@ -7,15 +7,15 @@ from typing import Any
 
 from scipy.constants import g
 
+from assess.message import Message, warning
 from assess.project.messages import Key, look_up, written
-from assess.results import Notice
 
 WEAK = 0.1 * g  # m/s2: below it a number alone was rather meant in g
 SPECTRUM: Key = ("site", "spectrum")
 PLACES: tuple[Key, ...] = (("site", "pga"), *((*SPECTRUM, key) for key in ("s_ds", "s_d1", "s_s", "s_1", "a_g")))
 
 
-def bare_numbers(raw: Mapping[str, Any]) -> Iterator[Notice]:
+def bare_numbers(raw: Mapping[str, Any]) -> Iterator[Message]:
     """A notice for each acceleration of the ground in the file that is a plain number, and hardly an earthquake."""
     levels = look_up(raw, ("analysis", "levels"))[1] or ()
     rows = look_up(raw, (*SPECTRUM, "hazard"))[1] or ()
@@ -25,4 +25,4 @@ def bare_numbers(raw: Mapping[str, Any]) -> Iterator[Notice]:
         value = look_up(raw, key)[1]
         if isinstance(value, int | float) and value < WEAK:
             text = f'{value:.4g} m/s^2 is {value / g:.3g} g; write "{value:.4g} g" if that was meant'
-            yield Notice("unit", written(key), text)
+            yield warning("unit", written(key), text)

@@ -14,13 +14,16 @@ import numpy as np
 from assess.codes.context import Building
 from assess.errors import ProjectError
 from assess.geometry.solid import Solid
+from assess.message import Message, warning
 from assess.project import record_set, sections
 from assess.project.amplification import Standing, amplified
 from assess.project.asking import as_asked, free_periods_of, options_of, procedures_of
 from assess.project.bodies import solid_of
 from assess.project.components import horizontal, left_out
+from assess.project.deciding import facts_of, levels_with_site, question_of
 from assess.project.dependents import dependents
 from assess.project.directions import directed
+from assess.project.grounding import ground_of, unknown_ground
 from assess.project.messages import located, shown
 from assess.project.notices import notices_of
 from assess.project.record_set import RecordSet
@@ -29,12 +32,12 @@ from assess.project.site_spectrum import hazard_over_periods, spectrum_of
 from assess.project.study import Artificial, Case, Equation, Fitting, PulseGrid, Study, Sweep
 from assess.project.variables import variables_of
 from assess.project.variations import Variant, Variation
-from assess.results import Input, Notice
+from assess.results import Input
 from records.pulses import shape as pulse_shape
 from records.record import Record
 from spectra.spectrum import Spectrum
 
-CLAUSES_NEED = {"height", "storeys", "ground_elevation", "period", "damping"}  # of [building]
+CLAUSES_NEED = {"height", "storeys", "period", "damping"}  # of [building]
 
 
 @dataclass(frozen=True)
@@ -80,7 +83,7 @@ def study_of(project: Project, *, executor: Executor | None = None) -> Study:
         resolved=as_asked(resolved(project), content),
         notices=(
             *project.doubts,
-            *(Notice("site-study", "site.spectrum", text) for text in (spectrum.cautions if spectrum else ())),
+            *(warning("site-study", "site.spectrum", text) for text in (spectrum.cautions if spectrum else ())),
             *notices_of(content, solids, study.mechanisms, study.amplified),
             *notices,
         ),
@@ -94,18 +97,23 @@ def part_of(content: sections.Content, files: Files, *, names: Iterable[str]) ->
     site, building, synthetic = content.site, content.building, content.records.synthetic
     chosen = {name: content.mechanisms[name] for name in names}
     built = [directed(name, section, content, files.solids) for name, section in chosen.items()]
+    question = question_of(content, site_pga=0.0 if files.spectrum is None else files.spectrum.pga)
     return Study(
         spectrum=files.spectrum,
         vertical_ratio=0.0 if site is None else site.vertical_ratio,
-        building=None if building is None else Building(**building.model_dump(include=CLAUSES_NEED)),
+        building=building_of(building),
         records=files.named.records,
         fitting=files.named.fitting,
         artificial=None if synthetic is None else Artificial(synthetic.count, synthetic.seed, synthetic.duration),
         scale_to=content.records.scale_to,
         levels=levels_of(content.analysis.levels, files.spectrum),
+        question=question,
+        facts=facts_of(content, question, tuple(chosen)),
+        ground=ground_of(content),
+        impossible=unknown_ground(content, files.solids),
         procedures=procedures_of(content),
         offered=content.offered,
-        options=options_of(content.procedures),
+        options=options_of(content),
         mechanisms=tuple(each.mechanism for each in built),
         scenes={each.mechanism.name: each.scene for each in built if each.scene is not None},
         amplified={
@@ -169,10 +177,17 @@ def same_body(name: str, case: sections.Content, whole: sections.Content) -> boo
 
 
 def levels_of(given: tuple[float, ...] | None, spectrum: Spectrum | None) -> tuple[float, ...]:
-    """The levels [m/s2], rising: those given, or the site's own PGA."""
-    if given is not None:
-        return tuple(sorted(given))
-    return () if spectrum is None else (spectrum.pga,)
+    """The levels [m/s2], rising: the site's own PGA, at which the verdict stands, and those given."""
+    if spectrum is None:
+        return tuple(sorted(given or ()))
+    return levels_with_site(tuple(sorted(given or ())), spectrum.pga)
+
+
+def building_of(section: sections.Building | None) -> Building | None:
+    """The structure below the mechanisms; None where its height is not given."""
+    if section is None or section.height is None:
+        return None
+    return Building(**section.model_dump(include=CLAUSES_NEED))
 
 
 def equation_of(section: sections.Mechanism, content: sections.Content) -> Equation:
@@ -189,7 +204,7 @@ def grid_of(section: sections.Pulses) -> PulseGrid:
     return PulseGrid(pulse_shape(section.shape, gamma=section.gamma, nu=section.nu), frequency, amplitude)
 
 
-def all_records(section: sections.Records, folder: Path) -> tuple[RecordSet, tuple[Notice, ...]]:
+def all_records(section: sections.Records, folder: Path) -> tuple[RecordSet, tuple[Message, ...]]:
     """Every horizontal record that is named, and what is left out; none yet where a suite is to be chosen."""
     if section.select is not None:
         return RecordSet((), Fitting(record_set.EVERYWHERE)), ()

@@ -12,6 +12,7 @@ from typing import Any, get_args
 from scipy.constants import g
 
 from assess.errors import AssessError
+from assess.message import Message
 from assess.project import record_set
 from assess.project.build import build
 from assess.project.components import horizontal
@@ -22,7 +23,7 @@ from assess.project.run import required_spectrum
 from assess.project.schema import load
 from assess.project.site_spectrum import site_of, spectrum_of
 from assess.project.study import Fitting
-from assess.results import GroundMotionResult, Notice, RecordResult
+from assess.results import GroundMotionResult, RecordResult
 from records.band import band
 from records.candidates import PERIODS
 from records.formats.stated import Stated
@@ -42,7 +43,7 @@ class Suite:
 
     records: tuple[RecordResult, ...]
     motion: GroundMotionResult
-    notices: tuple[Notice, ...] = ()
+    notices: tuple[Message, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -11,11 +11,11 @@ from assess.geometry.boolean import gap
 from assess.geometry.solid import Solid
 from assess.geometry.surface import linked
 from assess.geometry.touch import TOLERANCE
+from assess.message import Message, warning
 from assess.project import sections
-from assess.results import Notice
 
 
-def gaps_of(content: sections.Content, solids: Mapping[str, Solid | None]) -> Iterator[Notice]:
+def gaps_of(content: sections.Content, solids: Mapping[str, Solid | None]) -> Iterator[Message]:
     """A notice for each gap in a block of several bodies, and between blocks that a hinge joins.
 
     Bodies are looked at whole, also where a cut leaves their foot behind.
@@ -25,7 +25,7 @@ def gaps_of(content: sections.Content, solids: Mapping[str, Solid | None]) -> It
         blocks = [known(block, solids) for block in chained]
         texts = [text for block in blocks for text in loose(block)]
         texts += [text for one, other in pairwise(blocks) for text in parted(one, other)]
-        yield from (Notice("gap", f"mechanisms.{name}", text) for text in texts)
+        yield from (warning("gap", f"mechanisms.{name}", text) for text in texts)
 
 
 def known(block: Sequence[str], solids: Mapping[str, Solid | None]) -> list[Solid]:

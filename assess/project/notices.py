@@ -4,17 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from assess.codes.context import ON_GROUND
+from assess.codes.context import PLINTH
 from assess.geometry import mesh
 from assess.geometry.formats.reading import WITHOUT_UNIT
 from assess.geometry.solid import Solid
 from assess.mechanisms.mechanism import Mechanism
+from assess.message import Message, warning
 from assess.project import sections
 from assess.project.asking import procedures_of
 from assess.project.gaps import gaps_of
+from assess.project.grounding import ground_of
 from assess.project.overlaps import overlaps_of
 from assess.project.study import Amplified, Equation
-from assess.results import Notice
 
 CIRCULARS = {"dmi2008": "Circolare 617/2009", "ntc2018": "Circolare 7/2019"}
 SAME_MODE = 0.05  # by how much two first modes of one building may differ
@@ -25,7 +26,7 @@ def notices_of(
     solids: Mapping[str, Solid | None],
     mechanisms: Sequence[Mechanism],
     amplified: Mapping[str, Amplified],
-) -> Iterator[Notice]:
+) -> Iterator[Message]:
     """What the engineer should know before reading any result."""
     for name, solid in solids.items():
         if solid is not None:
@@ -34,10 +35,10 @@ def notices_of(
     yield from gaps_of(content, solids)
     for mechanism in mechanisms:
         for text in mechanism.notices:
-            yield Notice("mechanism", f"mechanisms.{mechanism.name}", text)
+            yield warning("mechanism", f"mechanisms.{mechanism.name}", text)
     yield from _of_equation(content.analysis.equation, mechanisms)
-    ground = content.building.ground_elevation if content.building is not None else 0.0
-    raised = [mechanism.name for mechanism in mechanisms if mechanism.elevation > ground + ON_GROUND]
+    ground = ground_of(content)
+    raised = [mechanism.name for mechanism in mechanisms if mechanism.elevation > ground + PLINTH]
     yield from _of_amplification(raised, amplified)
     yield from _of_two_first_modes(content)
     for code, circular in CIRCULARS.items():
@@ -45,11 +46,11 @@ def notices_of(
             yield from _of_crushing(code, circular, getattr(content.procedures, code), mechanisms)
 
 
-def _of_amplification(raised: Sequence[str], amplified: Mapping[str, Amplified]) -> Iterator[Notice]:
+def _of_amplification(raised: Sequence[str], amplified: Mapping[str, Amplified]) -> Iterator[Message]:
     """Which mechanisms above the ground feel the ground's motion as it is, and what is assumed for the others."""
     without = [name for name in raised if amplified[name].height is None]
     if without:
-        yield Notice(
+        yield warning(
             "amplification",
             "mechanisms",
             f"above the ground, yet histories and ASCE 43-05 use the ground's motion as it is: {', '.join(without)}; "
@@ -57,16 +58,16 @@ def _of_amplification(raised: Sequence[str], amplified: Mapping[str, Amplified])
         )
     for name, one in amplified.items():
         for text in one.assumed:
-            yield Notice("amplification", f"mechanisms.{name}", text)
+            yield warning("amplification", f"mechanisms.{name}", text)
 
 
-def _of_two_first_modes(content: sections.Content) -> Iterator[Notice]:
+def _of_two_first_modes(content: sections.Content) -> Iterator[Message]:
     """A natural frequency of [building] beside a period that is not its reciprocal: two first modes of one building."""
     building = content.building
-    if building is None or building.natural_frequency is None:
+    if building is None or building.natural_frequency is None or building.period is None:
         return
     if abs(building.period * building.natural_frequency - 1.0) > SAME_MODE:
-        yield Notice(
+        yield warning(
             "amplification",
             "building",
             f"histories take a first mode of {building.natural_frequency:.4g} Hz, the floor clauses of the codes a "
@@ -74,11 +75,11 @@ def _of_two_first_modes(content: sections.Content) -> Iterator[Notice]:
         )
 
 
-def _of_equation(equation: Equation | None, mechanisms: Sequence[Mechanism]) -> Iterator[Notice]:
+def _of_equation(equation: Equation | None, mechanisms: Sequence[Mechanism]) -> Iterator[Message]:
     """What the linearised equation leaves out of mechanisms on joints."""
     soft = [mechanism.name for mechanism in mechanisms if mechanism.yielding]
     if equation == "linearised" and soft:
-        yield Notice(
+        yield warning(
             "equation",
             "analysis.equation",
             f'"linearised": it has a threshold of uplift, which the joints of {", ".join(soft)} have not: below it the '
@@ -88,7 +89,7 @@ def _of_equation(equation: Equation | None, mechanisms: Sequence[Mechanism]) -> 
 
 def _of_crushing(
     code: str, circular: str, options: sections.Italian, mechanisms: Sequence[Mechanism]
-) -> Iterator[Notice]:
+) -> Iterator[Message]:
     """A confidence factor nobody vouched for, or less than goes with mechanisms without crushing."""
     FC, without = options.confidence_factor, [mechanism.name for mechanism in mechanisms if not mechanism.crushing]
     least = sections.KNOWLEDGE["LC1"]
@@ -100,16 +101,16 @@ def _of_crushing(
         text += (
             f"; where crushing of the masonry is not modelled, {here}, {circular} asks for the FC of LC1, {least:.2f}"
         )
-    yield Notice("confidence-factor", f"procedures.{code}", text)
+    yield warning("confidence-factor", f"procedures.{code}", text)
 
 
-def _of_body(name: str, solid: Solid, body: sections.Body) -> Iterator[Notice]:
+def _of_body(name: str, solid: Solid, body: sections.Body) -> Iterator[Message]:
     """What was done to the mesh of a body, and a size or place that suggests a slip."""
     if isinstance(body, sections.MeshBody) and solid.trail:
-        yield Notice("mesh", f"bodies.{name}", f"{body.mesh.name}: {'; '.join(solid.trail)}")
+        yield warning("mesh", f"bodies.{name}", f"{body.mesh.name}: {'; '.join(solid.trail)}")
     doubt = mesh.suspicious(solid, unit=mesh_unit_of(body))
     if doubt:
-        yield Notice("size", f"bodies.{name}", doubt)
+        yield warning("size", f"bodies.{name}", doubt)
 
 
 def mesh_unit_of(body: sections.Body) -> float | None:

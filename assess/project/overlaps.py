@@ -7,8 +7,8 @@ from itertools import combinations
 
 from assess.geometry.boolean import common
 from assess.geometry.solid import Solid
+from assess.message import Message, warning
 from assess.project import sections
-from assess.results import Notice
 
 OVERLAP = 5e-3  # of the smaller body's volume: bodies that share less are taken to touch
 SAME_PLACE = 0.1  # of the smaller body's volume: a body that shares more with a block is another state of it
@@ -29,10 +29,10 @@ def shared_with(block: Sequence[Solid], other: Solid) -> tuple[float, float]:
     return max((each.part for each in shared), default=0.0), sum(each.volume for each in shared)
 
 
-def overlaps_of(content: sections.Content, solids: Mapping[str, Solid | None]) -> Iterator[Notice]:
+def overlaps_of(content: sections.Content, solids: Mapping[str, Solid | None]) -> Iterator[Message]:
     """A notice for each two bodies of a mechanism's blocks that overlap."""
     for name, section in content.mechanisms.items():
         blocks = () if isinstance(section, sections.EquivalentBlock) else section.blocks
         names = dict.fromkeys(body for block in blocks for body in block)
         for text in overlaps([solid for body in names if (solid := solids[body]) is not None]):
-            yield Notice("overlap", f"mechanisms.{name}", text)
+            yield warning("overlap", f"mechanisms.{name}", text)

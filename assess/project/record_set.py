@@ -12,11 +12,11 @@ import numpy as np
 
 from assess.errors import ProjectError
 from assess.mechanisms.mechanism import Mechanism
+from assess.message import Message, warning
 from assess.project import sections
 from assess.project.periods import ABOVE, BELOW, ends, equivalent_periods
 from assess.project.schema import relative
 from assess.project.study import Fitting
-from assess.results import Notice
 from records import catalogue
 from records.band import Band, band
 from records.candidates import NOTHING, PERIODS, Candidate
@@ -72,7 +72,7 @@ def chosen(
     mechanisms: Iterable[Mechanism],
     folder: Path,
     executor: Executor | None = None,
-) -> tuple[RecordSet, tuple[Notice, ...]]:
+) -> tuple[RecordSet, tuple[Message, ...]]:
     """The suite that [records.select] describes, and what to know of it; `folder` is that of the project file.
 
     executor : of processes, that read where files are many
@@ -179,16 +179,16 @@ def _record(one: Candidate, *, folder: Path) -> Record:
     )
 
 
-def notices_of(offer: Offer) -> Iterator[Notice]:
+def notices_of(offer: Offer) -> Iterator[Message]:
     """What to know of the files that were not read, and of a flatfile that does not fit."""
     if offer.problems:
         told = _first([f"{path}: {why}" for path, why in offer.problems])
-        yield Notice("records", "records.files", f"{len(offer.problems)} files were not read: {told}")
+        yield warning("records", "records.files", f"{len(offer.problems)} files were not read: {told}")
     if offer.merged is not None and offer.merged.doubt:
-        yield Notice("records", "records.flatfile", offer.merged.doubt)
+        yield warning("records", "records.flatfile", offer.merged.doubt)
     if offer.merged is not None and offer.merged.bad:
         told = _first([cell_text(cell) for cell in offer.merged.bad])
-        yield Notice("records", "records.flatfile", f"{len(offer.merged.bad)} cells are passed over: {told}")
+        yield warning("records", "records.flatfile", f"{len(offer.merged.bad)} cells are passed over: {told}")
 
 
 def cell_text(cell: BadCell) -> str:
@@ -196,11 +196,11 @@ def cell_text(cell: BadCell) -> str:
     return f'row {cell.row}, {cell.column}: "{cell.value[:LONGEST]}"'
 
 
-def doubts_of(records: Sequence[Record]) -> Iterator[Notice]:
+def doubts_of(records: Sequence[Record]) -> Iterator[Message]:
     """Which records have peaks that ground hardly has."""
     doubts = [doubt for record in records if (doubt := doubt_of(record))]
     if doubts:
-        yield Notice("records", "records.unit", _first(doubts))
+        yield warning("records", "records.unit", _first(doubts))
 
 
 def _first(told: Sequence[str]) -> str:

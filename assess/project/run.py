@@ -10,7 +10,9 @@ from importlib.metadata import version
 from assess.amplification import factor_over_frequency
 from assess.errors import ProjectError
 from assess.mechanisms.oscillation import oscillator
+from assess.message import Message, warning
 from assess.project.assessing import Progress, mechanisms_assessed
+from assess.project.deciding import decided, marked
 from assess.project.envelopes import DEFAULT_GRID, Rocker, critical_result, mapped_pulses, with_primary_pulses
 from assess.project.ground_motion import ground_motion
 from assess.project.messages import located
@@ -20,7 +22,7 @@ from assess.project.sampling import coarse_notices
 from assess.project.sensitivity import sensitivities
 from assess.project.study import Study
 from assess.project.sweeping import Swept, case_notices, case_text, controlling_cases, sweep_results, swept
-from assess.results import SCHEMA_VERSION, MechanismResult, Notice, Program, Results
+from assess.results import SCHEMA_VERSION, MechanismResult, Program, Results
 from spectra.spectrum import Spectrum
 
 NAME = "rocking-assess"
@@ -39,6 +41,8 @@ def run(study: Study, *, jobs: int = 0, progress: Progress = lambda stage, done,
     alone = replace(study, mechanisms=tuple(m for m in study.mechanisms if m.name not in standing))
     own = {one.name: one for one in mechanisms_assessed(alone, spectrum, motions, jobs=jobs, progress=progress)}
     mechanisms = tuple(own.get(m.name) or standing[m.name].worst for m in study.mechanisms)
+    found = decided(study.question, study.facts, mechanisms)
+    mechanisms = tuple(marked(found, study.question, each) for each in mechanisms)
     rockers = rockers_of(study, standing)
     mapped = mapped_pulses(rockers, study.pulses, jobs=jobs, progress=progress)
     numbers = dict(study.fitting.nga)
@@ -55,6 +59,7 @@ def run(study: Study, *, jobs: int = 0, progress: Progress = lambda stage, done,
         critical=critical_result(mapped),
         comparison=comparison(mechanisms),
         sweeps=sweep_results(sweeps, standing),
+        verdict=found,
         ground_motion=ground_motion(study, spectrum, motions),
         sensitivity=sensitivities(study, spectrum, motions, mechanisms, jobs=jobs, progress=progress),
     )
@@ -90,14 +95,14 @@ def _case_of(swept: Swept) -> str:
     return case_text(swept.sweep, swept.case, swept.mechanism)
 
 
-def envelope_notices(study: Study) -> tuple[Notice, ...]:
+def envelope_notices(study: Study) -> tuple[Message, ...]:
     """What the engineer should know of envelopes: no procedure of a code is asked."""
-    kept = tuple(notice for notice in study.notices if notice.code != "confidence-factor")
+    kept = tuple(notice for notice in study.notices if notice.key != "confidence-factor")
     if not study.sweeps:
         return kept
     keys = ", ".join(sweep.key for sweep in study.sweeps)
     text = f"left out of the envelopes, which are of the values in the file: {keys}; `assess run` takes the cases"
-    return (*kept, Notice("sweep", "analysis.sweep", text))
+    return (*kept, warning("sweep", "analysis.sweep", text))
 
 
 def rockers_of(study: Study, standing: Mapping[str, Swept]) -> tuple[Rocker, ...]:
@@ -144,16 +149,16 @@ def required_spectrum(study: Study) -> Spectrum:
     return study.spectrum
 
 
-def notices_of(study: Study, standing: Mapping[str, Swept]) -> tuple[Notice, ...]:
+def notices_of(study: Study, standing: Mapping[str, Swept]) -> tuple[Message, ...]:
     """The notices of the study, where what a swept mechanism says of itself is what its controlling case says."""
     replaced = {("mechanism", f"mechanisms.{name}") for name in standing}
-    kept = [notice for notice in study.notices if (notice.code, notice.where) not in replaced]
+    kept = [notice for notice in study.notices if (notice.key, notice.where) not in replaced]
     return (*kept, *(notice for swept in standing.values() for notice in case_notices(swept)))
 
 
-def suite_notices(motions: tuple[Motion, ...]) -> tuple[Notice, ...]:
+def suite_notices(motions: tuple[Motion, ...]) -> tuple[Message, ...]:
     """What the engineer should know of the records."""
     if not any(motion.record.path == "" for motion in motions):
         return ()
     text = "artificial records fit the spectrum at every period at once, as no earthquake does; real records are better"
-    return (Notice("artificial-records", "records", text),)
+    return (warning("artificial-records", "records", text),)

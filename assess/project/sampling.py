@@ -9,11 +9,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from assess.message import Message, warning
 from assess.oscillator import Oscillator, elastic_frequency, linearise
 from assess.project.envelopes import Rocker
 from assess.project.motions import Motion
 from assess.project.study import Equation
-from assess.results import Notice
 
 FEWEST = 6.0
 """Samples in a period of the elastic vibration about rest."""
@@ -23,7 +23,7 @@ NAMED = 3
 """Records that a notice names."""
 
 
-def coarse_notices(rockers: Sequence[Rocker], motions: Sequence[Motion]) -> Iterator[Notice]:
+def coarse_notices(rockers: Sequence[Rocker], motions: Sequence[Motion]) -> Iterator[Message]:
     """One for each mechanism, by name, that some record is too coarse for."""
     for rocker in rockers:
         longest, why = longest_step(rocker.oscillator, equation=rocker.equation)
@@ -31,7 +31,7 @@ def coarse_notices(rockers: Sequence[Rocker], motions: Sequence[Motion]) -> Iter
         if coarse:
             named = ", ".join(f"{record.id} ({record.dt:.4g} s)" for record in coarse[:NAMED])
             more = f" and {len(coarse) - NAMED} more" if len(coarse) > NAMED else ""
-            yield Notice(
+            yield warning(
                 "coarse-record",
                 f"mechanisms.{rocker.name}",
                 f"the time step of {named}{more} is too coarse for {why}: what shakes it between two samples is not in "

@@ -21,12 +21,13 @@ from typing import Any
 from pydantic import ValidationError
 
 from assess.errors import ProjectError
+from assess.message import Message
 from assess.project.bare_numbers import bare_numbers
 from assess.project.messages import one_line, printable, shown
 from assess.project.section import Section
 from assess.project.sections.content import Content
 from assess.project.variations import Variation, variations
-from assess.results import Notice, Resolved
+from assess.results import Resolved
 
 FORMAT = 1
 FILE_NAME = "project.toml"
@@ -48,7 +49,7 @@ class Project:
     path: Path
     sha256: str
     variations: tuple[Variation, ...]
-    doubts: tuple[Notice, ...]
+    doubts: tuple[Message, ...]
     raw: Mapping[str, Any]
 
     @property

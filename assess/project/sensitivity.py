@@ -52,7 +52,9 @@ def sensitivities(
         if isinstance(variable, Unvaried):
             rows.append(left_out(variable))
             continue
-        deciding = tuple(check for check in known[variable.mechanism].checks if check.role == "code")
+        deciding = tuple(
+            check for check in known[variable.mechanism].checks if check.reading == "letter" and not check.informs
+        )
         procedures = tuple(dict.fromkeys(check.procedure for check in deciding))
         low, high = (
             case_of(variable, value, procedures, spectrum, motions, jobs=jobs)

@@ -12,9 +12,11 @@ from numpy.typing import NDArray
 from assess.amplification import Amplification
 from assess.codes.context import Building, FreePeriod, Hazard
 from assess.codes.registry import CodeOptions
+from assess.codes.verdict import Missing, Question
 from assess.geometry.scene import Scene
 from assess.mechanisms.mechanism import Mechanism
-from assess.results import Input, Notice, Resolved
+from assess.message import Message
+from assess.results import Input, Resolved
 from records.band import Band
 from records.pulses import Shape
 from records.record import Record
@@ -89,6 +91,9 @@ class Study:
     fitting : how the records are scaled
     scenes : the bodies in space of each mechanism that has geometry, by name
     sweeps : parametric studies; a case has none
+    question : what decides
+    facts : what the pass of each mechanism needs and nobody gave, and what it rests on, by name
+    ground : its elevation [m]; impossible : what makes every answer impossible
     variables : what the sensitivity of each mechanism varies
     pulses : of the overturning envelopes; None where none are asked for
     """
@@ -110,11 +115,15 @@ class Study:
     scenes: dict[str, Scene]
     inputs: tuple[Input, ...]
     resolved: dict[str, Resolved]
-    notices: tuple[Notice, ...]
+    notices: tuple[Message, ...]
     sweeps: tuple[Sweep, ...]
     pulses: PulseGrid | None
     hazard: Hazard | None
     free_periods: Mapping[str, FreePeriod]
+    question: Question
+    facts: Mapping[str, tuple[tuple[Missing, ...], tuple[Message, ...]]]
+    ground: float = 0.0
+    impossible: tuple[Message, ...] = ()
     variables: tuple[Variable | Unvaried, ...] = ()
 
 

@@ -12,12 +12,13 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from math import inf
 
-from assess.codes.check import Check
+from assess.codes.check import Check, Outcome
+from assess.message import Message, warning
 from assess.project.assessing import Progress, mechanisms_assessed
 from assess.project.messages import located
 from assess.project.motions import Motion, motions_of
 from assess.project.study import Case, Study, Sweep
-from assess.results import MechanismResult, Notice, OscillatorResult, SweepResult
+from assess.results import MechanismResult, OscillatorResult, SweepResult
 
 
 @dataclass(frozen=True)
@@ -95,12 +96,14 @@ def rounded(value: float) -> float:
 
 def of_code(mechanism: MechanismResult) -> list[Check]:
     """The checks that decide."""
-    return [check for check in mechanism.checks if check.role == "code"]
+    return [check for check in mechanism.checks if check.reading == "letter" and not check.informs]
 
 
 def worst_ratio(checks: Sequence[Check]) -> float | None:
     """The largest demand over capacity of the checks that apply; None where none does."""
-    return max((ratio_of(check) for check in checks if check.verdict != "not-applicable"), default=None)
+    return max(
+        (ratio_of(check) for check in checks if check.ratio is not None or check.verdict == Outcome.FAIL), default=None
+    )
 
 
 def least_capacity(checks: Sequence[Check]) -> float | None:
@@ -132,15 +135,15 @@ def controlling_cases(sweeps: Sequence[Swept]) -> dict[str, Swept]:
     return standing
 
 
-def case_notices(swept: Swept) -> Iterator[Notice]:
+def case_notices(swept: Swept) -> Iterator[Message]:
     """Which case stands for the mechanism, and the notices of that case."""
     where, sweep = f"mechanisms.{swept.mechanism}", swept.sweep
     case = f"{sweep.key} = {value_text(sweep, swept.case)}"
     text = f"swept: the controlling one of {len(sweep.cases)} cases, {case}, stands for the mechanism"
-    yield Notice("sweep", where, text)
+    yield warning("sweep", where, text)
     for mechanism in swept.case.study.mechanisms:
         if mechanism.name == swept.mechanism:
-            yield from (Notice("mechanism", where, notice) for notice in mechanism.notices)
+            yield from (warning("mechanism", where, notice) for notice in mechanism.notices)
 
 
 def case_text(sweep: Sweep, case: Case, mechanism: str) -> str:

@@ -11,10 +11,10 @@ from typing import Any
 from pydantic import ValidationError
 
 from assess.errors import ProjectError
+from assess.message import Message
 from assess.project.bare_numbers import bare_numbers
 from assess.project.messages import one_line
 from assess.project.sections.site import Site
-from assess.results import Notice
 
 NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d{1,3})?")
 
@@ -31,7 +31,7 @@ def typed_site(options: Mapping[str, str], *, folder: Path) -> Site:
         raise ProjectError(_as_option(one_line(error, raw=raw))) from None
 
 
-def typed_doubts(options: Mapping[str, str]) -> tuple[Notice, ...]:
+def typed_doubts(options: Mapping[str, str]) -> tuple[Message, ...]:
     """Accelerations typed without a unit that look as if g had been meant."""
     found = bare_numbers({"site": _table(options)})
     return tuple(replace(each, where=_as_option(each.where.removeprefix("site."))) for each in found)

@@ -46,7 +46,7 @@ def _procedure(axes: Axes, check: Check, name: str) -> None:
     axes.plot(curve.pga_g, curve.rotation_ratio, linestyle=ink.dash, color=ink.colour, label=name)
     if check.capacity_pga_g is not None and check.capacity_rotation_ratio is not None:
         at = ([check.capacity_pga_g], [check.capacity_rotation_ratio])
-        face = ink.colour if check.role == "code" else "white"
+        face = ink.colour if check.reading == "letter" else "white"
         axes.plot(*at, marker=ink.marker, markersize=6, color=ink.colour, markerfacecolor=face, linestyle="none")
 
 

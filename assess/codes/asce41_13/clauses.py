@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Literal
 
-from assess.codes.context import ON_GROUND, Building, Wall
+from assess.codes.context import PLINTH, Building, Wall
 
 EDITION = "ASCE/SEI 41-13"
 CAVEAT = (
@@ -66,4 +66,4 @@ def position_of(wall: Wall, elevation: float, building: Building | None) -> Posi
     storey = building.height / building.storeys
     if elevation + wall.height >= building.height - storey / 2.0:
         return "top-storey"
-    return "first-storey" if elevation <= ON_GROUND else "other"
+    return "first-storey" if elevation <= PLINTH else "other"

@@ -16,9 +16,9 @@ from assess.codes.asce41_13.clauses import (
     permissible,
     position_of,
 )
-from assess.codes.check import BranchName, Check, Role, Step, Verdict
+from assess.codes.check import BranchName, Check, Outcome, Reason, Step, because
 from assess.codes.context import Context, Wall
-from assess.codes.family import foreign, role_on
+from assess.codes.family import foreign
 from assess.codes.governing import governing
 from assess.oscillator import Branch, Oscillator, threshold
 
@@ -32,32 +32,19 @@ def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tup
     """Table 11-5: h/t of the wall against the permissible at S_X1; it decides for walls that span between supports."""
 
     def one(branch: Branch, name: BranchName, level: float) -> Check:
-        missing = unanswerable(context)
-        if missing or context.wall is None:
-            return _check(branch, name, context, level, reason=missing)
+        if context.wall is None:
+            return _check(branch, name, context, level)
         position = options.position or position_of(context.wall, context.elevation, context.building)
         return _answered(_check(branch, name, context, level), context.wall, position, context, given=options.position)
 
     return governing(oscillator, context.levels, one)
 
 
-def unanswerable(context: Context) -> str:
-    """Why Table 11-5 says nothing of the mechanism; empty where it does."""
-    if context.support == "hinged":
-        return f"{CLAUSE} is of walls between floors; a chain of three blocks is none"
-    if context.wall is None:
-        return f"{CLAUSE} needs height and thickness of the wall; this mechanism has no geometry"
-    end = context.spectrum.longest_period
-    return f"S_X1 at 1 s lies beyond the end of the spectrum at {end:.4g} s: extend its table" if end < PERIOD else ""
-
-
-def _check(branch: Branch, name: BranchName, context: Context, level: float, *, reason: str = "") -> Check:
-    uplift, decides = threshold(branch), context.support == "spanning"
-    role: Role = role_on(NAME, context.spectrum.code) if decides else "informative"
+def _check(branch: Branch, name: BranchName, context: Context, level: float) -> Check:
+    uplift = threshold(branch)
     return Check(
         procedure=NAME,
         edition=EDITION,
-        role=role,
         branch=name,
         limit_state="life safety, collapse prevention",
         level_pga_g=level / g,
@@ -65,8 +52,8 @@ def _check(branch: Branch, name: BranchName, context: Context, level: float, *, 
         damping=DAMPING,
         quantity="h/t",
         unit="-",
-        verdict="not-applicable",
-        reason=reason,
+        verdict=Outcome.NOT_APPLICABLE,
+        reason=because(Reason.NO_WALL_SIZE, clause=CLAUSE),
         uplift_pga_g=uplift,
         caveat=CAVEAT + FREE * (context.support == "free") + foreign(NAME, context.spectrum.code),
     )
@@ -76,8 +63,8 @@ def _answered(check: Check, wall: Wall, position: Position, context: Context, *,
     ordinate = float(context.spectrum.acceleration(PERIOD, damping=DAMPING)) / context.spectrum.pga  # S_X1 over PGA
     slenderness, s_x1 = wall.height / wall.thickness, ordinate * check.level_pga_g
     most, bound = permissible(position, s_x1), largest_s_x1(position, slenderness)
-    verdict: Verdict = "pass" if slenderness <= most else "fail"
-    within = "within" if verdict == "pass" else "beyond"
+    verdict = Outcome.PASS if slenderness <= most else Outcome.FAIL
+    permitted = f"the permissible h/t ({PLACES[position]})"
     source = "given" if given is not None else "by storeys and elevation"
     if given is None and position == "other" and (context.building is None or context.building.storeys is None):
         source = "not known, so all other walls; give [building] storeys, or the position"
@@ -87,7 +74,7 @@ def _answered(check: Check, wall: Wall, position: Position, context: Context, *,
         capacity=most,
         ratio=slenderness / most,
         verdict=verdict,
-        reason=f"h/t {within} the permissible of the table ({PLACES[position]})",
+        reason=because(Reason.WITHIN if verdict == Outcome.PASS else Reason.BEYOND, capacity=permitted),
         capacity_pga_g=None if bound is None else bound / ordinate,
         steps=_steps(wall, ordinate, check.level_pga_g, position, source, most),
     )

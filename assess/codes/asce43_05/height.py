@@ -4,18 +4,20 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from assess.codes.check import GROUND_AT_HEIGHT, Check, Step
-from assess.codes.context import ON_GROUND, Context
+from assess.codes.check import Check, step
+from assess.codes.context import Context
+from assess.message import Severity, message
 
 
-def told(checks: tuple[Check, ...], *, context: Context) -> tuple[Check, ...]:
-    """The checks, those of a mechanism at height by the ground's motion with that in the caveat and on the sheet."""
-    return checks if context.elevation <= ON_GROUND else tuple(_told(check, context.elevation) for check in checks)
+def with_height(checks: tuple[Check, ...], *, context: Context) -> tuple[Check, ...]:
+    """Add to the checks of a mechanism at height that take the ground's motion a remark and a line of the sheet."""
+    return tuple(_with_height(check, context.support_height) for check in checks) if context.above_ground else checks
 
 
-def _told(check: Check, elevation: float) -> Check:
+def _with_height(check: Check, height: float) -> Check:
     if check.input_at != "ground":
         return check
-    words = "height of the base above the ground; the motion is that of the ground, not amplified"
-    step = Step("z", words, "", "z_base − z_ground", "geometry", elevation, "m")
-    return replace(check, caveat=f"{check.caveat}; {GROUND_AT_HEIGHT}", steps=(step, *check.steps))
+    words = "height of what holds the mechanism; the motion is that of the ground, not amplified"
+    line = step("z", words, "", "z_base − z_ground", height, "m", remark="geometry")
+    remark = message("ground-motion", severity=Severity.WARNING)
+    return replace(check, remarks=(*check.remarks, remark), steps=(line, *check.steps))

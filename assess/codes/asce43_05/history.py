@@ -9,11 +9,12 @@ from __future__ import annotations
 from scipy.constants import g
 
 from assess.codes.asce43_05.clauses import EDITION, Options
-from assess.codes.asce43_05.height import told
-from assess.codes.check import BranchName, Check, InputAt, PgaCurve, Step, Verdict
+from assess.codes.asce43_05.height import with_height
+from assess.codes.check import BranchName, Check, InputAt, Outcome, PgaCurve, Reason, Step, because
 from assess.codes.context import Context, Suite
 from assess.codes.governing import branch_named
 from assess.codes.incremental import islands, pga_before_failure, pga_curve, uplift_multiplier
+from assess.message import Message, count
 from assess.oscillator import Oscillator
 
 CLAUSE = "ASCE 43-05, response-history method"
@@ -41,7 +42,7 @@ def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tup
         )
         for suite in context.suites
     )
-    return told(tuple(checks), context=context)
+    return with_height(tuple(checks), context=context)
 
 
 def passes(suite: Suite, allowable_ratio: float) -> bool:
@@ -67,7 +68,6 @@ def _check(
     return Check(
         procedure="asce43-05-history",
         edition=EDITION,
-        role="code",
         branch=branch_name,
         limit_state="no overturning",
         level_pga_g=suite.pga / g,
@@ -79,7 +79,8 @@ def _check(
         capacity=allowable_ratio * overturning,
         ratio=None if mean is None else mean / allowable_ratio,
         verdict=verdict,
-        reason=reason + (islands(at_collapse, suite.pga / g) if verdict == "pass" else ""),
+        reason=reason,
+        remarks=islands(at_collapse, suite.pga / g) if verdict == Outcome.PASS else (),
         capacity_pga_g=at_collapse,
         uplift_pga_g=uplift,
         capacity_rotation_ratio=allowable_ratio,
@@ -90,21 +91,18 @@ def _check(
     )
 
 
-def _verdict(suite: Suite, allowable_ratio: float) -> tuple[Verdict, str]:
+def _verdict(suite: Suite, allowable_ratio: float) -> tuple[Outcome, Message]:
     n = len(suite.ratio)
     if n < LEAST_RECORDS:
-        fallen = f", {suite.overturned} of which overturn the body" if suite.overturned else ""
-        return (
-            "not-applicable",
-            f"{n} records{fallen}; the method asks for at least {LEAST_RECORDS}: shown as information",
-        )
+        few = {"n": count(n), "fallen": count(suite.overturned), "least": count(LEAST_RECORDS)}
+        return Outcome.NOT_ANSWERED, because(Reason.TOO_FEW_RECORDS, clause="the method", **few)
     if suite.overturned:
-        return "fail", f"{suite.overturned} of {n} records overturn the body"
+        return Outcome.FAIL, because(Reason.RECORDS_OVERTURN, fallen=count(suite.overturned), n=count(n))
     if suite.mean == 0.0:
-        return "pass", "no rocking: no record lifts the body off its base"
+        return Outcome.PASS, because(Reason.NO_ROCKING)
     if passes(suite, allowable_ratio):
-        return "pass", "mean of the maxima within the allowable"
-    return "fail", "mean of the maxima beyond the allowable"
+        return Outcome.PASS, because(Reason.WITHIN, capacity="the allowable mean of the maxima")
+    return Outcome.FAIL, because(Reason.BEYOND, capacity="the allowable mean of the maxima")
 
 
 def _steps(suite: Suite, allowable_ratio: float, overturning: float) -> tuple[Step, ...]:

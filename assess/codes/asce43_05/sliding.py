@@ -17,18 +17,17 @@ from scipy.constants import g
 from scipy.optimize import brentq
 
 from assess.codes.asce43_05.clauses import EDITION, Options
-from assess.codes.asce43_05.height import told
-from assess.codes.check import Check, Step, Verdict
+from assess.codes.asce43_05.height import with_height
+from assess.codes.check import Check, Outcome, Reason, Step, because, step
 from assess.codes.context import Context
 from assess.codes.governing import least
-from assess.codes.sliding import NO_FORCES, sliding_pga
+from assess.codes.sliding import sliding_pga
+from assess.message import Message, Severity, message
 from assess.oscillator import Oscillator, threshold
 
 PROCEDURE = "asce43-05-sliding"
 CLAUSE = "ASCE 43-05 A.1"
 CAVEAT = "Appendix A.1 was not checked against the printed standard: equation A-3 is from memory"
-ROCKS_FIRST = "; yet it rocks before it slides, which A.1 leaves out"
-UNBOUNDED = "the spectrum does not fall below c_s before it ends: extend its table, or give more friction"
 DAMPING = 0.1
 SHORTEST, MOST = 0.01, 1e4  # s: periods between which the spectrum is looked at
 HIGHEST, HALVINGS = 100.0 * g, 60  # PGA [m/s2] up to which its capacity is looked for, and how finely
@@ -39,7 +38,7 @@ def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tup
     """One check for each level, against `options.allowable_sliding`; without that for information only."""
     lifts = least([threshold(branch) for branch in oscillator.branches])
     checks = tuple(_check(level, context, options.allowable_sliding) for level in context.levels)
-    return tuple(replace(check, uplift_pga_g=lifts) for check in told(checks, context=context))
+    return tuple(replace(check, uplift_pga_g=lifts) for check in with_height(checks, context=context))
 
 
 def effective_friction(mu: float, *, vertical: float) -> float:
@@ -97,59 +96,69 @@ def pga_at(context: Context, mu: float, allowable: float) -> float | None:
     return None if best_estimate(context, high, mu) is None else low
 
 
-def unanswerable(context: Context) -> str:
-    """Why A.1 says nothing of this mechanism, with the remedy; empty where it does."""
+def unanswerable(context: Context) -> tuple[Outcome, Message] | None:
+    """Why A.1 says nothing of this mechanism, with the remedy; None where it does."""
     if not context.hinges:
-        return NO_FORCES
+        return Outcome.NOT_ANSWERED, because(Reason.NO_HINGE_FORCES)
     first = context.hinges[0]
     if not first.single:
-        return f"{CLAUSE} is for one rigid body on its base; the procedure sliding looks at the hinges of a chain"
+        return Outcome.NOT_APPLICABLE, because(Reason.ONE_BLOCK_ONLY, clause=CLAUSE)
     if any(abs(each.face[0]) > LEVEL for each in context.hinges):
-        return f"{CLAUSE} is for a level base; the procedure sliding looks at inclined ones"
-    return "" if first.friction is not None else f"friction at hinge {first.hinge} is not known; {first.remedy}"
+        return Outcome.NOT_APPLICABLE, because(Reason.LEVEL_BASE_ONLY, clause=CLAUSE)
+    if first.friction is None:
+        return Outcome.NOT_ANSWERED, because(Reason.FRICTION_UNKNOWN, hinge=first.hinge, remedy=first.remedy)
+    return None
 
 
 def _check(level: float, context: Context, allowable: float | None) -> Check:
     silent = unanswerable(context)
-    mu = None if silent else context.hinges[0].friction
-    if mu is None:
-        steps = (Step("δ_s", "best estimate of sliding", CLAUSE, "-", silent, None, "m"),)
-        return _answer(level, context, verdict="not-applicable", reason=silent, steps=steps)
+    if silent is not None:
+        verdict, reason = silent
+        steps = (step("δ_s", "best estimate of sliding", CLAUSE, "-", None, "m", remark=reason.text),)
+        return _answer(level, context, verdict=verdict, reason=reason, steps=steps)
+    mu = context.hinges[0].friction or 0.0
     found = best_estimate(context, level, mu)
     at_capacity = None if allowable is None else pga_at(context, mu, allowable)
     verdict, reason = _verdict(found, allowable, at_capacity)
-    rocks_first = "" if not found or sliding_pga(context) is not None else ROCKS_FIRST
-    return _answer(
+    rocks_first = bool(found) and sliding_pga(context) is None
+    answer = _answer(
         level,
         context,
         demand=found,
         allowable=allowable,
         at_capacity=at_capacity,
         verdict=verdict,
-        reason=reason + rocks_first,
+        reason=reason,
         steps=_steps(level, context, mu, found, allowable),
+    )
+    return (
+        replace(answer, remarks=(message("rocks-before-sliding", severity=Severity.WARNING),))
+        if rocks_first
+        else answer
     )
 
 
-def _verdict(found: float | None, allowable: float | None, at_capacity: float | None) -> tuple[Verdict, str]:
+def _verdict(found: float | None, allowable: float | None, at_capacity: float | None) -> tuple[Outcome, Message]:
     """What the estimate means; where the spectrum does not tell it, a smaller PGA may tell that it is too much."""
     if found is None and at_capacity is None:
-        return "not-applicable", UNBOUNDED
+        return Outcome.NOT_ANSWERED, because(Reason.SLIDING_UNBOUNDED)
     if found is None:
-        return "fail", "sliding beyond the allowable, at a smaller PGA already"
+        return Outcome.FAIL, because(Reason.SLIDING_BEYOND_BEFORE)
     if allowable is None:
-        return "not-applicable", "for information; give procedures.asce43-05.allowable_sliding for a verdict"
-    if found <= allowable:
-        return "pass", "sliding within the allowable" if found else "no sliding: the spectrum does not reach c_s"
-    return "fail", "sliding beyond the allowable"
+        return Outcome.NOT_ANSWERED, because(Reason.NO_ALLOWABLE_SLIDING)
+    if found == 0.0:
+        return Outcome.PASS, because(Reason.NO_SLIDING)
+    verdict = Outcome.PASS if found <= allowable else Outcome.FAIL
+    within = Reason.WITHIN if verdict == Outcome.PASS else Reason.BEYOND
+    return verdict, because(within, capacity="the allowable sliding")
 
 
 def _answer(
     level: float,
     context: Context,
     *,
-    verdict: Verdict,
-    reason: str,
+    verdict: Outcome,
+    reason: Message,
     steps: tuple[Step, ...],
     demand: float | None = None,
     allowable: float | None = None,
@@ -158,7 +167,6 @@ def _answer(
     return Check(
         procedure=PROCEDURE,
         edition=EDITION,
-        role="informative" if allowable is None else "code",
         branch="positive",
         limit_state="sliding",
         level_pga_g=level / g,

@@ -21,8 +21,9 @@ from assess.codes.asce43_05.clauses import (
     thesis_limit_ratio,
     vertical_factor,
 )
-from assess.codes.asce43_05.height import told
-from assess.codes.check import BranchName, Check, Role, Step
+from assess.codes.asce43_05.height import with_height
+from assess.codes.check import BranchName, Check, Outcome, Reason, Step, because
+from assess.codes.check import Reading as Kind
 from assess.codes.context import Context
 from assess.codes.governing import branch_named, governing
 from assess.codes.plain import plain
@@ -43,7 +44,7 @@ class Reading:
     """
 
     procedure: str
-    role: Role
+    kind: Kind
     damping: float
     damping_formula: str
     damping_numbers: str
@@ -60,7 +61,7 @@ def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tup
         gamma = "β_e = γ / √(4π² + γ²), γ = −2 ln C_R"
         return Reading(
             procedure="asce43-05-spectrum",
-            role="code",
+            kind="letter",
             damping=effective_damping(branch.restitution),
             damping_formula=gamma,
             damping_numbers=f"C_R = {branch.restitution:.4g}",
@@ -79,7 +80,7 @@ def assess_thesis(oscillator: Oscillator, context: Context, *, options: Options)
     def reading(branch: Branch) -> Reading:
         return Reading(
             procedure="asce43-05-spectrum-thesis",
-            role="informative",
+            kind="thesis",
             damping=THESIS_DAMPING,
             damping_formula="5 %",
             damping_numbers="thesis 8.3.2",
@@ -102,7 +103,7 @@ def _checks(
         lifts = threshold(branch_named(own, name))
         return _check(oscillator, branch, name, context, reading_of(branch), level, lifts=lifts)
 
-    return told(governing(oscillator, context.levels, one), context=context)
+    return with_height(governing(oscillator, context.levels, one), context=context)
 
 
 def _check(
@@ -122,14 +123,12 @@ def _check(
     rotation = demand(curve, level)
     answer = spectral_answer(rotation, allowable, curve=curve, level=level, uplift=lifts, context=context)
     if reading.allowable_ratio > 1.0:
-        answer = Answer(
-            "not-applicable", "the empirical limit of rotation lies beyond overturning: outside its range", None
-        )
+        answer = Answer(Outcome.NOT_APPLICABLE, because(Reason.LIMIT_BEYOND_OVERTURNING), None)
     damping_rule = context.spectrum.damping_rule if reading.damping != context.spectrum.damping else ""
     return Check(
         procedure=reading.procedure,
         edition=EDITION,
-        role=reading.role,
+        reading=reading.kind,
         branch=name,
         limit_state="no overturning",
         level_pga_g=level / g,

@@ -59,7 +59,7 @@ def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tup
         return Check(
             procedure="dmi2008-nonlinear-thesis",
             edition=EDITION.name,
-            role="informative",
+            reading="thesis",
             branch=name,
             limit_state="SLV",
             level_pga_g=level / g,

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 from scipy.constants import g
 
-from assess.codes.context import ON_GROUND, Context, Support
+from assess.codes.context import Context, Support
 from assess.oscillator import Branch, elastic_frequency, threshold
 from spectra.floor import ec8_floor_factor
 
@@ -55,7 +55,7 @@ def period_ratio(branch: Branch, context: Context) -> float:
 
 def amplification(ratio: float, context: Context) -> float:
     """S_a / (alpha S) [-] at T_a / T_1 = `ratio` (4.25); at the ground H plays no part."""
-    if context.support_height <= ON_GROUND or context.building is None:
+    if context.support_height <= 0.0 or context.building is None:
         return ec8_floor_factor(0.0, building_height=1.0, period_ratio=ratio)
     return ec8_floor_factor(context.support_height, building_height=context.building.height, period_ratio=ratio)
 

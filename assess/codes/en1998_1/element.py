@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from scipy.constants import g
 
-from assess.codes.check import BranchName, Check, Step, Verdict
-from assess.codes.context import ON_GROUND, Context
+from assess.codes.check import BranchName, Check, Outcome, Reason, Step, because
+from assess.codes.context import Context
 from assess.codes.en1998_1.clauses import (
     BEHAVIOUR,
     CAVEAT,
@@ -20,7 +20,7 @@ from assess.codes.en1998_1.clauses import (
     period_ratio,
     uplift_pga,
 )
-from assess.codes.family import foreign, role_on
+from assess.codes.family import foreign
 from assess.codes.governing import governing
 from assess.codes.worked import multiplier_worked
 from assess.oscillator import Branch, Oscillator, resisted
@@ -44,8 +44,7 @@ def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tup
     """4.3.5: F_a / W_a against the multiplier that the mechanism resists, on the worse branch."""
 
     def one(branch: Branch, name: BranchName, level: float) -> Check:
-        empty = _check(name, context, level, reason=context.above_building("element", clause=CLAUSE))
-        return empty if empty.reason else _answered(empty, branch, context, options, level)
+        return _check(branch, name, context, options, level)
 
     return governing(oscillator, context.levels, one)
 
@@ -60,59 +59,36 @@ def demand_of(branch: Branch, context: Context, options: Options, level: float) 
     return Demand(ratio, amplified, q_a, gamma_a, force)
 
 
-def _check(name: BranchName, context: Context, level: float, *, reason: str) -> Check:
+def _check(branch: Branch, name: BranchName, context: Context, options: Options, level: float) -> Check:
+    found, resistance = demand_of(branch, context, options, level), resisted(branch)
+    lifts, ratio = uplift_pga(branch, found.amplified), found.force / resistance
+    verdict = Outcome.FAIL if ratio > 1.0 else Outcome.PASS
     return Check(
         procedure=NAME,
         edition=EDITION,
-        role=role_on(NAME, context.spectrum.code),
         branch=name,
         limit_state="element",
         level_pga_g=level / g,
-        input_at="mechanism base" if context.support_height > ON_GROUND else "ground",
+        input_at="mechanism base" if context.above_ground else "ground",
         damping=None,
         quantity="force over weight",
         unit="-",
-        verdict="not-applicable",
-        reason=reason,
-        caveat=CAVEAT + foreign(NAME, context.spectrum.code),
-    )
-
-
-def _answered(check: Check, branch: Branch, context: Context, options: Options, level: float) -> Check:
-    found, resistance = demand_of(branch, context, options, level), resisted(branch)
-    lifts = uplift_pga(branch, found.amplified)
-    verdict, reason = _verdict(found.force / resistance, context)
-    return replace(
-        check,
         demand=found.force,
         capacity=resistance,
-        ratio=found.force / resistance,
+        ratio=ratio,
         verdict=verdict,
-        reason=reason,
+        reason=because(Reason.WITHIN if verdict == Outcome.PASS else Reason.BEYOND, capacity="what the weight resists"),
         capacity_pga_g=level * resistance / found.force / g,
         uplift_pga_g=None if lifts is None else lifts / g,
         steps=_steps(branch, context, found, level=level),
-    )
-
-
-def _verdict(ratio: float, context: Context) -> tuple[Verdict, str]:
-    """Above ground without a building the force is that of z = 0: it can fail an element, not pass it."""
-    if ratio > 1.0:
-        return "fail", "the force of the clause overturns the element"
-    height = context.support_height
-    if height <= ON_GROUND or context.building is not None:
-        return "pass", "the weight of the element resists the force of the clause"
-    return (
-        "not-applicable",
-        f"the supports of the element are {height:.4g} m above the ground, where {CLAUSE} asks for z/H: give "
-        "[building] height; the figures here are for z = 0",
+        caveat=CAVEAT + foreign(NAME, context.spectrum.code),
     )
 
 
 def _steps(branch: Branch, context: Context, found: Demand, *, level: float) -> tuple[Step, ...]:
     formula, numbers, resistance = multiplier_worked(branch)
     T_a, building = element_period(branch), context.building
-    known = building is not None and context.support_height > ON_GROUND
+    known = building is not None and context.above_ground
     ratio = context.support_height / building.height if building is not None and known else 0.0
     S_a = found.amplified * level / g
     worst = "worst, the building is not known" if found.ratio and building is None else f"T_a = {T_a:.4g} s"

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from scipy.constants import g
 
-from assess.codes.check import Check, Step
+from assess.codes.check import Check, Outcome, Reason, Step, because
 from assess.codes.italian.edition import Edition
-from assess.codes.italian.floor import Demands, floor_of, judged, unanswerable
+from assess.codes.italian.floor import Demands, floor_of, judged
 from assess.codes.italian.limit_state import Case
 
 
@@ -23,16 +23,10 @@ def acceleration_check(
 ) -> Check:
     """a0* = `capacity` [m/s2] against the larger of the `demands` [m/s2]; uplift: its PGA [m/s2]."""
     demanded = demands.largest
-    verdict, reason = judged(
-        demanded / capacity,
-        unanswerable(case.context),
-        passed="a0* covers the demand",
-        failed="a0* is less than the demand",
-    )
+    verdict = judged(demanded / capacity)
     return Check(
         procedure=procedure,
         edition=edition.name,
-        role="code",
         branch=case.name,
         limit_state=case.state,
         level_pga_g=case.level / g,
@@ -44,7 +38,7 @@ def acceleration_check(
         capacity=capacity,
         ratio=demanded / capacity,
         verdict=verdict,
-        reason=reason,
+        reason=because(Reason.WITHIN if verdict == Outcome.PASS else Reason.BEYOND, capacity="a0*"),
         capacity_pga_g=case.pga * capacity / demanded / g,
         uplift_pga_g=None if uplift is None else uplift / g,
         steps=steps,

@@ -7,12 +7,13 @@ from math import isclose, pi
 
 from scipy.constants import g
 
-from assess.codes.check import Check, PgaCurve, Step, Verdict
+from assess.codes.check import Check, Outcome, PgaCurve, Reason, Step, because
 from assess.codes.italian.edition import Edition
-from assess.codes.italian.floor import Demands, judged, unanswerable
+from assess.codes.italian.floor import Demands, judged
 from assess.codes.italian.kinematic import rotation_at
 from assess.codes.italian.limit_state import Case
 from assess.codes.relation import as_curve, relation
+from assess.message import Message, Quantity
 from assess.oscillator import FloatArray, displacement
 
 
@@ -64,7 +65,6 @@ def displacement_check(
     return Check(
         procedure=procedure,
         edition=edition.name,
-        role="code",
         branch=case.name,
         limit_state=case.state,
         level_pga_g=case.level / g,
@@ -119,11 +119,12 @@ def _curve(case: Case, answer: Answer) -> PgaCurve:
     return as_curve(relation(pga_of, overturning=case.branch.unstable, uplift=answer.starts), case.branch)
 
 
-def _verdict(case: Case, answer: Answer, demanded: float | None) -> tuple[Verdict, str]:
+def _verdict(case: Case, answer: Answer, demanded: float | None) -> tuple[Outcome, Message]:
     if demanded is None:
-        end, T = case.context.spectrum.longest_period, f"{answer.period_symbol} = {answer.period:.4g} s"
-        return "not-applicable", f"{T} lies beyond the end of the spectrum at {end:.4g} s: extend its table"
-    still = "no rocking: the demand does not lift the body off its base"
-    within = still if demanded == 0.0 else f"displacement within {answer.symbol}"
-    beyond = f"displacement beyond {answer.symbol}"
-    return judged(demanded / answer.ultimate, unanswerable(case.context), passed=within, failed=beyond)
+        end = Quantity(case.context.spectrum.longest_period, "time")
+        T = f"{answer.period_symbol} = {answer.period:.4g} s"
+        return Outcome.NOT_ANSWERED, because(Reason.SPECTRUM_TOO_SHORT, period=T, end=end)
+    if demanded == 0.0:
+        return Outcome.PASS, because(Reason.NO_ROCKING)
+    verdict = judged(demanded / answer.ultimate)
+    return verdict, because(Reason.WITHIN if verdict == Outcome.PASS else Reason.BEYOND, capacity=answer.symbol)

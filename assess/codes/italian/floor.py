@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from assess.codes.check import InputAt, Verdict
-from assess.codes.context import ON_GROUND, Context
+from assess.codes.check import InputAt, Outcome
+from assess.codes.context import Context
 from spectra.floor_spectrum import first_mode_factor
 
 
@@ -45,31 +45,12 @@ def floor_of(context: Context) -> Floor | None:
     Source: Circolare 617/2009, C8A.4.2.3; 7/2019, C7.2.10.
     """
     building = context.building
-    if context.elevation <= ON_GROUND or building is None or building.storeys is None:
+    if not context.above_ground or building is None or building.storeys is None:
         return None
     gamma = first_mode_factor(building.storeys)
     return Floor(context.support_height / building.height, gamma, building.period, building.damping)
 
 
-def unanswerable(context: Context) -> str:
-    """Why the clause cannot pass the mechanism ("" when it can): above ground it also asks for the floor's motion."""
-    floor = floor_of(context)
-    if context.elevation <= ON_GROUND or (floor is not None and floor.psi <= 1.0):
-        return ""
-    if floor is not None:
-        return (
-            f"the supports of the mechanism are {context.support_height:.4g} m above ground, higher than the building: "
-            "check [building] height and ground_elevation"
-        )
-    return (
-        f"the mechanism stands {context.elevation:.4g} m above ground, where the clause also asks for the floor's "
-        "motion: give [building] height and storeys, and ground_elevation where the ground is not at 0; the figures "
-        "here are for the ground's motion alone"
-    )
-
-
-def judged(ratio: float, missing: str, *, passed: str, failed: str) -> tuple[Verdict, str]:
-    """Verdict and reason of a ratio of demand to capacity: where something is missing it can fail but not pass."""
-    if ratio > 1.0:
-        return "fail", failed
-    return ("not-applicable", missing) if missing else ("pass", passed)
+def judged(ratio: float) -> Outcome:
+    """Pass or fail of a ratio of demand to capacity."""
+    return Outcome.FAIL if ratio > 1.0 else Outcome.PASS

@@ -16,14 +16,15 @@ from math import isclose
 import numpy as np
 from scipy.constants import g
 
-from assess.codes.check import Check, PgaCurve, Step, Verdict
-from assess.codes.context import ON_GROUND, Context, Hazard, Suite
+from assess.codes.check import Check, Outcome, PgaCurve, Reason, Step, because
+from assess.codes.context import Context, Hazard, Suite
 from assess.codes.governing import branch_named
 from assess.codes.incremental import islands, pga_before_failure, pga_curve, uplift_multiplier
 from assess.codes.italian.edition import Edition, Options
 from assess.codes.italian.floor import judged
 from assess.codes.italian.kinematic import collapse_step, displacement_at_collapse, rotation_at
 from assess.codes.italian.limit_state import pga_step, share
+from assess.message import Message, count
 from assess.oscillator import Oscillator, displacement, participation_ratio
 from spectra.spectrum import Spectrum
 
@@ -137,13 +138,12 @@ def _check(
     )
     lifts = uplift_multiplier(oscillator, linearised=context.linearised)
     at_collapse = None if scanned is None else scanned / FC
-    verdict, reason = _verdict(found, allowed, context, state=state)
+    verdict, reason = _verdict(found, allowed, state=state)
     value, allowable = found.judged, rotation_at(branch, allowed * d0 * e, mass=oscillator.mass) / branch.overturning
     moved = None if value is None else value * d0
     return Check(
         procedure=rule.procedure,
         edition=rule.edition.name,
-        role="code",
         branch=found.suite.branch,
         limit_state=state,
         level_pga_g=level / g,
@@ -155,7 +155,8 @@ def _check(
         capacity=allowed * d0,
         ratio=None if value is None else value / allowed,
         verdict=verdict,
-        reason=reason + (islands(at_collapse, found.pga / g) if verdict == "pass" else ""),
+        reason=reason,
+        remarks=islands(at_collapse, found.pga / g) if verdict == Outcome.PASS else (),
         capacity_pga_g=at_collapse,
         uplift_pga_g=None if lifts is None else lifts / context.amplification / FC,
         capacity_rotation_ratio=allowable,
@@ -184,31 +185,24 @@ def _rotation(found: Found) -> float | None:
     return max(standing) if found.largest else found.suite.mean
 
 
-def _verdict(found: Found, allowed: float, context: Context, *, state: str) -> tuple[Verdict, str]:
+def _verdict(found: Found, allowed: float, *, state: str) -> tuple[Outcome, Message]:
     n, fallen, passed = len(found.displaced), found.suite.overturned, _beyond_collapse(found)
     if n < LEAST_RECORDS:
-        return "not-applicable", f"{n} records; {NUMBER_CLAUSE} asks for at least {LEAST_RECORDS}: shown as information"
+        few = {"n": count(n), "fallen": count(fallen), "least": count(LEAST_RECORDS)}
+        return Outcome.NOT_ANSWERED, because(Reason.TOO_FEW_RECORDS, clause=NUMBER_CLAUSE, **few)
     if fallen:
-        return "fail", f"{fallen} of {n} records overturn the body"
+        return Outcome.FAIL, because(Reason.RECORDS_OVERTURN, fallen=count(fallen), n=count(n))
     if passed:
-        return "fail", f"{passed} of {n} records move the body beyond d0*, where it stands by chance"
-    what, value = "largest" if found.largest else "mean", found.judged or 0.0
-    within = "no rocking: no record lifts the body off its base" if value == 0.0 else f"{what} within d_{state}"
-    return judged(value / allowed, _missing(context), passed=within, failed=f"{what} beyond d_{state}")
+        return Outcome.FAIL, because(Reason.RECORDS_BEYOND_COLLAPSE, fallen=count(passed), n=count(n))
+    value = found.judged or 0.0
+    if value == 0.0:
+        return Outcome.PASS, because(Reason.NO_ROCKING)
+    verdict = judged(value / allowed)
+    return verdict, because(Reason.WITHIN if verdict == Outcome.PASS else Reason.BEYOND, capacity=f"d_{state}")
 
 
 def _beyond_collapse(found: Found) -> int:
     return sum(1 for each in found.displaced if each is not None and each > 1.0)
-
-
-def _missing(context: Context) -> str:
-    """Why the histories cannot pass the mechanism: above ground they have to be those of the floor."""
-    if context.elevation <= ON_GROUND or context.histories_at == "mechanism base":
-        return ""
-    return (
-        f"the mechanism stands {context.elevation:.4g} m above ground, where the floor's motion counts: give its "
-        '`amplification`, like { method = "modal-filter" }; the figures here are for the ground\'s motion'
-    )
 
 
 def _record_steps(found: Found, rule: Rule, *, FC: float) -> tuple[Step, ...]:

@@ -22,7 +22,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.constants import g
 
-from assess.codes.context import ON_GROUND, Context, Support
+from assess.codes.context import Context, Support
 from assess.oscillator import Branch, energy, threshold
 from spectra.floor import NZS_LOW, nzs1170_5
 from spectra.floor_spectrum import part_shape
@@ -92,7 +92,7 @@ def floor_factor(context: Context) -> float:
     Raises SpectrumError for supports above the building.
     """
     height = context.support_height
-    if height <= ON_GROUND:
+    if height <= 0.0:
         return 1.0
     if context.building is not None:
         return nzs1170_5(height, building_height=context.building.height)

@@ -6,9 +6,9 @@ from dataclasses import dataclass, replace
 
 from scipy.constants import g
 
-from assess.codes.check import BranchName, Check, PgaCurve, Step, Verdict
-from assess.codes.context import ON_GROUND, Context
-from assess.codes.family import foreign, role_on
+from assess.codes.check import BranchName, Check, Outcome, PgaCurve, Reason, Step, because
+from assess.codes.context import Context
+from assess.codes.family import foreign
 from assess.codes.governing import governing
 from assess.codes.nzsee2017.clauses import (
     CAVEAT,
@@ -26,6 +26,7 @@ from assess.codes.nzsee2017.clauses import (
     uplift_pga,
 )
 from assess.codes.relation import as_curve, relation
+from assess.message import Message
 from assess.oscillator import Branch, FloatArray, Oscillator
 
 NAME, SCORE = "nzsee2017-face-loaded", "%NBS"
@@ -63,18 +64,9 @@ def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tup
     """C8.8.5: phi_m against phi_D at C(0) = the level; one check for each level, on the worse branch, with its %NBS."""
 
     def one(branch: Branch, name: BranchName, level: float) -> Check:
-        missing = unanswerable(context)
-        empty = _check(name, context, level, reason=missing)
-        return empty if missing else _answered(empty, branch, context, options, level)
+        return _answered(_check(name, context, level), branch, context, options, level)
 
     return tuple(_scored(check) for check in governing(oscillator, context.levels, one))
-
-
-def unanswerable(context: Context) -> str:
-    """Why the clause says nothing of the mechanism; empty where it does."""
-    if context.support == "hinged":
-        return f"{CLAUSE} is of walls that stand free or span between floors; a chain of three blocks is neither"
-    return context.above_building("wall", clause=PARTS)
 
 
 def response(branch: Branch, context: Context, options: Options) -> Response:
@@ -87,20 +79,19 @@ def response(branch: Branch, context: Context, options: Options) -> Response:
     return Response(line, Tp, usable, floor, per_pga, uplift)
 
 
-def _check(name: BranchName, context: Context, level: float, *, reason: str) -> Check:
+def _check(name: BranchName, context: Context, level: float) -> Check:
     return Check(
         procedure=NAME,
         edition=EDITION,
-        role="informative" if context.support == "hinged" else role_on(NAME, context.spectrum.code),
         branch=name,
         limit_state="ULS",
         level_pga_g=level / g,
-        input_at="mechanism base" if context.support_height > ON_GROUND else "ground",
+        input_at="mechanism base" if context.above_ground else "ground",
         damping=DAMPING,
         quantity="rotation",
         unit="rad",
-        verdict="not-applicable",
-        reason=reason,
+        verdict=Outcome.NOT_APPLICABLE,
+        reason=because(Reason.NOT_A_WALL, clause=CLAUSE),
         caveat=CAVEAT + CAVEAT_FREE * (context.support == "free") + foreign(NAME, context.spectrum.code),
     )
 
@@ -109,7 +100,7 @@ def _answered(check: Check, branch: Branch, context: Context, options: Options, 
     found = response(branch, context, options)
     demanded = 0.0 if level <= (found.uplift or 0.0) else found.per_pga * level
     ratio = demanded / found.allowed
-    verdict: Verdict = "pass" if ratio <= 1.0 else "fail"
+    verdict = Outcome.PASS if ratio <= 1.0 else Outcome.FAIL
     stands = demanded < found.line.instability
     return replace(
         check,
@@ -127,10 +118,10 @@ def _answered(check: Check, branch: Branch, context: Context, options: Options, 
     )
 
 
-def _reason(demanded: float, verdict: Verdict) -> str:
+def _reason(demanded: float, verdict: Outcome) -> Message:
     if demanded == 0.0:
-        return "no rocking: the part coefficient of a rigid body does not lift the wall off its base"
-    return f"rotation {'within' if verdict == 'pass' else 'beyond'} the usable"
+        return because(Reason.NO_ROCKING)
+    return because(Reason.WITHIN if verdict == Outcome.PASS else Reason.BEYOND, capacity="the usable rotation")
 
 
 def _curve(branch: Branch, found: Response) -> PgaCurve:
@@ -147,8 +138,7 @@ def _scored(check: Check) -> Check:
     score = 100.0 * check.capacity_pga_g / check.level_pga_g
     numbers = f"100 · {check.capacity_pga_g:.5g} / {check.level_pga_g:.5g}"
     step = Step(SCORE, "share of the new building standard", CLAUSE, "100 · PGA_100 / PGA", numbers, score, "%")
-    reason = f"{check.reason}; {score:.3g} {SCORE}"
-    return replace(check, reason=reason, score={SCORE: score}, steps=(*check.steps, step))
+    return replace(check, score={SCORE: score}, steps=(*check.steps, step))
 
 
 def _steps(

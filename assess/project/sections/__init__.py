@@ -10,7 +10,7 @@ from assess.project.sections.amplification import (
     PrintedAmplification,
     RaisedAmplification,
 )
-from assess.project.sections.analysis import PROCEDURES, Procedures, Records
+from assess.project.sections.analysis import Procedures, Records
 from assess.project.sections.bodies import Body, BoxBody, DirectBody, Material, MeshBody, ProfileBody
 from assess.project.sections.content import Content
 from assess.project.sections.interfaces import Interface, Shape
@@ -29,6 +29,7 @@ from assess.project.sections.mechanisms import (
     SingleBlock,
     TwoBlock,
 )
+from assess.project.sections.procedure_names import PROCEDURES
 from assess.project.sections.pulses import Pulses
 from assess.project.sections.select import Select
 from assess.project.sections.sensitivity import SHARE, Change, Sensitivity
@@ -44,6 +45,7 @@ from assess.project.sections.spectra import (
     TableSpectrum,
 )
 from assess.project.sections.sweeps import Sweep
+from assess.project.sections.verdict import VerdictSection
 
 __all__ = [
     "KNOWLEDGE",
@@ -99,4 +101,5 @@ __all__ = [
     "TableSpectrum",
     "TieLoad",
     "TwoBlock",
+    "VerdictSection",
 ]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal, get_args
+from typing import Annotated, Literal
 
 from pydantic import AfterValidator, Field, StrictInt, model_validator
 from pydantic_core import PydanticCustomError
@@ -23,30 +23,11 @@ from assess.project.quantities import (
 )
 from assess.project.section import Section, listed, wrong
 from assess.project.sections.italian import Dmi2008, Ntc2018
+from assess.project.sections.procedure_names import Procedure
 from assess.project.sections.pulses import Pulses
 from assess.project.sections.select import Select
 from assess.project.sections.sensitivity import Asked
 from assess.project.sections.sweeps import Sweep, Sweeps
-
-Procedure = Literal[
-    "asce43-05-spectrum",
-    "asce43-05-spectrum-thesis",
-    "asce43-05-history",
-    "dmi2008-linear",
-    "dmi2008-nonlinear",
-    "dmi2008-nonlinear-thesis",
-    "nzsee2017-face-loaded",
-    "asce41-13-ht",
-    "ec8-element",
-    "dmi2008-history",
-    "ntc2018-linear",
-    "ntc2018-nonlinear",
-    "ntc2018-history",
-    "asce43-05-sliding",
-    "sliding",
-]
-PROCEDURES: tuple[Procedure, ...] = get_args(Procedure)
-
 
 SOURCES = ("measured", "literature", "assumed")
 

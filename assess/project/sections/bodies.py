@@ -35,6 +35,8 @@ class Material(Section):
     """strength in compression, like "1.0 MPa\""""
     tensile_strength: NotNegativeStress | None = None
     """strength of the mortar in tension"""
+    disintegration: Literal["excluded", "possible"] | None = None
+    """whether the masonry may fall apart: "excluded" (by survey, quality index or test) or "possible\""""
     friction: NotNegativeRatio | None = None
     """coefficient of friction"""
 

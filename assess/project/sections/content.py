@@ -16,6 +16,7 @@ from assess.project.sections.bodies import BodySection, DirectBody, Material
 from assess.project.sections.loads import BodyLoad, OverburdenLoad
 from assess.project.sections.mechanisms import Chained, MechanismSection
 from assess.project.sections.site import Building, Site
+from assess.project.sections.verdict import VerdictSection
 
 
 def _text_or_date(value: Any) -> Any:
@@ -45,6 +46,8 @@ class Content(Section):
     """the engineer's judgement of the masonry, for the report"""
     site: Site | None = None
     """a table [site] with the spectrum"""
+    verdict: VerdictSection = Field(default_factory=VerdictSection)
+    """a table [verdict]: what decides"""
     building: Building | None = None
     """a table [building], for mechanisms above ground"""
     materials: dict[Name, Material] = Field(default_factory=dict)

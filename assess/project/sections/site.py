@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from pydantic import Field
+from typing import Literal
+
+from pydantic import Field, StrictBool, StrictStr
 
 from assess.project.quantities import (
     Count,
@@ -25,24 +27,45 @@ class Site(Section):
     """a table [site.spectrum] with the code and its parameters"""
     pga: PositiveAcceleration | None = None
     """scales the spectrum's ordinates to this peak ground acceleration, corner periods fixed"""
+    limit_state: StrictStr | None = None
+    """what the site's own action stands for, like "SLV", "ULS" or "DBE", without a hazard over return periods"""
     vertical_ratio: NotNegativeRatio = 0.0
     """vertical over horizontal spectral acceleration, for F_V of ASCE 43-05"""
+
+
+class LimitStatePeriod(Section):
+    """First mode of the building at one limit state, in place of the range of softened periods."""
+
+    period: PositiveTime
+    """period of the first mode at this limit state, like "0.5 s\""""
+    damping: Damping
+    """its damping ratio"""
+    reason: StrictStr
+    """why, for the report"""
 
 
 class Building(Section):
     """The structure below a mechanism; what the clauses for mechanisms above ground need."""
 
-    height: PositiveLength
+    height: PositiveLength | None = None
     """height above ground_elevation, like "9 m\""""
     storeys: Count | None = None
     """number of storeys"""
-    ground_elevation: Length = 0.0
-    """elevation of the ground in the coordinates of the bodies"""
-    period: PositiveTime = Field(default_factory=lambda values: 0.05 * values["height"] ** 0.75)
+    ground_elevation: Length | None = None
+    """elevation of the ground in the coordinates of the bodies; 0 if absent and the lowest body stands there"""
+    use_class: Literal["I", "II", "III", "IV"] | None = None
+    """class of use "I" to "IV", of the Italian codes"""
+    school: StrictBool | None = None
+    """whether the building is a school, for the targets of NTC 8.4.2"""
+    period: PositiveTime | None = Field(
+        default_factory=lambda values: None if values.get("height") is None else 0.05 * values["height"] ** 0.75
+    )
     """period of the first mode; 0.05 H^0.75 if absent"""
     damping: Damping = 0.05
     """damping ratio of the first mode"""
     natural_frequency: PositiveFrequency | None = None
     """first natural frequency for `amplification`, like "2.5 Hz"; 1 / period where that is given, else Rayleigh's"""
+    limit_states: dict[str, LimitStatePeriod] = Field(default_factory=dict)
+    """{ SLV = { period, damping, reason } }: the building at a limit state; 1.5 to 2.0 times its period if absent"""
     effective_height: PositiveLength | None = None
     """height above the ground of the resultant of the first mode's inertia forces, for `amplification`"""

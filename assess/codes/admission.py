@@ -1,0 +1,154 @@
+"""Whether a procedure may be asked of a mechanism at all, decided in one place before its numbers count.
+
+A check may be asked; or it may only fail, where the motion of the ground stands in for that of a floor; or it is not
+answered for want of an input that could be given; or the clause is not for such a mechanism. The numbers are worked out
+all the same where they can be, and stand in the check as `provisional`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from enum import StrEnum
+
+from scipy.constants import g
+
+from assess.codes.check import Check, Family, Outcome, Reason, because
+from assess.codes.context import Context
+from assess.codes.family import CODES, FAMILIES
+from assess.codes.italian.floor import floor_of
+from assess.message import Message, Quantity
+from assess.oscillator import Oscillator
+
+ONE_SIDED = ("asce43-05-spectrum",)  # damping by the two impacts of a body that rocks both ways
+S_X1 = 1.0  # s
+FLOOR_CLAUSES: dict[Family, str] = {
+    Family.LINEAR: "give [building] height and storeys",
+    Family.DISPLACEMENT: "give [building] height and storeys",
+    Family.ELEMENT: "give [building] height",
+    Family.HISTORY: 'give the mechanism amplification = { method = "modal-filter" }',
+    Family.ENERGY: 'give the mechanism amplification = { method = "modal-filter" }',
+    Family.SLIDING: "the clause has no floor motion",
+}
+
+
+class May(StrEnum):
+    """What a procedure may say of a mechanism."""
+
+    ANSWER = "answer"
+    ONLY_FAIL = "only fail"
+    NOT_ANSWER = "not answer"
+    NOT_APPLY = "not apply"
+
+
+@dataclass(frozen=True)
+class Admission:
+    """What a procedure may say, and the reason where that is not everything.
+
+    safe : whether the numbers were worked out with the safe value of what is missing, so that they may be shown beside
+    """
+
+    may: May
+    reason: Message | None = None
+    safe: bool = False
+
+
+ASKED = Admission(May.ANSWER)
+
+
+def admission(procedure: str, oscillator: Oscillator, context: Context) -> Admission:
+    """Find whether `procedure` may be asked; the first rule that speaks decides, the strictest first."""
+    family = FAMILIES[procedure]
+    rules = (_of_clause, _of_impossible, _of_histories, _of_height)
+    found = (rule(procedure, family, oscillator, context) for rule in rules)
+    return next((each for each in found if each is not None), ASKED)
+
+
+def admitted(
+    procedure: str, assess: Callable[[Oscillator, Context], tuple[Check, ...]], oscillator: Oscillator, context: Context
+) -> tuple[Check, ...]:
+    """The checks of a procedure, each as its admission lets it stand."""
+    given = admission(procedure, oscillator, context)
+    return tuple(_as_admitted(check, given) for check in assess(oscillator, context))
+
+
+def _as_admitted(check: Check, given: Admission) -> Check:
+    if given.reason is None or check.verdict == Outcome.NOT_APPLICABLE:
+        return check
+    if given.may == May.NOT_APPLY:
+        return replace(check, verdict=Outcome.NOT_APPLICABLE, reason=given.reason)
+    if check.verdict == Outcome.NOT_ANSWERED:
+        return check
+    if given.may == May.ONLY_FAIL and check.verdict == Outcome.FAIL:
+        return replace(check, may_pass=False)
+    own = () if check.reason.key in (Reason.WITHIN, Reason.BEYOND) else (check.reason,)
+    return replace(
+        check,
+        verdict=Outcome.NOT_ANSWERED,
+        provisional=check.verdict if given.safe else None,
+        may_pass=False,
+        reason=given.reason,
+        remarks=(*check.remarks, *own),
+    )
+
+
+def _of_clause(procedure: str, family: Family, oscillator: Oscillator, context: Context) -> Admission | None:
+    """What the clause is not for."""
+    if procedure in ONE_SIDED and oscillator.negative is None:
+        return Admission(May.NOT_APPLY, because(Reason.ONE_SIDED))
+    if family == Family.PART and context.support == "hinged":
+        return Admission(May.NOT_APPLY, because(Reason.NOT_A_WALL, clause="NZSEE 2017 C8.8.5"))
+    if family == Family.TABLE:
+        clause = "ASCE 41-13 Table 11-5"
+        if context.support != "spanning":
+            return Admission(May.NOT_APPLY, because(Reason.NOT_SPANNING, clause=clause))
+        if context.spectrum.longest_period < S_X1:
+            end = Quantity(context.spectrum.longest_period, "time")
+            return Admission(May.NOT_ANSWER, because(Reason.SPECTRUM_TOO_SHORT, period="S_X1 at 1 s", end=end))
+    return None
+
+
+def _of_impossible(procedure: str, family: Family, oscillator: Oscillator, context: Context) -> Admission | None:
+    """What makes every answer impossible, as a ground whose elevation nobody gave."""
+    return Admission(May.NOT_ANSWER, context.impossible[0]) if context.impossible else None
+
+
+def _of_histories(procedure: str, family: Family, oscillator: Oscillator, context: Context) -> Admission | None:
+    """What makes histories impossible: an impact without rebound, or a suite that misses its code's rules."""
+    if family != Family.HISTORY:
+        return None
+    faults = (*context.impossible_by_histories, *context.suite_faults.get(CODES[procedure], ()))
+    return Admission(May.NOT_ANSWER, faults[0]) if faults else None
+
+
+def _of_height(procedure: str, family: Family, oscillator: Oscillator, context: Context) -> Admission | None:
+    """Above the ground the ground's motion may fail a check and cannot pass it."""
+    if not context.above_ground or (family not in FLOOR_CLAUSES and family != Family.PART):
+        return None
+    if context.above_building and family in (Family.LINEAR, Family.DISPLACEMENT, Family.ELEMENT, Family.PART):
+        height = Quantity(context.support_height, "length")
+        return Admission(May.ONLY_FAIL, because(Reason.ABOVE_BUILDING, height=height))
+    if _has_floor_input(family, context):
+        return None
+    why = (
+        Reason.SCALAR_MOTION if family == Family.HISTORY and context.carried == "by a factor" else Reason.GROUND_MOTION
+    )
+    height = Quantity(context.support_height, "length")
+    return Admission(May.ONLY_FAIL, because(why, height=height, remedy=FLOOR_CLAUSES[family]))
+
+
+def _has_floor_input(family: Family, context: Context) -> bool:
+    if family in (Family.LINEAR, Family.DISPLACEMENT):
+        return floor_of(context) is not None
+    if family == Family.ELEMENT:
+        return context.building is not None
+    if family == Family.HISTORY:
+        return context.carried == "by a filter"
+    if family == Family.ENERGY:
+        return context.floor_spectrum is not None
+    return family == Family.PART
+
+
+def at_the_site(check: Check, site_pga: float) -> bool:
+    """Whether a check is at the site's own action, whose PGA is given [m/s2]."""
+    return abs(check.level_pga_g * g / site_pga - 1.0) < 1e-9

@@ -1,0 +1,152 @@
+"""What decides: the tables [verdict], [site] and [building] as the question that the verdict answers."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from math import isclose
+
+from scipy.constants import g
+
+from assess.codes.bases import BASES, BY_SITE
+from assess.codes.basis import Basis, Premise
+from assess.codes.verdict import (
+    Action,
+    Judged,
+    Missing,
+    Question,
+    Verdict,
+    deciding_states,
+    methods_asked,
+    verdict,
+    with_roles,
+)
+from assess.errors import ProjectError
+from assess.message import Message, Severity, message
+from assess.project import sections
+from assess.results import MechanismResult
+
+
+def basis_of(content: sections.Content) -> Basis | None:
+    """The basis that the project names, or that of its site's spectrum; None on spectra that tell none."""
+    named = content.verdict.basis
+    if named == "own":
+        return own_basis(content.verdict)
+    if named is not None:
+        return BASES[named]
+    code = "" if content.site is None else content.site.spectrum.code
+    found = BASES.get(BY_SITE.get(code, ""))
+    for name in content.verdict.procedures or ():
+        if found is not None and name not in found.methods:
+            raise ProjectError(f'verdict.procedures: "{name}" is not accepted by {found.name}, the basis of the site')
+    return found
+
+
+def question_of(content: sections.Content, *, site_pga: float) -> Question:
+    """What the project asks of its basis, at the site's own action."""
+    asked, site, building = content.verdict, content.site, content.building
+    over_periods = site is not None and isinstance(site.spectrum, sections.NtcHazardSpectrum)
+    return Question(
+        basis=basis_of(content),
+        action=Action(
+            pga_g=site_pga / g,
+            limit_state=None if site is None else site.limit_state,
+            over_periods=over_periods,
+        ),
+        limit_state=asked.limit_state,
+        procedures=asked.procedures,
+        works=asked.works,
+        use_class=use_class_of(content),
+        school=None if building is None else building.school,
+        upgrading=asked.upgrading,
+        index_before=asked.index_before,
+        target_nbs=asked.target_nbs,
+    )
+
+
+def use_class_of(content: sections.Content) -> str | None:
+    """The class of use: of a hazard over return periods, or of the building. Raises ProjectError where they differ."""
+    spectrum = None if content.site is None else content.site.spectrum
+    of_site = spectrum.use_class if isinstance(spectrum, sections.NtcHazardSpectrum) else None
+    of_building = None if content.building is None else content.building.use_class
+    if of_site is not None and of_building is not None and of_site != of_building:
+        raise ProjectError(f'building.use_class: "{of_building}" beside site.spectrum.use_class "{of_site}"; give one')
+    return of_site or of_building
+
+
+def methods_of(question: Question) -> tuple[str, ...]:
+    """The procedures that may decide, whatever `[analysis] procedures` lists."""
+    if question.basis is None:
+        return ()
+    states, _ = deciding_states(question)
+    return tuple(dict.fromkeys(name for state in states for name in methods_asked(state, question)))
+
+
+def states_of(question: Question) -> tuple[str, ...]:
+    """The limit states that decide, as checks name them."""
+    if question.basis is None:
+        return ()
+    return tuple(state.checked_as for state in deciding_states(question)[0])
+
+
+def facts_of(
+    content: sections.Content, question: Question, names: Sequence[str]
+) -> Mapping[str, tuple[tuple[Missing, ...], tuple[Message, ...]]]:
+    """What the pass of each mechanism needs and nobody gave, and what it rests on, by its name."""
+    premises = () if question.basis is None else question.basis.premises
+    found = {}
+    for name in names:
+        missing, conditions = [], []
+        for premise in premises:
+            if premise == Premise.SOUND_MASONRY:
+                missing += list(_unsound(content, name))
+            else:
+                conditions.append(message(f"premise-{premise.value}", severity=Severity.WARNING))
+        found[name] = (tuple(missing), tuple(conditions))
+    return found
+
+
+def _unsound(content: sections.Content, name: str) -> Iterator[Missing]:
+    """The materials of a mechanism whose disintegration nobody excluded, with a source."""
+    section = content.mechanisms[name]
+    names = [body for block in section.blocks for body in block] if isinstance(section, sections.Chained) else []
+    bodies = [content.bodies[body] for body in names]
+    used = dict.fromkeys(body.material for body in bodies if not isinstance(body, sections.DirectBody))
+    for material in used:
+        key = f"materials.{material}.disintegration"
+        if content.materials[material].disintegration != "excluded":
+            text = "whether the masonry may disintegrate: the rigid chain is credible only where it does not (C8.7.1.2)"
+            yield Missing(key, text, 'disintegration = "excluded"')
+        elif not any(key.startswith(source) for source in content.report.sources):
+            text = f'the source (survey, quality index, test) of disintegration = "excluded" of {material}'
+            yield Missing("report.sources", text, f'"{key}" = "measured: …"')
+
+
+def decided(
+    question: Question,
+    facts: Mapping[str, tuple[tuple[Missing, ...], tuple[Message, ...]]],
+    mechanisms: Sequence[MechanismResult],
+) -> Verdict:
+    """The verdict on the checks of the mechanisms."""
+    judged = [Judged(each.name, each.checks, *facts.get(each.name, ((), ()))) for each in mechanisms]
+    return verdict(question, judged)
+
+
+def marked(found: Verdict, question: Question, mechanism: MechanismResult) -> MechanismResult:
+    """The mechanism with the checks that decide marked as such."""
+    one = next(each for each in found.mechanisms if each.mechanism == mechanism.name)
+    return replace(mechanism, checks=with_roles(mechanism.checks, one, question.basis, question.action))
+
+
+def own_basis(section: sections.VerdictSection) -> Basis:
+    """The basis that a project states itself: what it lists, by its own rule."""
+    from assess.codes.bases.own import own
+
+    return own(section.procedures or (), rule=section.rule or "all", statement=section.statement)
+
+
+def levels_with_site(levels: tuple[float, ...], site_pga: float) -> tuple[float, ...]:
+    """The levels of the study with the site's own action among them, rising [m/s2]."""
+    if any(isclose(level, site_pga, rel_tol=1e-9) for level in levels):
+        return tuple(site_pga if isclose(level, site_pga, rel_tol=1e-9) else level for level in levels)
+    return tuple(sorted((*levels, site_pga)))

@@ -1,0 +1,59 @@
+"""The English of every message that is told by key: plain text with the names of its values in braces."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+TEXTS: Mapping[str, str] = {
+    # remarks
+    "fails-below": "the scan already fails just above {pga}: responses do not grow steadily with PGA",
+    "rocks-before-sliding": "it rocks before it slides, which A.1 leaves out",
+    "ground-motion": "at height the motion of the ground is taken as it is: unconservative where the building "
+    "amplifies it",
+    # of the verdict
+    "no-deciding-method": "no method that may decide {state} was asked or applies: {methods}",
+    "missing-key": "{key}: {text}",
+    "premise-anchorage": "a pass holds where the wall is anchored to floors and roof",
+    "premise-collar-joints": "a pass holds where the collar joints between the leaves are sound",
+    "premise-no-floors": "a pass holds for an element that carries no floor: gable, parapet, chimney",
+    # reasons of checks
+    "within-capacity": "the demand is within {capacity}",
+    "beyond-capacity": "the demand is beyond {capacity}",
+    "no-rocking": "no rocking: the demand does not lift the body off its base",
+    "no-lasting-rotation": "lifts off, yet the method finds no lasting rotation at this demand",
+    "moves-on-joints": "moves on its joints, yet the method finds no lasting rotation at this demand",
+    "overturns": "overturns: no rotation holds this demand",
+    "beyond-spectrum": "rotation beyond the allowable, and beyond the end of the spectrum",
+    "spectrum-too-short": "{period} lies beyond the end of the spectrum at {end}: extend its table",
+    "limit-beyond-overturning": "the empirical limit of rotation lies beyond overturning: outside its range",
+    "records-overturn": "{fallen} of {n} records overturn the body",
+    "records-beyond-collapse": "{fallen} of {n} records move the body beyond d0*, where it stands by chance",
+    "too-few-records": "{n} records, of which {fallen} overturn the body; {clause} asks for at least {least}",
+    "above-building": "the supports of the mechanism are {height} above the ground, higher than the building: check "
+    "[building] height and ground_elevation",
+    "ground-motion-at-height": "what holds the mechanism is {height} above the ground, where the motion of the ground "
+    "can fail a check and cannot pass it: {remedy}",
+    "scalar-motion-at-height": "what holds the mechanism is {height} above the ground; histories carried there by one "
+    "number miss resonance, so they can fail a check and cannot pass it: {remedy}",
+    "ground-unknown": "the lowest body lies {height} from elevation 0 and nobody says where the ground is: give "
+    "[building] ground_elevation",
+    "one-sided": "the effective damping is that of the two impacts of a body that rocks both ways; this one rocks to "
+    "one side",
+    "not-a-wall": "{clause} is of walls that stand free or span between floors; this mechanism is neither",
+    "not-spanning": "{clause} is of walls that span between supports; this one stands free",
+    "no-wall-size": "{clause} needs height and thickness of the wall; this mechanism has no geometry",
+    "friction-unknown": "friction at hinge {hinge} is not known; {remedy}",
+    "hinge-pulls": "hinge {hinge} would have to pull with {pull} before the mechanism rocks, so friction does not "
+    "hold it: check hinges and loads",
+    "no-hinge-forces": "an equivalent block has no geometry: what its hinge presses on is not known; check sliding by "
+    "hand",
+    "slides-first": "slides before it rocks, at hinge {hinge}: the rocking answers are not the ones that count",
+    "slides-later": "no sliding yet; it would slide before it rocks from PGA {pga} on",
+    "rocks-first": "it rocks before it slides; hinge {hinge} comes nearest",
+    "one-block-only": "{clause} is for one block on its base",
+    "level-base-only": "{clause} is for a level base; the procedure sliding looks at inclined ones",
+    "sliding-beyond-before": "sliding beyond the allowable, at a smaller PGA already",
+    "no-sliding": "no sliding: the spectrum does not reach c_s",
+    "no-allowable-sliding": "for information; give procedures.asce43-05.allowable_sliding for a verdict",
+    "sliding-unbounded": "the spectrum does not fall below c_s before it ends: extend its table, or give more friction",
+}

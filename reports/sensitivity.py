@@ -93,7 +93,7 @@ def sentences(found: Sequence[Varied], called: str) -> tuple[str, ...]:
 def overall(found: Sequence[Varied], called: str) -> str:
     """Whether the verdict of the mechanism, by all checks at all levels, changes."""
     changed = [
-        f"{name_of(each.number)} at {at(each.number, side)} ({SAID[Outcome.FAIL if fails(each.rows, side) else Outcome.PASS]})"
+        f"{name_of(each.number)} at {at(each.number, side)} ({'FAIL' if fails(each.rows, side) else 'pass'})"
         for each in found
         for side in SIDES
         if assessed(each, side) and fails(each.rows, side) != fails(each.rows, "base")

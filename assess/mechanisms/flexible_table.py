@@ -24,12 +24,14 @@ from assess.mechanisms.chain import Chain, mirrored
 from assess.mechanisms.flexible import FlexibleChain
 from assess.mechanisms.joint import Joint
 from assess.mechanisms.mechanism import Mechanism
-from assess.mechanisms.motion import limit
-from assess.mechanisms.table import FLAT, NODES, REACH, branch
+from assess.mechanisms.motion import FLAT, limit
+from assess.mechanisms.stages import Moments, Stages, rounding, signature, whole
+from assess.mechanisms.table import NODES, REACH, staged_branch
 from assess.mechanisms.virtual_work import Work
 from assess.oscillator import Branch, Oscillator
 
 FloatArray = NDArray[np.float64]
+IntArray = NDArray[np.int64]
 
 FINE = 0.05  # step of the table over rotation, as moments go with the power -1/2 of it
 COARSE = 1.0 / 128.0  # largest step, of the table's length
@@ -45,10 +47,19 @@ FOUND = 1e-7  # of a root: after a step as short, what is left goes with its squ
 
 @dataclass(frozen=True)
 class Side:
-    """A chain on its joints, and the same with rigid ones."""
+    """A chain on its joints, and the same with rigid ones.
 
-    flexible: FlexibleChain
+    starts : rotations [rad] from which each of the chains holds, the first from rest; where actions end there are more
+    """
+
+    chains: tuple[FlexibleChain, ...]
+    starts: tuple[float, ...]
     rigid: Branch
+
+    @property
+    def flexible(self) -> FlexibleChain:
+        """The chain at rest."""
+        return self.chains[0]
 
     @cached_property
     def end(self) -> float:
@@ -57,16 +68,21 @@ class Side:
         return min(max(REACH * self.rigid.overturning, 1.05 * farthest), 0.5 * (farthest + reach))
 
     @cached_property
-    def changes(self) -> list[float]:
-        """Rotations [rad] at which joints open or begin to crush, in order.
+    def stops(self) -> tuple[float, ...]:
+        """Where each of the chains that the table reaches ends [rad]."""
+        return (*(start for start in self.starts[1:] if start < self.end), self.end)
+
+    def changes(self, number: int) -> list[float]:
+        """Rotations [rad] at which joints of a chain, by its number, open or begin to crush, in order.
 
         At first by their forces and rates at rest, then corrected by those at the rotations found.
         """
-        joints = [(number, joint) for number, joint in enumerate(self.flexible.joints) if joint is not None]
+        chain, start, stop = self.chains[number], self.starts[number], self.stops[number]
+        joints = [(number, joint) for number, joint in enumerate(chain.joints) if joint is not None]
         places = np.full((len(joints), 2), JUST * self.end)
         for _ in range(CORRECTIONS):
-            balance, before = self.flexible.balance(places.ravel()), places.copy()
-            turned = self.flexible.relative(balance.posture)
+            balance, before = chain.balance(places.ravel()), places.copy()
+            turned = chain.relative(balance.posture)
             for row, (number, joint) in enumerate(joints):
                 for column, at in enumerate((2 * row, 2 * row + 1)):
                     force, psi = float(balance.normal_force[number, at]), float(turned[number, at])
@@ -75,14 +91,30 @@ class Side:
             was, places = before, np.minimum(places, self.end)
             if np.abs(places - was).max() <= SAME * places.max():
                 break
-        return sorted({float(each) for each in places.ravel() if 0.0 < each < self.end})
+        return sorted({float(each) for each in places.ravel() if start < each < stop})
+
+    @cached_property
+    def pieces(self) -> tuple[FloatArray, ...]:
+        """Nodes [n] [rad] of each chain: fine where joints open and crush, with two where that begins, for the kink."""
+        return tuple(self._nodes(number) for number in range(len(self.stops)))
 
     @cached_property
     def rotation(self) -> FloatArray:
-        """Nodes [n] [rad]: fine where joints open and crush, with two at one place where that begins, for the kink."""
-        if not self.changes:
-            return np.linspace(0.0, self.end, NODES)
-        ends = [0.0, *self.changes, self.end]
+        """All nodes [n] [rad]."""
+        return np.concatenate(self.pieces)
+
+    @cached_property
+    def number(self) -> IntArray:
+        """The chain of each node [n]."""
+        return np.repeat(np.arange(len(self.pieces)), [piece.size for piece in self.pieces])
+
+    def _nodes(self, number: int) -> FloatArray:
+        start, stop, changes = self.starts[number], self.stops[number], self.changes(number)
+        ends = [start, *changes, stop]
+        if number:
+            return np.concatenate([self._piece(*between, least=start) for between in pairwise(ends)])
+        if not changes:
+            return np.linspace(0.0, stop, NODES)
         return np.concatenate([self._piece(*between, least=ends[1]) for between in pairwise(ends)])
 
     def _piece(self, start: float, end: float, *, least: float) -> FloatArray:
@@ -100,13 +132,24 @@ class Side:
     @cached_property
     def work(self) -> Work:
         """The sums of virtual work at the nodes."""
-        return self.work_at(self.rotation)
+        return self.work_at(self.rotation, self.number)
 
-    def work_at(self, rotation: FloatArray) -> Work:
-        """The same at rotations [n] [rad], of which equal ones get equal sums, to the last digit: no jump."""
-        once, where = np.unique(rotation, return_inverse=True)
-        work = self.flexible.held(once).work
-        return Work(*(getattr(work, each.name)[where] for each in fields(work)))
+    def work_at(self, rotation: FloatArray, number: IntArray) -> Work:
+        """The same at rotations [n] [rad], of which equal ones of one chain get equal sums, to the last digit: no jump.
+
+        number : of the chain at each [n]
+        """
+        rows = np.empty((len(fields(Work)), rotation.size))
+        for each in np.unique(number):
+            here = number == each
+            once, where = np.unique(rotation[here], return_inverse=True)
+            work = self.chains[each].held(once).work
+            rows[:, here] = np.array([getattr(work, column.name)[where] for column in fields(work)])
+        return Work(*rows)
+
+    def chain_at(self, rotation: float) -> int:
+        """The number of the chain at a rotation [rad]; where one ends, that of the one that ends."""
+        return max(int(np.searchsorted(self.starts[: len(self.stops)], rotation)) - 1, 0)
 
     @cached_property
     def pushed(self) -> bool:
@@ -141,10 +184,14 @@ class Side:
         falling = np.flatnonzero((values[:-1] > 0.0) & (values[1:] <= 0.0))
         if not falling.size:
             return None
-        near = _crossing(self.rotation, values, int(falling[0]))
+        first = int(falling[0])
+        if self.number[first] != self.number[first + 1]:  # it falls where something ends
+            return float(self.rotation[first])
+        here = self.number == self.number[first]
+        near = _crossing(self.rotation[here], values[here], first - int(np.flatnonzero(here)[0]))
         for _ in range(CORRECTIONS):
             places = near * np.array([1.0 - NEAR, 1.0, 1.0 + NEAR])
-            before, at, after = value(self.flexible.held(places).work)
+            before, at, after = value(self.chains[self.number[first]].held(places).work)
             step = float(at * 2.0 * NEAR * near / (after - before))
             near -= step
             if abs(step) <= FOUND * near:
@@ -157,7 +204,7 @@ class Side:
         if back_from is not None:
             kept = rotation < (1.0 - 0.5 * FINE) * back_from
             rotation = np.append(rotation[kept], back_from)[::-1]
-            work = self.work_at(rotation)
+            work = self.work_at(rotation, np.append(self.number[kept], self.chain_at(back_from))[::-1])
         columns = _columns(rotation, work)
         if back_from is not None:
             columns[0] = back_from - columns[0]
@@ -165,18 +212,18 @@ class Side:
         return columns
 
 
-def flexible_oscillator(mechanism: Mechanism) -> Oscillator:
-    """The mechanism on its joints as the dynamics and the codes see it.
+def flexible_oscillator(mechanism: Mechanism, front: Stages, back: Stages) -> Oscillator:
+    """The mechanism on its joints as the dynamics and the codes see it, with the stages of its two chains.
 
     Raises MechanismError where it finds no stable rest, or never overturns.
     """
     name, (first, second) = mechanism.name, mechanism.restitution
-    positive = side_of(mechanism.positive, name=name, restitution=first)
+    positive = side_of(front, name=name, restitution=first)
     if mechanism.negative is None:
         return Oscillator(table(positive, None), None, mechanism.positive.mass, equilibrium=positive.lean)
-    alike = same_chain(mechanism.positive, mechanism.negative) and first == second
-    negative = positive if alike else side_of(mechanism.negative, name=name, restitution=second)
-    if not one_rest(mechanism.positive, mechanism.negative):
+    alike = same_stages(front, back) and first == second
+    negative = positive if alike else side_of(back, name=name, restitution=second)
+    if not one_rest(mechanism.positive, mechanism.negative) or front[0].absent != back[0].absent:
         return Oscillator(
             positive=table(positive, None),
             negative=table(negative, None),
@@ -211,9 +258,21 @@ def one_rest(positive: Chain, negative: Chain) -> bool:
     return True
 
 
-def side_of(chain: Chain, *, name: str, restitution: float) -> Side:
+def side_of(stages: Stages, *, name: str, restitution: float) -> Side:
     """One side of a mechanism."""
-    return Side(FlexibleChain(chain, name), branch(replace(chain, joints=()), restitution=restitution, name=name))
+    rigid = tuple(replace(stage, chain=replace(stage.chain, joints=())) for stage in stages)
+    return Side(
+        chains=tuple(FlexibleChain(stage.chain, name) for stage in stages),
+        starts=tuple(stage.start for stage in stages),
+        rigid=staged_branch(rigid, restitution=restitution, name=name),
+    )
+
+
+def flexible_moments(chain: Chain, *, name: str) -> Moments:
+    """The moments of the actions on a chain, each as its joints move."""
+    flexible = FlexibleChain(chain, name)
+    scan = np.unique(side_of(whole(chain), name=name, restitution=1.0).rotation)
+    return Moments(scan, lambda rotation: flexible.moments(rotation) + rounding(chain))
 
 
 def table(side: Side, other: Side | None) -> Branch:
@@ -233,7 +292,8 @@ def table(side: Side, other: Side | None) -> Branch:
     if shift:
         columns = columns[:, columns[0] > (1.0 + 0.5 * FINE) * shift]
         stand = np.array([shift])
-        columns = np.concatenate([_columns(stand, side.work_at(stand)), columns], axis=1)
+        work = side.work_at(stand, np.array([side.chain_at(shift)]))
+        columns = np.concatenate([_columns(stand, work), columns], axis=1)
     elif other is not None and other.lean:
         shift = -other.lean
         back = other.columns(back_from=other.lean)
@@ -270,6 +330,11 @@ def _crossing(rotation: FloatArray, values: FloatArray, k: int) -> float:
             return float(near)
     a, b = values[k], values[k + 1]
     return float(rotation[k] + (rotation[k + 1] - rotation[k]) * a / (a - b))
+
+
+def same_stages(one: Stages, other: Stages) -> bool:
+    """Whether two sides, each in its own sign, are alike to the last digit."""
+    return same_chain(one[0].chain, other[0].chain) and signature(one) == signature(other)
 
 
 def same_chain(one: Chain, other: Chain) -> bool:

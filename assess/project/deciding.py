@@ -24,6 +24,7 @@ from assess.codes.verdict import (
 from assess.errors import ProjectError
 from assess.message import Message, Severity, message
 from assess.project import sections
+from assess.project.study import Study
 from assess.results import MechanismResult
 
 
@@ -123,13 +124,12 @@ def _unsound(content: sections.Content, name: str) -> Iterator[Missing]:
 
 
 def decided(
-    question: Question,
-    facts: Mapping[str, tuple[tuple[Missing, ...], tuple[Message, ...]]],
-    mechanisms: Sequence[MechanismResult],
+    study: Study, mechanisms: Sequence[MechanismResult], tolerance: Mapping[str, float] | None = None
 ) -> Verdict:
-    """The verdict on the checks of the mechanisms."""
-    judged = [Judged(each.name, each.checks, *facts.get(each.name, ((), ()))) for each in mechanisms]
-    return verdict(question, judged)
+    """Decide on the checks of the mechanisms; tolerance: what the survey may take from the index of each, by name."""
+    near = tolerance or {}
+    judged = [Judged(m.name, m.checks, *study.facts.get(m.name, ((), ())), near.get(m.name, 0.0)) for m in mechanisms]
+    return verdict(study.question, judged)
 
 
 def marked(found: Verdict, question: Question, mechanism: MechanismResult) -> MechanismResult:

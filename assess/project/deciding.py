@@ -67,10 +67,10 @@ def action_of(content: sections.Content, basis: Basis | None, *, pga_g: float) -
         return Action(pga_g, None)
     declared, spectrum = content.site.limit_state, content.site.spectrum
     if isinstance(spectrum, sections.NtcHazardSpectrum):
-        state = declared or content.verdict.limit_state or (basis.default if basis is not None else None)
+        state = declared or content.verdict.limit_state or (basis.default if basis is not None else "")
         life = ntc.reference_life(spectrum.nominal_life, use_class=spectrum.use_class)
         years = ntc.return_period(state, reference_life=life) if state in ntc.EXCEEDANCE else None
-        return Action(pga_g, state, years, over_periods=True)
+        return Action(pga_g, state or None, years, over_periods=True)
     years = spectrum.return_period if isinstance(spectrum, sections.Nzs1170Spectrum) else None
     return Action(pga_g, declared, years)
 

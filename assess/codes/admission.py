@@ -21,6 +21,8 @@ from assess.message import Message, Quantity
 from assess.oscillator import Oscillator
 
 ONE_SIDED = ("asce43-05-spectrum",)  # damping by the two impacts of a body that rocks both ways
+ON_THE_WAY = (Family.DISPLACEMENT, Family.HISTORY, Family.ENERGY, Family.PART, Family.ELEMENT)
+"""What follows a mechanism as it moves, and so asks for what lasts."""
 S_X1 = 1.0  # s
 FLOOR_CLAUSES: dict[Family, str] = {
     Family.LINEAR: "give [building] height and storeys",
@@ -46,11 +48,13 @@ class Admission:
     """What a procedure may say, and the reason where that is not everything.
 
     safe : whether the numbers were worked out with the safe value of what is missing, so that they may be shown beside
+    void : whether the numbers are of another mechanism than the one asked about, so that they may not be shown
     """
 
     may: May
     reason: Message | None = None
     safe: bool = False
+    void: bool = False
 
 
 ASKED = Admission(May.ANSWER)
@@ -59,7 +63,7 @@ ASKED = Admission(May.ANSWER)
 def admission(procedure: str, oscillator: Oscillator, context: Context) -> Admission:
     """Find whether `procedure` may be asked; the first rule that speaks decides, the strictest first."""
     family = FAMILIES[procedure]
-    rules = (_of_clause, _of_impossible, _of_histories, _of_height)
+    rules = (_of_clause, _of_impossible, _of_unheld, _of_histories, _of_height)
     found = (rule(procedure, family, oscillator, context) for rule in rules)
     return next((each for each in found if each is not None), ASKED)
 
@@ -77,6 +81,8 @@ def _as_admitted(check: Check, given: Admission) -> Check:
         return check
     if given.may == May.NOT_APPLY:
         return replace(check, verdict=Outcome.NOT_APPLICABLE, reason=given.reason)
+    if given.void:
+        return without_numbers(check, given.reason)
     if check.verdict == Outcome.NOT_ANSWERED:
         return check
     if given.may == May.ONLY_FAIL and check.verdict == Outcome.FAIL:
@@ -89,6 +95,26 @@ def _as_admitted(check: Check, given: Admission) -> Check:
         may_pass=False,
         reason=given.reason,
         remarks=(*check.remarks, *own),
+    )
+
+
+def without_numbers(check: Check, reason: Message) -> Check:
+    """A check that is not answered, as it would be where nothing could be worked out."""
+    return Check(
+        procedure=check.procedure,
+        edition=check.edition,
+        reading=check.reading,
+        branch=check.branch,
+        limit_state=check.limit_state,
+        level_pga_g=check.level_pga_g,
+        input_at=check.input_at,
+        damping=None,
+        quantity=check.quantity,
+        unit=check.unit,
+        verdict=Outcome.NOT_ANSWERED,
+        reason=reason,
+        caveat=check.caveat,
+        may_pass=False,
     )
 
 
@@ -111,6 +137,13 @@ def _of_clause(procedure: str, family: Family, oscillator: Oscillator, context: 
 def _of_impossible(procedure: str, family: Family, oscillator: Oscillator, context: Context) -> Admission | None:
     """What makes every answer impossible, as a ground whose elevation nobody gave."""
     return Admission(May.NOT_ANSWER, context.impossible[0]) if context.impossible else None
+
+
+def _of_unheld(procedure: str, family: Family, oscillator: Oscillator, context: Context) -> Admission | None:
+    """What makes answers by displacements and histories impossible: it stands only by what is not shown to last."""
+    if family not in ON_THE_WAY or not context.unheld:
+        return None
+    return Admission(May.NOT_ANSWER, context.unheld[0], void=True)
 
 
 def _of_histories(procedure: str, family: Family, oscillator: Oscillator, context: Context) -> Admission | None:

@@ -68,6 +68,12 @@ def reached(chain: Chain, load: Action | PointMass, amount: float, measure: Call
     return float(found)
 
 
+def moved_at(chain: Chain, load: Action, rotation: float) -> float:
+    """Displacement of the point of a load from rest to a rotation [m]."""
+    path = place(move(chain, np.array([0.0, rotation])), block=load.block, at=load.at)
+    return float(_moved(path)[1])
+
+
 def _moved(path: Path) -> FloatArray:
     """Displacement from rest [n] [m]."""
     return np.asarray(np.hypot(path.x - path.x[0], path.z - path.z[0]))

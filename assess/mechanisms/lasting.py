@@ -19,7 +19,7 @@ from typing import Literal
 import numpy as np
 
 from assess.errors import InterfaceError, MechanismError
-from assess.loads import Action, PointMass, Tie, lasts
+from assess.loads import Action, Force, PointMass, Tie, lasts
 from assess.mechanisms.chain import Chain
 from assess.mechanisms.ends import end_of, unseating_rotation
 from assess.mechanisms.flexible_table import flexible_moments
@@ -52,12 +52,19 @@ class Variants:
 
     breaking, collapse : None where the mechanism falls at rest without what is not shown to last
     standing_by : names of the actions that it then stands by; empty where it stands without them
+    ends : up to where each action of each chain resists on the way to collapse [rad]; 0 where it does not last
     """
 
     starting: Oscillator
     breaking: Oscillator | None
     collapse: Oscillator | None
-    standing_by: tuple[str, ...] = ()
+    standing_by: tuple[str, ...]
+    ends: tuple[tuple[float, ...], ...]
+
+    @property
+    def deciding(self) -> Oscillator:
+        """What displacements and histories are asked of; the mechanism as it starts where it cannot stand otherwise."""
+        return self.starting if self.collapse is None else self.collapse
 
 
 @dataclass(frozen=True)
@@ -91,9 +98,20 @@ class Acting:
         """The same ends of those that are shown to last, 0 of the others."""
         return tuple(end if lasts(each) else 0.0 for each, end in zip(self.actions, self.ends, strict=True))
 
+    @property
+    def thrusts(self) -> tuple[Force, ...]:
+        """The forces that drive the chain at rest."""
+        at_rest = self.moments.of(np.zeros(1))[:, 0] if self.ends else ()
+        forces = zip(self.actions, at_rest, strict=True)
+        return tuple(each for each, moment in forces if isinstance(each, Force) and moment > 0.0)
+
     def up_to(self, ends: Sequence[float]) -> Stages:
         """The chain with its actions up to given ends [rad]."""
         return stages(self.chain, ends, self.moments)
+
+    def ever_resists(self, number: int) -> bool:
+        """Whether an action, by its number, resists at any rotation."""
+        return bool((self.moments.of(self.moments.scan)[number] < 0.0).any())
 
     def resists_at(self, number: int, rotation: float) -> bool:
         """Whether an action, by its number, resists at a rotation [rad]."""
@@ -115,6 +133,7 @@ def variants(mechanism: Mechanism) -> Variants:
         return known[key]
 
     breaking = of([each.up_to(each.ends) for each in acting])
+    ends = [each.lasting for each in acting]
     sides = [each.up_to(each.lasting) for each in acting]
     collapse = of(sides)
     if collapse is not None:
@@ -122,7 +141,8 @@ def variants(mechanism: Mechanism) -> Variants:
         ends = [_kept(each, branch.unstable + rest) for each, (branch, rest) in zip(acting, falls, strict=True)]
         sides = [each.up_to(kept) for each, kept in zip(acting, ends, strict=True)]
         collapse = of(sides)
-    return Variants(starting, breaking, collapse, () if collapse is not None else _standing_by(acting, sides))
+    missing = () if collapse is not None else _standing_by(acting, sides)
+    return Variants(starting, breaking, collapse, missing, tuple(ends))
 
 
 def equilibria(rocker: Oscillator) -> tuple[float, float]:

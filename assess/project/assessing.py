@@ -10,15 +10,16 @@ from assess.amplification import Carried, ModalFilter, carried
 from assess.codes.admission import admitted
 from assess.codes.check import Check, Outcome, Reason, because
 from assess.codes.context import Carried as CarriedBy
-from assess.codes.context import Context
+from assess.codes.context import Context, LocalLimit
 from assess.codes.family import of_histories
 from assess.codes.italian.history import suites_needed
 from assess.codes.registry import history_rules, procedure
 from assess.mechanisms.activation import hinge_forces
+from assess.mechanisms.lasting import held_above, limits, variants
 from assess.mechanisms.mechanism import Mechanism
-from assess.mechanisms.oscillation import oscillator
 from assess.message import Message, Quantity
 from assess.oscillator import Oscillator
+from assess.project.enduring import unheld
 from assess.project.histories import Rocking, Shaken, governing_trace, rocking, vibrates
 from assess.project.motions import Motion
 from assess.project.outcome import amplification_result, mechanism_result
@@ -39,7 +40,7 @@ def mechanisms_assessed(
     So the procedures of one, which hold the interpreter's lock, go on beside the histories of another, which do not.
     """
     shaken = {
-        m.name: Shaken(m.name, oscillator(m), study.equations[m.name], at_base(study.amplified[m.name], motions))
+        m.name: Shaken(m.name, variants(m).deciding, study.equations[m.name], at_base(study.amplified[m.name], motions))
         for m in study.mechanisms
     }
     wanted, scanned = besides(study, spectrum), any(map(of_histories, study.procedures))
@@ -82,11 +83,11 @@ def assessed(
     context = context_of(study, spectrum, mechanism, rocked, shaken.base)
     return mechanism_result(
         mechanism,
-        shaken.oscillator,
+        variants(mechanism).starting,
         equation=shaken.equation,
         scene=study.scenes.get(mechanism.name),
         checks=checks_of(study, shaken.oscillator, context),
-        histories=governing_trace(shaken, rocked.histories, motions),
+        histories=() if context.unheld else governing_trace(shaken, rocked.histories, motions),
         amplification=amplification_result(study.amplified[mechanism.name], motions, shaken.base),
     )
 
@@ -95,6 +96,7 @@ def context_of(
     study: Study, spectrum: Spectrum, mechanism: Mechanism, rocked: Rocking, base: tuple[Carried, ...]
 ) -> Context:
     """What the procedures may know of one mechanism."""
+    ways = variants(mechanism)
     return Context(
         spectrum=spectrum,
         levels=study.levels,
@@ -102,13 +104,17 @@ def context_of(
         support=SUPPORTS[mechanism.kind],
         wall=wall_of(mechanism),
         elevation=mechanism.elevation - study.ground,
-        rise=mechanism.rise,
+        rise=rise_of(mechanism),
         building=study.building,
         suites=rocked.suites,
         histories_at="ground" if study.amplified[mechanism.name].height is None else "mechanism base",
         carried=carried_by(study.amplified[mechanism.name]),
         crushing=mechanism.crushing,
+        starting=ways.starting,
+        breaking=ways.breaking,
+        limits=tuple(LocalLimit(each.kind, each.what, each.branch, each.rotation) for each in limits(mechanism)),
         impossible=study.impossible,
+        unheld=unheld(mechanism),
         impossible_by_histories=stopped(mechanism),
         amplification=max((each.factor for each in base), default=1.0),
         linearised=study.equations[mechanism.name] == "linearised",
@@ -118,6 +124,11 @@ def context_of(
         hazard=study.hazard,
         free_period=study.free_periods.get(mechanism.name),
     )
+
+
+def rise_of(mechanism: Mechanism) -> float:
+    """Height over its base of what else holds the mechanism [m]: the far support or a lasting tie; 0 without either."""
+    return held_above(mechanism) if mechanism.kind == "single-block" else mechanism.rise
 
 
 def stopped(mechanism: Mechanism) -> tuple[Message, ...]:

@@ -14,9 +14,9 @@ from assess.amplification import Carried, ModalFilter
 from assess.codes.check import Check
 from assess.geometry.scene import Scene
 from assess.hinge_forces import HingeForces
-from assess.loads import Force, Load, PointMass, pull_at_rest
 from assess.mechanisms.activation import hinge_forces
 from assess.mechanisms.directions import Directions
+from assess.mechanisms.lasting import variants
 from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.table import branch
 from assess.oscillator import (
@@ -31,6 +31,7 @@ from assess.oscillator import (
     threshold,
 )
 from assess.project.drawing import drawing
+from assess.project.enduring import load_results
 from assess.project.joint_results import interface_curves, interface_results
 from assess.project.motions import Motion
 from assess.project.study import Amplified, Equation
@@ -46,7 +47,6 @@ from assess.results import (
     HingeForceResult,
     HistoryResult,
     LinearisedResult,
-    LoadResult,
     MechanismResult,
     OscillatorResult,
     RecordResult,
@@ -191,6 +191,8 @@ def mechanism_result(
 ) -> MechanismResult:
     """One mechanism with its checks and its histories [level][record]; `scene` has its bodies in space."""
     positive, negative, mass = oscillator.positive, oscillator.negative, oscillator.mass
+    deciding = variants(mechanism).deciding
+    same = deciding is oscillator
     drawn = drawing(mechanism, oscillator, scene)
     rigid = rigid_branches(mechanism, oscillator)
     return MechanismResult(
@@ -207,7 +209,7 @@ def mechanism_result(
         oscillator_negative=None
         if negative is None
         else oscillator_result(negative, mass=mass, rigid=rigid[-1], equilibrium=oscillator.equilibrium_negative),
-        curve=Curve(branch_curve(positive, mass=mass), None if negative is None else branch_curve(negative, mass=mass)),
+        curve=curve_of(oscillator),
         interfaces=interface_results(mechanism, oscillator, [hinge.name for hinge in drawn.hinges]),
         interface_curves=interface_curves(mechanism, rigid) if mechanism.flexible else None,
         amplification=amplification,
@@ -215,9 +217,22 @@ def mechanism_result(
         histories=tuple(history for level in histories for history in level),
         suites=tuple(suite_result(level) for level in histories),
         envelope=None,
-        loads=tuple(load_result(load) for load in mechanism.positive.loads),
+        loads=load_results(mechanism),
         hinge_forces=tuple(hinge_force_result(each) for each in hinge_forces(mechanism)),
+        deciding_curve=None if same else curve_of(deciding),
+        deciding_overturning_rad=None if same else overturning_of(deciding),
     )
+
+
+def curve_of(oscillator: Oscillator) -> Curve:
+    """The capacity curves of both branches."""
+    positive, negative, mass = oscillator.positive, oscillator.negative, oscillator.mass
+    return Curve(branch_curve(positive, mass=mass), None if negative is None else branch_curve(negative, mass=mass))
+
+
+def overturning_of(oscillator: Oscillator) -> tuple[float, float | None]:
+    """The overturning rotations of both branches on rigid joints [rad]."""
+    return oscillator.positive.overturning, None if oscillator.negative is None else oscillator.negative.overturning
 
 
 def amplification_result(
@@ -248,16 +263,6 @@ def carried_motion(motion: Motion, base: Record) -> CarriedMotion:
         ground_spectrum_g=floats(scale / g * response_spectrum(ground, period)),
         base_spectrum_g=floats(scale / g * response_spectrum(base, period)),
     )
-
-
-def load_result(load: Load) -> LoadResult:
-    """A load as used, and how it was found."""
-    source = load.source or "given"
-    if isinstance(load, PointMass):
-        return LoadResult(load.name, "mass", load.block, load.at, load.mass, load.bearing, None, source)
-    if isinstance(load, Force):
-        return LoadResult(load.name, "force", load.block, load.at, None, None, load.force, source)
-    return LoadResult(load.name, "tie", load.block, load.at, None, None, pull_at_rest(load), source)
 
 
 def hinge_force_result(forces: HingeForces) -> HingeForceResult:

@@ -12,8 +12,8 @@ import numpy as np
 
 from assess.codes.asce43_05.clauses import Options, effective_frequency
 from assess.errors import ProjectError
+from assess.mechanisms.lasting import variants
 from assess.mechanisms.mechanism import Mechanism
-from assess.mechanisms.oscillation import oscillator
 from assess.oscillator import Branch
 
 BELOW, ABOVE = 0.2, 1.2  # of the least and the largest equivalent period: range that spectra are fitted over
@@ -29,7 +29,7 @@ def equivalent_periods(mechanisms: Iterable[Mechanism]) -> dict[str, tuple[float
     """The shortest and the longest [s] of the branches of each mechanism, by name."""
     found = {}
     for mechanism in mechanisms:
-        periods = [equivalent_period(branch) for branch in oscillator(mechanism).branches]
+        periods = [equivalent_period(branch) for branch in variants(mechanism).deciding.branches]
         found[mechanism.name] = (min(periods), max(periods))
     return found
 

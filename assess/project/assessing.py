@@ -108,6 +108,7 @@ def context_of(
         carried=carried_by(study.amplified[mechanism.name]),
         crushing=mechanism.crushing,
         impossible=study.impossible,
+        suite_faults=study.suite_faults,
         amplification=max((each.factor for each in base), default=1.0),
         linearised=study.equations[mechanism.name] == "linearised",
         besides=rocked.besides,

@@ -96,6 +96,7 @@ class Study:
     ground : its elevation [m]; impossible : what makes every answer impossible
     record_factor : a further factor on every record [-]
     suite_faults : by code, the rules for suites that the records miss, known once the records are
+    survey : the numbers of a mechanism that the survey's tolerance bears on, by its name
     variables : what the sensitivity of each mechanism varies
     pulses : of the overturning envelopes; None where none are asked for
     """
@@ -128,6 +129,7 @@ class Study:
     impossible: tuple[Message, ...] = ()
     record_factor: float = 1.0
     suite_faults: Mapping[str, tuple[Message, ...]] = field(default_factory=dict)
+    survey: Callable[[str], tuple[Variable, ...]] = lambda name: ()
     variables: tuple[Variable | Unvaried, ...] = ()
 
 

@@ -15,7 +15,7 @@ from scipy.constants import g
 
 from assess.codes.check import Check, Family, Outcome, Reason, because
 from assess.codes.context import Context
-from assess.codes.family import CODES, FAMILIES
+from assess.codes.family import CODES, FAMILIES, READINGS
 from assess.codes.italian.floor import floor_of
 from assess.message import Message, Quantity
 from assess.oscillator import Oscillator
@@ -23,7 +23,6 @@ from assess.oscillator import Oscillator
 ONE_SIDED = ("asce43-05-spectrum",)  # damping by the two impacts of a body that rocks both ways
 ON_THE_WAY = (Family.DISPLACEMENT, Family.HISTORY, Family.ENERGY, Family.PART, Family.ELEMENT)
 """What follows a mechanism as it moves, and so asks for what lasts."""
-S_X1 = 1.0  # s
 FLOOR_CLAUSES: dict[Family, str] = {
     Family.LINEAR: "give [building] height and storeys",
     Family.DISPLACEMENT: "give [building] height and storeys",
@@ -49,12 +48,14 @@ class Admission:
 
     safe : whether the numbers were worked out with the safe value of what is missing, so that they may be shown beside
     void : whether the numbers are of another mechanism than the one asked about, so that they may not be shown
+    others : further reasons of the same kind, each with its remedy
     """
 
     may: May
     reason: Message | None = None
     safe: bool = False
     void: bool = False
+    others: tuple[Message, ...] = ()
 
 
 ASKED = Admission(May.ANSWER)
@@ -63,7 +64,7 @@ ASKED = Admission(May.ANSWER)
 def admission(procedure: str, oscillator: Oscillator, context: Context) -> Admission:
     """Find whether `procedure` may be asked; the first rule that speaks decides, the strictest first."""
     family = FAMILIES[procedure]
-    rules = (_of_clause, _of_impossible, _of_unheld, _of_histories, _of_height)
+    rules = (_of_clause, _of_unheld, _of_impossible, _of_histories, _of_height)
     found = (rule(procedure, family, oscillator, context) for rule in rules)
     return next((each for each in found if each is not None), ASKED)
 
@@ -82,7 +83,7 @@ def _as_admitted(check: Check, given: Admission) -> Check:
     if given.may == May.NOT_APPLY:
         return replace(check, verdict=Outcome.NOT_APPLICABLE, reason=given.reason)
     if given.void:
-        return without_numbers(check, given.reason)
+        return without_numbers(check, given.reason, given.others)
     if check.verdict == Outcome.NOT_ANSWERED:
         return check
     if given.may == May.ONLY_FAIL and check.verdict == Outcome.FAIL:
@@ -94,11 +95,11 @@ def _as_admitted(check: Check, given: Admission) -> Check:
         provisional=check.verdict if given.safe else None,
         may_pass=False,
         reason=given.reason,
-        remarks=(*check.remarks, *own),
+        remarks=(*check.remarks, *given.others, *own),
     )
 
 
-def without_numbers(check: Check, reason: Message) -> Check:
+def without_numbers(check: Check, reason: Message, others: tuple[Message, ...] = ()) -> Check:
     """A check that is not answered, as it would be where nothing could be worked out."""
     return Check(
         procedure=check.procedure,
@@ -115,6 +116,7 @@ def without_numbers(check: Check, reason: Message) -> Check:
         reason=reason,
         caveat=check.caveat,
         may_pass=False,
+        remarks=others,
     )
 
 
@@ -124,13 +126,8 @@ def _of_clause(procedure: str, family: Family, oscillator: Oscillator, context: 
         return Admission(May.NOT_APPLY, because(Reason.ONE_SIDED))
     if family == Family.PART and context.support == "hinged":
         return Admission(May.NOT_APPLY, because(Reason.NOT_A_WALL, clause="NZSEE 2017 C8.8.5"))
-    if family == Family.TABLE:
-        clause = "ASCE 41-13 Table 11-5"
-        if context.support != "spanning":
-            return Admission(May.NOT_APPLY, because(Reason.NOT_SPANNING, clause=clause))
-        if context.spectrum.longest_period < S_X1:
-            end = Quantity(context.spectrum.longest_period, "time")
-            return Admission(May.NOT_ANSWER, because(Reason.SPECTRUM_TOO_SHORT, period="S_X1 at 1 s", end=end))
+    if family == Family.ELEMENT and context.carries_floors:
+        return Admission(May.NOT_ANSWER, because(Reason.CARRIES_FLOORS))
     return None
 
 
@@ -143,7 +140,7 @@ def _of_unheld(procedure: str, family: Family, oscillator: Oscillator, context: 
     """What makes answers by displacements and histories impossible: it stands only by what is not shown to last."""
     if family not in ON_THE_WAY or not context.unheld:
         return None
-    return Admission(May.NOT_ANSWER, context.unheld[0], void=True)
+    return Admission(May.NOT_ANSWER, context.unheld[0], void=True, others=context.impossible)
 
 
 def _of_histories(procedure: str, family: Family, oscillator: Oscillator, context: Context) -> Admission | None:
@@ -151,7 +148,7 @@ def _of_histories(procedure: str, family: Family, oscillator: Oscillator, contex
     if family != Family.HISTORY:
         return None
     faults = (*context.impossible_by_histories, *context.suite_faults.get(CODES[procedure], ()))
-    return Admission(May.NOT_ANSWER, faults[0]) if faults else None
+    return Admission(May.NOT_ANSWER, faults[0], others=tuple(faults[1:])) if faults else None
 
 
 def _of_height(procedure: str, family: Family, oscillator: Oscillator, context: Context) -> Admission | None:
@@ -161,7 +158,7 @@ def _of_height(procedure: str, family: Family, oscillator: Oscillator, context: 
     if context.above_building and family in (Family.LINEAR, Family.DISPLACEMENT, Family.ELEMENT, Family.PART):
         height = Quantity(context.support_height, "length")
         return Admission(May.ONLY_FAIL, because(Reason.ABOVE_BUILDING, height=height))
-    if _has_floor_input(family, context):
+    if procedure not in READINGS and _has_floor_input(family, context):
         return None
     why = (
         Reason.SCALAR_MOTION if family == Family.HISTORY and context.carried == "by a factor" else Reason.GROUND_MOTION

@@ -8,7 +8,7 @@ from __future__ import annotations
 import numpy as np
 from scipy.constants import g
 
-from assess.codes.check import BranchName, Check, Step
+from assess.codes.check import BranchName, Check, Step, step
 from assess.codes.context import Context
 from assess.codes.dmi2008.clauses import DAMPING, EDITION, ULTIMATE
 from assess.codes.governing import branch_named, governing
@@ -16,6 +16,7 @@ from assess.codes.italian.edition import Options
 from assess.codes.plain import plain
 from assess.codes.relation import PgaRelation, as_curve, demand, relation
 from assess.codes.spectral import spectral_answer
+from assess.codes.step import Given
 from assess.oscillator import Branch, FloatArray, Oscillator, displacement, linearise, threshold
 
 
@@ -98,15 +99,22 @@ def _steps(
     a_s = linear.multiplier * g * (1 - ULTIMATE**2)
     period = float(2 * np.pi * np.sqrt(ULTIMATE * d0 / a_s))
     ratio = None if rotation is None else rotation / branch.overturning
-    source, multiplied = "thesis 8.3.2", f"{linear.multiplier:.5g} · 9.80665 · 0.84"
-    root = f"2π √({ULTIMATE * d0:.5g} / {a_s:.5g})"
-    start = f"φ_cr = {linear.critical:.5g} rad"
+    source, at = "thesis 8.3.2", f"level {level / g:.4g} g"
+    of_start: Given = {
+        "K": (linear.stiffness, "N m/rad"),
+        "φ_cr": (linear.critical, "rad"),
+        "M": (linear.moment, "N m"),
+        "B": (linear.excitation, "kg m"),
+    }
+    of_d0: Given = {"∫ B dφ": (d0 * oscillator.mass, "kg m"), "M": (oscillator.mass, "kg")}
+    of_T: Given = {"d_u": (ULTIMATE * d0, "m"), "a_s": (a_s, "m/s2")}
+    said, lam = f"displacement at overturning, φ_ov = {branch.unstable:.5g} rad", {"λ": linear.multiplier}
     steps = (
-        Step("λ", "multiplier, linearised", "thesis 3.11", "(K φ_cr − M) / (g B)", start, linear.multiplier, "-"),
-        Step("d0", "displacement at overturning", source, "∫ B dφ / M", f"φ_ov = {branch.unstable:.5g}", d0, "m"),
-        Step("a_s", "acceleration at 0.4 d_u, d_u = 0.4 d0", source, "λ g (1 − 0.4 · 0.4)", multiplied, a_s, "m/s2"),
-        Step("T", "period, with d_u (the clause: d_s)", source, "2π √(d_u / a_s)", root, period, "s"),
-        Step("φ/φ_ov", "rotation at the level", source, "PGA(φ) = level", f"level {level / g:.4g} g", ratio, "-"),
+        step("λ", "multiplier, linearised", "thesis 3.11", "(K φ_cr − M) / (g B)", linear.multiplier, given=of_start),
+        step("d0", said, source, "∫ B dφ / M", d0, "m", given=of_d0),
+        step("a_s", "acceleration at 0.4 d_u, d_u = 0.4 d0", source, "λ g (1 − 0.4 · 0.4)", a_s, "m/s2", given=lam),
+        step("T", "period, with d_u (the clause: d_s)", source, "2 π √(d_u / a_s)", period, "s", given=of_T),
+        step("φ/φ_ov", "rotation at the level", source, "PGA(φ) = level", ratio, remark=at),
     )
     return steps if at_collapse is None else (*steps, *_collapse_steps(context, a_s, period, at_collapse))
 
@@ -114,8 +122,8 @@ def _steps(
 def _collapse_steps(context: Context, a_s: float, period: float, at_collapse: float) -> tuple[Step, ...]:
     ordinate = float(context.spectrum.acceleration(period, damping=DAMPING)) / context.spectrum.pga
     clause, at = context.spectrum.clause, f"T = {period:.5g} s"
-    divided = f"{a_s:.5g} / {ordinate:.5g}"
+    given: Given = {"a_s": (a_s, "m/s2"), "S_a/PGA": ordinate}
     return (
-        Step("S_a/PGA", "spectrum over PGA, 5 %", clause, "S_a(T) / PGA", at, ordinate, "-"),
-        Step("PGA_c", "largest PGA with φ ≤ 0.4 φ_ov", "thesis 8.3.2", "a_s / (S_a/PGA)", divided, at_collapse, "g"),
+        step("S_a/PGA", "spectrum over PGA, 5 %", clause, "spectrum over PGA", ordinate, remark=at),
+        step("PGA_c", "largest PGA with φ ≤ 0.4 φ_ov", "thesis 8.3.2", "a_s / (S_a/PGA g)", at_collapse, "g", given=given),
     )

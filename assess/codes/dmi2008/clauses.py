@@ -3,8 +3,8 @@
 Clause and equation numbers of C8A.4 are from memory, not checked against the printed circular; formulas were
 re-derived. Linear: acceleration that starts the mechanism against the demand over q. Non-linear: ultimate
 displacement d_u* = 0.4 d_0*, or less where a floor loses its seat before, against the spectral displacement at the
-secant period T_s; a mechanism above ground must also pass the check on the floor's motion. One function for each formula; those that Circolare 7/2019 has too are
-in `assess.codes.italian`.
+secant period T_s; a mechanism above ground must also pass the check on the floor's motion. One function for each
+formula; those that Circolare 7/2019 has too are in `assess.codes.italian`.
 """
 
 from __future__ import annotations

@@ -10,6 +10,7 @@ from assess.codes.italian.edition import Options
 from assess.codes.italian.floor import Demands, floor_of
 from assess.codes.italian.kinematic import activation, activation_steps
 from assess.codes.italian.limit_state import Case, at_each, rated_on_hazard
+from assess.codes.step import Given
 from assess.oscillator import Oscillator
 
 PROCEDURE = "dmi2008-linear"
@@ -48,11 +49,11 @@ def _check(case: Case, options: Options) -> Check:
 
 def _demand_steps(case: Case, demands: Demands, *, q: float) -> tuple[Step, ...]:
     floor, spectrum = floor_of(case.context), case.context.spectrum
-    given = {"PGA": (case.pga, "m/s2"), "q": q}
+    given: Given = {"PGA": (case.pga, "m/s2"), "q": q}
     ground = step("a_g S / q", "demand of the ground", CLAUSE, "PGA / q", demands.ground, "m/s2", given=given)
     if floor is None:
         return (ground,)
     spectral = float(spectrum.acceleration(floor.T1, damping=DAMPING)) * case.pga / spectrum.pga
-    shape = {"S_e(T1)": (spectral, "m/s2"), "ψ": floor.psi, "γ": floor.gamma, "q": q}
-    words, formula = "demand of the floor, ψ = Z / H, γ = 3 N / (2 N + 1)", "S_e(T1) ψ γ / q"
+    shape: Given = {"S_e(T1)": (spectral, "m/s2"), "ψ": floor.psi, "γ": floor.gamma, "q": q}
+    words, formula = "demand of the floor, ψ = Z / H, γ = 3 N / (2 N + 1)", "S_e(T1) · ψ · γ / q"
     return ground, step(formula, words, CLAUSE, formula, demands.floor, "m/s2", given=shape)

@@ -21,6 +21,7 @@ from assess.codes.italian.floor import Demands, floor_of
 from assess.codes.italian.kinematic import activation_steps, curve_step
 from assess.codes.italian.limit_state import Case, at_each, rated_on_hazard
 from assess.codes.italian.thresholds import seat_conditions, threshold_steps
+from assess.codes.step import Given
 from assess.oscillator import Oscillator
 
 PROCEDURE = "dmi2008-nonlinear"
@@ -68,13 +69,13 @@ def _check(case: Case) -> Check:
 
 
 def _capacity_steps(case: Case, cap: Capacity) -> tuple[Step, ...]:
-    of_ds = {"k": ULTIMATE, "d_u*": (cap.du, "m")}
+    of_ds: Given = {"k": ULTIMATE, "d_u*": (cap.du, "m")}
     of_Ts = {"d_s*": (cap.ds, "m"), "a_s*": (cap.as_, "m/s2")}
     return (
         *threshold_steps(case.curves, cap.threshold, RULE, "d_u*", "ultimate displacement"),
-        step("d_s*", "secant displacement, k = 0.4", CLAUSE, "k d_u*", cap.ds, "m", given=of_ds),
+        step("d_s*", "secant displacement, k = 0.4", CLAUSE, "k · d_u*", cap.ds, "m", given=of_ds),
         curve_step(case, CLAUSE, "a_s*", "acceleration at d_s*, actions that have not ended", moved=cap.ds),
-        step("T_s", "secant period", CLAUSE, "2 π √(d_s* / a_s*)", cap.Ts, "s", given=of_Ts),
+        step("T_s", "secant period", CLAUSE, "2 · π · √(d_s* / a_s*)", cap.Ts, "s", given=of_Ts),
     )
 
 
@@ -93,8 +94,8 @@ def _demand_steps(case: Case, cap: Capacity, answer: Answer) -> tuple[Step, ...]
     if floor is not None:
         first = ground_displacement(case.context, floor.T1) * scale
         shape = {"T_s": (cap.Ts, "s"), "T1": (floor.T1, "s")}
-        given = {"S_De(T1)": (first, "m"), "ψ": floor.psi, "γ": floor.gamma, "r": cap.Ts / floor.T1}
-        formula = "S_De(T1) ψ γ r² / √((1 − r)² + 0.02 r)"
+        given: Given = {"S_De(T1)": (first, "m"), "ψ": floor.psi, "γ": floor.gamma, "r": cap.Ts / floor.T1}
+        formula = "S_De(T1) · ψ · γ · (r)² / √((1 − r)² + 0.02 · r)"
         steps += [
             step("r", "period over the first mode's", "C8A.4.2.3", "T_s / T1", cap.Ts / floor.T1, given=shape),
             step("Δ_d(Z)", "demand at the floor", "C8A.4.2.3", formula, wanted.floor * case.pga, "m", given=given),

@@ -110,10 +110,12 @@ def _steps(
     of_T: Given = {"d_u": (ULTIMATE * d0, "m"), "a_s": (a_s, "m/s2")}
     said, lam = f"displacement at overturning, φ_ov = {branch.unstable:.5g} rad", {"λ": linear.multiplier}
     steps = (
-        step("λ", "multiplier, linearised", "thesis 3.11", "(K φ_cr − M) / (g B)", linear.multiplier, given=of_start),
+        step(
+            "λ", "multiplier, linearised", "thesis 3.11", "(K · φ_cr − M) / (g · B)", linear.multiplier, given=of_start
+        ),
         step("d0", said, source, "∫ B dφ / M", d0, "m", given=of_d0),
-        step("a_s", "acceleration at 0.4 d_u, d_u = 0.4 d0", source, "λ g (1 − 0.4 · 0.4)", a_s, "m/s2", given=lam),
-        step("T", "period, with d_u (the clause: d_s)", source, "2 π √(d_u / a_s)", period, "s", given=of_T),
+        step("a_s", "acceleration at 0.4 d_u, d_u = 0.4 d0", source, "λ · g · (1 − 0.4 · 0.4)", a_s, "m/s2", given=lam),
+        step("T", "period, with d_u (the clause: d_s)", source, "2 · π · √(d_u / a_s)", period, "s", given=of_T),
         step("φ/φ_ov", "rotation at the level", source, "PGA(φ) = level", ratio, remark=at),
     )
     return steps if at_collapse is None else (*steps, *_collapse_steps(context, a_s, period, at_collapse))
@@ -125,5 +127,13 @@ def _collapse_steps(context: Context, a_s: float, period: float, at_collapse: fl
     given: Given = {"a_s": (a_s, "m/s2"), "S_a/PGA": ordinate}
     return (
         step("S_a/PGA", "spectrum over PGA, 5 %", clause, "spectrum over PGA", ordinate, remark=at),
-        step("PGA_c", "largest PGA with φ ≤ 0.4 φ_ov", "thesis 8.3.2", "a_s / (S_a/PGA g)", at_collapse, "g", given=given),
+        step(
+            "PGA_c",
+            "largest PGA with φ ≤ 0.4 φ_ov",
+            "thesis 8.3.2",
+            "a_s / (S_a/PGA · g)",
+            at_collapse,
+            "g",
+            given=given,
+        ),
     )

@@ -95,7 +95,7 @@ def ground_step(case: Case, clause: str, symbol: str, period: float, *, ordinate
     words, name, spectral = "demand at the ground", f"S_De({symbol})", f"S_e({symbol})"
     if isclose(moved, ordinate * (period / (2 * pi)) ** 2, rel_tol=1e-9):
         given = {spectral: (ordinate, "m/s2"), symbol: (period, "s")}
-        return step(name, words, clause, f"{spectral} ({symbol} / (2 π))²", moved, "m", given=given)
+        return step(name, words, clause, f"{spectral} · ({symbol} / (2 · π))²", moved, "m", given=given)
     at = f"{symbol} = {period:.5g} s"
     return step(name, words, case.context.spectrum.clause, "displacement spectrum, T > T_E", moved, "m", remark=at)
 

@@ -27,6 +27,7 @@ from assess.codes.italian.kinematic import rotation_at
 from assess.codes.italian.limit_state import pga_step, share
 from assess.codes.italian.thresholds import Rule as Limit
 from assess.codes.italian.thresholds import Threshold, seat_conditions, threshold_of, threshold_steps
+from assess.codes.step import Given
 from assess.message import Message, count
 from assess.oscillator import Oscillator, displacement, participation_ratio
 from spectra.spectrum import Spectrum
@@ -246,9 +247,10 @@ def _record_steps(found: Found, rule: Rule, *, FC: float) -> tuple[Step, ...]:
     words = "PGA at which the records are run, as fitted to the site's spectrum; FC goes with the motion"
     counted = f"records, both polarities; at least {LEAST_RECORDS}, {FOR_THE_MEAN} for the mean"
     collapse, over = "largest of those that stand; at most 1", "records that overturn; none may"
-    given, stand = {"PGA": (found.pga, "m/s2"), "FC": FC}, f"{len(found.standing)} records"
+    given: Given = {"PGA": (found.pga, "m/s2"), "FC": FC}
+    stand = f"{len(found.standing)} records"
     return (
-        step("FC PGA", words, rule.clause, "FC PGA", run, "m/s2", given=given),
+        step("FC · PGA", words, rule.clause, "FC · PGA", run, "m/s2", given=given),
         step("n", counted, NUMBER_CLAUSE, "count", n),
         step("n_ov", over, rule.clause, "count", fallen),
         step("d_max / d0*", collapse, rule.clause, "largest d* / d0*", found.farthest, remark=stand),
@@ -263,7 +265,7 @@ def _ratio_steps(found: Found, rule: Rule, curves: Curves, threshold: Threshold,
     ratio = step(f"d / d_{state}", words, rule.clause, words.split(" of ")[0], found.judged, remark=every)
     if found.judged is None:
         return (ratio,)
-    given = {f"d / d_{state}": found.judged, f"d_{state}": (threshold.moved, "m")}
+    given: Given = {f"d / d_{state}": found.judged, f"d_{state}": (threshold.moved, "m")}
     said = f"demand, at d_{state} of the {curves.name} branch"
     value = found.judged * threshold.moved
     return ratio, step("d", said, rule.clause, f"d / d_{state} · d_{state}", value, "m", given=given)

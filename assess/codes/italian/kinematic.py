@@ -14,6 +14,7 @@ from assess.codes.check import Step, step
 from assess.codes.italian.confidence import confidence_step
 from assess.codes.italian.edition import Edition
 from assess.codes.italian.limit_state import Case
+from assess.codes.step import Given
 from assess.oscillator import (
     Branch,
     displacement,
@@ -76,8 +77,8 @@ def uplift_pga(branch: Branch, *, confidence_factor: float, amplified: float) ->
 def activation_steps(case: Case, edition: Edition) -> tuple[Step, ...]:
     """The PGA, alpha0, e*, FC and a0* as the calculation sheets print them."""
     branch, mass, FC = case.curves.starting, case.curves.mass, case.confidence.factor
-    e, moved = participation_ratio(branch, mass=mass), "(Σ m δx)² / (M Σ m δx²)"
-    shares = {
+    e, moved = participation_ratio(branch, mass=mass), "(Σ m δx)² / (M · Σ m δx²)"
+    shares: Given = {
         "Σ m δx": (float(branch.excitation[0]), "kg m"),
         "M": (mass, "kg"),
         "Σ m δx²": (float(branch.participation[0]), "kg m2"),
@@ -88,7 +89,7 @@ def activation_steps(case: Case, edition: Edition) -> tuple[Step, ...]:
         _multiplier_step(branch, edition.multiplier),
         step("e*", "fraction of participating mass", edition.oscillator, moved, e, given=shares),
         confidence_step(case.confidence, edition),
-        step("a0*", "acceleration of activation", edition.oscillator, "α0 g / (e* FC)", a0, "m/s2", given=given),
+        step("a0*", "acceleration of activation", edition.oscillator, "α0 · g / (e* · FC)", a0, "m/s2", given=given),
     )
 
 
@@ -97,16 +98,16 @@ def _multiplier_step(branch: Branch, clause: str) -> Step:
     alpha0, words = resisted(branch), "multiplier that starts the mechanism"
     if alpha0 > float(multiplier(branch)[0]):
         return step("α0", words, clause, "largest λ of the curve", alpha0, remark="joints that give way")
-    given = {"R0": (float(branch.restoring[0]), "N m"), "B0": (float(branch.excitation[0]), "kg m")}
-    return step("α0", f"{words}; R0 = V'(0) − M", clause, "R0 / (g B0)", alpha0, given=given)
+    given: Given = {"R0": (float(branch.restoring[0]), "N m"), "B0": (float(branch.excitation[0]), "kg m")}
+    return step("α0", f"{words}; R0 = V'(0) − M", clause, "R0 / (g · B0)", alpha0, given=given)
 
 
 def collapse_step(branch: Branch, clause: str, *, mass: float) -> Step:
     """d0* as the calculation sheets print it."""
     e, collapse = participation_ratio(branch, mass=mass), displacement_at_collapse(branch, mass=mass)
     words = f"displacement where a* = 0, actions shown to last alone; B integrated to φ_ov = {branch.unstable:.5g} rad"
-    given = {"∫ B dφ": (collapse * e * mass, "kg m"), "M": (mass, "kg"), "e*": e}
-    return step("d0*", words, clause, "∫ B dφ / (M e*)", collapse, "m", given=given)
+    given: Given = {"∫ B dφ": (collapse * e * mass, "kg m"), "M": (mass, "kg"), "e*": e}
+    return step("d0*", words, clause, "∫ B dφ / (M · e*)", collapse, "m", given=given)
 
 
 def curve_step(case: Case, clause: str, symbol: str, words: str, *, moved: float) -> Step:
@@ -117,4 +118,4 @@ def curve_step(case: Case, clause: str, symbol: str, words: str, *, moved: float
     a = acceleration_at(branch, moved, mass=mass, confidence_factor=FC)
     said = f"{words}: λ at d* = {moved:.5g} m, φ = {rotation:.5g} rad"
     given = {"λ": a * e * FC / g, "e*": e, "FC": FC}
-    return step(symbol, said, clause, "λ g / (e* FC)", a, "m/s2", given=given)
+    return step(symbol, said, clause, "λ · g / (e* · FC)", a, "m/s2", given=given)

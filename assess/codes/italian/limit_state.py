@@ -47,7 +47,13 @@ OneCase = Callable[[Case], Check]
 
 
 def at_each(
-    oscillator: Oscillator, context: Context, edition: Edition, options: Options, *, known: tuple[str, ...], one: OneCase
+    oscillator: Oscillator,
+    context: Context,
+    edition: Edition,
+    options: Options,
+    *,
+    known: tuple[str, ...],
+    one: OneCase,
 ) -> tuple[Check, ...]:
     """For each limit state that is `known` and asked for, and each level, the worse branch by `one`.
 

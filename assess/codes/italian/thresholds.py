@@ -13,8 +13,14 @@ from dataclasses import dataclass
 from assess.codes.check import Step, step
 from assess.codes.context import Context, LocalLimit
 from assess.codes.italian.curves import Curves
-from assess.codes.italian.kinematic import BEFORE, collapse_step, displacement_at, displacement_at_collapse, multiplier_at
-from assess.message import Message, Quantity, Severity, message
+from assess.codes.italian.kinematic import (
+    BEFORE,
+    collapse_step,
+    displacement_at,
+    displacement_at_collapse,
+    multiplier_at,
+)
+from assess.message import Message, Quantity, Severity, Value, message
 from assess.oscillator import Branch, multiplier
 
 LOSS = 0.5  # of the largest acceleration capacity
@@ -77,7 +83,7 @@ def _around(branch: Branch, rotation: float) -> tuple[float, float]:
 def threshold_steps(curves: Curves, threshold: Threshold, rule: Rule, symbol: str, words: str) -> tuple[Step, ...]:
     """d0*, the local limits that count, and d_LS named `symbol`, as the calculation sheets print them."""
     steps = [collapse_step(curves.lasting, rule.clause, mass=curves.mass)]
-    terms, given = [f"{rule.share:g} d0*"], {"d0*": (threshold.collapse, "m")}
+    terms, given = [f"{rule.share:g} · d0*"], {"d0*": (threshold.collapse, "m")}
     for number, each in enumerate(threshold.locals, 1):
         name = f"d_{each.limit.kind}{number}"
         steps += _local_steps(each, name, rule.clause)
@@ -90,9 +96,11 @@ def threshold_steps(curves: Curves, threshold: Threshold, rule: Rule, symbol: st
 def _local_steps(each: Local, name: str, clause: str) -> Iterator[Step]:
     where = f"φ = {each.limit.rotation:.5g} rad, B integrated to there"
     if each.limit.kind == "seat":
-        yield step(name, f"{each.limit.what} loses its seat", clause, "∫ B dφ / (M e*)", each.moved, "m", remark=where)
+        yield step(
+            name, f"{each.limit.what} loses its seat", clause, "∫ B dφ / (M · e*)", each.moved, "m", remark=where
+        )
         return
-    yield step(name, f"{each.limit.what} ends", clause, "∫ B dφ / (M e*)", each.moved, "m", remark=where)
+    yield step(name, f"{each.limit.what} ends", clause, "∫ B dφ / (M · e*)", each.moved, "m", remark=where)
     words = f"acceleration just after {each.limit.what} ends over the largest; it limits below {LOSS:g}"
     given = {"λ": each.after, "λ_max": each.largest}
     yield step("λ / λ_max", words, clause, "λ / λ_max", each.after / each.largest, given=given)
@@ -102,5 +110,9 @@ def seat_conditions(context: Context, state: str, moved: float) -> tuple[Message
     """What a pass rests on where floors or beams rest on the mechanism and nobody gave their seats."""
     if not context.seats_unknown:
         return ()
-    values = {"state": state, "what": ", ".join(context.seats_unknown), "moved": Quantity(moved, "length")}
+    values: dict[str, Value] = {
+        "state": state,
+        "what": ", ".join(context.seats_unknown),
+        "moved": Quantity(moved, "length"),
+    }
     return (message("seats-hold", values, severity=Severity.WARNING),)

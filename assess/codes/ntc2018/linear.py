@@ -11,7 +11,15 @@ from assess.codes.italian.kinematic import activation, activation_steps
 from assess.codes.italian.limit_state import Case, at_each, rated
 from assess.codes.ntc2018.building import ELASTIC_DAMPING, FirstModes, elastic_modes, floor_acceleration
 from assess.codes.ntc2018.clauses import EDITION, acceleration_demands, activation_pga, period_of, uplift
-from assess.codes.ntc2018.sheet import first_mode_steps, ordinate_steps, peak_steps, period_steps, share_steps
+from assess.codes.ntc2018.sheet import (
+    first_mode_steps,
+    ordinate_steps,
+    peak_steps,
+    peak_symbol,
+    period_steps,
+    share_steps,
+)
+from assess.codes.step import Given
 from assess.oscillator import Oscillator
 
 PROCEDURE = "ntc2018-linear"
@@ -59,7 +67,7 @@ def demand_steps(
     symbol : of the first mode that asks most
     """
     spectrum, free = case.context.spectrum, T0 > 0.0
-    ground, floor = ("S_e(T0)" if free else "PGA"), ("S_eZ(T0)" if free else "a_Z")
+    ground, floor = ("S_e(T0)" if free else "PGA"), ("S_eZ(T0)" if free else peak_symbol(symbol))
     given = {"a0*": (a0, "m/s2"), "PGA": (case.pga, "m/s2"), ground: (over_pga.ground * case.pga, "m/s2")}
     steps: list[Step] = []
     if free:
@@ -71,7 +79,7 @@ def demand_steps(
         steps += floor_steps(case, modes, T0=T0, symbol=symbol)
         given[floor], most = (over_pga.floor * case.pga, "m/s2"), f"max({ground}, {floor})"
     words, value = "PGA of activation, by the larger of ground and floor", activation_pga(a0, over_pga)
-    clause, formula = "C8.7.1.9" if free else "C8.7.1.8", f"a0* PGA / {most}"
+    clause, formula = "C8.7.1.9" if free else "C8.7.1.8", f"a0* · PGA / {most}"
     return *steps, step("a_g,SLD S", words, clause, formula, value, "m/s2", given=given)
 
 
@@ -101,5 +109,5 @@ def _capacity_steps(case: Case, over_pga: Demands, *, a0: float, q: float) -> tu
     if case.state == "SLD":
         return (demanded,)
     activated = activation_pga(a0, over_pga)
-    given = {"q": q, "a_g,SLD S": (activated, "m/s2")}
-    return step("a_g,SLV S", "PGA at capacity", clause, "q a_g,SLD S", q * activated, "m/s2", given=given), demanded
+    given: Given = {"q": q, "a_g,SLD S": (activated, "m/s2")}
+    return step("a_g,SLV S", "PGA at capacity", clause, "q · a_g,SLD S", q * activated, "m/s2", given=given), demanded

@@ -37,6 +37,7 @@ from assess.codes.ntc2018.clauses import (
 )
 from assess.codes.ntc2018.linear import demand_steps
 from assess.codes.ntc2018.sheet import first_mode_steps, ordinate_steps, peak_steps, period_steps, share_steps
+from assess.codes.step import Given
 from assess.oscillator import Oscillator
 from spectra.floor_spectrum import PLATEAU
 
@@ -110,8 +111,10 @@ def _capacity_steps(case: Case, cap: Capacity) -> tuple[Step, ...]:
     curve = curve_step(case, "C8.7.1.3", a, "acceleration of actions that have not ended", moved=cap.d)
     if cap.T0 > 0.0 and cap.a < curve.value:  # type: ignore[operator]
         given = {d: (cap.d, "m"), "T0": (cap.T0, "s")}
-        curve = step(a, "acceleration on the elastic branch", "C8.7.1.6", f"4 π² {d} / T0²", cap.a, "m/s2", given=given)
-    formula, given = f"{ultimate.factor:g} π √({d} / {a})", {d: (cap.d, "m"), a: (cap.a, "m/s2")}
+        curve = step(
+            a, "acceleration on the elastic branch", "C8.7.1.6", f"{d} · (2 · π / T0)²", cap.a, "m/s2", given=given
+        )
+    formula, given = f"{ultimate.factor:g} · π · √({d} / {a})", {d: (cap.d, "m"), a: (cap.a, "m/s2")}
     return (
         *threshold_steps(case.curves, cap.threshold, ultimate.rule, d, "displacement capacity"),
         curve,
@@ -160,18 +163,18 @@ def _demand_steps(
     scale, (symbol, period), clause = case.pga / case.context.spectrum.pga, T, "C8.7.1.12"
     spectral = ordinate(case.context, modes, asked.first, period, damping=damping) * scale
     given = {f"S_eZ({symbol})": (spectral, "m/s2"), symbol: (period, "s")}
-    formula, name = f"S_eZ({symbol}) ({symbol} / (2 π))²", f"d({symbol}, Z)"
+    formula, name = f"S_eZ({symbol}) · ({symbol} / (2 · π))²", f"d({symbol}, Z)"
     line = step(name, "demand of the floor", clause, formula, asked.moved * scale, "m", given=given)
     if asked.least == 0.0:
         return (line,)
     resonant, b = ordinate(case.context, modes, asked.first, asked.first, damping=damping) * scale, PLATEAU[1]
-    beside = {f"S_eZ({FIRST})": (resonant, "m/s2"), "b": b, FIRST: (asked.first, "s")}
-    words, formula = f"no less than this, as {symbol} > b {FIRST}", f"S_eZ({FIRST}) (b {FIRST} / (2 π))²"
+    beside: Given = {f"S_eZ({FIRST})": (resonant, "m/s2"), "b": b, FIRST: (asked.first, "s")}
+    words, formula = f"no less than this, as {symbol} > b {FIRST}", f"S_eZ({FIRST}) · (b · {FIRST} / (2 · π))²"
     return line, step(f"d(b {FIRST}, Z)", words, clause, formula, asked.least * scale, "m", given=beside)
 
 
 def _shown_steps(case: Case, worked: Worked, *, damping: float) -> tuple[Step, ...]:
-    """The demand of the floor at 20 % of damping of the building, which the circular allows and nothing is judged by."""
+    """The demand of the floor with 20 % of damping of the building, for comparison."""
     modes, cap = modes_at(case.context, case.state, damping=SHOWN_DAMPING), worked.capacity
     if modes is None or modes.reason:
         return ()

@@ -28,10 +28,11 @@ def share_steps(case: Case, modes: FirstModes | None) -> tuple[Step, ...]:
     if modes is None or building is None:
         return ()
     Z, H = (modes.floor.psi * building.height, "m"), (building.height, "m")
-    given, words = {"N": float(building.storeys or 0), "Z": Z, "H": H}, "share of the first mode at Z, N storeys"
+    given: Given = {"N": float(building.storeys or 0), "Z": Z, "H": H}
+    words = "share of the first mode at Z, N storeys"
     mode = "first mode of the building, elastic"
     return (
-        step("γψ", words, "C7.2.10", "3 N Z / ((2 N + 1) H)", modes.share, given=given),
+        step("γψ", words, "C7.2.10", "3 · N · Z / ((2 · N + 1) · H)", modes.share, given=given),
         step("T1", mode, "C7.2.3", "[building] period", modes.floor.T1, "s", remark="given, or 0.05 H^0.75"),
     )
 
@@ -43,13 +44,13 @@ def first_mode_steps(modes: FirstModes, first: float, symbol: str, T: tuple[str,
         return (step(symbol, stated, "C8.7.1.2.1.4", "as stated", first, "s", remark=modes.reason),)
     if modes.shortest == modes.longest:
         return ()
-    words, (name, value) = f"softened by 1.5 to 2.0, of which {why}", T
+    words, (name, value) = f"first mode, softened by 1.5 to 2.0: {why}", T
     for letter, factor in zip("ab", PLATEAU, strict=True):
         if np.isclose(first, value / factor, rtol=1e-12, atol=0.0):
-            peak = {name: (value, "s"), letter: factor}
+            peak: Given = {name: (value, "s"), letter: factor}
             return (step(symbol, words, "C8.7.1.2.1.4", f"{name} / {letter}", first, "s", given=peak),)
-    k = {"k": first / modes.floor.T1, "T1": (modes.floor.T1, "s")}
-    return (step(symbol, words, "C8.7.1.2.1.4", "k T1", first, "s", given=k),)
+    k: Given = {"k": first / modes.floor.T1, "T1": (modes.floor.T1, "s")}
+    return (step(symbol, words, "C8.7.1.2.1.4", "k · T1", first, "s", given=k),)
 
 
 def peak_steps(case: Case, modes: FirstModes, first: float, symbol: str) -> tuple[Step, ...]:
@@ -63,8 +64,15 @@ def peak_steps(case: Case, modes: FirstModes, first: float, symbol: str) -> tupl
     words = "peak acceleration of the floor, first mode; ξ1 as ratio"
     return (
         step(name, "elastic spectrum at the first mode", spectrum.clause, "S_e(T, ξ1)", spectral, "m/s2", remark=at),
-        step("a_Z", words, "C7.2.7, C7.2.8", f"{name} γψ √(1 + 4 ξ1²)", peak, "m/s2", given=given),
+        step(
+            peak_symbol(symbol), words, "C7.2.7, C7.2.8", f"{name} · γψ · √(1 + (2 · ξ1)²)", peak, "m/s2", given=given
+        ),
     )
+
+
+def peak_symbol(first: str) -> str:
+    """Symbol of a_Z under the first mode named `first`."""
+    return f"a_Z({first})"
 
 
 def ordinate_steps(
@@ -77,23 +85,23 @@ def ordinate_steps(
     A = max(1.1 / np.sqrt(modes.damping) * eta, 1.0)
     value = ordinate(case.context, modes, building, period, damping=damping) * scale
     formula, given = _stretch(symbol, period, name, building)
-    given = {"A": A, "a_Z": (peak, "m/s2"), **given}
+    given = {"A": A, peak_symbol(name): (peak, "m/s2"), **given}
     if period > building:
         ground = float(spectrum.acceleration(period, damping=damping)) * scale
         formula, given = f"max({formula}, S_e({symbol}))", {**given, f"S_e({symbol})": (ground, "m/s2")}
     words, of_A = f"floor spectrum at {100 * damping:.3g} %", {"η": eta, "ξ1": modes.damping}
     return (
-        step("A", "resonance; ξ1 as ratio", "C7.2.6", "max(1.1 η / √(ξ1), 1)", float(A), given=of_A),
+        step("A", "resonance; ξ1 as ratio", "C7.2.6", "max(1.1 · η / √(ξ1), 1)", float(A), given=of_A),
         step(f"S_eZ({symbol})", words, "C7.2.5, C7.2.6", formula, value, "m/s2", given=given),
     )
 
 
 def _stretch(symbol: str, period: float, name: str, first: float) -> tuple[str, dict[str, float | tuple[float, str]]]:
     """Formula of C7.2.6 on the stretch where a period lies, and its inputs besides A and a_Z."""
-    a, b = PLATEAU
+    (a, b), peak = PLATEAU, peak_symbol(name)
     given: dict[str, float | tuple[float, str]] = {symbol: (period, "s"), name: (first, "s")}
     if period < a * first:
-        return f"A a_Z / (1 + (A − 1) (1 − {symbol} / (a {name}))^1.6)", {**given, "a": a}
+        return f"A · {peak} / (1 + (A − 1) · (1 − {symbol} / (a · {name}))^1.6)", {**given, "a": a}
     if period <= b * first * (1.0 + 1e-12):
-        return "A a_Z", {}
-    return f"A a_Z / (1 + (A − 1) ({symbol} / (b {name}) − 1)^1.2)", {**given, "b": b}
+        return f"A · {peak}", {}
+    return f"A · {peak} / (1 + (A − 1) · ({symbol} / (b · {name}) − 1)^1.2)", {**given, "b": b}

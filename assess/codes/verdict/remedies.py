@@ -16,6 +16,7 @@ FILTER: Line = ("mechanisms.{}.amplification", 'amplification = { method = "moda
 HEIGHT: Line = ("building.height", 'height = "9 m"')
 STOREYS: Line = ("building.storeys", "storeys = 2")
 GROUND: Line = ("building.ground_elevation", "ground_elevation = 0.0")
+SEAT: Line = ("mechanisms.{}.loads", 'seat = "0.12 m"')
 RECORDS: Line = ("records.files", 'files = ["records/*.AT2"]')
 TABLE: Line = ("site.spectrum.file", "")
 
@@ -31,6 +32,7 @@ REMEDIES: Mapping[Reason, tuple[Line, ...]] = {
     Reason.SCALAR_MOTION: (FILTER,),
     Reason.GROUND_UNKNOWN: (GROUND,),
     Reason.ABOVE_BUILDING: (HEIGHT, GROUND),
+    Reason.SEAT_UNKNOWN: (SEAT,),
     Reason.TOO_FEW_RECORDS: (RECORDS,),
     Reason.SPECTRUM_TOO_SHORT: (TABLE,),
 }
@@ -45,9 +47,11 @@ def remedies(mechanism: str, checks: Sequence[Check]) -> tuple[Missing, ...]:
 
 
 def _of(mechanism: str, check: Check) -> tuple[Missing, ...]:
-    reason = _reason(check)
-    if reason is None:  # answered: what is missing is the target
-        return ()
+    """Each reason with its keys; of a check that is answered there is none: what is missing is the target."""
+    return tuple(missing for reason in _reasons(check) for missing in _missing(mechanism, check, reason))
+
+
+def _missing(mechanism: str, check: Check, reason: Message) -> tuple[Missing, ...]:
     text = f"{mechanism}: {check.procedure}: {reason.text}"
     if reason.where:
         return (Missing(reason.where, text, str(reason.values.get("toml", ""))),)
@@ -57,11 +61,12 @@ def _of(mechanism: str, check: Check) -> tuple[Missing, ...]:
     return tuple(Missing(key.format(mechanism), text, toml) for key, toml in lines)
 
 
-def _reason(check: Check) -> Message | None:
+def _reasons(check: Check) -> tuple[Message, ...]:
     """Why a check is not answered, or why one that fails cannot pass at a lower target."""
+    keyed = [each for each in check.remarks if each.where or each.key in REMEDIES]
     if check.verdict == Outcome.NOT_ANSWERED:
-        return check.reason
-    return next((each for each in check.remarks if each.key == Reason.GROUND_MOTION or each.key in REMEDIES), None)
+        return (check.reason, *keyed)
+    return tuple(each for each in check.remarks if each.key == Reason.GROUND_MOTION or each.key in REMEDIES)[:1]
 
 
 def _lines(check: Check, reason: Message) -> tuple[Line, ...]:

@@ -25,7 +25,7 @@ from assess.project.histories import Rocking, Shaken, governing_trace, rocking, 
 from assess.project.motions import Motion
 from assess.project.outcome import amplification_result, mechanism_result
 from assess.project.study import Amplified, Study
-from assess.project.wall_size import SUPPORTS, wall_of
+from assess.project.wall_size import SUPPORTS, carries_floors, wall_of
 from assess.results import MechanismResult
 from spectra.spectrum import Spectrum
 
@@ -104,6 +104,7 @@ def context_of(
         levels=study.levels,
         vertical_ratio=study.vertical_ratio,
         support=SUPPORTS[mechanism.kind],
+        carries_floors=carries_floors(mechanism),
         wall=wall_of(mechanism),
         elevation=mechanism.elevation - study.ground,
         rise=mechanism.rise,

@@ -1,7 +1,7 @@
 """The equivalent period of a mechanism, which stands where codes speak of a structure's period.
 
 A rocking body has no period of its own. Taken is that of the linear oscillator with the same work at the allowable
-rotation, half the overturning rotation: 1/f_e of ASCE 43-05 A.2 (the secant in energy).
+rotation of histories, half the one that overturns: 1/f_e of ASCE 43-05 A.2 (the secant in energy).
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from assess.codes.asce43_05.clauses import Options, effective_frequency
+from assess.codes.asce43_05.clauses import HALF, effective_frequency
 from assess.errors import ProjectError
 from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.oscillation import oscillator
@@ -21,8 +21,7 @@ BELOW, ABOVE = 0.2, 1.2  # of the least and the largest equivalent period: range
 
 def equivalent_period(branch: Branch) -> float:
     """T [s] at the allowable rotation."""
-    allowable = Options().allowable_ratio * branch.unstable
-    return float(1.0 / effective_frequency(branch, np.array([allowable]))[0])
+    return float(1.0 / effective_frequency(branch, np.array([HALF * branch.unstable]))[0])
 
 
 def equivalent_periods(mechanisms: Iterable[Mechanism]) -> dict[str, tuple[float, float]]:

@@ -16,7 +16,6 @@ from assess.codes.italian.edition import Options
 from assess.codes.plain import plain
 from assess.codes.relation import PgaRelation, as_curve, demand, relation
 from assess.codes.spectral import spectral_answer
-from assess.codes.step import Given
 from assess.oscillator import Branch, FloatArray, Oscillator, displacement, linearise, threshold
 
 
@@ -94,46 +93,35 @@ def _steps(
     rotation: float | None,
     at_collapse: float | None,
 ) -> tuple[Step, ...]:
-    linear = linearise(branch)
+    linear, source = linearise(branch), "thesis 8.3.2"
     d0 = float(displacement(branch, np.array(branch.unstable), mass=oscillator.mass))
     a_s = linear.multiplier * g * (1 - ULTIMATE**2)
     period = float(2 * np.pi * np.sqrt(ULTIMATE * d0 / a_s))
     ratio = None if rotation is None else rotation / branch.overturning
-    source, at = "thesis 8.3.2", f"level {level / g:.4g} g"
-    of_start: Given = {
+    at_rest = {
         "K": (linear.stiffness, "N m/rad"),
         "φ_cr": (linear.critical, "rad"),
         "M": (linear.moment, "N m"),
         "B": (linear.excitation, "kg m"),
     }
-    of_d0: Given = {"∫ B dφ": (d0 * oscillator.mass, "kg m"), "M": (oscillator.mass, "kg")}
-    of_T: Given = {"d_u": (ULTIMATE * d0, "m"), "a_s": (a_s, "m/s2")}
-    said, lam = f"displacement at overturning, φ_ov = {branch.unstable:.5g} rad", {"λ": linear.multiplier}
+    at_end, secant = f"φ_ov = {branch.unstable:.5g} rad", {"d0": (d0, "m"), "a_s": (a_s, "m/s2")}
     steps = (
-        step(
-            "λ", "multiplier, linearised", "thesis 3.11", "(K · φ_cr − M) / (g · B)", linear.multiplier, given=of_start
-        ),
-        step("d0", said, source, "∫ B dφ / M", d0, "m", given=of_d0),
-        step("a_s", "acceleration at 0.4 d_u, d_u = 0.4 d0", source, "λ · g · (1 − 0.4 · 0.4)", a_s, "m/s2", given=lam),
-        step("T", "period, with d_u (the clause: d_s)", source, "2 · π · √(d_u / a_s)", period, "s", given=of_T),
-        step("φ/φ_ov", "rotation at the level", source, "PGA(φ) = level", ratio, remark=at),
-    )
+        step("λ", "multiplier, linearised", "thesis 3.11", "(K φ_cr − M) / (g B)", linear.multiplier, given=at_rest),
+        step("d0", "displacement at overturning", source, "∫ B dφ / M", d0, "m", remark=at_end),
+        step("a_s", "acceleration at 0.4 d_u, d_u = 0.4 d0", source, "λ g (1 − 0.4 · 0.4)", a_s, "m/s2",
+             given={"λ": linear.multiplier}),
+        step("T", "period, with d_u (the clause: d_s)", source, "2π √(0.4 d0 / a_s)", period, "s", given=secant),
+        step("φ/φ_ov", "rotation at the level", source, "PGA(φ) = level", ratio, remark=f"level {level / g:.4g} g"),
+    )  # fmt: skip
     return steps if at_collapse is None else (*steps, *_collapse_steps(context, a_s, period, at_collapse))
 
 
 def _collapse_steps(context: Context, a_s: float, period: float, at_collapse: float) -> tuple[Step, ...]:
     ordinate = float(context.spectrum.acceleration(period, damping=DAMPING)) / context.spectrum.pga
     clause, at = context.spectrum.clause, f"T = {period:.5g} s"
-    given: Given = {"a_s": (a_s, "m/s2"), "S_a/PGA": ordinate}
+    given = {"a_s": (a_s, "m/s2"), "S_a/PGA": (ordinate, "-")}
+    words = "largest PGA with φ ≤ 0.4 φ_ov"
     return (
-        step("S_a/PGA", "spectrum over PGA, 5 %", clause, "spectrum over PGA", ordinate, remark=at),
-        step(
-            "PGA_c",
-            "largest PGA with φ ≤ 0.4 φ_ov",
-            "thesis 8.3.2",
-            "a_s / (S_a/PGA · g)",
-            at_collapse,
-            "g",
-            given=given,
-        ),
+        step("S_a/PGA", "spectrum over PGA, 5 %", clause, "S_a(T) / PGA", ordinate, remark=at),
+        step("PGA_c", words, "thesis 8.3.2", "a_s / (g S_a/PGA)", at_collapse, "g", given=given),
     )

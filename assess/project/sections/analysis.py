@@ -7,7 +7,7 @@ from typing import Annotated, Literal
 from pydantic import AfterValidator, Field, StrictInt, model_validator
 from pydantic_core import PydanticCustomError
 
-from assess.codes.asce41_13.clauses import Position
+from assess.codes.asce41_13.clauses import Masonry, Position, Seismicity
 from assess.project.quantities import (
     AccelerationUnit,
     Count,
@@ -123,6 +123,12 @@ class Asce41(Section):
 
     position: Position | None = None
     """row of Table 11-5: "one-storey", "first-storey", "top-storey" or "other"; if absent by [building], elevation"""
+    masonry: Masonry | None = None
+    """"coursed", or "rubble", which the table is not for; if absent a pass holds on condition that it is coursed"""
+    seismicity: Seismicity = "high"
+    """level of seismicity, on which the limit of parapets hangs: "high", h/t 1.5, or "moderate", 2.5"""
+    s_x1: PositiveAcceleration | None = None
+    """S_X1 at the site's own peak ground acceleration; if absent the spectrum at 1 s, which a table does not state"""
 
 
 class Ec8(Section):

@@ -37,5 +37,5 @@ def toothed_friction(
     """
     n, Phi = height / unit_height, unit_height / overlap
     if n < 1.0:
-        raise ProcedureError(f"toothed crack of {height:.4g} m: C8.7.1.2 needs at least one course, {unit_height:.4g} m")
+        raise ProcedureError(f"toothed crack of {height:.4g} m: C8.7.1.2 needs at least one course, {unit_height:.4g}")
     return 0.4 * n * (n + 1.0) * Phi * friction * overlap**2 * thickness * unit_weight

@@ -128,7 +128,7 @@ def _of_histories(procedure: str, family: Family, oscillator: Oscillator, contex
     if family != Family.HISTORY:
         return None
     faults = (*context.impossible_by_histories, *context.suite_faults.get(CODES[procedure], ()))
-    return Admission(May.NOT_ANSWER, faults[0]) if faults else None
+    return Admission(May.NOT_ANSWER, faults[0], others=tuple(faults[1:])) if faults else None
 
 
 def _of_height(procedure: str, family: Family, oscillator: Oscillator, context: Context) -> Admission | None:

@@ -117,6 +117,7 @@ def context_of(
         knowledge=study.knowledge.get(mechanism.name, {}),
         limit_state=study.limit_state if study.hazard is None else None,
         impossible=study.impossible,
+        suite_faults=study.suite_faults,
         impossible_by_histories=stopped(mechanism),
         amplification=max((each.factor for each in base), default=1.0),
         linearised=study.equations[mechanism.name] == "linearised",

@@ -41,6 +41,12 @@ def curves_of(oscillator: Oscillator, context: Context) -> tuple[Curves, ...]:
     return tuple(_of(name, states, context.limits, oscillator.mass) for name in names)
 
 
+def curves_alone(oscillator: Oscillator) -> tuple[Curves, ...]:
+    """Return the curves of each branch of an oscillator that stands for every set of actions."""
+    names = NAMES[:1] if oscillator.negative is None or oscillator.symmetric else NAMES
+    return tuple(_of(name, (oscillator,) * 3, (), oscillator.mass) for name in names)
+
+
 def curves_named(oscillator: Oscillator, context: Context, name: BranchName) -> Curves:
     """Return the curves of one branch; those of the positive one where there is no other."""
     found = curves_of(oscillator, context)

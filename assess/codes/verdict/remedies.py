@@ -47,11 +47,10 @@ def remedies(mechanism: str, checks: Sequence[Check]) -> tuple[Missing, ...]:
 
 
 def _of(mechanism: str, check: Check) -> tuple[Missing, ...]:
-    """Each reason with its keys; of a check that is answered there is none: what is missing is the target."""
-    return tuple(missing for reason in _reasons(check) for missing in _missing(mechanism, check, reason))
+    return tuple(missing for reason in _reasons(check) for missing in _by_reason(mechanism, check, reason))
 
 
-def _missing(mechanism: str, check: Check, reason: Message) -> tuple[Missing, ...]:
+def _by_reason(mechanism: str, check: Check, reason: Message) -> tuple[Missing, ...]:
     text = f"{mechanism}: {check.procedure}: {reason.text}"
     if reason.where:
         return (Missing(reason.where, text, str(reason.values.get("toml", ""))),)
@@ -62,11 +61,14 @@ def _missing(mechanism: str, check: Check, reason: Message) -> tuple[Missing, ..
 
 
 def _reasons(check: Check) -> tuple[Message, ...]:
-    """Why a check is not answered, or why one that fails cannot pass at a lower target."""
-    keyed = [each for each in check.remarks if each.where or each.key in REMEDIES]
+    """Why a check is not answered, or why one that fails cannot pass at a lower target; none of one that is answered.
+
+    Further reasons whose key is known stand among the remarks.
+    """
     if check.verdict == Outcome.NOT_ANSWERED:
-        return (check.reason, *keyed)
-    return tuple(each for each in check.remarks if each.key == Reason.GROUND_MOTION or each.key in REMEDIES)[:1]
+        return (check.reason, *(each for each in check.remarks if each.where or each.key in REMEDIES))
+    low = (each for each in check.remarks if each.key == Reason.GROUND_MOTION or each.key in REMEDIES)
+    return tuple(low)[:1]
 
 
 def _lines(check: Check, reason: Message) -> tuple[Line, ...]:

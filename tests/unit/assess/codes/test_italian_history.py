@@ -149,8 +149,8 @@ def test_edition_of_2008_has_one_limit_state_and_the_same_share():
 
 def test_suites_needed_beside_those_of_the_levels():
     states, rule = ("SLD", "SLV", "SLC"), ntc2018.RULE
+    given = {"rule": rule, "options": Options(None, states)}
     spectrum = context(0.0).spectrum
-    assert suites_needed((0.1, 0.2), None, spectrum, rule=rule, options=Options(None, states), factors=(1.0,)) == ()
-    assert suites_needed((0.1, 0.3), None, spectrum, rule=rule, options=Options(None, states), factors=(1.2,)) == pytest.approx(
-        (0.12, 0.36, 0.12, 0.36), rel=1e-12
-    )
+    assert suites_needed((0.1, 0.2), None, spectrum, **given, factors=(1.0,)) == ()
+    needed = suites_needed((0.1, 0.3), None, spectrum, **given, factors=(1.2,))
+    assert needed == pytest.approx((0.12, 0.36, 0.12, 0.36), rel=1e-12)

@@ -91,7 +91,7 @@ def test_knowledge_level_is_of_the_project_or_of_one_mechanism(tmp_path):
     study = study_of(tmp_path, tail=both)
     assert study.knowledge == {"w": {"ntc2018": "LC3"}}
     assert study.options.ntc2018.confidence_factor == 1.0
-    with pytest.raises(ProjectError, match='ntc2018.knowledge_levels: "x": no such mechanism; known: w'):
+    with pytest.raises(ProjectError, match=r'ntc2018\.knowledge_levels: "x": no such mechanism; known: w'):
         study_of(tmp_path, tail='[procedures.ntc2018]\nknowledge_levels = { x = "LC3" }')
 
 

@@ -243,7 +243,7 @@ def test_a_level_that_fails_bounds_the_pga_at_capacity(tmp_path):
     study = study_of(tmp_path, analysis='levels = ["0.2 g", "0.6 g", "1.2 g"]')
     five = dataclasses.replace(study, records=study.records * 3)
     checks = [c for c in run(five).mechanisms[0].checks if c.procedure == "asce43-05-history"]
-    failing = [c.level_pga_g for c in checks if c.verdict == "fail"]
+    failing = [c.level_pga_g for c in checks if c.ratio is None or c.ratio > 1.0]  # two tones: not answered
     assert failing
     assert checks[0].capacity_pga_g < min(failing)
 
@@ -392,7 +392,7 @@ def test_joints_that_answer_at_once_have_no_pga_at_uplift_by_any_procedure(tmp_p
     own = [check.uplift_pga_g * factor_of(check) for check in rigid.checks]
     assert own == pytest.approx([0.6 / 4.5] * len(rigid.checks), rel=1e-9)
     for check in soft.checks:
-        assert "lift" not in check.reason
+        assert "lift" not in check.reason.text
 
 
 def test_one_sided_joints_that_lean_on_their_support_keep_their_small_threshold(tmp_path):

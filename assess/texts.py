@@ -18,6 +18,23 @@ TEXTS: Mapping[str, str] = {
     "premise-coursed": "a pass holds for coursed masonry, not for rubble: say which it is by "
     "procedures.asce41-13.masonry",
     "premise-no-floors": "a pass holds for an element that carries no floor: gable, parapet, chimney",
+    # of suites of records
+    "suite-empty": "there are no records: {remedy}",
+    "suite-not-named": "artificial records decide only where [verdict] procedures names {procedure}: {remedy}",
+    "suite-count": "{code} asks for {limit} records, here are {found}: {remedy}",
+    "suite-step": "{code} {clause} asks for steps of {limit} at most, the largest is {found}: {remedy}",
+    "suite-duration": "{code} {clause} asks for {limit}, the shortest record lasts {found}: {remedy}",
+    "suite-stationary": "{code} {clause} asks for a stationary part of {limit}, the shortest lasts {found}: {remedy}",
+    "suite-usable": "{code}: the slowest mechanism has a period of {limit}, the records are usable up to {found}: "
+    "{remedy}",
+    "suite-mean-low": "{code} {clause}: from {low} to {high} the mean spectrum falls to {found} of the target, {limit} "
+    "is asked: {remedy}",
+    "suite-mean-high": "{code} {clause}: from {low} to {high} the mean spectrum rises to {found} of the target, "
+    "{limit} is allowed: {remedy}",
+    "suite-run-below": "{code} {clause}: from {low} to {high} the mean spectrum lies below the target at {found} of a "
+    "hundred periods to the decade side by side, {limit} are allowed: {remedy}",
+    "suite-out-of-reach": "{code} {clause} looks at the mean spectrum from {low} to {high}, the comparison ends at "
+    "{end}: {remedy}",
     # reasons of checks
     "within-capacity": "the demand is within {capacity}",
     "beyond-capacity": "the demand is beyond {capacity}",

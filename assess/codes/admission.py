@@ -45,11 +45,13 @@ class Admission:
     """What a procedure may say, and the reason where that is not everything.
 
     safe : whether the numbers were worked out with the safe value of what is missing, so that they may be shown beside
+    others : further reasons of the same kind, each with its remedy
     """
 
     may: May
     reason: Message | None = None
     safe: bool = False
+    others: tuple[Message, ...] = ()
 
 
 ASKED = Admission(May.ANSWER)
@@ -87,7 +89,7 @@ def _as_admitted(check: Check, given: Admission) -> Check:
         provisional=check.verdict if given.safe else None,
         may_pass=False,
         reason=given.reason,
-        remarks=(*check.remarks, *own),
+        remarks=(*check.remarks, *given.others, *own),
     )
 
 
@@ -112,7 +114,7 @@ def _of_histories(procedure: str, family: Family, oscillator: Oscillator, contex
     if family != Family.HISTORY:
         return None
     faults = (*context.impossible_by_histories, *context.suite_faults.get(CODES[procedure], ()))
-    return Admission(May.NOT_ANSWER, faults[0]) if faults else None
+    return Admission(May.NOT_ANSWER, faults[0], others=tuple(faults[1:])) if faults else None
 
 
 def _of_height(procedure: str, family: Family, oscillator: Oscillator, context: Context) -> Admission | None:

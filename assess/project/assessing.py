@@ -137,6 +137,7 @@ def _context_of(
         carried=carried_by(study.amplified[mechanism.name], support=max(elevation, 0.0) + mechanism.rise / 2.0),
         crushing=mechanism.crushing,
         impossible=study.impossible,
+        suite_faults=study.suite_faults,
         impossible_by_histories=stopped(mechanism),
         amplification=max((each.factor for each in base), default=1.0),
         linearised=study.equations[mechanism.name] == "linearised",

@@ -11,11 +11,13 @@ from collections.abc import Iterable
 import numpy as np
 
 from assess.codes.asce43_05.clauses import HALF, effective_frequency
+from assess.codes.ntc2018.clauses import capacity_of
 from assess.errors import ProjectError
 from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.oscillation import oscillator
 from assess.oscillator import Branch
 
+LARGEST_FC = 1.35  # of LC1, which makes the longest periods
 BELOW, ABOVE = 0.2, 1.2  # of the least and the largest equivalent period: range that spectra are fitted over
 
 
@@ -29,6 +31,19 @@ def equivalent_periods(mechanisms: Iterable[Mechanism]) -> dict[str, tuple[float
     found = {}
     for mechanism in mechanisms:
         periods = [equivalent_period(branch) for branch in oscillator(mechanism).branches]
+        found[mechanism.name] = (min(periods), max(periods))
+    return found
+
+
+def limit_state_periods(mechanisms: Iterable[Mechanism], *, state: str) -> dict[str, tuple[float, float]]:
+    """T_SLV or T_SLC of NTC 2018 (C8.7.1.10, 11), the shortest and the longest [s] of each mechanism, by name."""
+    found = {}
+    for mechanism in mechanisms:
+        rocker = oscillator(mechanism)
+        periods = [
+            capacity_of(branch, state=state, mass=rocker.mass, confidence_factor=LARGEST_FC).T
+            for branch in rocker.branches
+        ]
         found[mechanism.name] = (min(periods), max(periods))
     return found
 

@@ -178,6 +178,11 @@ def acting_of(mechanism: Mechanism) -> tuple[Acting, ...]:
     )
 
 
+def rise_of(mechanism: Mechanism) -> float:
+    """Height over its base of what else holds the mechanism [m]: the far support or a lasting tie; 0 without either."""
+    return held_above(mechanism) if mechanism.kind == "single-block" else mechanism.rise
+
+
 def held_above(mechanism: Mechanism) -> float:
     """Height over the base hinge of the highest tie that holds the mechanism and is shown to last [m]; 0 without."""
     heights = [

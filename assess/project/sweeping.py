@@ -9,7 +9,7 @@ mechanism, the worst of their controlling cases stands for it.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import inf
 
 from assess.codes.check import Check, Outcome
@@ -18,6 +18,7 @@ from assess.project.assessing import Progress, mechanisms_assessed
 from assess.project.messages import located
 from assess.project.motions import Motion, motions_of
 from assess.project.study import Case, Study, Sweep
+from assess.project.suite_faults import suite_faults
 from assess.results import MechanismResult, OscillatorResult, SweepResult
 
 
@@ -66,10 +67,12 @@ def case_assessed(case: Case, study: Study, motions: tuple[Motion, ...], *, jobs
     """The mechanisms of one case under its motions, those of the study where the case does not change them."""
     spectrum = case.study.spectrum
     assert spectrum is not None  # no number takes the site away
-    same = all(getattr(case.study, key) == getattr(study, key) for key in ("artificial", "scale_to"))
+    same = all(getattr(case.study, key) == getattr(study, key) for key in ("artificial", "scale_to", "record_factor"))
     shared = same and spectrum is study.spectrum and case.study.records is study.records
     moving = motions if shared else motions_of(case.study, spectrum, jobs=jobs)
-    return mechanisms_assessed(case.study, spectrum, moving, jobs=jobs, progress=lambda stage, done, total: None)
+    faults = study.suite_faults if shared else suite_faults(case.study, spectrum, moving)
+    judged = replace(case.study, suite_faults=faults)
+    return mechanisms_assessed(judged, spectrum, moving, jobs=jobs, progress=lambda stage, done, total: None)
 
 
 def controlling(results: Sequence[MechanismResult]) -> int:

@@ -37,6 +37,7 @@ def notices_of(
     for mechanism in mechanisms:
         for text in mechanism.notices:
             yield warning("mechanism", f"mechanisms.{mechanism.name}", text)
+        yield from mechanism.messages
     yield from _of_equation(content.analysis.equation, mechanisms)
     ground = ground_of(content)
     raised = [mechanism.name for mechanism in mechanisms if mechanism.elevation > ground + PLINTH]

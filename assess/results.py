@@ -451,6 +451,20 @@ class DirectionSweep:
 
 
 @dataclass(frozen=True)
+class DirectionCandidate:
+    """A direction towards which a mechanism may topple.
+
+    angle_deg: from +x towards +y; uplift_multiplier: at rest, None where it cannot rock that way; d0_m: displacement of
+    the control point where it overturns, of the weakest only; touching: the bodies that stop it.
+    """
+
+    angle_deg: float
+    uplift_multiplier: float | None
+    d0_m: float | None
+    touching: tuple[str, ...]
+
+
+@dataclass(frozen=True)
 class BranchMoment:
     """A moment-rotation curve."""
 
@@ -551,12 +565,14 @@ class HingeForceResult:
 
 @dataclass(frozen=True)
 class MechanismResult:
-    """Everything about one mechanism; direction_sweep is None where its direction was given.
+    """Everything about one mechanism; direction_sweep is None where its direction was not sought on a whole circle.
 
     oscillator, curve: with every action that is there at rest. deciding_curve: with those that are shown to last to
     collapse and those that drive, of which displacements and histories are asked, and to whose overturning rotations
     (of rigid joints, positive and negative) their ratios refer; None where both are the same, or where it falls at rest
     without the others.
+    direction: of positive rotation, horizontal; None for an equivalent block. candidates: the directions among which
+    the weakest was found, or with which a given one was compared.
     """
 
     name: str
@@ -582,6 +598,8 @@ class MechanismResult:
     hinge_forces: tuple[HingeForceResult, ...] = ()
     deciding_curve: Curve | None = None
     deciding_overturning_rad: tuple[float, float | None] | None = None
+    direction: tuple[float, float, float] | None = None
+    candidates: tuple[DirectionCandidate, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -26,6 +26,16 @@ TEXTS: Mapping[str, str] = {
     "premise-coursed": "a pass holds for coursed masonry, not for rubble: say which it is by "
     "procedures.asce41-13.masonry",
     "premise-no-floors": "a pass holds for an element that carries no floor: gable, parapet, chimney",
+    # of directions
+    "direction-weaker": "towards {direction} it is clearly weaker than towards the direction given: multiplier "
+    "{weaker} and d0* {weaker_d0}, against {given} and {given_d0}; check `direction`",
+    "direction-stopped": "towards {direction}, with a multiplier of {weaker}, it is stopped by {bodies}, which touches "
+    "it there: left out",
+    "direction-held": "towards {direction}, with a multiplier of {weaker}, and back it is touched by {bodies}; it is "
+    "taken to move all the same, as nothing else is nearly as weak: give `direction` where what touches it holds it",
+    "direction-into": "the direction given, {direction}, leads into {bodies}, which touches it there: check it",
+    "direction-left-out": "towards {direction} it cannot rock as described and was left out: {why}",
+    "sides-by-contact": "it rocks to one side only: {bodies} touches it behind; write `sides` to say otherwise",
     # of suites of records
     "suite-empty": "there are no records: {remedy}",
     "suite-not-named": "artificial records decide only where [verdict] procedures names {procedure}: {remedy}",

@@ -71,10 +71,11 @@ def mechanisms_assessed(
 def besides(study: Study, spectrum: Spectrum, mechanism: Mechanism) -> tuple[float, ...]:
     """PGA [m/s2] at which procedures want suites besides those of the levels: limit states of their own, FC."""
     wanted: list[float] = []
-    known = _context_of(study, spectrum, mechanism, Rocking((), ()), ())
+    known = study.knowledge.get(mechanism.name, {})
     for name, (rule, options) in history_rules(study.options).items():
         if name in study.procedures:
-            factors = [each.factor for each in confidences(known, rule.edition, options)]
+            level = known.get(rule.edition.code)
+            factors = [each.factor for each in confidences(options, crushing=mechanism.crushing, level=level)]
             wanted += suites_needed(study.levels, study.hazard, spectrum, rule=rule, options=options, factors=factors)
     return tuple(dict.fromkeys(wanted))
 

@@ -39,6 +39,7 @@ def notices_of(
         for text in mechanism.notices:
             yield warning("mechanism", f"mechanisms.{mechanism.name}", text)
         yield from left_out(mechanism)
+        yield from mechanism.messages
     yield from _of_equation(content.analysis.equation, mechanisms)
     ground = ground_of(content)
     raised = [mechanism.name for mechanism in mechanisms if mechanism.elevation > ground + PLINTH]

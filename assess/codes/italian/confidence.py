@@ -10,7 +10,6 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 from assess.codes.check import Check, Step, step
-from assess.codes.context import Context
 from assess.codes.italian.edition import Edition, Options
 from assess.message import Quantity, message
 
@@ -27,9 +26,12 @@ class Confidence:
     instead_of: float | None = None
 
 
-def confidences(context: Context, edition: Edition, options: Options) -> tuple[Confidence, ...]:
-    """Find the factor that decides, then the one given where it is lower, which informs."""
-    deciding, given = _by_code(context, edition), options.confidence_factor
+def confidences(options: Options, *, crushing: bool, level: str | None) -> tuple[Confidence, ...]:
+    """Find the factor that decides, then the one given where it is lower, which informs.
+
+    crushing : whether the mechanism models it; level : of knowledge, None where none is given
+    """
+    deciding, given = _by_code(crushing, level), options.confidence_factor
     if given is None or given == deciding.factor:
         return (deciding,)
     if given > deciding.factor:
@@ -37,9 +39,8 @@ def confidences(context: Context, edition: Edition, options: Options) -> tuple[C
     return deciding, Confidence(given, "given, below the code's: for comparison", deciding.factor)
 
 
-def _by_code(context: Context, edition: Edition) -> Confidence:
-    level = context.knowledge.get(edition.code)
-    if not context.crushing:
+def _by_code(crushing: bool, level: str | None) -> Confidence:
+    if not crushing:
         return Confidence(LEAST_KNOWN, "LC1's, as crushing of the masonry is not modelled")
     if level is None:
         return Confidence(LEAST_KNOWN, "LC1's, as no level of knowledge is given")

@@ -92,7 +92,8 @@ class Found:
 def assess(oscillator: Oscillator, context: Context, *, rule: Rule, options: Options) -> tuple[Check, ...]:
     """One check for each limit state and level that has a suite of time histories."""
     checks: list[Check] = []
-    for confidence in confidences(context, rule.edition, options):
+    known = context.knowledge.get(rule.edition.code)
+    for confidence in confidences(options, crushing=context.crushing, level=known):
         for state in options.among(rule.limits):
             for level in context.levels:
                 pga = level * share(context.hazard, context.spectrum, state)

@@ -61,7 +61,8 @@ def at_each(
     """
     branches, states = curves_of(oscillator, context), options.among(known)
     checks: list[Check] = []
-    for confidence in confidences(context, edition, options):
+    known_level = context.knowledge.get(edition.code)
+    for confidence in confidences(options, crushing=context.crushing, level=known_level):
         for state in states:
             for level in context.levels:
                 cases = [case_of(curves, confidence, context, state=state, level=level) for curves in branches]

@@ -25,8 +25,8 @@ FLOOR_CLAUSES: dict[Family, str] = {
     Family.LINEAR: "give [building] height and storeys",
     Family.DISPLACEMENT: "give [building] height and storeys",
     Family.ELEMENT: "give [building] height",
-    Family.HISTORY: 'give the mechanism amplification = { method = "modal-filter" }',
-    Family.ENERGY: 'give the mechanism amplification = { method = "modal-filter" }',
+    Family.HISTORY: 'give the mechanism amplification = { method = "modal-filter" }, up to that height',
+    Family.ENERGY: 'give the mechanism amplification = { method = "modal-filter" }, up to that height',
     Family.SLIDING: "the clause has no floor motion",
 }
 

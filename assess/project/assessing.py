@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 
 from assess.amplification import Carried, ModalFilter, carried
 from assess.codes.admission import admitted
@@ -19,6 +20,7 @@ from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.oscillation import oscillator
 from assess.message import Message, Quantity
 from assess.oscillator import Oscillator
+from assess.project.floor_input import floor_spectrum_of
 from assess.project.histories import Rocking, Shaken, governing_trace, rocking, vibrates
 from assess.project.motions import Motion
 from assess.project.outcome import amplification_result, mechanism_result
@@ -27,6 +29,8 @@ from assess.project.wall_size import SUPPORTS, carries_floors, wall_of
 from assess.results import MechanismResult
 from spectra.spectrum import Spectrum
 
+ASCE43 = "asce43-05"  # whose rules for suites hold for a floor spectrum made of one
+SHORT_OF = 0.9  # of the height of the supports: motion carried less far is that of the ground
 Progress = Callable[[str, int, int], None]
 
 
@@ -79,7 +83,7 @@ def assessed(
     study: Study, spectrum: Spectrum, motions: tuple[Motion, ...], mechanism: Mechanism, shaken: Shaken, rocked: Rocking
 ) -> MechanismResult:
     """One mechanism through every procedure, with its histories."""
-    context = context_of(study, spectrum, mechanism, rocked, shaken.base)
+    context = context_of(study, spectrum, mechanism, rocked, shaken.base, motions)
     return mechanism_result(
         mechanism,
         shaken.oscillator,
@@ -92,9 +96,32 @@ def assessed(
 
 
 def context_of(
-    study: Study, spectrum: Spectrum, mechanism: Mechanism, rocked: Rocking, base: tuple[Carried, ...]
+    study: Study,
+    spectrum: Spectrum,
+    mechanism: Mechanism,
+    rocked: Rocking,
+    base: tuple[Carried, ...],
+    motions: tuple[Motion, ...],
 ) -> Context:
     """What the procedures may know of one mechanism."""
+    context = _context_of(study, spectrum, mechanism, rocked, base)
+    amplification = study.amplified[mechanism.name].amplification
+    by_mode = context.carried == "by a filter" and not context.suite_faults.get(ASCE43)
+    floor = floor_spectrum_of(
+        spectrum,
+        height=context.support_height,
+        filtered=amplification if by_mode and isinstance(amplification, ModalFilter) else None,
+        base=base,
+        motions=motions,
+        building=study.building,
+    )
+    return replace(context, floor_spectrum=floor if context.above_ground else None)
+
+
+def _context_of(
+    study: Study, spectrum: Spectrum, mechanism: Mechanism, rocked: Rocking, base: tuple[Carried, ...]
+) -> Context:
+    elevation = mechanism.elevation - study.ground
     return Context(
         spectrum=spectrum,
         levels=study.levels,
@@ -102,12 +129,12 @@ def context_of(
         support=SUPPORTS[mechanism.kind],
         carries_floors=carries_floors(mechanism),
         wall=wall_of(mechanism),
-        elevation=mechanism.elevation - study.ground,
+        elevation=elevation,
         rise=mechanism.rise,
         building=study.building,
         suites=rocked.suites,
         histories_at="ground" if study.amplified[mechanism.name].height is None else "mechanism base",
-        carried=carried_by(study.amplified[mechanism.name]),
+        carried=carried_by(study.amplified[mechanism.name], support=max(elevation, 0.0) + mechanism.rise / 2.0),
         crushing=mechanism.crushing,
         impossible=study.impossible,
         suite_faults=study.suite_faults,
@@ -138,8 +165,11 @@ def checks_of(study: Study, rocker: Oscillator, context: Context) -> tuple[Check
     return tuple(found)
 
 
-def carried_by(amplified: Amplified) -> CarriedBy:
-    """How the motion of the histories gets to the mechanism's base."""
-    if amplified.height is None:
+def carried_by(amplified: Amplified, *, support: float) -> CarriedBy:
+    """How the motion of the histories gets to what holds the mechanism, `support` above the ground [m].
+
+    Motion that is carried only a part of the way counts as that of the ground.
+    """
+    if amplified.height is None or amplified.height < SHORT_OF * support:
         return "not"
     return "by a filter" if isinstance(amplified.amplification, ModalFilter) else "by a factor"

@@ -93,7 +93,7 @@ def checked(study: Study, spectrum: Spectrum, motions: tuple[Motion, ...], *, jo
     if levels and motions:
         wanted = besides(study, spectrum)
         rocked = asked_of(shaken, motions, levels=levels, besides=wanted, site_pga=spectrum.pga, threads=jobs)
-    known = context_of(replace(study, levels=levels), spectrum, mechanism, rocked, base)
+    known = context_of(replace(study, levels=levels), spectrum, mechanism, rocked, base, motions)
     return checks_of(study, shaken.oscillator, replace(known, levels=study.levels))
 
 

@@ -91,7 +91,9 @@ VERDICTS = {  # exit codes: 0 pass, 1 fail, 3 incomplete
 
 
 @pytest.mark.parametrize("name", EXAMPLES)
-def test_an_example_ends_in_pass_or_fail_or_says_what_is_missing(name: str, examples: dict[str, Path], tmp_path) -> None:
+def test_an_example_ends_in_pass_or_fail_or_says_what_is_missing(
+    name: str, examples: dict[str, Path], tmp_path
+) -> None:
     """Without the study at other levels, envelopes and sensitivity, which decide nothing."""
     text = examples[name].read_text(encoding="utf-8").replace("sensitivity = true", "")
     text = re.sub(r"\nlevels = .*", "", text)

@@ -81,9 +81,10 @@ def _part_steps(context: Context, found: Response, level: float) -> tuple[Step, 
     building, Ci = context.building, part_coefficient(found.Tp, floor=1.0)
     where = f"h_i = {context.support_height:.4g} m"
     where += f", h_n = {building.height:.4g} m" if building is not None else ", h_n not known"
-    Cp = level / g * found.floor * Ci
+    C_0 = level / g * found.surface
+    Cp = C_0 * found.floor * Ci
     rule = "least of 1 + h_i/6 (h_i < 12 m), 1 + 10 h_i/h_n, 3"
-    coefficients = {"C(0)": (level / g, "g"), "C_Hi": (found.floor, "-"), "C_i(T_p)": (Ci, "-")}
+    coefficients = {"C(0)": (C_0, "g"), "C_Hi": (found.floor, "-"), "C_i(T_p)": (Ci, "-")}
     demanded = {
         "B": (found.part.B, "kg m"),
         "J": (found.part.J, "kg m2"),
@@ -142,6 +143,6 @@ def _uplift_step(found: Response) -> Step:
     if found.uplift is None or found.multiplier is None:
         return step("PGA_u", "PGA at uplift: none on joints that answer at once", PARTS, "C_p(0) R_p = λ", None, "g")
     stiff = part_coefficient(0.0, floor=1.0)
-    given = {"λ": found.multiplier, "C_Hi": found.floor, "C_i(0)": stiff, "R_p": found.risk_factor}
-    words = "PGA at uplift, λ = b / (g B) the multiplier at rest"
-    return step("PGA_u", words, PARTS, "λ / (C_Hi C_i(0) R_p)", found.uplift / g, "g", given=given)
+    given = {"λ": found.multiplier, "C_Hi": found.floor, "C_i(0)": stiff, "R_p": found.risk_factor, "s": found.surface}
+    words = "PGA at uplift, λ = b / (g B) the multiplier at rest, s = C(0)/PGA"
+    return step("PGA_u", words, PARTS, "λ / (s C_Hi C_i(0) R_p)", found.uplift / g, "g", given=given)

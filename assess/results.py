@@ -442,6 +442,20 @@ class DirectionSweep:
 
 
 @dataclass(frozen=True)
+class DirectionCandidate:
+    """A direction towards which a mechanism may topple.
+
+    angle_deg: from +x towards +y; uplift_multiplier: at rest, None where it cannot rock that way; d0_m: displacement of
+    the control point where it overturns, of the weakest only; touching: the bodies that stop it.
+    """
+
+    angle_deg: float
+    uplift_multiplier: float | None
+    d0_m: float | None
+    touching: tuple[str, ...]
+
+
+@dataclass(frozen=True)
 class BranchMoment:
     """A moment-rotation curve."""
 
@@ -542,7 +556,11 @@ class HingeForceResult:
 
 @dataclass(frozen=True)
 class MechanismResult:
-    """Everything about one mechanism; direction_sweep is None where its direction was given."""
+    """Everything about one mechanism; direction_sweep is None where its direction was not sought on a whole circle.
+
+    direction: of positive rotation, horizontal; None for an equivalent block. candidates: the directions among which
+    the weakest was found, or with which a given one was compared.
+    """
 
     name: str
     label: str
@@ -565,6 +583,8 @@ class MechanismResult:
     direction_sweep: DirectionSweep | None
     interface_curves: InterfaceCurves | None = None
     hinge_forces: tuple[HingeForceResult, ...] = ()
+    direction: tuple[float, float, float] | None = None
+    candidates: tuple[DirectionCandidate, ...] = ()
 
 
 @dataclass(frozen=True)

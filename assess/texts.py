@@ -10,6 +10,8 @@ TEXTS: Mapping[str, str] = {
     "rocks-before-sliding": "it rocks before it slides, which A.1 leaves out",
     "ground-motion": "at height the motion of the ground is taken as it is: unconservative where the building "
     "amplifies it",
+    "lower-confidence-factor": "by the confidence factor {given} given, below the code's {deciding}: for comparison",
+    "seats-hold": "a pass at {state} holds where {what} keep their seats up to a displacement d* of {moved}",
     # of the verdict
     "no-deciding-method": "no method that may decide {state} was asked or applies: {methods}",
     "missing-key": "{key}: {text}",
@@ -18,6 +20,16 @@ TEXTS: Mapping[str, str] = {
     "premise-coursed": "a pass holds for coursed masonry, not for rubble: say which it is by "
     "procedures.asce41-13.masonry",
     "premise-no-floors": "a pass holds for an element that carries no floor: gable, parapet, chimney",
+    # of directions
+    "direction-weaker": "towards {direction} it is clearly weaker than towards the direction given: multiplier "
+    "{weaker} and d0* {weaker_d0}, against {given} and {given_d0}; check `direction`",
+    "direction-stopped": "towards {direction}, with a multiplier of {weaker}, it is stopped by {bodies}, which touches "
+    "it there: left out",
+    "direction-held": "towards {direction}, with a multiplier of {weaker}, and back it is touched by {bodies}; it is "
+    "taken to move all the same, as nothing else is nearly as weak: give `direction` where what touches it holds it",
+    "direction-into": "the direction given, {direction}, leads into {bodies}, which touches it there: check it",
+    "direction-left-out": "towards {direction} it cannot rock as described and was left out: {why}",
+    "sides-by-contact": "it rocks to one side only: {bodies} touches it behind; write `sides` to say otherwise",
     # of suites of records
     "suite-empty": "there are no records: {remedy}",
     "suite-not-named": "artificial records decide only where [verdict] procedures names {procedure}: {remedy}",
@@ -56,6 +68,12 @@ TEXTS: Mapping[str, str] = {
     "number miss resonance, so they can fail a check and cannot pass it: {remedy}",
     "ground-unknown": "the lowest body lies {height} from elevation 0 and nobody says where the ground is: give "
     "[building] ground_elevation",
+    "knowledge-unknown": "crushing of the masonry is modelled, so FC is that of the level of knowledge, which is not "
+    "given; beside it the answer by LC1",
+    "seat-unknown": "the displacement at which {what} lose their seats limits SLC, and no seat is given",
+    "other-limit-state": "the site's single spectrum is that of {declared}; {state} is decided by its own: give the "
+    "hazard over return periods",
+    "hazard-too-short": "the hazard does not reach the return period of {state}: add a row",
     "one-sided": "the effective damping is that of the two impacts of a body that rocks both ways; this one rocks to "
     "one side",
     "stops-at-impact": "restitution by the momentum kept at the impact is {restitution}: a mechanism this squat stops "

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.constants import g
 
-from assess.errors import MechanismError
+from assess.errors import FallingError, MechanismError
 from assess.loads import Force, PointMass, Tie, pull_at_rest
 from assess.mechanisms.chain import Chain
 from assess.mechanisms.motion import Path, move, place
@@ -85,7 +85,7 @@ def require_stable(chain: Chain, *, name: str) -> None:
     """Raise MechanismError for a chain that falls by itself, or that no push along the direction would start."""
     rest = virtual_work(chain, np.zeros(1))
     if rest.restoring[0] <= 0.0:
-        raise MechanismError(
+        raise FallingError(
             f'mechanism "{name}": already falling: its weights resist with {rest.weight[0]:.4g} N m at rest, '
             f"{_blamed(chain, rest)}"
         )

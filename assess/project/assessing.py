@@ -13,8 +13,10 @@ from assess.codes.check import Check, Outcome, Reason, because
 from assess.codes.context import Carried as CarriedBy
 from assess.codes.context import Context
 from assess.codes.family import of_histories
+from assess.codes.italian.confidence import confidences
 from assess.codes.italian.history import suites_needed
 from assess.codes.registry import history_rules, procedure
+from assess.loads import PointMass
 from assess.mechanisms.activation import hinge_forces
 from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.oscillation import oscillator
@@ -46,12 +48,12 @@ def mechanisms_assessed(
         m.name: Shaken(m.name, oscillator(m), study.equations[m.name], at_base(study.amplified[m.name], motions))
         for m in study.mechanisms
     }
-    wanted, scanned = besides(study, spectrum), any(map(of_histories, study.procedures))
+    scanned = any(map(of_histories, study.procedures))
     workers = jobs or os.cpu_count() or 1
     each = max(1, workers // max(1, len(shaken)))
 
     def of(mechanism: Mechanism) -> MechanismResult:
-        one, pga = shaken[mechanism.name], spectrum.pga
+        one, pga, wanted = shaken[mechanism.name], spectrum.pga, besides(study, spectrum, mechanism)
         rocked = rocking(one, motions, levels=study.levels, besides=wanted, site_pga=pga, scanned=scanned, threads=each)
         return assessed(study, spectrum, motions, mechanism, one, rocked)
 
@@ -65,12 +67,15 @@ def mechanisms_assessed(
     return tuple(done[m.name] for m in study.mechanisms)
 
 
-def besides(study: Study, spectrum: Spectrum) -> tuple[float, ...]:
+def besides(study: Study, spectrum: Spectrum, mechanism: Mechanism) -> tuple[float, ...]:
     """PGA [m/s2] at which procedures want suites besides those of the levels: limit states of their own, FC."""
     wanted: list[float] = []
+    known = study.knowledge.get(mechanism.name, {})
     for name, (rule, options) in history_rules(study.options).items():
         if name in study.procedures:
-            wanted += suites_needed(study.levels, study.hazard, spectrum, rule=rule, options=options)
+            level = known.get(rule.edition.code)
+            factors = [each.factor for each in confidences(options, crushing=mechanism.crushing, level=level)]
+            wanted += suites_needed(study.levels, study.hazard, spectrum, rule=rule, options=options, factors=factors)
     return tuple(dict.fromkeys(wanted))
 
 
@@ -136,6 +141,9 @@ def _context_of(
         histories_at="ground" if study.amplified[mechanism.name].height is None else "mechanism base",
         carried=carried_by(study.amplified[mechanism.name], support=max(elevation, 0.0) + mechanism.rise / 2.0),
         crushing=mechanism.crushing,
+        seats_unknown=seats_unknown(mechanism),
+        knowledge=study.knowledge.get(mechanism.name, {}),
+        limit_state=study.limit_state if study.hazard is None else None,
         impossible=study.impossible,
         suite_faults=study.suite_faults,
         impossible_by_histories=stopped(mechanism),
@@ -147,6 +155,12 @@ def _context_of(
         hazard=study.hazard,
         free_period=study.free_periods.get(mechanism.name),
     )
+
+
+def seats_unknown(mechanism: Mechanism) -> tuple[str, ...]:
+    """What rests on the mechanism and may lose a seat that nobody gave: floors, beams, bearing masses."""
+    resting = [load for load in mechanism.positive.loads if isinstance(load, PointMass) and load.bearing]
+    return tuple(load.name for load in resting if getattr(load, "seat", None) is None)
 
 
 def stopped(mechanism: Mechanism) -> tuple[Message, ...]:

@@ -41,6 +41,7 @@ from assess.results import (
     CarriedMotion,
     ComparisonRow,
     Curve,
+    DirectionCandidate,
     DirectionSweep,
     Factor,
     HingeForceResult,
@@ -217,6 +218,11 @@ def mechanism_result(
         envelope=None,
         loads=tuple(load_result(load) for load in mechanism.positive.loads),
         hinge_forces=tuple(hinge_force_result(each) for each in hinge_forces(mechanism)),
+        direction=mechanism.direction,
+        candidates=tuple(
+            DirectionCandidate(each.angle, each.multiplier, each.displacement, each.touching)
+            for each in mechanism.candidates
+        ),
     )
 
 

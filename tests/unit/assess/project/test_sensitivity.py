@@ -31,6 +31,7 @@ material = "stone"
 box = { thickness = 0.6, length = 4.0, height = 4.5 }
 [mechanisms.wall]
 kind = "single-block"
+direction = [1, 0, 0]
 blocks = ["wall"]
 [records]
 files = ["a.csv"]
@@ -253,8 +254,7 @@ def test_a_case_that_cannot_be_assessed_is_told_and_the_others_stand(folder: Pat
 
 
 def test_a_sought_direction_is_kept(folder: Path) -> None:
-    swept = PROJECT.replace('blocks = ["wall"]', 'blocks = ["wall"]\ndirection = "sweep"')
-    plain = PROJECT.replace('blocks = ["wall"]', 'blocks = ["wall"]\ndirection = [1, 0, 0]')
+    swept, plain = PROJECT.replace("direction = [1, 0, 0]", 'direction = "sweep"'), PROJECT
     found = [run(study_of(folder, asked(only("{ thickness = 0.05 }"), project=text))) for text in (swept, plain)]
     assert found[0].mechanisms[0].direction_sweep is not None
     assert found[0].sensitivity == found[1].sensitivity

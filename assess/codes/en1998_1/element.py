@@ -95,18 +95,15 @@ def _check(branch: Branch, name: BranchName, context: Context, options: Options,
 
 
 def _steps(branch: Branch, context: Context, found: Demand) -> tuple[Step, ...]:
-    building, resistance = context.building, resisted(branch)
-    raised = height_ratio(context)
+    resistance, raised = resisted(branch), height_ratio(context)
     S_a = found.alpha_s * found.amplified
-    worst = "worst, the building is not known" if found.ratio and building is None else ""
-    remark = worst or f"T_a = {element_period(branch):.4g} s"
     shaken = {"α S": found.alpha_s, "z/H": raised, "T_a/T_1": found.ratio}
     forced = {"S_a": S_a, "γ_a": found.gamma_a, "q_a": found.q_a}
     held = {"F_a/W_a": found.force, "λ": resistance}
     kind = f"behaviour factor; {ELEMENTS[context.support]}"
     return (
-        step("T_a/T_1", "period of the element over the building's", CLAUSE, "T_a / T_1", found.ratio, remark=remark),
-        step("z/H", "height of the supports", CLAUSE, "z / H", raised, remark=f"z = {context.support_height:.4g} m"),
+        _period_step(branch, context, found.ratio),
+        _height_step(context),
         step("S_a", "seismic coefficient", CLAUSE, "α S max(1, 3 (1 + z/H) / (1 + (1 − T_a/T_1)²) − 0.5)", S_a,
              given=shaken),
         step("q_a", kind, TABLE, "given", found.q_a),
@@ -115,3 +112,20 @@ def _steps(branch: Branch, context: Context, found: Demand) -> tuple[Step, ...]:
         multiplier_step("λ", "multiplier that the weight resists", "statics", branch),
         step("D/C", "ratio", FORCE, "F_a/W_a / λ", found.force / resistance, given=held),
     )  # fmt: skip
+
+
+def _period_step(branch: Branch, context: Context, ratio: float) -> Step:
+    words, T_a = "period of the element over the building's", element_period(branch)
+    if context.building is None:
+        remark = "the worst, the building is not known" if ratio else "what does not move before uplift has no period"
+        return step("T_a/T_1", words, CLAUSE, "1 at worst, 0 for what is rigid", ratio, remark=remark)
+    given = {"T_a": (T_a, "s"), "T_1": (context.building.period, "s")}
+    return step("T_a/T_1", words, CLAUSE, "T_a / T_1", ratio, given=given)
+
+
+def _height_step(context: Context) -> Step:
+    words, z = "height of the supports", context.support_height
+    if context.building is None:
+        return step("z/H", words, CLAUSE, "0: the building is not known", 0.0, remark=f"z = {z:.4g} m")
+    given = {"z": (z, "m"), "H": (context.building.height, "m")}
+    return step("z/H", words, CLAUSE, "min(z / H, 1)", height_ratio(context), given=given)

@@ -10,6 +10,12 @@ TEXTS: Mapping[str, str] = {
     "rocks-before-sliding": "it rocks before it slides, which A.1 leaves out",
     "ground-motion": "at height the motion of the ground is taken as it is: unconservative where the building "
     "amplifies it",
+    # of loads
+    "not-lasting": 'load "{load}" is not shown to last: where it resists it counts in the multiplier alone, not in '
+    "displacements and histories; give {missing} (until: the displacement of its point at which it ends, or "
+    '"collapse"; source: a line for the mechanism or its loads in [report.sources])',
+    "unheld": "the mechanism stands only by {loads}, not shown to last to collapse, so nothing can be said of its "
+    "displacements and histories; give until, for a tie with strength, length and fracture_strain, and a source",
     "lower-confidence-factor": "by the confidence factor {given} given, below the code's {deciding}: for comparison",
     "seats-hold": "a pass at {state} holds where {what} keep their seats up to a displacement d* of {moved}",
     # of the verdict

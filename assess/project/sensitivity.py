@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 
 from assess.codes.check import Check
 from assess.errors import AssessError
-from assess.mechanisms.oscillation import oscillator
+from assess.mechanisms.lasting import variants
 from assess.project.assessing import Progress, at_base, besides, checks_of, context_of
 from assess.project.histories import Rocking, Shaken, asked_of
 from assess.project.motions import Motion
@@ -86,7 +86,7 @@ def checked(study: Study, spectrum: Spectrum, motions: tuple[Motion, ...], *, jo
     """The checks of the one mechanism of a case."""
     (mechanism,) = study.mechanisms
     base = at_base(study.amplified[mechanism.name], motions)
-    shaken = Shaken(mechanism.name, oscillator(mechanism), study.equations[mechanism.name], base)
+    shaken = Shaken(mechanism.name, variants(mechanism).deciding, study.equations[mechanism.name], base)
     shakes = any(name.endswith(BY_HISTORIES) for name in study.procedures)
     levels = study.levels if shakes else ()
     rocked = Rocking((), ())

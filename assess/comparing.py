@@ -14,7 +14,7 @@ from math import isclose
 from operator import attrgetter
 from typing import Any, Literal, TypeVar, get_args
 
-from assess.codes.check import Check
+from assess.codes.check import Check, Outcome
 from assess.results import (
     EnvelopeResult,
     MechanismResult,
@@ -23,6 +23,7 @@ from assess.results import (
     SensitivityResult,
     SweepResult,
 )
+from assess.verdict_stated import stated_verdict
 
 K = TypeVar("K")
 V = TypeVar("V")
@@ -123,18 +124,13 @@ def mechanisms(before: Results, after: Results) -> Iterator[Change]:
 
 
 def verdicts(before: Results, after: Results) -> Iterator[Change]:
-    """The verdict of each mechanism, then of each of its checks."""
+    """The verdict of the building, of each mechanism, then the outcome of each of its checks."""
+    sides = [stated_verdict(results.verdict) for results in (before, after)]
+    for (where, what), first, second in paired(*sides):
+        yield Change("verdict", where, what, first, second)
     for one, other in shared(before, after):
-        yield Change("verdict", one.name, "all checks that decide", overall(one), overall(other))
-    for one, other in shared(before, after):
-        for what, first, second in paired(checks(one, one, other), checks(other, one, other)):
-            yield Change("verdict", one.name, what, *both(attrgetter("verdict"), first, second))
-
-
-def overall(mechanism: MechanismResult) -> str | None:
-    """The verdict of all checks that decide: fail where one fails; None where there is none."""
-    found = {check.verdict for check in mechanism.checks if check.reading == "letter"}
-    return next((each for each in ("fail", "not-answered", "pass", "not-applicable") if each in found), None)
+        for name, first_check, second_check in paired(checks(one, one, other), checks(other, one, other)):
+            yield Change("verdict", one.name, name, *both(attrgetter("verdict"), first_check, second_check))
 
 
 def checks(mechanism: MechanismResult, *runs: MechanismResult) -> dict[str, Check]:
@@ -167,7 +163,7 @@ def ratios(before: Results, after: Results) -> Iterator[Change]:
 
 def ratio(check: Check) -> float | str | None:
     """Demand over capacity, or why there is none; None where the check does not apply."""
-    return None if check.verdict == "not-applicable" else check.unbounded or check.ratio
+    return None if check.verdict == Outcome.NOT_APPLICABLE else check.unbounded or check.ratio
 
 
 def envelopes(before: Results, after: Results) -> Iterator[Change]:

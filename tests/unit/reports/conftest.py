@@ -177,9 +177,7 @@ def check(
 
 def reason_of(verdict: str, ratio: float | None) -> Message:
     if verdict == "not-answered":
-        return because(
-            Reason.TOO_FEW_RECORDS, n=count(4), fallen=count(0), clause="ASCE 43-05", least=count(5)
-        )
+        return because(Reason.TOO_FEW_RECORDS, n=count(4), fallen=count(0), clause="ASCE 43-05", least=count(5))
     if verdict == "fail" and ratio is None:
         return because(Reason.OVERTURNS)
     return because(Reason.WITHIN if verdict == "pass" else Reason.BEYOND, capacity="the allowable")

@@ -10,11 +10,15 @@ from assess.oscillator import SingleBlock
 
 @dataclass(frozen=True)
 class Restitution:
-    """A coefficient [-], at least 0, where it comes from, and a notice when the rule did not hold ("" otherwise)."""
+    """A coefficient [-], at least 0, where it comes from, and a notice when the rule did not hold ("" otherwise).
+
+    stopped : the negative value that the rule gave, where the impact brings the mechanism to rest; None elsewhere
+    """
 
     value: float
     source: str
     notice: str = ""
+    stopped: float | None = None
 
 
 def housner(block: SingleBlock) -> float:

@@ -39,6 +39,8 @@ TEXTS: Mapping[str, str] = {
     "[building] ground_elevation",
     "one-sided": "the effective damping is that of the two impacts of a body that rocks both ways; this one rocks to "
     "one side",
+    "stops-at-impact": "restitution by the momentum kept at the impact is {restitution}: a mechanism this squat stops "
+    "at its first impact; for histories give it restitution as a number in [0, 1]",
     "not-a-wall": "{clause} is of walls that stand free or span between floors; this mechanism is neither",
     "not-spanning": "{clause} is of walls that span between supports; this one stands free",
     "no-wall-size": "{clause} needs height and thickness of the wall; this mechanism has no geometry",

@@ -80,7 +80,7 @@ def _as_admitted(check: Check, given: Admission) -> Check:
     if check.verdict == Outcome.NOT_ANSWERED:
         return check
     if given.may == May.ONLY_FAIL and check.verdict == Outcome.FAIL:
-        return replace(check, may_pass=False)
+        return replace(check, may_pass=False, remarks=(*check.remarks, given.reason))
     own = () if check.reason.key in (Reason.WITHIN, Reason.BEYOND) else (check.reason,)
     return replace(
         check,

@@ -76,6 +76,7 @@ class Reason(StrEnum):
     SCALAR_MOTION = "scalar-motion-at-height"
     GROUND_UNKNOWN = "ground-unknown"
     ONE_SIDED = "one-sided"
+    STOPS = "stops-at-impact"
     NOT_A_WALL = "not-a-wall"
     NOT_SPANNING = "not-spanning"
     NO_WALL_SIZE = "no-wall-size"

@@ -56,6 +56,7 @@ def assembled(
         elevation=positive.hinges[0][1],
         outlines=outlines,
         notices=(*notices, *pulling, *sorted({kept.notice, back.notice} - {""})),
+        stopped=_stopped(kept, back),
     )
 
 
@@ -90,6 +91,7 @@ def on_joints(
         restitution=(kept.value, returned.value),
         restitution_source=_sources(kept, returned) + about * (kept.source != "given"),
         notices=(*others, *sorted({kept.notice, returned.notice} - {""})),
+        stopped=_stopped(kept, returned),
     )
 
 
@@ -109,11 +111,11 @@ def on_moving_hinges(found: Impacts, front: FlexibleChain, back: FlexibleChain |
 
 
 def _times(kept: Restitution, factor: float) -> Restitution:
-    """A coefficient by a formula times a factor; one above 1 is told of, others need not be."""
+    """A coefficient by a formula times a factor; what is said of one above 1 holds only where it stays above."""
     if kept.source == "given":
         return kept
     value = kept.value * factor
-    return replace(kept, value=value, notice=kept.notice if value > 1.0 else "")
+    return replace(kept, value=value, notice=kept.notice if value > 1.0 or kept.value <= 1.0 else "")
 
 
 def bearing(chain: Chain, joints: tuple[Joint | None, ...]) -> tuple[Joint | None, ...]:
@@ -134,6 +136,11 @@ def impacts(
     if negative is None:
         return kept, kept
     return kept, impact(choices[1], ending=negative, starting=positive, kind=kind, name=name)
+
+
+def _stopped(positive: Restitution, negative: Restitution) -> float | None:
+    """The least of the negative coefficients, None where both impacts leave a velocity."""
+    return min((each.stopped for each in (positive, negative) if each.stopped is not None), default=None)
 
 
 def _sources(positive: Restitution, negative: Restitution) -> str:

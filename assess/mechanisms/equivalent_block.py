@@ -22,7 +22,7 @@ def equivalent_block(
     label: str = "",
     sides: Sides = "two",
     elevation: float = 0.0,
-    restitution: tuple[RestitutionChoice, RestitutionChoice] = ("thesis", "thesis"),
+    restitution: tuple[RestitutionChoice, RestitutionChoice] = (None, None),
 ) -> Mechanism:
     """An exact single block of frequency parameter `p` [1/s], slenderness `uplift` [rad] and `radius` [m].
 

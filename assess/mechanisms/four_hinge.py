@@ -25,7 +25,7 @@ def four_hinge(
     label: str = "",
     sides: Sides = "two",
     loads: tuple[Load, ...] = (),
-    restitution: tuple[RestitutionChoice, RestitutionChoice] = ("thesis", "thesis"),
+    restitution: tuple[RestitutionChoice, RestitutionChoice] = (None, None),
     notices: tuple[str, ...] = (),
 ) -> Mechanism:
     """The mechanism of three bodies A-B, B-C and C-D, and for negative rotation about hinges of its own.

@@ -22,7 +22,8 @@ from assess.mechanisms.rest import plain_block
 from assess.restitution import Restitution, housner, sorrentino
 
 Named = Literal["thesis", "housner", "sorrentino", "momentum"]
-RestitutionChoice = float | Named
+RestitutionChoice = float | Named | None
+"""A number, a rule by its name, or None: "momentum" where a load moves with the mechanism, else the thesis' rule."""
 Rule = Callable[[Chain, Chain], Restitution]
 Rebound = Callable[[Chain], Restitution]
 FloatArray = NDArray[np.float64]
@@ -30,6 +31,8 @@ FloatArray = NDArray[np.float64]
 HOUSNER = "Housner 1963, thesis eq. 3.44"
 MOMENTUM = "momentum kept over the mechanism"
 ABOUT_BASE = "angular momentum about the new base hinge, Sorrentino et al. 2008, thesis eq. 3.46"
+NOTABLE = 0.03  # a difference between two coefficients that is printed with its reason
+SAME = 5e-4  # coefficients this near are one as they are printed
 
 
 @dataclass(frozen=True)
@@ -50,13 +53,18 @@ class Field:
     z: FloatArray
 
 
-def field(chain: Chain) -> Field:
-    """The field of velocities with which `chain` leaves or reaches its rest."""
+def field(chain: Chain, *, sliding: bool = False) -> Field:
+    """The field of velocities with which `chain` leaves or reaches its rest.
+
+    sliding : bearing masses slide on their seats and pass on no horizontal momentum
+    """
     motion = move(chain, np.zeros(1))
     parts = chain.parts or tuple((block, number) for number, block in enumerate(chain.blocks))
     moving = [(part.mass, part.mass, part.inertia, part.centroid, number) for part, number in parts]
     masses = [load for load in chain.loads if isinstance(load, PointMass)]
-    moving += [(load.mass, load.mass * load.bearing, 0.0, load.at, load.block) for load in masses]
+    for load in masses:
+        shaken = 0.0 if sliding and load.bearing else load.mass
+        moving.append((shaken, load.mass * load.bearing, 0.0, load.at, load.block))
     rows = []
     for shaken, borne, turned, at, number in moving:
         if number is None:
@@ -101,13 +109,11 @@ def kept_momentum(ending: Chain, starting: Chain) -> Restitution:
 def kept_about_base(ending: Chain, starting: Chain) -> Restitution:
     """The angular momentum of the whole about the new base hinge is kept (3.46, there for two plain rectangles).
 
-    That leaves out the impulse of the support at the top; beside it stands what `kept_momentum` gives.
+    That leaves out the impulse of the support at the top.
     """
     old, new = field(ending), field(starting)
     x, z = starting.hinges[0]
-    value = about(old, -x, z) / about(new, x, z)
-    beside = kept_momentum(ending, starting).value
-    return Restitution(value, f'{ABOUT_BASE}; "momentum" would give {beside:.3f}')
+    return Restitution(about(old, -x, z) / about(new, x, z), ABOUT_BASE)
 
 
 def kept_by_housner(ending: Chain, starting: Chain) -> Restitution:
@@ -154,15 +160,22 @@ ONE_SIDED: Mapping[str, Mapping[Named, Rebound]] = {
 }
 
 
+def moving_masses(*chains: Chain) -> tuple[str, ...]:
+    """The names of the loads that move with the mechanism, bearing or not."""
+    return tuple(dict.fromkeys(load.name for chain in chains for load in chain.loads if isinstance(load, PointMass)))
+
+
 def impact(choice: RestitutionChoice, *, ending: Chain, starting: Chain | None, kind: str, name: str) -> Restitution:
     """The coefficient of the impact that ends one branch; `starting` is None for one-sided rocking.
 
-    Raises MechanismError for a rule that is not for this kind, that adds energy or that leaves no rocking.
+    A negative one means that the mechanism stops at the impact: 0, with the value found as `stopped`.
+
+    Raises MechanismError for a rule that is not for this kind, or a named one that adds energy.
     """
-    if not isinstance(choice, str):
+    if isinstance(choice, int | float):
         return Restitution(choice, "given")
     rules = (ONE_SIDED if starting is None else TWO_SIDED)[kind]
-    if choice not in rules:
+    if choice is not None and choice not in rules:
         sides = "one" if starting is None else "two"
         known = ", ".join(f'"{rule}"' for rule in rules)
         raise MechanismError(
@@ -170,10 +183,65 @@ def impact(choice: RestitutionChoice, *, ending: Chain, starting: Chain | None, 
             "number"
         )
     if starting is None:
-        return ONE_SIDED[kind][choice](ending)
-    kept = TWO_SIDED[kind][choice](ending, starting)
+        return ONE_SIDED[kind][choice or "thesis"](ending)
+    rule = choice or default_rule(ending, starting, kind=kind)
+    kept = TWO_SIDED[kind][rule](ending, starting)
     _refuse_gain(kept, ending=ending, starting=starting, name=name)
-    return replace(kept, notice=_faster(kept, ending=ending, starting=starting)) if kept.value > 1.0 else kept
+    told = replace(kept, source=kept.source + beside(rule, kept, ending=ending, starting=starting, kind=kind))
+    return _stopped(told) if told.value < 0.0 else _noticed(told, ending=ending, starting=starting)
+
+
+def default_rule(ending: Chain, starting: Chain, *, kind: str) -> Named:
+    """Momentum where a load moves with the mechanism, else the thesis' rule unless that would add energy."""
+    if moving_masses(ending, starting):
+        return "momentum"
+    kept = TWO_SIDED[kind]["thesis"](ending, starting)
+    return "momentum" if _gains(kept, ending=ending, starting=starting) else "thesis"
+
+
+def beside(rule: Named, kept: Restitution, *, ending: Chain, starting: Chain, kind: str) -> str:
+    """What the other rule would give, and what is left where loads slide on their seats; empty where it is the same."""
+    other: Named = "thesis" if rule == "momentum" else "momentum"
+    value = TWO_SIDED[kind][other](ending, starting).value
+    text = f'; "{other}" would give {value:.3f}' if abs(value - kept.value) > SAME else ""
+    if rule != "momentum" or not moving_masses(ending, starting):
+        return text
+    new = field(starting, sliding=True)
+    slid = -product(field(ending, sliding=True), new) / inertia(new)
+    if abs(slid - kept.value) <= NOTABLE:
+        return text
+    return f"{text}; {slid:.3f} if the loads slide on their seats and pass on no horizontal momentum"
+
+
+def _stopped(kept: Restitution) -> Restitution:
+    """The coefficient of a mechanism that an impact brings to rest: the law would throw it back."""
+    notice = (
+        f"restitution by {kept.source} is {kept.value:.3g}: a mechanism this squat stops at its first impact; 0 is "
+        "taken, and histories are not answered: for those give restitution as a number in [0, 1]"
+    )
+    return replace(kept, value=0.0, notice=notice, stopped=kept.value)
+
+
+def _noticed(kept: Restitution, *, ending: Chain, starting: Chain) -> Restitution:
+    """The same with what is unusual of it: above 1, or well above that of the blocks without their loads."""
+    if kept.value > 1.0:
+        return replace(kept, notice=_faster(kept, ending=ending, starting=starting))
+    loads = moving_masses(ending, starting)
+    if not loads:
+        return kept
+    plain = kept_momentum(*(without_masses(chain) for chain in (ending, starting))).value
+    if kept.value <= plain + NOTABLE:
+        return kept
+    notice = (
+        f"restitution {kept.value:.3f} is above the {plain:.3f} of the same blocks without {', '.join(loads)}: a mass "
+        "high up moves almost horizontally before and after the impact, which therefore takes little of its velocity"
+    )
+    return replace(kept, notice=notice)
+
+
+def without_masses(chain: Chain) -> Chain:
+    """The chain without the loads that move with it."""
+    return replace(chain, loads=tuple(load for load in chain.loads if not isinstance(load, PointMass)))
 
 
 def _faster(kept: Restitution, *, ending: Chain, starting: Chain) -> str:
@@ -186,13 +254,13 @@ def _faster(kept: Restitution, *, ending: Chain, starting: Chain) -> str:
     )
 
 
+def _gains(kept: Restitution, *, ending: Chain, starting: Chain) -> bool:
+    """Whether an impact would add energy."""
+    return kept.value > 0.0 and kept.value**2 * inertia(field(starting)) > inertia(field(ending)) * (1 + 1e-9)
+
+
 def _refuse_gain(kept: Restitution, *, ending: Chain, starting: Chain, name: str) -> None:
-    if kept.value < 0:
-        raise MechanismError(
-            f'mechanism "{name}": restitution by {kept.source} is {kept.value:.3g}: so stocky a mechanism does not '
-            "rock on; give restitution as a number in [0, 1]"
-        )
-    if kept.value**2 * inertia(field(starting)) > inertia(field(ending)) * (1 + 1e-9):
+    if _gains(kept, ending=ending, starting=starting):
         raise MechanismError(
             f'mechanism "{name}": restitution by {kept.source} is {kept.value:.3g}, which would add energy at the '
             'impact, for the two hinges differ; use "momentum" or a number'

@@ -28,6 +28,7 @@ class Mechanism:
     positive, negative : the chain of each branch in that branch's own mirrored sign; negative None if one-sided
     restitution : what the impact that ends the positive and the negative branch leaves of the velocity [-]
     restitution_source : the formula it comes from, or "given"
+    stopped : the negative restitution that the rule gave where an impact brings the mechanism to rest, else None [-]
     elevation : of the base hinge above the origin of the project [m]
     outlines : of each block (of each part, where the chains have parts), its closed polygons in the plane of motion
         [m], not mirrored
@@ -49,6 +50,7 @@ class Mechanism:
     notices: tuple[str, ...] = ()
     directions: Directions | None = None
     faces: tuple[tuple[Face, ...], ...] = ()
+    stopped: float | None = None
 
     @property
     def rise(self) -> float:

@@ -24,7 +24,7 @@ def single_block(
     hinge: Point | None = None,
     hinge_negative: Point | None = None,
     loads: tuple[Load, ...] = (),
-    restitution: tuple[RestitutionChoice, RestitutionChoice] = ("thesis", "thesis"),
+    restitution: tuple[RestitutionChoice, RestitutionChoice] = (None, None),
     notices: tuple[str, ...] = (),
 ) -> Mechanism:
     """The mechanism of `body` turning about `hinge` (positive) and `hinge_negative`, default the edges of its base.

@@ -35,7 +35,7 @@ def two_block(
     hinges: Hinges | None = None,
     hinges_negative: Hinges | None = None,
     loads: tuple[Load, ...] = (),
-    restitution: tuple[RestitutionChoice, RestitutionChoice] = ("thesis", "thesis"),
+    restitution: tuple[RestitutionChoice, RestitutionChoice] = (None, None),
     notices: tuple[str, ...] = (),
 ) -> Mechanism:
     """The mechanism of `upper` on `lower`; hinges A, B, C default to the edges of base, crack and top.

@@ -8,7 +8,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 from assess.amplification import Carried, ModalFilter, carried
 from assess.codes.admission import admitted
-from assess.codes.check import Check, Outcome
+from assess.codes.check import Check, Outcome, Reason, because
 from assess.codes.context import Carried as CarriedBy
 from assess.codes.context import Context
 from assess.codes.family import of_histories
@@ -17,6 +17,7 @@ from assess.codes.registry import history_rules, procedure
 from assess.mechanisms.activation import hinge_forces
 from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.oscillation import oscillator
+from assess.message import Message, Quantity
 from assess.oscillator import Oscillator
 from assess.project.histories import Rocking, Shaken, governing_trace, rocking, vibrates
 from assess.project.motions import Motion
@@ -108,6 +109,7 @@ def context_of(
         carried=carried_by(study.amplified[mechanism.name]),
         crushing=mechanism.crushing,
         impossible=study.impossible,
+        impossible_by_histories=stopped(mechanism),
         amplification=max((each.factor for each in base), default=1.0),
         linearised=study.equations[mechanism.name] == "linearised",
         besides=rocked.besides,
@@ -116,6 +118,13 @@ def context_of(
         hazard=study.hazard,
         free_period=study.free_periods.get(mechanism.name),
     )
+
+
+def stopped(mechanism: Mechanism) -> tuple[Message, ...]:
+    """Why no histories can be answered: the first impact would bring the mechanism to rest."""
+    if mechanism.stopped is None:
+        return ()
+    return (because(Reason.STOPS, restitution=Quantity(mechanism.stopped, figures=3)),)
 
 
 def checks_of(study: Study, rocker: Oscillator, context: Context) -> tuple[Check, ...]:

@@ -30,6 +30,7 @@ from assess.project.record_set import RecordSet
 from assess.project.schema import Project, relative, resolved
 from assess.project.site_spectrum import hazard_over_periods, spectrum_of
 from assess.project.study import Artificial, Case, Equation, Fitting, PulseGrid, Study, Sweep
+from assess.project.survey import survey_of
 from assess.project.variables import variables_of
 from assess.project.variations import Variant, Variation
 from assess.results import Input
@@ -88,6 +89,7 @@ def study_of(project: Project, *, executor: Executor | None = None) -> Study:
             *notices,
         ),
         sweeps=tuple(sweep_of(variation, project, files) for variation in project.variations),
+        survey=survey_of(project, study, solids, partial(alone, project=project, files=files)),
         variables=variables_of(project, study, solids, partial(alone, project=project, files=files)),
     )
 

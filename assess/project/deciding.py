@@ -24,7 +24,9 @@ from assess.codes.verdict import (
 from assess.errors import ProjectError
 from assess.message import Message, Severity, message
 from assess.project import sections
+from assess.project.study import Study
 from assess.results import MechanismResult
+from spectra import ntc
 
 
 def basis_of(content: sections.Content) -> Basis | None:
@@ -44,15 +46,10 @@ def basis_of(content: sections.Content) -> Basis | None:
 
 def question_of(content: sections.Content, *, site_pga: float) -> Question:
     """What the project asks of its basis, at the site's own action."""
-    asked, site, building = content.verdict, content.site, content.building
-    over_periods = site is not None and isinstance(site.spectrum, sections.NtcHazardSpectrum)
+    asked, building, basis = content.verdict, content.building, basis_of(content)
     return Question(
-        basis=basis_of(content),
-        action=Action(
-            pga_g=site_pga / g,
-            limit_state=None if site is None else site.limit_state,
-            over_periods=over_periods,
-        ),
+        basis=basis,
+        action=action_of(content, basis, pga_g=site_pga / g),
         limit_state=asked.limit_state,
         procedures=asked.procedures,
         works=asked.works,
@@ -62,6 +59,20 @@ def question_of(content: sections.Content, *, site_pga: float) -> Question:
         index_before=asked.index_before,
         target_nbs=asked.target_nbs,
     )
+
+
+def action_of(content: sections.Content, basis: Basis | None, *, pga_g: float) -> Action:
+    """What the site's own spectrum stands for: of a hazard over return periods the limit state that is chosen."""
+    if content.site is None:
+        return Action(pga_g, None)
+    declared, spectrum = content.site.limit_state, content.site.spectrum
+    if isinstance(spectrum, sections.NtcHazardSpectrum):
+        state = declared or content.verdict.limit_state or (basis.default if basis is not None else "")
+        life = ntc.reference_life(spectrum.nominal_life, use_class=spectrum.use_class)
+        years = ntc.return_period(state, reference_life=life) if state in ntc.EXCEEDANCE else None
+        return Action(pga_g, state or None, years, over_periods=True)
+    years = spectrum.return_period if isinstance(spectrum, sections.Nzs1170Spectrum) else None
+    return Action(pga_g, declared, years)
 
 
 def use_class_of(content: sections.Content) -> str | None:
@@ -123,13 +134,12 @@ def _unsound(content: sections.Content, name: str) -> Iterator[Missing]:
 
 
 def decided(
-    question: Question,
-    facts: Mapping[str, tuple[tuple[Missing, ...], tuple[Message, ...]]],
-    mechanisms: Sequence[MechanismResult],
+    study: Study, mechanisms: Sequence[MechanismResult], tolerance: Mapping[str, float] | None = None
 ) -> Verdict:
-    """The verdict on the checks of the mechanisms."""
-    judged = [Judged(each.name, each.checks, *facts.get(each.name, ((), ()))) for each in mechanisms]
-    return verdict(question, judged)
+    """Decide on the checks of the mechanisms; tolerance: what the survey may take from the index of each, by name."""
+    near = tolerance or {}
+    judged = [Judged(m.name, m.checks, *study.facts.get(m.name, ((), ())), near.get(m.name, 0.0)) for m in mechanisms]
+    return verdict(study.question, judged)
 
 
 def marked(found: Verdict, question: Question, mechanism: MechanismResult) -> MechanismResult:

@@ -21,6 +21,7 @@ from assess.project.outcome import amplification_result, comparison, mechanism_r
 from assess.project.sampling import coarse_notices
 from assess.project.sensitivity import sensitivities
 from assess.project.study import Study
+from assess.project.survey import tolerances
 from assess.project.sweeping import Swept, case_notices, case_text, controlling_cases, sweep_results, swept
 from assess.results import SCHEMA_VERSION, MechanismResult, Program, Results
 from spectra.spectrum import Spectrum
@@ -41,7 +42,9 @@ def run(study: Study, *, jobs: int = 0, progress: Progress = lambda stage, done,
     alone = replace(study, mechanisms=tuple(m for m in study.mechanisms if m.name not in standing))
     own = {one.name: one for one in mechanisms_assessed(alone, spectrum, motions, jobs=jobs, progress=progress)}
     mechanisms = tuple(own.get(m.name) or standing[m.name].worst for m in study.mechanisms)
-    found = decided(study.question, study.facts, mechanisms)
+    found = decided(study, mechanisms)
+    near = tolerances(study.survey, spectrum, study.question, found, mechanisms)
+    found = decided(study, mechanisms, near) if near else found
     mechanisms = tuple(marked(found, study.question, each) for each in mechanisms)
     rockers = rockers_of(study, standing)
     mapped = mapped_pulses(rockers, study.pulses, jobs=jobs, progress=progress)

@@ -94,6 +94,7 @@ class Study:
     question : what decides
     facts : what the pass of each mechanism needs and nobody gave, and what it rests on, by name
     ground : its elevation [m]; impossible : what makes every answer impossible
+    survey : the numbers of a mechanism that the survey's tolerance bears on, by its name
     variables : what the sensitivity of each mechanism varies
     pulses : of the overturning envelopes; None where none are asked for
     """
@@ -124,6 +125,7 @@ class Study:
     facts: Mapping[str, tuple[tuple[Missing, ...], tuple[Message, ...]]]
     ground: float = 0.0
     impossible: tuple[Message, ...] = ()
+    survey: Callable[[str], tuple[Variable, ...]] = lambda name: ()
     variables: tuple[Variable | Unvaried, ...] = ()
 
 

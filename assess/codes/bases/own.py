@@ -15,7 +15,7 @@ def own(procedures: Sequence[str], *, rule: str, statement: str) -> Basis:
         name="own",
         edition="basis stated by the engineer",
         index=IndexKind.DEMAND_CAPACITY,
-        states=(LimitState("own", "*", ("*",), ranks),),
+        states=(LimitState("own", "*", (), ranks),),
         default="own",
         premises=(),
         clauses=((statement, ""),),

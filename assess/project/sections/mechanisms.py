@@ -68,8 +68,10 @@ RestitutionValue = Annotated[
 class Restitution(Section):
     """Velocity after over velocity before the impact that ends a rotation, for each direction."""
 
-    positive: RestitutionValue = "thesis"
-    negative: RestitutionValue = "thesis"
+    positive: RestitutionValue | None = None
+    """momentum where a load moves with the mechanism, else the thesis' rule for the kind"""
+    negative: RestitutionValue | None = None
+    """the same for the impact that ends negative rotation"""
 
     @model_validator(mode="before")
     @classmethod

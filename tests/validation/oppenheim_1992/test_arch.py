@@ -10,7 +10,7 @@ from math import asin, cos, pi, radians, sin
 import numpy as np
 import pytest
 
-from assess.errors import MechanismError, ProjectError
+from assess.errors import ProjectError
 from assess.mechanisms.arch import weakest
 from assess.mechanisms.chain import Block, mirrored
 from assess.mechanisms.oscillation import oscillator
@@ -152,9 +152,10 @@ def test_the_weakest_mirrors_with_the_arch():
 
 def test_joints_of_a_wrong_centre_are_told_and_blamed(tmp_path):
     """Joints that do not point to the centre of the ring leave its feet behind and cut it askew."""
-    words = '"arch": .* % of the arch lies beyond its first and last joint .*; joint 2 is .* deg off square .*; restit'
-    with pytest.raises(MechanismError, match=words):
-        project(tmp_path, 8, body=profile_of(), centre="[0, 5]")
+    askew = project(tmp_path, 8, body=profile_of(), centre="[0, 5]")
+    assert "% of the arch lies beyond its first and last joint" in askew.notices[0]
+    assert "deg off square" in askew.notices[1]
+    assert any("stops at its first impact" in text for text in askew.notices)
     told = project(tmp_path, 8, body=profile_of(), centre="[0, 2]").notices[0]
     left = asin(2 * cos(radians(11.25)) / 10) / radians(78.75)  # of each half, on the mean radius of 10 m
     assert float(told.split(" %")[0]) == pytest.approx(100 * left, rel=0.05)

@@ -165,7 +165,6 @@ def test_one_sided_stocky_block_does_not_rebound_and_says_so():
 @pytest.mark.parametrize(
     ("make", "words"),
     [
-        (lambda: single_block("w", wall_in_plane(thickness=20.0)), "so stocky"),
         (lambda: single_block("w", wall_in_plane(), hinge=(-0.1, 0.0)), "already falling in positive"),
         (lambda: single_block("w", wall_in_plane(), hinge_negative=(0.1, 0.0)), "already falling in negative"),
         (lambda: single_block("w", wall_in_plane(), hinge=(0.4, 3.0)), "below the hinge"),

@@ -97,7 +97,7 @@ def test_knowledge_level_gives_the_confidence_factor(tmp_path):
 )
 def test_confidence_factor_below_that_of_a_model_without_crushing_is_warned_of(tmp_path, options, words):
     notices = study_of(tmp_path, tail=f"[procedures.ntc2018]\n{options}").notices
-    found = [notice for notice in notices if notice.code == "confidence-factor"]
+    found = [notice for notice in notices if notice.key == "confidence-factor"]
     assert [notice.where for notice in found] == ["procedures.ntc2018"] * (words is not None)
     assert all(notice.text.startswith(words) and "Circolare 7/2019" in notice.text for notice in found)
 

@@ -10,11 +10,11 @@ import shapely
 
 from assess.errors import GeometryError, ProjectError
 from assess.geometry.solid import Solid, box, joined, profile
+from assess.message import Message
 from assess.project.build import build
 from assess.project.run import parameters, run
 from assess.project.schema import load, resolved
 from assess.project.study import Study
-from assess.results import Notice
 
 HEAD = """
 [materials.stone]
@@ -53,9 +53,9 @@ def study(folder: Path, bodies: str, *, blocks: str = '["w"]', more: str = "") -
     return build(load(folder))
 
 
-def of_bodies(made: Study) -> list[Notice]:
+def of_bodies(made: Study) -> list[Message]:
     """The notices on bodies."""
-    return [notice for notice in made.notices if notice.code in ("mesh", "size", "overlap")]
+    return [notice for notice in made.notices if notice.key in ("mesh", "size", "overlap")]
 
 
 def body(name: str, form: str, *, material: str = "stone") -> str:
@@ -71,7 +71,7 @@ def test_a_mended_mesh_is_told_in_the_results(tmp_path: Path) -> None:
     (tmp_path / "wall.obj").write_text(obj(pair))
     made = study(tmp_path, body("w", 'mesh = "wall.obj"'), more=SITE)
     results = run(made)
-    (notice,) = [notice for notice in results.warnings if notice.code == "mesh"]
+    (notice,) = [notice for notice in results.warnings if notice.key == "mesh"]
     assert notice.where == "bodies.w"
     volume, shared = 0.6 * 4 * 5.5, 0.3 * 4 * 0.5
     assert notice.text.startswith("wall.obj: its 2 closed shells, some of which overlap")
@@ -105,7 +105,7 @@ def test_unit_up_and_element_of_a_mesh(tmp_path: Path) -> None:
 def test_a_wrong_unit_is_told_with_the_likely_one(tmp_path: Path) -> None:
     (tmp_path / "wall.obj").write_text(obj(wall(thickness=600.0, length=4000.0, height=4500.0)))
     (notice,) = of_bodies(study(tmp_path, body("w", 'mesh = "wall.obj"')))
-    assert (notice.code, notice.where) == ("size", "bodies.w")
+    assert (notice.key, notice.where) == ("size", "bodies.w")
     assert 'With mesh_unit = "mm" it would measure 4.5 m' in notice.text
 
 
@@ -132,7 +132,7 @@ def test_overlapping_bodies_are_told_by_name_and_volume(tmp_path: Path, x: float
         assert notices == []
         return
     (notice,) = notices
-    assert (notice.code, notice.where) == ("overlap", "mechanisms.m")
+    assert (notice.key, notice.where) == ("overlap", "mechanisms.m")
     assert notice.text.startswith(f'bodies "w" and "v" overlap by {told} of the smaller')
 
 
@@ -157,7 +157,7 @@ def test_blocks_of_one_chain_that_overlap_are_told(
     chain = f'[mechanisms.m]\nkind = "{kind}"\nblocks = [{CHAINS[kind]}'
     (tmp_path / "project.toml").write_text(HEAD + bodies + chain)
     notices = of_bodies(build(load(tmp_path)))
-    told = [(each.code, each.where, each.text.split(", which")[0]) for each in notices]
+    told = [(each.key, each.where, each.text.split(", which")[0]) for each in notices]
     shared = f"0.48 m3, {100 * deep * 0.6 * 4 / min(0.6 * 4 * 4.5, width * 4 * 1.2):.3g} % of the smaller"
     named = ['bodies "{}" and "{}"'.format(*pair.split()) for pair in pairs if deep]
     assert told == [("overlap", "mechanisms.m", f"{names} overlap by {shared}") for names in named]

@@ -67,7 +67,7 @@ def loads_of(folder: Path, bodies: str, *loads: str, mechanism: str = ""):
 
 
 def texts(study) -> str:
-    return "\n".join(notice.text for notice in study.notices if notice.code == "mechanism")
+    return "\n".join(notice.text for notice in study.notices if notice.key == "mechanism")
 
 
 def test_a_floor_built_into_two_walls_rests_with_half_its_weight_on_each(tmp_path):

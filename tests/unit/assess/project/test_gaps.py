@@ -29,7 +29,7 @@ def cube(x: float, y: float = 0.0, z: float = 0.0, *, name: str = "cube") -> Sol
 
 def gaps(tmp_path, base: str, mechanism: str) -> list[str]:
     (tmp_path / "project.toml").write_text(WALLS % base + mechanism)
-    return [notice.text for notice in build(load(tmp_path)).notices if notice.code == "gap"]
+    return [notice.text for notice in build(load(tmp_path)).notices if notice.key == "gap"]
 
 
 ONE_BLOCK = 'kind = "single-block"\nblocks = [["a", "b"]]'

@@ -56,7 +56,7 @@ def motions(*steps: float) -> list[Motion]:
 
 def notices(p: float, *steps: float) -> list[str]:
     rocker = Rocker("tower", block(p), "exact", np.ones_like)
-    return [f"{n.code} {n.where} {n.text}" for n in coarse_notices([rocker], motions(*steps))]
+    return [f"{n.key} {n.where} {n.text}" for n in coarse_notices([rocker], motions(*steps))]
 
 
 def test_ten_samples_within_1_over_p() -> None:
@@ -86,12 +86,12 @@ def results(folder: Path, *, dt: float) -> Results:
 def test_a_run_tells_which_mechanism_record_and_step(tmp_path: Path) -> None:
     """Six samples in a period of the wall on its joints, which the rigid wall does not need."""
     found = results(tmp_path, dt=0.025)
-    coarse = [notice for notice in found.warnings if notice.code == "coarse-record"]
+    coarse = [notice for notice in found.warnings if notice.key == "coarse-record"]
     assert [notice.where for notice in coarse] == ["mechanisms.on joints"]
     assert "motion (0.025 s)" in coarse[0].text
     assert "elastic vibration" in coarse[0].text
 
 
 def test_a_fine_record_is_no_matter(tmp_path: Path) -> None:
-    assert [n for n in results(tmp_path, dt=0.005).warnings if n.code == "coarse-record"] == []
+    assert [n for n in results(tmp_path, dt=0.005).warnings if n.key == "coarse-record"] == []
     assert elastic_frequency(block(2.0).positive) is None

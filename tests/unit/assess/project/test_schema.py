@@ -73,7 +73,7 @@ def test_defaults(tmp_path: Path) -> None:
     assert isinstance(wall, SingleBlock)
     assert (wall.blocks, wall.direction, wall.sides, wall.hinges) == ((("wall",),), (1.0, 0.0, 0.0), "two", None)
     assert (wall.restitution.positive, wall.restitution.negative) == (0.9, 0.9)
-    assert content.mechanisms["other"].restitution.positive == "thesis"
+    assert content.mechanisms["other"].restitution.positive is None
     assert content.building is not None
     assert content.building.period == pytest.approx(0.05 * 8.0)  # 0.05 H^0.75, 16^0.75 = 8
     assert content.records.synthetic is not None
@@ -147,7 +147,7 @@ def test_resolved_tells_given_from_default(tmp_path: Path) -> None:
     assert pairs["bodies.wall.box.thickness"] == (0.6, True)
     assert pairs["bodies.wall.box.base"] == ([0.0, 0.0, 0.0], False)
     assert pairs["mechanisms.wall.restitution.negative"] == (0.9, True)
-    assert pairs["mechanisms.other.restitution.negative"] == ("thesis", False)
+    assert pairs["mechanisms.other.restitution.negative"] == (None, False)
     assert pairs["building.period"] == (pytest.approx(0.4), False)
     assert pairs["records.synthetic.seed"] == (1, False)
     assert pairs["analysis.levels"] == ([pytest.approx(0.1 * g), pytest.approx(0.2 * g)], True)
@@ -321,7 +321,7 @@ def test_json_schema_is_closed_and_strict() -> None:
 def test_a_bare_number_that_is_hardly_an_earthquake_is_told(tmp_path: Path) -> None:
     slip = changed('levels = ["0.1 g", "0.2 g"]', 'levels = [0.1, 1.3, "0.01 g"]').replace('"0.25 g"', "0.15")
     doubts = load(written(tmp_path, slip)).doubts
-    assert [(doubt.code, doubt.where, doubt.text) for doubt in doubts] == [
+    assert [(doubt.key, doubt.where, doubt.text) for doubt in doubts] == [
         ("unit", "site.spectrum.s_d1", '0.15 m/s^2 is 0.0153 g; write "0.15 g" if that was meant'),
         ("unit", "analysis.levels[1]", '0.1 m/s^2 is 0.0102 g; write "0.1 g" if that was meant'),
     ]

@@ -183,7 +183,7 @@ def test_doubtful_hinges_are_pointed_out(tmp_path, mechanism, words):
 def test_plain_walls_raise_no_doubt_about_their_hinges(tmp_path):
     for direction in ("[1, 0, 0]", "[0, -1, 0]"):
         notices = study_of(tmp_path, mechanism=f"direction = {direction}").notices
-        assert not [notice for notice in notices if notice.code == "mechanism"]
+        assert not [notice for notice in notices if notice.key == "mechanism"]
 
 
 def test_hinge_of_a_direction_that_is_not_there_is_refused(tmp_path):
@@ -194,7 +194,7 @@ def test_hinge_of_a_direction_that_is_not_there_is_refused(tmp_path):
 def test_confidence_factor_is_warned_of_only_where_it_is_used(tmp_path):
     with_italian = study_of(tmp_path).notices
     without = study_of(tmp_path, analysis='procedures = ["asce43-05-spectrum"]').notices
-    assert {n.code for n in with_italian} - {n.code for n in without} == {"confidence-factor"}
+    assert {n.key for n in with_italian} - {n.key for n in without} == {"confidence-factor"}
 
 
 CRUSHING = 'interface = { strength = "1 MPa" }'
@@ -212,7 +212,7 @@ TWIN = '[mechanisms.n]\nkind = "single-block"\nblocks = ["w"]'
 )
 def test_confidence_factor_tells_which_mechanisms_do_not_crush(tmp_path, mechanism, tail, words):
     study = study_of(tmp_path, mechanism=mechanism, tail=tail)
-    (notice,) = [notice for notice in study.notices if notice.code == "confidence-factor"]
+    (notice,) = [notice for notice in study.notices if notice.key == "confidence-factor"]
     assert "LC3" in notice.text
     assert ("not modelled" in notice.text) == (words is not None)
     assert words is None or words in notice.text
@@ -311,7 +311,7 @@ def test_a_level_cut_is_the_mechanism_of_what_lies_above(tmp_path):
     np.testing.assert_allclose(block.centroid, (0.0, 3.0), atol=1e-12)
     np.testing.assert_allclose(mechanism.positive.hinges[0], (0.3, 1.5), atol=1e-12)
     assert min(z for _, z in mechanism.outlines[0][0]) == 1.5
-    assert "amplification" in {notice.code for notice in study.notices}
+    assert "amplification" in {notice.key for notice in study.notices}
     (at_base,) = study_of(tmp_path, mechanism="cut = 0").mechanisms
     assert vars(at_base) == vars(whole)
 
@@ -322,7 +322,7 @@ def test_an_inclined_cut_has_each_hinge_at_its_own_elevation(tmp_path):
     np.testing.assert_allclose(mechanism.positive.hinges[0], (0.3, 1.65), atol=1e-12)
     np.testing.assert_allclose(mechanism.negative.hinges[0], (0.3, 1.35), atol=1e-12)  # mirrored
     assert mechanism.elevation == pytest.approx(1.65, rel=1e-12)
-    assert all("restitution" in notice.text for notice in study.notices if notice.code == "mechanism")
+    assert all("restitution" in notice.text for notice in study.notices if notice.key == "mechanism")
     (shown,) = run(study).mechanisms
     np.testing.assert_allclose([h.at for h in shown.drawing.hinges], [(0.3, 1.65), (-0.3, 1.35)], atol=1e-12)
     assert shown.oscillator.mass_kg == pytest.approx(2000 * 0.6 * 4 * 3, rel=1e-12)
@@ -348,7 +348,7 @@ def test_clauses_above_ground_apply_to_a_cut_wall(tmp_path):
 
 def test_a_cut_that_slopes_across_the_motion_is_pointed_out(tmp_path):
     notices = study_of(tmp_path, mechanism="cut = { point = [0, 0, 1.5], normal = [0, 0.1, 1] }").notices
-    (text,) = [notice.text for notice in notices if notice.code == "mechanism"]
+    (text,) = [notice.text for notice in notices if notice.key == "mechanism"]
     assert "slopes across the direction of motion and its extreme line rises by 0.4 m" in text
 
 
@@ -417,7 +417,7 @@ def test_one_sided_joints_that_lean_on_their_support_keep_their_small_threshold(
 def test_the_linearised_equation_on_joints_without_a_threshold_is_told(tmp_path, joint, equation, told):
     """Below the threshold of the linearised equation nothing moves, where the exact one always does."""
     made = study_of(tmp_path, mechanism=joint, analysis=f'equation = "{equation}"\nlevels = ["0.02 g"]', records=SUITE)
-    texts = [notice.text for notice in made.notices if (notice.code, notice.where) == ("equation", "analysis.equation")]
+    texts = [notice.text for notice in made.notices if (notice.key, notice.where) == ("equation", "analysis.equation")]
     assert len(texts) == told
     assert all("the joints of m have not" in text for text in texts)
     moved = [history.max_rotation_rad for history in run(made).mechanisms[0].histories]

@@ -134,7 +134,7 @@ def test_only_what_depends_on_the_key_is_swept_and_its_worst_case_stands(folder:
     assert [row.demand_capacity for row in results.comparison if row.mechanism == "capped"] == [
         c.ratio for c in standing.checks
     ]
-    assert [(n.code, n.where) for n in results.warnings if n.code == "sweep"] == [("sweep", "mechanisms.capped")]
+    assert [(n.key, n.where) for n in results.warnings if n.key == "sweep"] == [("sweep", "mechanisms.capped")]
     assert "bodies.cap.box.height = 2 m" in " ".join(notice.text for notice in results.warnings)
 
 

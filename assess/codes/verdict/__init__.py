@@ -1,0 +1,40 @@
+"""The verdict: one deciding answer for each mechanism and limit state, by the basis that the project names.
+
+verdict(question, mechanisms) -> Verdict      a pure function; what stands here knows nothing of formulas
+
+question.py   what the project asks of its basis, and what it says of the site's action
+methods.py    which limit states decide, and by which methods
+target.py     what the index is compared with
+answer.py     the deciding answer of one limit state of one mechanism
+remedies.py   the keys that would answer a check which is not answered
+decision.py   mechanisms and the building; the types of what is decided
+roles.py      the checks that decide, marked as such
+"""
+
+from assess.codes.verdict.answer import Answer, Index, grade
+from assess.codes.verdict.decision import MechanismVerdict, Verdict, verdict
+from assess.codes.verdict.methods import deciding_states, methods_asked
+from assess.codes.verdict.outcome import Decision, worst
+from assess.codes.verdict.question import Action, Judged, Missing, Question
+from assess.codes.verdict.roles import deciding_check, with_roles
+from assess.codes.verdict.target import target_of
+
+__all__ = [
+    "Action",
+    "Answer",
+    "Decision",
+    "Index",
+    "Judged",
+    "MechanismVerdict",
+    "Missing",
+    "Question",
+    "Verdict",
+    "deciding_check",
+    "deciding_states",
+    "grade",
+    "methods_asked",
+    "target_of",
+    "verdict",
+    "with_roles",
+    "worst",
+]

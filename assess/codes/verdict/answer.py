@@ -1,0 +1,196 @@
+"""The deciding answer of one limit state of one mechanism."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from math import inf, isclose
+
+from assess.codes.basis import Basis, IndexKind, LimitState
+from assess.codes.check import Check, Outcome
+from assess.codes.verdict.methods import Rank, ranks_asked, undeclared
+from assess.codes.verdict.outcome import Decision, worst
+from assess.codes.verdict.question import Action, Judged, Missing, Question
+from assess.codes.verdict.remedies import remedies
+from assess.message import Message, message
+
+LEAST_WIDTH = 0.05  # of the threshold: answers nearer to it are "at the limit"
+GRADES = ((0.80, "A"), (0.67, "B"), (0.34, "C"), (0.20, "D"), (0.0, "E"))
+"""Grades of NZSEE 2017 by the least share of the new building standard; above 1 it is A+."""
+
+
+@dataclass(frozen=True)
+class Index:
+    """What the code counts the answer in: its name, its value (%NBS as a share), and its grade if there are grades."""
+
+    name: str
+    value: float
+    grade: str = ""
+
+
+@dataclass(frozen=True)
+class Answer:
+    """The deciding answer of one limit state; `procedure` is empty where no method was asked or applies.
+
+    provisional : of an incomplete one, what it would be with the safe value of what is missing; None where none exists
+    """
+
+    limit_state: str
+    outcome: Decision
+    procedure: str
+    ratio: float | None
+    index: Index | None
+    reason: Message
+    at_the_limit: bool = False
+    provisional: Decision | None = None
+
+
+@dataclass(frozen=True)
+class Found:
+    """An answer with the checks behind it, none where nothing decided, and the keys that are missing."""
+
+    answer: Answer
+    checks: tuple[Check, ...] = ()
+    missing: tuple[Missing, ...] = ()
+
+
+def find_answer(one: Judged, state: LimitState, question: Question, basis: Basis, target: float | None) -> Found:
+    """Find the answer of the most refined method that may decide and was answered.
+
+    Methods of one rank must all hold: one that fails decides, one that is missing lets the next rank answer.
+    """
+    ranks = ranks_asked(state, question.procedures)
+    lacking = undeclared(state, question.action)
+    silent: list[Check] = []
+    for rank in ranks:
+        checks = [check for method in rank for check in _of_method(one, method.procedure, state, question.action)]
+        said = [decided(check, basis, target) for check in checks]
+        if Decision.FAIL in said or (said and None not in said and len(checks) >= len(_applying(one, rank, state))):
+            outcome = worst(each for each in said if each is not None)
+            return _declared(_answered(one, checks, said, state, outcome, basis, target), lacking)
+        silent += [check for check, each in zip(checks, said, strict=True) if each is None]
+    return _unanswered(one, state, ranks, silent, basis, target, lacking)
+
+
+def _applying(one: Judged, rank: Rank, state: LimitState) -> list[str]:
+    """The methods of a rank that are for such a mechanism."""
+    no = {check.procedure for check in one.checks if check.verdict == Outcome.NOT_APPLICABLE and _is_of(check, state)}
+    return [method.procedure for method in rank if method.procedure not in no]
+
+
+def _is_of(check: Check, state: LimitState) -> bool:
+    return state.checked_as in (check.limit_state, "*")
+
+
+def _of_method(one: Judged, procedure: str, state: LimitState, action: Action) -> list[Check]:
+    return [
+        check
+        for check in one.checks
+        if check.procedure == procedure
+        and _is_of(check, state)
+        and check.reading == "letter"
+        and not check.informs
+        and check.verdict != Outcome.NOT_APPLICABLE
+        and at_action(check, action)
+    ]
+
+
+def at_action(check: Check, action: Action) -> bool:
+    """Whether a check is at the site's own action."""
+    return isclose(check.level_pga_g, action.pga_g, rel_tol=1e-9)
+
+
+def decided(check: Check, basis: Basis, target: float | None) -> Decision | None:
+    """Compare a check with the target; None where it says nothing."""
+    if target is None or check.verdict == Outcome.NOT_ANSWERED:
+        return None
+    index = index_of(check, basis)
+    if index is not None and index.name != IndexKind.DEMAND_CAPACITY and target != 1.0:
+        holds = index.value >= target
+    elif target == 1.0:
+        holds = check.verdict == Outcome.PASS
+    else:  # no index to compare: full safety is more than any lower target, and nothing is known of a higher one
+        holds = check.verdict == Outcome.PASS
+        if holds is (target > 1.0):
+            return None
+    if holds and not check.may_pass:
+        return None
+    return Decision.PASS if holds else Decision.FAIL
+
+
+def index_of(check: Check, basis: Basis) -> Index | None:
+    """Return what the code counts the check in; None where it is not known."""
+    if basis.index == IndexKind.ZETA_E:
+        return None if check.safety_index is None else Index(basis.index, check.safety_index)
+    if basis.index == IndexKind.NBS:
+        share = check.score.get(IndexKind.NBS)
+        return None if share is None else Index(basis.index, share / 100.0, grade(share / 100.0))
+    return None if check.ratio is None else Index(basis.index, check.ratio)
+
+
+def grade(share: float) -> str:
+    """Return the grade of a share of the new building standard (NZSEE 2017, Table A3.1)."""
+    return "A+" if share > 1.0 else next(name for least, name in GRADES if share >= least)
+
+
+def _answered(
+    one: Judged,
+    checks: Sequence[Check],
+    said: Sequence[Decision | None],
+    state: LimitState,
+    outcome: Decision,
+    basis: Basis,
+    target: float | None,
+) -> Found:
+    """The answer by the check that tells: of those that say so the one with the largest ratio."""
+    telling = [check for check, each in zip(checks, said, strict=True) if each == outcome]
+    check = max(telling, key=lambda each: inf if each.ratio is None else each.ratio)
+    index = index_of(check, basis)
+    near = is_near(check, index, target, one.tolerance)
+    answer = Answer(state.name, outcome, check.procedure, check.ratio, index, check.reason, near)
+    return Found(answer, tuple(checks))
+
+
+def is_near(check: Check, index: Index | None, target: float | None, tolerance: float) -> bool:
+    """Whether an answer lies within the width of the threshold: 5 %, or what the survey's tolerance changes."""
+    width = max(LEAST_WIDTH, tolerance)
+    if index is not None and index.name != IndexKind.DEMAND_CAPACITY and target is not None:
+        return abs(index.value / target - 1.0) <= width
+    return check.ratio is not None and abs(check.ratio - 1.0) <= width
+
+
+def _declared(found: Found, lacking: Missing | None) -> Found:
+    """The answer where the site's action is declared; where not, what it would be if it were."""
+    if lacking is None:
+        return found
+    reason = message("missing-key", {"key": lacking.key, "text": lacking.text}, where=lacking.key)
+    answer = replace(
+        found.answer, outcome=Decision.INCOMPLETE, provisional=found.answer.outcome, reason=reason, at_the_limit=False
+    )
+    return Found(answer, found.checks, (lacking,))
+
+
+def _unanswered(
+    one: Judged,
+    state: LimitState,
+    ranks: Sequence[Rank],
+    silent: Sequence[Check],
+    basis: Basis,
+    target: float | None,
+    lacking: Missing | None,
+) -> Found:
+    """No method was answered: the most refined one says why, with the keys that would do."""
+    missing = (*remedies(one.name, silent), *(() if lacking is None else (lacking,)))
+    if not silent:
+        names = ", ".join(method.procedure for rank in ranks for method in rank) or "none"
+        reason = message("no-deciding-method", {"state": state.name, "methods": names})
+        return Found(Answer(state.name, Decision.INCOMPLETE, "", None, None, reason), (), missing)
+    check = silent[0]
+    said = None
+    if check.provisional is not None:
+        said = decided(replace(check, verdict=check.provisional, may_pass=True), basis, target)
+    index = index_of(check, basis)
+    answer = Answer(
+        state.name, Decision.INCOMPLETE, check.procedure, check.ratio, index, check.reason, provisional=said
+    )
+    return Found(answer, (), missing)

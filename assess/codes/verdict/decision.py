@@ -1,0 +1,197 @@
+"""The verdict of each mechanism and of the building, from the deciding answers.
+
+A mechanism fails if a deciding answer fails, else it is incomplete if one is missing or there is none, else it passes;
+the building is the worst of its mechanisms in that order.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+
+from assess.codes.basis import Basis, IndexKind, LimitState, Role
+from assess.codes.check import Check
+from assess.codes.verdict.answer import Answer, Found, Index, find_answer
+from assess.codes.verdict.methods import deciding_states, methods_asked
+from assess.codes.verdict.outcome import Decision, worst
+from assess.codes.verdict.question import Action, Judged, Missing, Question, once
+from assess.codes.verdict.target import target_of
+from assess.message import Message, message
+
+
+@dataclass(frozen=True)
+class MechanismVerdict:
+    """The verdict of one mechanism.
+
+    margin : PGA at capacity over the action's, None where it is not known
+    provisional : of an incomplete one, what it would be with the safe value of what is missing; else None
+    """
+
+    mechanism: str
+    outcome: Decision
+    margin: float | None
+    at_the_limit: bool
+    answers: tuple[Answer, ...]
+    conditions: tuple[Message, ...] = ()
+    missing: tuple[Missing, ...] = ()
+    provisional: Decision | None = None
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """The verdict of the building at the site's own action.
+
+    limit_states, methods : that decide; index : "at most" the least of the mechanisms', as they are local ones only;
+    of a ratio of demand to capacity the largest. None where one is not known
+    clauses : rule and clause of the basis; uncompared : what could not be compared with any text of the standard
+    """
+
+    basis: str
+    edition: str
+    action: Action
+    target: float | None
+    outcome: Decision
+    at_the_limit: bool
+    conditions: tuple[Message, ...]
+    missing: tuple[Missing, ...]
+    mechanisms: tuple[MechanismVerdict, ...]
+    limit_states: tuple[str, ...] = ()
+    methods: tuple[str, ...] = ()
+    index: Index | None = None
+    provisional: Decision | None = None
+    clauses: tuple[tuple[str, str], ...] = ()
+    uncompared: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class _Measure:
+    """What every mechanism is measured by."""
+
+    question: Question
+    basis: Basis
+    states: tuple[LimitState, ...]
+    target: float | None
+    missing: tuple[Missing, ...]
+
+
+def verdict(question: Question, mechanisms: Sequence[Judged]) -> Verdict:
+    """Decide the building and each of its mechanisms."""
+    basis = question.basis
+    if basis is None:
+        return _without_basis(question, mechanisms)
+    states, no_state = deciding_states(question)
+    target, no_target = target_of(question, basis)
+    measure = _Measure(question, basis, states, target, (*question.missing, *no_state, *no_target))
+    found = tuple(_of_mechanism(each, measure) for each in mechanisms)
+    outcome = worst(one.outcome for one in found)
+    return Verdict(
+        basis=basis.name,
+        edition=basis.edition,
+        action=question.action,
+        target=target,
+        outcome=outcome,
+        at_the_limit=any(one.at_the_limit and one.outcome == outcome for one in found),
+        conditions=_unique(each for one in found for each in one.conditions),
+        missing=once((*measure.missing, *(each for one in found for each in one.missing))),
+        mechanisms=found,
+        limit_states=tuple(state.name for state in states),
+        methods=tuple(dict.fromkeys(method for state in states for method in methods_asked(state, question))),
+        index=_index(found),
+        provisional=worst(one.provisional or one.outcome for one in found) if outcome == Decision.INCOMPLETE else None,
+        clauses=basis.clauses,
+        uncompared=basis.uncompared,
+    )
+
+
+def _of_mechanism(one: Judged, measure: _Measure) -> MechanismVerdict:
+    """Decide one mechanism: what is missing cannot be made up for by numbers that pass."""
+    asked = [find_answer(one, state, measure.question, measure.basis, measure.target) for state in measure.states]
+    found = _by_class(asked, measure)
+    missing = once((*(each for it in found for each in it.missing), *one.missing))
+    outcome = worst(it.answer.outcome for it in found)
+    if outcome == Decision.PASS and (missing or measure.missing):
+        outcome = Decision.INCOMPLETE
+    incomplete = outcome == Decision.INCOMPLETE
+    return MechanismVerdict(
+        mechanism=one.name,
+        outcome=outcome,
+        margin=_margin([check for it in found for check in it.checks]),
+        at_the_limit=any(it.answer.at_the_limit for it in found if it.answer.outcome == outcome),
+        answers=tuple(it.answer for it in found),
+        conditions=() if outcome == Decision.FAIL else _conditions(one, found),
+        missing=missing if incomplete else (),
+        provisional=worst(it.answer.provisional or it.answer.outcome for it in found) if incomplete else None,
+    )
+
+
+def _by_class(found: Sequence[Found], measure: _Measure) -> tuple[Found, ...]:
+    """Where the class of use is not given, a limit state besides the chosen one counts only where it fails.
+
+    It then makes the mechanism incomplete, for want of the class.
+    """
+    if measure.question.use_class is not None:
+        return tuple(found)
+    besides = {state.name for state in measure.states if state.role == Role.BESIDES}
+    kept: list[Found] = []
+    for it in found:
+        if it.answer.limit_state not in besides:
+            kept.append(it)
+        elif it.answer.outcome == Decision.FAIL:
+            text = f"{it.answer.limit_state} is not satisfied, which decides in class of use IV"
+            missing = Missing("building.use_class", text, 'use_class = "II"')
+            answer = replace(it.answer, outcome=Decision.INCOMPLETE, provisional=Decision.FAIL)
+            kept.append(Found(answer, it.checks, (missing,)))
+    return tuple(kept)
+
+
+def _conditions(one: Judged, found: Sequence[Found]) -> tuple[Message, ...]:
+    return _unique((*one.conditions, *(each for it in found for check in it.checks for each in check.conditions)))
+
+
+def _margin(checks: Sequence[Check]) -> float | None:
+    """The least PGA at capacity of the checks that decide, over the action's; None where one is not known."""
+    margins = [_margin_of(check) for check in checks]
+    known = [margin for margin in margins if margin is not None]
+    return min(known) if known and len(known) == len(margins) else None
+
+
+def _margin_of(check: Check) -> float | None:
+    if check.safety_index is not None:
+        return check.safety_index
+    return None if check.capacity_pga_g is None else check.capacity_pga_g / check.level_pga_g
+
+
+def _index(found: Sequence[MechanismVerdict]) -> Index | None:
+    """The index of the building: the worst of its mechanisms'."""
+    indices = [answer.index for one in found for answer in one.answers]
+    known = [index for index in indices if index is not None]
+    if not known or len(known) < len(indices):
+        return None
+    return max(known, key=lambda each: each.value if each.name == IndexKind.DEMAND_CAPACITY else -each.value)
+
+
+def _unique(messages: Iterable[Message]) -> tuple[Message, ...]:
+    kept: list[Message] = []
+    for each in messages:
+        if each not in kept:
+            kept.append(each)
+    return tuple(kept)
+
+
+def _without_basis(question: Question, mechanisms: Sequence[Judged]) -> Verdict:
+    """Nothing decides: no basis is named, and none follows from the site's spectrum."""
+    missing = Missing("verdict.basis", "which code decides; the site's spectrum does not tell", 'basis = "asce43-05"')
+    reason = message("missing-key", {"key": missing.key, "text": missing.text}, where=missing.key)
+    answer = Answer("", Decision.INCOMPLETE, "", None, None, reason)
+    silent = (MechanismVerdict(each.name, Decision.INCOMPLETE, None, False, (answer,)) for each in mechanisms)
+    return Verdict(
+        basis="",
+        edition="",
+        action=question.action,
+        target=None,
+        outcome=Decision.INCOMPLETE,
+        at_the_limit=False,
+        conditions=(),
+        missing=once((missing, *question.missing)),
+        mechanisms=tuple(silent),
+    )

@@ -1,0 +1,66 @@
+"""Which limit states decide, and by which methods, as the project asks its basis."""
+
+from __future__ import annotations
+
+from assess.codes.basis import Acceptance, Basis, LimitState, Method, Role
+from assess.codes.verdict.question import Action, Missing, Question
+
+Rank = tuple[Method, ...]
+
+
+def deciding_states(question: Question) -> tuple[tuple[LimitState, ...], tuple[Missing, ...]]:
+    """Find the limit states that decide, and what is missing to know them.
+
+    One is chosen for the building; others decide besides it in some classes of use. Where the class is not given, those
+    others are asked too, and one that fails makes the verdict incomplete.
+    """
+    basis = question.basis
+    if basis is None:
+        return (), ()
+    name = question.limit_state or basis.default or _declared(basis, question.action)
+    chosen = tuple(state for state in basis.chosen if state.name == name)
+    if not chosen:
+        names = [state.name for state in basis.chosen]
+        text = f"which limit state decides: {' or '.join(names)}"
+        return (), (Missing("verdict.limit_state", text, f'limit_state = "{names[0]}"'),)
+    return (*chosen, *_besides(basis, question.use_class)), ()
+
+
+def _declared(basis: Basis, action: Action) -> str:
+    """The limit state that the site's own action belongs to; empty where nobody says."""
+    return next((state.name for state in basis.chosen if action.limit_state in state.actions), "")
+
+
+def _besides(basis: Basis, use_class: str | None) -> tuple[LimitState, ...]:
+    every = (state for state in basis.states if state.role == Role.BESIDES)
+    return tuple(state for state in every if use_class is None or use_class in state.classes)
+
+
+def methods_asked(state: LimitState, question: Question) -> tuple[str, ...]:
+    """Return the procedures that may decide a limit state, in order of refinement."""
+    return tuple(method.procedure for rank in ranks_asked(state, question.procedures) for method in rank)
+
+
+def ranks_asked(state: LimitState, named: tuple[str, ...] | None) -> tuple[Rank, ...]:
+    """Return the methods of each rank that the project asks for; where it names none, those accepted without a name.
+
+    A limit state that decides besides the chosen one keeps its own methods where the project names none of them.
+    """
+    every = [method for rank in state.ranks for method in rank]
+    names = set(named or ()) & {method.procedure for method in every}
+    if named is None or (not names and state.role == Role.BESIDES):
+        names = {method.procedure for method in every if method.acceptance == Acceptance.ACCEPTED}
+    ranks = (tuple(m for m in rank if m.procedure in names and not names & set(m.yields_to)) for rank in state.ranks)
+    return tuple(rank for rank in ranks if rank)
+
+
+def undeclared(state: LimitState, action: Action) -> Missing | None:
+    """Return what is missing where a single spectrum is not declared for a limit state, which then it cannot decide."""
+    if action.over_periods or not state.actions or action.limit_state in state.actions:
+        return None
+    names = " or ".join(state.actions)
+    if action.limit_state is None:
+        text = f"what the site's single spectrum stands for; {state.name} is decided by the action of {names}"
+    else:
+        text = f"the site's spectrum is that of {action.limit_state}; {state.name} asks for the action of {names}"
+    return Missing("site.limit_state", text, f'limit_state = "{state.actions[0]}"')

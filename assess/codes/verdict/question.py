@@ -1,0 +1,86 @@
+"""What the project asks of its basis, and what it says of the site's action and of each mechanism."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Literal
+
+from assess.codes.basis import Basis
+from assess.codes.check import Check
+from assess.message import Message
+
+Works = Literal["none", "repair", "improvement", "upgrading"]
+
+
+@dataclass(frozen=True)
+class Missing:
+    """An input without which there is no answer: its key in the project file, why, and a line of TOML to begin with."""
+
+    key: str
+    text: str
+    toml: str = ""
+
+
+@dataclass(frozen=True)
+class Action:
+    """What the site's own spectrum stands for.
+
+    pga_g : its peak ground acceleration [g]
+    limit_state : that of a single spectrum, None where nobody says
+    over_periods : whether the site gives its hazard over return periods, so that each limit state has its own spectrum
+    """
+
+    pga_g: float
+    limit_state: str | None
+    return_period_years: float | None = None
+    over_periods: bool = False
+
+
+@dataclass(frozen=True)
+class Question:
+    """What the project asks of its basis.
+
+    basis : None where none is named and the site has no default
+    limit_state, procedures : as the project names them; None where it does not
+    works, use_class, school, upgrading, index_before : of the targets of NTC 8.4
+    target_nbs : share of the new building standard to be reached [%], of NZSEE 2017
+    missing : what the whole project lacks
+    """
+
+    basis: Basis | None
+    action: Action
+    limit_state: str | None = None
+    procedures: tuple[str, ...] | None = None
+    works: Works = "none"
+    use_class: str | None = None
+    school: bool | None = None
+    upgrading: str | None = None
+    index_before: float | None = None
+    target_nbs: float | None = None
+    missing: tuple[Missing, ...] = ()
+
+
+@dataclass(frozen=True)
+class Judged:
+    """One mechanism as the verdict sees it.
+
+    missing : what a pass needs and nobody gave; conditions : what a pass rests on
+    tolerance : the relative change of the index when the survey's tolerance goes the bad way [-]
+    """
+
+    name: str
+    checks: tuple[Check, ...]
+    missing: tuple[Missing, ...] = ()
+    conditions: tuple[Message, ...] = ()
+    tolerance: float = 0.0
+
+
+def once(missing: Sequence[Missing]) -> tuple[Missing, ...]:
+    """Return each missing key once, with all its reasons."""
+    groups: dict[str, list[Missing]] = {}
+    for each in missing:
+        groups.setdefault(each.key, []).append(each)
+    return tuple(
+        replace(group[0], text="; ".join(dict.fromkeys(each.text for each in group))) for group in groups.values()
+    )

@@ -1,0 +1,70 @@
+"""The keys of the project file that would answer a check which is not answered, by its reason."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from assess.codes.check import Check, Family, Outcome, Reason
+from assess.codes.family import FAMILIES
+from assess.codes.verdict.question import Missing
+from assess.message import Message
+
+Line = tuple[str, str]
+"""A key, with the mechanism's name for {}, and a line of TOML."""
+
+FILTER: Line = ("mechanisms.{}.amplification", 'amplification = { method = "modal-filter" }')
+HEIGHT: Line = ("building.height", 'height = "9 m"')
+STOREYS: Line = ("building.storeys", "storeys = 2")
+GROUND: Line = ("building.ground_elevation", "ground_elevation = 0.0")
+RECORDS: Line = ("records.files", 'files = ["records/*.AT2"]')
+TABLE: Line = ("site.spectrum.file", "")
+
+AT_HEIGHT: Mapping[Family, tuple[Line, ...]] = {
+    Family.LINEAR: (HEIGHT, STOREYS),
+    Family.DISPLACEMENT: (HEIGHT, STOREYS),
+    Family.ELEMENT: (HEIGHT,),
+    Family.PART: (HEIGHT,),
+    Family.HISTORY: (FILTER,),
+    Family.ENERGY: (FILTER,),
+}
+REMEDIES: Mapping[Reason, tuple[Line, ...]] = {
+    Reason.SCALAR_MOTION: (FILTER,),
+    Reason.GROUND_UNKNOWN: (GROUND,),
+    Reason.ABOVE_BUILDING: (HEIGHT, GROUND),
+    Reason.TOO_FEW_RECORDS: (RECORDS,),
+    Reason.SPECTRUM_TOO_SHORT: (TABLE,),
+}
+
+
+def remedies(mechanism: str, checks: Sequence[Check]) -> tuple[Missing, ...]:
+    """Return what would answer these checks of a mechanism; the reason itself where no key is known.
+
+    A reason that names its key says so in `where`.
+    """
+    return tuple(missing for check in checks for missing in _of(mechanism, check))
+
+
+def _of(mechanism: str, check: Check) -> tuple[Missing, ...]:
+    reason = _reason(check)
+    if reason is None:  # answered: what is missing is the target
+        return ()
+    text = f"{mechanism}: {check.procedure}: {reason.text}"
+    if reason.where:
+        return (Missing(reason.where, text, str(reason.values.get("toml", ""))),)
+    lines = _lines(check, reason)
+    if not lines:
+        return (Missing(f"mechanisms.{mechanism}", text),)
+    return tuple(Missing(key.format(mechanism), text, toml) for key, toml in lines)
+
+
+def _reason(check: Check) -> Message | None:
+    """Why a check is not answered, or why one that fails cannot pass at a lower target."""
+    if check.verdict == Outcome.NOT_ANSWERED:
+        return check.reason
+    return next((each for each in check.remarks if each.key == Reason.GROUND_MOTION or each.key in REMEDIES), None)
+
+
+def _lines(check: Check, reason: Message) -> tuple[Line, ...]:
+    if reason.key == Reason.GROUND_MOTION:
+        return AT_HEIGHT.get(FAMILIES[check.procedure], ())
+    return next((lines for key, lines in REMEDIES.items() if key == reason.key), ())

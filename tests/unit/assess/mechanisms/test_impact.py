@@ -1,0 +1,130 @@
+"""What an impact keeps where loads move with the mechanism, and where it stops, by momenta worked out by hand."""
+
+from __future__ import annotations
+
+from math import atan2, sin
+
+import pytest
+
+from assess.errors import MechanismError
+from assess.geometry.planar import planar
+from assess.geometry.solid import box
+from assess.loads import Force, PointMass
+from assess.mechanisms.single_block import single_block
+from assess.mechanisms.two_block import two_block
+
+T, H, LENGTH, RHO = 0.6, 4.0, 2.0, 1800.0
+M = RHO * T * H * LENGTH
+J = M * (T**2 + H**2) / 12.0
+HALF = T / 2.0
+
+
+def wall(*, thickness=T, height=H, foot=0.0):
+    solid = box(thickness=thickness, length=LENGTH, height=height, base=(0, 0, foot), density=RHO, name="wall")
+    return planar(solid, direction=(1, 0, 0))
+
+
+def kept_by_hand(*masses):
+    """Angular momentum about the new hinge (-HALF, 0) before the impact, over the inertia about it after.
+
+    masses : (m, x, z, bearing). One unit of clockwise rotation about (HALF, 0) gives the velocity (z, HALF - x); a
+    mass that does not bear has its horizontal part alone.
+    """
+    before, after = J + M * ((H / 2.0) ** 2 - HALF**2), J + M * ((H / 2.0) ** 2 + HALF**2)
+    for m, x, z, bearing in masses:
+        before += m * z * z + bearing * m * -(x + HALF) * (HALF - x)
+        after += m * z * z + bearing * m * (x + HALF) ** 2
+    return before / after
+
+
+@pytest.mark.parametrize("bearing", [True, False])
+@pytest.mark.parametrize("x", [0.0, 0.2])
+def test_momentum_is_kept_where_a_load_moves(bearing, x):
+    mass = PointMass("roof", 2000.0, (x, 3.8), bearing)
+    found = single_block("w", wall(), loads=(mass,))
+    assert found.restitution[0] == pytest.approx(kept_by_hand((2000.0, x, 3.8, bearing)), rel=1e-12)
+    assert found.restitution[1] == pytest.approx(kept_by_hand((2000.0, -x, 3.8, bearing)), rel=1e-12)
+    assert found.restitution_source.startswith("momentum kept over the mechanism")
+
+
+def test_a_mass_that_does_not_bear_takes_part_in_the_impact():
+    """Housner's value of the plain block knows nothing of it; it is printed beside."""
+    mass = PointMass("roof", 0.35 * M, (0.0, 3.8), False)
+    plain = 1.0 - 1.5 * sin(atan2(T, H)) ** 2
+    found = single_block("w", wall(), loads=(mass,))
+    assert found.restitution[0] == pytest.approx(kept_by_hand((0.35 * M, 0.0, 3.8, False)), rel=1e-12)
+    assert found.restitution[0] > plain
+    assert f'"thesis" would give {plain:.3f}' in found.restitution_source
+    asked = single_block("w", wall(), loads=(mass,), restitution=("thesis", "thesis"))
+    assert asked.restitution[0] == pytest.approx(plain, rel=1e-12)
+    assert f'"momentum" would give {found.restitution[0]:.3f}' in asked.restitution_source
+
+
+def test_forces_alone_leave_the_rule_of_the_thesis():
+    thrust = Force("thrust", (500.0, -2000.0), (0.0, 3.8))
+    found = single_block("w", wall(), loads=(thrust,))
+    assert found.restitution == single_block("w", wall()).restitution
+    assert found.restitution_source == "Housner 1963, thesis eq. 3.44"
+
+
+def test_well_above_the_plain_block_is_told_with_the_reason():
+    stocky = wall(thickness=1.6)
+    plain = single_block("w", stocky)
+    heavy = single_block("w", stocky, loads=(PointMass("bell", 20000.0, (0.0, 6.0), False),))
+    assert heavy.restitution[0] > plain.restitution[0] + 0.03
+    (told,) = [text for text in heavy.notices if "restitution" in text]
+    assert f"above the {plain.restitution[0]:.3f} of the same blocks without bell" in told
+    light = single_block("w", stocky, loads=(PointMass("bell", 20.0, (0.0, 6.0), False),))
+    assert not light.notices
+
+
+def test_what_slides_on_its_seat_passes_on_no_horizontal_momentum():
+    """Both ends are printed where they differ: a bearing mass of the same weight, at the middle of a stocky block."""
+    stocky, m, z = wall(thickness=2.0), 30000.0, 4.0
+    block, half = RHO * 2.0 * H * LENGTH, 1.0
+    inertia = block * (2.0**2 + H**2) / 12.0
+    before = inertia + block * ((H / 2.0) ** 2 - half**2) - m * half**2
+    after = inertia + block * ((H / 2.0) ** 2 + half**2) + m * half**2
+    found = single_block("w", stocky, loads=(PointMass("floor", m, (0.0, z), True),))
+    assert f"{before / after:.3f} if the loads slide on their seats" in found.restitution_source
+    assert found.restitution[0] == pytest.approx((before + m * z * z) / (after + m * z * z), rel=1e-12)
+
+
+def test_two_blocks_with_a_floor_are_not_refused():
+    """3.46 about one base hinge would add energy to some; the default keeps momentum and prints 3.46 beside."""
+    floor = PointMass("floor", 30000.0, (0.0, 2.4), True, 1)
+    found = two_block("w", wall(height=2.2), wall(height=1.8, foot=2.2), loads=(floor,))
+    assert 0.0 <= found.restitution[0] < 1.0
+    assert found.restitution_source.startswith("momentum kept over the mechanism")
+    assert '"thesis" would give' in found.restitution_source
+
+
+def test_no_default_is_refused():
+    """Hinges that differ: the thesis' rule for two blocks may add energy; then momentum is kept instead."""
+    lower, upper = wall(height=2.2), wall(height=1.8, foot=2.2)
+    front, back = ((0.3, 0.0), (-0.1, 2.2), (0.3, 4.0)), ((0.1, 0.0), (0.3, 2.2), (-0.3, 4.0))
+    found = two_block("w", lower, upper, hinges=front, hinges_negative=back)
+    assert all(each >= 0.0 for each in found.restitution)
+    with pytest.raises(MechanismError, match="would add energy"):
+        two_block("w", lower, upper, hinges=front, hinges_negative=back, restitution=("thesis", "thesis"))
+
+
+def test_a_squat_block_stops_and_everything_else_is_given():
+    """1 - 3/2 sin^2 of a block five times as wide as high is negative."""
+    squat = wall(thickness=20.0)
+    signed = 1.0 - 1.5 * sin(atan2(20.0, H)) ** 2
+    found = single_block("w", squat)
+    assert signed < 0.0
+    assert found.restitution == (0.0, 0.0)
+    assert found.stopped == pytest.approx(signed, rel=1e-12)
+    assert any("stops at its first impact" in text for text in found.notices)
+    given = single_block("w", squat, restitution=(0.2, 0.2))
+    assert given.stopped is None
+    assert given.restitution == (0.2, 0.2)
+
+
+def test_one_branch_that_stops_is_enough():
+    """The impulse law of two hinges is the same both ways; a number given for one leaves the other to the law."""
+    found = single_block("w", wall(thickness=20.0), restitution=(0.2, None))
+    assert found.restitution == (0.2, 0.0)
+    assert found.stopped is not None

@@ -1,0 +1,95 @@
+"""What the survey's tolerance takes from an index, against what it must by hand."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from assess.codes.verdict import Judged, verdict
+from assess.project.build import build
+from assess.project.run import run
+from assess.project.schema import load
+from assess.project.survey import tolerances
+
+PROJECT = """
+[site]
+limit_state = "SLV"
+pga = "{pga} g"
+[site.spectrum]
+code = "ntc2018"
+a_g = "0.15 g"
+f_0 = 2.4
+t_c_star = "0.3 s"
+soil = "A"
+[verdict]
+survey_tolerance = "{tolerance} mm"
+[building]
+use_class = "II"
+[materials.m]
+density = 1800
+disintegration = "excluded"
+[report.sources]
+"materials.m.disintegration" = "measured: survey"
+[bodies.wall]
+material = "m"
+box = {{ thickness = 0.6, length = 3.0, height = 6.0 }}
+[mechanisms.wall]
+kind = "single-block"
+blocks = ["wall"]
+direction = [1, 0, 0]
+{more}
+"""
+
+
+def study(tmp_path: Path, *, pga: float, tolerance: float, more: str = ""):
+    file = tmp_path / "project.toml"
+    file.write_text(PROJECT.format(pga=pga, tolerance=tolerance, more=more))
+    return build(load(file))
+
+
+def found(tmp_path: Path, **given):
+    one = study(tmp_path, **given)
+    results = run(one, jobs=1)
+    return one, results
+
+
+def fall(tmp_path: Path, **given) -> float:
+    one, results = found(tmp_path, **given)
+    judged = verdict(one.question, [Judged(m.name, m.checks, *one.facts[m.name]) for m in results.mechanisms])
+    return tolerances(one.survey, one.spectrum, one.question, judged, results.mechanisms)["wall"]
+
+
+def test_a_thinner_wall_loses_in_proportion(tmp_path):
+    """d0* and a0* are both in proportion to the thickness, so the period stays and the index falls with it."""
+    assert fall(tmp_path, pga=0.3, tolerance=30) == pytest.approx(30 / 600, rel=0.02)
+
+
+def test_a_hinge_set_back_counts_as_half_the_thickness(tmp_path):
+    hinges = "hinges = { A = [0.3, 0] }\nhinges_negative = { A = [-0.3, 0] }"
+    both = fall(tmp_path, pga=0.3, tolerance=15, more=hinges)
+    assert both == pytest.approx(2 * 15 / 300, rel=0.03)  # each of the two hinges, alone
+
+
+def test_a_load_counts_with_five_per_cent(tmp_path):
+    """A thrust at the top takes F h from the moment b W / 2, so 5 % of it is a share of what is left."""
+    thrust = 'loads = [{ kind = "force", force = ["3 kN", "0 N"], at = [0.0, 6.0] }]'
+    weight, moment = 1800 * 0.6 * 3.0 * 6.0 * 9.80665, 3e3 * 6.0
+    left = weight * 0.3 - moment
+    found = fall(tmp_path, pga=0.2, tolerance=0.001, more=thrust)
+    assert found == pytest.approx(0.05 * moment / left, rel=0.6)
+    assert found > 0.05 * moment / left  # d0* and a0* both fall, and the period with them
+
+
+@pytest.mark.parametrize(("tolerance", "near"), [(20, False), (80, True)])
+def test_the_tolerance_widens_what_is_at_the_limit(tmp_path, tolerance, near):
+    index = found(tmp_path, pga=0.3, tolerance=0)[1].verdict.index.value
+    _, results = found(tmp_path, pga=0.3 * index / 1.08, tolerance=tolerance)
+    assert results.verdict.index.value == pytest.approx(1.08, rel=1e-6)
+    assert results.verdict.at_the_limit is near
+
+
+def test_an_index_far_from_its_threshold_is_not_looked_at(tmp_path):
+    one, results = found(tmp_path, pga=0.02, tolerance=20)
+    assert results.verdict.index.value > 1.5
+    assert tolerances(one.survey, one.spectrum, one.question, results.verdict, results.mechanisms) == {}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from pathlib import Path
 
@@ -500,6 +500,12 @@ def make_results() -> Results:
 @pytest.fixture(scope="session")
 def results() -> Results:
     return make_results()
+
+
+@pytest.fixture(scope="session")
+def judged_at() -> Callable[[Results, float], Results]:
+    """The results as they are judged at a site of another PGA [g]."""
+    return lambda results, pga_g: decided(results, asked(pga_g))
 
 
 @pytest.fixture(scope="session")

@@ -14,6 +14,7 @@ from assess.codes.verdict.question import Action, Judged, Missing, Question
 from assess.codes.verdict.remedies import remedies
 from assess.message import Message, message
 
+SAFE_TARGET = 1.0
 LEAST_WIDTH = 0.05  # of the threshold: answers nearer to it are "at the limit"
 GRADES = ((0.80, "A"), (0.67, "B"), (0.34, "C"), (0.20, "D"), (0.0, "E"))
 """Grades of NZSEE 2017 by the least share of the new building standard; above 1 it is A+."""
@@ -170,6 +171,16 @@ def _declared(found: Found, lacking: Missing | None) -> Found:
     return Found(answer, found.checks, (lacking,))
 
 
+def _provisional(check: Check, basis: Basis, target: float | None) -> Decision | None:
+    """What a check would say with the safe value of what is missing; the safe target is the whole one."""
+    wanted = SAFE_TARGET if target is None else target
+    if check.verdict != Outcome.NOT_ANSWERED:
+        return decided(check, basis, wanted) if target is None else None
+    if check.provisional is None:
+        return None
+    return decided(replace(check, verdict=check.provisional, may_pass=True), basis, wanted)
+
+
 def _unanswered(
     one: Judged,
     state: LimitState,
@@ -186,9 +197,7 @@ def _unanswered(
         reason = message("no-deciding-method", {"state": state.name, "methods": names})
         return Found(Answer(state.name, Decision.INCOMPLETE, "", None, None, reason), (), missing)
     check = silent[0]
-    said = None
-    if check.provisional is not None:
-        said = decided(replace(check, verdict=check.provisional, may_pass=True), basis, target)
+    said = _provisional(check, basis, target)
     index = index_of(check, basis)
     answer = Answer(
         state.name, Decision.INCOMPLETE, check.procedure, check.ratio, index, check.reason, provisional=said

@@ -178,6 +178,11 @@ def test_nzsee2017_by_the_target_and_with_its_grade(target, share, outcome, grad
     assert ({each.key for each in found.missing} == {"verdict.target_nbs"}) is (target is None)
 
 
+def test_nzsee2017_without_a_target_says_what_the_whole_standard_would_make_of_it():
+    one = check("nzsee2017-face-loaded", FAIL, state="ULS", ratio=2.0)
+    assert of("nzsee2017", [one], state="ULS").provisional == NO
+
+
 @pytest.mark.parametrize(
     ("declared", "chosen", "outcome", "state"),
     [

@@ -100,12 +100,11 @@ def _case_of(swept: Swept) -> str:
 
 def envelope_notices(study: Study) -> tuple[Message, ...]:
     """What the engineer should know of envelopes: no procedure of a code is asked."""
-    kept = tuple(notice for notice in study.notices if notice.key != "confidence-factor")
+    kept = tuple(notice for notice in study.notices if not notice.key.startswith("confidence-factor"))
     if not study.sweeps:
         return kept
     keys = ", ".join(sweep.key for sweep in study.sweeps)
-    text = f"left out of the envelopes, which are of the values in the file: {keys}; `assess run` takes the cases"
-    return (*kept, warning("sweep", "analysis.sweep", text))
+    return (*kept, warning("sweep-left-out", "analysis.sweep", keys=keys))
 
 
 def rockers_of(study: Study, standing: Mapping[str, Swept]) -> tuple[Rocker, ...]:
@@ -163,5 +162,4 @@ def suite_notices(motions: tuple[Motion, ...]) -> tuple[Message, ...]:
     """What the engineer should know of the records."""
     if not any(motion.record.path == "" for motion in motions):
         return ()
-    text = "artificial records fit the spectrum at every period at once, as no earthquake does; real records are better"
-    return (warning("artificial-records", "records", text),)
+    return (warning("artificial-records", "records"),)

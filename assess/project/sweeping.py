@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from math import inf
 
 from assess.codes.check import Check, Outcome
-from assess.message import Message, warning
+from assess.message import Message, count, note, warning
 from assess.project.assessing import Progress, mechanisms_assessed
 from assess.project.messages import located
 from assess.project.motions import Motion, motions_of
@@ -139,11 +139,10 @@ def case_notices(swept: Swept) -> Iterator[Message]:
     """Which case stands for the mechanism, and the notices of that case."""
     where, sweep = f"mechanisms.{swept.mechanism}", swept.sweep
     case = f"{sweep.key} = {value_text(sweep, swept.case)}"
-    text = f"swept: the controlling one of {len(sweep.cases)} cases, {case}, stands for the mechanism"
-    yield warning("sweep", where, text)
+    yield note("sweep", where, cases=count(len(sweep.cases)), case=case)
     for mechanism in swept.case.study.mechanisms:
         if mechanism.name == swept.mechanism:
-            yield from (warning("mechanism", where, notice) for notice in mechanism.notices)
+            yield from (warning("mechanism", where, text=notice) for notice in mechanism.notices)
 
 
 def case_text(sweep: Sweep, case: Case, mechanism: str) -> str:

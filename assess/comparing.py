@@ -227,6 +227,7 @@ def cases_of(sweep: SweepResult) -> dict[tuple[str, str], float | str | None]:
     found: dict[tuple[str, str], float | str | None] = {}
     for place, value in enumerate(sweep.value):
         case = f"{sweep.key} = {value:.6g} {unit}".rstrip()
+        found[f"verdict, {case}", ""] = sweep.outcome[place].value
         found |= {(f"{name}, {case}", unit): getattr(sweep, name)[place] for name, unit in SWEPT.items()}
         if sweep.overturned[place]:
             found[f"demand_capacity, {case}", ""] = "overturned"

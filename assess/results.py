@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from typing import Any, Literal
 
 from assess.codes.check import BranchName, Check, Outcome
-from assess.codes.verdict import Verdict
+from assess.codes.verdict import Decision, Verdict
 from assess.message import Message
 
 SCHEMA_VERSION = 2
@@ -573,9 +573,10 @@ class SweepResult:
 
     value [n]: in `unit`, as the user wrote it, "-" for none. Parameters [n]: of the branch that uplifts first;
     overturning_rad of rigid joints, overturning_flexible_rad and elastic_frequency_hz on its own, None where rigid.
-    demand_capacity [n]: the largest of all checks of a code and all levels; None where the mechanism overturned
-    (overturned is true) or no check applies. controlling: the case that is worst, from 0. governs: whether that case
-    stands for the mechanism in `mechanisms` and in the comparison, as the worst of the mechanism's sweeps does.
+    demand_capacity [n]: the largest of the checks that decide, and capacity_pga_g [n] the least; where none decides, of
+    all checks by the letter of a code at all levels; None where the mechanism overturned (overturned is true) or none
+    is answered. outcome [n]: the verdict of the mechanism in each case. controlling: the case that is worst, from 0.
+    governs: whether that case stands for the mechanism in `mechanisms` and in the comparison, as the worst of the mechanism's sweeps does.
     """
 
     mechanism: str
@@ -591,6 +592,7 @@ class SweepResult:
     demand_capacity: tuple[float | None, ...]
     overturned: tuple[bool, ...]
     capacity_pga_g: tuple[float | None, ...]
+    outcome: tuple[Decision, ...]
     controlling: int
     governs: bool
 

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from assess.codes.verdict import Decision
 from assess.comparing import KINDS, Change, changes, same
 from assess.message import Message, Severity
 from assess.project.build import build
@@ -169,7 +170,7 @@ def swept(values: tuple[float, ...], ratios: tuple[float | None, ...], controlli
     n = len(values)
     fell = tuple(ratio is None for ratio in ratios)
     same, none = (0.5,) * n, (None,) * n
-    answers = (ratios, fell, (0.2,) * n, controlling, True)
+    answers = (ratios, fell, (0.2,) * n, (Decision.PASS,) * n, controlling, True)
     return SweepResult(
         "wall", "materials.stone.density", "kg/m^3", values, same, same, same, none, none, same, *answers
     )

@@ -10,7 +10,7 @@ import pytest
 
 from assess.codes.bases import BASES
 from assess.codes.check import Check, Outcome, PgaCurve, Reason, because, step
-from assess.codes.verdict import Action, Judged, Missing, Question, Verdict, verdict
+from assess.codes.verdict import Action, Decision, Judged, Missing, Question, Verdict, verdict
 from assess.errors import ResultsError
 from assess.message import Message, Quantity, Severity
 from assess.results import (
@@ -110,7 +110,17 @@ def results() -> Results:
         verdict=decided(),
         sweeps=(
             SweepResult(
-                "w", "a.b", "deg", (1, 2.5), *[(0.5, 0.6)] * 6, (None, 1.2), (True, False), (0.1, None), 0, True
+                "w",
+                "a.b",
+                "deg",
+                (1, 2.5),
+                *[(0.5, 0.6)] * 6,
+                (None, 1.2),
+                (True, False),
+                (0.1, None),
+                (Decision.FAIL, Decision.PASS),
+                0,
+                True,
             ),
         ),
     )

@@ -12,7 +12,7 @@ from scipy.constants import g
 
 from assess.codes.bases import BASES
 from assess.codes.check import Check, Outcome, PgaCurve, Reason, Step, because
-from assess.codes.verdict import Action, Judged, Question, verdict, with_roles
+from assess.codes.verdict import Action, Decision, Judged, Question, verdict, with_roles
 from assess.message import Message, Severity, count
 from assess.results import (
     SCHEMA_VERSION,
@@ -489,6 +489,7 @@ def make_results() -> Results:
                 demand_capacity=(None, 1.31, 0.87),
                 overturned=(True, False, False),
                 capacity_pga_g=(None, 0.231, 0.292),
+                outcome=(Decision.FAIL, Decision.FAIL, Decision.PASS),
                 controlling=0,
                 governs=True,
             ),

@@ -18,6 +18,7 @@ UNITS: Mapping[str, str] = {
     "mass": "kg",
     "force": "N",
     "moment": "N m",
+    "energy": "J",
     "rotational stiffness": "N m/rad",
     "rotation": "rad",
     "acceleration": "m/s2",

@@ -576,7 +576,8 @@ class SweepResult:
     demand_capacity [n]: the largest of the checks that decide, and capacity_pga_g [n] the least; where none decides, of
     all checks by the letter of a code at all levels; None where the mechanism overturned (overturned is true) or none
     is answered. outcome [n]: the verdict of the mechanism in each case. controlling: the case that is worst, from 0.
-    governs: whether that case stands for the mechanism in `mechanisms` and in the comparison, as the worst of the mechanism's sweeps does.
+    governs: whether that case stands for the mechanism in `mechanisms` and in the comparison, as the worst of
+    the mechanism's sweeps does.
     """
 
     mechanism: str

@@ -15,7 +15,26 @@ TEXTS: Mapping[str, str] = {
     "missing-key": "{key}: {text}",
     "premise-anchorage": "a pass holds where the wall is anchored to floors and roof",
     "premise-collar-joints": "a pass holds where the collar joints between the leaves are sound",
+    "premise-coursed": "a pass holds for coursed masonry, not for rubble: say which it is by "
+    "procedures.asce41-13.masonry",
     "premise-no-floors": "a pass holds for an element that carries no floor: gable, parapet, chimney",
+    # of suites of records
+    "suite-empty": "there are no records: {remedy}",
+    "suite-not-named": "artificial records decide only where [verdict] procedures names {procedure}: {remedy}",
+    "suite-count": "{code} asks for {limit} records, here are {found}: {remedy}",
+    "suite-step": "{code} {clause} asks for steps of {limit} at most, the largest is {found}: {remedy}",
+    "suite-duration": "{code} {clause} asks for {limit}, the shortest record lasts {found}: {remedy}",
+    "suite-stationary": "{code} {clause} asks for a stationary part of {limit}, the shortest lasts {found}: {remedy}",
+    "suite-usable": "{code}: the slowest mechanism has a period of {limit}, the records are usable up to {found}: "
+    "{remedy}",
+    "suite-mean-low": "{code} {clause}: from {low} to {high} the mean spectrum falls to {found} of the target, {limit} "
+    "is asked: {remedy}",
+    "suite-mean-high": "{code} {clause}: from {low} to {high} the mean spectrum rises to {found} of the target, "
+    "{limit} is allowed: {remedy}",
+    "suite-run-below": "{code} {clause}: from {low} to {high} the mean spectrum lies below the target at {found} of a "
+    "hundred periods to the decade side by side, {limit} are allowed: {remedy}",
+    "suite-out-of-reach": "{code} {clause} looks at the mean spectrum from {low} to {high}, the comparison ends at "
+    "{end}: {remedy}",
     # reasons of checks
     "within-capacity": "the demand is within {capacity}",
     "beyond-capacity": "the demand is beyond {capacity}",
@@ -44,6 +63,13 @@ TEXTS: Mapping[str, str] = {
     "not-a-wall": "{clause} is of walls that stand free or span between floors; this mechanism is neither",
     "not-spanning": "{clause} is of walls that span between supports; this one stands free",
     "no-wall-size": "{clause} needs height and thickness of the wall; this mechanism has no geometry",
+    "overloaded-wall": "{clause}: what presses on the wall is 39 times its own weight, which leaves no effective "
+    "thickness: check the loads",
+    "carries-floors": "EN 1998-1 4.3.5 is for elements that carry no floor; for walls that do no method is accepted "
+    "before EN 1998-3:2025, and the answer by ntc2018 is for comparison",
+    "rubble-masonry": "{clause} is for coursed masonry; rubble cannot be judged by it",
+    "no-s-x1": "{clause} asks for S_X1 at the declared hazard, which a table of ordinates does not state: give "
+    "procedures.asce41-13.s_x1",
     "friction-unknown": "friction at hinge {hinge} is not known; {remedy}",
     "hinge-pulls": "hinge {hinge} would have to pull with {pull} before the mechanism rocks, so friction does not "
     "hold it: check hinges and loads",

@@ -69,6 +69,8 @@ class Record:
     distance : from the epicentre [m], None if unknown
     earthquake, site : what else the file says of them
     trail : what was done to it, in order, in words ("read from PEER AT2, g", "scaled by 1.23")
+    stationary : of an artificial record, how long its envelope is level [s]; None of recorded ones
+    longest_period : up to which the processing of its source left the motion usable [s]; None where it does not say
     """
 
     id: str
@@ -83,6 +85,13 @@ class Record:
     distance: float | None = None
     earthquake: Earthquake = NO_EARTHQUAKE
     site: Site = NO_SITE
+    stationary: float | None = None
+    longest_period: float | None = None
+
+    @property
+    def artificial(self) -> bool:
+        """Whether it was made, not recorded."""
+        return self.stationary is not None
 
     @property
     def npts(self) -> int:
@@ -114,6 +123,7 @@ def make_record(
     distance: float | None = None,
     earthquake: Earthquake = NO_EARTHQUAKE,
     site: Site = NO_SITE,
+    longest_period: float | None = None,
 ) -> Record:
     """A checked record with a read-only copy of `acceleration` [n] [m/s2] at step `dt` [s].
 
@@ -138,7 +148,29 @@ def make_record(
         raise RecordError(f"{where}: time step {dt} s; it must be positive")
     samples.flags.writeable = False
     named = event or designation(earthquake)
-    return Record(id, samples, float(dt), path, named, station, component, trail, azimuth, distance, earthquake, site)
+    return Record(
+        id,
+        samples,
+        float(dt),
+        path,
+        named,
+        station,
+        component,
+        trail,
+        azimuth,
+        distance,
+        earthquake,
+        site,
+        longest_period=longest_period,
+    )
+
+
+def usable_period(low_cut: float | None) -> float | None:
+    """Longest period [s] that a low cut [Hz] of the source's filter leaves usable; None without one.
+
+    The lowest usable frequency is 1.25 times the corner, as in the NGA database of PEER.
+    """
+    return 1.0 / (1.25 * low_cut) if low_cut else None
 
 
 def designation(earthquake: Earthquake) -> str:

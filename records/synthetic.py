@@ -11,7 +11,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
@@ -25,7 +25,7 @@ from spectra.spectrum import Spectrum
 FloatArray = NDArray[np.float64]
 
 DAMPING = 0.05
-BAND = (0.05, 4.0)  # periods the spectrum is matched at [s]
+BAND = (0.04, 5.0)  # periods the spectrum is matched at [s]: 25 Hz to 0.2 Hz, those of ASCE 43-05, 2.4
 PERIODS_PER_DECADE = 80
 SHORTFALL = 0.10  # of any ordinate below the target, at most [-]
 RMS = 0.05  # of record / target - 1 over the band, at most [-]
@@ -70,7 +70,7 @@ def artificial(
     *,
     count: int,
     seed: int,
-    duration: float = 20.0,
+    duration: float = 25.0,
     dt: float = 0.01,
     band: tuple[float, float] = BAND,
     threads: int = 1,
@@ -83,8 +83,8 @@ def artificial(
     Of each record no 5 % ordinate in the band is more than 10 % below the target (EN 1998-1, 3.2.3.1.2(4)c asks
     that of the mean), their differences have an rms below 5 %, the peak acceleration is the target's zero-period
     ordinate; velocity and displacement end at zero and the mean displacement is zero. The envelope has the form
-    of Jennings, Housner & Tsai (1968): a parabola over a tenth of the duration, a stationary half (10 s of 20 s,
-    as EN 1998-1, 3.2.3.1.2(3) asks), then an exponential fall to 5 %. The ordinates are those at 80 periods a
+    of Jennings, Housner & Tsai (1968): a parabola over a tenth of the duration, a stationary half (12.5 s of 25 s;
+    NTC 2018, 3.2.3.6 asks for 10 s of 25 s), then an exponential fall to 5 %. The ordinates are those at 80 periods a
     decade, as `response_spectrum` defines them. Record k depends on `seed` and k only, not on `count`.
 
     Raises RecordError for arguments that make no record, and where no phases tried come within these bounds.
@@ -213,9 +213,9 @@ def _record(target: Target, stage: _Stage, code: str, seed: int, index: int) -> 
         phase = random.uniform(0.0, 2.0 * np.pi, stage.amplitude.size)
         fit = min(_rounds(target, stage, phase=phase), key=lambda match: match.worst)
         if fit.low >= -SHORTFALL and fit.rms <= RMS:
-            return make_record(
-                f"artificial-{index}", fit.acceleration, stage.dt, trail=_trail(fit, target, stage, code, seed, index)
-            )
+            trail = _trail(fit, target, stage, code, seed, index)
+            made = make_record(f"artificial-{index}", fit.acceleration, stage.dt, trail=trail)
+            return replace(made, stationary=STATIONARY * stage.duration)
         fits.append(fit)
     best = min(fits, key=lambda fit: fit.worst)
     raise RecordError(

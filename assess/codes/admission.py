@@ -15,13 +15,12 @@ from scipy.constants import g
 
 from assess.codes.check import Check, Family, Outcome, Reason, because
 from assess.codes.context import Context
-from assess.codes.family import CODES, FAMILIES
+from assess.codes.family import CODES, FAMILIES, READINGS
 from assess.codes.italian.floor import floor_of
 from assess.message import Message, Quantity
 from assess.oscillator import Oscillator
 
 ONE_SIDED = ("asce43-05-spectrum",)  # damping by the two impacts of a body that rocks both ways
-S_X1 = 1.0  # s
 FLOOR_CLAUSES: dict[Family, str] = {
     Family.LINEAR: "give [building] height and storeys",
     Family.DISPLACEMENT: "give [building] height and storeys",
@@ -46,11 +45,13 @@ class Admission:
     """What a procedure may say, and the reason where that is not everything.
 
     safe : whether the numbers were worked out with the safe value of what is missing, so that they may be shown beside
+    others : further reasons of the same kind, each with its remedy
     """
 
     may: May
     reason: Message | None = None
     safe: bool = False
+    others: tuple[Message, ...] = ()
 
 
 ASKED = Admission(May.ANSWER)
@@ -88,7 +89,7 @@ def _as_admitted(check: Check, given: Admission) -> Check:
         provisional=check.verdict if given.safe else None,
         may_pass=False,
         reason=given.reason,
-        remarks=(*check.remarks, *own),
+        remarks=(*check.remarks, *given.others, *own),
     )
 
 
@@ -98,13 +99,8 @@ def _of_clause(procedure: str, family: Family, oscillator: Oscillator, context: 
         return Admission(May.NOT_APPLY, because(Reason.ONE_SIDED))
     if family == Family.PART and context.support == "hinged":
         return Admission(May.NOT_APPLY, because(Reason.NOT_A_WALL, clause="NZSEE 2017 C8.8.5"))
-    if family == Family.TABLE:
-        clause = "ASCE 41-13 Table 11-5"
-        if context.support != "spanning":
-            return Admission(May.NOT_APPLY, because(Reason.NOT_SPANNING, clause=clause))
-        if context.spectrum.longest_period < S_X1:
-            end = Quantity(context.spectrum.longest_period, "time")
-            return Admission(May.NOT_ANSWER, because(Reason.SPECTRUM_TOO_SHORT, period="S_X1 at 1 s", end=end))
+    if family == Family.ELEMENT and context.carries_floors:
+        return Admission(May.NOT_ANSWER, because(Reason.CARRIES_FLOORS))
     return None
 
 
@@ -118,7 +114,7 @@ def _of_histories(procedure: str, family: Family, oscillator: Oscillator, contex
     if family != Family.HISTORY:
         return None
     faults = (*context.impossible_by_histories, *context.suite_faults.get(CODES[procedure], ()))
-    return Admission(May.NOT_ANSWER, faults[0]) if faults else None
+    return Admission(May.NOT_ANSWER, faults[0], others=tuple(faults[1:])) if faults else None
 
 
 def _of_height(procedure: str, family: Family, oscillator: Oscillator, context: Context) -> Admission | None:
@@ -128,7 +124,7 @@ def _of_height(procedure: str, family: Family, oscillator: Oscillator, context: 
     if context.above_building and family in (Family.LINEAR, Family.DISPLACEMENT, Family.ELEMENT, Family.PART):
         height = Quantity(context.support_height, "length")
         return Admission(May.ONLY_FAIL, because(Reason.ABOVE_BUILDING, height=height))
-    if _has_floor_input(family, context):
+    if procedure not in READINGS and _has_floor_input(family, context):
         return None
     why = (
         Reason.SCALAR_MOTION if family == Family.HISTORY and context.carried == "by a factor" else Reason.GROUND_MOTION

@@ -21,15 +21,37 @@ Kind = Literal["break", "seat"]
 
 
 @dataclass(frozen=True)
+class Gravity:
+    """What weight gives to the rocking of one branch: the wall's own, and that of what presses on it.
+
+    overburden_ratio : P / W, of what presses on the wall to the wall's own weight [-]
+    own_moment, moment : of the restoring moment at rest, from the wall and from what presses on it [N m]
+    own_slope : of its fall to the rotation at instability, from the wall [N m/rad]
+    own_inertia, inertia : of the inertia at rest, from the wall and from what presses on it [kg m2]
+    own_excitation : of the excitation at rest, from the wall [kg m]
+    """
+
+    overburden_ratio: float
+    own_moment: float
+    moment: float
+    own_slope: float
+    own_inertia: float
+    inertia: float
+    own_excitation: float
+
+
+@dataclass(frozen=True)
 class Wall:
     """A wall seen across its plane.
 
     height : between its supports, or of what stands free, from its base to its top [m]
     thickness : along the direction of motion, at the base, or at the crack where it spans [m]
+    gravity : of each branch of a wall that spans; empty where it is not known
     """
 
     height: float
     thickness: float
+    gravity: Mapping[BranchName, Gravity] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -132,6 +154,7 @@ class Context:
     hinges : what the hinges of both branches pass on when the mechanism starts to rock; none where that is not known
     incremental : further suites at rising PGA, for the curve and the PGA at collapse; empty when none were run
     support : how the masonry is held: it stands free on its base, spans between two supports, or is a chain of hinges
+    carries_floors : whether a floor, roof or vault presses on it or moves with it
     wall : its size, None where the mechanism is no wall or has no geometry
     hazard : of an Italian site over return periods; None where the site has but one spectrum
     free_period : of an element that vibrates before it lifts off; None where the project gives none
@@ -157,6 +180,7 @@ class Context:
     suite_faults: Mapping[str, tuple[Message, ...]] = field(default_factory=dict)
     amplification: float = 1.0
     support: Support = "free"
+    carries_floors: bool = False
     wall: Wall | None = None
     hazard: Hazard | None = None
     free_period: FreePeriod | None = None

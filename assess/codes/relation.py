@@ -6,6 +6,10 @@ the period lengthens. An equilibrium on a falling stretch is unstable: a little 
 below the bottom of the first fall nothing rocks, and above it the demand is the first rotation beyond the bottom
 at which the curve reaches the level. `PgaRelation.least` is the PGA that takes the body at least to each rotation
 in that sense; it never falls, and both questions are read from it.
+
+A floor spectrum has several peaks, so its curve falls more than once, and where the first fall ends tells nothing. Of
+such a curve `least` is the smallest PGA from each rotation on: the demand is the last rotation at which the spectrum
+still asks for what the body has, whatever lies between.
 """
 
 from __future__ import annotations
@@ -30,8 +34,8 @@ PgaOf = Callable[[FloatArray], FloatArray]
 class PgaRelation:
     """PGA [m/s2] over rotation [rad], up to overturning or to where the spectrum ends.
 
-    rotation [n]; pga_of: the curve itself; bottom: index where its first fall ends; least [n]: see above;
-    complete: whether the curve reaches the overturning rotation.
+    rotation [n]; pga_of: the curve itself; bottom: index where its first fall ends, 0 where it may fall again;
+    least [n]: see above; falls_again: whether it may; complete: whether the curve reaches the overturning rotation.
     """
 
     rotation: FloatArray
@@ -39,6 +43,7 @@ class PgaRelation:
     bottom: int
     least: FloatArray
     complete: bool
+    falls_again: bool = False
 
 
 def relation(
@@ -54,16 +59,30 @@ def relation(
     Nothing rocks below `uplift` [m/s2]. Where `period_of` (rotation -> period [s]) exceeds `longest_period`, the
     spectrum says nothing and the relation ends.
     """
-    ratio = np.concatenate((np.geomspace(1e-4, 0.04, 60, endpoint=False), np.linspace(0.04, 1.0, 97)))
-    rotation = ratio * overturning
-    if period_of is not None:
-        rotation = rotation[period_of(rotation) <= longest_period]
-    complete = rotation.size == ratio.size
+    rotation, complete = _rotations(overturning, period_of, longest_period)
     pga = pga_of(rotation)
     rising = np.flatnonzero(np.diff(pga) >= 0)
     bottom = int(rising[0]) if rising.size else max(rotation.size - 1, 0)
     least = np.maximum.accumulate(np.concatenate((pga[bottom : bottom + 1].repeat(bottom), pga[bottom:])))
     return PgaRelation(rotation, pga_of, bottom, np.maximum(least, uplift), complete)
+
+
+def floor_relation(
+    pga_of: PgaOf, *, overturning: float, uplift: float, period_of: PgaOf, longest_period: float
+) -> PgaRelation:
+    """The same on a floor spectrum, whose curve may fall again."""
+    rotation, complete = _rotations(overturning, period_of, longest_period)
+    least = np.minimum.accumulate(pga_of(rotation)[::-1])[::-1]
+    return PgaRelation(rotation, pga_of, 0, np.maximum(least, uplift), complete, falls_again=True)
+
+
+def _rotations(overturning: float, period_of: PgaOf | None, longest_period: float) -> tuple[FloatArray, bool]:
+    """The rotations of a relation [n] [rad], and whether they reach overturning."""
+    ratio = np.concatenate((np.geomspace(1e-4, 0.04, 60, endpoint=False), np.linspace(0.04, 1.0, 97)))
+    rotation = ratio * overturning
+    if period_of is not None:
+        rotation = rotation[period_of(rotation) <= longest_period]
+    return rotation, rotation.size == ratio.size
 
 
 def demand(curve: PgaRelation, level: float) -> float | None:
@@ -91,6 +110,9 @@ def capacity(curve: PgaRelation, allowable: float) -> float | None:
     """Largest PGA [m/s2] whose demand does not exceed `allowable` [rad]; None beyond the spectrum's end."""
     if not curve.least.size or allowable > curve.rotation[-1] * (1 + 1e-12):
         return None
+    if curve.falls_again:
+        after = int(np.searchsorted(curve.rotation, allowable * (1 - 1e-12)))
+        return float(np.clip(curve.pga_of(np.array([allowable]))[0], curve.least[0], curve.least[after]))
     before = np.flatnonzero(curve.rotation <= allowable)
     at = float(curve.pga_of(np.array([allowable]))[0]) if allowable >= curve.rotation[curve.bottom] else 0.0
     return max(float(curve.least[before[-1]] if before.size else curve.least[0]), at)

@@ -160,21 +160,19 @@ def _steps(hinge: HingeForces, level: float, context: Context, slides_at: float 
 
 def _held_steps(top: HingeForces) -> tuple[Step, ...]:
     """What the support at the top of a wall has to take, by friction under what stands there or by an anchorage."""
-    N, T, name = top.starting.normal, top.starting.shear, top.hinge
-    numbers = f"{abs(T):.5g} / {N:.5g}"
+    N, name = top.starting.normal, top.hinge
     said = "friction it would need without an anchorage; none where nothing stands on the top"
+    friction = _friction_step(f"μ_{name}", said, top) if N > 0.0 else step(f"μ_{name}", said, EDITION, "|T| / N", None)
     return (
-        Step(
-            f"H_{name}",
-            "of the support at the top, at a_r",
-            EDITION,
-            BALANCE,
-            TABLE,
-            top.horizontal,
-            "N",
-        ),
-        Step(f"μ_{name}", said, EDITION, "|T| / N", numbers, top.needed, "-"),
+        step(f"H_{name}", "of the support at the top, at a_r", EDITION, BALANCE, top.horizontal, "N", remark=TABLE),
+        friction,
     )
+
+
+def _friction_step(symbol: str, words: str, hinge: HingeForces) -> Step:
+    """The friction a hinge needs when the mechanism starts to rock."""
+    pressed = {"T": (hinge.starting.shear, "N"), "N": (hinge.starting.normal, "N")}
+    return step(symbol, words, EDITION, "|T| / N", hinge.needed, given=pressed)
 
 
 def starting_steps(hinge: HingeForces) -> tuple[Step, ...]:
@@ -182,54 +180,58 @@ def starting_steps(hinge: HingeForces) -> tuple[Step, ...]:
     H, V, (n_x, n_z), name = hinge.horizontal, hinge.vertical, hinge.face, hinge.hinge
     N, T = hinge.starting.normal, hinge.starting.shear
     faces = "faces on the geometry" if hinge.found else "no faces found: taken level"
-    pushed, at_start = _balance(hinge)
+    forces = {"H": (H, "N"), "V": (V, "N"), "n_x": (n_x, "-"), "n_z": (n_z, "-")}
     return (
-        Step("a_r", "acceleration that starts rocking", EDITION, "λ g", f"{hinge.acceleration / g:.5g} · 9.80665",
-             hinge.acceleration, "m/s2"),
-        Step(f"H_{name}", "on the block that presses, along the motion", EDITION, pushed, at_start, H, "N"),
-        Step(f"V_{name}", "on the block that presses, up", EDITION, BALANCE, TABLE, V, "N"),
-        Step(f"N_{name}", f"square to the faces, n = ({n_x:.4g}, {n_z:.4g}); {faces}", EDITION, "H n_x + V n_z",
-             f"{H:.5g} · {n_x:.4g} + {V:.5g} · {n_z:.4g}", N, "N"),
-        Step(f"T_{name}", "along the faces", EDITION, "H n_z − V n_x",
-             f"{H:.5g} · {n_z:.4g} − {V:.5g} · {n_x:.4g}", T, "N"),
-        Step("μ_req", "friction needed to rock without sliding", EDITION, "|T| / N",
-             f"{abs(T):.5g} / {N:.5g}", hinge.needed, "-"),
+        step("a_r", "acceleration that starts rocking", EDITION, "λ g", hinge.acceleration, "m/s2",
+             given={"λ": hinge.acceleration / g}),
+        _horizontal_step(hinge),
+        step(f"V_{name}", "on the block that presses, up", EDITION, BALANCE, V, "N", remark=TABLE),
+        step(f"N_{name}", f"square to the faces; {faces}", EDITION, "H n_x + V n_z", N, "N", given=forces),
+        step(f"T_{name}", "along the faces", EDITION, "H n_z − V n_x", T, "N", given=forces),
+        _friction_step("μ_req", "friction needed to rock without sliding", hinge),
     )  # fmt: skip
 
 
-def _balance(hinge: HingeForces) -> tuple[str, str]:
-    """How H comes about, with numbers: of a single block what it is at rest less the push on the moved mass."""
+def _horizontal_step(hinge: HingeForces) -> Step:
+    """How H comes about: of a single block what it is at rest less the push on the moved mass."""
+    symbol, words, H = f"H_{hinge.hinge}", "on the block that presses, along the motion", hinge.horizontal
     if not hinge.single:
-        return BALANCE, TABLE
+        return step(symbol, words, EDITION, BALANCE, H, "N", remark=TABLE)
     (n_x, n_z), a = hinge.face, hinge.acceleration
     at_rest = hinge.resting.normal * n_x + hinge.resting.shear * n_z + 0.0
-    mass = (at_rest - hinge.horizontal) / a
-    return "H_0 − a_r M", f"{at_rest:.5g} − {a:.5g} · {mass:.5g}"
+    given = {"H_0": (at_rest, "N"), "a_r": (a, "m/s2"), "M": ((at_rest - H) / a, "kg")}
+    return step(symbol, words, EDITION, "H_0 − a_r M", H, "N", given=given)
 
 
 def _level_steps(hinge: HingeForces, level: float, context: Context) -> tuple[Step, ...]:
     """The same at the acceleration of the level, or at the one that starts rocking where that is less."""
     a = min(level * context.amplification, hinge.acceleration)
     now, rest, start, name = hinge.at(a), hinge.resting, hinge.starting, hinge.hinge
-    share, demand = a / hinge.acceleration, hinge.mobilised(a)
-    least = f"min({level:.5g} · {context.amplification:.4g}, {hinge.acceleration:.5g})"
-    at_rest = abs(rest.shear) / rest.normal if rest.normal > 0.0 else 0.0
+    reached = {"a": (a, "m/s2"), "a_r": (hinge.acceleration, "m/s2")}
+    pushed = {"PGA": (level, "m/s2"), "f": (context.amplification, "-"), "a_r": (hinge.acceleration, "m/s2")}
+    pressed = {"N_0": (rest.normal, "N"), f"N_{name}": (start.normal, "N"), **reached}
+    sheared = {"T_0": (rest.shear, "N"), f"T_{name}": (start.shear, "N"), **reached}
+    needed = {
+        "T_0": (rest.shear, "N"),
+        "N_0": (rest.normal, "N"),
+        "T_a": (now.shear, "N"),
+        "N_a": (now.normal, "N"),
+    }
+    words, formula = "friction needed up to a: at rest or at a", "max(|T_0| / N_0, |T_a| / N_a)"
     return (
-        Step("a", "acceleration at the hinges", EDITION, "min(PGA · amplification, a_r)", least, a, "m/s2"),
-        Step("N_a", "square to the faces at a", EDITION, f"N_0 + (N_{name} − N_0) a / a_r",
-             f"{rest.normal:.5g} + ({start.normal:.5g} − {rest.normal:.5g}) · {share:.4g}", now.normal, "N"),
-        Step("T_a", "along the faces at a", EDITION, f"T_0 + (T_{name} − T_0) a / a_r",
-             f"{rest.shear:.5g} + ({start.shear:.5g} − {rest.shear:.5g}) · {share:.4g}", now.shear, "N"),
-        Step("μ_d", "friction needed up to a: at rest or at a", EDITION, "max(|T_0| / N_0, |T_a| / N_a)",
-             f"max({at_rest:.5g}, {abs(now.shear):.5g} / {now.normal:.5g})", demand, "-"),
+        step("a", "acceleration at the hinges, f the amplification", EDITION, "min(f PGA, a_r)", a, "m/s2",
+             given=pushed),
+        step("N_a", "square to the faces at a", EDITION, f"N_0 + (N_{name} − N_0) a / a_r", now.normal, "N",
+             given=pressed),
+        step("T_a", "along the faces at a", EDITION, f"T_0 + (T_{name} − T_0) a / a_r", now.shear, "N", given=sheared),
+        step("μ_d", words, EDITION, formula, hinge.mobilised(a), given=needed),
     )  # fmt: skip
 
 
 def _sliding_steps(hinge: HingeForces, slides_at: float | None) -> tuple[Step, ...]:
-    mu = hinge.friction
+    least_pga = "least PGA that slides a hinge before it rocks; none where it rocks first"
+    pga, remark = (None, "") if slides_at is None else (slides_at / g, "of all hinges")
     return (
-        Step("μ", "coefficient of friction of the joint", EDITION, "given", f"{mu:.4g}", mu, "-"),
-        Step("PGA_s", "least PGA that slides a hinge before it rocks; none where it rocks first", EDITION,
-             "|T| = μ N, over the amplification", "none" if slides_at is None else "of all hinges",
-             None if slides_at is None else slides_at / g, "g"),
-    )  # fmt: skip
+        step("μ", "coefficient of friction of the joint", EDITION, "given", hinge.friction),
+        step("PGA_s", least_pga, EDITION, "|T| = μ N, over the amplification", pga, "g", remark=remark),
+    )

@@ -14,7 +14,8 @@ from assess.message import DIMENSIONS
 
 Bound = Literal["", "<=", ">="]
 CONSTANTS: Mapping[str, float] = {"g": g, "π": pi}
-_PART = r"[\w*'′₀-₉]"  # what a symbol may be made of, so that none is found inside another
+_PART = r"(?:[^\W²³]|[*'′₀-₉])"  # what a symbol may be made of, so that none is found inside another
+_BETWEEN = re.compile(r"(?<=[\d²³)π]) (?=[\d√(])")  # a product written side by side, once numbers stand there
 
 
 @dataclass(frozen=True)
@@ -87,6 +88,7 @@ def substitute(formula: str, inputs: tuple[Input, ...]) -> str:
     absent = [each for each in inputs if not _pattern([each.symbol]).search(formula)]
     known = {**{name: value for name, value in CONSTANTS.items() if name == "g"}, **values}
     put = _pattern(list(known)).sub(lambda found: _number(found[0], known[found[0]]), formula)
+    put = _BETWEEN.sub(" · ", put)
     beside = ", ".join(f"{each.symbol} = {_plain(each.value)}" for each in absent)
     if len(absent) == len(inputs):  # nothing to put in: the values alone
         return beside

@@ -2,12 +2,21 @@
 
 from __future__ import annotations
 
+from assess.codes.step import Step, step
 from assess.oscillator import Branch, multiplier, resisted
 
 
-def multiplier_worked(branch: Branch) -> tuple[str, str, float]:
-    """Formula, numbers and value of `resisted`: the multiplier at rest, or on joints the largest of the curve [-]."""
+def multiplier_step(symbol: str, description: str, clause: str, branch: Branch) -> Step:
+    """The line of `resisted`: the multiplier at rest, or on joints the largest of the curve [-]."""
     found = resisted(branch)
     if found > float(multiplier(branch)[0]):
-        return "largest (V' − M) / (g B)", "of the curve", found
-    return "(V'(0) − M) / (g B0)", f"{branch.restoring[0]:.5g} / (9.80665 · {branch.excitation[0]:.5g})", found
+        return step(symbol, description, clause, "largest (V' − M) / (g B)", found, remark="of the curve")
+    resisting, shaken = float(branch.restoring[0]), float(branch.excitation[0])
+    given = {"V'(0) − M": (resisting, "N m"), "B0": (shaken, "kg m")}
+    return step(symbol, description, clause, "(V'(0) − M) / (g B0)", found, given=given)
+
+
+def multiplier_worked(branch: Branch) -> tuple[str, str, float]:
+    """Formula, numbers and value of the same line."""
+    line = multiplier_step("λ", "multiplier", "statics", branch)
+    return line.formula, line.substituted, resisted(branch)

@@ -9,6 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
+from scipy.constants import g
+
 from assess.codes.asce41_13.clauses import Options as Asce41Options
 from assess.codes.asce43_05.clauses import Options as Asce43Options
 from assess.codes.context import FreePeriod
@@ -21,6 +23,7 @@ from assess.errors import ProjectError
 from assess.project import sections
 from assess.project.deciding import methods_of, question_of, states_of
 from assess.project.messages import shown
+from assess.project.sections.analysis import Asce41
 from assess.results import Resolved
 
 ASCE43 = ("asce43-05-spectrum", "asce43-05-spectrum-thesis", "asce43-05-history")
@@ -82,11 +85,16 @@ def options_of(content: sections.Content) -> CodeOptions:
     return CodeOptions(
         asce43_05=Asce43Options(**section.asce43_05.model_dump()),
         nzsee2017=Nzsee2017Options(**section.nzsee2017.model_dump()),
-        asce41_13=Asce41Options(**section.asce41_13.model_dump()),
+        asce41_13=_asce41(section.asce41_13),
         ec8=Ec8Options(**section.ec8.model_dump()),
         dmi2008=Options(dmi2008.confidence_factor, _states(dmi2008.limit_states, deciding)),
         ntc2018=Options(ntc2018.confidence_factor, _states(ntc2018.limit_states, deciding)),
     )
+
+
+def _asce41(section: Asce41) -> Asce41Options:
+    s_x1 = None if section.s_x1 is None else section.s_x1 / g
+    return Asce41Options(section.position, section.masonry, section.seismicity, s_x1)
 
 
 def _states(asked: tuple[str, ...], deciding: tuple[str, ...]) -> tuple[str, ...]:

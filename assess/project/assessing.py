@@ -23,7 +23,7 @@ from assess.project.histories import Rocking, Shaken, governing_trace, rocking, 
 from assess.project.motions import Motion
 from assess.project.outcome import amplification_result, mechanism_result
 from assess.project.study import Amplified, Study
-from assess.project.wall_size import SUPPORTS, wall_of
+from assess.project.wall_size import SUPPORTS, carries_floors, wall_of
 from assess.results import MechanismResult
 from spectra.spectrum import Spectrum
 
@@ -100,6 +100,7 @@ def context_of(
         levels=study.levels,
         vertical_ratio=study.vertical_ratio,
         support=SUPPORTS[mechanism.kind],
+        carries_floors=carries_floors(mechanism),
         wall=wall_of(mechanism),
         elevation=mechanism.elevation - study.ground,
         rise=mechanism.rise,
@@ -109,6 +110,7 @@ def context_of(
         carried=carried_by(study.amplified[mechanism.name]),
         crushing=mechanism.crushing,
         impossible=study.impossible,
+        suite_faults=study.suite_faults,
         impossible_by_histories=stopped(mechanism),
         amplification=max((each.factor for each in base), default=1.0),
         linearised=study.equations[mechanism.name] == "linearised",

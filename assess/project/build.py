@@ -108,6 +108,7 @@ def part_of(content: sections.Content, files: Files, *, names: Iterable[str]) ->
         fitting=files.named.fitting,
         artificial=None if synthetic is None else Artificial(synthetic.count, synthetic.seed, synthetic.duration),
         scale_to=content.records.scale_to,
+        record_factor=content.records.factor,
         levels=levels_of(content.analysis.levels, files.spectrum),
         question=question,
         facts=facts_of(content, question, tuple(chosen)),

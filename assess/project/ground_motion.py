@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 
 import numpy as np
 from scipy.constants import g
@@ -11,6 +12,7 @@ from assess.project.motions import Motion
 from assess.project.outcome import floats, periods_of
 from assess.project.periods import ABOVE, BELOW, ends, equivalent_periods
 from assess.project.study import Fitting, Study
+from assess.project.suite_rules import RULES
 from assess.results import EquivalentPeriods, GroundMotionResult, Remaining, RequirementResult, SelectionResult
 from records.band import Band
 from records.compliance.registry import all_requirements
@@ -27,7 +29,12 @@ def ground_motion(study: Study, spectrum: Spectrum, motions: Sequence[Motion]) -
     if not motions:
         return None
     return suite_result(
-        motions, spectrum, study.fitting, source=source_of(study), equivalent=equivalent_periods(study.mechanisms)
+        motions,
+        spectrum,
+        study.fitting,
+        source=source_of(study),
+        equivalent=equivalent_periods(study.mechanisms),
+        own={rules.code: rules.periods(study) for rules in RULES.values()},
     )
 
 
@@ -38,9 +45,11 @@ def suite_result(
     *,
     source: str,
     equivalent: dict[str, tuple[float, float]],
+    own: Mapping[str, tuple[float, float]] = MappingProxyType({}),
 ) -> GroundMotionResult:
     """A suite beside its target; source: of the range of periods; equivalent: periods [s] of mechanisms by name.
 
+    own : the shortest and the longest period [s] by the code of requirements that defines its own
     Without mechanisms the codes are asked for the periods whose multiples the range is.
     """
     low, high = fitting.band.ends
@@ -58,7 +67,7 @@ def suite_result(
         geometric_mean_g=floats(np.exp(np.log(spectra).mean(axis=0)) / g),
         misfit=misfit_of_mean(motions, spectrum, fitting.band),
         selection=None if fitting.selection is None else selection_result(fitting.selection),
-        requirements=requirements_of(motions, spectrum, shortest, longest),
+        requirements=requirements_of(motions, spectrum, shortest, longest, own),
     )
 
 
@@ -81,12 +90,15 @@ def misfit_of_mean(motions: Sequence[Motion], spectrum: Spectrum, band: Band) ->
 
 
 def requirements_of(
-    motions: Sequence[Motion], spectrum: Spectrum, shortest: float, longest: float
+    motions: Sequence[Motion],
+    spectrum: Spectrum,
+    shortest: float,
+    longest: float,
+    own: Mapping[str, tuple[float, float]],
 ) -> tuple[RequirementResult, ...]:
-    """What every code says of the suite; shortest, longest: equivalent periods [s]."""
+    """What every code says of the suite; shortest, longest: equivalent periods [s]; own: those of some codes."""
     suite = suite_of([m.record for m in motions], [m.scaling.factor for m in motions], spectrum)
-    made = not any(motion.record.path for motion in motions)
-    found = all_requirements(suite, shortest=shortest, longest=longest, artificial=made)
+    found = all_requirements(suite, shortest=shortest, longest=longest, own=own)
     return tuple(requirement_result(one) for one in found)
 
 

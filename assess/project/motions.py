@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import exp, log
 from statistics import mean
 
 from assess.project.study import Fitting, ScaleTo, Study
+from assess.project.suite_rules import made_band
 from records.band import Band
+from records.compliance.asce43_05 import fit_of_mean
+from records.compliance.requirement import factor_that_does
+from records.compliance.suite import suite_of
 from records.record import Record
 from records.scaling import Scaling, misfit, scale_to_pga, scale_to_spectrum
 from records.synthetic import artificial
@@ -24,17 +28,53 @@ class Motion:
 
 
 def motions_of(study: Study, spectrum: Spectrum, *, jobs: int = 1) -> tuple[Motion, ...]:
-    """Every record of the study, files first, each with its scaling; `jobs` threads, 0 for all cores."""
-    return scaled_together(
-        (*study.records, *_made(study, spectrum, jobs=jobs)), spectrum, study.fitting, scale_to=study.scale_to
-    )
+    """Every record of the study, files first, each with its scaling; `jobs` threads, 0 for all cores.
 
-
-def _made(study: Study, spectrum: Spectrum, *, jobs: int) -> tuple[Record, ...]:
+    Artificial records alone are raised together where their mean falls short of the target, unless scaled otherwise.
+    """
     made = study.artificial
     if made is None:
-        return ()
-    return artificial(spectrum, count=made.count, seed=made.seed, duration=made.duration, threads=jobs)
+        return multiplied(scaled_of(study, study.records, spectrum), spectrum, study)
+    band = made_band(study, spectrum, duration=made.duration)
+    own = artificial(spectrum, count=made.count, seed=made.seed, duration=made.duration, band=band, threads=jobs)
+    motions = scaled_of(study, (*study.records, *own), spectrum)
+    if not study.records and study.scale_to == "spectrum":
+        motions = raised(motions, spectrum, band, fitting=study.fitting)
+    return multiplied(motions, spectrum, study)
+
+
+def scaled_of(study: Study, records: Sequence[Record], spectrum: Spectrum) -> tuple[Motion, ...]:
+    """The records as the study scales them."""
+    return scaled_together(records, spectrum, study.fitting, scale_to=study.scale_to)
+
+
+def raised(
+    motions: tuple[Motion, ...], spectrum: Spectrum, band: tuple[float, float], *, fitting: Fitting
+) -> tuple[Motion, ...]:
+    """Artificial motions, multiplied by the least factor with which their mean meets ASCE 43-05, 2.4 over the `band`.
+
+    That asks more of the mean than the other codes do: no ordinate a tenth below the target, no ten running below it.
+    """
+    suite = suite_of([each.record for each in motions], [each.scaling.factor for each in motions], spectrum)
+    factor = factor_that_does(fit_of_mean(suite, band)) or 1.0
+    if factor <= 1.0:
+        return motions
+    said = f"the suite raised by {factor:.6g}, with which its mean meets ASCE 43-05, 2.4, to {band[1]:.3g} s"
+    noted = tuple(replace(each, record=replace(each.record, trail=(*each.record.trail, said))) for each in motions)
+    return _times(noted, factor, spectrum, fitting.band)
+
+
+def multiplied(motions: tuple[Motion, ...], spectrum: Spectrum, study: Study) -> tuple[Motion, ...]:
+    """Every motion with the further factor of the study."""
+    if study.record_factor == 1.0:
+        return motions
+    return _times(motions, study.record_factor, spectrum, study.fitting.band)
+
+
+def _times(motions: tuple[Motion, ...], factor: float, spectrum: Spectrum, band: Band) -> tuple[Motion, ...]:
+    return tuple(
+        Motion(each.record, _scaling(each.record, spectrum, band, each.scaling.factor * factor)) for each in motions
+    )
 
 
 def scaled_together(

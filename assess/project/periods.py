@@ -1,7 +1,7 @@
 """The equivalent period of a mechanism, which stands where codes speak of a structure's period.
 
 A rocking body has no period of its own. Taken is that of the linear oscillator with the same work at the allowable
-rotation, half the overturning rotation: 1/f_e of ASCE 43-05 A.2 (the secant in energy).
+rotation of histories, half the one that overturns: 1/f_e of ASCE 43-05 A.2 (the secant in energy).
 """
 
 from __future__ import annotations
@@ -10,19 +10,20 @@ from collections.abc import Iterable
 
 import numpy as np
 
-from assess.codes.asce43_05.clauses import Options, effective_frequency
+from assess.codes.asce43_05.clauses import HALF, effective_frequency
+from assess.codes.ntc2018.clauses import capacity_of
 from assess.errors import ProjectError
 from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.oscillation import oscillator
 from assess.oscillator import Branch
 
+LARGEST_FC = 1.35  # of LC1, which makes the longest periods
 BELOW, ABOVE = 0.2, 1.2  # of the least and the largest equivalent period: range that spectra are fitted over
 
 
 def equivalent_period(branch: Branch) -> float:
     """T [s] at the allowable rotation."""
-    allowable = Options().allowable_ratio * branch.unstable
-    return float(1.0 / effective_frequency(branch, np.array([allowable]))[0])
+    return float(1.0 / effective_frequency(branch, np.array([HALF * branch.unstable]))[0])
 
 
 def equivalent_periods(mechanisms: Iterable[Mechanism]) -> dict[str, tuple[float, float]]:
@@ -30,6 +31,19 @@ def equivalent_periods(mechanisms: Iterable[Mechanism]) -> dict[str, tuple[float
     found = {}
     for mechanism in mechanisms:
         periods = [equivalent_period(branch) for branch in oscillator(mechanism).branches]
+        found[mechanism.name] = (min(periods), max(periods))
+    return found
+
+
+def limit_state_periods(mechanisms: Iterable[Mechanism], *, state: str) -> dict[str, tuple[float, float]]:
+    """T_SLV or T_SLC of NTC 2018 (C8.7.1.10, 11), the shortest and the longest [s] of each mechanism, by name."""
+    found = {}
+    for mechanism in mechanisms:
+        rocker = oscillator(mechanism)
+        periods = [
+            capacity_of(branch, state=state, mass=rocker.mass, confidence_factor=LARGEST_FC).T
+            for branch in rocker.branches
+        ]
         found[mechanism.name] = (min(periods), max(periods))
     return found
 

@@ -21,6 +21,7 @@ from assess.project.outcome import amplification_result, comparison, mechanism_r
 from assess.project.sampling import coarse_notices
 from assess.project.sensitivity import sensitivities
 from assess.project.study import Study
+from assess.project.suite_faults import suite_faults
 from assess.project.survey import tolerances
 from assess.project.sweeping import Swept, case_notices, case_text, controlling_cases, sweep_results, swept
 from assess.results import SCHEMA_VERSION, MechanismResult, Program, Results
@@ -37,6 +38,7 @@ def run(study: Study, *, jobs: int = 0, progress: Progress = lambda stage, done,
     spectrum = required_spectrum(study)
     progress("ground motions", 0, 1)
     motions = motions_of(study, spectrum, jobs=jobs)
+    study = replace(study, suite_faults=suite_faults(study, spectrum, motions))
     sweeps = swept(study, motions, jobs=jobs, progress=progress)
     standing = controlling_cases(sweeps)
     alone = replace(study, mechanisms=tuple(m for m in study.mechanisms if m.name not in standing))
@@ -160,6 +162,6 @@ def notices_of(study: Study, standing: Mapping[str, Swept]) -> tuple[Message, ..
 
 def suite_notices(motions: tuple[Motion, ...]) -> tuple[Message, ...]:
     """What the engineer should know of the records."""
-    if not any(motion.record.path == "" for motion in motions):
+    if not any(motion.record.artificial for motion in motions):
         return ()
     return (warning("artificial-records", "records"),)

@@ -57,7 +57,7 @@ def sensitivities(
         )
         procedures = tuple(dict.fromkeys(check.procedure for check in deciding))
         low, high = (
-            case_of(variable, value, procedures, spectrum, motions, jobs=jobs)
+            case_of(variable, value, study, procedures, spectrum, motions, jobs=jobs)
             for value in (variable.low, variable.high)
         )
         rows += rows_of(variable, deciding, low, high)
@@ -67,15 +67,16 @@ def sensitivities(
 def case_of(
     variable: Variable,
     value: float,
+    whole: Study,
     procedures: tuple[str, ...],
     spectrum: Spectrum,
     motions: tuple[Motion, ...],
     *,
     jobs: int,
 ) -> Case:
-    """The mechanism with one value of the variable, through the procedures."""
+    """The mechanism with one value of the variable, through the procedures, under the suite of the whole study."""
     try:
-        study = replace(variable.study_at(value), procedures=procedures)
+        study = replace(variable.study_at(value), procedures=procedures, suite_faults=whole.suite_faults)
         return Case(by_answer(checked(study, spectrum, motions, jobs=jobs)))
     except (AssessError, SpectrumError) as error:
         return Case({}, str(error))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Literal
 
 import numpy as np
@@ -94,6 +94,8 @@ class Study:
     question : what decides
     facts : what the pass of each mechanism needs and nobody gave, and what it rests on, by name
     ground : its elevation [m]; impossible : what makes every answer impossible
+    record_factor : a further factor on every record [-]
+    suite_faults : by code, the rules for suites that the records miss, known once the records are
     survey : the numbers of a mechanism that the survey's tolerance bears on, by its name
     variables : what the sensitivity of each mechanism varies
     pulses : of the overturning envelopes; None where none are asked for
@@ -125,6 +127,8 @@ class Study:
     facts: Mapping[str, tuple[tuple[Missing, ...], tuple[Message, ...]]]
     ground: float = 0.0
     impossible: tuple[Message, ...] = ()
+    record_factor: float = 1.0
+    suite_faults: Mapping[str, tuple[Message, ...]] = field(default_factory=dict)
     survey: Callable[[str], tuple[Variable, ...]] = lambda name: ()
     variables: tuple[Variable | Unvaried, ...] = ()
 

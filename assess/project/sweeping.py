@@ -11,7 +11,7 @@ it.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import inf
 
 from assess.codes.check import Check, Outcome
@@ -22,6 +22,7 @@ from assess.project.deciding import decided, marked
 from assess.project.messages import located
 from assess.project.motions import Motion, motions_of
 from assess.project.study import Case, Study, Sweep
+from assess.project.suite_faults import suite_faults
 from assess.results import MechanismResult, OscillatorResult, SweepResult
 
 RANKS = (Decision.PASS, Decision.INCOMPLETE, Decision.FAIL)
@@ -85,13 +86,15 @@ def case_assessed(case: Case, study: Study, motions: tuple[Motion, ...], *, jobs
     """The mechanisms of one case under its motions, those of the study where the case does not change them."""
     spectrum = case.study.spectrum
     assert spectrum is not None  # no number takes the site away
-    same = all(getattr(case.study, key) == getattr(study, key) for key in ("artificial", "scale_to"))
+    same = all(getattr(case.study, key) == getattr(study, key) for key in ("artificial", "scale_to", "record_factor"))
     shared = same and spectrum is study.spectrum and case.study.records is study.records
     moving = motions if shared else motions_of(case.study, spectrum, jobs=jobs)
-    done = mechanisms_assessed(case.study, spectrum, moving, jobs=jobs, progress=lambda stage, done, total: None)
-    found = decided(case.study, done)
+    faults = study.suite_faults if shared else suite_faults(case.study, spectrum, moving)
+    judged = replace(case.study, suite_faults=faults)
+    done = mechanisms_assessed(judged, spectrum, moving, jobs=jobs, progress=lambda stage, done, total: None)
+    found = decided(judged, done)
     each = zip(done, found.mechanisms, strict=True)
-    return tuple(Judged(marked(found, case.study.question, result), one) for result, one in each)
+    return tuple(Judged(marked(found, judged.question, result), one) for result, one in each)
 
 
 def controlling(cases: Sequence[Judged]) -> int:

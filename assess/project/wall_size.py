@@ -1,14 +1,22 @@
-"""Height and thickness of the wall that a mechanism is of, for the clauses that judge walls by them."""
+"""The wall that a mechanism is of: its size, and what weight does to it, for the clauses that judge walls by them."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from itertools import pairwise
 
-from assess.codes.context import Support, Wall
+import numpy as np
+from scipy.constants import g
+
+from assess.codes.check import BranchName
+from assess.codes.context import Gravity, Support, Wall
 from assess.geometry.outline import Outline
-from assess.mechanisms.chain import Point
+from assess.loads import Force, Load, PointMass, upward
+from assess.mechanisms.chain import Chain, Point
 from assess.mechanisms.mechanism import Mechanism
+from assess.mechanisms.oscillation import oscillator
+from assess.mechanisms.virtual_work import virtual_work
 
 SUPPORTS: Mapping[str, Support] = {
     "single-block": "free",
@@ -28,11 +36,54 @@ def wall_of(mechanism: Mechanism) -> Wall | None:
     """
     hinges = mechanism.positive.hinges
     if mechanism.kind == "two-block":
-        return _wall(mechanism, height=hinges[2][1] - hinges[0][1], at=1)
+        size = _wall(mechanism, height=hinges[2][1] - hinges[0][1], at=1)
+        return None if size is None else replace(size, gravity=gravity_of(mechanism))
     if mechanism.kind != "single-block" or not mechanism.outlines[0]:
         return None
     top = max(z for ring in mechanism.outlines[0] for _, z in ring)
     return _wall(mechanism, height=top - hinges[0][1], at=0)
+
+
+def carries_floors(mechanism: Mechanism) -> bool:
+    """Whether a floor, roof or vault presses on a mechanism or moves with it, bearing or not."""
+    return any(isinstance(load, PointMass) or upward(load) < 0.0 for load in mechanism.positive.loads)
+
+
+def gravity_of(mechanism: Mechanism) -> Mapping[BranchName, Gravity]:
+    """What the weight of a wall and of what presses on it gives to each of its branches."""
+    rocker = oscillator(mechanism)
+    found: dict[BranchName, Gravity] = {"positive": _gravity(mechanism.positive, rocker.positive.unstable)}
+    if mechanism.negative is not None and rocker.negative is not None:
+        found["negative"] = _gravity(mechanism.negative, rocker.negative.unstable)
+    return found
+
+
+def _gravity(chain: Chain, instability: float) -> Gravity:
+    """Of one branch, whose restoring moment falls to zero at `instability` [rad].
+
+    What presses are bearing masses and the vertical part of given forces; ties and horizontal forces have no part.
+    """
+    pressing = tuple(pressed for load in chain.loads if (pressed := _pressing(load)) is not None)
+    at = np.array([0.0, instability])
+    own = virtual_work(replace(chain, loads=(), joints=()), at)
+    both = virtual_work(replace(chain, loads=pressing, joints=()), at)
+    weight = g * sum(block.mass for block in chain.blocks)
+    return Gravity(
+        overburden_ratio=sum(-upward(load) for load in pressing) / weight,
+        own_moment=float(own.restoring[0]),
+        moment=float(both.restoring[0] - own.restoring[0]),
+        own_slope=float(own.restoring[0] - own.restoring[1]) / instability,
+        own_inertia=float(own.inertia[0]),
+        inertia=float(both.inertia[0] - own.inertia[0]),
+        own_excitation=float(own.excitation[0]),
+    )
+
+
+def _pressing(load: Load) -> Load | None:
+    """The part of a load that presses on the wall; None where it does not."""
+    if upward(load) >= 0.0 or not isinstance(load, PointMass | Force):
+        return None
+    return load if isinstance(load, PointMass) else replace(load, force=(0.0, load.force[1]))
 
 
 def _wall(mechanism: Mechanism, *, height: float, at: int) -> Wall | None:

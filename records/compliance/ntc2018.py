@@ -1,36 +1,60 @@
-"""NTC 2018 3.2.3.6: time histories of the ground's motion, natural and artificial."""
+"""NTC 2018 3.2.3.6 and 7.3.5: time histories of the ground's motion, natural and artificial."""
 
 from __future__ import annotations
 
-from records.compliance.requirement import Requirement, mean_at_least, mean_at_most, required
+from records.compliance.requirement import Requirement, Rule, mean_at_least, mean_at_most, required, usable_to
 from records.compliance.suite import Suite
 
 CODE = "NTC 2018"
 CLAUSE = "3.2.3.6"
-LEAST_RECORDS = 3
+LEAST_RECORDS, LEAST_ARTIFICIAL = 3, 7
 BELOW, ABOVE = 0.90, 1.30
-ARTIFICIAL_FROM, ARTIFICIAL_TO = 0.15, 2.0  # s
+FITTED_FROM, FITTED_TO = 0.15, 2.0  # s, of artificial records
+SHORTEST, STATIONARY = 25.0, 10.0  # s, of artificial records
+OF_INTEREST = (0.2, 1.2)  # of the shortest and the longest period
+SEVEN = "from seven on the mean of the effects may be taken, else the worst"
+ARTIFICIAL = "seven with artificial records among them is this program's own rule; the clause asks for three"
 
 
-def natural(suite: Suite, *, shortest: float, longest: float) -> tuple[Requirement, ...]:
-    """Number, and the mean from 10 % below to 30 % above over the range of interest.
+def requirements(suite: Suite, *, shortest: float, longest: float) -> tuple[Requirement, ...]:
+    """Number and mean of the records; of artificial ones also their duration.
 
-    The clause leaves the range to the engineer: 0.2 times the shortest to 1.2 times the longest equivalent period [s].
+    A suite of both has to meet what is asked of either.
+    shortest, longest : periods of the mechanisms at the limit state [s]
     """
-    periods = (0.2 * shortest, 1.2 * longest)
+    made = suite.artificial
+    artificial = _artificial(suite, longest=longest) if made.any() else ()
+    natural = () if made.all() else _natural(suite, shortest=shortest, longest=longest)
+    return (_number(suite), *artificial, *natural)
+
+
+def periods_fitted(*, longest: float) -> tuple[float, float]:
+    """Range of periods over which artificial records have to fit the target at ultimate limit states [s]."""
+    return FITTED_FROM, max(FITTED_TO, 2.0 * longest)
+
+
+def _natural(suite: Suite, *, shortest: float, longest: float) -> tuple[Requirement, ...]:
+    """The mean from 10 % below to 30 % above over the range of interest, which the clause leaves to the engineer."""
+    periods = (OF_INTEREST[0] * shortest, OF_INTEREST[1] * longest)
     return (
-        _number(suite),
         mean_at_least(suite, CODE, CLAUSE, share=BELOW, periods=periods),
         mean_at_most(suite, CODE, CLAUSE, share=ABOVE, periods=periods),
+        *usable_to(suite, CODE, CLAUSE, longest=longest),
     )
 
 
-def artificial(suite: Suite, *, shortest: float, longest: float) -> tuple[Requirement, ...]:
-    """Number, and the mean no more than 10 % below from 0.15 s to the larger of 2 s and twice the period (ULS)."""
-    periods = (ARTIFICIAL_FROM, max(ARTIFICIAL_TO, 2.0 * longest))
-    return (_number(suite), mean_at_least(suite, CODE, CLAUSE, share=BELOW, periods=periods))
+def _artificial(suite: Suite, *, longest: float) -> tuple[Requirement, ...]:
+    """25 s, 10 s of them stationary, and the mean no more than 10 % below up to 2 s or twice the longest period."""
+    made, level = suite.artificial, "shortest stationary part"
+    return (
+        required(
+            CODE, CLAUSE, Rule.DURATION, "shortest duration", suite.duration[made].min(), ">=", SHORTEST, unit="s"
+        ),
+        required(CODE, CLAUSE, Rule.STATIONARY, level, suite.stationary[made].min(), ">=", STATIONARY, unit="s"),
+        mean_at_least(suite, CODE, CLAUSE, share=BELOW, periods=periods_fitted(longest=longest)),
+    )
 
 
 def _number(suite: Suite) -> Requirement:
-    seven = "from seven on the mean of the effects may be taken, else the worst"
-    return required(CODE, "7.3.5", "number of time histories", suite.count, ">=", LEAST_RECORDS, remark=seven)
+    least, remark = (LEAST_ARTIFICIAL, ARTIFICIAL) if suite.artificial.any() else (LEAST_RECORDS, SEVEN)
+    return required(CODE, "7.3.5", Rule.COUNT, "number of time histories", suite.count, ">=", least, remark=remark)

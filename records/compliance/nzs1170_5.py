@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from records.compliance.requirement import Requirement, not_answered, required
+from records.compliance.requirement import Requirement, Rule, not_answered, required
 from records.compliance.suite import FloatArray, Suite
 
 CODE = "NZS 1170.5:2004"
@@ -22,20 +22,19 @@ def requirements(suite: Suite, *, shortest: float, longest: float) -> tuple[Requ
     the records up to the target at every period, at least 1.
     """
     periods = (0.4 * max(shortest, LEAST_PERIOD), 1.3 * max(longest, LEAST_PERIOD))
+    least, most = suite.factor.min(), suite.factor.max()
     few = "k_1 is the factor in use, by least squares over the logarithm of the period"
-    number = required(CODE, "5.5.1", "number of records", suite.count, ">=", LEAST_RECORDS)
+    number = required(CODE, "5.5.1", Rule.COUNT, "number of records", suite.count, ">=", LEAST_RECORDS)
     factors = (
-        required(CODE, "5.5.2", "least record scale factor k_1", suite.factor.min(), ">=", LEAST_FACTOR, remark=few),
-        required(
-            CODE, "5.5.2", "largest record scale factor k_1", suite.factor.max(), "<=", LARGEST_FACTOR, remark=few
-        ),
+        required(CODE, "5.5.2", Rule.FACTOR, "least record scale factor k_1", least, ">=", LEAST_FACTOR, remark=few),
+        required(CODE, "5.5.2", Rule.FACTOR, "largest record scale factor k_1", most, "<=", LARGEST_FACTOR, remark=few),
     )
     what = ("largest misfit D_1 of a record", "family scale factor k_2")
     inside = (suite.period >= periods[0]) & (suite.period <= periods[1])
     if periods[0] < suite.covered[0] or periods[1] > suite.covered[1] or inside.sum() < 2:
         missing = (
-            not_answered(CODE, "5.5.2", w, "<=", most, periods, suite=suite)
-            for w, most in zip(what, (LOG_FIT, FAMILY), strict=True)
+            not_answered(CODE, "5.5.2", Rule.FIT, w, "<=", limit, periods, suite)
+            for w, limit in zip(what, (LOG_FIT, FAMILY), strict=True)
         )
         return (number, *factors, *missing)
     ratio = suite.spectra[:, inside] / suite.target[inside]
@@ -43,8 +42,8 @@ def requirements(suite: Suite, *, shortest: float, longest: float) -> tuple[Requ
     return (
         number,
         *factors,
-        required(CODE, "5.5.2", what[0], worst, "<=", LOG_FIT, periods=periods),
-        required(CODE, "5.5.2", what[1], family, "<=", FAMILY, periods=periods, remark="k_2 is not applied"),
+        required(CODE, "5.5.2", Rule.FIT, what[0], worst, "<=", LOG_FIT, periods=periods),
+        required(CODE, "5.5.2", Rule.FIT, what[1], family, "<=", FAMILY, periods=periods, remark="k_2 is not applied"),
     )
 
 

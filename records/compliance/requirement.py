@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+from enum import StrEnum
+from math import inf
 from typing import Literal
 
 import numpy as np
@@ -15,17 +18,35 @@ Sense = Literal[">=", "<="]
 CAVEAT = "from memory, not checked against the printed standard"
 
 
+class Rule(StrEnum):
+    """What a requirement is about."""
+
+    COUNT = "count"
+    STEP = "step"
+    DURATION = "duration"
+    STATIONARY = "stationary"
+    USABLE = "usable"
+    MEAN_LOW = "mean-low"
+    MEAN_HIGH = "mean-high"
+    RUN_BELOW = "run-below"
+    PEAK = "peak"
+    FACTOR = "factor"
+    FIT = "fit"
+
+
 @dataclass(frozen=True)
 class Requirement:
     """One line of a code.
 
     value, limit : in `unit`, None where not answered; sense : how the value has to stand to the limit
+    factors : on every record, the least and the largest with which it is met; (0, inf) where it hangs on none
     periods : range that the value was taken over [s], None where it is not of a spectrum
     remark : what the reader should know; caveat : what the clause could not be compared with
     """
 
     code: str
     clause: str
+    rule: Rule
     what: str
     value: float | None
     sense: Sense
@@ -35,11 +56,13 @@ class Requirement:
     periods: tuple[float, float] | None = None
     remark: str = ""
     caveat: str = CAVEAT
+    factors: tuple[float, float] = (0.0, inf)
 
 
 def required(
     code: str,
     clause: str,
+    rule: Rule,
     what: str,
     value: float,
     sense: Sense,
@@ -49,44 +72,81 @@ def required(
     periods: tuple[float, float] | None = None,
     remark: str = "",
 ) -> Requirement:
-    """The requirement that `value` stands in `sense` to `limit`."""
+    """Compare `value` with `limit`: the requirement that it stands in `sense` to it."""
     met = value >= limit * (1 - 1e-12) if sense == ">=" else value <= limit * (1 + 1e-12)
     verdict: Verdict = "met" if met else "not met"
-    return Requirement(code, clause, what, float(value), sense, limit, unit, verdict, periods, remark)
+    return Requirement(code, clause, rule, what, float(value), sense, limit, unit, verdict, periods, remark)
 
 
 def not_answered(
-    code: str, clause: str, what: str, sense: Sense, limit: float, periods: tuple[float, float], *, suite: Suite
+    code: str,
+    clause: str,
+    rule: Rule,
+    what: str,
+    sense: Sense,
+    limit: float,
+    periods: tuple[float, float],
+    suite: Suite,
 ) -> Requirement:
-    """A requirement on a range of periods that the target or the records do not cover."""
+    """Return a requirement on a range of periods that the target or the records do not cover."""
     low, high = suite.covered
     remark = f"the target is known from {low:.3g} to {high:.4g} s only"
-    return Requirement(code, clause, what, None, sense, limit, "-", "not answered", periods, remark)
+    return Requirement(code, clause, rule, what, None, sense, limit, "-", "not answered", periods, remark)
 
 
 def mean_at_least(
     suite: Suite, code: str, clause: str, *, share: float, periods: tuple[float, float], remark: str = ""
 ) -> Requirement:
-    """That the mean spectrum nowhere in the range falls below `share` of the target."""
-    what = "least ratio of mean spectrum to target"
-    ratio = mean_ratio(suite, periods)
+    """Require that the mean spectrum nowhere in the range falls below `share` of the target."""
+    what, ratio = "least ratio of mean spectrum to target", mean_ratio(suite, periods)
     if ratio is None:
-        return not_answered(code, clause, what, ">=", share, periods, suite=suite)
+        return not_answered(code, clause, Rule.MEAN_LOW, what, ">=", share, periods, suite)
     least = float(ratio.min())
-    lift = f"a further factor of {share / least:.4g} on every record would do" if least < share else ""
-    said = "; ".join(filter(None, (lift, remark)))
-    return required(code, clause, what, least, ">=", share, periods=periods, remark=said)
+    found = required(code, clause, Rule.MEAN_LOW, what, least, ">=", share, periods=periods, remark=remark)
+    return lifted(found, share / least)
 
 
 def mean_at_most(
     suite: Suite, code: str, clause: str, *, share: float, periods: tuple[float, float], remark: str = ""
 ) -> Requirement:
-    """That the mean spectrum nowhere in the range exceeds `share` of the target."""
-    what = "largest ratio of mean spectrum to target"
-    ratio = mean_ratio(suite, periods)
+    """Require that the mean spectrum nowhere in the range exceeds `share` of the target."""
+    what, ratio = "largest ratio of mean spectrum to target", mean_ratio(suite, periods)
     if ratio is None:
-        return not_answered(code, clause, what, "<=", share, periods, suite=suite)
-    return required(code, clause, what, float(ratio.max()), "<=", share, periods=periods, remark=remark)
+        return not_answered(code, clause, Rule.MEAN_HIGH, what, "<=", share, periods, suite)
+    most = float(ratio.max())
+    found = required(code, clause, Rule.MEAN_HIGH, what, most, "<=", share, periods=periods, remark=remark)
+    return lowered(found, share / most)
+
+
+def usable_to(suite: Suite, code: str, clause: str, *, longest: float) -> tuple[Requirement, ...]:
+    """Require that every record is usable up to the longest period [s]; nothing where no source says how far it is."""
+    what, least = "longest usable period of the records", float(suite.usable.min())
+    return (required(code, clause, Rule.USABLE, what, least, ">=", longest, unit="s"),) if least < inf else ()
+
+
+def factor_that_does(found: Iterable[Requirement]) -> float | None:
+    """Find the further factor on every record, nearest to 1, with which all are met that a factor can meet.
+
+    None where there is none: the mean spectrum has another shape than the target.
+    """
+    every = tuple(found)
+    least, most = max(one.factors[0] for one in every), min(one.factors[1] for one in every)
+    return min(max(1.0, least), most) if least <= most else None
+
+
+def lifted(one: Requirement, factor: float) -> Requirement:
+    """Add the further factor on every record from which on a requirement is met."""
+    return replace(one, factors=(factor, inf), remark=_with(one, factor))
+
+
+def lowered(one: Requirement, factor: float) -> Requirement:
+    """Add the further factor on every record up to which a requirement is met."""
+    return replace(one, factors=(0.0, factor), remark=_with(one, factor))
+
+
+def _with(one: Requirement, factor: float) -> str:
+    would = f"a further factor of {factor:.4g} on every record would do" if one.verdict == "not met" else ""
+    return "; ".join(filter(None, (would, one.remark)))
 
 
 def mean_ratio(suite: Suite, periods: tuple[float, float]) -> FloatArray | None:

@@ -25,6 +25,8 @@ class Suite:
 
     period [k] [s]; target [k], spectra [n, k]: pseudo-acceleration [m/s2]; target_pga, pga [n] [m/s2]; factor [n]: that
     the records were scaled by; dt, duration [n] [s]
+    artificial [n] : which of the records were made; stationary [n] : how long their envelope is level, 0 of others [s]
+    usable [n] : longest period that the source's processing left usable, infinite where it does not say [s]
     """
 
     period: FloatArray
@@ -35,6 +37,9 @@ class Suite:
     factor: FloatArray
     dt: FloatArray
     duration: FloatArray
+    artificial: NDArray[np.bool_]
+    stationary: FloatArray
+    usable: FloatArray
 
     @property
     def count(self) -> int:
@@ -66,4 +71,7 @@ def suite_of(records: Sequence[Record], factors: Sequence[float], spectrum: Spec
         factor=np.array(factors, dtype=np.float64),
         dt=np.array([record.dt for record in records]),
         duration=np.array([record.dt * (record.npts - 1) for record in records]),
+        artificial=np.array([record.artificial for record in records], dtype=np.bool_),
+        stationary=np.array([record.stationary or 0.0 for record in records]),
+        usable=np.array([record.longest_period or np.inf for record in records]),
     )

@@ -25,7 +25,7 @@ from records.formats.samples import (
 from records.formats.stated import Stated
 from records.formats.times import iso_of
 from records.orientation import azimuth_of
-from records.record import Earthquake, Record, Site, make_record
+from records.record import Earthquake, Record, Site, make_record, usable_period
 
 NAME = "ESM/ITACA DYNA"
 
@@ -66,6 +66,7 @@ def read(path: Path, stated: Stated) -> tuple[Record, ...]:
             station=_station(text),
             component=text.get("STREAM", ""),
             trail=(f"read from {NAME}, unit {unit}", *_processing(text)),
+            longest_period=usable_period(number(text.get("LOW_CUT_FREQUENCY_HZ", ""))),
             azimuth=azimuth_of(text.get("STREAM", "")),
             distance=_metres(text.get("EPICENTRAL_DISTANCE_KM", "")),
             earthquake=_earthquake(text),

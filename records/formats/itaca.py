@@ -26,7 +26,7 @@ from records.formats.samples import (
 from records.formats.stated import Stated
 from records.formats.times import iso_of
 from records.orientation import azimuth_of
-from records.record import Earthquake, Record, Site, make_record
+from records.record import Earthquake, Record, Site, make_record, usable_period
 
 NAME = "ITACA cor.acc"
 
@@ -71,6 +71,7 @@ def read(path: Path, stated: Stated) -> tuple[Record, ...]:
             azimuth=azimuth_of(component),
             earthquake=Earthquake(time=iso_of(text.get("Event Date & Time", ""))),
             site=Site(),
+            longest_period=usable_period(number(cut.partition(" - ")[0])),
         ),
     )
 

@@ -1,8 +1,9 @@
 """ASCE/SEI 41-13, 11.3.3, Table 11-5 (41-06 Table 7-5): walls that need no analysis out of their plane.
 
 A wall anchored at floors and roof is taken as stable for life safety and collapse prevention where its height over
-thickness does not exceed the table's. Table and bounds are from memory, not checked against the printed standard; the
-later edition (41-17) may differ. One function for each rule.
+thickness does not exceed the table's. Parapets have limits of their own, those of the checklist for nonstructural
+components. Table, bounds and limits are from memory, not checked against the printed standard; the later edition
+(41-17) may differ. One function for each rule.
 """
 
 from __future__ import annotations
@@ -11,15 +12,18 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Literal
 
-from assess.codes.context import PLINTH, Building, Wall
+from assess.codes.context import PLINTH, Building, Context, Wall
 
 EDITION = "ASCE/SEI 41-13"
 CAVEAT = (
     "Table 11-5 is from memory, not checked against the printed standard; it presumes a wall anchored at its base and "
     "top; S_X1 is that of the site's spectrum at the level, whatever hazard that stands for"
 )
+CAVEAT_PARAPET = "the limits for parapets are from memory, not checked against the printed standard"
 
 Position = Literal["one-storey", "first-storey", "top-storey", "other"]
+Masonry = Literal["coursed", "rubble"]
+Seismicity = Literal["moderate", "high"]
 
 BOUNDS = (0.24, 0.37)  # g: S_X1 up to which the first and the second column hold
 PERMISSIBLE: Mapping[Position, tuple[float, float, float]] = {  # h/t [-], Table 11-5
@@ -34,13 +38,23 @@ PLACES: Mapping[Position, str] = {
     "top-storey": "wall in the top storey of a multistorey building",
     "other": "all other walls",
 }
+PARAPET: Mapping[Seismicity, float] = {"moderate": 2.5, "high": 1.5}  # h/t [-]
+NEAR_ROOF = 0.5  # m: what stands free no lower than this under the top of the building stands on it
 
 
 @dataclass(frozen=True)
 class Options:
-    """position: row of Table 11-5; None where the building tells."""
+    """Options of the permissible h/t.
+
+    position : row of Table 11-5; None where the building tells
+    masonry : None where nobody says; seismicity : of the site, for parapets
+    s_x1 : at the site's own PGA [g]; None for the ordinate of the spectrum at 1 s
+    """
 
     position: Position | None = None
+    masonry: Masonry | None = None
+    seismicity: Seismicity = "high"
+    s_x1: float | None = None
 
 
 def permissible(position: Position, s_x1: float) -> float:
@@ -67,3 +81,9 @@ def position_of(wall: Wall, elevation: float, building: Building | None) -> Posi
     if elevation + wall.height >= building.height - storey / 2.0:
         return "top-storey"
     return "first-storey" if elevation <= PLINTH else "other"
+
+
+def is_parapet(context: Context) -> bool:
+    """Whether the masonry stands free on top of a building whose height is known."""
+    building = context.building
+    return context.support == "free" and building is not None and context.elevation >= building.height - NEAR_ROOF

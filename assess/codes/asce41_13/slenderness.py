@@ -1,4 +1,4 @@
-"""The table of permissible h/t asked of a wall; one check for each level."""
+"""The table of permissible h/t asked of a wall, or the limit of a parapet; one check for each level."""
 
 from __future__ import annotations
 
@@ -8,89 +8,140 @@ from scipy.constants import g
 
 from assess.codes.asce41_13.clauses import (
     CAVEAT,
+    CAVEAT_PARAPET,
     EDITION,
+    PARAPET,
     PLACES,
     Options,
     Position,
+    is_parapet,
     largest_s_x1,
     permissible,
     position_of,
 )
-from assess.codes.check import BranchName, Check, Outcome, Reason, Step, because
+from assess.codes.check import BranchName, Check, Outcome, Reason, Step, because, step
 from assess.codes.context import Context, Wall
-from assess.codes.family import foreign
+from assess.codes.family import GIVEN, foreign
 from assess.codes.governing import governing
+from assess.message import Message, Quantity, Severity, message
 from assess.oscillator import Branch, Oscillator, threshold
 
 NAME = "asce41-13-ht"
-CLAUSE = "ASCE 41-13 Table 11-5"
+CLAUSE, CHECKLIST = "ASCE 41-13 Table 11-5", "ASCE 41-13, checklist for nonstructural components"
 PERIOD, DAMPING = 1.0, 0.05  # s, of S_X1
-FREE = "; this wall stands free in the mechanism, for which the table is not meant: for information"
 
 
 def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tuple[Check, ...]:
-    """Table 11-5: h/t of the wall against the permissible at S_X1; it decides for walls that span between supports."""
+    """h/t of a wall that spans between supports against Table 11-5 at S_X1, of a parapet against its limit."""
 
     def one(branch: Branch, name: BranchName, level: float) -> Check:
-        if context.wall is None:
-            return _check(branch, name, context, level)
-        position = options.position or position_of(context.wall, context.elevation, context.building)
-        return _answered(_check(branch, name, context, level), context.wall, position, context, given=options.position)
+        return _check(branch, name, context, options, level)
 
     return governing(oscillator, context.levels, one)
 
 
-def _check(branch: Branch, name: BranchName, context: Context, level: float) -> Check:
-    uplift = threshold(branch)
-    return Check(
+def _check(branch: Branch, name: BranchName, context: Context, options: Options, level: float) -> Check:
+    verdict, reason = _silence(context, options)
+    parapet = is_parapet(context)
+    empty = Check(
         procedure=NAME,
         edition=EDITION,
         branch=name,
         limit_state="life safety, collapse prevention",
         level_pga_g=level / g,
         input_at="ground",
-        damping=DAMPING,
+        damping=None if parapet else DAMPING,
         quantity="h/t",
         unit="-",
-        verdict=Outcome.NOT_APPLICABLE,
-        reason=because(Reason.NO_WALL_SIZE, clause=CLAUSE),
-        uplift_pga_g=uplift,
-        caveat=CAVEAT + FREE * (context.support == "free") + foreign(NAME, context.spectrum.code),
+        verdict=verdict,
+        reason=reason,
+        uplift_pga_g=threshold(branch),
+        caveat=(CAVEAT_PARAPET if parapet else CAVEAT) + foreign(NAME, context.spectrum.code),
+        conditions=() if options.masonry else (message("premise-coursed", severity=Severity.WARNING),),
+        steps=(step("h/t", "slenderness", CLAUSE, "h / t", None, remark=reason.text),),
     )
+    if verdict != Outcome.PASS or context.wall is None:
+        return empty
+    return _of_parapet(empty, context.wall, options) if parapet else _of_wall(empty, context.wall, context, options)
 
 
-def _answered(check: Check, wall: Wall, position: Position, context: Context, *, given: Position | None) -> Check:
-    ordinate = float(context.spectrum.acceleration(PERIOD, damping=DAMPING)) / context.spectrum.pga  # S_X1 over PGA
+def _silence(context: Context, options: Options) -> tuple[Outcome, Message]:
+    """Why nothing can be said; a pass where something can."""
+    not_for = Outcome.NOT_APPLICABLE
+    if context.support != "spanning" and not is_parapet(context):
+        return not_for, because(Reason.NOT_SPANNING, clause=CLAUSE)
+    if context.wall is None:
+        return not_for, because(Reason.NO_WALL_SIZE, clause=CLAUSE)
+    if options.masonry == "rubble":
+        return not_for, because(Reason.RUBBLE, clause=CLAUSE)
+    if context.support == "spanning" and options.s_x1 is None:
+        if context.spectrum.code == GIVEN:
+            return Outcome.NOT_ANSWERED, because(Reason.NO_S_X1, clause=CLAUSE)
+        if context.spectrum.longest_period < PERIOD:
+            end = Quantity(context.spectrum.longest_period, "time")
+            return Outcome.NOT_ANSWERED, because(Reason.SPECTRUM_TOO_SHORT, period="S_X1 at 1 s", end=end)
+    return Outcome.PASS, because(Reason.WITHIN, capacity="the permissible h/t")
+
+
+def _of_parapet(check: Check, wall: Wall, options: Options) -> Check:
+    most, slenderness = PARAPET[options.seismicity], wall.height / wall.thickness
+    words = f"of parapets in {options.seismicity} seismicity"
+    answered = _answered(check, slenderness, most, f"the permissible h/t {words}")
+    limit = step("max h/t", words, CHECKLIST, "1.5 in high seismicity, 2.5 in moderate", most, remark="given")
+    return replace(answered, steps=(*_size_steps(wall), limit, _ratio_step(slenderness, most)))
+
+
+def _of_wall(check: Check, wall: Wall, context: Context, options: Options) -> Check:
+    position = options.position or position_of(wall, context.elevation, context.building)
+    ordinate = s_x1_over_pga(context, options)
     slenderness, s_x1 = wall.height / wall.thickness, ordinate * check.level_pga_g
     most, bound = permissible(position, s_x1), largest_s_x1(position, slenderness)
-    verdict = Outcome.PASS if slenderness <= most else Outcome.FAIL
-    permitted = f"the permissible h/t ({PLACES[position]})"
-    source = "given" if given is not None else "by storeys and elevation"
-    if given is None and position == "other" and (context.building is None or context.building.storeys is None):
-        source = "not known, so all other walls; give [building] storeys, or the position"
+    answered = _answered(check, slenderness, most, f"the permissible h/t ({PLACES[position]})")
+    row = f"{PLACES[position]}: {_source(position, context, options)}"
+    factors = {"S_a(1 s)/PGA": (ordinate, "-"), "PGA": (check.level_pga_g, "g")}
     return replace(
-        check,
-        demand=slenderness,
-        capacity=most,
-        ratio=slenderness / most,
-        verdict=verdict,
-        reason=because(Reason.WITHIN if verdict == Outcome.PASS else Reason.BEYOND, capacity=permitted),
+        answered,
         capacity_pga_g=None if bound is None else bound / ordinate,
-        steps=_steps(wall, ordinate, check.level_pga_g, position, source, most),
+        steps=(
+            *_size_steps(wall),
+            step("S_X1", "spectrum at 1 s", CLAUSE, "S_a(1 s)/PGA PGA", s_x1, "g", given=factors),
+            step("max h/t", row, CLAUSE, "row of the wall, column of S_X1", most, remark=f"S_X1 = {s_x1:.4g} g"),
+            _ratio_step(slenderness, most),
+        ),
     )
 
 
-def _steps(
-    wall: Wall, ordinate: float, level_g: float, position: Position, source: str, most: float
-) -> tuple[Step, ...]:
-    h, t, s_x1 = wall.height, wall.thickness, ordinate * level_g
-    row, column = f"{PLACES[position]}: {source}", f"S_X1 = {s_x1:.4g} g"
-    ratio = f"{h / t:.5g} / {most:g}"
+def s_x1_over_pga(context: Context, options: Options) -> float:
+    """S_X1 over the PGA of the same level [-]."""
+    pga = context.spectrum.pga
+    if options.s_x1 is not None:
+        return options.s_x1 * g / pga
+    return float(context.spectrum.acceleration(PERIOD, damping=DAMPING)) / pga
+
+
+def _answered(check: Check, slenderness: float, most: float, permitted: str) -> Check:
+    verdict = Outcome.PASS if slenderness <= most else Outcome.FAIL
+    reason = because(Reason.WITHIN if verdict == Outcome.PASS else Reason.BEYOND, capacity=permitted)
+    return replace(check, demand=slenderness, capacity=most, ratio=slenderness / most, verdict=verdict, reason=reason)
+
+
+def _source(position: Position, context: Context, options: Options) -> str:
+    if options.position is not None:
+        return "given"
+    if position == "other" and (context.building is None or context.building.storeys is None):
+        return "not known, so all other walls; give [building] storeys, or the position"
+    return "by storeys and elevation"
+
+
+def _size_steps(wall: Wall) -> tuple[Step, ...]:
+    h, t = wall.height, wall.thickness
     return (
-        Step("h", "height of the wall between its supports", CLAUSE, "geometry", f"{h:.5g}", h, "m"),
-        Step("t", "thickness of the wall", CLAUSE, "geometry", f"{t:.5g}", t, "m"),
-        Step("h/t", "slenderness", CLAUSE, "h / t", f"{h:.5g} / {t:.5g}", h / t, "-"),
-        Step("S_X1", "spectrum at 1 s", CLAUSE, "S_a(1 s)/PGA · PGA", f"{ordinate:.5g} · {level_g:.5g}", s_x1, "g"),
-        Step("max h/t", row, CLAUSE, "row of the wall, column of S_X1", column, most, "-"),
-        Step("D/C", "ratio", CLAUSE, "demand / capacity", ratio, h / t / most, "-"),
+        step("h", "height of the wall between its supports, or of what stands free", CLAUSE, "geometry", h, "m"),
+        step("t", "thickness of the wall", CLAUSE, "geometry", t, "m"),
+        step("h/t", "slenderness", CLAUSE, "h / t", h / t, given={"h": (h, "m"), "t": (t, "m")}),
     )
+
+
+def _ratio_step(slenderness: float, most: float) -> Step:
+    given = {"h/t": slenderness, "max h/t": most}
+    return step("D/C", "ratio", CLAUSE, "h/t / max h/t", slenderness / most, given=given)

@@ -5,8 +5,8 @@ block of half-width b and centroid height h, a = b/h, these give the clause's ow
 h = B0/M, C1 = I0/(M h^2), f1 = E/(M g h) = cos(theta) + a sin(theta) - 1.
 
 Not checked against the printed standard: the equations were seen in excerpts and re-derived from energy. The
-clause's limit of rotation was not seen; half the overturning rotation is used, the limit of the response-history
-method of the same standard. One function for each formula.
+clause's limit of rotation (7.1) could not be read: one third of the rotation that overturns is allowed, and one half,
+the limit of the response-history method of the same standard, stands beside it. One function for each formula.
 """
 
 from __future__ import annotations
@@ -17,11 +17,13 @@ import numpy as np
 from scipy.constants import g
 from scipy.optimize import brentq
 
-from assess.codes.relation import PgaRelation, relation
-from assess.oscillator import Branch, FloatArray, SingleBlock, block_at, energy, equivalent_block
+from assess.codes.relation import PgaOf, PgaRelation, floor_relation, relation
+from assess.oscillator import Branch, FloatArray, SingleBlock, block_at, energy
 from spectra.spectrum import Spectrum
 
 EDITION = "ASCE/SEI 43-05"
+HALF = 0.5  # of the rotation that overturns: allowed to the mean of the maxima of response histories
+THIRD = 1.0 / 3.0  # of the same: allowed by A.2
 CAVEAT = "Appendix A.2 was not checked against the printed standard: its equations were re-derived from energy"
 
 
@@ -29,11 +31,9 @@ CAVEAT = "Appendix A.2 was not checked against the printed standard: its equatio
 class Options:
     """Options of ASCE 43-05.
 
-    allowable_ratio : allowable rotation over the overturning rotation, of the interfaces in use [-]
     allowable_sliding : of a rigid body on its base [m]; None: sliding is shown for information
     """
 
-    allowable_ratio: float = 0.5
     allowable_sliding: float | None = None
 
 
@@ -69,17 +69,17 @@ def effective_damping(restitution: float) -> float:
     return float(gamma / np.hypot(2 * np.pi, gamma))
 
 
-def thesis_limit_ratio(branch: Branch, *, mass: float) -> float:
+def thesis_limit_ratio(block: SingleBlock) -> float:
     """theta_lim / alpha = k alpha / sin(2 alpha), k = I_O / (M R^2) = g / (p^2 R) [-].
 
     Empirical: no derivation is known; it fits the thesis' Table 8.5 within rounding for all eight walls.
     """
-    return _limit_ratio(equivalent_block(branch, mass=mass))
+    return float(inertia_ratio(block) * block.slenderness / np.sin(2 * block.slenderness))
 
 
-def _limit_ratio(block: SingleBlock) -> float:
-    k = block.inertia / (block.mass * block.radius**2)
-    return float(k * block.slenderness / np.sin(2 * block.slenderness))
+def inertia_ratio(block: SingleBlock) -> float:
+    """k = I_O / (M R^2) [-]."""
+    return block.inertia / (block.mass * block.radius**2)
 
 
 def thesis_limit(branch: Branch, *, mass: float) -> float:
@@ -90,7 +90,7 @@ def thesis_limit(branch: Branch, *, mass: float) -> float:
 
     def excess(rotation: float) -> float:
         block = block_at(branch, rotation, mass=mass)
-        return rotation - _limit_ratio(block) * block.slenderness
+        return rotation - thesis_limit_ratio(block) * block.slenderness
 
     low, high = 1e-3 * branch.unstable, branch.unstable
     return float(brentq(excess, low, high, xtol=1e-12)) if excess(low) < 0.0 < excess(high) else high
@@ -101,18 +101,40 @@ def pga_relation(branch: Branch, spectrum: Spectrum, *, damping: float, f_v: flo
 
     Nothing rocks below `uplift` [m/s2].
     """
-
-    def period_of(rotation: FloatArray) -> FloatArray:
-        return 1 / effective_frequency(branch, rotation)
-
-    def pga_of(rotation: FloatArray) -> FloatArray:
-        amplified = spectrum.acceleration(period_of(rotation), damping=damping) / spectrum.pga
-        return capacity_acceleration(branch, rotation, f_v=f_v) / amplified
-
     return relation(
-        pga_of,
+        _pga_of(branch, spectrum, damping=damping, f_v=f_v, pga=spectrum.pga),
         overturning=branch.unstable,
         uplift=uplift,
-        period_of=period_of,
+        period_of=_period_of(branch),
         longest_period=spectrum.longest_period,
     )
+
+
+def floor_pga_relation(
+    branch: Branch, floor: Spectrum, *, damping: float, f_v: float, uplift: float, pga: float
+) -> PgaRelation:
+    """The same on the spectrum of a `floor` where the ground has the peak acceleration `pga` [m/s2]: PGA of the ground.
+
+    Nothing rocks before the floor's own peak acceleration reaches `uplift` [m/s2].
+    """
+    return floor_relation(
+        _pga_of(branch, floor, damping=damping, f_v=f_v, pga=pga),
+        overturning=branch.unstable,
+        uplift=uplift * pga / floor.pga,
+        period_of=_period_of(branch),
+        longest_period=floor.longest_period,
+    )
+
+
+def _period_of(branch: Branch) -> PgaOf:
+    return lambda rotation: 1 / effective_frequency(branch, rotation)
+
+
+def _pga_of(branch: Branch, spectrum: Spectrum, *, damping: float, f_v: float, pga: float) -> PgaOf:
+    period_of = _period_of(branch)
+
+    def pga_of(rotation: FloatArray) -> FloatArray:
+        amplified = spectrum.acceleration(period_of(rotation), damping=damping) / pga
+        return capacity_acceleration(branch, rotation, f_v=f_v) / amplified
+
+    return pga_of

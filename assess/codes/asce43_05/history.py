@@ -1,151 +1,141 @@
 """ASCE/SEI 43-05, response-history method: the mean of the largest rotations of at least five records.
 
-The best estimate of the demand is the mean of the maxima; a factor of 2 on instability makes half the overturning
-rotation the allowable (thesis 3.3.2 and 8.4.2, Table 8.10). A record that overturns the body fails the level.
+The best estimate of the demand is the mean of the maxima; a factor of 2 on instability makes half the rotation that
+overturns the allowable (thesis 3.3.2 and 8.4.2, Table 8.10). Each maximum is measured by what really overturns the
+mechanism in the branch where it happened, joints included. A record that overturns the body fails the level.
 """
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from scipy.constants import g
 
-from assess.codes.asce43_05.clauses import EDITION, Options
+from assess.codes.asce43_05.clauses import EDITION, HALF, Options
 from assess.codes.asce43_05.height import with_height
-from assess.codes.check import BranchName, Check, InputAt, Outcome, PgaCurve, Reason, Step, because
+from assess.codes.check import Check, Outcome, PgaCurve, Reason, Step, because, step
 from assess.codes.context import Context, Suite
 from assess.codes.governing import branch_named
 from assess.codes.incremental import islands, pga_before_failure, pga_curve, uplift_multiplier
 from assess.message import Message, count
-from assess.oscillator import Oscillator
+from assess.oscillator import Branch, Oscillator
 
 CLAUSE = "ASCE 43-05, response-history method"
 CAVEAT = "the method was read in the thesis, not in the printed standard"
 LEAST_RECORDS = 5
 
 
+@dataclass(frozen=True)
+class Scanned:
+    """What suites at rising PGA tell: their curve, the PGA before the first failure and at uplift [g]."""
+
+    curve: PgaCurve
+    at_collapse: float | None
+    uplift: float | None
+
+
 def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tuple[Check, ...]:
     """One check for each level that has a suite of time histories."""
-    curve = pga_curve(context.incremental)
-    allowable = options.allowable_ratio * min(branch.unstable / branch.overturning for branch in oscillator.branches)
-    at_collapse = pga_before_failure(
-        context.incremental, lambda suite: passes(suite, allowable), least_records=LEAST_RECORDS
-    )
+
+    def passes(suite: Suite) -> bool:
+        share = mean_share(suite, oscillator)
+        return share is not None and share <= HALF
+
     lifts = uplift_multiplier(oscillator, linearised=context.linearised)
-    checks = (
-        _check(
-            oscillator,
-            suite,
-            allowable,
-            curve=curve,
-            at_collapse=at_collapse,
-            uplift=None if lifts is None else lifts / context.amplification,
-            input_at=context.histories_at,
-        )
-        for suite in context.suites
+    scanned = Scanned(
+        pga_curve(context.incremental),
+        pga_before_failure(context.incremental, passes, least_records=LEAST_RECORDS),
+        None if lifts is None else lifts / context.amplification,
     )
-    return with_height(tuple(checks), context=context)
+    return with_height(tuple(_check(oscillator, suite, context, scanned) for suite in context.suites), context=context)
 
 
-def passes(suite: Suite, allowable_ratio: float) -> bool:
-    """Whether every record left the body standing and the mean of the maxima stays within the allowable."""
-    return suite.mean is not None and suite.mean <= allowable_ratio
+def shares(suite: Suite, oscillator: Oscillator) -> tuple[float | None, ...]:
+    """Largest rotation of each record over what overturns the mechanism in its branch [-]; None where it overturned."""
+    names = suite.branches or (suite.branch,) * len(suite.ratio)
+    branches = [branch_named(oscillator, name) for name in names]
+    return tuple(
+        None if ratio is None else ratio * branch.overturning / branch.unstable
+        for ratio, branch in zip(suite.ratio, branches, strict=True)
+    )
 
 
-def _check(
-    oscillator: Oscillator,
-    suite: Suite,
-    allowable_ratio: float,
-    *,
-    curve: PgaCurve,
-    at_collapse: float | None,
-    uplift: float | None,
-    input_at: InputAt,
-) -> Check:
-    branch_name: BranchName = suite.branch
-    branch = branch_named(oscillator, branch_name)
-    overturning = branch.overturning
-    mean = suite.mean
-    verdict, reason = _verdict(suite, allowable_ratio)
+def mean_share(suite: Suite, oscillator: Oscillator) -> float | None:
+    """The mean of the shares [-]; None where a record overturned, or there is none."""
+    found = shares(suite, oscillator)
+    standing = [share for share in found if share is not None]
+    return sum(standing) / len(standing) if len(standing) == len(found) > 0 else None
+
+
+def _check(oscillator: Oscillator, suite: Suite, context: Context, scanned: Scanned) -> Check:
+    """Demand and capacity are rotations of the branch of the worst record, as if all had happened there."""
+    branch, share = branch_named(oscillator, suite.branch), mean_share(suite, oscillator)
+    verdict, reason = _verdict(suite, share)
+    demand, capacity = None if share is None else share * branch.unstable, HALF * branch.unstable
     return Check(
         procedure="asce43-05-history",
         edition=EDITION,
-        branch=branch_name,
+        branch=suite.branch,
         limit_state="no overturning",
         level_pga_g=suite.pga / g,
-        input_at=input_at,
+        input_at=context.histories_at,
         damping=None,
         quantity="mean rotation",
         unit="rad",
-        demand=None if mean is None else mean * overturning,
-        capacity=allowable_ratio * overturning,
-        ratio=None if mean is None else mean / allowable_ratio,
+        demand=demand,
+        capacity=capacity,
+        ratio=None if share is None else share / HALF,
         verdict=verdict,
         reason=reason,
-        remarks=islands(at_collapse, suite.pga / g) if verdict == Outcome.PASS else (),
-        capacity_pga_g=at_collapse,
-        uplift_pga_g=uplift,
-        capacity_rotation_ratio=allowable_ratio,
-        rotation_ratio=mean,
-        pga_curve=curve,
-        steps=_steps(suite, allowable_ratio, overturning),
+        remarks=islands(scanned.at_collapse, suite.pga / g) if verdict == Outcome.PASS else (),
+        capacity_pga_g=scanned.at_collapse,
+        uplift_pga_g=scanned.uplift,
+        capacity_rotation_ratio=capacity / branch.overturning,
+        rotation_ratio=None if demand is None else demand / branch.overturning,
+        pga_curve=scanned.curve,
+        steps=_steps(suite, shares(suite, oscillator), share, branch),
         caveat=CAVEAT,
     )
 
 
-def _verdict(suite: Suite, allowable_ratio: float) -> tuple[Outcome, Message]:
-    n = len(suite.ratio)
+def _verdict(suite: Suite, share: float | None) -> tuple[Outcome, Message]:
+    n, fallen = len(suite.ratio), suite.overturned
     if n < LEAST_RECORDS:
-        few = {"n": count(n), "fallen": count(suite.overturned), "least": count(LEAST_RECORDS)}
+        few = {"n": count(n), "fallen": count(fallen), "least": count(LEAST_RECORDS)}
         return Outcome.NOT_ANSWERED, because(Reason.TOO_FEW_RECORDS, clause="the method", **few)
-    if suite.overturned:
-        return Outcome.FAIL, because(Reason.RECORDS_OVERTURN, fallen=count(suite.overturned), n=count(n))
-    if suite.mean == 0.0:
+    if share is None:
+        return Outcome.FAIL, because(Reason.RECORDS_OVERTURN, fallen=count(fallen), n=count(n))
+    if share == 0.0:
         return Outcome.PASS, because(Reason.NO_ROCKING)
-    if passes(suite, allowable_ratio):
+    if share <= HALF:
         return Outcome.PASS, because(Reason.WITHIN, capacity="the allowable mean of the maxima")
     return Outcome.FAIL, because(Reason.BEYOND, capacity="the allowable mean of the maxima")
 
 
-def _steps(suite: Suite, allowable_ratio: float, overturning: float) -> tuple[Step, ...]:
-    standing = [ratio for ratio in suite.ratio if ratio is not None]
-    n, mean = len(suite.ratio), suite.mean
-    sum_of = " + ".join("overturned" if ratio is None else f"{ratio:.4g}" for ratio in suite.ratio)
-    return (
-        Step(
-            "n",
-            f"records run, both polarities; at least {LEAST_RECORDS}",
-            CLAUSE,
-            "count",
-            str(n),
-            float(n),
-            "-",
-        ),
-        Step(
-            "n_ov",
-            "records that overturn the body; none may",
-            CLAUSE,
-            "count",
-            str(suite.overturned),
-            float(suite.overturned),
-            "-",
-        ),
-        Step(
-            "max φ/φ_ov",
-            "largest of those that stand",
-            CLAUSE,
-            "max |φ(t)| / φ_ov",
-            f"{len(standing)} records",
-            max(standing, default=None),
-            "-",
-        ),
-        Step("φ/φ_ov", "mean of the maxima", CLAUSE, "Σ max |φ(t)| / φ_ov / n", f"({sum_of}) / {n}", mean, "-"),
-        Step(
-            "φ_all",
-            "allowable: a factor of 2 on instability",
-            CLAUSE,
-            "ratio · φ_ov",
-            f"{allowable_ratio:g} · {overturning:.5g}",
-            allowable_ratio * overturning,
-            "rad",
-        ),
-        Step("φ_all/φ_ov", "allowable ratio", CLAUSE, "given", f"{allowable_ratio:g}", allowable_ratio, "-"),
-    )
+def _steps(suite: Suite, found: tuple[float | None, ...], share: float | None, branch: Branch) -> tuple[Step, ...]:
+    n, largest = len(found), max((each for each in found if each is not None), default=None)
+    at_least = f"records run, both polarities; at least {LEAST_RECORDS}"
+    overturns = {"φ_u": (branch.unstable, "rad")}
+    lines = [
+        step("n", at_least, CLAUSE, "count", float(n)),
+        step("n_ov", "records that overturn the body; none may", CLAUSE, "count", float(suite.overturned)),
+        step("φ_u", f"rotation that overturns it, {suite.branch} branch", CLAUSE, "restoring moment = 0",
+             branch.unstable, "rad", remark="curve, joints included"),
+        step("max φ/φ_u", "largest of those that stand, each by its branch", CLAUSE, "max |φ(t)| / φ_u", largest,
+             remark=f"{n - suite.overturned} records"),
+        _mean_step(found, share),
+        step("φ_all", "allowable: a factor of 2 on instability", CLAUSE, "φ_u / 2", HALF * branch.unstable, "rad",
+             given=overturns),
+    ]  # fmt: skip
+    if share is not None:
+        lines.append(step("D/C", "ratio", CLAUSE, "φ/φ_u / 0.5", share / HALF, given={"φ/φ_u": share}))
+    return tuple(lines)
+
+
+def _mean_step(found: tuple[float | None, ...], share: float | None) -> Step:
+    """The mean of the maxima, from all of them."""
+    symbol, words, n = "φ/φ_u", "mean of the maxima, each by its branch", len(found)
+    if share is None:
+        return step(symbol, words, CLAUSE, "Σ max |φ(t)| / φ_u / n", None, remark="a record overturned")
+    each = {f"r_{i}": ratio for i, ratio in enumerate(found, start=1) if ratio is not None}
+    return step(symbol, words, CLAUSE, f"({' + '.join(each)}) / {n}", share, given=each)

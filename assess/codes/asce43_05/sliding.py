@@ -195,17 +195,20 @@ def _steps(level: float, context: Context, mu: float, found: float | None, allow
     said = (
         "the spectrum does not reach c_s" if period == 0.0 else "no such frequency" if f_es is None else "S_A(f) = c_s"
     )
+    shaken = {"S_aV/S_aH": (context.vertical_ratio, "-"), "PGA": (level, "m/s2")}
+    slid = {"c_s": (c_s, "m/s2"), "f_es": (f_es or 0.0, "Hz")}
+    at_f = "lowest frequency at which the spectrum of 10 % damping reaches c_s"
+    estimate, formula = "best estimate of sliding (A-3, from memory)", "c_s / (2π f_es)²"
     steps = (
-        Step("A_v", "peak vertical acceleration", CLAUSE, "S_aV/S_aH · PGA",
-             f"{context.vertical_ratio:.4g} · {level:.5g}", vertical, "m/s2"),
-        Step("μ_e", "effective coefficient of friction (A-1)", CLAUSE, "μ (1 − 0.4 A_v / g)",
-             f"{mu:.4g} · (1 − 0.4 · {vertical:.5g} / 9.80665)", mu_e, "-"),
-        Step("c_s", "sliding coefficient (A-2)", CLAUSE, "2 μ_e g", f"2 · {mu_e:.5g} · 9.80665", c_s, "m/s2"),
-        Step("f_es", "lowest frequency at which the spectrum of 10 % damping reaches c_s", CLAUSE,
-             "S_A(f_es, 10 %) = c_s", said, f_es, "Hz"),
-        Step("δ_s", "best estimate of sliding (A-3, from memory)", CLAUSE, "c_s / (2π f_es)²",
-             said if f_es is None else f"{c_s:.5g} / (2π · {f_es:.5g})²", found, "m"),
+        step("A_v", "peak vertical acceleration", CLAUSE, "S_aV/S_aH PGA", vertical, "m/s2", given=shaken),
+        step("μ_e", "effective coefficient of friction (A-1)", CLAUSE, "max(0, μ (1 − 0.4 A_v / g))", mu_e,
+             given={"μ": (mu, "-"), "A_v": (vertical, "m/s2")}),
+        step("c_s", "sliding coefficient (A-2)", CLAUSE, "2 μ_e g", c_s, "m/s2", given={"μ_e": mu_e}),
+        step("f_es", at_f, CLAUSE, "S_A(f_es, 10 %) = c_s", f_es, "Hz", remark=said),
+        step("δ_s", estimate, CLAUSE, formula, found, "m", remark=said)
+        if f_es is None
+        else step("δ_s", estimate, CLAUSE, formula, found, "m", given=slid),
     )  # fmt: skip
     if allowable is None:
         return steps
-    return (*steps, Step("δ_all", "allowable sliding", CLAUSE, "given", f"{allowable:.4g}", allowable, "m"))
+    return (*steps, step("δ_all", "allowable sliding", CLAUSE, "given", allowable, "m"))

@@ -8,7 +8,7 @@ from __future__ import annotations
 import numpy as np
 from scipy.constants import g
 
-from assess.codes.check import BranchName, Check, Step
+from assess.codes.check import BranchName, Check, Step, step
 from assess.codes.context import Context
 from assess.codes.dmi2008.clauses import DAMPING, EDITION, ULTIMATE
 from assess.codes.governing import branch_named, governing
@@ -93,29 +93,35 @@ def _steps(
     rotation: float | None,
     at_collapse: float | None,
 ) -> tuple[Step, ...]:
-    linear = linearise(branch)
+    linear, source = linearise(branch), "thesis 8.3.2"
     d0 = float(displacement(branch, np.array(branch.unstable), mass=oscillator.mass))
     a_s = linear.multiplier * g * (1 - ULTIMATE**2)
     period = float(2 * np.pi * np.sqrt(ULTIMATE * d0 / a_s))
     ratio = None if rotation is None else rotation / branch.overturning
-    source, multiplied = "thesis 8.3.2", f"{linear.multiplier:.5g} · 9.80665 · 0.84"
-    root = f"2π √({ULTIMATE * d0:.5g} / {a_s:.5g})"
-    start = f"φ_cr = {linear.critical:.5g} rad"
+    at_rest = {
+        "K": (linear.stiffness, "N m/rad"),
+        "φ_cr": (linear.critical, "rad"),
+        "M": (linear.moment, "N m"),
+        "B": (linear.excitation, "kg m"),
+    }
+    at_end, secant = f"φ_ov = {branch.unstable:.5g} rad", {"d0": (d0, "m"), "a_s": (a_s, "m/s2")}
     steps = (
-        Step("λ", "multiplier, linearised", "thesis 3.11", "(K φ_cr − M) / (g B)", start, linear.multiplier, "-"),
-        Step("d0", "displacement at overturning", source, "∫ B dφ / M", f"φ_ov = {branch.unstable:.5g}", d0, "m"),
-        Step("a_s", "acceleration at 0.4 d_u, d_u = 0.4 d0", source, "λ g (1 − 0.4 · 0.4)", multiplied, a_s, "m/s2"),
-        Step("T", "period, with d_u (the clause: d_s)", source, "2π √(d_u / a_s)", root, period, "s"),
-        Step("φ/φ_ov", "rotation at the level", source, "PGA(φ) = level", f"level {level / g:.4g} g", ratio, "-"),
-    )
+        step("λ", "multiplier, linearised", "thesis 3.11", "(K φ_cr − M) / (g B)", linear.multiplier, given=at_rest),
+        step("d0", "displacement at overturning", source, "∫ B dφ / M", d0, "m", remark=at_end),
+        step("a_s", "acceleration at 0.4 d_u, d_u = 0.4 d0", source, "λ g (1 − 0.4 · 0.4)", a_s, "m/s2",
+             given={"λ": linear.multiplier}),
+        step("T", "period, with d_u (the clause: d_s)", source, "2π √(0.4 d0 / a_s)", period, "s", given=secant),
+        step("φ/φ_ov", "rotation at the level", source, "PGA(φ) = level", ratio, remark=f"level {level / g:.4g} g"),
+    )  # fmt: skip
     return steps if at_collapse is None else (*steps, *_collapse_steps(context, a_s, period, at_collapse))
 
 
 def _collapse_steps(context: Context, a_s: float, period: float, at_collapse: float) -> tuple[Step, ...]:
     ordinate = float(context.spectrum.acceleration(period, damping=DAMPING)) / context.spectrum.pga
     clause, at = context.spectrum.clause, f"T = {period:.5g} s"
-    divided = f"{a_s:.5g} / {ordinate:.5g}"
+    given = {"a_s": (a_s, "m/s2"), "S_a/PGA": (ordinate, "-")}
+    words = "largest PGA with φ ≤ 0.4 φ_ov"
     return (
-        Step("S_a/PGA", "spectrum over PGA, 5 %", clause, "S_a(T) / PGA", at, ordinate, "-"),
-        Step("PGA_c", "largest PGA with φ ≤ 0.4 φ_ov", "thesis 8.3.2", "a_s / (S_a/PGA)", divided, at_collapse, "g"),
+        step("S_a/PGA", "spectrum over PGA, 5 %", clause, "S_a(T) / PGA", ordinate, remark=at),
+        step("PGA_c", words, "thesis 8.3.2", "a_s / (g S_a/PGA)", at_collapse, "g", given=given),
     )

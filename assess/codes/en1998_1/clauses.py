@@ -53,11 +53,19 @@ def period_ratio(branch: Branch, context: Context) -> float:
     return T_a / context.building.period
 
 
+def height_ratio(context: Context) -> float:
+    """z / H [-] of the supports; 0 where the building is not known, and at most 1: above a building it may only fail.
+
+    At the ground H plays no part.
+    """
+    if context.building is None:
+        return 0.0
+    return min(context.support_height / context.building.height, 1.0)
+
+
 def amplification(ratio: float, context: Context) -> float:
-    """S_a / (alpha S) [-] at T_a / T_1 = `ratio` (4.25); at the ground H plays no part."""
-    if context.support_height <= 0.0 or context.building is None:
-        return ec8_floor_factor(0.0, building_height=1.0, period_ratio=ratio)
-    return ec8_floor_factor(context.support_height, building_height=context.building.height, period_ratio=ratio)
+    """S_a / (alpha S) [-] at T_a / T_1 = `ratio` (4.25)."""
+    return ec8_floor_factor(height_ratio(context), building_height=1.0, period_ratio=ratio)
 
 
 def force_over_weight(amplified: float, level: float, *, behaviour_factor: float, importance_factor: float) -> float:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from scipy.constants import g
 
-from assess.codes.check import BranchName, Check, Outcome, Reason, Step, because
+from assess.codes.check import BranchName, Check, Outcome, Reason, Step, because, step
 from assess.codes.context import Context
 from assess.codes.en1998_1.clauses import (
     BEHAVIOUR,
@@ -17,12 +17,13 @@ from assess.codes.en1998_1.clauses import (
     amplification,
     element_period,
     force_over_weight,
+    height_ratio,
     period_ratio,
     uplift_pga,
 )
 from assess.codes.family import foreign
 from assess.codes.governing import governing
-from assess.codes.worked import multiplier_worked
+from assess.codes.worked import multiplier_step
 from assess.oscillator import Branch, Oscillator, resisted
 
 NAME = "ec8-element"
@@ -86,37 +87,23 @@ def _check(branch: Branch, name: BranchName, context: Context, options: Options,
 
 
 def _steps(branch: Branch, context: Context, found: Demand, *, level: float) -> tuple[Step, ...]:
-    formula, numbers, resistance = multiplier_worked(branch)
-    T_a, building = element_period(branch), context.building
-    known = building is not None and context.above_ground
-    ratio = context.support_height / building.height if building is not None and known else 0.0
+    building, resistance = context.building, resisted(branch)
+    raised = height_ratio(context)
     S_a = found.amplified * level / g
-    worst = "worst, the building is not known" if found.ratio and building is None else f"T_a = {T_a:.4g} s"
-    bracket = f"{level / g:.5g} · max(1, 3 (1 + {ratio:.4g}) / (1 + (1 − {found.ratio:.4g})²) − 0.5)"
-    forced = f"{S_a:.5g} · {found.gamma_a:g} / {found.q_a:g}"
+    worst = "worst, the building is not known" if found.ratio and building is None else ""
+    remark = worst or f"T_a = {element_period(branch):.4g} s"
+    shaken = {"α S": level / g, "z/H": raised, "T_a/T_1": found.ratio}
+    forced = {"S_a": S_a, "γ_a": found.gamma_a, "q_a": found.q_a}
+    held = {"F_a/W_a": found.force, "λ": resistance}
+    kind = f"behaviour factor; {ELEMENTS[context.support]}"
     return (
-        Step("T_a/T_1", "period of the element over the building's", CLAUSE, "T_a / T_1", worst, found.ratio, "-"),
-        Step("z/H", "height of the supports", CLAUSE, "z / H", f"z = {context.support_height:.4g} m", ratio, "-"),
-        Step(
-            "S_a",
-            "seismic coefficient",
-            CLAUSE,
-            "α S max(1, 3 (1 + z/H) / (1 + (1 − T_a/T_1)²) − 0.5)",
-            bracket,
-            S_a,
-            "-",
-        ),
-        Step("q_a", f"behaviour factor; {ELEMENTS[context.support]}", TABLE, "given", f"{found.q_a:g}", found.q_a, "-"),
-        Step("γ_a", "importance factor", "EN 1998-1, 4.3.5.3", "given", f"{found.gamma_a:g}", found.gamma_a, "-"),
-        Step("F_a/W_a", "force over weight", FORCE, "S_a γ_a / q_a", forced, found.force, "-"),
-        Step("λ", "multiplier that the weight resists", "statics", formula, numbers, resistance, "-"),
-        Step(
-            "D/C",
-            "ratio",
-            FORCE,
-            "demand / capacity",
-            f"{found.force:.5g} / {resistance:.5g}",
-            found.force / resistance,
-            "-",
-        ),
-    )
+        step("T_a/T_1", "period of the element over the building's", CLAUSE, "T_a / T_1", found.ratio, remark=remark),
+        step("z/H", "height of the supports", CLAUSE, "z / H", raised, remark=f"z = {context.support_height:.4g} m"),
+        step("S_a", "seismic coefficient", CLAUSE, "α S max(1, 3 (1 + z/H) / (1 + (1 − T_a/T_1)²) − 0.5)", S_a,
+             given=shaken),
+        step("q_a", kind, TABLE, "given", found.q_a),
+        step("γ_a", "importance factor", "EN 1998-1, 4.3.5.3", "given", found.gamma_a),
+        step("F_a/W_a", "force over weight", FORCE, "S_a γ_a / q_a", found.force, given=forced),
+        multiplier_step("λ", "multiplier that the weight resists", "statics", branch),
+        step("D/C", "ratio", FORCE, "F_a/W_a / λ", found.force / resistance, given=held),
+    )  # fmt: skip

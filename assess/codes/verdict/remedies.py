@@ -45,9 +45,10 @@ def remedies(mechanism: str, checks: Sequence[Check]) -> tuple[Missing, ...]:
 
 
 def _of(mechanism: str, check: Check) -> tuple[Missing, ...]:
-    reason = _reason(check)
-    if reason is None:  # answered: what is missing is the target
-        return ()
+    return tuple(missing for reason in _reasons(check) for missing in _by_reason(mechanism, check, reason))
+
+
+def _by_reason(mechanism: str, check: Check, reason: Message) -> tuple[Missing, ...]:
     text = f"{mechanism}: {check.procedure}: {reason.text}"
     if reason.where:
         return (Missing(reason.where, text, str(reason.values.get("toml", ""))),)
@@ -57,11 +58,15 @@ def _of(mechanism: str, check: Check) -> tuple[Missing, ...]:
     return tuple(Missing(key.format(mechanism), text, toml) for key, toml in lines)
 
 
-def _reason(check: Check) -> Message | None:
-    """Why a check is not answered, or why one that fails cannot pass at a lower target."""
+def _reasons(check: Check) -> tuple[Message, ...]:
+    """Why a check is not answered, or why one that fails cannot pass at a lower target; none of one that is answered.
+
+    Further reasons that name their key stand among the remarks.
+    """
     if check.verdict == Outcome.NOT_ANSWERED:
-        return check.reason
-    return next((each for each in check.remarks if each.key == Reason.GROUND_MOTION or each.key in REMEDIES), None)
+        return (check.reason, *(each for each in check.remarks if each.where))
+    low = (each for each in check.remarks if each.key == Reason.GROUND_MOTION or each.key in REMEDIES)
+    return tuple(low)[:1]
 
 
 def _lines(check: Check, reason: Message) -> tuple[Line, ...]:

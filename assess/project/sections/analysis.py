@@ -7,7 +7,7 @@ from typing import Annotated, Literal
 from pydantic import AfterValidator, Field, StrictInt, model_validator
 from pydantic_core import PydanticCustomError
 
-from assess.codes.asce41_13.clauses import Position
+from assess.codes.asce41_13.clauses import Masonry, Position, Seismicity
 from assess.project.quantities import (
     AccelerationUnit,
     Count,
@@ -50,8 +50,8 @@ class Synthetic(Section):
     """how many"""
     seed: Annotated[StrictInt, Field(ge=0)] = 1
     """of the random numbers: the same seed makes the same records"""
-    duration: Annotated[PositiveTime, Field(ge=8, le=600)] = 20.0
-    """length of each record, like "20 s\""""
+    duration: Annotated[PositiveTime, Field(ge=8, le=600)] = 25.0
+    """length of each record, like "25 s", which NTC 2018 asks for; ASCE 43-05 asks for 20 s"""
 
 
 class Records(Section):
@@ -74,6 +74,8 @@ class Records(Section):
     """{ count, seed, duration } of artificial records"""
     scale_to: Literal["spectrum", "pga", "none"] = "spectrum"
     """scale each record to the "spectrum" (least squares), to its "pga", or "none"; levels then multiply"""
+    factor: PositiveRatio = 1.0
+    """further factor on every record, like 1.05, where the mean of the suite falls short of what its code asks"""
 
     @model_validator(mode="after")
     def _select_has_files(self) -> Records:
@@ -123,6 +125,12 @@ class Asce41(Section):
 
     position: Position | None = None
     """row of Table 11-5: "one-storey", "first-storey", "top-storey" or "other"; if absent by [building], elevation"""
+    masonry: Masonry | None = None
+    """"coursed", or "rubble", which the table is not for; if absent a pass holds on condition that it is coursed"""
+    seismicity: Seismicity = "high"
+    """level of seismicity, on which the limit of parapets hangs: "high", h/t 1.5, or "moderate", 2.5"""
+    s_x1: PositiveAcceleration | None = None
+    """S_X1 at the site's own peak ground acceleration; if absent the spectrum at 1 s, which a table does not state"""
 
 
 class Ec8(Section):

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from records.compliance import asce7_16, asce43_05, en1998_1, ntc2018, nzs1170_5
-from records.compliance.registry import ARTIFICIAL, RECORDED, all_requirements
-from records.compliance.requirement import Requirement
+from records.compliance.registry import REQUIREMENTS, all_requirements
+from records.compliance.requirement import Requirement, Rule, factor_that_does
 from records.compliance.suite import FINE, Suite, suite_of
 from records.record import make_record, scaled
 from records.response import response_spectrum
@@ -19,8 +19,15 @@ TARGET = design_spectrum(s_ds=5.0, s_d1=2.0, t_l=6.0)
 T_EQ = 1.0  # s, shortest and longest equivalent period
 
 
-def suite(*multiples: float, dt: float = 0.01, duration: float = 30.0) -> Suite:
-    """Records whose spectra are multiples of the target."""
+def suite(
+    *multiples: float,
+    dt: float = 0.01,
+    duration: float = 30.0,
+    made: bool = False,
+    level: float = 15.0,
+    usable: float = np.inf,
+) -> Suite:
+    """Records whose spectra are multiples of the target; made: artificial ones, `level` s of them stationary."""
     of, ordinates = np.array(multiples), TARGET.acceleration(FINE)
     return Suite(
         period=FINE,
@@ -31,6 +38,9 @@ def suite(*multiples: float, dt: float = 0.01, duration: float = 30.0) -> Suite:
         factor=of,
         dt=np.full(of.size, dt),
         duration=np.full(of.size, duration),
+        artificial=np.full(of.size, made),
+        stationary=np.full(of.size, level if made else 0.0),
+        usable=np.full(of.size, usable),
     )
 
 
@@ -49,26 +59,34 @@ def named(found: tuple[Requirement, ...], what: str) -> Requirement:
 LEAST, MOST = "least ratio of mean spectrum to target", "largest ratio of mean spectrum to target"
 
 
-@pytest.mark.parametrize("code", list(RECORDED))
-def test_every_code_is_content_with_a_perfect_suite_and_says_so_with_its_clause(code: str) -> None:
-    found = RECORDED[code](suite(*[1.0] * 11), shortest=T_EQ, longest=T_EQ)
+@pytest.mark.parametrize("made", [False, True])
+@pytest.mark.parametrize("code", list(REQUIREMENTS))
+def test_every_code_is_content_with_a_perfect_suite_and_says_so_with_its_clause(code: str, made: bool) -> None:
+    found = REQUIREMENTS[code](suite(*[1.0] * 11, made=made), shortest=T_EQ, longest=T_EQ)
     assert [one.verdict for one in found] == ["met"] * len(found)
     assert all(one.code == code and one.clause and "memory" in one.caveat for one in found)
 
 
 @pytest.mark.parametrize(
-    ("check", "least"),
-    [(asce7_16, 11), (en1998_1, 3), (nzs1170_5, 3), (asce43_05, 5), (ntc2018, 3)],
+    ("code", "least", "made"),
+    [
+        (asce7_16.CODE, 11, False),
+        (en1998_1.CODE, 3, False),
+        (nzs1170_5.CODE, 3, False),
+        (asce43_05.CODE, 5, False),
+        (asce43_05.CODE, 7, True),
+        (ntc2018.CODE, 3, False),
+        (ntc2018.CODE, 7, True),
+    ],
 )
-def test_the_number_of_records(check: object, least: int) -> None:
-    requirements = getattr(check, "natural", None) or check.requirements  # type: ignore[attr-defined]
+def test_the_number_of_records(code: str, least: int, made: bool) -> None:
     for count, verdict in ((least - 1, "not met"), (least, "met")):
-        found = requirements(suite(*[1.0] * count), shortest=T_EQ, longest=T_EQ)
-        (one,) = (each for each in found if each.what.startswith("number"))
+        found = REQUIREMENTS[code](suite(*[1.0] * count, made=made), shortest=T_EQ, longest=T_EQ)
+        (one,) = (each for each in found if each.rule == Rule.COUNT)
         assert (one.value, one.limit, one.verdict) == (count, least, verdict)
 
 
-@pytest.mark.parametrize("requirements", [asce7_16.requirements, en1998_1.requirements, ntc2018.natural])
+@pytest.mark.parametrize("requirements", [asce7_16.requirements, en1998_1.requirements, ntc2018.requirements])
 def test_the_mean_may_fall_ten_percent_below_the_target(requirements: object) -> None:
     for share, verdict in ((0.901, "met"), (0.899, "not met")):
         found = named(requirements(suite(share - 0.3, share, share + 0.3), shortest=T_EQ, longest=T_EQ), LEAST)  # type: ignore[operator]
@@ -79,7 +97,7 @@ def test_the_mean_may_fall_ten_percent_below_the_target(requirements: object) ->
 
 @pytest.mark.parametrize(
     ("requirements", "low", "high"),
-    [(asce7_16.requirements, 0.2, 2.0), (en1998_1.requirements, 0.2, 2.0), (ntc2018.natural, 0.2, 1.2)],
+    [(asce7_16.requirements, 0.2, 2.0), (en1998_1.requirements, 0.2, 2.0), (ntc2018.requirements, 0.2, 1.2)],
 )
 def test_a_dip_counts_within_the_range_of_periods_only(requirements: object, low: float, high: float) -> None:
     for period, verdict in ((low / 1.1, "met"), (low * 1.1, "not met"), (high / 1.1, "not met"), (high * 1.1, "met")):
@@ -92,14 +110,61 @@ def test_the_range_goes_from_the_shortest_to_the_longest_equivalent_period() -> 
     assert named(found, LEAST).periods == pytest.approx((0.1, 6.0))
 
 
-def test_ntc_allows_thirty_percent_above_natural_records_and_looks_to_two_seconds_at_artificial_ones() -> None:
+def test_ntc_allows_natural_records_thirty_percent_above_the_target() -> None:
     for share, verdict in ((1.299, "met"), (1.301, "not met")):
-        found = ntc2018.natural(suite(share), shortest=T_EQ, longest=T_EQ)
+        found = ntc2018.requirements(suite(*[share] * 3), shortest=T_EQ, longest=T_EQ)
         assert named(found, MOST).verdict == verdict
-    made = ntc2018.artificial(suite(1.5, 1.5, 1.5), shortest=0.1, longest=0.4)
-    assert [one.verdict for one in made] == ["met", "met"]
-    assert named(made, LEAST).periods == pytest.approx((0.15, 2.0))
-    assert named(ntc2018.artificial(suite(1.0), shortest=1.0, longest=1.5), LEAST).periods == pytest.approx((0.15, 3.0))
+
+
+def test_ntc_looks_at_artificial_records_up_to_two_seconds_or_twice_the_period_and_has_no_bound_above() -> None:
+    found = ntc2018.requirements(suite(*[1.5] * 7, made=True), shortest=0.1, longest=0.4)
+    assert {one.verdict for one in found} == {"met"}
+    assert MOST not in {one.what for one in found}
+    assert named(found, LEAST).periods == pytest.approx((0.15, 2.0))
+    longer = ntc2018.requirements(suite(*[1.0] * 7, made=True), shortest=1.0, longest=1.5)
+    assert named(longer, LEAST).periods == pytest.approx((0.15, 3.0))
+
+
+@pytest.mark.parametrize(
+    ("rule", "change", "limit"),
+    [(Rule.DURATION, {"duration": 24.9}, 25.0), (Rule.STATIONARY, {"level": 9.9}, 10.0)],
+)
+def test_ntc_asks_for_25_s_of_artificial_records_10_s_of_them_stationary(
+    rule: Rule, change: dict[str, float], limit: float
+) -> None:
+    for given, verdict in ((change, "not met"), (dict.fromkeys(change, limit), "met")):
+        found = ntc2018.requirements(suite(*[1.0] * 7, made=True, **given), shortest=T_EQ, longest=T_EQ)
+        (one,) = (each for each in found if each.rule == rule)
+        assert (one.limit, one.verdict) == (limit, verdict)
+    natural = ntc2018.requirements(suite(*[1.0] * 7, duration=5.0), shortest=T_EQ, longest=T_EQ)
+    assert rule not in {one.rule for one in natural}
+
+
+def test_a_suite_of_natural_and_artificial_records_meets_what_is_asked_of_either() -> None:
+    both = suite(*[1.4] * 7, made=True, duration=20.0)
+    mixed = replace(both, artificial=np.array([True] + [False] * 6), duration=np.array([20.0] + [5.0] * 6))
+    found = ntc2018.requirements(mixed, shortest=T_EQ, longest=T_EQ)
+    assert {one.rule for one in found if one.verdict == "not met"} == {Rule.DURATION, Rule.MEAN_HIGH}
+    (duration,) = (one for one in found if one.rule == Rule.DURATION)
+    assert duration.value == 20.0
+
+
+@pytest.mark.parametrize("code", [asce43_05.CODE, ntc2018.CODE])
+def test_records_must_be_usable_up_to_the_longest_period_where_their_source_says_how_far_they_are(code: str) -> None:
+    for usable, verdicts in ((0.9, ["not met"]), (1.1, ["met"]), (np.inf, [])):
+        found = REQUIREMENTS[code](suite(*[1.0] * 7, usable=usable), shortest=0.5, longest=1.0)
+        assert [one.verdict for one in found if one.rule == Rule.USABLE] == verdicts
+
+
+def test_the_factor_that_does_lifts_what_is_low_and_lowers_what_is_high_or_does_not_exist() -> None:
+    def factor(of: Suite) -> float | None:
+        return factor_that_does(ntc2018.requirements(of, shortest=T_EQ, longest=T_EQ))
+
+    assert factor(suite(1.0, 1.0, 1.0)) == 1.0
+    assert factor(suite(0.8, 0.8, 0.8)) == pytest.approx(0.9 / 0.8)
+    assert factor(suite(1.5, 1.5, 1.5)) == pytest.approx(1.3 / 1.5)
+    assert factor(dented(suite(1.2, 1.2, 1.2), 0.5, 0.7)) == pytest.approx(0.9 / 0.84)
+    assert factor(dented(suite(1.2, 1.2, 1.2), 0.5, 0.6)) is None
 
 
 def test_ec8_asks_for_the_mean_peak() -> None:
@@ -134,20 +199,38 @@ def test_nzs_takes_no_period_below_0_4_s() -> None:
     assert named(found, "family scale factor k_2").periods == pytest.approx((0.16, 0.52))
 
 
-def test_asce_43_counts_points_side_by_side_steps_and_durations() -> None:
-    what = "points side by side below the target"
+def test_asce_43_counts_points_side_by_side_steps_and_durations_of_artificial_records() -> None:
+    def asked(of: Suite) -> tuple[Requirement, ...]:
+        return asce43_05.requirements(of, shortest=T_EQ, longest=T_EQ)
+
+    what, perfect = "points side by side below the target", suite(*[1.0] * 7, made=True)
     for width, verdict in ((9, "met"), (10, "not met")):
-        found = asce43_05.requirements(dented(suite(*[1.0] * 5), 1.0, 0.95, width=width), shortest=1, longest=1)
+        found = asked(dented(perfect, 1.0, 0.95, width=width))
         assert (named(found, what).value, named(found, what).verdict) == (width, verdict)
-    coarse = asce43_05.requirements(suite(*[1.0] * 5, dt=0.02, duration=19.0), shortest=1, longest=1)
+    assert factor_that_does(asked(dented(perfect, 1.0, 0.95, width=10))) == pytest.approx(1.0 / 0.95)
+    coarse = asked(suite(*[1.0] * 7, made=True, dt=0.02, duration=19.0))
     assert named(coarse, "largest time step").verdict == "not met"
     assert named(coarse, "shortest duration").verdict == "not met"
+
+
+def test_asce_43_asks_of_recorded_motions_their_mean_over_the_periods_of_the_mechanisms() -> None:
+    high = suite(*[1.6] * 5, dt=0.02, duration=12.0)
+    assert {one.verdict for one in asce43_05.requirements(high, shortest=T_EQ, longest=T_EQ)} == {"met"}
+    found = asce43_05.requirements(suite(*[0.8] * 5), shortest=0.5, longest=2.0)
+    assert named(found, LEAST).verdict == "not met"
+    assert named(found, LEAST).periods == pytest.approx((0.1, 2.4))
+
+
+def test_the_band_of_asce_43_reaches_the_slowest_mechanism() -> None:
+    for longest, end in ((2.3, 5.0), (7.3, 7.3)):
+        found = asce43_05.requirements(suite(*[1.0] * 7, made=True), shortest=1.0, longest=longest)
+        assert named(found, LEAST).periods == pytest.approx((0.04, end))
 
 
 def test_what_the_target_does_not_reach_is_not_answered() -> None:
     short = table_spectrum(np.array([0.0, 0.5, 1.0]), np.array([1.0, 1.0, 0.5]))
     record = make_record("r", np.random.default_rng(1).normal(0.0, 1.0, 500), 0.01)
-    found = all_requirements(suite_of([record], [1.0], short), shortest=1.0, longest=1.0, artificial=False)
+    found = all_requirements(suite_of([record], [1.0], short), shortest=1.0, longest=1.0)
     late = [one for one in found if one.periods is not None]
     assert {one.verdict for one in late} == {"not answered"}
     assert all(one.value is None and "to 1 s" in one.remark for one in late)
@@ -159,4 +242,15 @@ def test_a_suite_is_what_its_records_scaled_are() -> None:
     np.testing.assert_allclose(of.spectra[0], response_spectrum(scaled(record, 2.0), FINE), rtol=1e-12)
     np.testing.assert_allclose(of.pga, [2.0 * record.pga, 0.5 * record.pga], rtol=1e-12)
     assert of.duration[0] == pytest.approx(4.99)
-    assert set(ARTIFICIAL) == set(RECORDED)
+    assert not of.artificial.any()
+    made = suite_of([replace(record, stationary=12.5), replace(record, longest_period=8.0)], [1.0, 1.0], TARGET)
+    assert made.artificial.tolist() == [True, False]
+    assert made.stationary.tolist() == [12.5, 0.0]
+    assert made.usable.tolist() == [np.inf, 8.0]
+
+
+def test_a_code_may_have_periods_of_its_own() -> None:
+    found = all_requirements(suite(*[1.0] * 11), shortest=1.0, longest=1.0, own={ntc2018.CODE: (0.5, 2.0)})
+    by_code = {one.code: one.periods for one in found if one.what == LEAST}
+    assert by_code[ntc2018.CODE] == pytest.approx((0.1, 2.4))
+    assert by_code[asce7_16.CODE] == pytest.approx((0.2, 2.0))

@@ -3,26 +3,33 @@
 from __future__ import annotations
 
 import dataclasses
+from functools import partial
 
 import numpy as np
 import pytest
 from scipy.constants import g
 
+from assess.codes.admission import admitted
+from assess.codes.check import Reason
 from assess.codes.context import Building, Context, Wall
 from assess.codes.en1998_1.clauses import Options, amplification, element_period
-from assess.codes.en1998_1.element import assess
+from assess.codes.en1998_1.element import NAME, assess
 from assess.mechanisms.equivalent_block import equivalent_block
 from assess.mechanisms.oscillation import oscillator
 from spectra.asce7 import design_spectrum
 from spectra.ec8 import elastic_spectrum
 
 SPECTRUM = elastic_spectrum(a_g=0.25 * g, ground_type="B")
-HOUSE = Building(height=10.0, storeys=3, ground_elevation=0.0, period=0.4, damping=0.05)
+HOUSE = Building(height=10.0, storeys=3, period=0.4, damping=0.05)
 PARAPET = oscillator(equivalent_block("parapet", p=3.0, uplift=0.2, radius=0.8))  # lambda = tan 0.2 = 0.20271
 
 
 def at(height: float = 0.0, building: Building | None = HOUSE, **more) -> Context:
     return Context(SPECTRUM, (0.3 * g,), 0.0, height, building, **more)
+
+
+def asked(context: Context):
+    return admitted(NAME, partial(assess, options=Options()), PARAPET, context)
 
 
 @pytest.mark.parametrize(
@@ -39,7 +46,7 @@ def test_a_parapet_on_the_roof() -> None:
     assert check.ratio == pytest.approx(5.5498, rel=1e-4)
     assert check.capacity_pga_g == pytest.approx(0.3 / 5.5498, rel=1e-4)
     assert check.uplift_pga_g == pytest.approx(0.20271 / 2.5, rel=1e-4)
-    assert (check.verdict, check.role, check.input_at) == ("fail", "code", "mechanism base")
+    assert (check.verdict, check.reading, check.input_at) == ("fail", "letter", "mechanism base")
 
 
 def test_a_wall_between_floors_at_the_mean_of_its_supports() -> None:
@@ -77,15 +84,21 @@ def test_an_element_that_vibrates_has_its_own_period() -> None:
 
 
 def test_above_ground_without_a_building_it_can_fail_but_not_pass() -> None:
-    for level, verdict in ((0.1 * g, "not-applicable"), (0.3 * g, "fail")):
-        (check,) = assess(PARAPET, dataclasses.replace(at(5.0, None), levels=(level,)), options=Options())
+    for level, verdict in ((0.1 * g, "not-answered"), (0.3 * g, "fail")):
+        (check,) = asked(dataclasses.replace(at(5.0, None), levels=(level,)))
         assert check.verdict == verdict
-    (above,) = assess(PARAPET, at(11.0), options=Options())
-    assert "higher than the building" in above.reason
+    (above,) = asked(dataclasses.replace(at(11.0), levels=(0.01 * g,)))
+    assert (above.verdict, above.reason.key) == ("not-answered", Reason.ABOVE_BUILDING)
 
 
-def test_on_a_spectrum_of_another_family_it_informs() -> None:
+def test_on_a_spectrum_of_another_family_it_says_so() -> None:
     american = dataclasses.replace(at(), spectrum=design_spectrum(s_ds=0.5 * g, s_d1=0.2 * g, t_l=6.0))
     (check,) = assess(PARAPET, american, options=Options())
-    assert check.role == "informative"
     assert "one of asce7-16" in check.caveat
+
+
+def test_a_wall_that_carries_floors_has_no_accepted_method() -> None:
+    (check,) = asked(dataclasses.replace(at(10.0), levels=(0.01 * g,), carries_floors=True))
+    assert (check.verdict, check.reason.key) == ("not-answered", Reason.CARRIES_FLOORS)
+    (light,) = asked(dataclasses.replace(at(10.0), levels=(0.01 * g,)))
+    assert light.verdict == "pass"

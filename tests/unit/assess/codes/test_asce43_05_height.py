@@ -7,7 +7,6 @@ from scipy.constants import g
 
 from assess.codes.asce43_05 import history, sliding, spectrum
 from assess.codes.asce43_05.clauses import Options
-from assess.codes.check import GROUND_AT_HEIGHT
 from assess.codes.context import Context, Suite
 from assess.mechanisms.equivalent_block import equivalent_block
 from assess.mechanisms.oscillation import oscillator
@@ -32,9 +31,9 @@ def checks(elevation: float, histories_at: str):
         (4.77, "mechanism base", [True, False, True]),
     ],
 )
-def test_the_caveat_stands_where_the_motion_of_the_ground_judges_a_mechanism_at_height(elevation, histories_at, told):
+def test_the_remark_stands_where_the_motion_of_the_ground_judges_a_mechanism_at_height(elevation, histories_at, told):
     found = checks(elevation, histories_at)
-    assert [GROUND_AT_HEIGHT in check.caveat for check in found] == told
+    assert ["ground-motion" in [remark.key for remark in check.remarks] for check in found] == told
     assert [check.steps[0].symbol == "z" for check in found] == told
     assert [check.steps[0].value for check in found if check.steps[0].symbol == "z"] == [elevation] * sum(told)
 

@@ -11,6 +11,7 @@ from scipy.constants import g
 
 from assess.codes.asce43_05 import sliding
 from assess.codes.asce43_05.clauses import Options
+from assess.codes.check import Reason
 from assess.codes.context import Context
 from assess.mechanisms.activation import hinge_forces
 from assess.mechanisms.equivalent_block import equivalent_block
@@ -44,7 +45,7 @@ def test_best_estimate_by_hand() -> None:
     expected = 0.4 * g * (period_of(0.4 / ETA) / (2 * pi)) ** 2
     check = answer(context())
     assert check.demand == pytest.approx(expected, rel=1e-9)
-    assert (check.role, check.verdict) == ("informative", "not-applicable")
+    assert (check.verdict, check.reason.key) == ("not-answered", Reason.NO_ALLOWABLE_SLIDING)
     assert "not checked against the printed standard" in check.caveat
 
 
@@ -56,9 +57,9 @@ def test_vertical_motion_takes_friction_off() -> None:
     assert {step.symbol: step.value for step in check.steps}["μ_e"] == pytest.approx(0.184, rel=1e-12)
 
 
-def test_with_an_allowable_it_decides_and_the_pga_at_capacity_slides_just_that_far() -> None:
+def test_with_an_allowable_it_answers_and_the_pga_at_capacity_slides_just_that_far() -> None:
     check = answer(context(), 0.1)
-    assert (check.role, check.verdict) == ("code", "fail")
+    assert check.verdict == "fail"
     at_capacity = check.capacity_pga_g * g
     assert answer(context(level=at_capacity), 0.1).demand == pytest.approx(0.1, rel=1e-6)
     assert answer(context(level=0.999 * at_capacity), 0.1).verdict == "pass"
@@ -68,28 +69,28 @@ def test_a_spectrum_below_the_coefficient_slides_nothing() -> None:
     """c_s = 1 g, above eta times the plateau."""
     check = answer(context(mu=0.5), 0.1)
     assert (check.demand, check.verdict) == (0.0, "pass")
-    assert "does not reach" in check.reason
+    assert check.reason.key == Reason.NO_SLIDING
 
 
 @pytest.mark.parametrize(
-    ("where", "said"),
+    ("where", "verdict", "said"),
     [
-        (context(mu=None), "friction at hinge A is not known; give materials.w.friction"),
-        (context(face=(0.1, 0.995)), "level base"),
-        (replace(context(), hinges=()), "an equivalent block has no geometry"),
-        (context(mu=0.01), "does not fall below c_s before it ends"),
+        (context(mu=None), "not-answered", "friction at hinge A is not known; give materials.w.friction"),
+        (context(face=(0.1, 0.995)), "not-applicable", "level base"),
+        (replace(context(), hinges=()), "not-answered", "an equivalent block has no geometry"),
+        (context(mu=0.01), "not-answered", "does not fall below c_s before it ends"),
     ],
 )
-def test_what_it_is_not_for(where: Context, said: str) -> None:
+def test_what_it_is_not_for(where: Context, verdict: str, said: str) -> None:
     check = answer(where, 0.1)
-    assert (check.verdict, check.demand) == ("not-applicable", None)
-    assert said in check.reason
+    assert (check.verdict, check.demand) == (verdict, None)
+    assert said in check.reason.text
 
 
 def test_a_block_that_rocks_first_is_told() -> None:
     """mu = 0.56 is above tan 0.5, the multiplier; then A.1 leaves the rocking out."""
-    assert "rocks before it slides" in answer(context(mu=0.56, level=0.6 * g)).reason
-    assert "rocks before it slides" not in answer(context()).reason
+    assert [remark.key for remark in answer(context(mu=0.56, level=0.6 * g)).remarks] == ["rocks-before-sliding"]
+    assert answer(context()).remarks == ()
 
 
 def test_harder_shaking_than_the_spectrum_tells_of_fails_where_less_slides_too_far() -> None:
@@ -97,5 +98,5 @@ def test_harder_shaking_than_the_spectrum_tells_of_fails_where_less_slides_too_f
     weak, strong = (answer(context(level=level), 0.1) for level in (0.4 * g, 4.0 * g))
     assert (weak.verdict, strong.verdict, strong.demand) == ("fail", "fail", None)
     assert strong.capacity_pga_g == pytest.approx(weak.capacity_pga_g, rel=1e-12)
-    assert "at a smaller PGA already" in strong.reason
-    assert answer(context(level=4.0 * g)).verdict == "not-applicable"
+    assert strong.reason.key == Reason.SLIDING_BEYOND_BEFORE
+    assert answer(context(level=4.0 * g)).verdict == "not-answered"

@@ -8,7 +8,7 @@ from scipy.constants import g
 
 from assess.codes.asce43_05 import spectrum
 from assess.codes.asce43_05.clauses import Options
-from assess.codes.check import BEYOND_SPECTRUM
+from assess.codes.check import Reason
 from assess.codes.context import Context
 from assess.mechanisms.equivalent_block import equivalent_block
 from assess.mechanisms.oscillation import oscillator
@@ -31,4 +31,4 @@ def test_it_fails_without_being_said_to_overturn(last):
     assert [check.unbounded for check in long] == ["", "", "", "overturned"]
     assert [check.verdict for check in short] == [check.verdict for check in long]
     cut = short[-1]
-    assert (cut.demand, cut.reason, cut.unbounded) == (None, BEYOND_SPECTRUM, "beyond the spectrum")
+    assert (cut.demand, cut.reason.key, cut.unbounded) == (None, Reason.BEYOND_SPECTRUM, "beyond the spectrum")

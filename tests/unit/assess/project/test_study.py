@@ -245,7 +245,7 @@ def test_a_level_that_fails_bounds_the_pga_at_capacity(tmp_path):
     study = study_of(tmp_path, analysis='levels = ["0.2 g", "0.6 g", "1.2 g"]')
     five = dataclasses.replace(study, records=study.records * 3)
     checks = [c for c in run(five).mechanisms[0].checks if c.procedure == "asce43-05-history"]
-    failing = [c.level_pga_g for c in checks if c.verdict == "fail"]
+    failing = [c.level_pga_g for c in checks if c.ratio is None or c.ratio > 1.0]  # two tones: not answered
     assert failing
     assert checks[0].capacity_pga_g < min(failing)
 

@@ -1,0 +1,147 @@
+"""The calculation sheet of a face-loaded wall."""
+
+from __future__ import annotations
+
+from scipy.constants import g
+
+from assess.codes.check import Step, step
+from assess.codes.context import Context
+from assess.codes.nzsee2017.clauses import part_coefficient, period_factor
+from assess.codes.nzsee2017.response import Response
+from assess.oscillator import Branch
+
+CLAUSE, PARTS = "NZSEE 2017 C8.8.5", "NZS 1170.5, 8.2-8.4"
+
+
+def sheet(branch: Branch, context: Context, found: Response, *, level: float) -> tuple[Step, ...]:
+    """All lines but the score; level: PGA [m/s2]."""
+    return (
+        *_wall_steps(branch, found),
+        *_thickness_steps(found),
+        *_capacity_steps(context, found),
+        *_part_steps(context, found, level),
+        *_displacement_steps(context, found, found.per_pga * level),
+        *_end_steps(found, level),
+    )
+
+
+def _wall_steps(branch: Branch, found: Response) -> tuple[Step, ...]:
+    """The wall with the thickness that it has."""
+    line, at_rest = found.whole.line, branch.overturning_flexible is None
+    b_formula = "restoring moment at rest" if at_rest else "2 E(φ_i) / φ_i: the line with the work of the curve"
+    phi_i, mark = line.instability, "" if found.gravity is None else "0"
+    slope = {f"b{mark}": (line.b, "N m"), f"φ_i{mark}": (phi_i, "rad")}
+    return (
+        step(f"φ_i{mark}", "rotation at instability", CLAUSE, "restoring moment = 0", phi_i, "rad", remark="curve"),
+        step(f"b{mark}", "resisting moment", CLAUSE, b_formula, line.b, "N m", remark="curve"),
+        step(f"a{mark}", "slope of the straight line", CLAUSE, f"b{mark} / φ_i{mark}", line.a, "N m/rad", given=slope),
+        step(f"J{mark}", "inertia at rest, about the hinges", CLAUSE, "Σ m (x'² + z'²) + J_G θ'²", found.whole.J,
+             "kg m2", remark="curve"),
+        step(f"B{mark}", "excitation at rest", CLAUSE, "Σ m x'", found.whole.B, "kg m", remark="curve"),
+    )  # fmt: skip
+
+
+def _thickness_steps(found: Response) -> tuple[Step, ...]:
+    """What the effective thickness makes of it."""
+    if found.gravity is None:
+        return ()
+    gravity, whole, part, k = found.gravity, found.whole, found.part, found.thickness
+    taken = {"k": (k, "-")}
+    moments = {"b0": (whole.line.b, "N m"), "b_W": (gravity.own_moment, "N m"), "b_P": (gravity.moment, "N m")}
+    slopes = {"a0": (whole.line.a, "N m/rad"), "a_W": (gravity.own_slope, "N m/rad")}
+    turned = {"J0": (whole.J, "kg m2"), "J_W": (gravity.own_inertia, "kg m2"), "J_P": (gravity.inertia, "kg m2")}
+    shaken = {"B0": (whole.B, "kg m"), "B_W": (gravity.own_excitation, "kg m")}
+    unstable = {"b": (part.line.b, "N m"), "a": (part.line.a, "N m/rad")}
+    words = "effective thickness over thickness; P presses on the wall, W is its own weight"
+    return (
+        step("k", words, CLAUSE, "0.975 − 0.025 P/W", k, given={"P/W": gravity.overburden_ratio}),
+        step("b", "resisting moment, the wall's by k², of P by k", CLAUSE, "b0 − (1 − k²) b_W − (1 − k) b_P",
+             part.line.b, "N m", given={**moments, **taken}),
+        step("a", "slope, the wall's by k", CLAUSE, "a0 − (1 − k) a_W", part.line.a, "N m/rad",
+             given={**slopes, **taken}),
+        step("J", "inertia, the wall's by k, of P by k²", CLAUSE, "J0 − (1 − k) J_W − (1 − k²) J_P", part.J, "kg m2",
+             given={**turned, **taken}),
+        step("B", "excitation, the wall's by k", CLAUSE, "B0 − (1 − k) B_W", part.B, "kg m", given={**shaken, **taken}),
+        step("φ_i", "rotation at instability", CLAUSE, "b / a", found.instability, "rad", given=unstable),
+    )  # fmt: skip
+
+
+def _capacity_steps(context: Context, found: Response) -> tuple[Step, ...]:
+    factor, part = period_factor(context.support), found.part
+    usable = {"s": (found.usable, "-"), "φ_i": (found.instability, "rad")}
+    turned = {"c": (factor, "-"), "J": (part.J, "kg m2"), "a": (part.line.a, "N m/rad")}
+    return (
+        step("φ_m", "usable rotation, its share of that at instability", CLAUSE, "s φ_i", found.allowed, "rad",
+             given=usable),
+        step("T_p", f"period of the part, c = {factor:.3g}", CLAUSE, "c √(J / a)", found.Tp, "s", given=turned),
+    )  # fmt: skip
+
+
+def _part_steps(context: Context, found: Response, level: float) -> tuple[Step, ...]:
+    building, Ci = context.building, part_coefficient(found.Tp, floor=1.0)
+    where = f"h_i = {context.support_height:.4g} m"
+    where += f", h_n = {building.height:.4g} m" if building is not None else ", h_n not known"
+    Cp = level / g * found.floor * Ci
+    rule = "least of 1 + h_i/6 (h_i < 12 m), 1 + 10 h_i/h_n, 3"
+    coefficients = {"C(0)": (level / g, "g"), "C_Hi": (found.floor, "-"), "C_i(T_p)": (Ci, "-")}
+    demanded = {
+        "B": (found.part.B, "kg m"),
+        "J": (found.part.J, "kg m2"),
+        "T_p": (found.Tp, "s"),
+        "C_p(T_p)": (Cp, "-"),
+        "R_p": (found.risk_factor, "-"),
+    }
+    return (
+        step("C_Hi", "floor height coefficient, mean of the supports", PARTS, rule, found.floor, remark=where),
+        step("C_i(T_p)", "spectral shape of the part: 2 to 0.75 s, 0.5 from 1.5 s", PARTS,
+             "min(2, max(0.5, 2 (1.75 − T_p)))", Ci, given={"T_p": (found.Tp, "s")}),
+        step("C_p(T_p)", "part coefficient", PARTS, "C(0) C_Hi C_i(T_p)", Cp, given=coefficients),
+        step("φ_D", "demand", CLAUSE, "B / J (T_p / 2π)² C_p(T_p) g R_p", found.per_pga * level, "rad", given=demanded),
+    )  # fmt: skip
+
+
+def _displacement_steps(context: Context, found: Response, phi_d: float) -> tuple[Step, ...]:
+    """The displacements that the Guidelines print: at mid-height of a wall that spans, at the top of a free one."""
+    if context.wall is None:
+        return ()
+    h, spanning = context.wall.height, context.support == "spanning"
+    arm, place, over = (h / 2.0, "mid-height", " / 2") if spanning else (h, "top", "")
+
+    def line(name: str, angle: str, words: str, rotation: float) -> Step:
+        given = {angle: (rotation, "rad"), "h": (h, "m")}
+        return step(name, f"{words}, {place}", CLAUSE, f"{angle} h{over}", rotation * arm, "m", given=given)
+
+    return (
+        line("Δ_i", "φ_i", "displacement at instability", found.instability),
+        line("Δ_m", "φ_m", "usable displacement", found.allowed),
+        line("D_ph", "φ_D", "displacement demand", phi_d),
+    )
+
+
+def _end_steps(found: Response, level: float) -> tuple[Step, ...]:
+    phi_d, uplift = found.per_pga * level, found.uplift
+    rocks = uplift is None or level > uplift
+    capable = {
+        "φ_m": (found.allowed, "rad"),
+        "PGA": (level / g, "g"),
+        "φ_D": (phi_d, "rad"),
+        "PGA_u": ((uplift or 0.0) / g, "g"),
+    }
+    held = {"φ_D": (phi_d, "rad"), "φ_m": (found.allowed, "rad")}
+    ratio = phi_d / found.allowed
+    return (
+        _uplift_step(found),
+        step("PGA_100", "PGA at 100 %NBS", CLAUSE, "max(φ_m PGA / φ_D, PGA_u)", found.capacity / g, "g", given=capable),
+        step("D/C", "ratio", CLAUSE, "φ_D / φ_m", ratio, given=held)
+        if rocks
+        else step("D/C", "ratio; below uplift nothing moves", CLAUSE, "0", 0.0),
+    )
+
+
+def _uplift_step(found: Response) -> Step:
+    if found.uplift is None or found.multiplier is None:
+        return step("PGA_u", "PGA at uplift: none on joints that answer at once", PARTS, "C_p(0) R_p = λ", None, "g")
+    stiff = part_coefficient(0.0, floor=1.0)
+    given = {"λ": found.multiplier, "C_Hi": found.floor, "C_i(0)": stiff, "R_p": found.risk_factor}
+    words = "PGA at uplift, λ = b / (g B) the multiplier at rest"
+    return step("PGA_u", words, PARTS, "λ / (C_Hi C_i(0) R_p)", found.uplift / g, "g", given=given)

@@ -8,6 +8,7 @@ from functools import partial
 from importlib.metadata import version
 
 from assess.amplification import factor_over_frequency
+from assess.codes.verdict import Question
 from assess.errors import ProjectError
 from assess.mechanisms.oscillation import oscillator
 from assess.message import Message, warning
@@ -44,10 +45,12 @@ def run(study: Study, *, jobs: int = 0, progress: Progress = lambda stage, done,
     alone = replace(study, mechanisms=tuple(m for m in study.mechanisms if m.name not in standing))
     own = {one.name: one for one in mechanisms_assessed(alone, spectrum, motions, jobs=jobs, progress=progress)}
     mechanisms = tuple(own.get(m.name) or standing[m.name].worst for m in study.mechanisms)
-    found = decided(study, mechanisms)
-    near = tolerances(study.survey, spectrum, study.question, found, mechanisms)
-    found = decided(study, mechanisms, near) if near else found
-    mechanisms = tuple(marked(found, study.question, each) for each in mechanisms)
+    asked = replace(study, question=question_of(study, standing))
+    found = decided(asked, mechanisms)
+    at_home = asked.question == study.question  # the survey's tolerance is worked out at the site of the file
+    near = tolerances(study.survey, spectrum, asked.question, found, mechanisms) if at_home else {}
+    found = decided(asked, mechanisms, near) if near else found
+    mechanisms = tuple(marked(found, asked.question, each) for each in mechanisms)
     rockers = rockers_of(study, standing)
     mapped = mapped_pulses(rockers, study.pulses, jobs=jobs, progress=progress)
     numbers = dict(study.fitting.nga)
@@ -68,6 +71,14 @@ def run(study: Study, *, jobs: int = 0, progress: Progress = lambda stage, done,
         ground_motion=ground_motion(study, spectrum, motions),
         sensitivity=sensitivities(study, spectrum, motions, mechanisms, jobs=jobs, progress=progress),
     )
+
+
+def question_of(study: Study, standing: Mapping[str, Swept]) -> Question:
+    """What decides: of the case that stands for every mechanism, where a sweep changes the site, else of the study."""
+    questions = [
+        standing[m.name].case.study.question if m.name in standing else study.question for m in study.mechanisms
+    ]
+    return questions[0] if questions and all(each == questions[0] for each in questions) else study.question
 
 
 def envelope(study: Study, *, jobs: int = 0, progress: Progress = lambda stage, done, total: None) -> Results:

@@ -256,7 +256,8 @@ def answers_of(row: SensitivityResult) -> Iterator[tuple[tuple[str, str, str], f
         return
     unit = "g" if row.quantity == "capacity_pga_g" else ""
     at = "" if row.level_pga_g is None else f" at {row.level_pga_g:.6g} g"
-    what = f"{row.quantity}, {' '.join((row.procedure, row.limit_state)).strip()}{at}, {row.key or row.parameter}"
+    of = f"{row.procedure} {row.limit_state}".strip()
+    what = f"{row.index or row.quantity}, {of}{at}, {row.key or row.parameter}"
     for side, found, verdict in (("low", row.at_low, row.verdict_low), ("high", row.at_high, row.verdict_high)):
         yield (row.mechanism, f"{what} {side}", unit), found
         yield (row.mechanism, f"verdict of {what} {side}", ""), verdict

@@ -8,7 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, Literal
 
-from assess.codes.check import BranchName, Check, Outcome
+from assess.codes.check import BranchName, Check, Outcome, Role
 from assess.codes.verdict import Decision, Verdict
 from assess.message import Message
 
@@ -604,8 +604,10 @@ class SensitivityResult:
 
     parameter : thickness, density, …; key : where it stands in the project, or the bodies it is of
     base, low, high : of the parameter [unit], None where it is not varied, for which `remark` says why
-    quantity : "demand_capacity" at level_pga_g, None where the body overturns or nothing is known; or
-        "capacity_pga_g", of all levels, which procedures by histories do not have here; "" where nothing is varied
+    role : whether the procedure decides the limit state at this level
+    quantity : "demand_capacity" at level_pga_g, None where the body overturns or nothing is known; "index" of what
+        decides, named by `index`; or "capacity_pga_g", of all levels, which procedures by histories do not have here;
+        "" where nothing is varied
     """
 
     mechanism: str
@@ -619,13 +621,15 @@ class SensitivityResult:
     procedure: str = ""
     limit_state: str = ""
     level_pga_g: float | None = None
-    quantity: Literal["capacity_pga_g", "demand_capacity", ""] = ""
+    quantity: Literal["index", "capacity_pga_g", "demand_capacity", ""] = ""
     at_base: float | None = None
     at_low: float | None = None
     at_high: float | None = None
     verdict_base: Outcome | None = None
     verdict_low: Outcome | None = None
     verdict_high: Outcome | None = None
+    role: Role = "comparison"
+    index: str = ""
 
 
 @dataclass(frozen=True)

@@ -149,6 +149,19 @@ def test_where_no_capacity_is_known_the_worst_ratio_is_shown(
     assert drawn(results, unknown).axes
 
 
+def test_what_decides_stands_before_what_is_for_comparison() -> None:
+    """The index of the deciding procedure and its PGA at capacity; the verdict changes by its rows alone."""
+    made = []
+    for row in rows("thickness", 0.17, 0.205):
+        made += [row, replace(row, procedure="asce43-05-spectrum", role="deciding")]
+    index = replace(made[-1], quantity="index", index="D/C", verdict_base=Outcome.PASS, verdict_low=Outcome.PASS)
+    (found,) = varied([*made, index])
+    shown = [(row.quantity, row.procedure) for row in found.shown]
+    assert shown == [("index", "asce43-05-spectrum"), ("capacity_pga_g", "asce43-05-spectrum")]
+    assert {row.procedure for row in found.telling} == {"asce43-05-spectrum"}
+    assert sensitivity.words_of(index) == "index D/C"
+
+
 def test_units_suit_the_number() -> None:
     row = replace(rows("p", 0.1, 0.2)[0], unit="Pa/m", base=1e10, low=5e9, high=1.5e10)
     assert sensitivity.ranges(row) == "5 to 15 GPa/m"

@@ -10,6 +10,8 @@ TEXTS: Mapping[str, str] = {
     "rocks-before-sliding": "it rocks before it slides, which A.1 leaves out",
     "ground-motion": "at height the motion of the ground is taken as it is: unconservative where the building "
     "amplifies it",
+    "lower-confidence-factor": "by the confidence factor {given} given, below the code's {deciding}: for comparison",
+    "seats-hold": "a pass at {state} holds where {what} keep their seats up to a displacement d* of {moved}",
     # of the verdict
     "no-deciding-method": "no method that may decide {state} was asked or applies: {methods}",
     "missing-key": "{key}: {text}",
@@ -56,6 +58,12 @@ TEXTS: Mapping[str, str] = {
     "number miss resonance, so they can fail a check and cannot pass it: {remedy}",
     "ground-unknown": "the lowest body lies {height} from elevation 0 and nobody says where the ground is: give "
     "[building] ground_elevation",
+    "knowledge-unknown": "crushing of the masonry is modelled, so FC is that of the level of knowledge, which is not "
+    "given; beside it the answer by LC1",
+    "seat-unknown": "the displacement at which {what} lose their seats limits SLC, and no seat is given",
+    "other-limit-state": "the site's single spectrum is that of {declared}; {state} is decided by its own: give the "
+    "hazard over return periods",
+    "hazard-too-short": "the hazard does not reach the return period of {state}: add a row",
     "one-sided": "the effective damping is that of the two impacts of a body that rocks both ways; this one rocks to "
     "one side",
     "stops-at-impact": "restitution by the momentum kept at the impact is {restitution}: a mechanism this squat stops "
@@ -103,9 +111,8 @@ TEXTS: Mapping[str, str] = {
     "the floor clauses of the other codes ask for the floor's motion; `amplification` carries the histories up",
     "two-first-modes": "histories take a first mode of {frequency}, the floor clauses of the codes a period of "
     "{period}; give period = {reciprocal} for one building",
-    "confidence-factor": "{factor}; where crushing of the masonry is not modelled, {mechanisms}, {circular} asks for "
-    "the FC of LC1, {least}",
-    "confidence-factor-lc3": "FC = 1.00 stands for knowledge level LC3",
+    "confidence-factor": "crushing of the masonry is not modelled in {mechanisms}: by {circular} the FC of LC1, "
+    "{least}, decides there",
     "sweep": "swept: the controlling one of {cases} cases, {case}, stands for the mechanism",
     "sweep-left-out": "left out of the envelopes, which are of the values in the file: {keys}; `assess run` takes the "
     "cases",

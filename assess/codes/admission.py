@@ -17,6 +17,7 @@ from assess.codes.check import Check, Family, Outcome, Reason, because
 from assess.codes.context import Context
 from assess.codes.family import CODES, FAMILIES, READINGS
 from assess.codes.italian.floor import floor_of
+from assess.codes.italian.inputs import Lacking, lacking_of
 from assess.message import Message, Quantity
 from assess.oscillator import Oscillator
 
@@ -25,8 +26,8 @@ FLOOR_CLAUSES: dict[Family, str] = {
     Family.LINEAR: "give [building] height and storeys",
     Family.DISPLACEMENT: "give [building] height and storeys",
     Family.ELEMENT: "give [building] height",
-    Family.HISTORY: 'give the mechanism amplification = { method = "modal-filter" }',
-    Family.ENERGY: 'give the mechanism amplification = { method = "modal-filter" }',
+    Family.HISTORY: 'give the mechanism amplification = { method = "modal-filter" }, up to that height',
+    Family.ENERGY: 'give the mechanism amplification = { method = "modal-filter" }, up to that height',
     Family.SLIDING: "the clause has no floor motion",
 }
 
@@ -70,7 +71,20 @@ def admitted(
 ) -> tuple[Check, ...]:
     """The checks of a procedure, each as its admission lets it stand."""
     given = admission(procedure, oscillator, context)
-    return tuple(_as_admitted(check, given) for check in assess(oscillator, context))
+    return tuple(
+        _as_admitted(check, _with(given, lacking_of(procedure, check.limit_state, context)))
+        for check in assess(oscillator, context)
+    )
+
+
+def _with(given: Admission, lacking: tuple[Lacking, ...]) -> Admission:
+    """The admission of a procedure with what one of its limit states lacks."""
+    if not lacking or given.may in (May.NOT_APPLY, May.NOT_ANSWER):
+        return replace(given, others=(*given.others, *(each.reason for each in lacking)))
+    reasons = [each.reason for each in lacking]
+    if given.reason is None:
+        return Admission(May.NOT_ANSWER, reasons[0], all(each.safe for each in lacking), tuple(reasons[1:]))
+    return replace(given, may=May.NOT_ANSWER, others=tuple(reasons))
 
 
 def _as_admitted(check: Check, given: Admission) -> Check:

@@ -78,16 +78,17 @@ def amplified(standing: Standing) -> Amplified:
 
 
 def height_of(asked: sections.RaisedAmplification, standing: Standing) -> float:
-    """Of the mechanism's base above the ground [m]: given, or its elevation."""
+    """Of what holds the mechanism above the ground [m]: given, or its base, or the mean of base and far support."""
     if asked.height is not None:
         return asked.height
-    height = standing.built.mechanism.elevation - standing.ground
-    if height < -NEAR_GROUND:
+    mechanism = standing.built.mechanism
+    base = mechanism.elevation - standing.ground
+    if base < -NEAR_GROUND:
         raise ProjectError(
-            f"{standing.where}.height: the mechanism begins {-height:.3g} m below the ground; give height, or "
+            f"{standing.where}.height: the mechanism begins {-base:.3g} m below the ground; give height, or "
             "building.ground_elevation"
         )
-    return max(height, 0.0)
+    return max(base, 0.0) + mechanism.rise / 2.0
 
 
 def by_floor_factor(

@@ -101,16 +101,34 @@ def _states(asked: tuple[str, ...], deciding: tuple[str, ...]) -> tuple[str, ...
     return tuple(state for state in ("SLD", "SLV", "SLC") if state in (*asked, *deciding))
 
 
+def knowledge_of(content: sections.Content) -> Mapping[str, Mapping[str, str]]:
+    """Level of knowledge by mechanism and code, where one is given. Raises ProjectError for a name that is none."""
+    found: dict[str, dict[str, str]] = {name: {} for name in content.mechanisms}
+    for code in ("dmi2008", "ntc2018"):
+        section: sections.Italian = getattr(content.procedures, code)
+        _require_mechanisms(content, f"procedures.{code}.knowledge_levels", section.knowledge_levels)
+        for name, levels in found.items():
+            level = section.knowledge_levels.get(name, section.knowledge_level)
+            if level is not None:
+                levels[code] = level
+    return found
+
+
 def free_periods_of(content: sections.Content) -> Mapping[str, FreePeriod]:
     """T_0 by mechanism. Raises ProjectError for a name that is no mechanism."""
     given = content.procedures.ntc2018.free_periods
-    for name in given:
-        if name not in content.mechanisms:
-            known = ", ".join(content.mechanisms)
-            raise ProjectError(f"procedures.ntc2018.free_periods: {shown(name)}: no such mechanism; known: {known}")
+    _require_mechanisms(content, "procedures.ntc2018.free_periods", given)
     return {
         name: free_period(**each.model_dump())
         if isinstance(each, sections.FreeElement)
         else FreePeriod(each, "given", f"{each:.5g} s")
         for name, each in given.items()
     }
+
+
+def _require_mechanisms(content: sections.Content, key: str, names: Iterable[str]) -> None:
+    """Raise ProjectError for a name that is no mechanism."""
+    for name in names:
+        if name not in content.mechanisms:
+            known = ", ".join(content.mechanisms)
+            raise ProjectError(f"{key}: {shown(name)}: no such mechanism; known: {known}")

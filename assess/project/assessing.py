@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 
 from assess.amplification import Carried, ModalFilter, carried
 from assess.codes.admission import admitted
@@ -12,13 +13,16 @@ from assess.codes.check import Check, Outcome, Reason, because
 from assess.codes.context import Carried as CarriedBy
 from assess.codes.context import Context
 from assess.codes.family import of_histories
+from assess.codes.italian.confidence import confidences
 from assess.codes.italian.history import suites_needed
 from assess.codes.registry import history_rules, procedure
+from assess.loads import PointMass
 from assess.mechanisms.activation import hinge_forces
 from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.oscillation import oscillator
 from assess.message import Message, Quantity
 from assess.oscillator import Oscillator
+from assess.project.floor_input import floor_spectrum_of
 from assess.project.histories import Rocking, Shaken, governing_trace, rocking, vibrates
 from assess.project.motions import Motion
 from assess.project.outcome import amplification_result, mechanism_result
@@ -27,6 +31,8 @@ from assess.project.wall_size import SUPPORTS, carries_floors, wall_of
 from assess.results import MechanismResult
 from spectra.spectrum import Spectrum
 
+ASCE43 = "asce43-05"  # whose rules for suites hold for a floor spectrum made of one
+SHORT_OF = 0.9  # of the height of the supports: motion carried less far is that of the ground
 Progress = Callable[[str, int, int], None]
 
 
@@ -42,12 +48,12 @@ def mechanisms_assessed(
         m.name: Shaken(m.name, oscillator(m), study.equations[m.name], at_base(study.amplified[m.name], motions))
         for m in study.mechanisms
     }
-    wanted, scanned = besides(study, spectrum), any(map(of_histories, study.procedures))
+    scanned = any(map(of_histories, study.procedures))
     workers = jobs or os.cpu_count() or 1
     each = max(1, workers // max(1, len(shaken)))
 
     def of(mechanism: Mechanism) -> MechanismResult:
-        one, pga = shaken[mechanism.name], spectrum.pga
+        one, pga, wanted = shaken[mechanism.name], spectrum.pga, besides(study, spectrum, mechanism)
         rocked = rocking(one, motions, levels=study.levels, besides=wanted, site_pga=pga, scanned=scanned, threads=each)
         return assessed(study, spectrum, motions, mechanism, one, rocked)
 
@@ -61,12 +67,15 @@ def mechanisms_assessed(
     return tuple(done[m.name] for m in study.mechanisms)
 
 
-def besides(study: Study, spectrum: Spectrum) -> tuple[float, ...]:
+def besides(study: Study, spectrum: Spectrum, mechanism: Mechanism) -> tuple[float, ...]:
     """PGA [m/s2] at which procedures want suites besides those of the levels: limit states of their own, FC."""
     wanted: list[float] = []
+    known = study.knowledge.get(mechanism.name, {})
     for name, (rule, options) in history_rules(study.options).items():
         if name in study.procedures:
-            wanted += suites_needed(study.levels, study.hazard, spectrum, rule=rule, options=options)
+            level = known.get(rule.edition.code)
+            factors = [each.factor for each in confidences(options, crushing=mechanism.crushing, level=level)]
+            wanted += suites_needed(study.levels, study.hazard, spectrum, rule=rule, options=options, factors=factors)
     return tuple(dict.fromkeys(wanted))
 
 
@@ -79,7 +88,7 @@ def assessed(
     study: Study, spectrum: Spectrum, motions: tuple[Motion, ...], mechanism: Mechanism, shaken: Shaken, rocked: Rocking
 ) -> MechanismResult:
     """One mechanism through every procedure, with its histories."""
-    context = context_of(study, spectrum, mechanism, rocked, shaken.base)
+    context = context_of(study, spectrum, mechanism, rocked, shaken.base, motions)
     return mechanism_result(
         mechanism,
         shaken.oscillator,
@@ -92,9 +101,32 @@ def assessed(
 
 
 def context_of(
-    study: Study, spectrum: Spectrum, mechanism: Mechanism, rocked: Rocking, base: tuple[Carried, ...]
+    study: Study,
+    spectrum: Spectrum,
+    mechanism: Mechanism,
+    rocked: Rocking,
+    base: tuple[Carried, ...],
+    motions: tuple[Motion, ...],
 ) -> Context:
     """What the procedures may know of one mechanism."""
+    context = _context_of(study, spectrum, mechanism, rocked, base)
+    amplification = study.amplified[mechanism.name].amplification
+    by_mode = context.carried == "by a filter" and not context.suite_faults.get(ASCE43)
+    floor = floor_spectrum_of(
+        spectrum,
+        height=context.support_height,
+        filtered=amplification if by_mode and isinstance(amplification, ModalFilter) else None,
+        base=base,
+        motions=motions,
+        building=study.building,
+    )
+    return replace(context, floor_spectrum=floor if context.above_ground else None)
+
+
+def _context_of(
+    study: Study, spectrum: Spectrum, mechanism: Mechanism, rocked: Rocking, base: tuple[Carried, ...]
+) -> Context:
+    elevation = mechanism.elevation - study.ground
     return Context(
         spectrum=spectrum,
         levels=study.levels,
@@ -102,13 +134,16 @@ def context_of(
         support=SUPPORTS[mechanism.kind],
         carries_floors=carries_floors(mechanism),
         wall=wall_of(mechanism),
-        elevation=mechanism.elevation - study.ground,
+        elevation=elevation,
         rise=mechanism.rise,
         building=study.building,
         suites=rocked.suites,
         histories_at="ground" if study.amplified[mechanism.name].height is None else "mechanism base",
-        carried=carried_by(study.amplified[mechanism.name]),
+        carried=carried_by(study.amplified[mechanism.name], support=max(elevation, 0.0) + mechanism.rise / 2.0),
         crushing=mechanism.crushing,
+        seats_unknown=seats_unknown(mechanism),
+        knowledge=study.knowledge.get(mechanism.name, {}),
+        limit_state=study.limit_state if study.hazard is None else None,
         impossible=study.impossible,
         suite_faults=study.suite_faults,
         impossible_by_histories=stopped(mechanism),
@@ -120,6 +155,12 @@ def context_of(
         hazard=study.hazard,
         free_period=study.free_periods.get(mechanism.name),
     )
+
+
+def seats_unknown(mechanism: Mechanism) -> tuple[str, ...]:
+    """What rests on the mechanism and may lose a seat that nobody gave: floors, beams, bearing masses."""
+    resting = [load for load in mechanism.positive.loads if isinstance(load, PointMass) and load.bearing]
+    return tuple(load.name for load in resting if getattr(load, "seat", None) is None)
 
 
 def stopped(mechanism: Mechanism) -> tuple[Message, ...]:
@@ -138,8 +179,11 @@ def checks_of(study: Study, rocker: Oscillator, context: Context) -> tuple[Check
     return tuple(found)
 
 
-def carried_by(amplified: Amplified) -> CarriedBy:
-    """How the motion of the histories gets to the mechanism's base."""
-    if amplified.height is None:
+def carried_by(amplified: Amplified, *, support: float) -> CarriedBy:
+    """How the motion of the histories gets to what holds the mechanism, `support` above the ground [m].
+
+    Motion that is carried only a part of the way counts as that of the ground.
+    """
+    if amplified.height is None or amplified.height < SHORT_OF * support:
         return "not"
     return "by a filter" if isinstance(amplified.amplification, ModalFilter) else "by a factor"

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 
 from assess.codes.context import PLINTH
+from assess.codes.italian.confidence import LEAST_KNOWN
 from assess.geometry import mesh
 from assess.geometry.formats.reading import WITHOUT_UNIT
 from assess.geometry.solid import Solid
@@ -16,7 +17,6 @@ from assess.project.gaps import gaps_of
 from assess.project.grounding import ground_of
 from assess.project.overlaps import overlaps_of
 from assess.project.study import Amplified, Equation
-from assess.texts import TEXTS
 
 CIRCULARS = {"dmi2008": "Circolare 617/2009", "ntc2018": "Circolare 7/2019"}
 SAME_MODE = 0.05  # by how much two first modes of one building may differ
@@ -82,23 +82,19 @@ def _of_equation(equation: Equation | None, mechanisms: Sequence[Mechanism]) -> 
 def _of_crushing(
     code: str, circular: str, options: sections.Italian, mechanisms: Sequence[Mechanism]
 ) -> Iterator[Message]:
-    """A confidence factor nobody vouched for, or less than goes with mechanisms without crushing."""
-    FC, without = options.confidence_factor, [mechanism.name for mechanism in mechanisms if not mechanism.crushing]
-    least = sections.KNOWLEDGE["LC1"]
-    if least <= FC or (FC > 1.0 and not without):
-        return
-    where = f"procedures.{code}"
-    if not without:
-        yield warning("confidence-factor-lc3", where)
-        return
-    yield warning(
-        "confidence-factor",
-        where,
-        factor=TEXTS["confidence-factor-lc3"] if FC == 1.0 else f"FC = {FC:.2f}",
-        mechanisms="as here" if len(without) == len(mechanisms) else f"as in {', '.join(without)}",
-        circular=circular,
-        least=f"{least:.2f}",
-    )
+    """Levels of knowledge and factors that do not decide, as the mechanism does not model crushing."""
+    without = [mechanism.name for mechanism in mechanisms if not mechanism.crushing]
+    better = [name for name in without if options.knowledge_levels.get(name, options.knowledge_level) in ("LC2", "LC3")]
+    lower = options.confidence_factor is not None and options.confidence_factor < LEAST_KNOWN
+    for key, names in (("knowledge_level", better), ("confidence_factor", without if lower else [])):
+        if names:
+            yield warning(
+                "confidence-factor",
+                f"procedures.{code}.{key}",
+                mechanisms=", ".join(names),
+                circular=circular,
+                least=f"{LEAST_KNOWN:.2f}",
+            )
 
 
 def _of_body(name: str, solid: Solid, body: sections.Body) -> Iterator[Message]:

@@ -11,6 +11,7 @@ from collections.abc import Iterable
 import numpy as np
 
 from assess.codes.asce43_05.clauses import HALF, effective_frequency
+from assess.codes.italian.curves import curves_alone
 from assess.codes.ntc2018.clauses import capacity_of
 from assess.errors import ProjectError
 from assess.mechanisms.mechanism import Mechanism
@@ -39,11 +40,8 @@ def limit_state_periods(mechanisms: Iterable[Mechanism], *, state: str) -> dict[
     """T_SLV or T_SLC of NTC 2018 (C8.7.1.10, 11), the shortest and the longest [s] of each mechanism, by name."""
     found = {}
     for mechanism in mechanisms:
-        rocker = oscillator(mechanism)
-        periods = [
-            capacity_of(branch, state=state, mass=rocker.mass, confidence_factor=LARGEST_FC).T
-            for branch in rocker.branches
-        ]
+        alone = curves_alone(oscillator(mechanism))
+        periods = [capacity_of(curves, state=state, confidence_factor=LARGEST_FC).T for curves in alone]
         found[mechanism.name] = (min(periods), max(periods))
     return found
 

@@ -92,9 +92,9 @@ def checked(study: Study, spectrum: Spectrum, motions: tuple[Motion, ...], *, jo
     levels = study.levels if shakes else ()
     rocked = Rocking((), ())
     if levels and motions:
-        wanted = besides(study, spectrum)
+        wanted = besides(study, spectrum, mechanism)
         rocked = asked_of(shaken, motions, levels=levels, besides=wanted, site_pga=spectrum.pga, threads=jobs)
-    known = context_of(replace(study, levels=levels), spectrum, mechanism, rocked, base)
+    known = context_of(replace(study, levels=levels), spectrum, mechanism, rocked, base, motions)
     return checks_of(study, shaken.oscillator, replace(known, levels=study.levels))
 
 

@@ -58,6 +58,8 @@ def site(*, stretch=1.0, levels=LEVELS):
         wall=Wall(4.0, 0.28),
         hinges=forces,
         rise=4.0,
+        crushing=True,  # with LC3 the Italian FC is 1, so that the suites of the levels serve
+        knowledge={"dmi2008": "LC3", "ntc2018": "LC3"},
     )
 
 

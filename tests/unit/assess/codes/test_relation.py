@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from assess.codes.relation import capacity, demand, relation
+from assess.codes.relation import capacity, demand, floor_relation, relation
 
 
 def falling_then_rising(phi):
@@ -61,3 +61,23 @@ def test_a_hump_before_the_allowable_governs():
     curve = relation(lambda phi: 1 + 2 * np.sin(np.pi * phi), overturning=1.0)
     assert capacity(curve, 0.9) == pytest.approx(3.0, rel=1e-4)  # grid of 1 % around the summit
     assert demand(curve, 2.999) < 0.5
+
+
+def falling_twice(phi):
+    """From 4 down to 1 at 0.1, up to 3 at 0.3, down to 2 at 0.5, up to 6 at 1."""
+    return np.interp(phi, [0.0, 0.1, 0.3, 0.5, 1.0], [4.0, 1.0, 3.0, 2.0, 6.0])
+
+
+@pytest.mark.parametrize(
+    ("level", "rotation"), [(0.9, 0.0), (1.5, 0.15), (2.5, 0.5625), (3.5, 0.6875), (5.0, 0.875), (6.1, None)]
+)
+def test_on_a_curve_that_falls_again_the_last_rotation_that_reaches_the_level_counts(level, rotation):
+    curve = floor_relation(falling_twice, overturning=1.0, uplift=0.0, period_of=lambda phi: phi, longest_period=np.inf)
+    found = demand(curve, level)
+    assert found == (rotation if not rotation else pytest.approx(rotation, abs=1e-9))
+
+
+@pytest.mark.parametrize(("allowable", "pga"), [(0.15, 1.5), (0.2, 2.0), (0.3, 2.0), (0.5, 2.0), (0.75, 4.0)])
+def test_its_capacity_is_the_least_pga_that_takes_it_beyond(allowable, pga):
+    curve = floor_relation(falling_twice, overturning=1.0, uplift=0.0, period_of=lambda phi: phi, longest_period=np.inf)
+    assert capacity(curve, allowable) == pytest.approx(pga, abs=1e-9)

@@ -42,7 +42,7 @@ sides = "one"
 [mechanisms.parapet]
 kind = "equivalent-block"
 p = 2.4
-uplift = 0.2
+uplift = 0.26
 radius = 1.2
 [report.sources]
 "materials.stone" = "measured: blocks bonded through the wall"
@@ -52,7 +52,7 @@ synthetic = { count = 1, duration = 8 }
 levels = ["0.1 g", "0.3 g"]
 procedures = ["asce43-05-spectrum", "dmi2008-linear"]
 """
-TIE = 'sides = "one"\nloads = [{ kind = "tie", force = "10 kN", at = [0, 4], direction = [-1, 0] }]'
+TIE = 'sides = "one"\nloads = [{ kind = "tie", force = "20 kN", at = [0, 4], direction = [-1, 0] }]'
 
 
 @pytest.fixture(scope="module")
@@ -94,7 +94,7 @@ def test_a_tie_turns_the_verdict_which_stands_first(before: Results, after: Resu
     assert {change.where for change in found} <= {"wall", "", "project.toml"}  # the parapet stays as it was
     (tied,) = of_kind(found, "project")
     assert (tied.what, tied.before) == ("mechanisms.wall.loads[1]", None)
-    assert (tied.after["kind"], tied.after["force"]) == ("tie", 10000.0)
+    assert (tied.after["kind"], tied.after["force"]) == ("tie", 20000.0)
     (file,) = of_kind(found, "input")
     assert (file.where, file.what) == ("project.toml", "sha256")
 
@@ -162,7 +162,7 @@ def test_what_changed_in_a_load_is_one_number(after: Results) -> None:
     loads = after.project["mechanisms.wall.loads"]
     stronger = Resolved([{**loads.value[0], "force": 12000.0}], True)
     found = changes(after, replace(after, project={**after.project, "mechanisms.wall.loads": stronger}))
-    assert [(c.what, c.before, c.after) for c in found] == [("mechanisms.wall.loads[1].force", 10000.0, 12000.0)]
+    assert [(c.what, c.before, c.after) for c in found] == [("mechanisms.wall.loads[1].force", 20000.0, 12000.0)]
 
 
 def swept(values: tuple[float, ...], ratios: tuple[float | None, ...], controlling: int) -> SweepResult:

@@ -4,6 +4,7 @@ AssessError                what a user can mend; the command line prints its one
 ├── ProjectError           the project file: missing, unreadable, unknown key, wrong unit or value
 ├── GeometryError          a body or mesh: open, inverted, degenerate
 ├── MechanismError         a mechanism that cannot rock: no base, already falling, impossible hinges
+│   └── FallingError       one that already falls by itself
 ├── InterfaceError         a contact that cannot carry its load: pulled, crushed at rest, without stiffness
 ├── ProcedureError         a code procedure asked outside its range
 └── ResultsError           a results file that cannot be read
@@ -27,6 +28,10 @@ class GeometryError(AssessError):
 
 class MechanismError(AssessError):
     """A mechanism cannot rock as described: no base, already falling, impossible hinges."""
+
+
+class FallingError(MechanismError):
+    """A mechanism already falls by itself, towards the direction or under its forces."""
 
 
 class InterfaceError(AssessError):

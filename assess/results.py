@@ -17,6 +17,7 @@ Floats = tuple[float, ...]
 Point = tuple[float, float]
 Place = tuple[float, float, float]
 Ring = tuple[Point, ...]
+Lasting = Literal["to collapse", "to its end", "not shown"]
 
 
 @dataclass(frozen=True)
@@ -410,7 +411,10 @@ class SuiteResult:
 class LoadResult:
     """A load as used: a mass, bearing or not, or the force (along the direction, up) of a force or tie at rest.
 
-    at: distance along the direction, elevation [m]; source: how it was found, or "given".
+    at: distance along the direction, elevation [m]; source: how it was found, or "given". lasting: how long a force or
+    tie is shown to be there, where it resists on some branch: to collapse, to its end on the way (at a rotation, where
+    its point has moved by end_m), or not at all, for want of the keys `missing`; None where it only drives. A tie that
+    lasts has an end too where its fracture strain is reached beyond collapse. seat_m: of a bearing mass.
     """
 
     name: str
@@ -421,6 +425,11 @@ class LoadResult:
     bearing: bool | None
     force_n: Point | None
     source: str
+    lasting: Lasting | None = None
+    missing: tuple[str, ...] = ()
+    end_rad: float | None = None
+    end_m: float | None = None
+    seat_m: float | None = None
 
 
 @dataclass(frozen=True)
@@ -439,6 +448,20 @@ class DirectionSweep:
     weakest_deg: float
     variation: float
     flat_deg: float
+
+
+@dataclass(frozen=True)
+class DirectionCandidate:
+    """A direction towards which a mechanism may topple.
+
+    angle_deg: from +x towards +y; uplift_multiplier: at rest, None where it cannot rock that way; d0_m: displacement of
+    the control point where it overturns, of the weakest only; touching: the bodies that stop it.
+    """
+
+    angle_deg: float
+    uplift_multiplier: float | None
+    d0_m: float | None
+    touching: tuple[str, ...]
 
 
 @dataclass(frozen=True)
@@ -542,7 +565,15 @@ class HingeForceResult:
 
 @dataclass(frozen=True)
 class MechanismResult:
-    """Everything about one mechanism; direction_sweep is None where its direction was given."""
+    """Everything about one mechanism; direction_sweep is None where its direction was not sought on a whole circle.
+
+    oscillator, curve: with every action that is there at rest. deciding_curve: with those that are shown to last to
+    collapse and those that drive, of which displacements and histories are asked, and to whose overturning rotations
+    (of rigid joints, positive and negative) their ratios refer; None where both are the same, or where it falls at rest
+    without the others.
+    direction: of positive rotation, horizontal; None for an equivalent block. candidates: the directions among which
+    the weakest was found, or with which a given one was compared.
+    """
 
     name: str
     label: str
@@ -565,6 +596,10 @@ class MechanismResult:
     direction_sweep: DirectionSweep | None
     interface_curves: InterfaceCurves | None = None
     hinge_forces: tuple[HingeForceResult, ...] = ()
+    deciding_curve: Curve | None = None
+    deciding_overturning_rad: tuple[float, float | None] | None = None
+    direction: tuple[float, float, float] | None = None
+    candidates: tuple[DirectionCandidate, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -10,6 +10,12 @@ TEXTS: Mapping[str, str] = {
     "rocks-before-sliding": "it rocks before it slides, which A.1 leaves out",
     "ground-motion": "at height the motion of the ground is taken as it is: unconservative where the building "
     "amplifies it",
+    # of loads
+    "not-lasting": 'load "{load}" is not shown to last: where it resists it counts in the multiplier alone, not in '
+    "displacements and histories; give {missing} (until: the displacement of its point at which it ends, or "
+    '"collapse"; source: a line for the mechanism or its loads in [report.sources])',
+    "unheld": "the mechanism stands only by {loads}, not shown to last to collapse, so nothing can be said of its "
+    "displacements and histories; give until, for a tie with strength, length and fracture_strain, and a source",
     "lower-confidence-factor": "by the confidence factor {given} given, below the code's {deciding}: for comparison",
     "seats-hold": "a pass at {state} holds where {what} keep their seats up to a displacement d* of {moved}",
     # of the verdict
@@ -20,6 +26,16 @@ TEXTS: Mapping[str, str] = {
     "premise-coursed": "a pass holds for coursed masonry, not for rubble: say which it is by "
     "procedures.asce41-13.masonry",
     "premise-no-floors": "a pass holds for an element that carries no floor: gable, parapet, chimney",
+    # of directions
+    "direction-weaker": "towards {direction} it is clearly weaker than towards the direction given: multiplier "
+    "{weaker} and d0* {weaker_d0}, against {given} and {given_d0}; check `direction`",
+    "direction-stopped": "towards {direction}, with a multiplier of {weaker}, it is stopped by {bodies}, which touches "
+    "it there: left out",
+    "direction-held": "towards {direction}, with a multiplier of {weaker}, and back it is touched by {bodies}; it is "
+    "taken to move all the same, as nothing else is nearly as weak: give `direction` where what touches it holds it",
+    "direction-into": "the direction given, {direction}, leads into {bodies}, which touches it there: check it",
+    "direction-left-out": "towards {direction} it cannot rock as described and was left out: {why}",
+    "sides-by-contact": "it rocks to one side only: {bodies} touches it behind; write `sides` to say otherwise",
     # of suites of records
     "suite-empty": "there are no records: {remedy}",
     "suite-not-named": "artificial records decide only where [verdict] procedures names {procedure}: {remedy}",

@@ -74,6 +74,7 @@ class Reason(StrEnum):
     ABOVE_BUILDING = "above-building"
     GROUND_MOTION = "ground-motion-at-height"
     SCALAR_MOTION = "scalar-motion-at-height"
+    UNHELD = "unheld"
     GROUND_UNKNOWN = "ground-unknown"
     KNOWLEDGE_UNKNOWN = "knowledge-unknown"
     SEAT_UNKNOWN = "seat-unknown"

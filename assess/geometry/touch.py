@@ -41,7 +41,7 @@ class Contact:
 
 
 @dataclass(frozen=True)
-class _Patches:
+class Patches:
     """Pieces of faces: area [k] [m2], centroid [k, 3] [m], unit normal [k, 3]."""
 
     area: FloatArray
@@ -75,13 +75,20 @@ def touch(block: Solid, body: Solid, *, tolerance: float = TOLERANCE) -> Contact
     return _lying(edges, smallest=smallest) or _upright(faces, smallest=smallest) or _upright(edges, smallest=smallest)
 
 
+def beside(block: Solid, body: Solid, *, tolerance: float = TOLERANCE) -> Patches:
+    """The upright parts of a block's faces that a face of a body stands before within the tolerance [m]."""
+    faces = _facing(block, body, tolerance=tolerance, cosine=PARALLEL)
+    upright = np.abs(faces.normal[:, 2]) < STEEP
+    return Patches(faces.area[upright], faces.centroid[upright], faces.normal[upright])
+
+
 def together(contacts: Sequence[Contact]) -> Contact | None:
     """The contacts of a body with the parts of one block as one, None where there are none."""
     bearing = any(each.bearing for each in contacts)
     chosen = [each for each in contacts if each.bearing == bearing]
     if not chosen:
         return None
-    patches = _Patches(
+    patches = Patches(
         np.array([each.area for each in chosen]),
         np.array([each.centroid for each in chosen]),
         np.array([each.normal for each in chosen]),
@@ -89,17 +96,17 @@ def together(contacts: Sequence[Contact]) -> Contact | None:
     return _contact(patches, np.ones(len(chosen), dtype=np.bool_), bearing=bearing, smallest=0.0)
 
 
-def _lying(faces: _Patches, *, smallest: float) -> Contact | None:
+def _lying(faces: Patches, *, smallest: float) -> Contact | None:
     """The faces of the block that carry, None where they have no more than the smallest area [m2]."""
     return _contact(faces, faces.normal[:, 2] >= STEEP, bearing=True, smallest=smallest)
 
 
-def _upright(faces: _Patches, *, smallest: float) -> Contact | None:
+def _upright(faces: Patches, *, smallest: float) -> Contact | None:
     """The faces of the block that can only be pushed, None where they have no more than the smallest area [m2]."""
     return _contact(faces, np.abs(faces.normal[:, 2]) < STEEP, bearing=False, smallest=smallest)
 
 
-def _contact(patches: _Patches, which: NDArray[np.bool_], *, bearing: bool, smallest: float) -> Contact | None:
+def _contact(patches: Patches, which: NDArray[np.bool_], *, bearing: bool, smallest: float) -> Contact | None:
     """Those of the patches as one contact, None where their area [m2] is no more than the smallest."""
     A = patches.area[which]
     area = float(A.sum())
@@ -109,7 +116,7 @@ def _contact(patches: _Patches, which: NDArray[np.bool_], *, bearing: bool, smal
     return Contact(area, centroid, normal / (float(np.linalg.norm(normal)) or 1.0), bearing)
 
 
-def _facing(block: Solid, body: Solid, *, tolerance: float, cosine: float) -> _Patches:
+def _facing(block: Solid, body: Solid, *, tolerance: float, cosine: float) -> Patches:
     """The parts of the block's faces that a face of the body faces within the tolerance [m] and the cosine."""
     origin = (body.vertices.min(axis=0) + body.vertices.max(axis=0)) / 2.0
     one, other = _near(block, body, origin=origin, margin=tolerance)
@@ -117,7 +124,7 @@ def _facing(block: Solid, body: Solid, *, tolerance: float, cosine: float) -> _P
     pairs = _pairs(one, n, other, m, margin=tolerance, cosine=cosine)
     found = [_clipped(one[i], n[i], other[j], tolerance=tolerance) for i, j in pairs]
     area, centroid, normal = (np.concatenate(each) for each in zip(_NONE, *found, strict=True))
-    return _Patches(area, centroid + origin, normal)
+    return Patches(area, centroid + origin, normal)
 
 
 _NONE = (np.empty(0), np.empty((0, 3)), np.empty((0, 3)))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import cos, radians, sin
+from math import atan2, cos, degrees, radians, sin
 
 import numpy as np
 
@@ -42,6 +42,36 @@ class Directions:
         circle = np.arange(STEPS) * (360.0 / STEPS)
         around = np.interp(circle, self.angle, self.multiplier, period=360.0)
         return float(np.count_nonzero(around <= FLAT * min(self.multiplier)) * (360.0 / STEPS))
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """A direction towards which a mechanism may topple.
+
+    Attributes
+    ----------
+    angle : from +x towards +y [deg]
+    multiplier : lambda at rest [-]; displacement : d0* of the control point where it overturns [m]
+        None where it cannot rock towards it, and d0* also where the multiplier alone rules it out
+    touching : the bodies that stop it
+    why : why it cannot rock towards it, empty where it can
+    """
+
+    angle: float
+    multiplier: float | None = None
+    displacement: float | None = None
+    touching: tuple[str, ...] = ()
+    why: str = ""
+
+    @property
+    def way(self) -> Vector:
+        """As a unit vector."""
+        return towards(self.angle)
+
+
+def angle_of(direction: Vector) -> float:
+    """The angle [deg] of a horizontal vector from +x towards +y, from 0 to 360."""
+    return round(degrees(atan2(direction[1], direction[0])), 12) % 360.0
 
 
 def towards(angle: float) -> Vector:

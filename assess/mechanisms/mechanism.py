@@ -8,9 +8,10 @@ from typing import Literal
 
 from assess.geometry.outline import Outline
 from assess.mechanisms.chain import Chain
-from assess.mechanisms.directions import Directions
+from assess.mechanisms.directions import Candidate, Directions, Vector
 from assess.mechanisms.face import Face
 from assess.mechanisms.joint import Joint
+from assess.message import Message
 
 Sides = Literal["one", "two"]
 
@@ -34,7 +35,11 @@ class Mechanism:
         [m], not mirrored
     notices : sentences the engineer must read (a rule that did not hold)
     faces : at the hinges of the positive and of the negative branch, in its own sign; none for an equivalent block
-    directions : the resistance towards each direction where the weakest was sought, else None
+    directions : the resistance towards each direction where the weakest of a circle was sought, else None
+    direction : of positive rotation, a horizontal vector; None for an equivalent block
+    beside : the bodies that touch it and would stop its motion one way or another
+    messages : what else is told of it
+    candidates : the directions among which the weakest was found, or with which a given one was compared
     """
 
     name: str
@@ -51,6 +56,10 @@ class Mechanism:
     directions: Directions | None = None
     faces: tuple[tuple[Face, ...], ...] = ()
     stopped: float | None = None
+    direction: Vector | None = None
+    candidates: tuple[Candidate, ...] = ()
+    beside: tuple[str, ...] = ()
+    messages: tuple[Message, ...] = ()
 
     @property
     def rise(self) -> float:

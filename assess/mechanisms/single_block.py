@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import cos, hypot, sin
 from typing import Literal
 
-from assess.errors import MechanismError
+from assess.errors import FallingError, MechanismError
 from assess.geometry.planar import PlanarBody
 from assess.loads import Load
 from assess.mechanisms.assembly import assembled
@@ -63,7 +63,7 @@ def _require_stable(chain: Chain, *, name: str, towards: str) -> None:
             "a rocking block has its centroid above the hinge: check hinges and cut"
         )
     if behind <= 0:
-        raise MechanismError(
+        raise FallingError(
             f'mechanism "{name}": already falling in {towards} rotation: the centroid lies {-behind:.4g} m beyond '
             "the hinge; check the geometry, the direction, the hinges and the loads"
         )

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.constants import g
 
-from assess.errors import MechanismError
+from assess.errors import FallingError, MechanismError
 from assess.loads import Force, PointMass, Tie, pull_at_rest
 from assess.mechanisms.chain import Chain
 from assess.mechanisms.motion import Path, move, place
@@ -73,10 +73,10 @@ def pulled(load: Force | Tie, moved: Path) -> FloatArray:
         return load.force[0] * moved.dx + load.force[1] * moved.dz
     if load.anchor is None:
         along, up = load.direction or (0.0, 0.0)
-        work = load.pull * (along * moved.dx + up * moved.dz)
+        work = load.tension * (along * moved.dx + up * moved.dz)
     else:
         to_x, to_z = load.anchor[0] - moved.x, load.anchor[1] - moved.z
-        work = load.pull * (to_x * moved.dx + to_z * moved.dz) / np.hypot(to_x, to_z)
+        work = load.tension * (to_x * moved.dx + to_z * moved.dz) / np.hypot(to_x, to_z)
     slack = not load.both and work[0] > 0.0  # the point moves the way the tie pulls: it shortens
     return np.zeros_like(work) if slack else np.asarray(work)
 
@@ -85,7 +85,7 @@ def require_stable(chain: Chain, *, name: str) -> None:
     """Raise MechanismError for a chain that falls by itself, or that no push along the direction would start."""
     rest = virtual_work(chain, np.zeros(1))
     if rest.restoring[0] <= 0.0:
-        raise MechanismError(
+        raise FallingError(
             f'mechanism "{name}": already falling: its weights resist with {rest.weight[0]:.4g} N m at rest, '
             f"{_blamed(chain, rest)}"
         )

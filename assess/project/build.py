@@ -22,7 +22,6 @@ from assess.project.bodies import solid_of
 from assess.project.components import horizontal, left_out
 from assess.project.deciding import facts_of, levels_with_site, question_of
 from assess.project.dependents import dependents
-from assess.project.directions import directed
 from assess.project.grounding import ground_of, unknown_ground
 from assess.project.messages import located, shown
 from assess.project.notices import notices_of
@@ -33,6 +32,7 @@ from assess.project.study import Artificial, Case, Equation, Fitting, PulseGrid,
 from assess.project.survey import survey_of
 from assess.project.variables import variables_of
 from assess.project.variations import Variant, Variation
+from assess.project.weakest import directed
 from assess.results import Input
 from records.pulses import shape as pulse_shape
 from records.record import Record
@@ -89,7 +89,10 @@ def study_of(project: Project, *, executor: Executor | None = None) -> Study:
             *notices_of(content, solids, study.mechanisms, study.amplified),
             *notices,
         ),
-        sweeps=tuple(sweep_of(variation, project, files) for variation in project.variations),
+        sweeps=tuple(
+            sweep_of(variation, project, files, beside={m.name: m.beside for m in study.mechanisms})
+            for variation in project.variations
+        ),
         survey=survey_of(project, study, solids, partial(alone, project=project, files=files)),
         variables=variables_of(project, study, solids, partial(alone, project=project, files=files)),
     )
@@ -137,9 +140,9 @@ def part_of(content: sections.Content, files: Files, *, names: Iterable[str]) ->
     )
 
 
-def sweep_of(variation: Variation, project: Project, files: Files) -> Sweep:
-    """The cases of one sweep, each with the mechanisms that depend on its key."""
-    names = dependents(project.content, variation.path)
+def sweep_of(variation: Variation, project: Project, files: Files, *, beside: Mapping[str, tuple[str, ...]]) -> Sweep:
+    """The cases of one sweep, each with the mechanisms that depend on its key; beside: bodies that touch each."""
+    names = dependents(project.content, variation.path, beside=beside)
     if not names:
         raise ProjectError(f"{variation.where}.key: {shown(variation.key)}: no mechanism depends on it; name another")
     cases = tuple(case_of(variant, project, files, names=names) for variant in variation.variants)

@@ -11,14 +11,22 @@ from assess.project.sections.content import Content
 from assess.project.sections.loads import BodyLoad, OverburdenLoad
 
 
-def dependents(content: Content, path: Key) -> tuple[str, ...]:
-    """The mechanisms that the value at `path` changes: those that use the body or material, or all of them."""
+def dependents(content: Content, path: Key, *, beside: Mapping[str, tuple[str, ...]] | None = None) -> tuple[str, ...]:
+    """The mechanisms that the value at `path` changes: those that use the body or material, or all of them.
+
+    beside : by mechanism, the bodies that touch it and so bear on its direction and sides
+    """
+    touching = beside or {}
     table, *names = path
     if table == "mechanisms":
         return tuple(name for name in content.mechanisms if name == names[0])
     used = {name: _bodies(mechanism, content) for name, mechanism in content.mechanisms.items()}
     if table == "bodies":
-        return tuple(n for n, bodies in used.items() if names[0] in bodies or _carries_bodies(content.mechanisms[n]))
+        return tuple(
+            name
+            for name, bodies in used.items()
+            if names[0] in (*bodies, *touching.get(name, ())) or _carries_bodies(content.mechanisms[name])
+        )
     if table == "materials":
         of = {name for name, body in content.bodies.items() if getattr(body, "material", None) == names[0]}
         return tuple(name for name, bodies in used.items() if bodies & of)

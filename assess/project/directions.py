@@ -1,4 +1,4 @@
-"""Mechanisms whose direction is sought: `direction = "sweep"`."""
+"""Mechanisms whose direction is sought on a whole circle: `direction = "sweep"`."""
 
 from __future__ import annotations
 
@@ -23,6 +23,7 @@ from assess.project.body_loads import Meeting, Surroundings, meeting
 from assess.project.loading import loads_of
 from assess.project.mechanisms import Built, mechanism_of, of_one_block
 
+Sought = sections.SingleBlock | sections.TwoBlock | sections.FourHinge
 S = TypeVar("S", bound=sections.Chained)
 
 CORNER = (
@@ -35,10 +36,8 @@ SAME = 1e-6  # deg: directions this near are one
 TIE = 1e-9  # multipliers this near the least are as weak
 
 
-def directed(name: str, section: sections.Mechanism, content: sections.Content, solids: Solids) -> Built:
-    """The mechanism of one table [mechanisms.NAME], in its weakest direction where that is sought."""
-    if isinstance(section, sections.EquivalentBlock) or section.direction != "sweep":
-        return mechanism_of(name, section, content, solids)
+def swept_directions(name: str, section: Sought, content: sections.Content, solids: Solids) -> Built:
+    """The mechanism of one table [mechanisms.NAME] in the weakest of many directions."""
     standing = standing_of(name, section, solids)
     told: tuple[str, ...] = ()
     if isinstance(section, sections.SingleBlock) and not isinstance(section.cut, sections.CutAngle):

@@ -40,16 +40,21 @@ def mechanism_of(name: str, section: sections.Mechanism, content: sections.Conte
     if isinstance(section, sections.EquivalentBlock):
         own = section.model_dump(include={"p", "uplift", "radius", "mass", "elevation", "label", "sides"})
         return Built(equivalent_block(name, **own, restitution=restitution_of(section)), None)
+    rigid, members = on_rigid_hinges(name, section, content, solids)
+    told = put_on_joints(rigid, section, members, content, restitution=restitution_of(section))
+    told = replace(told, faces=faces_of(told, section, members, content), direction=section.towards)
+    return Built(told, scene_of(members, section.towards))
+
+
+def on_rigid_hinges(name: str, section: sections.Chained, content: sections.Content, solids: Solids) -> Parted:
+    """The mechanism of one table before it is put on its joints."""
     pieces = pieces_of(name, section, content, solids)
     brought = loads_of(name, section, pieces, content, solids)
     try:
         mechanism, members = BUILDERS[type(section)](name, section, pieces, content, loads=brought.loads)
     except MechanismError as error:
         raise error if str(error).startswith("mechanism ") else MechanismError(f'mechanism "{name}": {error}') from None
-    told = replace(mechanism, notices=(*mechanism.notices, *brought.doubts))
-    told = put_on_joints(told, section, members, content, restitution=restitution_of(section))
-    told = replace(told, faces=faces_of(told, section, members, content))
-    return Built(told, scene_of(members, section.towards))
+    return replace(mechanism, notices=(*mechanism.notices, *brought.doubts)), members
 
 
 def of_one_block(
@@ -130,7 +135,11 @@ BUILDERS: dict[type[sections.Chained], Callable[..., Parted]] = {
 
 def common(section: sections.Chained) -> dict[str, Any]:
     """What every kind of chain takes as it is."""
-    return {"label": section.label, "sides": section.sides, "restitution": restitution_of(section)}
+    return {
+        "label": section.label,
+        "sides": "two" if section.two_sided else "one",
+        "restitution": restitution_of(section),
+    }
 
 
 def restitution_of(section: sections.Chained | sections.EquivalentBlock) -> tuple[Any, Any]:

@@ -13,6 +13,7 @@ from assess.mechanisms.mechanism import Mechanism
 from assess.message import Message, Quantity, note, warning
 from assess.project import sections
 from assess.project.asking import procedures_of
+from assess.project.enduring import left_out
 from assess.project.gaps import gaps_of
 from assess.project.grounding import ground_of
 from assess.project.overlaps import overlaps_of
@@ -37,6 +38,8 @@ def notices_of(
     for mechanism in mechanisms:
         for text in mechanism.notices:
             yield warning("mechanism", f"mechanisms.{mechanism.name}", text=text)
+        yield from left_out(mechanism)
+        yield from mechanism.messages
     yield from _of_equation(content.analysis.equation, mechanisms)
     ground = ground_of(content)
     raised = [mechanism.name for mechanism in mechanisms if mechanism.elevation > ground + PLINTH]

@@ -15,7 +15,7 @@ from assess.codes.check import Check
 from assess.codes.family import of_histories
 from assess.codes.verdict.answer import index_of
 from assess.errors import AssessError
-from assess.mechanisms.oscillation import oscillator
+from assess.mechanisms.lasting import variants
 from assess.project.assessing import Progress, at_base, besides, checks_of, context_of
 from assess.project.histories import Rocking, Shaken, asked_of
 from assess.project.motions import Motion
@@ -87,7 +87,7 @@ def checked(study: Study, spectrum: Spectrum, motions: tuple[Motion, ...], *, jo
     """The checks of the one mechanism of a case."""
     (mechanism,) = study.mechanisms
     base = at_base(study.amplified[mechanism.name], motions)
-    shaken = Shaken(mechanism.name, oscillator(mechanism), study.equations[mechanism.name], base)
+    shaken = Shaken(mechanism.name, variants(mechanism).deciding, study.equations[mechanism.name], base)
     shakes = any(map(of_histories, study.procedures))
     levels = study.levels if shakes else ()
     rocked = Rocking((), ())

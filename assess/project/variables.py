@@ -15,7 +15,6 @@ from typing import Any
 from assess.geometry.solid import Solid
 from assess.geometry.stretch import stretched
 from assess.mechanisms.chain import hinge_names
-from assess.mechanisms.directions import towards
 from assess.mechanisms.mechanism import Mechanism
 from assess.project import sections
 from assess.project.amplification import RAYLEIGH
@@ -89,11 +88,15 @@ def variables_of(project: Project, study: Study, solids: Solids, alone: Alone) -
 
 
 def facing(project: Project, mechanism: Mechanism) -> Project:
-    """The project with the direction of a mechanism given where it was sought: that is kept."""
-    if mechanism.directions is None:
+    """The project with the direction and the sides of a mechanism given where they were sought: they are kept."""
+    section = project.content.mechanisms[mechanism.name]
+    if isinstance(section, sections.EquivalentBlock):
         return project
-    path = ("mechanisms", mechanism.name, "direction")
-    raw = with_value(project.raw, path, list(towards(mechanism.directions.weakest)), project.content)
+    raw = project.raw
+    if section.direction in (None, "sweep") and mechanism.direction is not None:
+        raw = with_value(raw, ("mechanisms", mechanism.name, "direction"), list(mechanism.direction), project.content)
+    if section.sides is None:
+        raw = with_value(raw, ("mechanisms", mechanism.name, "sides"), mechanism.sides, project.content)
     return replace(project, raw=raw, content=sections.Content.model_validate(raw, context={"folder": project.folder}))
 
 

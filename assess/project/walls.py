@@ -86,7 +86,7 @@ def cracked(
     if crack is None:
         crack = front[1][1] if front is not None else "sorrentino"
     if crack == "sorrentino":
-        elevation, notice = by_formula(panel, sides=section.sides)
+        elevation, notice = by_formula(panel, sides="two" if section.two_sided else "one")
     elif crack == "minimum":
         elevation, notice = by_search(section, whole, panel, loads)
     else:
@@ -173,7 +173,7 @@ def uplift(section: sections.TwoBlock, whole: Piece, panel: Panel, loads: tuple[
     assert base is not None  # a piece with solids has a base and a top
     assert head is not None
     found = []
-    for ahead in (True, False) if section.sides == "two" else (True,):
+    for ahead in (True, False) if section.two_sided else (True,):
         hinges = (base[ahead], joint[not ahead], head[ahead])
         chain = Chain(blocks, hinges, loads) if ahead else mirrored_chain(blocks, hinges, loads)
         work, turning = virtual_work(chain, np.zeros(1)), move(chain, np.zeros(1)).rate[:, 0]

@@ -52,8 +52,9 @@ def _of(mechanism: str, check: Check) -> tuple[Missing, ...]:
 
 def _by_reason(mechanism: str, check: Check, reason: Message) -> tuple[Missing, ...]:
     text = f"{mechanism}: {check.procedure}: {reason.text}"
-    if reason.where:
-        return (Missing(reason.where, text, str(reason.values.get("toml", ""))),)
+    if reason.where:  # of the whole project, as a suite of records is, said once for all mechanisms
+        own = reason.where.startswith("mechanisms.")
+        return (Missing(reason.where, text if own else reason.text, str(reason.values.get("toml", ""))),)
     lines = _lines(check, reason)
     if not lines:
         return (Missing(f"mechanisms.{mechanism}", text),)

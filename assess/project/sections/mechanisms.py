@@ -43,6 +43,7 @@ from assess.project.units import KINDS, si_value
 MECHANISMS = ("single-block", "two-block", "four-hinge", "equivalent-block")
 CRACKS = ("sorrentino", "minimum")
 MOST_VOUSSOIRS = 80  # of an arch: all choices of four of its joints are looked at, which takes seconds
+ALONG_X = (1.0, 0.0, 0.0)
 RESTITUTIONS = ("thesis", "housner", "sorrentino", "momentum")
 
 
@@ -211,6 +212,12 @@ def _pairs(section: Section) -> list[str]:
     return [key for key, at in tuples.items() if all(isinstance(number, float) for number in at)]
 
 
+def _in_plane(load: LoadSection) -> list[str]:
+    """The keys of a load that are measured along the direction."""
+    off_middle = isinstance(load, OverburdenLoad) and bool(load.eccentricity)
+    return [*_pairs(load), *["eccentricity"] * off_middle]
+
+
 class Chained(Section):
     """What all mechanisms of blocks share."""
 
@@ -219,12 +226,12 @@ class Chained(Section):
     """bodies from the base on; an entry may join several that move as one, [["wall", "buttress"]]"""
     label: StrictStr = ""
     """what the report calls it; the name of the table if absent"""
-    direction: SoughtDirection = (1.0, 0.0, 0.0)
-    """horizontal, positive rotation topples this way; or "sweep": the direction in which it is weakest"""
+    direction: SoughtDirection | None = None
+    """horizontal, positive rotation topples this way; the weakest if absent (four-hinge: +x); or "sweep\""""
     cut: Cut | None = None
     """only what lies above moves: an elevation like "4.77 m", or a crack, { point, normal } or { point, angle }"""
-    sides: Literal["one", "two"] = "two"
-    """"two", or "one": positive rotation only, the building behind stops the other"""
+    sides: Literal["one", "two"] | None = None
+    """"two", or "one": positive rotation only, the building behind stops the other; if absent, as bodies touch it"""
     loads: tuple[LoadSection, ...] = ()
     """[ { kind = "mass" | "force" | "tie" | "overburden" | "body", … }, … ]"""
     restitution: Restitution = Field(default_factory=Restitution)
@@ -250,23 +257,29 @@ class Chained(Section):
 
     @property
     def towards(self) -> tuple[float, float, float]:
-        """The direction as a vector; where it is sought, one is put in its place before anyone asks."""
+        """The direction as a vector, +x if absent; where it is sought, it is put in its place before anyone asks."""
         assert self.direction != "sweep"
-        return self.direction
+        return ALONG_X if self.direction is None else self.direction
+
+    @property
+    def two_sided(self) -> bool:
+        """Whether it rocks both ways; where `sides` is sought, it is put in its place before anyone asks."""
+        return self.sides != "one"
 
     @model_validator(mode="after")
     def _nothing_turns_with_a_sought_direction(self) -> Self:
-        for key in self._turning() if self.direction == "sweep" else ():
-            raise wrong(key, 'two numbers depend on the direction, which is "sweep"; give three, or the direction')
+        for key in self.turning() if self.direction == "sweep" else ():
+            of = "an eccentricity depends" if key[-1] == "eccentricity" else "two numbers depend"
+            raise wrong(key, f'{of} on the direction, which is "sweep"; give three numbers, or the direction')
         return self
 
-    def _turning(self) -> Iterator[tuple[str | int, ...]]:
-        """The keys given in the plane of motion, by two numbers: of hinges, of loads, and the joints of an arch."""
+    def turning(self) -> Iterator[tuple[str | int, ...]]:
+        """The keys given in the plane of motion: two numbers of hinges and loads, and the joints of an arch."""
         for name, value in self.entries().items():
             if isinstance(value, Hinges):
                 yield from ((name, key) for key in _pairs(value))
             if name == "loads":
-                yield from ((name, place, key) for place, load in enumerate(value) for key in _pairs(load))
+                yield from ((name, place, key) for place, load in enumerate(value) for key in _in_plane(load))
             if name == "joints" and value is not None:
                 yield (name,)
 
@@ -337,12 +350,12 @@ class FourHinge(Chained):
         if self.hinges != "minimum":
             if len(self.blocks) != 3:
                 raise wrong("blocks", f"{len(self.blocks)} of them with four hinges; name three, base first")
-            if (self.hinges_negative is None) == (self.sides == "two"):
+            if (self.hinges_negative is None) == self.two_sided:
                 two, one = (
                     'missing; two-sided rocking has hinges of its own each way: give them, or sides = "one"',
                     "beside one-sided rocking; remove it",
                 )
-                raise wrong("hinges_negative", two if self.sides == "two" else one)
+                raise wrong("hinges_negative", two if self.two_sided else one)
             if self.joints is not None:
                 raise wrong("joints", 'are for an arch with hinges = "minimum"; remove one of them')
             return self

@@ -35,6 +35,7 @@ box = { thickness = 0.6, length = 3.0, height = 4.0 }
 kind = "single-block"
 blocks = ["wall"]
 sides = "one"
+direction = [1, 0, 0]
 restitution = 0.5
 [mechanisms.published]
 kind = "equivalent-block"

@@ -22,7 +22,7 @@ density = 2400
 [materials.rubble]
 density = 1800
 """
-MECHANISM = '\n[mechanisms.m]\nkind = "single-block"\nblocks = [{blocks}]\n'
+MECHANISM = '\n[mechanisms.m]\nkind = "single-block"\ndirection = {direction}\nblocks = [{blocks}]\n'
 SITE = """
 [site.spectrum]
 code = "asce7-16"
@@ -48,8 +48,9 @@ def wall(**changes: object) -> Solid:
     return box(**(form | changes))  # type: ignore[arg-type]
 
 
-def study(folder: Path, bodies: str, *, blocks: str = '["w"]', more: str = "") -> Study:
-    (folder / "project.toml").write_text(HEAD + bodies + MECHANISM.format(blocks=blocks) + more)
+def study(folder: Path, bodies: str, *, blocks: str = '["w"]', more: str = "", direction: str = "[1, 0, 0]") -> Study:
+    table = MECHANISM.format(blocks=blocks, direction=direction)
+    (folder / "project.toml").write_text(HEAD + bodies + table + more)
     return build(load(folder))
 
 
@@ -199,7 +200,7 @@ def test_a_wall_with_an_opening(tmp_path: Path) -> None:
     outline = [[-2, 0], [-0.5, 0], [-0.5, 2.1], [0.5, 2.1], [0.5, 0], [2, 0], [2, 4.5], [-2, 4.5]]
     pierced = profile(outline, length=0.6, density=2400.0, name="w")
     (tmp_path / "wall.obj").write_text(obj(pierced))
-    made = study(tmp_path, body("w", 'mesh = "wall.obj"'), more="direction = [0, 1, 0]\n")
+    made = study(tmp_path, body("w", 'mesh = "wall.obj"'), direction="[0, 1, 0]")
     whole, door = 2400 * 4 * 4.5 * 0.6, 2400 * 1.0 * 2.1 * 0.6
     (block,) = made.mechanisms[0].positive.blocks
     assert block.mass == pytest.approx(whole - door, rel=1e-12)

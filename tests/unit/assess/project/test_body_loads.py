@@ -31,6 +31,7 @@ box = {{ thickness = 0.6, length = 5, height = 6, base = [-3, 0, 0] }}
 {bodies}
 [mechanisms.m]
 kind = "single-block"
+direction = [1, 0, 0]
 blocks = ["front"]
 sides = "one"
 {mechanism}
@@ -57,6 +58,8 @@ length = 5
 def study_of(folder: Path, bodies: str, *loads: str, mechanism: str = ""):
     listed = ", ".join(f'{{ kind = "body", {each} }}' for each in loads)
     text = PROJECT.format(bodies=bodies, mechanism=f"{mechanism}\nloads = [{listed}]")
+    if mechanism.startswith("direction"):
+        text = text.replace("direction = [1, 0, 0]\n", "", 1)
     (folder / "project.toml").write_text(text, encoding="utf-8")
     return build(load(folder))
 

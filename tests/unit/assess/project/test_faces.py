@@ -51,7 +51,7 @@ def mechanism(folder: Path, text: str, *, brick: str = "") -> Mechanism:
 
 
 def single(more: str = "", *, blocks: str = '["tower"]') -> str:
-    return f'[mechanisms.m]\nkind = "single-block"\nblocks = {blocks}\n{more}\n'
+    return f'[mechanisms.m]\nkind = "single-block"\ndirection = [1, 0, 0]\nblocks = {blocks}\n{more}\n'
 
 
 def test_a_tower_stands_on_level_faces(tmp_path: Path) -> None:

@@ -29,6 +29,7 @@ box = { thickness = 1, length = 2, height = 6 }
 SINGLE = """
 [mechanisms.wall]
 kind = "single-block"
+direction = [1, 0, 0]
 blocks = ["wall"]
 """
 SOFT = 'interface = { model = "flexible", stiffness = "0.2 GPa/m" }\n'
@@ -60,6 +61,11 @@ def mechanism(tmp_path, lines="", *, text=STONE + SINGLE):
     return found
 
 
+def towards(x, y):
+    """The project with the wall's direction turned."""
+    return (STONE + SINGLE).replace("direction = [1, 0, 0]", f"direction = [{x}, {y}, 0]")
+
+
 def refused(tmp_path, lines, *, text=STONE + SINGLE):
     with pytest.raises(AssessError) as error:
         mechanism(tmp_path, lines, text=text)
@@ -83,7 +89,7 @@ def test_outline_of_a_box_is_its_rectangle(tmp_path):
 def test_direction_that_is_oblique_to_the_box(tmp_path, turn):
     """The rotated rectangle is deep b |cos| + l |sin|; its corner is the hinge."""
     c, s = cos(radians(turn)), sin(radians(turn))
-    found = mechanism(tmp_path, f"direction = [{c}, {s}, 0]\n" + SOFT)
+    found = mechanism(tmp_path, SOFT, text=towards(c, s))
     (joint,) = found.positive.joints
     depth = 1.0 * abs(c) + 2.0 * abs(s)
     assert joint.section.depth == pytest.approx(depth, rel=1e-9)
@@ -95,7 +101,7 @@ def test_direction_that_is_oblique_to_the_box(tmp_path, turn):
 def test_an_oblique_direction_is_told_with_how_far_the_resultant_leaves_the_plane(tmp_path):
     """A rectangle is not symmetric about an oblique plane: at a corner that alone bears, the resultant is there."""
     c, s = cos(radians(30.0)), sin(radians(30.0))
-    (text,) = [n for n in mechanism(tmp_path, f"direction = [{c}, {s}, 0]\n" + SOFT).notices if "symmetric" in n][:1]
+    (text,) = [n for n in mechanism(tmp_path, SOFT, text=towards(c, s)).notices if "symmetric" in n][:1]
     assert text.startswith(
         "interface A: the contact is not symmetric about the plane of motion: its resultant moves by"
     )

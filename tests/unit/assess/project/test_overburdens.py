@@ -26,6 +26,7 @@ material = "m"
 box = { thickness = 5.1, length = 3, height = 0.2, base = [2.55, 0, 4] }
 [mechanisms.wall]
 kind = "two-block"
+direction = [1, 0, 0]
 blocks = ["wall"]
 """
 

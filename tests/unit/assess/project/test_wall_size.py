@@ -31,11 +31,13 @@ centroid = [0.0, 1.0]
 inertia = 400
 [mechanisms.spanning]
 kind = "two-block"
+direction = [1, 0, 0]
 blocks = ["wall"]
 crack = 2.5
 sides = "{sides}"
 [mechanisms.free]
 kind = "single-block"
+direction = [1, 0, 0]
 blocks = ["wall"]
 cut = 1.0
 sides = "{sides}"

@@ -1,0 +1,81 @@
+"""Bodies beside a mechanism that would stop its motion: return walls, a building behind, a buttress."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from assess.geometry.solid import Solid
+from assess.geometry.touch import TOLERANCE, Patches, beside
+from assess.mechanisms.directions import Vector
+from assess.project import sections
+
+FOOT = 0.1  # of the height of the masonry: what touches it lower, as a pavement does, does not stop it
+AHEAD = 0.7  # cosine between a touched face and the motion that the contact stops: within 45 degrees
+SMALLEST = 0.01  # m2: less contact is a slip of drawing
+
+
+@dataclass(frozen=True)
+class Obstacle:
+    """A body that touches the part of a mechanism above its hinge, and the faces of that part which it touches."""
+
+    body: str
+    faces: Patches
+
+    def stops(self, way: Vector) -> bool:
+        """Whether it stops a motion towards `way`, a horizontal unit vector."""
+        ahead = self.faces.normal @ np.array(way) > AHEAD
+        return float(self.faces.area[ahead].sum()) > SMALLEST
+
+
+def obstacles_of(
+    section: sections.Chained, standing: Sequence[Solid], solids: Mapping[str, Solid | None]
+) -> tuple[Obstacle, ...]:
+    """The bodies that touch what moves, `standing`; those of the mechanism and those that load it are none."""
+    low = min(float(solid.vertices[:, 2].min()) for solid in standing)
+    high = max(float(solid.vertices[:, 2].max()) for solid in standing)
+    foot = low + FOOT * (high - low)
+    head = (
+        high - FOOT * (high - low) if isinstance(section, sections.TwoBlock) else np.inf
+    )  # held there by what touches
+    own = {*(body for block in section.blocks for body in block), *_carried(section)}
+    others = [solid for name, solid in solids.items() if solid is not None and name not in own]
+    found = ((other, _touched(standing, other, foot=foot, head=head)) for other in others if _near(standing, other))
+    return tuple(Obstacle(other.name, faces) for other, faces in found if float(faces.area.sum()) > SMALLEST)
+
+
+def stopping(obstacles: Sequence[Obstacle], way: Vector) -> tuple[str, ...]:
+    """The bodies that stop a motion towards `way`."""
+    return tuple(obstacle.body for obstacle in obstacles if obstacle.stops(way))
+
+
+def _carried(section: sections.Chained) -> Iterator[str]:
+    """The bodies that move with the mechanism as its loads."""
+    for load in section.loads:
+        if isinstance(load, sections.BodyLoad):
+            yield load.body
+        elif isinstance(load, sections.OverburdenLoad):
+            yield from load.bodies
+
+
+def _near(standing: Sequence[Solid], other: Solid) -> bool:
+    """Whether the bounding box of a body reaches one of those that move."""
+    low, high = other.vertices.min(axis=0) - TOLERANCE, other.vertices.max(axis=0) + TOLERANCE
+    return any(
+        bool(np.all((solid.vertices.max(axis=0) >= low) & (solid.vertices.min(axis=0) <= high))) for solid in standing
+    )
+
+
+def _touched(standing: Sequence[Solid], other: Solid, *, foot: float, head: float) -> Patches:
+    """The upright faces of what moves that a body touches between two elevations [m].
+
+    A body drawn in the same place, another state of it or simply put at the origin too, is not beside it.
+    """
+    met = [beside(solid, other) for solid in standing]
+    area, centroid, normal = (
+        np.concatenate([getattr(each, key) for each in met]) for key in ("area", "centroid", "normal")
+    )
+    kept = (centroid[:, 2] > foot) & (centroid[:, 2] < head)
+    return Patches(area[kept], centroid[kept], normal[kept])

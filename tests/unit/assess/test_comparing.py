@@ -92,7 +92,7 @@ def test_a_tie_turns_the_verdict_which_stands_first(before: Results, after: Resu
     margin = next(each for each in others if each.what == "holds up to, over the site's PGA")
     assert margin.before < 1.0 < margin.after
     assert [change.kind for change in found] == sorted((c.kind for c in found), key=KINDS.index)
-    assert {change.where for change in found} <= {"wall", "mechanisms.wall", "", "project.toml"}  # the parapet stays as it was
+    assert {change.where for change in found} <= {"wall", "mechanisms.wall", "", "project.toml"}  # parapet: as it was
     (tied,) = of_kind(found, "project")
     assert (tied.what, tied.before) == ("mechanisms.wall.loads[1]", None)
     assert (tied.after["kind"], tied.after["force"]) == ("tie", 20000.0)

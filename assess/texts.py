@@ -92,8 +92,7 @@ TEXTS: Mapping[str, str] = {
     "carries-floors": "EN 1998-1 4.3.5 is for elements that carry no floor; for walls that do no method is accepted "
     "before EN 1998-3:2025, and the answer by ntc2018 is for comparison",
     "rubble-masonry": "{clause} is for coursed masonry; rubble cannot be judged by it",
-    "no-s-x1": "{clause} asks for S_X1 at the declared hazard, which a table of ordinates does not state: give "
-    "procedures.asce41-13.s_x1",
+    "ordinate-not-by-name": "{clause} asks for {symbol}, which a table of ordinates does not state: give {key}",
     "friction-unknown": "friction at hinge {hinge} is not known; {remedy}",
     "hinge-pulls": "hinge {hinge} would have to pull with {pull} before the mechanism rocks, so friction does not "
     "hold it: check hinges and loads",

@@ -22,6 +22,7 @@ from assess.message import Message, Quantity
 from assess.oscillator import Oscillator
 
 ONE_SIDED = ("asce43-05-spectrum",)  # damping by the two impacts of a body that rocks both ways
+SUITE_OF_A2 = "asce43-05"  # whose rules the suite must meet that a floor spectrum is made of
 ON_THE_WAY = (Family.DISPLACEMENT, Family.HISTORY, Family.ENERGY, Family.PART, Family.ELEMENT)
 """What follows a mechanism as it moves, and so asks for what lasts."""
 FLOOR_CLAUSES: dict[Family, str] = {
@@ -174,6 +175,9 @@ def _of_height(procedure: str, family: Family, oscillator: Oscillator, context: 
         return Admission(May.ONLY_FAIL, because(Reason.ABOVE_BUILDING, height=height))
     if procedure not in READINGS and _has_floor_input(family, context):
         return None
+    faults = context.suite_faults.get(SUITE_OF_A2, ()) if family == Family.ENERGY else ()
+    if faults and context.carried == "by a filter":
+        return Admission(May.ONLY_FAIL, faults[0], others=tuple(faults[1:]))
     why = (
         Reason.SCALAR_MOTION if family == Family.HISTORY and context.carried == "by a factor" else Reason.GROUND_MOTION
     )

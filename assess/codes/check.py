@@ -88,7 +88,7 @@ class Reason(StrEnum):
     OVERLOADED = "overloaded-wall"
     CARRIES_FLOORS = "carries-floors"
     RUBBLE = "rubble-masonry"
-    NO_S_X1 = "no-s-x1"
+    NOT_BY_NAME = "ordinate-not-by-name"
     FRICTION_UNKNOWN = "friction-unknown"
     HINGE_PULLS = "hinge-pulls"
     NO_HINGE_FORCES = "no-hinge-forces"

@@ -274,8 +274,7 @@ def test_loads_of_the_project_file_reach_the_oscillator_and_the_drawing(tmp_path
     assert mechanism.oscillator.mass_kg == pytest.approx(wall + 1700, rel=1e-12)
     assert [load.name for load in mechanism.drawing.loads] == ["mass 1", "mass 2", "force 3", "force 4", "tie 5"]
     assert mechanism.interfaces[0]["normal_force_n"] == pytest.approx((wall + 1200) * g + 1000, rel=1e-12)
-    results = run(study)
-    assert {check.verdict for check in results.mechanisms[0].checks} <= {"pass", "fail", "not-applicable"}
+    assert len(run(study).mechanisms[0].checks) > 3
 
 
 def test_direction_of_a_force_is_seen_in_the_plane_of_motion(tmp_path):

@@ -97,7 +97,22 @@ def test_capacity_of_a_plain_block_is_proportional_to_thickness_and_free_of_dens
         assert thick.at_low < thick.at_base < thick.at_high  # type: ignore[operator]
         for row in rows_of(results, "thickness", RATIO, procedure):
             assert row.at_low >= row.at_base >= row.at_high  # type: ignore[operator]
-    assert [row.level_pga_g for row in rows_of(results, "density", RATIO, "dmi2008-linear")] == [0.1, 0.25]
+    assert [row.level_pga_g for row in rows_of(results, "density", RATIO, "dmi2008-linear")] == [0.1, 0.2, 0.25]
+
+
+def test_what_decides_is_told_by_its_index(folder: Path) -> None:
+    """Demand over capacity of the approximate method at the site's own PGA; without a basis there is none."""
+    assert not rows_of(run(study_of(folder, asked("true"))), "thickness", "index", "asce43-05-spectrum")
+    basis = '[verdict]\nbasis = "asce43-05"\nprocedures = ["asce43-05-spectrum"]\n[site]\nlimit_state = "DBE"\n'
+    results = run(study_of(folder, asked('{ thickness = "3 cm" }', project=basis + PROJECT)))
+    (index,) = rows_of(results, "thickness", "index", "asce43-05-spectrum")
+    ratio = next(row for row in rows_of(results, "thickness", RATIO, "asce43-05-spectrum") if row.role == "deciding")
+    assert (index.index, index.level_pga_g) == ("D/C", 0.2)
+    assert (index.at_base, index.at_low, index.at_high) == (ratio.at_base, ratio.at_low, ratio.at_high)
+    assert results.verdict is not None
+    assert results.verdict.mechanisms[0].answers[0].index.value == index.at_base  # type: ignore[union-attr]
+    others = [row.role for row in results.sensitivity if row.procedure == "dmi2008-linear"]
+    assert set(others) == {"comparison"}
 
 
 def test_a_share_of_nothing_changes_nothing(folder: Path) -> None:

@@ -315,7 +315,7 @@ def test_a_level_cut_is_the_mechanism_of_what_lies_above(tmp_path):
     np.testing.assert_allclose(block.centroid, (0.0, 3.0), atol=1e-12)
     np.testing.assert_allclose(mechanism.positive.hinges[0], (0.3, 1.5), atol=1e-12)
     assert min(z for _, z in mechanism.outlines[0][0]) == 1.5
-    assert "amplification" in {notice.key for notice in study.notices}
+    assert "not-amplified" in {notice.key for notice in study.notices}
     (at_base,) = study_of(tmp_path, mechanism="cut = 0").mechanisms
     assert vars(at_base) == vars(whole)
 

@@ -149,7 +149,7 @@ def variants(mechanism: Mechanism) -> Variants:
 def collapse_branch(chain: Chain, *, name: str) -> Branch:
     """The table of a chain on rigid hinges with what is shown to last to collapse, and what drives; no restitution.
 
-    Raises MechanismError for a chain that never overturns, FallingError for one that falls, or stands by the rest alone.
+    Raises MechanismError for one that never overturns, FallingError for one that falls, or stands by the rest alone.
     """
     rigid = replace(chain, joints=())
     end = float(staged_branch(whole(rigid), restitution=0.0, name=name).rotation[-1])

@@ -27,8 +27,8 @@ def description(
 
 
 def warned(notices: tuple[Message, ...]) -> str:
-    """A line for each warning."""
-    return "".join(f"warning: {printable(notice.where)}: {printable(notice.text)}\n" for notice in notices)
+    """A line for each warning and note."""
+    return "".join(f"{notice.severity}: {printable(notice.where)}: {printable(notice.text)}\n" for notice in notices)
 
 
 def sensitivity_text(variables: Sequence[Variable | Unvaried]) -> str:

@@ -18,8 +18,8 @@ from assess.geometry.footprint import edge_normals
 from assess.geometry.planar import FloatArray, lowest_corners
 from assess.mechanisms.chain import Chain
 from assess.mechanisms.directions import Candidate, Vector
+from assess.mechanisms.lasting import collapse_branch
 from assess.mechanisms.mechanism import Mechanism
-from assess.mechanisms.table import branch
 from assess.mechanisms.virtual_work import virtual_work
 from assess.oscillator import displacement
 from assess.project import sections
@@ -161,9 +161,14 @@ def with_displacement(candidate: Candidate, look: Look) -> Candidate:
 
 
 def displacement_of(chain: Chain, *, name: str) -> float | None:
-    """d0* of a chain on rigid hinges, where its control point is when it overturns [m]; None where it never does."""
+    """d0* of a chain on rigid hinges, where its control point is when it overturns [m]; None where it never does.
+
+    With what is shown to last to collapse: 0 where it stands only by other ties and forces.
+    """
     try:
-        side = branch(replace(chain, joints=()), restitution=0.0, name=name)
+        side = collapse_branch(chain, name=name)
+    except FallingError:
+        return 0.0
     except AssessError:
         return None
     return float(displacement(side, np.array(side.overturning), mass=chain.mass))

@@ -65,7 +65,7 @@ TEXTS: Mapping[str, str] = {
     "scalar-motion-at-height": "what holds the mechanism is {height} above the ground; histories carried there by one "
     "number miss resonance, so they can fail a check and cannot pass it: {remedy}",
     "ground-unknown": "the lowest body lies {height} from elevation 0 and nobody says where the ground is: give "
-    "[building] ground_elevation",
+    "[building] ground_elevation, or the mechanism its base_elevation",
     "one-sided": "the effective damping is that of the two impacts of a body that rocks both ways; this one rocks to "
     "one side",
     "stops-at-impact": "restitution by the momentum kept at the impact is {restitution}: a mechanism this squat stops "

@@ -92,6 +92,7 @@ def assessed(
         checks=checks_of(study, shaken.oscillator, context),
         histories=governing_trace(shaken, rocked.histories, motions),
         amplification=amplification_result(study.amplified[mechanism.name], motions, shaken.base),
+        grounded=study.grounded[mechanism.name],
     )
 
 
@@ -121,7 +122,7 @@ def context_of(
 def _context_of(
     study: Study, spectrum: Spectrum, mechanism: Mechanism, rocked: Rocking, base: tuple[Carried, ...]
 ) -> Context:
-    elevation = mechanism.elevation - study.ground
+    grounded = study.grounded[mechanism.name]
     return Context(
         spectrum=spectrum,
         levels=study.levels,
@@ -129,14 +130,14 @@ def _context_of(
         support=SUPPORTS[mechanism.kind],
         carries_floors=carries_floors(mechanism),
         wall=wall_of(mechanism),
-        elevation=elevation,
+        elevation=grounded.base,
         rise=mechanism.rise,
         building=study.building,
         suites=rocked.suites,
         histories_at="ground" if study.amplified[mechanism.name].height is None else "mechanism base",
-        carried=carried_by(study.amplified[mechanism.name], support=max(elevation, 0.0) + mechanism.rise / 2.0),
+        carried=carried_by(study.amplified[mechanism.name], support=grounded.support),
         crushing=mechanism.crushing,
-        impossible=study.impossible,
+        impossible=grounded.unknown,
         suite_faults=study.suite_faults,
         impossible_by_histories=stopped(mechanism),
         amplification=max((each.factor for each in base), default=1.0),

@@ -17,6 +17,7 @@ Floats = tuple[float, ...]
 Point = tuple[float, float]
 Place = tuple[float, float, float]
 Ring = tuple[Point, ...]
+Lasting = Literal["to collapse", "to its end", "not shown"]
 
 
 @dataclass(frozen=True)
@@ -410,7 +411,10 @@ class SuiteResult:
 class LoadResult:
     """A load as used: a mass, bearing or not, or the force (along the direction, up) of a force or tie at rest.
 
-    at: distance along the direction, elevation [m]; source: how it was found, or "given".
+    at: distance along the direction, elevation [m]; source: how it was found, or "given". lasting: how long a force or
+    tie is shown to be there, where it resists on some branch: to collapse, to its end on the way (at a rotation, where
+    its point has moved by end_m), or not at all, for want of the keys `missing`; None where it only drives. A tie that
+    lasts has an end too where its fracture strain is reached beyond collapse. seat_m: of a bearing mass.
     """
 
     name: str
@@ -421,6 +425,11 @@ class LoadResult:
     bearing: bool | None
     force_n: Point | None
     source: str
+    lasting: Lasting | None = None
+    missing: tuple[str, ...] = ()
+    end_rad: float | None = None
+    end_m: float | None = None
+    seat_m: float | None = None
 
 
 @dataclass(frozen=True)
@@ -558,6 +567,10 @@ class HingeForceResult:
 class MechanismResult:
     """Everything about one mechanism; direction_sweep is None where its direction was not sought on a whole circle.
 
+    oscillator, curve: with every action that is there at rest. deciding_curve: with those that are shown to last to
+    collapse and those that drive, of which displacements and histories are asked, and to whose overturning rotations
+    (of rigid joints, positive and negative) their ratios refer; None where both are the same, or where it falls at rest
+    without the others.
     direction: of positive rotation, horizontal; None for an equivalent block. candidates: the directions among which
     the weakest was found, or with which a given one was compared. base_elevation_m: of its base over the ground;
     input_height_m: of what holds it, the mean of base and far support where it is held twice; above_ground: whether
@@ -585,6 +598,8 @@ class MechanismResult:
     direction_sweep: DirectionSweep | None
     interface_curves: InterfaceCurves | None = None
     hinge_forces: tuple[HingeForceResult, ...] = ()
+    deciding_curve: Curve | None = None
+    deciding_overturning_rad: tuple[float, float | None] | None = None
     direction: tuple[float, float, float] | None = None
     candidates: tuple[DirectionCandidate, ...] = ()
     base_elevation_m: float | None = None

@@ -10,6 +10,14 @@ TEXTS: Mapping[str, str] = {
     "rocks-before-sliding": "it rocks before it slides, which A.1 leaves out",
     "ground-motion": "at height the motion of the ground is taken as it is: unconservative where the building "
     "amplifies it",
+    # of loads
+    "not-lasting": 'load "{load}" is not shown to last: where it resists it counts in the multiplier alone, not in '
+    "displacements and histories; give {missing} (until: the displacement of its point at which it ends, or "
+    '"collapse"; source: a line for the mechanism or its loads in [report.sources])',
+    "unheld": "the mechanism stands only by {loads}, not shown to last to collapse, so nothing can be said of its "
+    "displacements and histories; give until, for a tie with strength, length and fracture_strain, and a source",
+    "lower-confidence-factor": "by the confidence factor {given} given, below the code's {deciding}: for comparison",
+    "seats-hold": "a pass at {state} holds where {what} keep their seats up to a displacement d* of {moved}",
     # of the verdict
     "no-deciding-method": "no method that may decide {state} was asked or applies: {methods}",
     "missing-key": "{key}: {text}",
@@ -66,6 +74,12 @@ TEXTS: Mapping[str, str] = {
     "number miss resonance, so they can fail a check and cannot pass it: {remedy}",
     "ground-unknown": "the lowest body lies {height} from elevation 0 and nobody says where the ground is: give "
     "[building] ground_elevation, or the mechanism its base_elevation",
+    "knowledge-unknown": "crushing of the masonry is modelled, so FC is that of the level of knowledge, which is not "
+    "given; beside it the answer by LC1",
+    "seat-unknown": "the displacement at which {what} lose their seats limits SLC, and no seat is given",
+    "other-limit-state": "the site's single spectrum is that of {declared}; {state} is decided by its own: give the "
+    "hazard over return periods",
+    "hazard-too-short": "the hazard does not reach the return period of {state}: add a row",
     "one-sided": "the effective damping is that of the two impacts of a body that rocks both ways; this one rocks to "
     "one side",
     "stops-at-impact": "restitution by the momentum kept at the impact is {restitution}: a mechanism this squat stops "
@@ -78,8 +92,7 @@ TEXTS: Mapping[str, str] = {
     "carries-floors": "EN 1998-1 4.3.5 is for elements that carry no floor; for walls that do no method is accepted "
     "before EN 1998-3:2025, and the answer by ntc2018 is for comparison",
     "rubble-masonry": "{clause} is for coursed masonry; rubble cannot be judged by it",
-    "no-s-x1": "{clause} asks for S_X1 at the declared hazard, which a table of ordinates does not state: give "
-    "procedures.asce41-13.s_x1",
+    "ordinate-not-by-name": "{clause} asks for {symbol}, which a table of ordinates does not state: give {key}",
     "friction-unknown": "friction at hinge {hinge} is not known; {remedy}",
     "hinge-pulls": "hinge {hinge} would have to pull with {pull} before the mechanism rocks, so friction does not "
     "hold it: check hinges and loads",

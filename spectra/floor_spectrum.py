@@ -127,6 +127,28 @@ def circolare2019(period: ArrayLike, *, spectrum: Spectrum, modes: Sequence[Mode
     return np.asarray(np.where(beyond, np.maximum(summed, ground), summed), dtype=np.float64)
 
 
+def circolare2019_first_mode(
+    period: ArrayLike, *, spectrum: Spectrum, first: ArrayLike, mode_damping: float, share: float, damping: float
+) -> FloatArray:
+    """S_eZ(T, xi, z) [m/s2] of `circolare2019` under one mode, for each of its periods `first` [s]; shapes broadcast.
+
+    mode_damping : xi_1 of the building [-]; share : |gamma_1 psi_1(z)| [-]; damping : xi of the part [-]
+    """
+    T, T_1 = _periods(period), np.asarray(first, dtype=np.float64)
+    _some([Mode(float(T_1.min()), mode_damping, share)])
+    peak = first_mode_peak(T_1, spectrum=spectrum, mode_damping=mode_damping, share=share)
+    found = _stretches(T, T_1, peak, _resonance(mode_damping, damping))
+    ground = spectrum.acceleration(T, damping=damping)
+    return np.asarray(np.where(T_1 < T, np.maximum(found, ground), found), dtype=np.float64)
+
+
+def first_mode_peak(first: ArrayLike, *, spectrum: Spectrum, mode_damping: float, share: float) -> FloatArray:
+    """a_Z [m/s2] under one mode, for each of its periods `first` [s] (same shape). Source: C7.2.7, C7.2.8."""
+    xi = 100.0 * checked_damping(mode_damping)
+    ordinate = spectrum.acceleration(first, damping=mode_damping)
+    return np.asarray(ordinate * abs(share) * np.sqrt(1.0 + 0.0004 * xi**2))
+
+
 def circolare2019_modal(
     period: ArrayLike, *, spectrum: Spectrum, modes: Sequence[Mode], damping: float = 0.05, beta: float = 0.5
 ) -> FloatArray:
@@ -158,7 +180,11 @@ def part_amplification(period_ratio: ArrayLike, damping: float, *, beta: float) 
 
 def resonance_factor(mode: Mode, damping: float) -> float:
     """A = 1.1 xi_k^-0.5 eta(xi) [-], at least 1, with xi_k as a ratio. Source: Circolare 7/2019, C7.2.6."""
-    return float(max(1.1 * mode.damping**-0.5 * ec8_eta(damping), 1.0))
+    return _resonance(mode.damping, damping)
+
+
+def _resonance(mode_damping: float, damping: float) -> float:
+    return float(max(1.1 * mode_damping**-0.5 * ec8_eta(damping), 1.0))
 
 
 def circolare2019_frame(
@@ -180,8 +206,7 @@ def circolare2019_frame(
 
 def _modal_peak(spectrum: Spectrum, mode: Mode) -> float:
     """a_Z,k = S_e(T_k, xi_k) |gamma_k psi_k| sqrt(1 + 0.0004 xi_k^2) [m/s2], xi_k in per cent (C7.2.7)."""
-    xi = 100.0 * checked_damping(mode.damping)
-    return _modal_floor_acceleration(spectrum, mode) * float(np.sqrt(1.0 + 0.0004 * xi**2))
+    return float(first_mode_peak(mode.period, spectrum=spectrum, mode_damping=mode.damping, share=mode.share))
 
 
 def _modal_floor_acceleration(spectrum: Spectrum, mode: Mode) -> float:
@@ -191,10 +216,15 @@ def _modal_floor_acceleration(spectrum: Spectrum, mode: Mode) -> float:
 
 def _modal_floor_spectrum(period: FloatArray, spectrum: Spectrum, mode: Mode, damping: float) -> FloatArray:
     """S_eZ,k [m/s2] (C7.2.6): rises from a_Z,k at T = 0 to A a_Z,k about T_k, and falls."""
-    (a, b), A = PLATEAU, resonance_factor(mode, damping)
-    rising = np.maximum(1.0 - period / (a * mode.period), 0.0) ** 1.6
-    falling = np.maximum(period / (b * mode.period) - 1.0, 0.0) ** 1.2
-    return np.asarray(A * _modal_peak(spectrum, mode) / (1.0 + (A - 1.0) * (rising + falling)))
+    return _stretches(period, mode.period, _modal_peak(spectrum, mode), resonance_factor(mode, damping))
+
+
+def _stretches(period: FloatArray, first: ArrayLike, peak: ArrayLike, A: float) -> FloatArray:
+    """The three stretches of C7.2.6 under a mode of period `first` [s] with a_Z = `peak` [m/s2]; shapes broadcast."""
+    (a, b), T_1 = PLATEAU, np.asarray(first, dtype=np.float64)
+    rising = np.maximum(1.0 - period / (a * T_1), 0.0) ** 1.6
+    falling = np.maximum(period / (b * T_1) - 1.0, 0.0) ** 1.2
+    return np.asarray(A * np.asarray(peak) / (1.0 + (A - 1.0) * (rising + falling)))
 
 
 def _some(modes: Sequence[Mode]) -> Sequence[Mode]:

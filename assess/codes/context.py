@@ -60,16 +60,27 @@ class Wall:
 
 
 @dataclass(frozen=True)
+class FirstMode:
+    """First mode of the building at one limit state, as the engineer states it: period [s], damping [-], and why."""
+
+    period: float
+    damping: float
+    reason: str
+
+
+@dataclass(frozen=True)
 class Building:
     """The structure below a mechanism.
 
-    height H [m] above the ground; storeys N; period T_1 [s] of the first mode; damping [-].
+    height H [m] above the ground; storeys N; period T_1 [s] of the first mode, elastic; damping [-].
+    limit_states : its first mode at a limit state, where that is stated
     """
 
     height: float
     storeys: int | None
     period: float
     damping: float
+    limit_states: Mapping[str, FirstMode] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -151,9 +162,13 @@ class Context:
     starting : the mechanism with every action that is there at rest, for multipliers; None: the oscillator itself
     breaking : the same with actions until they end, for the acceleration on the capacity curve; None: the oscillator
     limits : rotations at which actions end or seats are lost
+    seats_unknown : floors and beams that rest on the mechanism, by name, whose seat nobody gave
     crushing : whether every hinge presses on a joint of finite strength
+    knowledge : level of knowledge that the project gives for this mechanism, by the code that asks for it
+    limit_state : what the site's single spectrum is declared for; None where nobody says, or the site gives its hazard
     floor_spectrum : of the motion at the mechanism's base, at the site's PGA; None where none is given
     impossible : why no answer can be given at all, and why none by histories; each with the remedy
+    unheld : why none by displacements and histories: it stands only by what is not shown to last; with the remedy
     amplification : the largest, over the records, of peak acceleration at the mechanism's base over that at the ground
     suite_faults : by the code of a procedure, the rules for suites that the records miss, with the change that would do
     hinges : what the hinges of both branches pass on when the mechanism starts to rock; none where that is not known
@@ -178,10 +193,14 @@ class Context:
     starting: Oscillator | None = None
     breaking: Oscillator | None = None
     limits: tuple[LocalLimit, ...] = ()
+    seats_unknown: tuple[str, ...] = ()
     crushing: bool = False
+    knowledge: Mapping[str, str] = field(default_factory=dict)
+    limit_state: str | None = None
     floor_spectrum: Spectrum | None = None
     impossible: tuple[Message, ...] = ()
     impossible_by_histories: tuple[Message, ...] = ()
+    unheld: tuple[Message, ...] = ()
     suite_faults: Mapping[str, tuple[Message, ...]] = field(default_factory=dict)
     amplification: float = 1.0
     support: Support = "free"

@@ -33,6 +33,14 @@ CODES: Mapping[str, str] = {  # whose rules for suites a procedure by histories 
     "dmi2008-history": "ntc2018",
     "ntc2018-history": "ntc2018",
 }
+ITALIAN: Mapping[str, str] = {  # the code whose knowledge levels and limit states a procedure goes by
+    "dmi2008-linear": "dmi2008",
+    "dmi2008-nonlinear": "dmi2008",
+    "dmi2008-history": "dmi2008",
+    "ntc2018-linear": "ntc2018",
+    "ntc2018-nonlinear": "ntc2018",
+    "ntc2018-history": "ntc2018",
+}
 READINGS = ("asce43-05-spectrum-thesis", "dmi2008-nonlinear-thesis")  # of the thesis: shown, and they never decide
 
 HOMES: Mapping[str, tuple[str, ...]] = {

@@ -21,7 +21,7 @@ def governing(oscillator: Oscillator, levels: Sequence[float], one: OneCheck) ->
     """
     branches = tuple(dict.fromkeys(oscillator.branches))
     named = tuple(zip(branches, NAMES, strict=False))
-    return tuple(_of_all([one(branch, name, level) for branch, name in named]) for level in levels)
+    return tuple(worst_of([one(branch, name, level) for branch, name in named]) for level in levels)
 
 
 def branch_named(oscillator: Oscillator, name: BranchName) -> Branch:
@@ -29,7 +29,8 @@ def branch_named(oscillator: Oscillator, name: BranchName) -> Branch:
     return oscillator.positive if name == "positive" or oscillator.negative is None else oscillator.negative
 
 
-def _of_all(checks: Sequence[Check]) -> Check:
+def worst_of(checks: Sequence[Check]) -> Check:
+    """The check of the worse branch, with the smaller PGA at capacity and at uplift of all."""
     return replace(
         worse(checks),
         capacity_pga_g=least([check.capacity_pga_g for check in checks]),

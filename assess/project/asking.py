@@ -8,6 +8,7 @@ Sliding is asked where a material has friction.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from typing import Any
 
 from scipy.constants import g
 
@@ -23,7 +24,7 @@ from assess.errors import ProjectError
 from assess.project import sections
 from assess.project.deciding import methods_of, question_of, states_of
 from assess.project.messages import shown
-from assess.project.sections.analysis import Asce41
+from assess.project.section import Section
 from assess.results import Resolved
 
 ASCE43 = ("asce43-05-spectrum", "asce43-05-spectrum-thesis", "asce43-05-history")
@@ -84,33 +85,52 @@ def options_of(content: sections.Content) -> CodeOptions:
     dmi2008, ntc2018 = section.dmi2008, section.ntc2018
     return CodeOptions(
         asce43_05=Asce43Options(**section.asce43_05.model_dump()),
-        nzsee2017=Nzsee2017Options(**section.nzsee2017.model_dump()),
-        asce41_13=_asce41(section.asce41_13),
-        ec8=Ec8Options(**section.ec8.model_dump()),
+        nzsee2017=Nzsee2017Options(**in_g(section.nzsee2017, "c_0")),
+        asce41_13=Asce41Options(**in_g(section.asce41_13, "s_x1")),
+        ec8=Ec8Options(**in_g(section.ec8, "alpha_s")),
         dmi2008=Options(dmi2008.confidence_factor, _states(dmi2008.limit_states, deciding)),
         ntc2018=Options(ntc2018.confidence_factor, _states(ntc2018.limit_states, deciding)),
     )
 
 
-def _asce41(section: Asce41) -> Asce41Options:
-    s_x1 = None if section.s_x1 is None else section.s_x1 / g
-    return Asce41Options(section.position, section.masonry, section.seismicity, s_x1)
+def in_g(section: Section, key: str) -> dict[str, Any]:
+    """The options of a section as they are, but for one acceleration, which its clause takes in g."""
+    options = section.model_dump()
+    return {**options, key: None if options[key] is None else options[key] / g}
 
 
 def _states(asked: tuple[str, ...], deciding: tuple[str, ...]) -> tuple[str, ...]:
     return tuple(state for state in ("SLD", "SLV", "SLC") if state in (*asked, *deciding))
 
 
+def knowledge_of(content: sections.Content) -> Mapping[str, Mapping[str, str]]:
+    """Level of knowledge by mechanism and code, where one is given. Raises ProjectError for a name that is none."""
+    found: dict[str, dict[str, str]] = {name: {} for name in content.mechanisms}
+    for code in ("dmi2008", "ntc2018"):
+        section: sections.Italian = getattr(content.procedures, code)
+        _require_mechanisms(content, f"procedures.{code}.knowledge_levels", section.knowledge_levels)
+        for name, levels in found.items():
+            level = section.knowledge_levels.get(name, section.knowledge_level)
+            if level is not None:
+                levels[code] = level
+    return found
+
+
 def free_periods_of(content: sections.Content) -> Mapping[str, FreePeriod]:
     """T_0 by mechanism. Raises ProjectError for a name that is no mechanism."""
     given = content.procedures.ntc2018.free_periods
-    for name in given:
-        if name not in content.mechanisms:
-            known = ", ".join(content.mechanisms)
-            raise ProjectError(f"procedures.ntc2018.free_periods: {shown(name)}: no such mechanism; known: {known}")
+    _require_mechanisms(content, "procedures.ntc2018.free_periods", given)
     return {
         name: free_period(**each.model_dump())
         if isinstance(each, sections.FreeElement)
         else FreePeriod(each, "given", f"{each:.5g} s")
         for name, each in given.items()
     }
+
+
+def _require_mechanisms(content: sections.Content, key: str, names: Iterable[str]) -> None:
+    """Raise ProjectError for a name that is no mechanism."""
+    for name in names:
+        if name not in content.mechanisms:
+            known = ", ".join(content.mechanisms)
+            raise ProjectError(f"{key}: {shown(name)}: no such mechanism; known: {known}")

@@ -11,15 +11,18 @@ from assess.amplification import Carried, ModalFilter, carried
 from assess.codes.admission import admitted
 from assess.codes.check import Check, Outcome, Reason, because
 from assess.codes.context import Carried as CarriedBy
-from assess.codes.context import Context
+from assess.codes.context import Context, LocalLimit
 from assess.codes.family import of_histories
+from assess.codes.italian.confidence import confidences
 from assess.codes.italian.history import suites_needed
 from assess.codes.registry import history_rules, procedure
+from assess.loads import PointMass
 from assess.mechanisms.activation import hinge_forces
+from assess.mechanisms.lasting import limits, rise_of, variants
 from assess.mechanisms.mechanism import Mechanism
-from assess.mechanisms.oscillation import oscillator
 from assess.message import Message, Quantity
 from assess.oscillator import Oscillator
+from assess.project.enduring import unheld
 from assess.project.floor_input import floor_spectrum_of
 from assess.project.histories import Rocking, Shaken, governing_trace, rocking, vibrates
 from assess.project.motions import Motion
@@ -43,15 +46,15 @@ def mechanisms_assessed(
     So the procedures of one, which hold the interpreter's lock, go on beside the histories of another, which do not.
     """
     shaken = {
-        m.name: Shaken(m.name, oscillator(m), study.equations[m.name], at_base(study.amplified[m.name], motions))
+        m.name: Shaken(m.name, variants(m).deciding, study.equations[m.name], at_base(study.amplified[m.name], motions))
         for m in study.mechanisms
     }
-    wanted, scanned = besides(study, spectrum), any(map(of_histories, study.procedures))
+    scanned = any(map(of_histories, study.procedures))
     workers = jobs or os.cpu_count() or 1
     each = max(1, workers // max(1, len(shaken)))
 
     def of(mechanism: Mechanism) -> MechanismResult:
-        one, pga = shaken[mechanism.name], spectrum.pga
+        one, pga, wanted = shaken[mechanism.name], spectrum.pga, besides(study, spectrum, mechanism)
         rocked = rocking(one, motions, levels=study.levels, besides=wanted, site_pga=pga, scanned=scanned, threads=each)
         return assessed(study, spectrum, motions, mechanism, one, rocked)
 
@@ -65,12 +68,15 @@ def mechanisms_assessed(
     return tuple(done[m.name] for m in study.mechanisms)
 
 
-def besides(study: Study, spectrum: Spectrum) -> tuple[float, ...]:
+def besides(study: Study, spectrum: Spectrum, mechanism: Mechanism) -> tuple[float, ...]:
     """PGA [m/s2] at which procedures want suites besides those of the levels: limit states of their own, FC."""
     wanted: list[float] = []
+    known = study.knowledge.get(mechanism.name, {})
     for name, (rule, options) in history_rules(study.options).items():
         if name in study.procedures:
-            wanted += suites_needed(study.levels, study.hazard, spectrum, rule=rule, options=options)
+            level = known.get(rule.edition.code)
+            factors = [each.factor for each in confidences(options, crushing=mechanism.crushing, level=level)]
+            wanted += suites_needed(study.levels, study.hazard, spectrum, rule=rule, options=options, factors=factors)
     return tuple(dict.fromkeys(wanted))
 
 
@@ -86,11 +92,11 @@ def assessed(
     context = context_of(study, spectrum, mechanism, rocked, shaken.base, motions)
     return mechanism_result(
         mechanism,
-        shaken.oscillator,
+        variants(mechanism).starting,
         equation=shaken.equation,
         scene=study.scenes.get(mechanism.name),
         checks=checks_of(study, shaken.oscillator, context),
-        histories=governing_trace(shaken, rocked.histories, motions),
+        histories=() if context.unheld else governing_trace(shaken, rocked.histories, motions),
         amplification=amplification_result(study.amplified[mechanism.name], motions, shaken.base),
         grounded=study.grounded[mechanism.name],
     )
@@ -122,7 +128,7 @@ def context_of(
 def _context_of(
     study: Study, spectrum: Spectrum, mechanism: Mechanism, rocked: Rocking, base: tuple[Carried, ...]
 ) -> Context:
-    grounded = study.grounded[mechanism.name]
+    grounded, rise, ways = study.grounded[mechanism.name], rise_of(mechanism), variants(mechanism)
     return Context(
         spectrum=spectrum,
         levels=study.levels,
@@ -131,13 +137,20 @@ def _context_of(
         carries_floors=carries_floors(mechanism),
         wall=wall_of(mechanism),
         elevation=grounded.base,
-        rise=mechanism.rise,
+        rise=rise,
         building=study.building,
         suites=rocked.suites,
         histories_at="ground" if study.amplified[mechanism.name].height is None else "mechanism base",
         carried=carried_by(study.amplified[mechanism.name], support=grounded.support),
         crushing=mechanism.crushing,
+        starting=ways.starting,
+        breaking=ways.breaking,
+        limits=tuple(LocalLimit(each.kind, each.what, each.branch, each.rotation) for each in limits(mechanism)),
+        seats_unknown=seats_unknown(mechanism),
+        knowledge=study.knowledge.get(mechanism.name, {}),
+        limit_state=study.limit_state if study.hazard is None else None,
         impossible=grounded.unknown,
+        unheld=unheld(mechanism),
         suite_faults=study.suite_faults,
         impossible_by_histories=stopped(mechanism),
         amplification=max((each.factor for each in base), default=1.0),
@@ -148,6 +161,12 @@ def _context_of(
         hazard=study.hazard,
         free_period=study.free_periods.get(mechanism.name),
     )
+
+
+def seats_unknown(mechanism: Mechanism) -> tuple[str, ...]:
+    """What rests on the mechanism and may lose a seat that nobody gave: floors, beams, bearing masses."""
+    resting = [load for load in mechanism.positive.loads if isinstance(load, PointMass) and load.bearing]
+    return tuple(load.name for load in resting if getattr(load, "seat", None) is None)
 
 
 def stopped(mechanism: Mechanism) -> tuple[Message, ...]:

@@ -11,13 +11,13 @@ from pathlib import Path
 
 import numpy as np
 
-from assess.codes.context import Building
+from assess.codes.context import Building, FirstMode
 from assess.errors import ProjectError
 from assess.geometry.solid import Solid
 from assess.message import Message, warning
 from assess.project import record_set, sections
 from assess.project.amplification import Standing, amplified
-from assess.project.asking import as_asked, free_periods_of, options_of, procedures_of
+from assess.project.asking import as_asked, free_periods_of, knowledge_of, options_of, procedures_of
 from assess.project.bodies import solid_of
 from assess.project.components import horizontal, left_out
 from assess.project.deciding import facts_of, levels_with_site, question_of
@@ -27,7 +27,7 @@ from assess.project.messages import located, shown
 from assess.project.notices import notices_of
 from assess.project.record_set import RecordSet
 from assess.project.schema import Project, relative, resolved
-from assess.project.site_spectrum import hazard_over_periods, spectrum_of
+from assess.project.site_spectrum import hazard_over_periods, site_in, spectrum_of
 from assess.project.study import Artificial, Case, Equation, Fitting, PulseGrid, Study, Sweep
 from assess.project.survey import survey_of
 from assess.project.variables import variables_of
@@ -62,7 +62,8 @@ def build(project: Project, *, executor: Executor | None = None) -> Study:
 def study_of(project: Project, *, executor: Executor | None = None) -> Study:
     """The same, with errors that do not name the project file."""
     content = project.content
-    spectrum = None if content.site is None else spectrum_of(content.site)
+    site = site_in(content)
+    spectrum = None if site is None else spectrum_of(site)
     solids = {name: solid_of(name, body, content.materials) for name, body in content.bodies.items()}
     named, notices = all_records(content.records, project.folder)
     study = part_of(content, Files(solids, spectrum, named), names=content.mechanisms)
@@ -99,7 +100,7 @@ def study_of(project: Project, *, executor: Executor | None = None) -> Study:
 
 def part_of(content: sections.Content, files: Files, *, names: Iterable[str]) -> Study:
     """The study of the mechanisms `names` of a project, without what is said about its file."""
-    site, building, synthetic = content.site, content.building, content.records.synthetic
+    site, building, synthetic = site_in(content), content.building, content.records.synthetic
     chosen = {name: content.mechanisms[name] for name in names}
     built = [directed(name, section, content, files.solids) for name, section in chosen.items()]
     question = question_of(content, site_pga=0.0 if files.spectrum is None else files.spectrum.pga)
@@ -136,6 +137,8 @@ def part_of(content: sections.Content, files: Files, *, names: Iterable[str]) ->
         pulses=None if content.analysis.pulses is None else grid_of(content.analysis.pulses),
         hazard=None if site is None else hazard_over_periods(site),
         free_periods=free_periods_of(content),
+        knowledge=knowledge_of(content),
+        limit_state=None if site is None else site.declared,
     )
 
 
@@ -170,7 +173,8 @@ def reread(content: sections.Content, project: Project, files: Files) -> Files:
         name: files.solids[name] if same_body(name, content, whole) else solid_of(name, body, content.materials)
         for name, body in content.bodies.items()
     }
-    spectrum = files.spectrum if content.site == whole.site or content.site is None else spectrum_of(content.site)
+    site = site_in(content)
+    spectrum = files.spectrum if site is None or site == site_in(whole) else spectrum_of(site)
     same = content.records == whole.records
     if not same and content.records.select is not None:
         raise ProjectError("records: a sweep cannot vary what records are selected by; sweep another key")
@@ -195,7 +199,10 @@ def building_of(section: sections.Building | None) -> Building | None:
     """The structure below the mechanisms; None where its height is not given."""
     if section is None or section.height is None:
         return None
-    return Building(**section.model_dump(include=CLAUSES_NEED))
+    stated: dict[str, FirstMode] = {
+        name: FirstMode(mode.period, mode.damping, mode.reason) for name, mode in section.limit_states.items()
+    }
+    return Building(**section.model_dump(include=CLAUSES_NEED), limit_states=stated)
 
 
 def equation_of(section: sections.Mechanism, content: sections.Content) -> Equation:

@@ -65,14 +65,25 @@ def action_of(content: sections.Content, basis: Basis | None, *, pga_g: float) -
     """What the site's own spectrum stands for: of a hazard over return periods the limit state that is chosen."""
     if content.site is None:
         return Action(pga_g, None)
-    declared, spectrum = content.site.limit_state, content.site.spectrum
+    declared, spectrum = content.site.declared, content.site.spectrum
     if isinstance(spectrum, sections.NtcHazardSpectrum):
-        state = declared or content.verdict.limit_state or (basis.default if basis is not None else "")
-        life = ntc.reference_life(spectrum.nominal_life, use_class=spectrum.use_class)
-        years = ntc.return_period(state, reference_life=life) if state in ntc.EXCEEDANCE else None
-        return Action(pga_g, state or None, years, over_periods=True)
+        state, use_class = limit_state_of(content), use_class_of(content)
+        if use_class is None:
+            return Action(pga_g, state, over_periods=True)
+        life = ntc.reference_life(spectrum.nominal_life, use_class=use_class)
+        return Action(pga_g, state, ntc.return_period(state, reference_life=life), over_periods=True)
     years = spectrum.return_period if isinstance(spectrum, sections.Nzs1170Spectrum) else None
     return Action(pga_g, declared, years)
+
+
+def limit_state_of(content: sections.Content) -> str:
+    """The limit state of the site's own spectrum, where the site gives its hazard over return periods.
+
+    That of the site, else the one that decides, else the default of the basis: "SLV".
+    """
+    declared, basis = None if content.site is None else content.site.declared, basis_of(content)
+    asked = (declared, content.verdict.limit_state, None if basis is None else basis.default)
+    return next((state for state in asked if state is not None and state in ntc.EXCEEDANCE), "SLV")
 
 
 def use_class_of(content: sections.Content) -> str | None:

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from assess.codes.check import Reason, because
 from assess.codes.context import counts_as_above
 from assess.geometry.solid import Solid
+from assess.mechanisms.lasting import rise_of
 from assess.mechanisms.mechanism import Mechanism
 from assess.message import Message, Quantity
 from assess.project import sections
@@ -53,7 +54,7 @@ def grounded(
 ) -> Grounded:
     """Where a mechanism stands over the ground."""
     base = base_above_ground(section, mechanism, content)
-    support = max(base, 0.0) + mechanism.rise / 2.0
+    support = max(base, 0.0) + rise_of(mechanism) / 2.0
     height = 0.0 if content.building is None or content.building.height is None else content.building.height
     source = known_from(section, content)
     lowest = lowest_of(content, solids, default=mechanism.elevation)

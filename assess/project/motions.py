@@ -82,10 +82,13 @@ def scaled_together(
 ) -> tuple[Motion, ...]:
     """Each record with its scaling; those that `given` keeps together share the geometric mean of their factors.
 
-    That is the factor of least misfit, or to the PGA, of the geometric mean of their spectra.
+    That is the factor of least misfit, or to the PGA, of the geometric mean of their spectra. Artificial ones are made
+    for the target and stay as they are.
     """
     band = given.band
-    alone = {record.id: SCALINGS[scale_to](record, spectrum, band) for record in records}
+    alone = {
+        record.id: SCALINGS["none" if record.artificial else scale_to](record, spectrum, band) for record in records
+    }
     shared = {id: exp(mean(log(alone[each].factor) for each in ids)) for ids in given.together for id in ids}
     return tuple(
         Motion(one, _scaling(one, spectrum, band, shared[one.id]) if one.id in shared else alone[one.id])

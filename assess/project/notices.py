@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
+from assess.codes.italian.confidence import LEAST_KNOWN
 from assess.geometry import mesh
 from assess.geometry.formats.reading import WITHOUT_UNIT
 from assess.geometry.solid import Solid
@@ -11,6 +12,7 @@ from assess.mechanisms.mechanism import Mechanism
 from assess.message import Message, warning
 from assess.project import sections
 from assess.project.asking import procedures_of
+from assess.project.enduring import left_out
 from assess.project.gaps import gaps_of
 from assess.project.overlaps import overlaps_of
 from assess.project.study import Amplified, Equation, Study
@@ -34,6 +36,7 @@ def notices_of(
     for mechanism in mechanisms:
         for text in mechanism.notices:
             yield warning("mechanism", f"mechanisms.{mechanism.name}", text)
+        yield from left_out(mechanism)
         yield from mechanism.messages
     yield from _of_equation(content.analysis.equation, mechanisms)
     raised = [mechanism.name for mechanism in mechanisms if study.grounded[mechanism.name].above]
@@ -88,18 +91,18 @@ def _of_equation(equation: Equation | None, mechanisms: Sequence[Mechanism]) -> 
 def _of_crushing(
     code: str, circular: str, options: sections.Italian, mechanisms: Sequence[Mechanism]
 ) -> Iterator[Message]:
-    """A confidence factor nobody vouched for, or less than goes with mechanisms without crushing."""
-    FC, without = options.confidence_factor, [mechanism.name for mechanism in mechanisms if not mechanism.crushing]
-    least = sections.KNOWLEDGE["LC1"]
-    if least <= FC or (FC > 1.0 and not without):
-        return
-    text = "FC = 1.00 stands for knowledge level LC3" if FC == 1.0 else f"FC = {FC:.2f}"
-    if without:
-        here = "as here" if len(without) == len(mechanisms) else f"as in {', '.join(without)}"
-        text += (
-            f"; where crushing of the masonry is not modelled, {here}, {circular} asks for the FC of LC1, {least:.2f}"
-        )
-    yield warning("confidence-factor", f"procedures.{code}", text)
+    """Levels of knowledge and factors that do not decide, as the mechanism does not model crushing."""
+    without = [mechanism.name for mechanism in mechanisms if not mechanism.crushing]
+    better = [name for name in without if options.knowledge_levels.get(name, options.knowledge_level) in ("LC2", "LC3")]
+    lower = options.confidence_factor is not None and options.confidence_factor < LEAST_KNOWN
+    for key, names in (("knowledge_level", better), ("confidence_factor", without if lower else [])):
+        if names:
+            yield warning(
+                "confidence-factor",
+                f"procedures.{code}.{key}",
+                f"crushing of the masonry is not modelled in {', '.join(names)}: by {circular} the FC of LC1, "
+                f"{LEAST_KNOWN:.2f}, decides there",
+            )
 
 
 def _of_body(name: str, solid: Solid, body: sections.Body) -> Iterator[Message]:

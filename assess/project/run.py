@@ -9,7 +9,7 @@ from importlib.metadata import version
 
 from assess.amplification import factor_over_frequency
 from assess.errors import ProjectError
-from assess.mechanisms.oscillation import oscillator
+from assess.mechanisms.lasting import variants
 from assess.message import Message, warning
 from assess.project.assessing import Progress, mechanisms_assessed
 from assess.project.deciding import decided, marked
@@ -89,7 +89,7 @@ def envelope(study: Study, *, jobs: int = 0, progress: Progress = lambda stage, 
         project=study.resolved,
         spectrum=None if study.spectrum is None else spectrum_result(study.spectrum),
         records=with_primary_pulses(records, motions, grid),
-        mechanisms=tuple(replace(each, envelope=mapped[each.name]) for each in parameters(study)),
+        mechanisms=tuple(replace(each, envelope=mapped.get(each.name)) for each in parameters(study)),
         critical=critical_result(mapped),
         comparison=(),
         sweeps=(),
@@ -111,14 +111,20 @@ def envelope_notices(study: Study) -> tuple[Message, ...]:
 
 
 def rockers_of(study: Study, standing: Mapping[str, Swept]) -> tuple[Rocker, ...]:
-    """Every mechanism as envelopes see it; a swept one in its controlling case."""
+    """Every mechanism as envelopes see it, but for those that fall without what is not shown to last.
+
+    A swept one in its controlling case.
+    """
     found = []
     for mechanism in study.mechanisms:
         swept = standing.get(mechanism.name)
         of, case = (study, "") if swept is None else (swept.case.study, _case_of(swept))
         used = next(each for each in of.mechanisms if each.name == mechanism.name)
+        rocker = variants(used).collapse
+        if rocker is None:
+            continue
         factor = partial(factor_over_frequency, of.amplified[used.name].amplification)
-        found.append(Rocker(used.name, oscillator(used), of.equations[used.name], factor, case))
+        found.append(Rocker(used.name, rocker, of.equations[used.name], factor, case))
     return tuple(found)
 
 
@@ -127,7 +133,7 @@ def parameters(study: Study) -> tuple[MechanismResult, ...]:
     return tuple(
         mechanism_result(
             mechanism,
-            oscillator(mechanism),
+            variants(mechanism).starting,
             equation=study.equations[mechanism.name],
             scene=study.scenes.get(mechanism.name),
             amplification=amplification_result(study.amplified[mechanism.name]),

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 
 from assess.codes.check import Check
 from assess.errors import AssessError
-from assess.mechanisms.oscillation import oscillator
+from assess.mechanisms.lasting import variants
 from assess.project.assessing import Progress, at_base, besides, checks_of, context_of
 from assess.project.histories import Rocking, Shaken, asked_of
 from assess.project.motions import Motion
@@ -86,12 +86,12 @@ def checked(study: Study, spectrum: Spectrum, motions: tuple[Motion, ...], *, jo
     """The checks of the one mechanism of a case."""
     (mechanism,) = study.mechanisms
     base = at_base(study.amplified[mechanism.name], motions)
-    shaken = Shaken(mechanism.name, oscillator(mechanism), study.equations[mechanism.name], base)
+    shaken = Shaken(mechanism.name, variants(mechanism).deciding, study.equations[mechanism.name], base)
     shakes = any(name.endswith(BY_HISTORIES) for name in study.procedures)
     levels = study.levels if shakes else ()
     rocked = Rocking((), ())
     if levels and motions:
-        wanted = besides(study, spectrum)
+        wanted = besides(study, spectrum, mechanism)
         rocked = asked_of(shaken, motions, levels=levels, besides=wanted, site_pga=spectrum.pga, threads=jobs)
     known = context_of(replace(study, levels=levels), spectrum, mechanism, rocked, base, motions)
     return checks_of(study, shaken.oscillator, replace(known, levels=study.levels))

@@ -10,6 +10,7 @@ from pathlib import Path
 from assess.codes.context import Hazard
 from assess.errors import ProjectError
 from assess.project import sections
+from assess.project.deciding import limit_state_of, use_class_of
 from assess.project.messages import located
 from assess.project.schema import load
 from spectra import asce7, ec8, ntc, nzs1170_5
@@ -17,15 +18,32 @@ from spectra.errors import SpectrumError
 from spectra.spectrum import Spectrum, implausible, scaled_to_pga
 from spectra.table import read_table
 
+DEFAULT_STATE = "SLV"
 NtcSection = sections.NtcSpectrum | sections.NtcHazardSpectrum
 
 
 def site_of(path: Path) -> sections.Site:
     """The site of the project at `path`. Raises ProjectError for a project without one."""
     project = load(path)
-    if project.content.site is None:
+    site = site_in(project.content)
+    if site is None:
         raise ProjectError(f"{project.path}: site.spectrum: missing; add a table [site.spectrum]")
-    return project.content.site
+    return site
+
+
+def site_in(content: sections.Content) -> sections.Site | None:
+    """The site of a project; of a hazard over return periods with the limit state and the class of use of the project.
+
+    Raises ProjectError where the class of use is missing, or given twice and not alike.
+    """
+    site = content.site
+    if site is None or not isinstance(site.spectrum, sections.NtcHazardSpectrum):
+        return site
+    use_class = use_class_of(content)
+    if use_class is None:
+        raise ProjectError('site.spectrum.use_class: missing; class of use "I" to "IV", here or in [building]')
+    given = {"limit_state": limit_state_of(content), "use_class": use_class}
+    return site.model_copy(update={"spectrum": site.spectrum.model_copy(update=given)})
 
 
 def spectrum_of(site: sections.Site) -> Spectrum:
@@ -138,9 +156,10 @@ def hazard_of(section: NtcSection) -> ntc.Hazard:
     """The hazard given, or that of the limit state."""
     if isinstance(section, sections.NtcSpectrum):
         return ntc.Hazard(section.a_g, section.f_0, section.t_c_star)
+    assert section.use_class is not None  # see site_in
     return ntc.limit_state_hazard(
         rows_of(section),
-        limit_state=section.limit_state,
+        limit_state=section.limit_state or DEFAULT_STATE,
         nominal_life=section.nominal_life,
         use_class=section.use_class,
     )
@@ -167,6 +186,7 @@ def hazard_over_periods(site: sections.Site) -> Hazard | None:
 
 def state_spectrum(section: sections.NtcHazardSpectrum, state: str) -> Spectrum | None:
     """The spectrum of a limit state; None where the rows do not reach its return period."""
+    assert section.use_class is not None  # see site_in
     life = ntc.reference_life(section.nominal_life, use_class=section.use_class)
     years = ntc.return_period(state, reference_life=life)
     if not section.hazard[0].return_period <= years <= section.hazard[-1].return_period:
@@ -188,5 +208,6 @@ def at_limit_state(section: NtcSection, spectrum: Spectrum) -> Spectrum:
     """The spectrum with its limit state among the parameters, where the table names one."""
     if isinstance(section, sections.NtcSpectrum):
         return spectrum
-    asked = {"limit_state": section.limit_state, "nominal_life": section.nominal_life, "use_class": section.use_class}
+    state, use_class = section.limit_state or DEFAULT_STATE, section.use_class or ""
+    asked: dict[str, float | str] = {"limit_state": state, "nominal_life": section.nominal_life, "use_class": use_class}
     return replace(spectrum, parameters={**asked, **spectrum.parameters})

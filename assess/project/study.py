@@ -85,6 +85,8 @@ class Study:
     spectrum : the site's elastic spectrum at its own PGA; None where the project has no site
     hazard : of an Italian site over return periods; None where the site has but one spectrum
     free_periods : of the mechanisms that vibrate before they lift off, by name
+    knowledge : level of knowledge by mechanism and code, where one is given
+    limit_state : what a single spectrum of the site is declared for; None where nobody says
     levels : PGA at which demands are compared, rising [m/s2]
     offered : those of the procedures that nobody asked for; shown where they decide
     equations : the equation of motion of each mechanism's histories, by name
@@ -124,6 +126,8 @@ class Study:
     pulses: PulseGrid | None
     hazard: Hazard | None
     free_periods: Mapping[str, FreePeriod]
+    knowledge: Mapping[str, Mapping[str, str]]
+    limit_state: str | None
     question: Question
     facts: Mapping[str, tuple[tuple[Missing, ...], tuple[Message, ...]]]
     grounded: Mapping[str, Grounded] = field(default_factory=dict)

@@ -11,7 +11,7 @@ from assess.message import Message, Quantity, Severity, Value, count, message
 from assess.project.deciding import methods_of
 from assess.project.motions import Motion
 from assess.project.study import Artificial, Study
-from assess.project.suite_rules import HELD, RULES, codes_asked, spectrum_of_rules
+from assess.project.suite_rules import HELD, RULES, spectrum_of_rules
 from records.compliance.requirement import Requirement, Rule, factor_that_does
 from records.compliance.suite import Suite, suite_of
 from records.synthetic import STATIONARY
@@ -47,8 +47,11 @@ class Judged:
 
 
 def suite_faults(study: Study, spectrum: Spectrum, motions: Sequence[Motion]) -> Mapping[str, tuple[Message, ...]]:
-    """Find by code the rules for suites that the records miss; an empty tuple where they meet them all."""
-    return {code: tuple(_faults(code, study, spectrum, motions)) for code in codes_asked(study)}
+    """Find by code the rules for suites that the records miss; an empty tuple where they meet them all.
+
+    Also of codes whose histories nobody asks for: a floor spectrum is made of the same suite.
+    """
+    return {code: tuple(_faults(code, study, spectrum, motions)) for code in RULES}
 
 
 def _faults(code: str, study: Study, spectrum: Spectrum, motions: Sequence[Motion]) -> Iterator[Message]:

@@ -72,7 +72,7 @@ def outputs(tmp_path_factory) -> Path:
     rows = "\n".join(f"{x:.2f},{y:.6f}" for x, y in zip(t, noise * np.sin(np.pi * t / 8.0), strict=True))
     (folder / "motion.csv").write_text(f"time [s],acceleration [m/s2]\n{rows}\n")
     (folder / "project.toml").write_text(PROJECT)
-    assert assess("run", folder, "-o", folder / "out") in (0, 1)
+    assert assess("run", folder, "-o", folder / "out") in (0, 1, 3)
     return folder / "out"
 
 
@@ -117,7 +117,7 @@ def test_histories_and_clauses_say_where_their_input_acts(found):
     for name, at in (("ground", "ground"), ("srss", "mechanism base"), ("filter", "mechanism base")):
         inputs = {check["procedure"]: check["input_at"] for check in found[name]["checks"]}
         assert inputs["asce43-05-history"] == at
-        assert inputs["asce43-05-spectrum"] == "ground"
+        assert inputs["asce43-05-spectrum"] == at  # carried up by a floor spectrum of the first mode
 
 
 def test_the_report_says_so(found, report):

@@ -48,7 +48,7 @@ def project(tmp_path_factory) -> Path:
 
 @pytest.fixture(scope="module")
 def outputs(project) -> Path:
-    assert assess("run", project, "-o", project / "out") == 1  # 0.30 g is too much for Walls 0a and 6 by dmi2008-linear
+    assert assess("run", project, "-o", project / "out") == 0  # no wall is in danger at the site, as the thesis finds
     return project / "out"
 
 
@@ -72,13 +72,13 @@ def test_every_output_is_there(outputs):
         assert list(outputs.glob(pattern))
 
 
-def test_eight_mechanisms_and_two_on_joints_each_with_all_six_procedures_at_three_levels(results):
+def test_eight_mechanisms_and_two_on_joints_each_with_all_six_procedures_at_the_sites_pga_and_three_levels(results):
     rigid = [m["name"] for m in results["mechanisms"] if not m["name"].endswith("-flexible")]
     assert rigid == list(TABLE_8_2)
     assert len(results["mechanisms"]) == 8 + 2
     for mechanism in results["mechanisms"]:
-        assert len(mechanism["checks"]) == 6 * 3
-        assert len(mechanism["histories"]) == 7 * 3
+        assert len(mechanism["checks"]) == 6 * 4
+        assert len(mechanism["histories"]) == 7 * 4
         assert sum(history["trace"] is not None for history in mechanism["histories"]) == 1
 
 
@@ -112,10 +112,10 @@ def test_the_report_holds_every_verdict(results, report):
     checks = [check for mechanism in results["mechanisms"] for check in mechanism["checks"]]
     number = r"(?:no rocking|none lasting|\S+)"
     row = rf"(\S+) (?:rotation, rad|mean rotation, rad|acceleration, m/s2|d\*, m) {number} \S+ \S+ {number} \S+ \S+ "
-    printed = re.findall(row + "(pass|fail|not-applicable)", " ".join(report.split()))
+    printed = re.findall(row + "(pass|fail|not-applicable|not-answered)", " ".join(report.split()))
     assert printed == [(check["procedure"], check["verdict"]) for check in checks]
     for check in checks:
-        assert check["verdict"] == "pass" or squeezed(check["reason"]) in squeezed(report)
+        assert check["verdict"] == "pass" or squeezed(check["reason"]["text"]) in squeezed(report)
     for mechanism in results["mechanisms"]:
         assert squeezed(mechanism["label"]) in squeezed(report)
 
@@ -135,7 +135,7 @@ def test_the_same_input_gives_the_same_bytes_whatever_the_jobs(project):
     text = (project / "project.toml").read_text()
     (project / "one.toml").write_text(text.replace("count = 7", "count = 1"))  # record, for all mechanisms and levels
     for jobs in ("1", "2"):
-        assert assess("run", project / "one.toml", "-o", project / jobs, "--no-report", "--jobs", jobs) in (0, 1)
+        assert assess("run", project / "one.toml", "-o", project / jobs, "--no-report", "--jobs", jobs) in (0, 1, 3)
     assert len(json.loads((project / "1" / "results.json").read_text())["records"]) == 1
     assert (project / "1" / "results.json").read_bytes() == (project / "2" / "results.json").read_bytes()
 
@@ -150,6 +150,13 @@ def test_results_read_back_equal(outputs):
     assert results_io.dumps(results_io.loads(text)) == text
 
 
+def real_run(project: Path, text: str, *, code: int) -> dict:
+    """The results of a project's text, with real records."""
+    (project / "real.toml").write_text(text)
+    assert assess("run", project / "real.toml", "-o", project / "real", "--no-report") == code
+    return json.loads((project / "real" / "results.json").read_text())
+
+
 def test_five_real_records(project):
     if not RECORDS.is_dir():
         pytest.skip("the folder of real accelerograms is not beside this checkout")
@@ -157,12 +164,13 @@ def test_five_real_records(project):
     files = ", ".join(f'"{(RECORDS / name).as_posix()}"' for name in FIVE)
     old = 'synthetic = { count = 7, seed = 1, duration = "20 s" }'
     assert old in text
-    (project / "real.toml").write_text(text.replace(old, f"files = [{files}]"))
-    assert assess("run", project / "real.toml", "-o", project / "real", "--no-report") in (0, 1)
-    results = json.loads((project / "real" / "results.json").read_text())
+    results = real_run(project, text.replace(old, f"files = [{files}]"), code=3)
+    (missing,) = results["verdict"]["missing"]  # five that are only scaled: their mean falls short at some periods
+    assert missing["key"] == "records.factor"
+    results = real_run(project, text.replace(old, f"files = [{files}]\n{missing['toml']}"), code=0)
     assert [record["npts"] for record in results["records"]] == [6181, 6382, 2676, 7995, 4096]
     for record in results["records"]:
-        assert 0.05 < record["pga_g"] < 0.15  # scaled to a spectrum of 0.067 g
+        assert 0.05 < record["pga_g"] < 0.2  # scaled to a spectrum of 0.067 g, and raised by a third
         assert record["mse"] < 0.5
     for mechanism in results["mechanisms"]:
         history = [check for check in mechanism["checks"] if check["procedure"] == "asce43-05-history"]

@@ -39,7 +39,7 @@ def folder(tmp_path_factory) -> Path:
     (folder / "project.toml").write_text(project(), encoding="utf-8")
     with pytest.raises(SystemExit) as ended:
         cli.main(["run", str(folder), "-o", str(folder / "out")])
-    assert ended.value.code in (0, 1)
+    assert ended.value.code in (0, 1, 3)
     return folder
 
 

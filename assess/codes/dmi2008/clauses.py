@@ -2,9 +2,9 @@
 
 Clause and equation numbers of C8A.4 are from memory, not checked against the printed circular; formulas were
 re-derived. Linear: acceleration that starts the mechanism against the demand over q. Non-linear: ultimate
-displacement d_u* = 0.4 d_0* against the spectral displacement at the secant period T_s; a mechanism above ground
-must also pass the check on the floor's motion. One function for each formula; those that Circolare 7/2019 has too are
-in `assess.codes.italian`.
+displacement d_u* = 0.4 d_0*, or less where a floor loses its seat before, against the spectral displacement at the
+secant period T_s; a mechanism above ground must also pass the check on the floor's motion. One function for each
+formula; those that Circolare 7/2019 has too are in `assess.codes.italian`.
 """
 
 from __future__ import annotations
@@ -14,19 +14,23 @@ from dataclasses import dataclass
 import numpy as np
 
 from assess.codes.context import Context
+from assess.codes.italian.curves import Curves
 from assess.codes.italian.edition import Edition
 from assess.codes.italian.floor import Floor, floor_of
-from assess.codes.italian.kinematic import acceleration_at, activation, displacement_at_collapse, uplift_pga
+from assess.codes.italian.kinematic import acceleration_at, activation, uplift_pga
+from assess.codes.italian.thresholds import Rule, Threshold, threshold_of
 from assess.oscillator import Branch, participation_ratio
 
 EDITION = Edition(
+    code="dmi2008",
     name="DM 14.01.2008, Circolare 617/2009",
     caveat="clause numbers of C8A.4 not checked against the printed circular",
     multiplier="C8A.4.1",
     oscillator="C8A.4.1.2",
-    confidence="C8A.1.1",
+    confidence="C8A.1.1, C8A.4.1",
 )
 ULTIMATE = 0.4  # d_u* / d_0*, and d_s* / d_u* (C8A.4.2.2)
+RULE = Rule(ULTIMATE, breaks=False, clause="C8A.4.2.2")
 DAMPING = 0.05  # of every ordinate: the clauses know no other
 
 
@@ -36,21 +40,33 @@ class Capacity:
 
     e: float
     a0: float
-    d0: float
-    du: float
     ds: float
     as_: float
     Ts: float
+    threshold: Threshold
+
+    @property
+    def d0(self) -> float:
+        """d0* [m], of the actions shown to last."""
+        return self.threshold.collapse
+
+    @property
+    def du(self) -> float:
+        """du* [m]."""
+        return self.threshold.moved
 
 
-def capacity_of(branch: Branch, *, mass: float, confidence_factor: float) -> Capacity:
-    """e*, a0*, d0*, du* = 0.4 d0*, ds* = 0.4 du*, as* on the model's own curve, Ts = 2 pi sqrt(ds*/as*) (C8A.4.2.2)."""
-    d0 = displacement_at_collapse(branch, mass=mass)
-    ds = ULTIMATE * ULTIMATE * d0
-    as_ = acceleration_at(branch, ds, mass=mass, confidence_factor=confidence_factor)
-    a0 = activation(branch, mass=mass, confidence_factor=confidence_factor)
-    e = participation_ratio(branch, mass=mass)
-    return Capacity(e, a0, d0, ULTIMATE * d0, ds, as_, float(2 * np.pi * np.sqrt(ds / as_)))
+def capacity_of(curves: Curves, *, confidence_factor: float) -> Capacity:
+    """e*, a0*, d0*, du* = 0.4 d0* or a seat, ds* = 0.4 du*, as* on the model's own curve, Ts = 2 pi sqrt(ds*/as*).
+
+    Source: C8A.4.2.2.
+    """
+    mass, FC, threshold = curves.mass, confidence_factor, threshold_of(curves, RULE)
+    ds = ULTIMATE * threshold.moved
+    as_ = acceleration_at(curves.breaking, ds, mass=mass, confidence_factor=FC)
+    a0 = activation(curves.starting, mass=mass, confidence_factor=FC)
+    e = participation_ratio(curves.lasting, mass=mass)
+    return Capacity(e, a0, ds, as_, float(2 * np.pi * np.sqrt(ds / as_)), threshold)
 
 
 def ground_displacement(context: Context, Ts: float) -> float:

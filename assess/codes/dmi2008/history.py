@@ -7,7 +7,8 @@ from __future__ import annotations
 
 from assess.codes.check import Check
 from assess.codes.context import Context
-from assess.codes.dmi2008.clauses import EDITION, ULTIMATE
+from assess.codes.dmi2008.clauses import EDITION
+from assess.codes.dmi2008.clauses import RULE as LIMIT
 from assess.codes.italian import history
 from assess.codes.italian.edition import Options
 from assess.codes.italian.limit_state import rated_on_hazard
@@ -17,9 +18,9 @@ RULE = history.Rule(
     procedure="dmi2008-history",
     edition=EDITION,
     clause="C8A.4.2.3 (non-linear dynamic)",
-    shares={"SLV": ULTIMATE},
+    limits={"SLV": LIMIT},
 )
-STATES = tuple(RULE.shares)
+STATES = tuple(RULE.limits)
 
 
 def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tuple[Check, ...]:

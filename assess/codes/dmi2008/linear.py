@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from assess.codes.check import Check, Step
+from assess.codes.check import Check, Step, step
 from assess.codes.context import Context
 from assess.codes.dmi2008.clauses import DAMPING, EDITION, floor_acceleration, uplift
 from assess.codes.italian.acceleration import acceleration_check, ratio_step
@@ -10,6 +10,7 @@ from assess.codes.italian.edition import Options
 from assess.codes.italian.floor import Demands, floor_of
 from assess.codes.italian.kinematic import activation, activation_steps
 from assess.codes.italian.limit_state import Case, at_each, rated_on_hazard
+from assess.codes.step import Given
 from assess.oscillator import Oscillator
 
 PROCEDURE = "dmi2008-linear"
@@ -19,27 +20,27 @@ STATES = ("SLD", "SLV")
 
 def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tuple[Check, ...]:
     """C8A.4.2.1: a0* against the demand (over q at SLV), at the ground and, above it, at the floor."""
-    checks = at_each(oscillator, context, options.among(STATES), lambda case: _check(case, options))
+    checks = at_each(oscillator, context, EDITION, options, known=STATES, one=lambda case: _check(case, options))
     return rated_on_hazard(checks, context)
 
 
 def _check(case: Case, options: Options) -> Check:
-    FC, context = options.confidence_factor, case.context
+    FC, context, branch = case.confidence.factor, case.context, case.curves.starting
     q = options.behaviour_factor if case.state == "SLV" else 1.0
     floor = floor_of(context)
     at_floor = 0.0 if floor is None else floor_acceleration(context, floor) * case.pga / context.spectrum.pga / q
     demands = Demands(case.pga / q, at_floor)
-    a0 = activation(case.branch, mass=case.mass, confidence_factor=FC)
+    a0 = activation(branch, mass=case.curves.mass, confidence_factor=FC)
     return acceleration_check(
         case,
         EDITION,
         procedure=PROCEDURE,
         capacity=a0,
         demands=demands,
-        uplift=uplift(case.branch, context, confidence_factor=FC),
+        uplift=uplift(branch, context, confidence_factor=FC),
         damping=DAMPING,
         steps=(
-            *activation_steps(case, EDITION, confidence_factor=FC),
+            *activation_steps(case, EDITION),
             *_demand_steps(case, demands, q=q),
             ratio_step(CLAUSE, demanded=demands.largest, capacity=a0),
         ),
@@ -48,11 +49,11 @@ def _check(case: Case, options: Options) -> Check:
 
 def _demand_steps(case: Case, demands: Demands, *, q: float) -> tuple[Step, ...]:
     floor, spectrum = floor_of(case.context), case.context.spectrum
-    numbers = f"{case.pga:.5g} / {q:g}"
-    ground = Step("a_g S / q", "demand of the ground", CLAUSE, "PGA / q", numbers, demands.ground, "m/s2")
+    given: Given = {"PGA": (case.pga, "m/s2"), "q": q}
+    ground = step("a_g S / q", "demand of the ground", CLAUSE, "PGA / q", demands.ground, "m/s2", given=given)
     if floor is None:
         return (ground,)
-    ordinate = float(spectrum.acceleration(floor.T1, damping=DAMPING)) * case.pga / spectrum.pga
-    numbers = f"{ordinate:.5g} · {floor.psi:.4g} · {floor.gamma:.4g} / {q:g}"
-    formula = "S_e(T1) · Z/H · 3N/(2N+1) / q"
-    return ground, Step("S_e(T1) ψ γ / q", "demand of the floor", CLAUSE, formula, numbers, demands.floor, "m/s2")
+    spectral = float(spectrum.acceleration(floor.T1, damping=DAMPING)) * case.pga / spectrum.pga
+    shape: Given = {"S_e(T1)": (spectral, "m/s2"), "ψ": floor.psi, "γ": floor.gamma, "q": q}
+    words, formula = "demand of the floor, ψ = Z / H, γ = 3 N / (2 N + 1)", "S_e(T1) · ψ · γ / q"
+    return ground, step(formula, words, CLAUSE, formula, demands.floor, "m/s2", given=shape)

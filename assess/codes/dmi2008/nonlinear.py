@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from scipy.constants import g
-
-from assess.codes.check import Check, Step
+from assess.codes.check import Check, Step, step
 from assess.codes.context import Context
 from assess.codes.dmi2008.clauses import (
     DAMPING,
     EDITION,
+    RULE,
     ULTIMATE,
     Capacity,
     capacity_of,
@@ -19,8 +18,10 @@ from assess.codes.dmi2008.clauses import (
 from assess.codes.italian.displacement import Answer, displacement_check, ground_step, ratio_step
 from assess.codes.italian.edition import Options
 from assess.codes.italian.floor import Demands, floor_of
-from assess.codes.italian.kinematic import activation_steps, collapse_step, curve_step
+from assess.codes.italian.kinematic import activation_steps, curve_step
 from assess.codes.italian.limit_state import Case, at_each, rated_on_hazard
+from assess.codes.italian.thresholds import seat_conditions, threshold_steps
+from assess.codes.step import Given
 from assess.oscillator import Oscillator
 
 PROCEDURE = "dmi2008-nonlinear"
@@ -39,44 +40,42 @@ def demands(context: Context, Ts: float) -> Demands | None:
 
 def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tuple[Check, ...]:
     """C8A.4.2.2-2.3 to the letter: du* against S_De(Ts), and against the floor's displacement above ground."""
-    checks = at_each(oscillator, context, options.among(STATES), lambda case: _check(case, options))
+    checks = at_each(oscillator, context, EDITION, options, known=STATES, one=_check)
     return rated_on_hazard(checks, context)
 
 
-def _check(case: Case, options: Options) -> Check:
-    FC, context = options.confidence_factor, case.context
-    cap = capacity_of(case.branch, mass=case.mass, confidence_factor=FC)
-    lifts = uplift(case.branch, context, confidence_factor=FC)
+def _check(case: Case) -> Check:
+    FC, context = case.confidence.factor, case.context
+    cap = capacity_of(case.curves, confidence_factor=FC)
+    lifts = uplift(case.curves.starting, context, confidence_factor=FC)
     answer = Answer(
         ultimate=cap.du,
         symbol="d_u*",
         collapse=cap.d0,
         e=cap.e,
-        period=cap.Ts,
-        period_symbol="T_s",
+        needs=f"T_s = {cap.Ts:.4g} s",
         wanted=demands(context, cap.Ts),
         starts=lifts or 0.0,
         still=0.0,
         uplift=lifts,
+        conditions=seat_conditions(context, case.state, cap.du),
     )
     steps = (
-        *activation_steps(case, EDITION, confidence_factor=FC),
-        *_capacity_steps(case, cap, confidence_factor=FC),
+        *activation_steps(case, EDITION),
+        *_capacity_steps(case, cap),
         *_demand_steps(case, cap, answer),
     )
     return displacement_check(case, answer, EDITION, procedure=PROCEDURE, damping=DAMPING, rule="", steps=steps)
 
 
-def _capacity_steps(case: Case, cap: Capacity, *, confidence_factor: float) -> tuple[Step, ...]:
-    on_curve = "acceleration at d_s*, model's curve"
-    root = f"2π √({cap.ds:.5g} / {cap.as_:.5g})"
-    ultimate = f"{ULTIMATE:g} · {cap.d0:.5g}"
+def _capacity_steps(case: Case, cap: Capacity) -> tuple[Step, ...]:
+    of_ds: Given = {"k": ULTIMATE, "d_u*": (cap.du, "m")}
+    of_Ts = {"d_s*": (cap.ds, "m"), "a_s*": (cap.as_, "m/s2")}
     return (
-        collapse_step(case.branch, CLAUSE, mass=case.mass),
-        Step("d_u*", "ultimate displacement", CLAUSE, "0.4 d0*", ultimate, cap.du, "m"),
-        Step("d_s*", "secant displacement", CLAUSE, "0.4 d_u*", f"{ULTIMATE:g} · {cap.du:.5g}", cap.ds, "m"),
-        curve_step(case, CLAUSE, "a_s*", on_curve, moved=cap.ds, confidence_factor=confidence_factor),
-        Step("T_s", "secant period", CLAUSE, "2π √(d_s* / a_s*)", root, cap.Ts, "s"),
+        *threshold_steps(case.curves, cap.threshold, RULE, "d_u*", "ultimate displacement"),
+        step("d_s*", "secant displacement, k = 0.4", CLAUSE, "k · d_u*", cap.ds, "m", given=of_ds),
+        curve_step(case, CLAUSE, "a_s*", "acceleration at d_s*, actions that have not ended", moved=cap.ds),
+        step("T_s", "secant period", CLAUSE, "2 · π · √(d_s* / a_s*)", cap.Ts, "s", given=of_Ts),
     )
 
 
@@ -85,16 +84,20 @@ def _demand_steps(case: Case, cap: Capacity, answer: Answer) -> tuple[Step, ...]
     if wanted is None or demanded is None:
         return ()
     scale = case.pga / spectrum.pga
-    ordinate = float(spectrum.acceleration(cap.Ts, damping=DAMPING)) * scale
-    spectral = f"T = {cap.Ts:.5g} s, PGA = {case.pga / g:.4g} g"
+    spectral = float(spectrum.acceleration(cap.Ts, damping=DAMPING)) * scale
+    at, words = f"T = {cap.Ts:.5g} s, PGA = {case.pga:.5g} m/s2", "elastic spectrum, 5 %"
     steps = [
-        Step("S_e(T_s)", "elastic spectrum, 5 %", spectrum.clause, "S_e(T_s)", spectral, ordinate, "m/s2"),
-        ground_step(case, CLAUSE, "T_s", cap.Ts, ordinate=ordinate, moved=wanted.ground * case.pga),
+        step("S_e(T_s)", words, spectrum.clause, "S_e(T, 5 %)", spectral, "m/s2", remark=at),
+        ground_step(case, CLAUSE, "T_s", cap.Ts, ordinate=spectral, moved=wanted.ground * case.pga),
     ]
     floor = floor_of(case.context)
     if floor is not None:
         first = ground_displacement(case.context, floor.T1) * scale
-        numbers = f"{first:.5g} · {floor.psi:.4g} · {floor.gamma:.4g}, r = {cap.Ts:.5g} / {floor.T1:.5g}"
-        formula, at_floor = "S_De(T1) ψ γ r² / √((1 − r)² + 0.02 r), r = T_s / T1", wanted.floor * case.pga
-        steps.append(Step("Δ_d(Z)", "demand at the floor", "C8A.4.2.3", formula, numbers, at_floor, "m"))
+        shape = {"T_s": (cap.Ts, "s"), "T1": (floor.T1, "s")}
+        given: Given = {"S_De(T1)": (first, "m"), "ψ": floor.psi, "γ": floor.gamma, "r": cap.Ts / floor.T1}
+        formula = "S_De(T1) · ψ · γ · (r)² / √((1 − r)² + 0.02 · r)"
+        steps += [
+            step("r", "period over the first mode's", "C8A.4.2.3", "T_s / T1", cap.Ts / floor.T1, given=shape),
+            step("Δ_d(Z)", "demand at the floor", "C8A.4.2.3", formula, wanted.floor * case.pga, "m", given=given),
+        ]
     return (*steps, ratio_step(answer, CLAUSE, demanded=demanded))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from scipy.constants import g
 
-from assess.codes.check import Check, Outcome, Reason, Step, because
+from assess.codes.check import Check, Outcome, Reason, Step, because, step
 from assess.codes.italian.edition import Edition
 from assess.codes.italian.floor import Demands, floor_of, judged
 from assess.codes.italian.limit_state import Case
@@ -27,7 +27,7 @@ def acceleration_check(
     return Check(
         procedure=procedure,
         edition=edition.name,
-        branch=case.name,
+        branch=case.curves.name,
         limit_state=case.state,
         level_pga_g=case.level / g,
         input_at="ground" if floor_of(case.context) is None else "mechanism base",
@@ -48,5 +48,5 @@ def acceleration_check(
 
 def ratio_step(clause: str, *, demanded: float, capacity: float) -> Step:
     """The last line of the sheet."""
-    numbers = f"{demanded:.5g} / {capacity:.5g}"
-    return Step("demand / a0*", "ratio", clause, "demand / capacity", numbers, demanded / capacity, "-")
+    given = {"demand": (demanded, "m/s2"), "a0*": (capacity, "m/s2")}
+    return step("demand / a0*", "ratio", clause, "demand / a0*", demanded / capacity, given=given)

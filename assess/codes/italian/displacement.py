@@ -7,7 +7,7 @@ from math import isclose, pi
 
 from scipy.constants import g
 
-from assess.codes.check import Check, Outcome, PgaCurve, Reason, Step, because
+from assess.codes.check import Check, Outcome, PgaCurve, Reason, Step, because, step
 from assess.codes.italian.edition import Edition
 from assess.codes.italian.floor import Demands, judged
 from assess.codes.italian.kinematic import rotation_at
@@ -22,8 +22,9 @@ class Answer:
     """What an edition finds of one case.
 
     ultimate : displacement capacity d* [m], written `symbol`; collapse : d0* [m]; e : e* [-]
-    period : secant, at which the demand is read [s], written `period_symbol`
-    wanted : displacement for each m/s2 of PGA [s2]; None where the spectrum ends before the period
+    wanted : displacement for each m/s2 of PGA [s2]; None where the spectrum ends too early for it
+    needs : longest period that the demand asks of the spectrum, as a sentence names it
+    conditions : what a pass rests on
     starts : PGA [m/s2] up to which the mechanism does not rock, and its displacement there for each m/s2 of PGA [s2]
     uplift : PGA at uplift [m/s2], None on joints without a threshold
     """
@@ -32,12 +33,12 @@ class Answer:
     symbol: str
     collapse: float
     e: float
-    period: float
-    period_symbol: str
+    needs: str
     wanted: Demands | None
     starts: float
     still: float
     uplift: float | None
+    conditions: tuple[Message, ...] = ()
 
     @property
     def before(self) -> float:
@@ -55,7 +56,7 @@ def displacement_check(
     case: Case, answer: Answer, edition: Edition, *, procedure: str, damping: float, rule: str, steps: tuple[Step, ...]
 ) -> Check:
     """The check of one case; damping [-] of the demand, by the spectrum's `rule`."""
-    branch, mass, demanded = case.branch, case.mass, answer.demand(case.pga)
+    branch, mass, demanded = case.curves.lasting, case.curves.mass, answer.demand(case.pga)
     rotation = None
     if demanded is not None and demanded < answer.collapse:
         rotation = rotation_at(branch, demanded * answer.e, mass=mass)
@@ -65,7 +66,7 @@ def displacement_check(
     return Check(
         procedure=procedure,
         edition=edition.name,
-        branch=case.name,
+        branch=case.curves.name,
         limit_state=case.state,
         level_pga_g=case.level / g,
         input_at="ground" if wanted is None else wanted.at,
@@ -84,46 +85,45 @@ def displacement_check(
         rotation_ratio=None if rotation is None else rotation / branch.overturning,
         pga_curve=_curve(case, answer),
         steps=steps,
+        conditions=answer.conditions,
         caveat=edition.caveat,
     )
 
 
 def ground_step(case: Case, clause: str, symbol: str, period: float, *, ordinate: float, moved: float) -> Step:
     """S_De at a period [s] named `symbol` from S_e [m/s2], or from the displacements that the code gives beyond T_E."""
-    words, name = "demand at the ground", f"S_De({symbol})"
+    words, name, spectral = "demand at the ground", f"S_De({symbol})", f"S_e({symbol})"
     if isclose(moved, ordinate * (period / (2 * pi)) ** 2, rel_tol=1e-9):
-        numbers = f"{ordinate:.5g} · ({period:.5g} / 2π)²"
-        return Step(name, words, clause, f"S_e({symbol}) ({symbol} / 2π)²", numbers, moved, "m")
-    formula, numbers = "displacement spectrum, T > T_E", f"{symbol} = {period:.5g} s"
-    return Step(name, words, case.context.spectrum.clause, formula, numbers, moved, "m")
+        given = {spectral: (ordinate, "m/s2"), symbol: (period, "s")}
+        return step(name, words, clause, f"{spectral} · ({symbol} / (2 · π))²", moved, "m", given=given)
+    at = f"{symbol} = {period:.5g} s"
+    return step(name, words, case.context.spectrum.clause, "displacement spectrum, T > T_E", moved, "m", remark=at)
 
 
 def ratio_step(answer: Answer, clause: str, *, demanded: float) -> Step:
     """The last line of the sheet."""
     held = ", no less than as it begins to rock" if demanded == answer.before else ""
     note = f"ratio{held}" if demanded else "ratio; below uplift nothing moves"
-    numbers = f"{demanded:.5g} / {answer.ultimate:.5g}"
-    symbol, ratio = f"demand / {answer.symbol}", demanded / answer.ultimate
-    return Step(symbol, note, clause, "demand / capacity", numbers, ratio, "-")
+    symbol, given = f"demand / {answer.symbol}", {"demand": (demanded, "m"), answer.symbol: (answer.ultimate, "m")}
+    return step(symbol, note, clause, symbol, demanded / answer.ultimate, given=given)
 
 
 def _curve(case: Case, answer: Answer) -> PgaCurve:
     """PGA over rotation: the demand is proportional to PGA, for the period does not change with it."""
-    wanted = answer.wanted
+    wanted, branch = answer.wanted, case.curves.lasting
     if wanted is None:
         return PgaCurve((), ())
 
     def pga_of(rotation: FloatArray) -> FloatArray:
-        return displacement(case.branch, rotation, mass=case.mass) / (answer.e * wanted.largest)
+        return displacement(branch, rotation, mass=case.curves.mass) / (answer.e * wanted.largest)
 
-    return as_curve(relation(pga_of, overturning=case.branch.unstable, uplift=answer.starts), case.branch)
+    return as_curve(relation(pga_of, overturning=branch.unstable, uplift=answer.starts), branch)
 
 
 def _verdict(case: Case, answer: Answer, demanded: float | None) -> tuple[Outcome, Message]:
     if demanded is None:
         end = Quantity(case.context.spectrum.longest_period, "time")
-        T = f"{answer.period_symbol} = {answer.period:.4g} s"
-        return Outcome.NOT_ANSWERED, because(Reason.SPECTRUM_TOO_SHORT, period=T, end=end)
+        return Outcome.NOT_ANSWERED, because(Reason.SPECTRUM_TOO_SHORT, period=answer.needs, end=end)
     if demanded == 0.0:
         return Outcome.PASS, because(Reason.NO_ROCKING)
     verdict = judged(demanded / answer.ultimate)

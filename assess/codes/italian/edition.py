@@ -8,8 +8,9 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Edition:
-    """Name and caveat of an edition, and its clauses of the multiplier, the equivalent oscillator and the factor FC."""
+    """Code, name and caveat of an edition, and its clauses of the multiplier, the equivalent oscillator and FC."""
 
+    code: str
     name: str
     caveat: str
     multiplier: str
@@ -19,10 +20,14 @@ class Edition:
 
 @dataclass(frozen=True)
 class Options:
-    """confidence_factor FC [-] of the knowledge level (LC1 1.35, LC2 1.20, LC3 1.00); limit_states to check;
-    behaviour_factor q of the linear check at SLV [-]."""
+    """What may be asked of an edition.
 
-    confidence_factor: float = 1.0
+    confidence_factor : FC [-] in place of that of the level of knowledge; one below it is shown and never decides
+    limit_states : to check
+    behaviour_factor : q of the linear check at SLV [-]
+    """
+
+    confidence_factor: float | None = None
     limit_states: tuple[str, ...] = ("SLV",)
     behaviour_factor: float = 2.0
 

@@ -1,10 +1,10 @@
-"""Non-linear dynamic analysis by either edition: records on the mechanism, displacements against d0* and a share of it.
+"""Non-linear dynamic analysis by either edition: records on the mechanism, displacements against d0* and d_LS.
 
 The displacements of the maxima are those of kinematic analysis, d*. None may pass d0*, where a* falls to zero, even if
-the body comes back; their mean may not exceed 0.4 d0* at SLV, 0.6 d0* at SLC. Under seven records the largest takes
-the place of the mean, under three nothing is claimed (NTC 7.3.5, from memory). FC is not in the equation of motion:
-the records are run at FC times the PGA instead. A restoring moment over FC would be the same but for records that last
-sqrt(FC) times less, which ask less.
+the body comes back; their mean may not exceed d_SLV or d_SLC, the least of a share of d0*, of what breaks and of the
+seats. Under seven records the largest takes the place of the mean, under three nothing is claimed (NTC 7.3.5). FC is
+not in the equation of motion: the records are run at FC times the PGA instead. A restoring moment over FC would be the
+same but for records that last sqrt(FC) times less, which ask less.
 """
 
 from __future__ import annotations
@@ -16,14 +16,18 @@ from math import isclose
 import numpy as np
 from scipy.constants import g
 
-from assess.codes.check import Check, Outcome, PgaCurve, Reason, Step, because
+from assess.codes.check import Check, Outcome, PgaCurve, Reason, Step, because, step
 from assess.codes.context import Context, Hazard, Suite
-from assess.codes.governing import branch_named
 from assess.codes.incremental import islands, pga_before_failure, pga_curve, uplift_multiplier
+from assess.codes.italian.confidence import Confidence, as_asked, confidence_step, confidences
+from assess.codes.italian.curves import Curves, curves_named
 from assess.codes.italian.edition import Edition, Options
 from assess.codes.italian.floor import judged
-from assess.codes.italian.kinematic import collapse_step, displacement_at_collapse, rotation_at
+from assess.codes.italian.kinematic import rotation_at
 from assess.codes.italian.limit_state import pga_step, share
+from assess.codes.italian.thresholds import Rule as Limit
+from assess.codes.italian.thresholds import Threshold, seat_conditions, threshold_of, threshold_steps
+from assess.codes.step import Given
 from assess.message import Message, count
 from assess.oscillator import Oscillator, displacement, participation_ratio
 from spectra.spectrum import Spectrum
@@ -34,51 +38,70 @@ NUMBER_CLAUSE = "NTC 7.3.5"
 
 @dataclass(frozen=True)
 class Rule:
-    """What an edition asks: its procedure and clause, and the share of d0* in each limit state."""
+    """What an edition asks: its procedure and clause, and what limits the displacement in each limit state."""
 
     procedure: str
     edition: Edition
     clause: str
-    shares: Mapping[str, float]
+    limits: Mapping[str, Limit]
+
+
+@dataclass(frozen=True)
+class Displaced:
+    """One record: d*/d0* and d*/d_LS [-] of the branch of its maximum; None where the body overturned."""
+
+    of_collapse: float | None
+    of_limit: float | None
 
 
 @dataclass(frozen=True)
 class Found:
     """What the records found at one level of one limit state.
 
-    suite : run at FC times `pga`, the PGA of the limit state [m/s2]; displaced [n]: d*/d0* of each record, None where
-    it overturned; largest : whether the largest of them is judged, not the mean
+    suite : run at FC times `pga`, the PGA of the limit state [m/s2]; displaced [n]: of each record
+    largest : whether the largest of them is judged, not the mean
     """
 
     suite: Suite
     pga: float
-    displaced: tuple[float | None, ...]
+    displaced: tuple[Displaced, ...]
+
+    @property
+    def standing(self) -> tuple[float, ...]:
+        """d*/d_LS of the records that leave the body standing [-]."""
+        return tuple(each.of_limit for each in self.displaced if each.of_limit is not None)
+
+    @property
+    def farthest(self) -> float | None:
+        """The largest d*/d0* of those [-]; None where all overturn it."""
+        return max((each.of_collapse for each in self.displaced if each.of_collapse is not None), default=None)
 
     @property
     def largest(self) -> bool:
         """Whether the largest is judged: few records, or one that passes d0*."""
-        standing = [each for each in self.displaced if each is not None]
-        return len(self.displaced) < FOR_THE_MEAN or max(standing, default=0.0) > 1.0
+        return len(self.displaced) < FOR_THE_MEAN or (self.farthest or 0.0) > 1.0
 
     @property
     def judged(self) -> float | None:
-        """d*/d0* that is judged [-]; None where a record overturned."""
-        standing = [each for each in self.displaced if each is not None]
-        if len(standing) < len(self.displaced) or not standing:
+        """d*/d_LS that is judged [-]; None where a record overturned."""
+        if len(self.standing) < len(self.displaced) or not self.standing:
             return None
-        return max(standing) if self.largest else sum(standing) / len(standing)
+        return max(self.standing) if self.largest else sum(self.standing) / len(self.standing)
 
 
 def assess(oscillator: Oscillator, context: Context, *, rule: Rule, options: Options) -> tuple[Check, ...]:
     """One check for each limit state and level that has a suite of time histories."""
-    checks, FC = [], options.confidence_factor
-    for state in options.among(rule.shares):
-        for level in context.levels:
-            pga = level * share(context.hazard, context.spectrum, state)
-            suite = suite_at(context, pga * FC)
-            if suite is not None:
-                found = Found(suite, pga, displaced(oscillator, suite))
-                checks.append(_check(oscillator, context, rule, found, state=state, level=level, FC=FC))
+    checks: list[Check] = []
+    known = context.knowledge.get(rule.edition.code)
+    for confidence in confidences(options, crushing=context.crushing, level=known):
+        for state in options.among(rule.limits):
+            for level in context.levels:
+                pga = level * share(context.hazard, context.spectrum, state)
+                suite = suite_at(context, pga * confidence.factor)
+                if suite is not None:
+                    found = Found(suite, pga, displaced(oscillator, context, suite, rule.limits[state]))
+                    made = _check(oscillator, context, rule, found, state=state, level=level, confidence=confidence)
+                    checks.append(as_asked(made, confidence))
     return tuple(checks)
 
 
@@ -95,9 +118,11 @@ def suites_needed(
     *,
     rule: Rule,
     options: Options,
+    factors: Sequence[float],
 ) -> tuple[float, ...]:
-    """PGA [m/s2] at which `assess` wants suites, besides those of the `levels`."""
-    shares = [share(hazard, spectrum, state) * options.confidence_factor for state in options.among(rule.shares)]
+    """PGA [m/s2] at which `assess` wants suites, besides those of the `levels`, with confidence `factors` FC [-]."""
+    states = options.among(rule.limits)
+    shares = [share(hazard, spectrum, state) * factor for factor in dict.fromkeys(factors) for state in states]
     wanted = [level * each for each in shares for level in levels]
     return tuple(pga for pga in wanted if not any(isclose(pga, level, rel_tol=1e-9) for level in levels))
 
@@ -109,38 +134,49 @@ def rising(context: Context) -> tuple[Suite, ...]:
     return tuple(sorted((*context.incremental, *context.besides), key=lambda suite: suite.pga))
 
 
-def displaced(oscillator: Oscillator, suite: Suite) -> tuple[float | None, ...]:
-    """d*/d0* of each record [-], each by the branch of its maximum; None where the body overturned."""
+def displaced(oscillator: Oscillator, context: Context, suite: Suite, limit: Limit) -> tuple[Displaced, ...]:
+    """d*/d0* and d*/d_LS of each record [-], each by the branch of its maximum."""
     names = suite.branches or (suite.branch,) * len(suite.ratio)
-    share = np.zeros(len(names))
+    of_collapse, of_limit = np.zeros(len(names)), np.zeros(len(names))
     for name in dict.fromkeys(names):
-        branch, here = branch_named(oscillator, name), [place for place, each in enumerate(names) if each == name]
+        curves, here = curves_named(oscillator, context, name), [i for i, each in enumerate(names) if each == name]
+        threshold, branch = threshold_of(curves, limit), curves.lasting
         rotation = np.array([(suite.ratio[place] or 0.0) * branch.overturning for place in here])
         *moved, collapse = displacement(branch, np.append(rotation, branch.unstable), mass=1.0)
-        share[here] = moved / collapse
-    return tuple(None if ratio is None else each for ratio, each in zip(suite.ratio, share.tolist(), strict=True))
+        of_collapse[here] = moved / collapse
+        of_limit[here] = of_collapse[here] * threshold.collapse / threshold.moved
+    return tuple(
+        Displaced(None, None) if ratio is None else Displaced(far, near)
+        for ratio, far, near in zip(suite.ratio, of_collapse.tolist(), of_limit.tolist(), strict=True)
+    )
 
 
-def passes(found: Found, allowed: float) -> bool:
-    """Whether all records leave the body standing short of d0* and what is judged stays within the share allowed."""
-    return found.judged is not None and found.judged <= allowed
+def passes(found: Found) -> bool:
+    """Whether all records leave the body standing short of d0* and what is judged stays within d_LS."""
+    return found.judged is not None and found.judged <= 1.0 and not _beyond_collapse(found)
 
 
 def _check(
-    oscillator: Oscillator, context: Context, rule: Rule, found: Found, *, state: str, level: float, FC: float
+    oscillator: Oscillator,
+    context: Context,
+    rule: Rule,
+    found: Found,
+    *,
+    state: str,
+    level: float,
+    confidence: Confidence,
 ) -> Check:
-    branch, allowed = branch_named(oscillator, found.suite.branch), rule.shares[state]
-    d0, e = displacement_at_collapse(branch, mass=oscillator.mass), participation_ratio(branch, mass=oscillator.mass)
+    curves, limit, FC = curves_named(oscillator, context, found.suite.branch), rule.limits[state], confidence.factor
+    threshold, branch = threshold_of(curves, limit), curves.lasting
     scanned = pga_before_failure(
         rising(context),
-        lambda suite: passes(Found(suite, suite.pga, displaced(oscillator, suite)), allowed),
+        lambda suite: passes(Found(suite, suite.pga, displaced(oscillator, context, suite, limit))),
         least_records=LEAST_RECORDS,
     )
-    lifts = uplift_multiplier(oscillator, linearised=context.linearised)
+    lifts = uplift_multiplier(context.starting or oscillator, linearised=context.linearised)
     at_collapse = None if scanned is None else scanned / FC
-    verdict, reason = _verdict(found, allowed, state=state)
-    value, allowable = found.judged, rotation_at(branch, allowed * d0 * e, mass=oscillator.mass) / branch.overturning
-    moved = None if value is None else value * d0
+    verdict, reason = _verdict(found, state=state)
+    moved = threshold.moved * participation_ratio(branch, mass=curves.mass)
     return Check(
         procedure=rule.procedure,
         edition=rule.edition.name,
@@ -151,22 +187,24 @@ def _check(
         damping=None,
         quantity=f"{'largest' if found.largest else 'mean'} d*",
         unit="m",
-        demand=moved,
-        capacity=allowed * d0,
-        ratio=None if value is None else value / allowed,
+        demand=None if found.judged is None else found.judged * threshold.moved,
+        capacity=threshold.moved,
+        ratio=found.judged,
         verdict=verdict,
         reason=reason,
         remarks=islands(at_collapse, found.pga / g) if verdict == Outcome.PASS else (),
+        conditions=seat_conditions(context, state, threshold.moved) if state == "SLV" else (),
         capacity_pga_g=at_collapse,
         uplift_pga_g=None if lifts is None else lifts / context.amplification / FC,
-        capacity_rotation_ratio=allowable,
+        capacity_rotation_ratio=rotation_at(branch, moved, mass=curves.mass) / branch.overturning,
         rotation_ratio=_rotation(found),
         pga_curve=_over(pga_curve(context.incremental), FC),
         steps=(
             pga_step(context, state=state, level=level, pga=found.pga),
+            confidence_step(confidence, rule.edition),
+            *threshold_steps(curves, threshold, limit, f"d_{state}", "displacement capacity"),
             *_record_steps(found, rule, FC=FC),
-            collapse_step(branch, rule.clause, mass=oscillator.mass),
-            *_capacity_steps(found, rule, state=state, d0=d0),
+            *_ratio_steps(found, rule, curves, threshold, state=state),
         ),
         caveat=rule.edition.caveat,
     )
@@ -185,7 +223,7 @@ def _rotation(found: Found) -> float | None:
     return max(standing) if found.largest else found.suite.mean
 
 
-def _verdict(found: Found, allowed: float, *, state: str) -> tuple[Outcome, Message]:
+def _verdict(found: Found, *, state: str) -> tuple[Outcome, Message]:
     n, fallen, passed = len(found.displaced), found.suite.overturned, _beyond_collapse(found)
     if n < LEAST_RECORDS:
         few = {"n": count(n), "fallen": count(fallen), "least": count(LEAST_RECORDS)}
@@ -197,44 +235,38 @@ def _verdict(found: Found, allowed: float, *, state: str) -> tuple[Outcome, Mess
     value = found.judged or 0.0
     if value == 0.0:
         return Outcome.PASS, because(Reason.NO_ROCKING)
-    verdict = judged(value / allowed)
+    verdict = judged(value)
     return verdict, because(Reason.WITHIN if verdict == Outcome.PASS else Reason.BEYOND, capacity=f"d_{state}")
 
 
 def _beyond_collapse(found: Found) -> int:
-    return sum(1 for each in found.displaced if each is not None and each > 1.0)
+    return sum(1 for each in found.displaced if each.of_collapse is not None and each.of_collapse > 1.0)
 
 
 def _record_steps(found: Found, rule: Rule, *, FC: float) -> tuple[Step, ...]:
-    n, standing = len(found.displaced), [each for each in found.displaced if each is not None]
-    at, run = f"{found.pga:.5g} · {FC:g}", found.suite.pga
+    n, fallen, run = float(len(found.displaced)), float(found.suite.overturned), found.suite.pga
     words = "PGA at which the records are run, as fitted to the site's spectrum; FC goes with the motion"
-    all_of = " + ".join("overturned" if each is None else f"{each:.4g}" for each in found.displaced)
-    formula, numbers = (
-        ("max d*/d0*", f"of {all_of}".replace(" + ", ", "))
-        if found.largest
-        else (
-            "Σ d*/d0* / n",
-            f"({all_of}) / {n}",
-        )
-    )
-    said = "largest of the maxima" if found.largest else "mean of the maxima"
     counted = f"records, both polarities; at least {LEAST_RECORDS}, {FOR_THE_MEAN} for the mean"
-    largest, fallen = max(standing, default=None), found.suite.overturned
-    collapse, top, over = "largest of those that stand; at most 1", "max d*/d0*", "records that overturn; none may"
+    collapse, over = "largest of those that stand; at most 1", "records that overturn; none may"
+    given: Given = {"PGA": (found.pga, "m/s2"), "FC": FC}
+    stand = f"{len(found.standing)} records"
     return (
-        Step("FC · PGA", words, rule.clause, "PGA · FC", at, run, "m/s2"),
-        Step("n", counted, NUMBER_CLAUSE, "count", str(n), float(n), "-"),
-        Step("n_ov", over, rule.clause, "count", str(fallen), float(fallen), "-"),
-        Step("d_max/d0*", collapse, rule.clause, top, f"{len(standing)} records", largest, "-"),
-        Step("d/d0*", said, rule.clause, formula, numbers, found.judged, "-"),
+        step("FC · PGA", words, rule.clause, "FC · PGA", run, "m/s2", given=given),
+        step("n", counted, NUMBER_CLAUSE, "count", n),
+        step("n_ov", over, rule.clause, "count", fallen),
+        step("d_max / d0*", collapse, rule.clause, "largest d* / d0*", found.farthest, remark=stand),
     )
 
 
-def _capacity_steps(found: Found, rule: Rule, *, state: str, d0: float) -> tuple[Step, ...]:
-    allowed, clause = rule.shares[state], rule.clause
-    steps = (Step(f"d_{state}", "capacity", clause, f"{allowed:g} d0*", f"{allowed:g} · {d0:.5g}", allowed * d0, "m"),)
+def _ratio_steps(found: Found, rule: Rule, curves: Curves, threshold: Threshold, *, state: str) -> tuple[Step, ...]:
+    """The ratio that is judged: each record by the d_LS of its branch."""
+    every = ", ".join("overturned" if each.of_limit is None else f"{each.of_limit:.4g}" for each in found.displaced)
+    mean = f"mean of d* / d_{state} of the records"
+    words = f"largest of d* / d_{state} of the records" if found.largest else mean
+    ratio = step(f"d / d_{state}", words, rule.clause, words.split(" of ")[0], found.judged, remark=every)
     if found.judged is None:
-        return steps
-    numbers, ratio = f"{found.judged:.5g} / {allowed:g}", found.judged / allowed
-    return *steps, Step(f"d / d_{state}", "ratio", clause, "demand / capacity", numbers, ratio, "-")
+        return (ratio,)
+    given: Given = {f"d / d_{state}": found.judged, f"d_{state}": (threshold.moved, "m")}
+    said = f"demand, at d_{state} of the {curves.name} branch"
+    value = found.judged * threshold.moved
+    return ratio, step("d", said, rule.clause, f"d / d_{state} · d_{state}", value, "m", given=given)

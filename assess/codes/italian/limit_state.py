@@ -6,70 +6,77 @@ multiplies them all alike: level / PGA of the site. Elsewhere every limit state 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from math import exp, log
 
 import numpy as np
 from scipy.constants import g
 
-from assess.codes.check import Bound, BranchName, Check, Step
+from assess.codes.check import Bound, Check, Step, step
 from assess.codes.context import Context, Hazard
-from assess.codes.governing import governing
-from assess.oscillator import Branch, Oscillator
+from assess.codes.governing import worst_of
+from assess.codes.italian.confidence import Confidence, as_asked, confidences
+from assess.codes.italian.curves import Curves, curves_of
+from assess.codes.italian.edition import Edition, Options
+from assess.oscillator import Oscillator
 from spectra.spectrum import Spectrum
 
-INDEX_CLAUSE = "NTC 2018 8.4"
+INDEX_CLAUSE = "NTC 2018 8.3"
 HAZARD_CLAUSE = "NTC Annex A"
 
 
 @dataclass(frozen=True)
 class Case:
-    """One branch of a mechanism in a limit state at one level.
+    """One branch of a mechanism in a limit state at one level, with one confidence factor.
 
     context : with the spectrum of the limit state; level : of the project [m/s2]
     pga : of the limit state at that level [m/s2]; pga_step : how it follows from the level
     """
 
-    oscillator: Oscillator
-    branch: Branch
-    name: BranchName
+    curves: Curves
+    confidence: Confidence
     state: str
     context: Context
     level: float
     pga: float
     pga_step: Step
 
-    @property
-    def mass(self) -> float:
-        """Total moved mass [kg]."""
-        return self.oscillator.mass
-
 
 OneCase = Callable[[Case], Check]
 
 
-def at_each(oscillator: Oscillator, context: Context, states: Iterable[str], one: OneCase) -> tuple[Check, ...]:
-    """For each limit state and level the worse branch by `one`."""
+def at_each(
+    oscillator: Oscillator,
+    context: Context,
+    edition: Edition,
+    options: Options,
+    *,
+    known: tuple[str, ...],
+    one: OneCase,
+) -> tuple[Check, ...]:
+    """For each limit state that is `known` and asked for, and each level, the worse branch by `one`.
+
+    First with the confidence factor that decides, then with one that informs.
+    """
+    branches, states = curves_of(oscillator, context), options.among(known)
     checks: list[Check] = []
-    for state in states:
-
-        def of(branch: Branch, name: BranchName, level: float, state: str = state) -> Check:
-            return one(case_of(oscillator, branch, name, context, state=state, level=level))
-
-        checks.extend(governing(oscillator, context.levels, of))
+    known_level = context.knowledge.get(edition.code)
+    for confidence in confidences(options, crushing=context.crushing, level=known_level):
+        for state in states:
+            for level in context.levels:
+                cases = [case_of(curves, confidence, context, state=state, level=level) for curves in branches]
+                checks.append(as_asked(worst_of([one(case) for case in cases]), confidence))
     return tuple(checks)
 
 
-def case_of(
-    oscillator: Oscillator, branch: Branch, name: BranchName, context: Context, *, state: str, level: float
-) -> Case:
+def case_of(curves: Curves, confidence: Confidence, context: Context, *, state: str, level: float) -> Case:
     """The case on the spectrum of its limit state, or on that of the site at the level's PGA."""
     own = own_spectrum(context.hazard, state)
     used = context if own is None else replace(context, spectrum=own)
     pga = level * share(context.hazard, context.spectrum, state)
-    step = pga_step(context, state=state, level=level, pga=pga)
-    return Case(oscillator, branch, name, state, used, level, pga, step)
+    line = pga_step(context, state=state, level=level, pga=pga)
+    return Case(curves, confidence, state, used, level, pga, line)
 
 
 def own_spectrum(hazard: Hazard | None, state: str) -> Spectrum | None:
@@ -88,12 +95,11 @@ def pga_step(context: Context, *, state: str, level: float, pga: float) -> Step:
     own, symbol = own_spectrum(context.hazard, state), f"PGA_{state}"
     if own is None:
         said = "no hazard of this limit state: the level's" if context.hazard is not None else "the level's"
-        return Step(
-            symbol, f"peak ground acceleration, {said}", HAZARD_CLAUSE, "level", f"{level / g:.5g} g", pga, "m/s2"
-        )
+        given = {"level": (level, "m/s2")}
+        return step(symbol, f"peak ground acceleration, {said}", HAZARD_CLAUSE, "level", pga, "m/s2", given=given)
     said = f"peak ground acceleration of {state}: the level multiplies every limit state"
-    numbers = f"{level:.5g} · {own.pga:.5g} / {context.spectrum.pga:.5g}"
-    return Step(symbol, said, HAZARD_CLAUSE, f"level · PGA_{state} / PGA of the site", numbers, pga, "m/s2")
+    given = {"level": (level, "m/s2"), f"S a_g,{state}": (own.pga, "m/s2"), "PGA": (context.spectrum.pga, "m/s2")}
+    return step(symbol, said, HAZARD_CLAUSE, f"level · S a_g,{state} / PGA", pga, "m/s2", given=given)
 
 
 def rated_on_hazard(checks: tuple[Check, ...], context: Context) -> tuple[Check, ...]:
@@ -107,11 +113,10 @@ def rated(check: Check, context: Context) -> Check:
     if capacity is None:
         return check
     demanded = check.level_pga_g * share(context.hazard, context.spectrum, check.limit_state)
-    index = capacity / demanded
-    numbers = f"{capacity:.5g} / {demanded:.5g}"
+    index, given = capacity / demanded, {"PGA_C": (capacity, "g"), "PGA": (demanded, "g")}
     words = f"safety index at {check.limit_state}: PGA at capacity over PGA demanded"
-    step = Step("ζ_E", words, INDEX_CLAUSE, "PGA_C / PGA", numbers, index, "-")
-    indexed = replace(check, safety_index=index, steps=(*check.steps, step))
+    line = step("ζ_E", words, INDEX_CLAUSE, "PGA_C / PGA", index, given=given)
+    indexed = replace(check, safety_index=index, steps=(*check.steps, line))
     return indexed if context.hazard is None else _with_years(indexed, context.hazard, capacity)
 
 
@@ -122,9 +127,9 @@ def _with_years(check: Check, hazard: Hazard, capacity_g: float) -> Check:
         ">=": f", or more: the hazard ends at {years:.4g} years",
     }
     words = f"return period of the capacity{ends.get(bound, '')}"
-    formula, numbers = "log T_R linear in log PGA between rows of the hazard, S a_g", f"PGA_C = {capacity_g:.5g} g"
-    step = Step("T_R,C", words, HAZARD_CLAUSE, formula, numbers, years, "years", bound)
-    return replace(check, return_period_years=years, return_period_bound=bound, steps=(*check.steps, step))
+    formula, at = "log T_R linear in log PGA between rows of the hazard, S a_g", f"PGA_C = {capacity_g:.5g} g"
+    line = step("T_R,C", words, HAZARD_CLAUSE, formula, years, "years", remark=at, bound=bound)
+    return replace(check, return_period_years=years, return_period_bound=bound, steps=(*check.steps, line))
 
 
 def return_period(hazard: Hazard, pga: float) -> tuple[float, Bound]:

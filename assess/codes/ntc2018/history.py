@@ -1,4 +1,4 @@
-"""Non-linear dynamic check of Circolare 7/2019, C8.7.1.2.1: no record beyond d0*, the mean within d_SLV or d_SLC."""
+"""Non-linear dynamic check of Circolare 7/2019, C8.7.1.2.1.9: no record beyond d0*, the mean within d_SLV or d_SLC."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from assess.oscillator import Oscillator
 RULE = history.Rule(
     procedure="ntc2018-history",
     edition=EDITION,
-    clause="C8.7.1.2.1 (non-linear dynamic)",
-    shares={state: ultimate.share for state, ultimate in ULTIMATE.items()},
+    clause="C8.7.1.2.1.9",
+    limits={state: ultimate.rule for state, ultimate in ULTIMATE.items()},
 )
-STATES = tuple(RULE.shares)
+STATES = tuple(RULE.limits)
 
 
 def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tuple[Check, ...]:
-    """The suites of time histories against 0.4 d0* (SLV) and 0.6 d0* (SLC)."""
+    """The suites of time histories against d0* and d_SLV or d_SLC."""
     checks = history.assess(oscillator, context, rule=RULE, options=options)
     return tuple(rated(check, context) for check in checks)

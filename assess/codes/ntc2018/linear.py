@@ -1,89 +1,113 @@
-"""Linear check of Circolare 7/2019, C8.7.1.2.1: activation at SLD, and at SLV with the behaviour factor q."""
+"""Linear check of Circolare 7/2019: activation at SLD (C8.7.1.2.1.5), and at SLV with q (C8.7.1.2.1.7)."""
 
 from __future__ import annotations
 
-from assess.codes.check import Check, Step
+from assess.codes.check import Check, Step, step
 from assess.codes.context import Context
 from assess.codes.italian.acceleration import acceleration_check, ratio_step
 from assess.codes.italian.edition import Options
 from assess.codes.italian.floor import Demands
 from assess.codes.italian.kinematic import activation, activation_steps
 from assess.codes.italian.limit_state import Case, at_each, rated
-from assess.codes.ntc2018.clauses import (
-    EDITION,
-    ELASTIC_DAMPING,
-    acceleration_demands,
-    activation_pga,
-    period_of,
-    uplift,
+from assess.codes.ntc2018.building import ELASTIC_DAMPING, FirstModes, elastic_modes, floor_acceleration
+from assess.codes.ntc2018.clauses import EDITION, acceleration_demands, activation_pga, period_of, uplift
+from assess.codes.ntc2018.sheet import (
+    first_mode_steps,
+    ordinate_steps,
+    peak_steps,
+    peak_symbol,
+    period_steps,
+    share_steps,
 )
-from assess.codes.ntc2018.sheet import floor_steps, ordinate_steps, period_steps
+from assess.codes.step import Given
 from assess.oscillator import Oscillator
 
 PROCEDURE = "ntc2018-linear"
-CLAUSES = {"SLD": "C8.7.1.8, C8.7.1.9", "SLV": "C8.7.1.2.1 (SLV, q)"}
+CLAUSES = {"SLD": "C8.7.1.2.1.5", "SLV": "C8.7.1.2.1.7"}
 STATES = tuple(CLAUSES)
 
 
 def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tuple[Check, ...]:
     """a0* against the peak acceleration of ground and floor (S_eZ(T0) of free elements); a_g,SLV = q a_g,SLD."""
-    checks = at_each(oscillator, context, options.among(STATES), lambda case: _check(case, options))
+    checks = at_each(oscillator, context, EDITION, options, known=STATES, one=lambda case: _check(case, options))
     return tuple(rated(check, context) for check in checks)
 
 
 def _check(case: Case, options: Options) -> Check:
-    FC, q = options.confidence_factor, options.behaviour_factor if case.state == "SLV" else 1.0
-    T0 = period_of(case.branch, case.context)
-    over_pga = acceleration_demands(case.context, T0=T0)
+    FC, q = case.confidence.factor, options.behaviour_factor if case.state == "SLV" else 1.0
+    context, branch, modes = case.context, case.curves.starting, elastic_modes(case.context)
+    T0 = period_of(branch, context)
+    over_pga = acceleration_demands(context, modes, T0=T0)
     demands = Demands(over_pga.ground * case.pga / q, over_pga.floor * case.pga / q)
-    a0 = activation(case.branch, mass=case.mass, confidence_factor=FC)
+    a0 = activation(branch, mass=case.curves.mass, confidence_factor=FC)
     return acceleration_check(
         case,
         EDITION,
         procedure=PROCEDURE,
         capacity=a0,
         demands=demands,
-        uplift=uplift(case.branch, case.context, confidence_factor=FC),
+        uplift=uplift(branch, context, confidence_factor=FC),
         damping=ELASTIC_DAMPING,
         steps=(
-            *activation_steps(case, EDITION, confidence_factor=FC),
+            *activation_steps(case, EDITION),
             *period_steps(case, T0=T0),
-            *demand_steps(case, over_pga, T0=T0, a0=a0),
+            *share_steps(case, modes),
+            *demand_steps(case, modes, over_pga, T0=T0, a0=a0),
             *_capacity_steps(case, over_pga, a0=a0, q=q),
             ratio_step(CLAUSES[case.state], demanded=demands.largest, capacity=a0),
         ),
     )
 
 
-def demand_steps(case: Case, over_pga: Demands, *, T0: float, a0: float) -> tuple[Step, ...]:
-    """Accelerations of ground and floor, and the PGA a_g,SLD at which the larger one reaches a0*."""
-    spectrum, largest = case.context.spectrum, over_pga.largest * case.pga
-    ground: tuple[Step, ...] = ()
-    if T0 > 0.0:
+def demand_steps(
+    case: Case, modes: FirstModes | None, over_pga: Demands, *, T0: float, a0: float, symbol: str = "T1"
+) -> tuple[Step, ...]:
+    """Accelerations of ground and floor, and the PGA a_g,SLD S at which the larger one reaches a0*.
+
+    symbol : of the first mode that asks most
+    """
+    spectrum, free = case.context.spectrum, T0 > 0.0
+    ground, floor = ("S_e(T0)" if free else "PGA"), ("S_eZ(T0)" if free else peak_symbol(symbol))
+    given = {"a0*": (a0, "m/s2"), "PGA": (case.pga, "m/s2"), ground: (over_pga.ground * case.pga, "m/s2")}
+    steps: list[Step] = []
+    if free:
         at, value = f"T0 = {T0:.5g} s, 5 %", over_pga.ground * case.pga
-        ground = (Step("S_e(T0)", "elastic spectrum of the ground", spectrum.clause, "S_e(T0)", at, value, "m/s2"),)
-    at_floor = ordinate_steps(case, T0, "T0", damping=ELASTIC_DAMPING) if T0 > 0.0 else ()
-    numbers = f"{a0:.5g} · {case.pga:.5g} / {largest:.5g}"
-    words = "PGA of activation, by the larger of ground and floor"
-    clause = "C8.7.1.9" if T0 > 0.0 else "C8.7.1.8"
-    value = activation_pga(a0, over_pga)
-    activated = Step("a_g,SLD S", words, clause, "a0* · PGA / largest acceleration", numbers, value, "m/s2")
-    return (*ground, *floor_steps(case), *at_floor, activated)
+        words = "elastic spectrum of the ground"
+        steps.append(step(ground, words, spectrum.clause, "S_e(T, ξ)", value, "m/s2", remark=at))
+    most = ground
+    if modes is not None:
+        steps += floor_steps(case, modes, T0=T0, symbol=symbol)
+        given[floor], most = (over_pga.floor * case.pga, "m/s2"), f"max({ground}, {floor})"
+    words, value = "PGA of activation, by the larger of ground and floor", activation_pga(a0, over_pga)
+    clause, formula = "C8.7.1.9" if free else "C8.7.1.8", f"a0* · PGA / {most}"
+    return *steps, step("a_g,SLD S", words, clause, formula, value, "m/s2", given=given)
+
+
+def floor_steps(case: Case, modes: FirstModes, *, T0: float, symbol: str) -> tuple[Step, ...]:
+    """The floor's acceleration under the first mode that asks most."""
+    first, _ = floor_acceleration(case.context, modes, T0)
+    why = "that of the largest acceleration"
+    at = ordinate_steps(case, modes, (symbol, first), ("T0", T0), damping=ELASTIC_DAMPING) if T0 > 0.0 else ()
+    return (
+        *first_mode_steps(modes, first, symbol, ("T0", T0), why),
+        *peak_steps(case, modes, first, symbol),
+        *at,
+    )
 
 
 def _capacity_steps(case: Case, over_pga: Demands, *, a0: float, q: float) -> tuple[Step, ...]:
-    clause, divided = CLAUSES[case.state], over_pga.largest * case.pga / q
-    demanded = Step(
+    clause, largest = CLAUSES[case.state], over_pga.largest * case.pga
+    demanded = step(
         "a_max / q",
         "demand: the larger of ground and floor",
         clause,
-        "largest acceleration / q",
-        f"{over_pga.largest * case.pga:.5g} / {q:g}",
-        divided,
+        "a_max / q",
+        largest / q,
         "m/s2",
+        given={"a_max": (largest, "m/s2"), "q": q},
     )
     if case.state == "SLD":
         return (demanded,)
     activated = activation_pga(a0, over_pga)
-    words, numbers = "PGA at capacity", f"{q:g} · {activated:.5g}"
-    return Step("a_g,SLV S", words, clause, "q a_g,SLD S", numbers, q * activated, "m/s2"), demanded
+    given: Given = {"q": q, "a_g,SLD S": (activated, "m/s2")}
+    return step("a_g,SLV S", "PGA at capacity", clause, "q · a_g,SLD S", q * activated, "m/s2", given=given), demanded

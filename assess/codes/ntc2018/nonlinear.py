@@ -1,16 +1,29 @@
-"""Non-linear kinematic check of Circolare 7/2019, C8.7.1.2.1: displacement capacity at SLV or SLC."""
+"""Non-linear kinematic check of Circolare 7/2019: displacement capacity at SLV or SLC (C8.7.1.2.1.6, .8)."""
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 
-from assess.codes.check import Check, Step
+from assess.codes.check import Check, Step, step
 from assess.codes.context import Context
 from assess.codes.italian.displacement import Answer, displacement_check, ground_step, ratio_step
 from assess.codes.italian.edition import Options
 from assess.codes.italian.floor import Demands
-from assess.codes.italian.kinematic import activation_steps, collapse_step, curve_step
+from assess.codes.italian.kinematic import activation_steps, curve_step
 from assess.codes.italian.limit_state import Case, at_each, rated
+from assess.codes.italian.thresholds import seat_conditions, threshold_steps
+from assess.codes.ntc2018.building import (
+    SHOWN_DAMPING,
+    FirstModes,
+    FloorDemand,
+    floor_demand,
+    ground_period,
+    longest_asked,
+    modes_at,
+    ordinate,
+)
 from assess.codes.ntc2018.clauses import (
     EDITION,
     ULTIMATE,
@@ -19,111 +32,153 @@ from assess.codes.ntc2018.clauses import (
     activation_pga,
     capacity_of,
     displacement_demands,
-    floor_ordinate,
-    mode_of,
     period_of,
-    resonant_displacement,
     uplift,
-    worst_period,
 )
 from assess.codes.ntc2018.linear import demand_steps
-from assess.codes.ntc2018.sheet import ordinate_steps, period_steps
+from assess.codes.ntc2018.sheet import first_mode_steps, ordinate_steps, peak_steps, period_steps, share_steps
+from assess.codes.step import Given
 from assess.oscillator import Oscillator
 from spectra.floor_spectrum import PLATEAU
 
 PROCEDURE = "ntc2018-nonlinear"
-CLAUSE = "C8.7.1.2.1"
+CLAUSE = "C8.7.1.2.1.8"
 STATES = tuple(ULTIMATE)
+FIRST, AT_ACTIVATION = "T1'", "T1'_a"  # of the building: what asks most of d_LS, and of a0*
+
+
+@dataclass(frozen=True)
+class Worked:
+    """What a case is worked out from: capacity, first modes, demands over PGA of acceleration and displacement."""
+
+    capacity: Capacity
+    modes: FirstModes | None
+    over_pga: Demands
+    wanted: Demands | None
 
 
 def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tuple[Check, ...]:
-    """d_SLV = 0.4 d0* and d_SLC = 0.6 d0* against the displacements of ground and floor; at least a_g,SLD is stood."""
-    checks = at_each(oscillator, context, options.among(STATES), lambda case: _check(case, options))
+    """d_SLV and d_SLC against the displacements of ground and floor; at least a_g,SLD is stood."""
+    checks = at_each(oscillator, context, EDITION, options, known=STATES, one=_check)
     return tuple(rated(check, context) for check in checks)
 
 
-def _check(case: Case, options: Options) -> Check:
-    FC, context, damping = options.confidence_factor, case.context, ULTIMATE[case.state].damping
-    T0 = period_of(case.branch, context)
-    cap = capacity_of(case.branch, state=case.state, mass=case.mass, confidence_factor=FC, T0=T0)
-    over_pga = acceleration_demands(context, T0=T0)
-    answer = _answer(case, cap, over_pga, displacement_demands(context, T0=T0, T=cap.T, damping=damping), options)
+def _check(case: Case) -> Check:
+    worked = _worked(case)
+    cap, answer = worked.capacity, _answer(case, worked)
     steps = (
-        *activation_steps(case, EDITION, confidence_factor=FC),
-        *period_steps(case, T0=T0),
-        *demand_steps(case, over_pga, T0=T0, a0=cap.a0),
-        *_capacity_steps(case, cap, confidence_factor=FC),
-        *_displacement_steps(case, cap, answer),
+        *activation_steps(case, EDITION),
+        *period_steps(case, T0=cap.T0),
+        *share_steps(case, worked.modes),
+        *demand_steps(case, worked.modes, worked.over_pga, T0=cap.T0, a0=cap.a0, symbol=AT_ACTIVATION),
+        *_capacity_steps(case, cap),
+        *_displacement_steps(case, worked, answer),
     )
-    rule = context.spectrum.damping_rule
+    damping, rule = ULTIMATE[case.state].damping, case.context.spectrum.damping_rule
     return displacement_check(case, answer, EDITION, procedure=PROCEDURE, damping=damping, rule=rule, steps=steps)
 
 
-def _answer(case: Case, cap: Capacity, over_pga: Demands, wanted: Demands | None, options: Options) -> Answer:
+def _worked(case: Case) -> Worked:
+    context, T0 = case.context, period_of(case.curves.starting, case.context)
+    modes, damping = modes_at(context, case.state), ULTIMATE[case.state].damping
+    cap = capacity_of(case.curves, state=case.state, confidence_factor=case.confidence.factor, T0=T0)
+    wanted = displacement_demands(context, modes, T0=T0, T=cap.T, damping=damping)
+    return Worked(cap, modes, acceleration_demands(context, modes, T0=T0), wanted)
+
+
+def _answer(case: Case, worked: Worked) -> Answer:
     """Below a_g,SLD the element does not rock: it moves elastically with T0, or, rigid, not at all."""
+    cap, over_pga = worked.capacity, worked.over_pga
     activated, elastic = activation_pga(cap.a0, over_pga), over_pga.largest * (cap.T0 / (2 * np.pi)) ** 2
+    symbol, longest = f"T_{case.state}", longest_asked(worked.modes, cap.T)
     return Answer(
         ultimate=cap.d,
         symbol=f"d_{case.state}",
         collapse=cap.d0,
         e=cap.e,
-        period=cap.T,
-        period_symbol=f"T_{case.state}",
-        wanted=wanted,
+        needs=f"{symbol} = {longest:.4g} s" if longest == cap.T else f"b {FIRST} = {longest:.4g} s",
+        wanted=worked.wanted,
         starts=activated if elastic * activated <= cap.d else 0.0,
         still=elastic,
-        uplift=uplift(case.branch, case.context, confidence_factor=options.confidence_factor),
+        uplift=uplift(case.curves.starting, case.context, confidence_factor=case.confidence.factor),
+        conditions=seat_conditions(case.context, case.state, cap.d) if case.state == "SLV" else (),
     )
 
 
-def _capacity_steps(case: Case, cap: Capacity, *, confidence_factor: float) -> tuple[Step, ...]:
+def _capacity_steps(case: Case, cap: Capacity) -> tuple[Step, ...]:
     state, ultimate = case.state, ULTIMATE[case.state]
-    share, root = f"{ultimate.share:g} · {cap.d0:.5g}", f"{ultimate.factor:g} π √({cap.d:.5g} / {cap.a:.5g})"
-    formula = f"{ultimate.factor:g} π √(d_{state} / a(d_{state}))"
-    symbol, on_curve = f"a(d_{state})", "acceleration on the model's curve"
-    words = "displacement capacity; local limits are not modelled"
+    d, a = f"d_{state}", f"a(d_{state})"
+    curve = curve_step(case, "C8.7.1.3", a, "acceleration of actions that have not ended", moved=cap.d)
+    if cap.T0 > 0.0 and cap.a < curve.value:  # type: ignore[operator]
+        given = {d: (cap.d, "m"), "T0": (cap.T0, "s")}
+        curve = step(
+            a, "acceleration on the elastic branch", "C8.7.1.6", f"{d} · (2 · π / T0)²", cap.a, "m/s2", given=given
+        )
+    formula, given = f"{ultimate.factor:g} · π · √({d} / {a})", {d: (cap.d, "m"), a: (cap.a, "m/s2")}
     return (
-        collapse_step(case.branch, CLAUSE, mass=case.mass),
-        Step(f"d_{state}", words, CLAUSE, f"{ultimate.share:g} d0*", share, cap.d, "m"),
-        curve_step(case, "C8.7.1.3", symbol, on_curve, moved=cap.d, confidence_factor=confidence_factor),
-        Step(f"T_{state}", "secant period", ultimate.clause, formula, root, cap.T, "s"),
+        *threshold_steps(case.curves, cap.threshold, ultimate.rule, d, "displacement capacity"),
+        curve,
+        step(f"T_{state}", "secant period", ultimate.clause, formula, cap.T, "s", given=given),
     )
 
 
-def _displacement_steps(case: Case, cap: Capacity, answer: Answer) -> tuple[Step, ...]:
+def _displacement_steps(case: Case, worked: Worked, answer: Answer) -> tuple[Step, ...]:
     wanted, demanded, spectrum = answer.wanted, answer.demand(case.pga), case.context.spectrum
     if wanted is None or demanded is None:
         return ()
-    damping, symbol = ULTIMATE[case.state].damping, f"T_{case.state}"
-    T = worst_period(case.context, T0=cap.T0, T=cap.T, damping=damping)
-    ordinate = float(spectrum.acceleration(T, damping=damping)) * case.pga / spectrum.pga
+    cap, damping, symbol = worked.capacity, ULTIMATE[case.state].damping, f"T_{case.state}"
+    T = ground_period(case.context, T0=cap.T0, T=cap.T, damping=damping)
+    spectral = float(spectrum.acceleration(T, damping=damping)) * case.pga / spectrum.pga
     said, at = f"elastic spectrum, {100 * damping:.3g} %", f"T = {T:.5g} s, PGA = {case.pga:.5g} m/s2"
-    largest = f"period from T0 to {symbol} of the largest S_De"
+    asked, between = f"period from T0 to {symbol} of the largest S_De", f"{cap.T0:.5g} to {cap.T:.5g} s"
     steps = [
-        Step("T", largest, CLAUSE, f"T0 ≤ T ≤ {symbol}", f"{cap.T0:.5g} to {cap.T:.5g} s", T, "s"),
-        Step("S_e(T)", said, spectrum.clause, "S_e(T, ξ)", at, ordinate, "m/s2"),
-        ground_step(case, CLAUSE, "T", T, ordinate=ordinate, moved=wanted.ground * case.pga),
-        *ordinate_steps(case, cap.T, symbol, damping=damping),
-        *_floor_steps(case, cap, symbol, damping=damping),
+        step("T", asked, CLAUSE, f"T0 ≤ T ≤ {symbol}", T, "s", remark=between),
+        step("S_e(T)", said, spectrum.clause, "S_e(T, ξ)", spectral, "m/s2", remark=at),
+        ground_step(case, CLAUSE, "T", T, ordinate=spectral, moved=wanted.ground * case.pga),
+        *_floor_steps(case, worked, symbol, damping=damping),
     ]
     return (*steps, ratio_step(answer, CLAUSE, demanded=demanded))
 
 
-def _floor_steps(case: Case, cap: Capacity, symbol: str, *, damping: float) -> tuple[Step, ...]:
-    """The demand of the floor, with its lower bound beyond b T1; none at the ground."""
-    mode = mode_of(case.context)
-    if mode is None:
+def _floor_steps(case: Case, worked: Worked, symbol: str, *, damping: float) -> tuple[Step, ...]:
+    """The demand of the floor under the worst first mode, with its lower bound, and at 20 %; none at the ground."""
+    modes, cap = worked.modes, worked.capacity
+    if modes is None:
         return ()
-    scale = case.pga / case.context.spectrum.pga
-    ordinate, clause = floor_ordinate(case.context, cap.T, damping=damping) * scale, "C8.7.1.12"
-    moved, numbers = ordinate * (cap.T / (2 * np.pi)) ** 2, f"{ordinate:.5g} · ({cap.T:.5g} / 2π)²"
-    step = Step(
-        f"d({symbol}, Z)", "demand of the floor", clause, f"S_eZ({symbol}) ({symbol} / 2π)²", numbers, moved, "m"
+    asked = floor_demand(case.context, modes, T0=cap.T0, T=cap.T, damping=damping)
+    T = (symbol, asked.period) if asked.period == cap.T else ("T_d", asked.period)
+    first = (FIRST, asked.first)
+    return (
+        *first_mode_steps(modes, asked.first, FIRST, T, "that of the largest displacement"),
+        *peak_steps(case, modes, asked.first, FIRST),
+        *ordinate_steps(case, modes, first, T, damping=damping),
+        *_demand_steps(case, modes, asked, T, damping=damping),
+        *_shown_steps(case, worked, damping=damping),
     )
-    least = resonant_displacement(case.context, cap.T, damping=damping) * scale
-    if least == 0.0:
-        return (step,)
-    resonant, b = floor_ordinate(case.context, mode.period, damping=damping) * scale, PLATEAU[1]
-    numbers = f"{resonant:.5g} · ({b:g} · {mode.period:.5g} / 2π)²"
-    words = f"no less than this, as {symbol} > b T1"
-    return step, Step("d(b T1, Z)", words, clause, "S_eZ(T1) (b T1 / 2π)²", numbers, least, "m")
+
+
+def _demand_steps(
+    case: Case, modes: FirstModes, asked: FloorDemand, T: tuple[str, float], *, damping: float
+) -> tuple[Step, ...]:
+    scale, (symbol, period), clause = case.pga / case.context.spectrum.pga, T, "C8.7.1.12"
+    spectral = ordinate(case.context, modes, asked.first, period, damping=damping) * scale
+    given = {f"S_eZ({symbol})": (spectral, "m/s2"), symbol: (period, "s")}
+    formula, name = f"S_eZ({symbol}) · ({symbol} / (2 · π))²", f"d({symbol}, Z)"
+    line = step(name, "demand of the floor", clause, formula, asked.moved * scale, "m", given=given)
+    if asked.least == 0.0:
+        return (line,)
+    resonant, b = ordinate(case.context, modes, asked.first, asked.first, damping=damping) * scale, PLATEAU[1]
+    beside: Given = {f"S_eZ({FIRST})": (resonant, "m/s2"), "b": b, FIRST: (asked.first, "s")}
+    words, formula = f"no less than this, as {symbol} > b {FIRST}", f"S_eZ({FIRST}) · (b · {FIRST} / (2 · π))²"
+    return line, step(f"d(b {FIRST}, Z)", words, clause, formula, asked.least * scale, "m", given=beside)
+
+
+def _shown_steps(case: Case, worked: Worked, *, damping: float) -> tuple[Step, ...]:
+    """The demand of the floor with 20 % of damping of the building, for comparison."""
+    modes, cap = modes_at(case.context, case.state, damping=SHOWN_DAMPING), worked.capacity
+    if modes is None or modes.reason:
+        return ()
+    asked = floor_demand(case.context, modes, T0=cap.T0, T=cap.T, damping=damping)
+    moved, at = asked.largest * case.pga / case.context.spectrum.pga, f"{FIRST} = {asked.first:.5g} s"
+    words = "demand of the floor with ξ1 = 20 %, for comparison"
+    return (step("d(20 %)", words, "C8.7.1.2.1.4", "as above, with ξ1 = 0.2", moved, "m", remark=at),)

@@ -2,71 +2,106 @@
 
 from __future__ import annotations
 
-from assess.codes.check import Step
-from assess.codes.italian.floor import floor_of
+import numpy as np
+
+from assess.codes.check import Step, step
 from assess.codes.italian.limit_state import Case
-from assess.codes.ntc2018.clauses import floor_ordinate, mode_of
+from assess.codes.ntc2018.building import FirstModes, ordinate, peak_acceleration
+from assess.codes.step import Given
 from spectra.damping import ec8_eta
-from spectra.floor_spectrum import PLATEAU, circolare2019_peak, resonance_factor
+from spectra.floor_spectrum import PLATEAU
 
 
 def period_steps(case: Case, *, T0: float) -> tuple[Step, ...]:
     """T0 of an element that vibrates before it lifts off."""
     if T0 == 0.0:
         return ()
-    given, symbol, words = case.context.free_period, "T0", "period before uplift"
+    given, words = case.context.free_period, "period before uplift"
     if given is not None:
-        return (Step(symbol, words, "C8.7.1.7", given.formula, given.substituted, T0, "s"),)
-    formula, numbers = "1 / frequency of small motions", f"1 / {1.0 / T0:.5g} Hz"
-    return (Step(symbol, words, "C8.7.1.6", formula, numbers, T0, "s"),)
+        return (step("T0", words, "C8.7.1.7", given.formula, T0, "s", remark=given.substituted),)
+    return (step("T0", words, "C8.7.1.6", "1 / f", T0, "s", given={"f": (1.0 / T0, "Hz")}),)
 
 
-def floor_steps(case: Case) -> tuple[Step, ...]:
-    """gamma psi, S_e(T1, xi1) and a_Z of the floor; none at the ground."""
-    floor, mode, spectrum = floor_of(case.context), mode_of(case.context), case.context.spectrum
-    if floor is None or mode is None:
+def share_steps(case: Case, modes: FirstModes | None) -> tuple[Step, ...]:
+    """gamma psi of the floor and the elastic first mode; none at the ground."""
+    building = case.context.building
+    if modes is None or building is None:
         return ()
-    scale, xi = case.pga / spectrum.pga, 100.0 * mode.damping
-    ordinate = float(spectrum.acceleration(mode.period, damping=mode.damping)) * scale
-    shape, at = f"{floor.gamma:.5g} · {floor.psi:.5g}", f"T1 = {mode.period:.5g} s, ξ1 = {xi:.4g} %"
-    peak = circolare2019_peak(spectrum, modes=[mode]) * scale
-    numbers, formula = f"{ordinate:.5g} · {mode.share:.5g} · √(1 + 0.0004 · {xi:.4g}²)", "S_e(T1) γ ψ √(1 + 0.0004 ξ1²)"
-    first = "elastic spectrum at the first mode"
+    Z, H = (modes.floor.psi * building.height, "m"), (building.height, "m")
+    given: Given = {"N": float(building.storeys or 0), "Z": Z, "H": H}
+    words = "share of the first mode at Z, N storeys"
+    mode = "first mode of the building, elastic"
     return (
-        Step("γ ψ", "share of the first mode at Z", "C7.2.10", "3 N / (2 N + 1) · Z/H", shape, mode.share, "-"),
-        Step("S_e(T1, ξ1)", first, spectrum.clause, "S_e(T1, ξ1)", at, ordinate, "m/s2"),
-        Step("a_Z", "peak acceleration of the floor, first mode", "C7.2.7, C7.2.8", formula, numbers, peak, "m/s2"),
+        step("γψ", words, "C7.2.10", "3 · N · Z / ((2 · N + 1) · H)", modes.share, given=given),
+        step("T1", mode, "C7.2.3", "[building] period", modes.floor.T1, "s", remark="given, or 0.05 H^0.75"),
     )
 
 
-def ordinate_steps(case: Case, period: float, symbol: str, *, damping: float) -> tuple[Step, ...]:
-    """A and the ordinate of the floor spectrum at a period [s] named `symbol`; none at the ground."""
-    mode, spectrum = mode_of(case.context), case.context.spectrum
-    if mode is None:
+def first_mode_steps(modes: FirstModes, first: float, symbol: str, T: tuple[str, float], why: str) -> tuple[Step, ...]:
+    """T_1' [s] named `symbol` that asks most of a mechanism of period T, (symbol, value) [s], and how it was found."""
+    if modes.reason:
+        stated = "first mode at this limit state"
+        return (step(symbol, stated, "C8.7.1.2.1.4", "as stated", first, "s", remark=modes.reason),)
+    if modes.shortest == modes.longest:
         return ()
-    scale, factor = case.pga / spectrum.pga, resonance_factor(mode, damping)
-    peak = circolare2019_peak(spectrum, modes=[mode]) * scale
-    value = floor_ordinate(case.context, period, damping=damping) * scale
-    formula, numbers = _shape(period, mode.period, factor, peak, symbol)
-    ground = float(spectrum.acceleration(period, damping=damping)) * scale
-    if period > mode.period:
-        formula, numbers = f"max({formula}; S_e({symbol}))", f"max({numbers}; {ground:.5g})"
-    resonance = f"1.1 / √{mode.damping:.4g} · {ec8_eta(damping):.5g}"
-    said, name = f"floor spectrum at {100 * damping:.3g} %", f"S_eZ({symbol})"
+    words, (name, value) = f"first mode, softened by 1.5 to 2.0: {why}", T
+    for letter, factor in zip("ab", PLATEAU, strict=True):
+        if np.isclose(first, value / factor, rtol=1e-12, atol=0.0):
+            peak: Given = {name: (value, "s"), letter: factor}
+            return (step(symbol, words, "C8.7.1.2.1.4", f"{name} / {letter}", first, "s", given=peak),)
+    k: Given = {"k": first / modes.floor.T1, "T1": (modes.floor.T1, "s")}
+    return (step(symbol, words, "C8.7.1.2.1.4", "k · T1", first, "s", given=k),)
+
+
+def peak_steps(case: Case, modes: FirstModes, first: float, symbol: str) -> tuple[Step, ...]:
+    """S_e(T1, xi1) and a_Z of the floor under the first mode of period `first` [s], named `symbol`."""
+    spectrum = case.context.spectrum
+    scale, xi = case.pga / spectrum.pga, modes.damping
+    spectral = float(spectrum.acceleration(first, damping=xi)) * scale
+    peak, name = peak_acceleration(case.context, modes, first) * scale, f"S_e({symbol})"
+    at = f"{symbol} = {first:.5g} s, ξ1 = {100 * xi:.4g} %, PGA = {case.pga:.5g} m/s2"
+    given: Given = {name: (spectral, "m/s2"), "γψ": modes.share, "ξ1": xi}
+    words = "peak acceleration of the floor, first mode; ξ1 as ratio"
     return (
-        Step("A", "resonance, at least 1; ξ1 as ratio", "C7.2.6", "1.1 ξ1^-0.5 η(ξ)", resonance, factor, "-"),
-        Step(name, said, "C7.2.5, C7.2.6", formula, numbers, value, "m/s2"),
+        step(name, "elastic spectrum at the first mode", spectrum.clause, "S_e(T, ξ1)", spectral, "m/s2", remark=at),
+        step(
+            peak_symbol(symbol), words, "C7.2.7, C7.2.8", f"{name} · γψ · √(1 + (2 · ξ1)²)", peak, "m/s2", given=given
+        ),
     )
 
 
-def _shape(period: float, first: float, factor: float, peak: float, symbol: str) -> tuple[str, str]:
-    """Formula and numbers of C7.2.6 on the stretch where a period lies."""
-    a, b = PLATEAU
-    high = f"{factor:.5g} · {peak:.5g}"
+def peak_symbol(first: str) -> str:
+    """Symbol of a_Z under the first mode named `first`."""
+    return f"a_Z({first})"
+
+
+def ordinate_steps(
+    case: Case, modes: FirstModes, first: tuple[str, float], T: tuple[str, float], *, damping: float
+) -> tuple[Step, ...]:
+    """A and the ordinate of the floor spectrum at T under T_1', both (symbol, value) [s]."""
+    spectrum, (symbol, period), (name, building) = case.context.spectrum, T, first
+    scale, eta = case.pga / spectrum.pga, ec8_eta(damping)
+    peak = peak_acceleration(case.context, modes, building) * scale
+    A = max(1.1 / np.sqrt(modes.damping) * eta, 1.0)
+    value = ordinate(case.context, modes, building, period, damping=damping) * scale
+    formula, given = _stretch(symbol, period, name, building)
+    given = {"A": A, peak_symbol(name): (peak, "m/s2"), **given}
+    if period > building:
+        ground = float(spectrum.acceleration(period, damping=damping)) * scale
+        formula, given = f"max({formula}, S_e({symbol}))", {**given, f"S_e({symbol})": (ground, "m/s2")}
+    words, of_A = f"floor spectrum at {100 * damping:.3g} %", {"η": eta, "ξ1": modes.damping}
+    return (
+        step("A", "resonance; ξ1 as ratio", "C7.2.6", "max(1.1 · η / √(ξ1), 1)", float(A), given=of_A),
+        step(f"S_eZ({symbol})", words, "C7.2.5, C7.2.6", formula, value, "m/s2", given=given),
+    )
+
+
+def _stretch(symbol: str, period: float, name: str, first: float) -> tuple[str, dict[str, float | tuple[float, str]]]:
+    """Formula of C7.2.6 on the stretch where a period lies, and its inputs besides A and a_Z."""
+    (a, b), peak = PLATEAU, peak_symbol(name)
+    given: dict[str, float | tuple[float, str]] = {symbol: (period, "s"), name: (first, "s")}
     if period < a * first:
-        numbers = f"{high} / (1 + {factor - 1:.5g} · (1 − {period:.5g} / {a * first:.5g})^1.6)"
-        return f"A a_Z / (1 + (A − 1) (1 − {symbol} / (a T1))^1.6)", numbers
-    if period < b * first:
-        return "A a_Z", high
-    numbers = f"{high} / (1 + {factor - 1:.5g} · ({period:.5g} / {b * first:.5g} − 1)^1.2)"
-    return f"A a_Z / (1 + (A − 1) ({symbol} / (b T1) − 1)^1.2)", numbers
+        return f"A · {peak} / (1 + (A − 1) · (1 − {symbol} / (a · {name}))^1.6)", {**given, "a": a}
+    if period <= b * first * (1.0 + 1e-12):
+        return f"A · {peak}", {}
+    return f"A · {peak} / (1 + (A − 1) · ({symbol} / (b · {name}) − 1)^1.2)", {**given, "b": b}

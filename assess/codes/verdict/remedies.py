@@ -16,6 +16,7 @@ FILTER: Line = ("mechanisms.{}.amplification", 'amplification = { method = "moda
 HEIGHT: Line = ("building.height", 'height = "9 m"')
 STOREYS: Line = ("building.storeys", "storeys = 2")
 GROUND: Line = ("building.ground_elevation", "ground_elevation = 0.0")
+SEAT: Line = ("mechanisms.{}.loads", 'seat = "0.12 m"')
 RECORDS: Line = ("records.files", 'files = ["records/*.AT2"]')
 TABLE: Line = ("site.spectrum.file", "")
 
@@ -31,6 +32,7 @@ REMEDIES: Mapping[Reason, tuple[Line, ...]] = {
     Reason.SCALAR_MOTION: (FILTER,),
     Reason.GROUND_UNKNOWN: (GROUND,),
     Reason.ABOVE_BUILDING: (HEIGHT, GROUND),
+    Reason.SEAT_UNKNOWN: (SEAT,),
     Reason.TOO_FEW_RECORDS: (RECORDS,),
     Reason.SPECTRUM_TOO_SHORT: (TABLE,),
 }
@@ -50,8 +52,9 @@ def _of(mechanism: str, check: Check) -> tuple[Missing, ...]:
 
 def _by_reason(mechanism: str, check: Check, reason: Message) -> tuple[Missing, ...]:
     text = f"{mechanism}: {check.procedure}: {reason.text}"
-    if reason.where:
-        return (Missing(reason.where, text, str(reason.values.get("toml", ""))),)
+    if reason.where:  # of the whole project, as a suite of records is, said once for all mechanisms
+        own = reason.where.startswith("mechanisms.")
+        return (Missing(reason.where, text if own else reason.text, str(reason.values.get("toml", ""))),)
     lines = _lines(check, reason)
     if not lines:
         return (Missing(f"mechanisms.{mechanism}", text),)
@@ -61,10 +64,10 @@ def _by_reason(mechanism: str, check: Check, reason: Message) -> tuple[Missing, 
 def _reasons(check: Check) -> tuple[Message, ...]:
     """Why a check is not answered, or why one that fails cannot pass at a lower target; none of one that is answered.
 
-    Further reasons that name their key stand among the remarks.
+    Further reasons whose key is known stand among the remarks.
     """
     if check.verdict == Outcome.NOT_ANSWERED:
-        return (check.reason, *(each for each in check.remarks if each.where))
+        return (check.reason, *(each for each in check.remarks if each.where or each.key in REMEDIES))
     low = (each for each in check.remarks if each.key == Reason.GROUND_MOTION or each.key in REMEDIES)
     return tuple(low)[:1]
 

@@ -14,7 +14,7 @@ from assess.project.sections.analysis import Procedures, Records
 from assess.project.sections.bodies import Body, BoxBody, DirectBody, Material, MeshBody, ProfileBody
 from assess.project.sections.content import Content
 from assess.project.sections.interfaces import Interface, Shape
-from assess.project.sections.italian import KNOWLEDGE, FreeElement, Italian
+from assess.project.sections.italian import FreeElement, Italian
 from assess.project.sections.loads import BodyLoad, ForceLoad, LoadTable, MassLoad, OverburdenLoad, TieLoad
 from assess.project.sections.mechanisms import (
     Chained,
@@ -48,7 +48,6 @@ from assess.project.sections.sweeps import Sweep
 from assess.project.sections.verdict import VerdictSection
 
 __all__ = [
-    "KNOWLEDGE",
     "PROCEDURES",
     "SHARE",
     "Asce7MappedSpectrum",

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Annotated, Literal, Self
+from typing import Annotated, Literal
 
-from pydantic import AfterValidator, Discriminator, Field, Tag, model_validator
+from pydantic import AfterValidator, Discriminator, Field, Tag
 
 from assess.project.quantities import (
     Name,
@@ -16,27 +15,21 @@ from assess.project.quantities import (
     Ratio,
     unique,
 )
-from assess.project.section import Section, wrong
+from assess.project.section import Section
 
-KNOWLEDGE: Mapping[str | None, float] = {"LC1": 1.35, "LC2": 1.20, "LC3": 1.00}
-"""FC of the levels of knowledge, Table C8.5.IV of Circolare 7/2019 (617/2009: C8A.1.1)."""
+Level = Literal["LC1", "LC2", "LC3"]
 
 
 class Italian(Section):
     """What both Italian procedures may say."""
 
-    knowledge_level: Literal["LC1", "LC2", "LC3"] | None = None
-    """level of knowledge, which gives the confidence factor: LC1 1.35, LC2 1.20, LC3 1.00"""
-    confidence_factor: Annotated[Ratio, Field(ge=1)] = Field(
-        default_factory=lambda values: KNOWLEDGE.get(values.get("knowledge_level"), 1.0)
-    )
-    """FC; that of knowledge_level if absent, or 1.0"""
-
-    @model_validator(mode="after")
-    def _one_factor(self) -> Self:
-        if self.knowledge_level is not None and self.confidence_factor != KNOWLEDGE[self.knowledge_level]:
-            raise wrong("confidence_factor", f"{self.knowledge_level} has another one; remove it or knowledge_level")
-        return self
+    knowledge_level: Level | None = None
+    """level of knowledge, which gives the confidence factor where crushing is modelled: LC1 1.35, LC2 1.20, LC3 1.00;
+    1.35 wherever it is not"""
+    knowledge_levels: dict[Name, Level] = Field(default_factory=dict)
+    """{ MECHANISM = "LC2" }: of single mechanisms, in place of knowledge_level"""
+    confidence_factor: Annotated[Ratio, Field(ge=1)] | None = None
+    """FC in place of the code's: a larger one decides, a lower one is shown for comparison"""
 
 
 class Dmi2008(Italian):

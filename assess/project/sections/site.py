@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-from pydantic import Field, StrictBool, StrictStr
+from pydantic import Field, StrictBool, StrictStr, model_validator
 
 from assess.project.quantities import (
     Count,
@@ -16,8 +16,8 @@ from assess.project.quantities import (
     PositiveLength,
     PositiveTime,
 )
-from assess.project.section import Section
-from assess.project.sections.spectra import SpectrumSection
+from assess.project.section import Section, listed, wrong
+from assess.project.sections.spectra import LIMIT_STATES, NtcHazardSpectrum, SpectrumSection
 
 
 class Site(Section):
@@ -31,6 +31,23 @@ class Site(Section):
     """what the site's own action stands for, like "SLV", "ULS" or "DBE", without a hazard over return periods"""
     vertical_ratio: NotNegativeRatio = 0.0
     """vertical over horizontal spectral acceleration, for F_V of ASCE 43-05"""
+
+    @model_validator(mode="after")
+    def _one_limit_state(self) -> Site:
+        old = self.spectrum.limit_state if isinstance(self.spectrum, NtcHazardSpectrum) else None
+        if old is not None and self.limit_state is not None and old != self.limit_state:
+            raise wrong("limit_state", f'site.spectrum.limit_state, its old spelling, is "{old}"; give one')
+        if isinstance(self.spectrum, NtcHazardSpectrum) and self.limit_state not in (None, *LIMIT_STATES):
+            raise wrong(
+                "limit_state", f"not one of the hazard over return periods; write one of {listed(LIMIT_STATES)}"
+            )
+        return self
+
+    @property
+    def declared(self) -> str | None:
+        """What the site's own action stands for, in either spelling; None where nobody says."""
+        old = self.spectrum.limit_state if isinstance(self.spectrum, NtcHazardSpectrum) else None
+        return self.limit_state or old
 
 
 class LimitStatePeriod(Section):
@@ -65,7 +82,8 @@ class Building(Section):
     """damping ratio of the first mode"""
     natural_frequency: PositiveFrequency | None = None
     """first natural frequency for `amplification`, like "2.5 Hz"; 1 / period where that is given, else Rayleigh's"""
-    limit_states: dict[str, LimitStatePeriod] = Field(default_factory=dict)
-    """{ SLV = { period, damping, reason } }: the building at a limit state; 1.5 to 2.0 times its period if absent"""
+    limit_states: dict[Literal["SLV", "SLC"], LimitStatePeriod] = Field(default_factory=dict)
+    """{ SLV = { period, damping, reason } }: the building at a limit state, for displacements by ntc2018; 1.5 to 2.0
+    times its period if absent"""
     effective_height: PositiveLength | None = None
     """height above the ground of the resultant of the first mode's inertia forces, for `amplification`"""

@@ -23,7 +23,8 @@ ASCE7 = ("asce7-05", "ibc2009", "asce7-10", "asce7-16")
 NTC = ("ntc2008", "ntc2018")
 SPECTRA = (*ASCE7, "ec8", "nzs1170.5", *NTC, "table")
 MAPPED = ("s_s", "s_1", "site_class")  # in place of s_ds and s_d1
-LIVES = ("nominal_life", "use_class", "limit_state")  # of a hazard over return periods
+LIVES = ("nominal_life", "use_class")  # of a hazard over return periods
+LIMIT_STATES = ("SLO", "SLD", "SLV", "SLC")
 
 Asce7Code = Literal["asce7-05", "ibc2009", "asce7-10", "asce7-16"]
 NtcCode = Literal["ntc2008", "ntc2018"]
@@ -113,9 +114,12 @@ class Nzs1170Spectrum(Damped):
 class NtcSpectrum(Damped):
     """Elastic spectrum of NTC 2008 or 2018 from the hazard at one return period."""
 
-    elsewhere: ClassVar[Mapping[str, str]] = dict.fromkeys(
-        LIVES, "goes with hazard = [{ return_period, a_g, f_0, t_c_star }, …]; remove it, or a_g, f_0 and t_c_star"
-    )
+    elsewhere: ClassVar[Mapping[str, str]] = {
+        "limit_state": "write it in [site]",
+        **dict.fromkeys(
+            LIVES, "goes with hazard = [{ return_period, a_g, f_0, t_c_star }, …]; remove it, or a_g, f_0 and t_c_star"
+        ),
+    }
 
     code: NtcCode
     """name and edition of the code"""
@@ -159,10 +163,10 @@ class NtcHazardSpectrum(Damped):
     """rows { return_period, a_g, f_0, t_c_star }, rising in return period"""
     nominal_life: PositiveYears
     """nominal life V_N, like 50: in years"""
-    use_class: Literal["I", "II", "III", "IV"]
-    """class of use "I" to "IV\""""
-    limit_state: Literal["SLO", "SLD", "SLV", "SLC"] = "SLV"
-    """limit state of the spectrum"""
+    use_class: Literal["I", "II", "III", "IV"] | None = None
+    """class of use "I" to "IV"; that of [building] if absent"""
+    limit_state: Literal["SLO", "SLD", "SLV", "SLC"] | None = None
+    """old spelling of [site] limit_state"""
     soil: Literal["A", "B", "C", "D", "E", "S1", "S2"]
     """subsoil category "A" to "E\""""
     topography: Literal["T1", "T2", "T3", "T4"] = "T1"

@@ -13,10 +13,12 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.codes.context import Building, Context, FreePeriod
+from assess.codes.check import Reason
+from assess.codes.context import Building, Context, FirstMode, FreePeriod
+from assess.codes.italian.curves import curves_alone
 from assess.codes.italian.edition import Options
-from assess.codes.ntc2018 import linear, nonlinear
-from assess.codes.ntc2018.clauses import capacity_of, free_period
+from assess.codes.ntc2018 import clauses, linear, nonlinear
+from assess.codes.ntc2018.clauses import free_period
 from assess.geometry.planar import planar
 from assess.geometry.solid import box
 from assess.mechanisms.equivalent_block import equivalent_block
@@ -48,11 +50,19 @@ def ground(*, levels=(PGA,), **more):
     return Context(spectrum, levels, 0.0, 0.0, None, **more)
 
 
-def top(*, levels=(0.2 * g,), **more):
+def top(*, levels=(0.2 * g,), modes=None, **more):
     """The top of a house of three storeys with T_1 = 0.3 s, where S_e(T_1) = 0.5 g at a PGA of 0.2 g."""
     spectrum = design_spectrum(s_ds=0.5 * g, s_d1=0.2 * g, t_l=6.0)
-    house = Building(height=9.0, storeys=3, ground_elevation=0.0, period=0.3, damping=0.05)
+    house = Building(height=9.0, storeys=3, period=0.3, damping=0.05, limit_states=modes or {})
     return Context(spectrum, levels, 0.0, 9.0, house, **more)
+
+
+def capacity_of(rocker, *, state, confidence_factor, T0=0.0):
+    (curves,) = curves_alone(rocker)
+    return clauses.capacity_of(curves, state=state, confidence_factor=confidence_factor, T0=T0)
+
+
+STIFF = {"SLV": FirstMode(0.3, 0.05, "hardly cracked")}
 
 
 def steps(check):
@@ -63,7 +73,7 @@ def steps(check):
     ("state", "d", "a", "T"), [("SLV", 0.120, 0.4360, 2.769), ("SLC", 0.180, 0.2907, 3.857)], ids=["SLV", "SLC"]
 )
 def test_capacity(rocker, state, d, a, T):
-    cap = capacity_of(rocker.positive, state=state, mass=rocker.mass, confidence_factor=LC1)
+    cap = capacity_of(rocker, state=state, confidence_factor=LC1)
     assert cap.e == pytest.approx(1.0, rel=1e-12)
     assert (cap.d0, cap.d) == pytest.approx((0.300, d), rel=1e-9)
     assert cap.a0 == pytest.approx(0.7267, rel=MODEL)
@@ -73,7 +83,7 @@ def test_capacity(rocker, state, d, a, T):
 
 def test_linear_at_the_ground(rocker):
     """a_g,SLD S = a0* = 0.7267 m/s2, a_g,SLV S = 2 a_g,SLD S = 0.148 g (C8.7.1.8)."""
-    damage, life = linear.assess(rocker, ground(), options=Options(LC1, ("SLD", "SLV")))
+    damage, life = linear.assess(rocker, ground(), options=Options(limit_states=("SLD", "SLV")))
     assert damage.capacity_pga_g == pytest.approx(0.7267 / 9.81, rel=MODEL)
     assert life.capacity_pga_g == pytest.approx(0.148, rel=MODEL)
     assert damage.ratio == pytest.approx(0.301 * 9.81 / 0.7267, rel=MODEL)
@@ -84,7 +94,7 @@ def test_linear_at_the_ground(rocker):
 @pytest.mark.parametrize(("state", "eta", "d"), [("SLV", ETA_8, 0.120), ("SLC", ETA_10, 0.180)], ids=["SLV", "SLC"])
 def test_nonlinear_at_the_ground(rocker, state, eta, d):
     """Both periods lie beyond T_D, where S_De = a_g S eta F_0 T_C T_D / 4 pi2: 0.193 m at 8 %, 0.180 m at 10 %."""
-    (check,) = nonlinear.assess(rocker, ground(), options=Options(LC1, (state,)))
+    (check,) = nonlinear.assess(rocker, ground(), options=Options(limit_states=(state,)))
     by_hand = PGA * eta * F_0 * T_C * T_D / (4 * pi**2)
     assert check.demand == pytest.approx(by_hand, rel=5e-4)
     assert check.capacity == pytest.approx(d, rel=1e-9)
@@ -97,19 +107,18 @@ def test_nonlinear_stands_at_least_the_pga_of_activation():
     """A thick low wall whose displacement capacity would allow less than a0* does not rock below a_g,SLD S = a0*."""
     low = box(thickness=0.6, length=1.0, height=0.9, base=(0, 0, 0), density=1800.0, name="low")
     rocker = oscillator(single_block("low", planar(low, direction=(1, 0, 0))))
-    (check,) = nonlinear.assess(rocker, ground(levels=(0.6 * g,)), options=Options())
-    assert check.capacity_pga_g >= 0.6667 * (1 - MODEL)  # b / h, rigid at the ground
-    assert (check.demand, check.verdict) == (0.0, "pass")
-    assert "no rocking" in check.reason
+    (check,) = nonlinear.assess(rocker, ground(levels=(0.45 * g,)), options=Options())
+    assert check.capacity_pga_g >= 0.6667 / LC1 * (1 - MODEL)  # b / h over FC, rigid at the ground
+    assert (check.demand, check.verdict, check.reason.key) == (0.0, "pass", Reason.NO_ROCKING)
 
 
 def test_floor_acceleration_and_activation_at_height(rocker):
-    """a_Z = 0.5 g 9/7 sqrt(1 + 0.0004 25) = 0.6461 g, so a_g,SLD S = 0.1 g 0.2 / 0.6461 at FC 1 (C7.2.7, C8.7.1.8)."""
-    damage, life = linear.assess(rocker, top(), options=Options(1.0, ("SLD", "SLV")))
-    assert steps(damage)["a_Z"] / g == pytest.approx(0.6461, rel=1e-4)
+    """a_Z = 0.5 g 9/7 sqrt(1 + 0.0004 25) = 0.6461 g, so a_g,SLD S = 0.1 g / 1.35 0.2 / 0.6461 (C7.2.7, .8)."""
+    damage, life = linear.assess(rocker, top(), options=Options(limit_states=("SLD", "SLV")))
+    assert steps(damage)["a_Z(T1)"] / g == pytest.approx(0.6461, rel=1e-4)
     assert damage.demand / g == pytest.approx(0.6461, rel=1e-4)
-    assert damage.capacity_pga_g == pytest.approx(0.1 * 0.2 / 0.6461, rel=MODEL)
-    assert life.capacity_pga_g == pytest.approx(2 * 0.1 * 0.2 / 0.6461, rel=MODEL)
+    assert damage.capacity_pga_g == pytest.approx(0.1 / LC1 * 0.2 / 0.6461, rel=MODEL)
+    assert life.capacity_pga_g == pytest.approx(2 * 0.1 / LC1 * 0.2 / 0.6461, rel=MODEL)
     assert damage.input_at == "mechanism base"
 
 
@@ -117,9 +126,9 @@ def test_floor_acceleration_and_activation_at_height(rocker):
 def test_free_elements_at_height_feel_the_floor_spectrum_at_their_period(rocker, T0, ordinate):
     """S_eZ(T0) of C7.2.6 [g], 5 % damping (C8.7.1.9)."""
     at = top(free_period=FreePeriod(T0, "given", ""))
-    (check,) = linear.assess(rocker, at, options=Options(1.0, ("SLD",)))
+    (check,) = linear.assess(rocker, at, options=Options(limit_states=("SLD",)))
     assert check.demand / g == pytest.approx(ordinate, rel=2e-4)
-    assert check.capacity_pga_g == pytest.approx(0.1 * 0.2 / ordinate, rel=MODEL)
+    assert check.capacity_pga_g == pytest.approx(0.1 / LC1 * 0.2 / ordinate, rel=MODEL)
 
 
 def test_free_elements_at_the_ground_feel_the_ground_spectrum_at_their_period(rocker):
@@ -129,28 +138,29 @@ def test_free_elements_at_the_ground_feel_the_ground_spectrum_at_their_period(ro
 
 
 def test_nonlinear_at_height(rocker):
-    """C8.7.1.12, FC 1: T_SLV = 1.68 pi sqrt(0.12 / 0.5886) = 2.383 s lies on the falling branch of the floor spectrum.
+    """C8.7.1.12: T_SLV = 1.68 pi sqrt(0.12 / 0.4360) = 2.769 s lies on the falling branch of the floor spectrum.
 
-    A = 1.1 / sqrt(0.05) B, with B of the damping; S_eZ = A a_Z / (1 + (A - 1) (T / 0.33 - 1)^1.2), at least S_e(T).
+    The building has 0.3 s and 5 % at SLV, as stated. A = 1.1 / sqrt(0.05) B, with B of the damping;
+    S_eZ = A a_Z / (1 + (A - 1) (T / 0.33 - 1)^1.2), at least S_e(T).
     """
-    (check,) = nonlinear.assess(rocker, top(), options=Options())
+    (check,) = nonlinear.assess(rocker, top(modes=STIFF), options=Options())
     found = steps(check)
-    T, A = 1.68 * pi * sqrt(0.12 / 0.5886), 1.1 / sqrt(0.05) * ETA_8
+    T, A = 1.68 * pi * sqrt(0.12 / 0.4360), 1.1 / sqrt(0.05) * ETA_8
     assert found["T_SLV"] == pytest.approx(T, rel=MODEL)
     assert pytest.approx(A, rel=1e-9) == found["A"]
     by_hand = A * 0.6461 * g / (1 + (A - 1) * (found["T_SLV"] / 0.33 - 1) ** 1.2)
     at_ground = found["S_e(T)"]
     assert found["S_eZ(T_SLV)"] == pytest.approx(max(by_hand, at_ground), rel=1e-4)
-    assert found["d(b T1, Z)"] == pytest.approx(A * 0.6461 * g * (1.1 * 0.3 / (2 * pi)) ** 2, rel=1e-4)
+    assert found["d(b T1', Z)"] == pytest.approx(A * 0.6461 * g * (1.1 * 0.3 / (2 * pi)) ** 2, rel=1e-4)
     demands = [value * (found["T_SLV"] / (2 * pi)) ** 2 for value in (at_ground, found["S_eZ(T_SLV)"])]
-    assert check.demand == pytest.approx(max(*demands, found["d(b T1, Z)"]), rel=1e-9)
+    assert check.demand == pytest.approx(max(*demands, found["d(b T1', Z)"]), rel=1e-9)
 
 
 def test_stiff_mechanism_near_resonance_is_governed_by_the_floor():
     """A small pinnacle with T_SLV about b T1 of a flexible tower."""
     small = box(thickness=0.5, length=0.5, height=1.5, base=(0, 0, 20.0), density=1800.0, name="pinnacle")
     rocker = oscillator(single_block("pinnacle", planar(small, direction=(1, 0, 0))))
-    tower = Building(height=20.0, storeys=5, ground_elevation=0.0, period=1.0, damping=0.05)
+    tower = Building(height=20.0, storeys=5, period=1.0, damping=0.05)
     at = Context(top().spectrum, (0.3 * g,), 0.0, 20.0, tower)
     (check,) = nonlinear.assess(rocker, at, options=Options())
     found = steps(check)
@@ -161,18 +171,10 @@ def test_stiff_mechanism_near_resonance_is_governed_by_the_floor():
 
 def test_floor_is_never_taken_to_shake_less_than_the_ground(rocker):
     """Low in the house gamma psi tends to zero, and a_Z with it; the demand stays the PGA."""
-    low = dataclasses.replace(top(), elevation=0.3)
-    (check,) = linear.assess(rocker, low, options=Options(1.0, ("SLD",)))
-    assert steps(check)["a_Z"] < 0.2 * g
+    low = dataclasses.replace(top(), elevation=0.6)
+    (check,) = linear.assess(rocker, low, options=Options(limit_states=("SLD",)))
+    assert steps(check)["a_Z(T1)"] < 0.2 * g
     assert check.demand == pytest.approx(0.2 * g, rel=1e-12)
-
-
-def test_above_ground_without_a_building_nothing_is_claimed(rocker):
-    raised = dataclasses.replace(ground(levels=(0.05 * g,)), elevation=3.0)
-    for procedure in (linear, nonlinear):
-        (check,) = procedure.assess(rocker, raised, options=Options())
-        assert check.verdict == "not-applicable"
-        assert "[building]" in check.reason
 
 
 def test_largest_displacement_of_a_spectrum_that_is_not_monotone(rocker):
@@ -202,9 +204,9 @@ def test_period_of_a_free_wall():
 
 def test_elastic_branch_leaves_a_mechanism_of_short_period_as_it_is(rocker):
     """It ends where it meets the rocking curve, far short of d_SLV; a very soft one goes on beyond it."""
-    rigid = capacity_of(rocker.positive, state="SLV", mass=rocker.mass, confidence_factor=1.0)
-    stiff = capacity_of(rocker.positive, state="SLV", mass=rocker.mass, confidence_factor=1.0, T0=0.3)
-    soft = capacity_of(rocker.positive, state="SLV", mass=rocker.mass, confidence_factor=1.0, T0=4.0)
+    rigid = capacity_of(rocker, state="SLV", confidence_factor=1.0)
+    stiff = capacity_of(rocker, state="SLV", confidence_factor=1.0, T0=0.3)
+    soft = capacity_of(rocker, state="SLV", confidence_factor=1.0, T0=4.0)
     assert pytest.approx(rigid.T, rel=1e-12) == stiff.T
     assert soft.a == pytest.approx((2 * pi / 4.0) ** 2 * soft.d, rel=1e-12)
 
@@ -221,8 +223,8 @@ def test_wider_base_never_fares_worse():
 def test_an_element_that_begins_to_rock_is_not_displaced_less_than_before():
     """T0 = b T1: before it rocks 5 % of damping at T0, after it at least 10 % there, which is eta = 0.82 of that."""
     rocker = oscillator(equivalent_block("pinnacle", p=2.0, uplift=0.3, radius=1.0))
-    tower = Building(height=10.0, storeys=3, ground_elevation=0.0, period=1.0, damping=0.05)
-    levels = tuple(float(level) for level in np.linspace(0.04, 0.06, 21) * g)
+    tower = Building(10.0, 3, 1.0, 0.05, {"SLC": FirstMode(1.0, 0.05, "hardly cracked")})
+    levels = tuple(float(level) for level in np.linspace(0.04, 0.06, 21) * g / LC1)
     at = Context(ground().spectrum, levels, 0.0, 9.0, tower, free_period=FreePeriod(1.1, "given", "1.1 s"))
     checks = nonlinear.assess(rocker, at, options=Options(limit_states=("SLC",)))
     ratios = [check.ratio for check in checks]

@@ -39,7 +39,7 @@ def rocker(wall: str):
 def site() -> Context:
     """Table 8.4: S_s 0.25 g, S_1 0.08 g, T_L 6 s, site class B, IBC 2009."""
     spectrum = design_spectrum(s_ds=0.25 * 2 / 3 * g, s_d1=0.08 * 2 / 3 * g, t_l=6.0, code="asce7-05")
-    return Context(spectrum, (0.3 * g,), 0.0, 0.0, None)
+    return Context(spectrum, (0.3 * g,), 0.0, 0.0, None, crushing=True, knowledge={"dmi2008": "LC3"})  # FC = 1
 
 
 def answer(name: str, wall: str):

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import dataclasses
+from functools import partial
 from math import sin
 
 import pytest
 from scipy.constants import g
 
-from assess.codes.context import Context, Suite
+from assess.codes.admission import admitted
+from assess.codes.check import Reason
+from assess.codes.context import Context, LocalLimit, Suite
 from assess.codes.dmi2008 import history as dmi2008
 from assess.codes.italian.edition import Options
 from assess.codes.italian.history import suites_needed
@@ -27,8 +30,10 @@ def block():
 
 
 def context(*ratios, pga=LEVEL, levels=(LEVEL,), **more):
-    spectrum = design_spectrum(s_ds=0.5 * g, s_d1=0.2 * g, t_l=6.0)
-    return Context(spectrum, levels, 0.0, 0.0, None, suites=(Suite(pga, ratios, "positive"),), **more)
+    """FC is 1, as crushing is modelled and the level of knowledge is LC3."""
+    spectrum, known = design_spectrum(s_ds=0.5 * g, s_d1=0.2 * g, t_l=6.0), {"dmi2008": "LC3", "ntc2018": "LC3"}
+    suites = (Suite(pga, ratios, "positive"),)
+    return Context(spectrum, levels, 0.0, 0.0, None, suites=suites, crushing=True, knowledge=known, **more)
 
 
 def moved(ratio):
@@ -62,14 +67,14 @@ def test_fewer_than_seven_records_are_judged_by_the_largest():
     assert check.verdict == "fail"
     assert check.ratio == pytest.approx(moved(0.45) / 0.4, rel=1e-9)
     assert one(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.45).verdict == "pass"
-    assert one(0.45, 0.45).verdict == "not-applicable"
+    assert one(0.45, 0.45).verdict == "not-answered"
 
 
 def test_record_that_comes_back_from_beyond_d0_fails():
     check = one(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.02)
     assert (check.verdict, check.branch) == ("fail", "positive")
     assert check.ratio > 1
-    assert "beyond d0*" in check.reason
+    assert check.reason.key == Reason.RECORDS_BEYOND_COLLAPSE
 
 
 def test_record_that_overturns_fails():
@@ -78,11 +83,11 @@ def test_record_that_overturns_fails():
 
 
 def test_confidence_factor_goes_with_the_motion():
-    """At FC 1.2 the suite of 1.2 times the PGA is judged, and the PGA at collapse is that of the scan over 1.2."""
+    """At LC2 the suite of 1.2 times the PGA is judged, and the PGA at collapse is that of the scan over 1.2."""
     scan = tuple(Suite(pga * g, (ratio,) * 7, "positive") for pga, ratio in ((0.2, 0.1), (0.24, 0.3), (0.3, 0.5)))
     at = dataclasses.replace(context(*(0.1,) * 7), incremental=scan, besides=scan[1:2])
     (plain,) = ntc2018.assess(block(), at, options=Options())
-    (less,) = ntc2018.assess(block(), at, options=Options(confidence_factor=1.2))
+    (less,) = ntc2018.assess(block(), dataclasses.replace(at, knowledge={"ntc2018": "LC2"}), options=Options())
     assert plain.ratio == pytest.approx(moved(0.1) / 0.4, rel=1e-9)
     assert less.ratio == pytest.approx(moved(0.3) / 0.4, rel=1e-9)
     assert plain.capacity_pga_g == pytest.approx(0.24, rel=1e-9)
@@ -90,28 +95,49 @@ def test_confidence_factor_goes_with_the_motion():
     assert less.safety_index == pytest.approx(1.0, rel=1e-9)
 
 
+def test_without_crushing_the_suite_of_1_35_times_the_pga_decides_whatever_the_level():
+    beside = Suite(1.35 * LEVEL, (0.3,) * 7, "positive")
+    at = dataclasses.replace(context(*(0.1,) * 7), crushing=False, besides=(beside,))
+    deciding, informing = ntc2018.assess(block(), at, options=Options(confidence_factor=1.0))
+    assert (deciding.ratio, deciding.informs) == (pytest.approx(moved(0.3) / 0.4, rel=1e-9), False)
+    assert (informing.ratio, informing.informs) == (pytest.approx(moved(0.1) / 0.4, rel=1e-9), True)
+
+
+def test_mean_is_within_the_seat_or_the_break_where_these_come_before_the_share_of_d0():
+    """A seat lost at a quarter of the rotation that overturns: each record is measured by the d_SLV of its branch."""
+    seat = LocalLimit("seat", "beam", "positive", 0.25 * ALPHA)
+    check = one(*SEVEN, limits=(seat,))
+    mean = sum(moved(ratio) for ratio in SEVEN) / 7
+    assert check.capacity == pytest.approx(moved(0.25) * RADIUS * sin(ALPHA), rel=1e-9)
+    assert check.ratio == pytest.approx(mean / moved(0.25), rel=1e-9)
+    assert (check.verdict, one(*SEVEN).verdict) == ("fail", "pass")
+    other = dataclasses.replace(seat, branch="negative")
+    assert one(*SEVEN, limits=(other,)).ratio == pytest.approx(mean / 0.4, rel=1e-9)
+
+
 def test_a_suite_that_fails_beside_the_levels_ends_the_scan():
     """At FC 1.35 the suite of 0.27 g overturns a body that the scan leaves standing at 0.26 g and at 0.4 g."""
     scan = tuple(Suite(pga * g, (0.1,) * 7, "positive") for pga in (0.1, 0.2, 0.26, 0.4))
     scan = (*scan, Suite(0.5 * g, (None,) * 7, "positive"))
     beside = Suite(0.27 * g, (None, *(0.1,) * 6), "positive")
-    at = dataclasses.replace(context(*(0.1,) * 7), incremental=scan, besides=(beside,))
-    (check,) = ntc2018.assess(block(), at, options=Options(confidence_factor=1.35))
+    at = dataclasses.replace(context(*(0.1,) * 7), incremental=scan, besides=(beside,), crushing=False)
+    (check,) = ntc2018.assess(block(), at, options=Options())
     assert check.verdict == "fail"
     assert check.capacity_pga_g == pytest.approx(0.26 / 1.35, rel=1e-9)
     assert check.safety_index < 1.0
 
 
 def test_histories_of_the_ground_cannot_pass_a_mechanism_above_it():
-    raised = {"elevation": 5.0}
-    low = dataclasses.replace(context(*(0.1,) * 7), **raised)
-    (check,) = ntc2018.assess(block(), low, options=Options())
-    assert check.verdict == "not-applicable"
-    assert "amplification" in check.reason
-    (carried,) = ntc2018.assess(block(), dataclasses.replace(low, histories_at="mechanism base"), options=Options())
-    assert carried.verdict == "pass"
-    (failed,) = ntc2018.assess(block(), dataclasses.replace(context(*(0.9,) * 7), **raised), options=Options())
-    assert failed.verdict == "fail"
+    def admitted_at(at):
+        options = Options()
+        (check,) = admitted("ntc2018-history", partial(ntc2018.assess, options=options), block(), at)
+        return check
+
+    low = dataclasses.replace(context(*(0.1,) * 7), elevation=5.0)
+    assert (admitted_at(low).verdict, admitted_at(low).reason.key) == ("not-answered", Reason.GROUND_MOTION)
+    filtered = dataclasses.replace(low, histories_at="mechanism base", carried="by a filter")
+    assert admitted_at(filtered).verdict == "pass"
+    assert admitted_at(dataclasses.replace(context(*(0.9,) * 7), elevation=5.0)).verdict == "fail"
 
 
 def test_edition_of_2008_has_one_limit_state_and_the_same_share():
@@ -123,8 +149,8 @@ def test_edition_of_2008_has_one_limit_state_and_the_same_share():
 
 def test_suites_needed_beside_those_of_the_levels():
     states, rule = ("SLD", "SLV", "SLC"), ntc2018.RULE
+    given = {"rule": rule, "options": Options(None, states)}
     spectrum = context(0.0).spectrum
-    assert suites_needed((0.1, 0.2), None, spectrum, rule=rule, options=Options(1.0, states)) == ()
-    assert suites_needed((0.1, 0.3), None, spectrum, rule=rule, options=Options(1.2, states)) == pytest.approx(
-        (0.12, 0.36, 0.12, 0.36), rel=1e-12
-    )
+    assert suites_needed((0.1, 0.2), None, spectrum, **given, factors=(1.0,)) == ()
+    needed = suites_needed((0.1, 0.3), None, spectrum, **given, factors=(1.2,))
+    assert needed == pytest.approx((0.12, 0.36, 0.12, 0.36), rel=1e-12)

@@ -23,7 +23,7 @@ from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block
 from assess.oscillator import linearise, multiplier, resisted
 from assess.project.joint_results import interface_curves
-from assess.project.outcome import rigid_branches
+from assess.project.oscillator_results import rigid_branches
 from records.record import Record
 
 B, H, L, RHO = 1.0, 6.0, 2.0, 1800.0

@@ -76,30 +76,40 @@ def test_options_of_codes_that_are_not_asked_are_no_assumption_unless_given(tmp_
 
 def test_procedures_that_have_no_limit_state_asked_for_are_left_out_or_refused(tmp_path):
     damage = '[procedures.ntc2018]\nlimit_states = ["SLD"]'
-    assert set(study_of(tmp_path, tail=damage).procedures) == ASCE43 | {"ntc2018-linear"}
+    decides = {"ntc2018-nonlinear"}  # runs whatever else is asked
+    assert set(study_of(tmp_path, tail=damage).procedures) == ASCE43 | {"ntc2018-linear"} | decides
     named = f'[analysis]\nprocedures = ["ntc2018-nonlinear"]\n{damage}'
     with pytest.raises(ProjectError, match=r"ntc2018\.limit_states: SLD: ntc2018-nonlinear checks SLV, SLC; add one"):
         study_of(tmp_path, tail=named)
 
 
-def test_knowledge_level_gives_the_confidence_factor(tmp_path):
+def test_knowledge_level_is_of_the_project_or_of_one_mechanism(tmp_path):
+    assert study_of(tmp_path).knowledge == {"w": {}}
     study = study_of(tmp_path, tail='[procedures.ntc2018]\nknowledge_level = "LC2"')
-    assert study.options.ntc2018.confidence_factor == 1.20
-    assert study.resolved["procedures.ntc2018.confidence_factor"].value == 1.20
-    both = '[procedures.ntc2018]\nknowledge_level = "LC2"\nconfidence_factor = 1.0'
-    with pytest.raises(ProjectError, match=r"ntc2018\.confidence_factor: 1\.0: LC2 has another one"):
-        study_of(tmp_path, tail=both)
+    assert study.knowledge == {"w": {"ntc2018": "LC2"}}
+    both = '[procedures.ntc2018]\nknowledge_level = "LC2"\nknowledge_levels = { w = "LC3" }\nconfidence_factor = 1.0'
+    study = study_of(tmp_path, tail=both)
+    assert study.knowledge == {"w": {"ntc2018": "LC3"}}
+    assert study.options.ntc2018.confidence_factor == 1.0
+    with pytest.raises(ProjectError, match=r'ntc2018\.knowledge_levels: "x": no such mechanism; known: w'):
+        study_of(tmp_path, tail='[procedures.ntc2018]\nknowledge_levels = { x = "LC3" }')
 
 
-@pytest.mark.parametrize(
-    ("options", "words"),
-    [("", "FC = 1.00 stands for"), ('knowledge_level = "LC2"', "FC = 1.20; where"), ('knowledge_level = "LC1"', None)],
-)
-def test_confidence_factor_below_that_of_a_model_without_crushing_is_warned_of(tmp_path, options, words):
-    notices = study_of(tmp_path, tail=f"[procedures.ntc2018]\n{options}").notices
-    found = [notice for notice in notices if notice.key == "confidence-factor"]
-    assert [notice.where for notice in found] == ["procedures.ntc2018"] * (words is not None)
-    assert all(notice.text.startswith(words) and "Circolare 7/2019" in notice.text for notice in found)
+def test_without_crushing_the_factor_of_lc1_decides_and_a_lower_one_informs(tmp_path):
+    tail = '[analysis]\nprocedures = ["ntc2018-linear"]\n[procedures.ntc2018]\nconfidence_factor = 1.0'
+    checks = [c for c in run(study_of(tmp_path, tail=tail)).mechanisms[0].checks if c.procedure == "ntc2018-linear"]
+    factors = {c.informs: next(s.value for s in c.steps if s.symbol == "FC") for c in checks if c.limit_state == "SLV"}
+    assert factors == {False: 1.35, True: 1.0}
+    assert {c.role for c in checks if c.informs} == {"comparison"}
+
+
+def test_crushing_without_a_knowledge_level_is_not_answered_and_names_the_key(tmp_path):
+    text = HEAD.format(code="ntc2018", spectrum=NTC, tail="", count=1)
+    text = text.replace('blocks = ["w"]', 'blocks = ["w"]\ninterface = { strength = "2 MPa" }')
+    (tmp_path / "project.toml").write_text(text)
+    study = build(load(tmp_path))
+    verdict = run(study).verdict
+    assert "procedures.ntc2018.knowledge_level" in [each.key for each in verdict.missing]
 
 
 def test_free_period_is_given_or_follows_from_the_wall(tmp_path):
@@ -138,15 +148,19 @@ def test_histories_are_run_at_the_pga_of_each_limit_state_times_the_confidence_f
     procedures = ["ntc2018-history", "ntc2018-linear"]
     [procedures.ntc2018]
     limit_states = ["SLV", "SLC"]
-    confidence_factor = 1.2
     """
     study = study_of(tmp_path, spectrum=f'soil = "A"\n{ROWS}', tail=tail, count=3)
     (wall,) = run(study).mechanisms
     found = {(check.procedure, check.limit_state): check for check in wall.checks}
-    assert set(found) == {("ntc2018-history", "SLV"), ("ntc2018-history", "SLC"), ("ntc2018-linear", "SLV")}
+    asked = {key for key in found if key[0] in ("ntc2018-history", "ntc2018-linear")}
+    assert asked - {("ntc2018-linear", "SLD")} == {
+        ("ntc2018-history", "SLV"),
+        ("ntc2018-history", "SLC"),
+        ("ntc2018-linear", "SLV"),
+    }
     for state in ("SLV", "SLC"):
         steps = {step.symbol: step.value for step in found["ntc2018-history", state].steps}
-        assert steps["FC · PGA"] == pytest.approx(1.2 * study.hazard.spectra[state].pga, rel=1e-12)
+        assert steps["FC · PGA"] == pytest.approx(1.35 * study.hazard.spectra[state].pga, rel=1e-12)
         assert found["ntc2018-history", state].level_pga_g == pytest.approx(study.spectrum.pga / g, rel=1e-12)
     assert {history.level_pga_g for history in wall.histories} == {study.spectrum.pga / g}
     rated = found["ntc2018-linear", "SLV"]

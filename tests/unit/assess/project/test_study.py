@@ -198,31 +198,29 @@ def test_hinge_of_a_direction_that_is_not_there_is_refused(tmp_path):
         study_of(tmp_path, mechanism='sides = "one"\nhinges_negative = { A = [-0.3, 0] }')
 
 
-def test_confidence_factor_is_warned_of_only_where_it_is_used(tmp_path):
-    with_italian = study_of(tmp_path).notices
-    without = study_of(tmp_path, analysis='procedures = ["asce43-05-spectrum"]').notices
-    assert {n.key for n in with_italian} - {n.key for n in without} == {"confidence-factor"}
-
-
 CRUSHING = 'interface = { strength = "1 MPa" }'
 TWIN = '[mechanisms.n]\nkind = "single-block"\nblocks = ["w"]'
+LC2 = '[procedures.dmi2008]\nknowledge_level = "LC2"'
 
 
 @pytest.mark.parametrize(
     ("mechanism", "tail", "words"),
     [
-        ("", TWIN, "is not modelled, as here,"),
-        (CRUSHING, TWIN, "is not modelled, as in n,"),
-        ('interface = { strength = "inf" }', "", "is not modelled, as here,"),
-        (CRUSHING, f"{TWIN}\n{CRUSHING}", None),
+        ("", "", None),
+        ("", LC2, "is not modelled in m:"),
+        (CRUSHING, f"{LC2}\n{TWIN}", "is not modelled in n:"),
+        (CRUSHING, LC2, None),
+        ('interface = { strength = "inf" }', LC2, "is not modelled in m:"),
+        ("", "[procedures.dmi2008]\nconfidence_factor = 1.2", "is not modelled in m:"),
+        ("", "[procedures.dmi2008]\nconfidence_factor = 1.4", None),
+        ("", '[procedures.dmi2008]\nknowledge_levels = { m = "LC3" }', "is not modelled in m:"),
     ],
 )
-def test_confidence_factor_tells_which_mechanisms_do_not_crush(tmp_path, mechanism, tail, words):
+def test_levels_and_factors_that_do_not_decide_without_crushing_are_told(tmp_path, mechanism, tail, words):
     study = study_of(tmp_path, mechanism=mechanism, tail=tail)
-    (notice,) = [notice for notice in study.notices if notice.key == "confidence-factor"]
-    assert "LC3" in notice.text
-    assert ("not modelled" in notice.text) == (words is not None)
-    assert words is None or words in notice.text
+    texts = [notice.text for notice in study.notices if notice.key == "confidence-factor"]
+    assert len(texts) == (words is not None)
+    assert all(words in text and "1.35" in text for text in texts)
 
 
 def test_the_scan_on_flexible_joints_rises_from_a_level_that_moves_little(tmp_path):
@@ -348,9 +346,9 @@ def test_clauses_above_ground_apply_to_a_cut_wall(tmp_path):
     for cut, at_floor in (("", 0), ("cut = 1.5", 1)):
         study = study_of(tmp_path, mechanism=cut, analysis=asked, tail=building)
         steps = run(study).mechanisms[0].checks[0].steps
-        found = [step.substituted for step in steps if step.description == "demand of the floor"]
+        found = [step.inputs for step in steps if step.description.startswith("demand of the floor")]
         assert len(found) == at_floor
-        assert all(f" · {1.5 / 9:.4g} · " in numbers for numbers in found)
+        assert all({each.symbol: each.value for each in inputs}["ψ"] == pytest.approx(1.5 / 9) for inputs in found)
 
 
 def test_a_cut_that_slopes_across_the_motion_is_pointed_out(tmp_path):
@@ -398,17 +396,26 @@ def test_joints_that_answer_at_once_have_no_pga_at_uplift_by_any_procedure(tmp_p
         check.procedure for check in rigid.checks
     )
     assert len(soft.checks) >= 6
-    assert [check.uplift_pga_g for check in rigid.checks] == pytest.approx([0.6 / 4.5] * len(rigid.checks), rel=1e-9)
+    own = [check.uplift_pga_g * factor_of(check) for check in rigid.checks]
+    assert own == pytest.approx([0.6 / 4.5] * len(rigid.checks), rel=1e-9)
     for check in soft.checks:
-        assert "lift" not in check.reason
+        assert "lift" not in check.reason.text
 
 
 def test_one_sided_joints_that_lean_on_their_support_keep_their_small_threshold(tmp_path):
-    leaning = 'sides = "one"\nloads = [{ kind = "force", force = ["-2 kN", "0 N"], at = [0, 4.5] }]\n' + SOFT
-    found = run(study_of(tmp_path, records=SUITE, mechanism=leaning)).mechanisms[0]
+    force = '{ kind = "force", force = ["-2 kN", "0 N"], at = [0, 4.5], until = "collapse" }'
+    leaning = f'sides = "one"\nloads = [{force}]\n{SOFT}'
+    shown = '\n[report.sources]\n"mechanisms.m.loads" = "measured: it stays"\n'
+    found = run(study_of(tmp_path, records=SUITE, mechanism=leaning, tail=shown)).mechanisms[0]
     at_rest = found.oscillator.uplift_multiplier
     assert 0.0 < at_rest < 0.6 / 4.5
-    assert [check.uplift_pga_g for check in found.checks] == pytest.approx([at_rest] * len(found.checks), rel=1e-9)
+    own = [check.uplift_pga_g * factor_of(check) for check in found.checks]
+    assert own == pytest.approx([at_rest] * len(found.checks), rel=1e-9)
+
+
+def factor_of(check):
+    """FC of an Italian check, LC1's as crushing is not modelled; 1 of others and of the thesis."""
+    return next((step.value for step in check.steps if step.symbol == "FC"), 1.0)
 
 
 @pytest.mark.parametrize(

@@ -1,0 +1,58 @@
+"""One direction of a mechanism as the Italian clauses read it, once for each set of actions that they count."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from assess.codes.check import BranchName
+from assess.codes.context import Context, LocalLimit
+from assess.codes.governing import NAMES, branch_named
+from assess.oscillator import Branch, Oscillator
+
+
+@dataclass(frozen=True)
+class Curves:
+    """The branches of one name, by the actions in them (C8.7.1.2.1.6).
+
+    lasting : those shown to be there up to collapse, and all that drive: d0*
+    starting : every action there at rest: alpha0
+    breaking : actions until they end: a(d), for the period
+    limits : rotations at which actions end or seats are lost
+    mass : total moved mass [kg]
+    """
+
+    name: BranchName
+    lasting: Branch
+    starting: Branch
+    breaking: Branch
+    limits: tuple[LocalLimit, ...]
+    mass: float
+
+
+def curves_of(oscillator: Oscillator, context: Context) -> tuple[Curves, ...]:
+    """Return the curves of each branch; of one only where nothing tells both ways apart.
+
+    Branches are paired by name: what is symmetric without its ties need not be so with them.
+    """
+    states = (oscillator, context.starting or oscillator, context.breaking or oscillator)
+    alike = all(each.negative is None or each.symmetric for each in states) and not context.limits
+    names = NAMES[:1] if alike or oscillator.negative is None else NAMES
+    return tuple(_of(name, states, context.limits, oscillator.mass) for name in names)
+
+
+def curves_alone(oscillator: Oscillator) -> tuple[Curves, ...]:
+    """Return the curves of each branch of an oscillator that stands for every set of actions."""
+    names = NAMES[:1] if oscillator.negative is None or oscillator.symmetric else NAMES
+    return tuple(_of(name, (oscillator,) * 3, (), oscillator.mass) for name in names)
+
+
+def curves_named(oscillator: Oscillator, context: Context, name: BranchName) -> Curves:
+    """Return the curves of one branch; those of the positive one where there is no other."""
+    found = curves_of(oscillator, context)
+    return next((each for each in found if each.name == name), found[0])
+
+
+def _of(name: BranchName, states: Sequence[Oscillator], limits: Sequence[LocalLimit], mass: float) -> Curves:
+    lasting, starting, breaking = (branch_named(each, name) for each in states)
+    return Curves(name, lasting, starting, breaking, tuple(each for each in limits if each.branch == name), mass)

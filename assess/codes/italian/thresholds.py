@@ -1,0 +1,118 @@
+"""Displacement capacities d_LS: a share of d0*, or less where a tie that breaks or a seat that is lost comes before.
+
+A break limits where it takes more than half of the largest acceleration that the mechanism has; a smaller loss limits
+nothing, and the curve goes on without the element. Rotations of both become spectral displacements by C8.7.1.4.
+Source: Circolare 7/2019, C8.7.1.2.1.6; 617/2009, C8A.4.2.2.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from assess.codes.check import Step, step
+from assess.codes.context import Context, LocalLimit
+from assess.codes.italian.curves import Curves
+from assess.codes.italian.kinematic import (
+    BEFORE,
+    collapse_step,
+    displacement_at,
+    displacement_at_collapse,
+    multiplier_at,
+)
+from assess.message import Message, Quantity, Severity, Value, message
+from assess.oscillator import Branch, multiplier
+
+LOSS = 0.5  # of the largest acceleration capacity
+
+
+@dataclass(frozen=True)
+class Rule:
+    """What a limit state allows: its share of d0* [-], whether breaks limit it besides seats, and the clause."""
+
+    share: float
+    breaks: bool
+    clause: str
+
+
+@dataclass(frozen=True)
+class Local:
+    """A limit that counts: its displacement [m], and for a break lambda just after and the largest lambda [-]."""
+
+    limit: LocalLimit
+    moved: float
+    after: float = 0.0
+    largest: float = 0.0
+
+
+@dataclass(frozen=True)
+class Threshold:
+    """d_LS and d0* [m], and the local limits that count."""
+
+    moved: float
+    collapse: float
+    locals: tuple[Local, ...]
+
+
+def threshold_of(curves: Curves, rule: Rule) -> Threshold:
+    """Find the displacement capacity of one branch: the least of the share of d0*, the breaks that count, the seats."""
+    collapse = displacement_at_collapse(curves.lasting, mass=curves.mass)
+    found = tuple(_locals(curves, rule))
+    return Threshold(min([rule.share * collapse, *(each.moved for each in found)]), collapse, found)
+
+
+def _locals(curves: Curves, rule: Rule) -> Iterator[Local]:
+    for limit in curves.limits:
+        moved = displacement_at(curves.lasting, limit.rotation, mass=curves.mass)
+        if limit.kind == "seat":
+            yield Local(limit, moved)
+        elif rule.breaks:
+            after, largest = _around(curves.breaking, limit.rotation)
+            if after < LOSS * largest:
+                yield Local(limit, moved, after, largest)
+
+
+def _around(branch: Branch, rotation: float) -> tuple[float, float]:
+    """lambda just after a rotation [rad], and the largest of the curve [-]; 0 beyond the table, where it has fallen."""
+    standing = branch.rotation <= branch.unstable
+    beyond = rotation * (1.0 + BEFORE)
+    after = 0.0 if beyond > branch.rotation[-1] else multiplier_at(branch, beyond)
+    return after, float(multiplier(branch)[standing].max())
+
+
+def threshold_steps(curves: Curves, threshold: Threshold, rule: Rule, symbol: str, words: str) -> tuple[Step, ...]:
+    """d0*, the local limits that count, and d_LS named `symbol`, as the calculation sheets print them."""
+    steps = [collapse_step(curves.lasting, rule.clause, mass=curves.mass)]
+    terms, given = [f"{rule.share:g} · d0*"], {"d0*": (threshold.collapse, "m")}
+    for number, each in enumerate(threshold.locals, 1):
+        name = f"d_{each.limit.kind}{number}"
+        steps += _local_steps(each, name, rule.clause)
+        terms.append(name)
+        given[name] = (each.moved, "m")
+    formula = terms[0] if len(terms) == 1 else f"min({', '.join(terms)})"
+    return *steps, step(symbol, words, rule.clause, formula, threshold.moved, "m", given=given)
+
+
+def _local_steps(each: Local, name: str, clause: str) -> Iterator[Step]:
+    where = f"φ = {each.limit.rotation:.5g} rad, B integrated to there"
+    if each.limit.kind == "seat":
+        yield step(
+            name, f"{each.limit.what} loses its seat", clause, "∫ B dφ / (M · e*)", each.moved, "m", remark=where
+        )
+        return
+    yield step(name, f"{each.limit.what} ends", clause, "∫ B dφ / (M · e*)", each.moved, "m", remark=where)
+    words = f"acceleration just after {each.limit.what} ends over the largest; it limits below {LOSS:g}"
+    given = {"λ": each.after, "λ_max": each.largest}
+    yield step("λ / λ_max", words, clause, "λ / λ_max", each.after / each.largest, given=given)
+
+
+def seat_conditions(context: Context, state: str, moved: float) -> tuple[Message, ...]:
+    """What a pass rests on where floors or beams rest on the mechanism and nobody gave their seats."""
+    if not context.seats_unknown:
+        return ()
+    values: dict[str, Value] = {
+        "state": state,
+        "what": ", ".join(context.seats_unknown),
+        "moved": Quantity(moved, "length"),
+    }
+    return (message("seats-hold", values, severity=Severity.WARNING),)

@@ -8,8 +8,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, Literal
 
-from assess.codes.check import BranchName, Check, Outcome
-from assess.codes.verdict import Verdict
+from assess.codes.check import BranchName, Check, Outcome, Role
+from assess.codes.verdict import Decision, Verdict
 from assess.message import Message
 
 SCHEMA_VERSION = 2
@@ -614,9 +614,11 @@ class SweepResult:
 
     value [n]: in `unit`, as the user wrote it, "-" for none. Parameters [n]: of the branch that uplifts first;
     overturning_rad of rigid joints, overturning_flexible_rad and elastic_frequency_hz on its own, None where rigid.
-    demand_capacity [n]: the largest of all checks of a code and all levels; None where the mechanism overturned
-    (overturned is true) or no check applies. controlling: the case that is worst, from 0. governs: whether that case
-    stands for the mechanism in `mechanisms` and in the comparison, as the worst of the mechanism's sweeps does.
+    demand_capacity [n]: the largest of the checks that decide, and capacity_pga_g [n] the least; where none decides, of
+    all checks by the letter of a code at all levels; None where the mechanism overturned (overturned is true) or none
+    is answered. outcome [n]: the verdict of the mechanism in each case. controlling: the case that is worst, from 0.
+    governs: whether that case stands for the mechanism in `mechanisms` and in the comparison, as the worst of
+    the mechanism's sweeps does.
     """
 
     mechanism: str
@@ -632,6 +634,7 @@ class SweepResult:
     demand_capacity: tuple[float | None, ...]
     overturned: tuple[bool, ...]
     capacity_pga_g: tuple[float | None, ...]
+    outcome: tuple[Decision, ...]
     controlling: int
     governs: bool
 
@@ -642,8 +645,10 @@ class SensitivityResult:
 
     parameter : thickness, density, …; key : where it stands in the project, or the bodies it is of
     base, low, high : of the parameter [unit], None where it is not varied, for which `remark` says why
-    quantity : "demand_capacity" at level_pga_g, None where the body overturns or nothing is known; or
-        "capacity_pga_g", of all levels, which procedures by histories do not have here; "" where nothing is varied
+    role : whether the procedure decides the limit state at this level
+    quantity : "demand_capacity" at level_pga_g, None where the body overturns or nothing is known; "index" of what
+        decides, named by `index`; or "capacity_pga_g", of all levels, which procedures by histories do not have here;
+        "" where nothing is varied
     """
 
     mechanism: str
@@ -657,13 +662,15 @@ class SensitivityResult:
     procedure: str = ""
     limit_state: str = ""
     level_pga_g: float | None = None
-    quantity: Literal["capacity_pga_g", "demand_capacity", ""] = ""
+    quantity: Literal["index", "capacity_pga_g", "demand_capacity", ""] = ""
     at_base: float | None = None
     at_low: float | None = None
     at_high: float | None = None
     verdict_base: Outcome | None = None
     verdict_low: Outcome | None = None
     verdict_high: Outcome | None = None
+    role: Role = "comparison"
+    index: str = ""
 
 
 @dataclass(frozen=True)

@@ -107,4 +107,38 @@ TEXTS: Mapping[str, str] = {
     "no-sliding": "no sliding: the spectrum does not reach c_s",
     "no-allowable-sliding": "for information; give procedures.asce43-05.allowable_sliding for a verdict",
     "sliding-unbounded": "the spectrum does not fall below c_s before it ends: extend its table, or give more friction",
+    # warnings and notes of a project
+    "mesh": "{file}: {trail}",
+    "size": "{text}",
+    "mechanism": "{text}",
+    "site-study": "{text}",
+    "unit": '{given} is {as_g}; write "{number} g" if that was meant',
+    "overlap": 'bodies "{one}" and "{other}" overlap by {volume}, {share} of the smaller, which is weighed with both; '
+    "cut one back",
+    "gap": 'bodies "{one}" and "{other}" touch nowhere: they lie {distance} apart; as one block they are taken to be '
+    "joined",
+    "gap-at-hinge": 'bodies "{one}" and "{other}" touch nowhere: they lie {distance} apart; with a hinge between them '
+    "they are taken to meet: close the gap, or check hinges and blocks",
+    "equation": '"linearised": it has a threshold of uplift, which the joints of {mechanisms} have not: below it the '
+    'histories of the linearised equation do not move at all; write "exact"',
+    "amplification": "{text}",
+    "not-amplified": "above the ground, yet histories and ASCE 43-05 use the ground's motion as it is: {mechanisms}; "
+    "the floor clauses of the other codes ask for the floor's motion; `amplification` carries the histories up",
+    "two-first-modes": "histories take a first mode of {frequency}, the floor clauses of the codes a period of "
+    "{period}; give period = {reciprocal} for one building",
+    "confidence-factor": "crushing of the masonry is not modelled in {mechanisms}: by {circular} the FC of LC1, "
+    "{least}, decides there",
+    "sweep": "swept: the controlling one of {cases} cases, {case}, stands for the mechanism",
+    "sweep-left-out": "left out of the envelopes, which are of the values in the file: {keys}; `assess run` takes the "
+    "cases",
+    # of records
+    "artificial-records": "artificial records fit the spectrum at every period at once, as no earthquake does; real "
+    "records are better",
+    "coarse-record": "the time step of {records} is too coarse for {motion}: what shakes it between two samples is not "
+    "in the record; take records with a step of {longest} or less",
+    "files-not-read": "{files} not read: {told}",
+    "flatfile": "{text}",
+    "cells-passed-over": "{cells} passed over: {told}",
+    "implausible-record": "{text}",
+    "vertical-left-out": "vertical components are left out: {records}",
 }

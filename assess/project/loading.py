@@ -61,7 +61,8 @@ def loads_of(
         doubts += (*brought.doubts, *in_the_air(brought.loads, piece.body.outline))
         doubts += moving_anchors(brought.loads, [each.body.outline for each in pieces])
     carried = dict.fromkeys(load.body for load in section.loads if isinstance(load, sections.BodyLoad))
-    doubts += overlaps([solid for body in carried if (solid := solids[body]) is not None])
+    known = [solid for body in carried if (solid := solids[body]) is not None]
+    doubts += (each.text for each in overlaps(known))
     return Brought(tuple(loads), tuple(dict.fromkeys(doubts)))
 
 

@@ -8,6 +8,7 @@ from functools import partial
 from importlib.metadata import version
 
 from assess.amplification import factor_over_frequency
+from assess.codes.verdict import Question
 from assess.errors import ProjectError
 from assess.mechanisms.lasting import variants
 from assess.message import Message, warning
@@ -44,10 +45,12 @@ def run(study: Study, *, jobs: int = 0, progress: Progress = lambda stage, done,
     alone = replace(study, mechanisms=tuple(m for m in study.mechanisms if m.name not in standing))
     own = {one.name: one for one in mechanisms_assessed(alone, spectrum, motions, jobs=jobs, progress=progress)}
     mechanisms = tuple(own.get(m.name) or standing[m.name].worst for m in study.mechanisms)
-    found = decided(study, mechanisms)
-    near = tolerances(study.survey, spectrum, study.question, found, mechanisms)
-    found = decided(study, mechanisms, near) if near else found
-    mechanisms = tuple(marked(found, study.question, each) for each in mechanisms)
+    asked = replace(study, question=question_of(study, standing))
+    found = decided(asked, mechanisms)
+    at_home = asked.question == study.question  # the survey's tolerance is worked out at the site of the file
+    near = tolerances(study.survey, spectrum, asked.question, found, mechanisms) if at_home else {}
+    found = decided(asked, mechanisms, near) if near else found
+    mechanisms = tuple(marked(found, asked.question, each) for each in mechanisms)
     rockers = rockers_of(study, standing)
     mapped = mapped_pulses(rockers, study.pulses, jobs=jobs, progress=progress)
     numbers = dict(study.fitting.nga)
@@ -68,6 +71,14 @@ def run(study: Study, *, jobs: int = 0, progress: Progress = lambda stage, done,
         ground_motion=ground_motion(study, spectrum, motions),
         sensitivity=sensitivities(study, spectrum, motions, mechanisms, jobs=jobs, progress=progress),
     )
+
+
+def question_of(study: Study, standing: Mapping[str, Swept]) -> Question:
+    """What decides: of the case that stands for every mechanism, where a sweep changes the site, else of the study."""
+    questions = [
+        standing[m.name].case.study.question if m.name in standing else study.question for m in study.mechanisms
+    ]
+    return questions[0] if questions and all(each == questions[0] for each in questions) else study.question
 
 
 def envelope(study: Study, *, jobs: int = 0, progress: Progress = lambda stage, done, total: None) -> Results:
@@ -102,12 +113,11 @@ def _case_of(swept: Swept) -> str:
 
 def envelope_notices(study: Study) -> tuple[Message, ...]:
     """What the engineer should know of envelopes: no procedure of a code is asked."""
-    kept = tuple(notice for notice in study.notices if notice.key != "confidence-factor")
+    kept = tuple(notice for notice in study.notices if not notice.key.startswith("confidence-factor"))
     if not study.sweeps:
         return kept
     keys = ", ".join(sweep.key for sweep in study.sweeps)
-    text = f"left out of the envelopes, which are of the values in the file: {keys}; `assess run` takes the cases"
-    return (*kept, warning("sweep", "analysis.sweep", text))
+    return (*kept, warning("sweep-left-out", "analysis.sweep", keys=keys))
 
 
 def rockers_of(study: Study, standing: Mapping[str, Swept]) -> tuple[Rocker, ...]:
@@ -172,5 +182,4 @@ def suite_notices(motions: tuple[Motion, ...]) -> tuple[Message, ...]:
     """What the engineer should know of the records."""
     if not any(motion.record.artificial for motion in motions):
         return ()
-    text = "artificial records fit the spectrum at every period at once, as no earthquake does; real records are better"
-    return (warning("artificial-records", "records", text),)
+    return (warning("artificial-records", "records"),)

@@ -93,7 +93,7 @@ def test_the_sheet_says_where_its_multiplier_comes_from():
     formula, numbers, value = multiplier_worked(rigid)
     assert formula == "(V'(0) − M) / (g B0)"
     assert value == pytest.approx(1e4 / (g * side.excitation[0]), rel=1e-12)
-    assert numbers.startswith("10000 /")
+    assert numbers.startswith("(10000) /")
 
 
 def test_the_limit_of_rotation_of_the_thesis_on_a_joint_hardly_stiff_enough_to_stand():

@@ -274,8 +274,7 @@ def test_loads_of_the_project_file_reach_the_oscillator_and_the_drawing(tmp_path
     assert mechanism.oscillator.mass_kg == pytest.approx(wall + 1700, rel=1e-12)
     assert [load.name for load in mechanism.drawing.loads] == ["mass 1", "mass 2", "force 3", "force 4", "tie 5"]
     assert mechanism.interfaces[0]["normal_force_n"] == pytest.approx((wall + 1200) * g + 1000, rel=1e-12)
-    results = run(study)
-    assert {check.verdict for check in results.mechanisms[0].checks} <= {"pass", "fail", "not-applicable"}
+    assert len(run(study).mechanisms[0].checks) > 3
 
 
 def test_direction_of_a_force_is_seen_in_the_plane_of_motion(tmp_path):
@@ -316,7 +315,7 @@ def test_a_level_cut_is_the_mechanism_of_what_lies_above(tmp_path):
     np.testing.assert_allclose(block.centroid, (0.0, 3.0), atol=1e-12)
     np.testing.assert_allclose(mechanism.positive.hinges[0], (0.3, 1.5), atol=1e-12)
     assert min(z for _, z in mechanism.outlines[0][0]) == 1.5
-    assert "amplification" in {notice.key for notice in study.notices}
+    assert "not-amplified" in {notice.key for notice in study.notices}
     (at_base,) = study_of(tmp_path, mechanism="cut = 0").mechanisms
     assert vars(at_base) == vars(whole)
 

@@ -32,7 +32,7 @@ from assess.project.sections.mechanisms import Restitution
 
 NEAR = 1.1  # multipliers up to this many times the least are compared by d0*
 HELD = 1.5  # of the least multiplier: free directions this much stronger do not stand for a weak axis held both ways
-ON_SIDE = 0.5  # of the half width of the base: a given hinge is on the side that it is as far out towards
+ON_SIDE = (0.5, 1.1)  # of the half width of the base: a given hinge is on the side towards which it is as far out
 OTHER_SIDE = "the hinge that is given lies on another side"
 DIGITS = 6  # candidates that agree to so many are as weak
 
@@ -141,7 +141,8 @@ def on_side(look: Look, way: Vector) -> bool:
         return True
     reach = look.foot @ np.array(way)
     low, high = float(reach.min()), float(reach.max())
-    return point_in_plane(hinges.A, way)[0] - (low + high) / 2.0 > ON_SIDE * (high - low) / 2.0
+    out = (point_in_plane(hinges.A, way)[0] - (low + high) / 2.0) / ((high - low) / 2.0)
+    return ON_SIDE[0] < out < ON_SIDE[1]
 
 
 def vector_text(way: Vector) -> str:

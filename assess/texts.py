@@ -73,7 +73,7 @@ TEXTS: Mapping[str, str] = {
     "scalar-motion-at-height": "what holds the mechanism is {height} above the ground; histories carried there by one "
     "number miss resonance, so they can fail a check and cannot pass it: {remedy}",
     "ground-unknown": "the lowest body lies {height} from elevation 0 and nobody says where the ground is: give "
-    "[building] ground_elevation",
+    "[building] ground_elevation, or the mechanism its base_elevation",
     "knowledge-unknown": "crushing of the masonry is modelled, so FC is that of the level of knowledge, which is not "
     "given; beside it the answer by LC1",
     "seat-unknown": "the displacement at which {what} lose their seats limits SLC, and no seat is given",

@@ -14,7 +14,7 @@ from math import isclose
 from operator import attrgetter
 from typing import Any, Literal, TypeVar, get_args
 
-from assess.codes.check import Check
+from assess.codes.check import Check, Outcome
 from assess.results import (
     EnvelopeResult,
     MechanismResult,
@@ -23,6 +23,7 @@ from assess.results import (
     SensitivityResult,
     SweepResult,
 )
+from assess.verdict_stated import stated_verdict
 
 K = TypeVar("K")
 V = TypeVar("V")
@@ -123,18 +124,13 @@ def mechanisms(before: Results, after: Results) -> Iterator[Change]:
 
 
 def verdicts(before: Results, after: Results) -> Iterator[Change]:
-    """The verdict of each mechanism, then of each of its checks."""
+    """The verdict of the building, of each mechanism, then the outcome of each of its checks."""
+    sides = [stated_verdict(results.verdict) for results in (before, after)]
+    for (where, what), first, second in paired(*sides):
+        yield Change("verdict", where, what, first, second)
     for one, other in shared(before, after):
-        yield Change("verdict", one.name, "all checks that decide", overall(one), overall(other))
-    for one, other in shared(before, after):
-        for what, first, second in paired(checks(one, one, other), checks(other, one, other)):
-            yield Change("verdict", one.name, what, *both(attrgetter("verdict"), first, second))
-
-
-def overall(mechanism: MechanismResult) -> str | None:
-    """The verdict of all checks that decide: fail where one fails; None where there is none."""
-    found = {check.verdict for check in mechanism.checks if check.reading == "letter"}
-    return next((each for each in ("fail", "not-answered", "pass", "not-applicable") if each in found), None)
+        for name, first_check, second_check in paired(checks(one, one, other), checks(other, one, other)):
+            yield Change("verdict", one.name, name, *both(attrgetter("verdict"), first_check, second_check))
 
 
 def checks(mechanism: MechanismResult, *runs: MechanismResult) -> dict[str, Check]:
@@ -167,7 +163,7 @@ def ratios(before: Results, after: Results) -> Iterator[Change]:
 
 def ratio(check: Check) -> float | str | None:
     """Demand over capacity, or why there is none; None where the check does not apply."""
-    return None if check.verdict == "not-applicable" else check.unbounded or check.ratio
+    return None if check.verdict == Outcome.NOT_APPLICABLE else check.unbounded or check.ratio
 
 
 def envelopes(before: Results, after: Results) -> Iterator[Change]:
@@ -231,6 +227,7 @@ def cases_of(sweep: SweepResult) -> dict[tuple[str, str], float | str | None]:
     found: dict[tuple[str, str], float | str | None] = {}
     for place, value in enumerate(sweep.value):
         case = f"{sweep.key} = {value:.6g} {unit}".rstrip()
+        found[f"verdict, {case}", ""] = sweep.outcome[place].value
         found |= {(f"{name}, {case}", unit): getattr(sweep, name)[place] for name, unit in SWEPT.items()}
         if sweep.overturned[place]:
             found[f"demand_capacity, {case}", ""] = "overturned"
@@ -259,7 +256,8 @@ def answers_of(row: SensitivityResult) -> Iterator[tuple[tuple[str, str, str], f
         return
     unit = "g" if row.quantity == "capacity_pga_g" else ""
     at = "" if row.level_pga_g is None else f" at {row.level_pga_g:.6g} g"
-    what = f"{row.quantity}, {' '.join((row.procedure, row.limit_state)).strip()}{at}, {row.key or row.parameter}"
+    of = f"{row.procedure} {row.limit_state}".strip()
+    what = f"{row.index or row.quantity}, {of}{at}, {row.key or row.parameter}"
     for side, found, verdict in (("low", row.at_low, row.verdict_low), ("high", row.at_high, row.verdict_high)):
         yield (row.mechanism, f"{what} {side}", unit), found
         yield (row.mechanism, f"verdict of {what} {side}", ""), verdict

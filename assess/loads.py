@@ -2,16 +2,21 @@
 
 Places and forces are in the plane of motion, (distance along the direction, elevation); a load is fixed to its block.
 `source` says in a sentence how a load was found; it is empty where the user gave its numbers.
+
+A force or tie may end before the mechanism collapses. `until` says when: "collapse" where it is still there then, or
+the displacement of its point [m] at which it ends; None where nobody has shown that it lasts.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from math import hypot
+from typing import Literal
 
 from scipy.constants import g
 
 Point = tuple[float, float]
+Until = float | Literal["collapse"] | None
 
 
 @dataclass(frozen=True)
@@ -20,6 +25,7 @@ class PointMass:
 
     mass [kg]; bearing: the block carries its weight, and it shares all its motion; not bearing: its weight is carried
     elsewhere, and only its horizontal inertia acts on the block (thesis 3.2.2, M_i and M_j).
+    seat : horizontal displacement of its point at which it falls off the block [m]; None where nobody gave it.
     """
 
     name: str
@@ -28,17 +34,28 @@ class PointMass:
     bearing: bool
     block: int = 0
     source: str = ""
+    seat: float | None = None
 
 
 @dataclass(frozen=True)
 class Force:
-    """A dead force (x, z) [N] of constant size and direction: the thrust of a vault or roof."""
+    """A dead force (x, z) [N] of constant size and direction: the thrust of a vault or roof.
+
+    evidence : where it is shown that it lasts as `until` says; empty where it is not.
+    """
 
     name: str
     force: Point
     at: Point
     block: int = 0
     source: str = ""
+    until: Until = None
+    evidence: str = ""
+
+    @property
+    def missing(self) -> tuple[str, ...]:
+        """What it lacks to count as lasting to collapse: the keys of the project file."""
+        return _absent({"until": self.until, "source": self.evidence})
 
 
 @dataclass(frozen=True)
@@ -46,6 +63,9 @@ class Tie:
     """A tie of constant pretension `pull` [N] along `direction` (a unit vector), or always towards `anchor`.
 
     It is slack on the branch where it shortens, unless `both`.
+    strength : least of bar, plate, masonry and far wall [N], above which it never pulls
+    length, fracture_strain : of the bar [m], [-]; it ends where it has lengthened by more than their product
+    evidence : where it is shown that it lasts as `until` says; empty where it is not
     """
 
     name: str
@@ -56,8 +76,31 @@ class Tie:
     both: bool = False
     block: int = 0
     source: str = ""
+    until: Until = None
+    strength: float | None = None
+    length: float | None = None
+    fracture_strain: float | None = None
+    evidence: str = ""
+
+    @property
+    def tension(self) -> float:
+        """What it pulls with [N]: its pretension, and never more than its strength."""
+        return self.pull if self.strength is None else min(self.pull, self.strength)
+
+    @property
+    def elongation(self) -> float | None:
+        """By how much it lengthens before it breaks [m]; None where that is not known."""
+        known = self.length is not None and self.fracture_strain is not None
+        return (self.length or 0.0) * (self.fracture_strain or 0.0) if known else None
+
+    @property
+    def missing(self) -> tuple[str, ...]:
+        """What it lacks to count as lasting to collapse: the keys of the project file."""
+        shown = {key: getattr(self, key) for key in ("until", "strength", "length", "fracture_strain")}
+        return _absent({**shown, "source": self.evidence})
 
 
+Action = Force | Tie
 Load = PointMass | Force | Tie
 
 
@@ -65,10 +108,15 @@ def pull_at_rest(tie: Tie) -> Point:
     """The force (x, z) [N] of a taut tie before anything moves."""
     if tie.anchor is None:
         along, up = tie.direction or (0.0, 0.0)
-        return (tie.pull * along, tie.pull * up)
+        return (tie.tension * along, tie.tension * up)
     to_x, to_z = tie.anchor[0] - tie.at[0], tie.anchor[1] - tie.at[1]
     length = hypot(to_x, to_z)
-    return (tie.pull * to_x / length, tie.pull * to_z / length)
+    return (tie.tension * to_x / length, tie.tension * to_z / length)
+
+
+def lasts(action: Action) -> bool:
+    """Whether it is shown to be there up to collapse (NTC 2018, C8.7.1.2.1.6), but for a tie's fracture strain."""
+    return action.until == "collapse" and not action.missing
 
 
 def upward(load: Load) -> float:
@@ -91,6 +139,10 @@ def mirrored(load: Load) -> Load:
         direction=None if load.direction is None else _mirrored(load.direction),
         anchor=None if load.anchor is None else _mirrored(load.anchor),
     )
+
+
+def _absent(shown: dict[str, object]) -> tuple[str, ...]:
+    return tuple(key for key, value in shown.items() if value is None or value == "")
 
 
 def _mirrored(vector: Point) -> Point:

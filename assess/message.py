@@ -27,6 +27,7 @@ UNITS: Mapping[str, str] = {
     "inertia": "kg m2",
     "first moment": "kg m",
     "stress": "Pa",
+    "volume": "m3",
     "percent": "%",
     "return period": "years",
 }
@@ -82,6 +83,11 @@ def count(number: int) -> Quantity:
     return Quantity(float(number), "ratio", 12)
 
 
-def warning(key: str, where: str, text: str) -> Message:
-    """A warning whose sentence is given as it is."""
-    return Message(key, Severity.WARNING, where, text)
+def warning(key: str, where: str, **values: Value) -> Message:
+    """The warning of a key of `TEXTS`."""
+    return message(key, values, severity=Severity.WARNING, where=where)
+
+
+def note(key: str, where: str, **values: Value) -> Message:
+    """The note of a key of `TEXTS`: it informs and bears on no verdict."""
+    return message(key, values, where=where)

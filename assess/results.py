@@ -8,8 +8,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, Literal
 
-from assess.codes.check import BranchName, Check, Outcome
-from assess.codes.verdict import Verdict
+from assess.codes.check import BranchName, Check, Outcome, Role
+from assess.codes.verdict import Decision, Verdict
 from assess.message import Message
 
 SCHEMA_VERSION = 2
@@ -17,6 +17,7 @@ Floats = tuple[float, ...]
 Point = tuple[float, float]
 Place = tuple[float, float, float]
 Ring = tuple[Point, ...]
+Lasting = Literal["to collapse", "to its end", "not shown"]
 
 
 @dataclass(frozen=True)
@@ -410,7 +411,10 @@ class SuiteResult:
 class LoadResult:
     """A load as used: a mass, bearing or not, or the force (along the direction, up) of a force or tie at rest.
 
-    at: distance along the direction, elevation [m]; source: how it was found, or "given".
+    at: distance along the direction, elevation [m]; source: how it was found, or "given". lasting: how long a force or
+    tie is shown to be there, where it resists on some branch: to collapse, to its end on the way (at a rotation, where
+    its point has moved by end_m), or not at all, for want of the keys `missing`; None where it only drives. A tie that
+    lasts has an end too where its fracture strain is reached beyond collapse. seat_m: of a bearing mass.
     """
 
     name: str
@@ -421,6 +425,11 @@ class LoadResult:
     bearing: bool | None
     force_n: Point | None
     source: str
+    lasting: Lasting | None = None
+    missing: tuple[str, ...] = ()
+    end_rad: float | None = None
+    end_m: float | None = None
+    seat_m: float | None = None
 
 
 @dataclass(frozen=True)
@@ -558,6 +567,10 @@ class HingeForceResult:
 class MechanismResult:
     """Everything about one mechanism; direction_sweep is None where its direction was not sought on a whole circle.
 
+    oscillator, curve: with every action that is there at rest. deciding_curve: with those that are shown to last to
+    collapse and those that drive, of which displacements and histories are asked, and to whose overturning rotations
+    (of rigid joints, positive and negative) their ratios refer; None where both are the same, or where it falls at rest
+    without the others.
     direction: of positive rotation, horizontal; None for an equivalent block. candidates: the directions among which
     the weakest was found, or with which a given one was compared.
     """
@@ -583,6 +596,8 @@ class MechanismResult:
     direction_sweep: DirectionSweep | None
     interface_curves: InterfaceCurves | None = None
     hinge_forces: tuple[HingeForceResult, ...] = ()
+    deciding_curve: Curve | None = None
+    deciding_overturning_rad: tuple[float, float | None] | None = None
     direction: tuple[float, float, float] | None = None
     candidates: tuple[DirectionCandidate, ...] = ()
 
@@ -593,9 +608,11 @@ class SweepResult:
 
     value [n]: in `unit`, as the user wrote it, "-" for none. Parameters [n]: of the branch that uplifts first;
     overturning_rad of rigid joints, overturning_flexible_rad and elastic_frequency_hz on its own, None where rigid.
-    demand_capacity [n]: the largest of all checks of a code and all levels; None where the mechanism overturned
-    (overturned is true) or no check applies. controlling: the case that is worst, from 0. governs: whether that case
-    stands for the mechanism in `mechanisms` and in the comparison, as the worst of the mechanism's sweeps does.
+    demand_capacity [n]: the largest of the checks that decide, and capacity_pga_g [n] the least; where none decides, of
+    all checks by the letter of a code at all levels; None where the mechanism overturned (overturned is true) or none
+    is answered. outcome [n]: the verdict of the mechanism in each case. controlling: the case that is worst, from 0.
+    governs: whether that case stands for the mechanism in `mechanisms` and in the comparison, as the worst of
+    the mechanism's sweeps does.
     """
 
     mechanism: str
@@ -611,6 +628,7 @@ class SweepResult:
     demand_capacity: tuple[float | None, ...]
     overturned: tuple[bool, ...]
     capacity_pga_g: tuple[float | None, ...]
+    outcome: tuple[Decision, ...]
     controlling: int
     governs: bool
 
@@ -621,8 +639,10 @@ class SensitivityResult:
 
     parameter : thickness, density, …; key : where it stands in the project, or the bodies it is of
     base, low, high : of the parameter [unit], None where it is not varied, for which `remark` says why
-    quantity : "demand_capacity" at level_pga_g, None where the body overturns or nothing is known; or
-        "capacity_pga_g", of all levels, which procedures by histories do not have here; "" where nothing is varied
+    role : whether the procedure decides the limit state at this level
+    quantity : "demand_capacity" at level_pga_g, None where the body overturns or nothing is known; "index" of what
+        decides, named by `index`; or "capacity_pga_g", of all levels, which procedures by histories do not have here;
+        "" where nothing is varied
     """
 
     mechanism: str
@@ -636,13 +656,15 @@ class SensitivityResult:
     procedure: str = ""
     limit_state: str = ""
     level_pga_g: float | None = None
-    quantity: Literal["capacity_pga_g", "demand_capacity", ""] = ""
+    quantity: Literal["index", "capacity_pga_g", "demand_capacity", ""] = ""
     at_base: float | None = None
     at_low: float | None = None
     at_high: float | None = None
     verdict_base: Outcome | None = None
     verdict_low: Outcome | None = None
     verdict_high: Outcome | None = None
+    role: Role = "comparison"
+    index: str = ""
 
 
 @dataclass(frozen=True)

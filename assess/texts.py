@@ -10,6 +10,12 @@ TEXTS: Mapping[str, str] = {
     "rocks-before-sliding": "it rocks before it slides, which A.1 leaves out",
     "ground-motion": "at height the motion of the ground is taken as it is: unconservative where the building "
     "amplifies it",
+    # of loads
+    "not-lasting": 'load "{load}" is not shown to last: where it resists it counts in the multiplier alone, not in '
+    "displacements and histories; give {missing} (until: the displacement of its point at which it ends, or "
+    '"collapse"; source: a line for the mechanism or its loads in [report.sources])',
+    "unheld": "the mechanism stands only by {loads}, not shown to last to collapse, so nothing can be said of its "
+    "displacements and histories; give until, for a tie with strength, length and fracture_strain, and a source",
     "lower-confidence-factor": "by the confidence factor {given} given, below the code's {deciding}: for comparison",
     "seats-hold": "a pass at {state} holds where {what} keep their seats up to a displacement d* of {moved}",
     # of the verdict
@@ -86,8 +92,7 @@ TEXTS: Mapping[str, str] = {
     "carries-floors": "EN 1998-1 4.3.5 is for elements that carry no floor; for walls that do no method is accepted "
     "before EN 1998-3:2025, and the answer by ntc2018 is for comparison",
     "rubble-masonry": "{clause} is for coursed masonry; rubble cannot be judged by it",
-    "no-s-x1": "{clause} asks for S_X1 at the declared hazard, which a table of ordinates does not state: give "
-    "procedures.asce41-13.s_x1",
+    "ordinate-not-by-name": "{clause} asks for {symbol}, which a table of ordinates does not state: give {key}",
     "friction-unknown": "friction at hinge {hinge} is not known; {remedy}",
     "hinge-pulls": "hinge {hinge} would have to pull with {pull} before the mechanism rocks, so friction does not "
     "hold it: check hinges and loads",
@@ -102,4 +107,38 @@ TEXTS: Mapping[str, str] = {
     "no-sliding": "no sliding: the spectrum does not reach c_s",
     "no-allowable-sliding": "for information; give procedures.asce43-05.allowable_sliding for a verdict",
     "sliding-unbounded": "the spectrum does not fall below c_s before it ends: extend its table, or give more friction",
+    # warnings and notes of a project
+    "mesh": "{file}: {trail}",
+    "size": "{text}",
+    "mechanism": "{text}",
+    "site-study": "{text}",
+    "unit": '{given} is {as_g}; write "{number} g" if that was meant',
+    "overlap": 'bodies "{one}" and "{other}" overlap by {volume}, {share} of the smaller, which is weighed with both; '
+    "cut one back",
+    "gap": 'bodies "{one}" and "{other}" touch nowhere: they lie {distance} apart; as one block they are taken to be '
+    "joined",
+    "gap-at-hinge": 'bodies "{one}" and "{other}" touch nowhere: they lie {distance} apart; with a hinge between them '
+    "they are taken to meet: close the gap, or check hinges and blocks",
+    "equation": '"linearised": it has a threshold of uplift, which the joints of {mechanisms} have not: below it the '
+    'histories of the linearised equation do not move at all; write "exact"',
+    "amplification": "{text}",
+    "not-amplified": "above the ground, yet histories and ASCE 43-05 use the ground's motion as it is: {mechanisms}; "
+    "the floor clauses of the other codes ask for the floor's motion; `amplification` carries the histories up",
+    "two-first-modes": "histories take a first mode of {frequency}, the floor clauses of the codes a period of "
+    "{period}; give period = {reciprocal} for one building",
+    "confidence-factor": "crushing of the masonry is not modelled in {mechanisms}: by {circular} the FC of LC1, "
+    "{least}, decides there",
+    "sweep": "swept: the controlling one of {cases} cases, {case}, stands for the mechanism",
+    "sweep-left-out": "left out of the envelopes, which are of the values in the file: {keys}; `assess run` takes the "
+    "cases",
+    # of records
+    "artificial-records": "artificial records fit the spectrum at every period at once, as no earthquake does; real "
+    "records are better",
+    "coarse-record": "the time step of {records} is too coarse for {motion}: what shakes it between two samples is not "
+    "in the record; take records with a step of {longest} or less",
+    "files-not-read": "{files} not read: {told}",
+    "flatfile": "{text}",
+    "cells-passed-over": "{cells} passed over: {told}",
+    "implausible-record": "{text}",
+    "vertical-left-out": "vertical components are left out: {records}",
 }

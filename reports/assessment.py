@@ -7,7 +7,7 @@ from dataclasses import replace
 from functools import partial
 from typing import Literal
 
-from assess.results import MechanismResult, RecordResult, Results, SweepResult
+from assess.results import MechanismResult, Results
 from reports import (
     assumptions,
     comparisons,
@@ -25,6 +25,7 @@ from reports import (
     siblings,
     site,
     structure,
+    study,
     suite,
     summary,
     sweeps,
@@ -56,9 +57,9 @@ def assessment(results: Results) -> Document:
     seen = siblings.earlier(results)
     for place, mechanism in enumerate(results.mechanisms, start=1):
         name = stem(mechanism.name, place)
-        chapters += _mechanism(mechanism, results.sweeps, results.records, name, sibling=seen.get(mechanism.name, ""))
+        chapters += _mechanism(results, mechanism, name, sibling=seen.get(mechanism.name, ""))
         chapters += sensitivity.chapter(results, mechanism.name, called=tables.name_of(mechanism), name=name)
-    chapters += [*_comparison(results), *envelopes.critical_chapter(results), _limits(results)]
+    chapters += [*study.chapter(results), *_comparison(results), *envelopes.critical_chapter(results), _limits(results)]
     chapters += [literature.section(results), _signatures(results), _annex(results)]
     return Document(
         title=title,
@@ -157,22 +158,15 @@ def _fitted(results: Results) -> str:
     return "; artificial records are fitted up to a period of 4 s" if artificial else ""
 
 
-def _mechanism(
-    mechanism: MechanismResult,
-    swept: tuple[SweepResult, ...],
-    records: tuple[RecordResult, ...],
-    name: str,
-    *,
-    sibling: str,
-) -> list[Section]:
-    own = [sweep for sweep in swept if sweep.mechanism == mechanism.name]
+def _mechanism(results: Results, mechanism: MechanismResult, name: str, *, sibling: str) -> list[Section]:
+    own = [sweep for sweep in results.sweeps if sweep.mechanism == mechanism.name]
     chapters = [
         _shape(mechanism, name, sibling=sibling),
         sweeps.studies(own, name=name),
-        _answer(mechanism, name),
+        _answer(results, mechanism, name),
         _histories(mechanism, name),
-        *envelopes.chapter(mechanism, records, name, level=1),
-        _sheets(mechanism, name),
+        *envelopes.chapter(mechanism, results.records, name, level=1),
+        _sheets(results, mechanism, name),
     ]
     return [chapter for chapter in chapters if chapter.blocks]
 
@@ -204,10 +198,10 @@ def _view(mechanism: MechanismResult, name: str, *, sibling: str) -> list[Block]
     return [Figure(f"{name}-view", sentences.view(seen), partial(view.draw, seen, positive), model)]
 
 
-def _answer(mechanism: MechanismResult, name: str) -> Section:
+def _answer(results: Results, mechanism: MechanismResult, name: str) -> Section:
     caption = (
         "Largest rotation over peak ground acceleration by every procedure (as thesis Figs. 8.6, 8.7). Solid lines are "
-        "code procedures, dashed lines informative readings; large markers the allowable of each; dots and crosses "
+        "code procedures, dashed lines readings of the thesis; large markers the allowable of each; dots and crosses "
         "single records."
     )
     blocks: list[Block] = []
@@ -216,7 +210,7 @@ def _answer(mechanism: MechanismResult, name: str) -> Section:
     unlike = sentences.inputs(mechanism)
     blocks += [Text((unlike,))] if unlike else []
     blocks += filled(tables.demands(mechanism, name=f"{name}-demand-capacity"))
-    blocks += filled(tables.reasons(mechanism, name=f"{name}-remarks"))
+    blocks += filled(tables.answers(mechanism, governing.site_pga(results), name=f"{name}-remarks"))
     return Section("Demand and capacity", 1, tuple(blocks))
 
 
@@ -251,16 +245,14 @@ def _amplification(mechanism: MechanismResult, name: str) -> list[Block]:
     return [said, Figure(f"{name}-amplification", sentences.carried_motion(mechanism), draw)]
 
 
-def _sheets(mechanism: MechanismResult, name: str) -> Section:
+def _sheets(results: Results, mechanism: MechanismResult, name: str) -> Section:
     label = tables.name_of(mechanism)
     made = [
         sheets.sheet(check, name=f"{name}-sheet-{place:02d}", mechanism=label)
-        for place, check in enumerate(governing.worst_per_procedure(mechanism), start=1)
+        for place, check in enumerate(governing.worst_per_procedure(governing.at_site(results, mechanism)), start=1)
         if check.steps
     ]
-    note = (
-        "One sheet for each procedure, at the level that governs; the steps of the other levels stand in results.json."
-    )
+    note = "One sheet for each procedure, at the site’s own action; the steps of other levels are in results.json."
     return Section("Calculation sheets", 1, (Text((note,)), *made) if made else ())
 
 
@@ -271,7 +263,7 @@ def _comparison(results: Results) -> list[Section]:
     draw = partial(comparison.draw, governing.drawn(results), names, governing.overturned(results))
     caption = (
         "Demand over capacity of every mechanism by every procedure; right of the line the check fails. Open markers "
-        "are informative readings, a cross marks overturning, an arrow a ratio beyond the axis or the end of "
+        "are readings of the thesis, a cross marks overturning, an arrow a ratio beyond the axis or the end of "
         "the spectrum."
     )
     standing = sweeps.standing(results.sweeps, names)

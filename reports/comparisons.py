@@ -21,8 +21,8 @@ def side_by_side(results: Results) -> Table:
         line[row.procedure] = _worse(line.get(row.procedure), answer)
     columns = (MECHANISM, LEVEL, *(Column(broken(name), "-", "number") for name in known))
     caption = (
-        "Demand over capacity, procedure beside procedure; above 1 the check fails. Readings named -thesis are "
-        "informative. What each procedure takes as its input stands with the procedures."
+        "Demand over capacity, procedure beside procedure; above 1 the check fails. Readings of the thesis never "
+        "decide. What each procedure takes as its input stands with the procedures."
     )
     rows = tuple(
         (names.get(mechanism, mechanism), level, *(line.get(name) for name in known))
@@ -50,7 +50,7 @@ def capacities(results: Results) -> Table:
     )
     caption = (
         "Peak ground acceleration at capacity of every mechanism by every procedure (as thesis Table 8.6), the least "
-        "of its limit states of collapse. Readings named -thesis are informative."
+        "of its limit states of collapse. Readings of the thesis never decide."
     )
     return Table("pga-at-capacity", caption, columns, rows)
 
@@ -96,9 +96,7 @@ def comparison(results: Results) -> Table:
     )
     names = {mechanism.name: name_of(mechanism) for mechanism in results.mechanisms}
     rows = tuple(_compared(results, row, names) for row in results.comparison)
-    caption = (
-        "Demand and capacity of all mechanisms. Compare only lines with the same input; informative readings are grey."
-    )
+    caption = "Demand and capacity of all mechanisms. Compare only lines with the same input; thesis readings are grey."
     checks = [governing.check_of(results, row) for row in results.comparison]
     muted = frozenset(place for place, check in enumerate(checks) if check is not None and check.reading == "thesis")
     return Table("comparison", caption, columns, rows, muted)

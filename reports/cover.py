@@ -1,92 +1,102 @@
-"""The first page: the verdict at a glance, and one line for each mechanism."""
+"""The first page: the verdict, what it was asked by, the conditions under which it holds, and what is missing."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from hashlib import sha256
 
-from assess.codes.check import Check
+from assess.codes.verdict import Decision, Verdict
+from assess.codes.verdict_text import (
+    action_text,
+    bearing,
+    building_index_text,
+    outcome_text,
+    target_text,
+    toml_lines,
+)
 from assess.plural import counted
-from assess.results import MechanismResult, Results
-from reports import findings, governing
-from reports.document import Banner, Cell, Column, Section, Table, Text
-from reports.tables import name_of
+from assess.results import Results
+from reports import heights, mechanism_verdicts
+from reports.document import Banner, Block, Code, Column, Items, Section, Table, Text, filled
+from reports.lettering import shortened
 
-NO_PASS = "what could not be answered is no pass"
+MANY = 12  # points of a list
+LOCAL = "Local mechanisms only: the index of the building is at most the least of theirs."
+SAFE = "With the safe value of what is missing the verdict would be: "
 
 
 def section(results: Results) -> Section:
-    """The verdict, and what decides each mechanism."""
-    found = governing.outcome(results)
-    said = Text((asked(results), *returning(results)))
-    return Section("Verdict", 0, (Banner(found, headline(results)), said, glance(results)))
+    """The verdict of the building and of each mechanism, with everything it rests on."""
+    found = results.verdict
+    if found is None:
+        return Section("Verdict", 0, (Text(("No verdict: nothing was assessed.",)),))
+    blocks: list[Block] = [
+        Banner(found.outcome.value, headline(found), found.at_the_limit and found.outcome != Decision.INCOMPLETE),
+        question(found),
+        *_listed("The verdict holds on these conditions:", [each.text for each in found.conditions]),
+        *_missing(found, results),
+        *_listed("Warnings that bear on it:", list(_bearing(results))),
+        mechanism_verdicts.table(results),
+        *filled(heights.table(results)),
+    ]
+    return Section("Verdict", 0, tuple(blocks))
 
 
-def headline(results: Results) -> str:
+def headline(found: Verdict) -> str:
     """What the verdict means, in one sentence."""
-    found = governing.outcome(results)
-    judged = [m for m in results.mechanisms if governing.verdict(m.checks) != "not-applicable"]
-    failing = sum(governing.verdict(mechanism.checks) == "fail" for mechanism in judged)
-    if found == "fail":
-        return f"{failing} of {len(judged)} mechanisms fail at least one code check at the levels that were asked."
-    if found == "pass":
-        return f"Every code check passes at every level, for {counted(len(judged), 'mechanism')}."
-    silent = governing.unanswered(governing.of_all(results)) or "no code procedure gave a verdict"
-    return f"{silent[0].upper()}{silent[1:]}: {NO_PASS}."
+    every = counted(len(found.mechanisms), "mechanism")
+    number = sum(one.outcome == found.outcome for one in found.mechanisms)
+    at = f"at the site’s own action, PGA {found.action.pga_g:.3g} g"
+    if found.outcome == Decision.PASS:
+        return f"Every one of {every} holds {at}."
+    if found.outcome == Decision.FAIL:
+        return f"{number} of {every} {'fails' if number == 1 else 'fail'} {at}."
+    if not found.basis:
+        return "No basis is named that decides: what the procedures say stands for comparison only."
+    return f"{number} of {every} without an answer that decides, {at}: what is not answered is no pass."
 
 
-def asked(results: Results) -> str:
-    """At which levels, by which procedures."""
-    checks = governing.of_all(results)
-    levels = ", ".join(f"{level:.3g}" for level in governing.levels(checks))
-    names = ", ".join(dict.fromkeys(check.procedure for check in checks))
-    return f"Peak ground accelerations asked [g]: {levels or 'none'}. Code procedures: {names or 'none'}."
-
-
-def returning(results: Results) -> tuple[str, ...]:
-    """Which mechanisms pass at a level above their PGA at capacity, and why that is no slip."""
-    names = [findings.named(m) for m in results.mechanisms if any(map(_passes_beyond, governing.of_code(m.checks)))]
-    if not names:
-        return ()
-    return (
-        f"{findings.listed(names)}: records that overturn, or turn too far, at one PGA can be survived at a "
-        "higher one. The PGA at capacity is the last before the suite first fails; a level above it that passes is no "
-        "reserve.",
+def question(found: Verdict) -> Table:
+    """What was asked: the code, limit states, action, methods, and the target."""
+    index = building_index_text(found).replace("zeta_E", "ζ_E")
+    rows = (
+        ("Basis", f"{found.basis}: {found.edition}" if found.basis else ""),
+        ("Limit state", ", ".join(found.limit_states)),
+        ("Site’s own action", action_text(found.action)),
+        ("Methods that may decide", ", ".join(found.methods)),
+        ("Target of the index", target_text(found)),
+        ("Index of the building", index),
     )
+    columns = (Column("Asked"), Column("Here"))
+    return Table("verdict-asked", f"What decides. {LOCAL}", columns, tuple(row for row in rows if row[1]))
 
 
-def _passes_beyond(check: Check) -> bool:
-    capacity = check.capacity_pga_g
-    return check.verdict == "pass" and capacity is not None and check.level_pga_g > 1.000001 * capacity
+def _missing(found: Verdict, results: Results) -> list[Block]:
+    """What would complete the verdict, as lines to paste, and what it would be with the safe values."""
+    if found.outcome != Decision.INCOMPLETE or not found.missing:
+        return []
+    blocks = _listed("Missing:", [f"{each.key}: {each.text}." for each in found.missing])
+    if found.provisional is not None:
+        blocks.append(Text((f"{SAFE}{outcome_text(found.provisional, near=False)}.",)))
+    given = [key for key, each in results.project.items() if each.given]
+    return [*blocks, Text(("To complete it, add to the project file:",)), Code(toml_lines(found.missing, given))]
 
 
-def glance(results: Results) -> Table:
-    """One line for each mechanism: its verdict, the check that governs it, and what it stands up to."""
-    columns = (
-        Column("Mechanism"),
-        Column("Verdict", kind="verdict"),
-        Column("Governing procedure"),
-        Column("at PGA", "g", "number"),
-        Column("Demand / capacity", "-", "number"),
-        Column("Least PGA at capacity", "g", "number"),
-        Column("by"),
-    )
-    caption = (
-        "Verdict of each mechanism, the check that governs it, and the lowest peak ground acceleration at which a code "
-        "procedure has it reach its capacity."
-    )
-    return Table("verdict", caption, columns, tuple(_line(mechanism) for mechanism in results.mechanisms))
+def _bearing(results: Results) -> Iterator[str]:
+    """The warnings of the run, and the remarks of the checks that decide, each once."""
+    for each in bearing(results.warnings):
+        yield f"{each.where}: {each.text}" if each.where else each.text
+    for mechanism in results.mechanisms:
+        remarks = (each.text for check in mechanism.checks if check.role == "deciding" for each in check.remarks)
+        yield from (f"{mechanism.name}: {text}" for text in dict.fromkeys(remarks))
 
 
-def _line(mechanism: MechanismResult) -> tuple[Cell, ...]:
-    checks = governing.of_code(mechanism.checks)
-    worst, weakest = governing.worst(checks), governing.weakest(checks)
-    deciding = (None, None, None) if worst is None else _deciding(worst)
-    least = (None, None) if weakest is None else (weakest.capacity_pga_g, weakest.procedure)
-    return (name_of(mechanism), governing.verdict(mechanism.checks), *deciding, *least)
-
-
-def _deciding(worst: Check) -> tuple[Cell, Cell, Cell]:
-    return worst.procedure, worst.level_pga_g, worst.unbounded or worst.ratio
+def _listed(title: str, points: list[str]) -> list[Block]:
+    """A list under its title; of a long one the first points, and how many there are besides."""
+    if not points:
+        return []
+    more = [f"… and {len(points) - MANY} more."] if len(points) > MANY else []
+    return [Text((title,)), Items((*(shortened(text, 400) for text in points[:MANY]), *more))]
 
 
 def fingerprint(results: Results) -> str:

@@ -50,6 +50,13 @@ class Items:
 
 
 @dataclass(frozen=True)
+class Code:
+    """Lines to be copied letter for letter, as of a project file."""
+
+    lines: tuple[str, ...]
+
+
+@dataclass(frozen=True)
 class Table:
     """A table of raw values. name: unique, safe as a file name; muted: rows that inform and decide nothing."""
 
@@ -143,15 +150,21 @@ class Signatures:
 
 @dataclass(frozen=True)
 class Banner:
-    """The outcome at a glance. verdict: one of the words below; headline: what it means, in one sentence."""
+    """The outcome at a glance. near: whether it lies at the limit; headline: what it means, in one sentence."""
 
-    verdict: Literal["pass", "fail", "incomplete", "not-applicable"]
+    verdict: Literal["pass", "fail", "incomplete"]
     headline: str
+    near: bool = False
+
+    @property
+    def word(self) -> str:
+        """The outcome in capitals."""
+        return self.verdict.upper() + " AT THE LIMIT" * self.near
 
 
 SHEET_HEADS = ("Symbol", "Meaning; clause", "Formula; numbers", "Value")
 SIGNATURE_HEADS = ("", "Name", "Signature", "Place and date")
-Block = Text | Items | Table | Figure | Sheet | Signatures | Banner
+Block = Text | Items | Code | Table | Figure | Sheet | Signatures | Banner
 
 
 def filled(table: Table) -> list[Block]:

@@ -13,6 +13,7 @@ from reports.document import (
     Banner,
     Block,
     Cell,
+    Code,
     Column,
     Document,
     Figure,
@@ -27,9 +28,8 @@ from reports.document import (
 from reports.formula import marked
 from reports.lettering import visible
 from reports.numerals import outcome, shown
-from reports.style import WORDS
 from reports.svg import Picture
-from reports.worded import in_words
+from reports.worded import coloured, in_words
 
 _LONG = 400  # characters
 
@@ -60,8 +60,12 @@ class Elements:
 
     @of.register
     def _(self, block: Banner) -> str:
-        word, headline = markup(self.said(WORDS[block.verdict])), markup(block.headline)
+        word, headline = markup(self.said(block.word)), markup(block.headline)
         return f'<p class="banner {block.verdict}"><strong>{word}</strong> <span>{headline}</span></p>'
+
+    @of.register
+    def _(self, block: Code) -> str:
+        return f"<pre>{markup(chr(10).join(block.lines))}</pre>"
 
     @of.register
     def _(self, block: Table) -> str:
@@ -125,11 +129,10 @@ def _row(row: tuple[Cell, ...], columns: tuple[Column, ...], *, muted: bool, sai
 def _cell(cell: Cell, column: Column, said: Callable[[str], str]) -> str:
     """One cell; a number carries its value to the last figure, to be sorted by."""
     number = isinstance(cell, int | float) and not isinstance(cell, bool)
-    verdict = str(cell) if column.kind == "verdict" and cell in ("pass", "fail") else ""
     empty = "empty" if cell is None or cell == "" else ""
     value = f' data-value="{cell!r}"' if number else ""
     text = shown(in_words(cell, column, said), column.kind)
-    return f"<td{_classes(_kind(column), verdict, empty)}{value}>{_whole(text)}</td>"
+    return f"<td{_classes(_kind(column), coloured(cell, column), empty)}{value}>{_whole(text)}</td>"
 
 
 def _whole(text: str) -> str:

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from math import isfinite
 from statistics import median
 
-from assess.codes.check import Check, Family
+from assess.codes.check import Family, Outcome
 from assess.codes.family import FAMILIES, of_histories
+from assess.codes.verdict import MechanismVerdict
+from assess.codes.verdict_text import holds_text
 from assess.results import MechanismResult, Results, SuiteResult
 from reports import governing
 from reports.lettering import shortened
@@ -31,7 +32,14 @@ MEASURES = {
 
 def findings(results: Results) -> tuple[str, ...]:
     """The sentences, most important first; those that have nothing to say are left out."""
-    return (*_critical(results), *_disagreements(results), *_spread(results), *_overturned(results), *_pulses(results))
+    own = governing.site_pga(results)
+    return (
+        *_critical(results),
+        *disagreements(results, () if own is None else (own,)),
+        *_spread(results),
+        *_overturned(results),
+        *_pulses(results),
+    )
 
 
 def named(mechanism: MechanismResult) -> str:
@@ -45,39 +53,33 @@ def listed(names: list[str]) -> str:
 
 
 def _critical(results: Results) -> Iterator[str]:
-    """The mechanism with the least PGA at capacity, the runner-up, and what that is beside the site's own PGA."""
+    """The mechanism that holds the least, by the procedures that decide, and the runner-up."""
     ranked = ranking(results)
-    if not ranked:
+    if not ranked or results.verdict is None:
         return
-    (first, check), *others = ranked
-    least = check.capacity_pga_g or 0.0
-    said = f"Critical is {named(first)}: it reaches its capacity at the lowest PGA, {numeral(least, digits=3)} g"
-    said += f", by {check.procedure}"
+    action, ((first, least), *others) = results.verdict.action, ranked
+    said = f"Critical is {named(first)}: it holds up to {holds_text(least, action)}, by {_deciding(least)}"
     if others:
         runner_up, other = others[0]
-        times = (other.capacity_pga_g or 0.0) / least
-        said += f"; next is {named(runner_up)} at {numeral(other.capacity_pga_g or 0.0, digits=3)} g"
-        said += f" by {other.procedure}, {numeral(times, digits=3)} times as much" if isfinite(times) else ""
+        said += f"; next is {named(runner_up)} with {holds_text(other, action)}, by {_deciding(other)}"
     yield f"{said}."
-    if results.spectrum is not None:
-        share = least / results.spectrum.pga_g
-        yield (
-            f"The site’s own spectrum has a PGA of {numeral(results.spectrum.pga_g, digits=3)} g: the critical "
-            f"mechanism reaches its capacity at {numeral(share, digits=3)} times that."
-        )
 
 
-def ranking(results: Results) -> list[tuple[MechanismResult, Check]]:
-    """Mechanisms with the check of the least PGA at capacity, rising; those where none is known are left out."""
-    pairs = ((m, governing.weakest(governing.of_code(m.checks))) for m in results.mechanisms)
-    known = [(mechanism, check) for mechanism, check in pairs if check is not None and check.capacity_pga_g]
-    return sorted(known, key=lambda pair: pair[1].capacity_pga_g or 0.0)
+def _deciding(one: MechanismVerdict) -> str:
+    return joined(dict.fromkeys(answer.procedure for answer in one.answers if answer.procedure))
 
 
-def _disagreements(results: Results) -> Iterator[str]:
+def ranking(results: Results) -> list[tuple[MechanismResult, MechanismVerdict]]:
+    """Mechanisms with their verdict by their margin, rising; those where none is known are left out."""
+    verdicts = {} if results.verdict is None else {one.mechanism: one for one in results.verdict.mechanisms}
+    pairs = ((m, verdicts[m.name]) for m in results.mechanisms if m.name in verdicts)
+    return sorted((pair for pair in pairs if pair[1].margin is not None), key=lambda pair: pair[1].margin or 0.0)
+
+
+def disagreements(results: Results, levels: tuple[float, ...]) -> Iterator[str]:
     """At each level where procedures disagree: who fails whom, and what each of them measures."""
     failing: dict[str, None] = {}
-    for level in governing.levels(governing.of_all(results)):
+    for level in levels:
         apart = [m for m in results.mechanisms if _apart(m, level)]
         if not apart:
             continue
@@ -85,7 +87,10 @@ def _disagreements(results: Results) -> Iterator[str]:
         fails = "; ".join(f"{procedure} fails {listed(names)}" for procedure, names in by.items() if names)
         passing = [procedure for procedure, names in by.items() if not names]
         rest = f"; {listed(passing)} {'passes' if len(passing) == 1 else 'pass'} all of these" if passing else ""
-        yield f"At PGA {level:.3g} g the procedures disagree on {listed([named(m) for m in apart])}: {fails}{rest}."
+        yield (
+            f"For comparison: at PGA {level:.3g} g the procedures disagree on {listed([named(m) for m in apart])}: "
+            f"{fails}{rest}."
+        )
         failing |= dict.fromkeys(by)
     reasons = [f"{procedure} {measure}" for procedure in failing if (measure := measured(procedure))]
     if reasons:
@@ -98,19 +103,19 @@ def measured(procedure: str) -> str:
 
 
 def _asked(mechanisms: list[MechanismResult], level: float) -> dict[str, None]:
-    checks = (check for m in mechanisms for check in governing.of_code(governing.at_level(m.checks, level)))
-    return dict.fromkeys(check.procedure for check in checks if check.verdict in ("pass", "fail"))
+    checks = (check for m in mechanisms for check in governing.letters(governing.at_level(m.checks, level)))
+    return dict.fromkeys(check.procedure for check in checks if check.verdict in (Outcome.PASS, Outcome.FAIL))
 
 
 def _apart(mechanism: MechanismResult, level: float) -> bool:
-    checks = governing.of_code(governing.at_level(mechanism.checks, level))
-    return {"pass", "fail"} <= {check.verdict for check in checks}
+    checks = governing.letters(governing.at_level(mechanism.checks, level))
+    return {Outcome.PASS, Outcome.FAIL} <= {check.verdict for check in checks}
 
 
 def _failed(mechanisms: list[MechanismResult], level: float, procedure: str) -> list[str]:
     def fails(mechanism: MechanismResult) -> bool:
-        checks = governing.of_code(governing.at_level(mechanism.checks, level))
-        return any(check.procedure == procedure and check.verdict == "fail" for check in checks)
+        checks = governing.letters(governing.at_level(mechanism.checks, level))
+        return any(check.procedure == procedure and check.verdict == Outcome.FAIL for check in checks)
 
     return [named(mechanism) for mechanism in mechanisms if fails(mechanism)]
 
@@ -119,7 +124,7 @@ def _spread(results: Results) -> Iterator[str]:
     """How far the procedures lie apart in PGA at capacity."""
     spreads = []
     for mechanism in results.mechanisms:
-        known = governing.capacities(governing.of_code(mechanism.checks))
+        known = governing.capacities(governing.letters(mechanism.checks))
         if len(known) > 1 and min(known.values()) > 0.0:
             low, high = min(known, key=lambda name: known[name]), max(known, key=lambda name: known[name])
             spreads.append((known[high] / known[low], mechanism, low, high))
@@ -128,8 +133,8 @@ def _spread(results: Results) -> Iterator[str]:
     largest, mechanism, low, high = max(spreads, key=lambda spread: spread[0])
     middle = f"{numeral(median(spread[0] for spread in spreads), digits=3)} in the median, " if len(spreads) > 1 else ""
     yield (
-        "The largest PGA at capacity of a mechanism over its least one, by another code procedure, is "
-        f"{middle}at most {numeral(largest, digits=3)} ({named(mechanism)}: {high} over {low})."
+        "For comparison: the largest PGA at capacity of a mechanism over its least one, by another code procedure, "
+        f"is {middle}at most {numeral(largest, digits=3)} ({named(mechanism)}: {high} over {low})."
     )
 
 
@@ -138,9 +143,9 @@ def _overturned(results: Results) -> Iterator[str]:
     fallen = [(m, suite) for m in results.mechanisms for suite in m.suites if suite.overturned]
     if fallen:
         each = listed([_fallen(mechanism, suite) for mechanism, suite in fallen])
-        yield f"In the time histories records overturn {each}. In all others every mechanism stands."
+        yield f"In the time histories records overturn {each}. No other history overturns a mechanism."
     elif any(mechanism.suites for mechanism in results.mechanisms):
-        said = "In the time histories no record overturns a mechanism at the levels that were asked"
+        said = "In the time histories no record overturns a mechanism at the levels requested"
         yield f"{said}{_factored(results)}."
 
 

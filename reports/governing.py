@@ -1,18 +1,17 @@
-"""Which of many results decide: the worst check of a procedure, the worst history, the verdict of a mechanism."""
+"""Which of many results is shown where one stands for them: the worst check of a procedure, the worst history."""
 
 from __future__ import annotations
 
-from collections import Counter
 from dataclasses import replace
-from math import inf
-from typing import Literal
+from math import inf, isclose
 
-from assess.codes.check import Check
+from assess.codes.check import Check, Outcome
 from assess.codes.family import of_histories
 from assess.results import ComparisonRow, HistoryResult, MechanismResult, Results, Trace
 
 DAMAGE = "SLD"
-Outcome = Literal["pass", "fail", "incomplete", "not-applicable"]
+SAME = 1e-9  # relative difference of levels that are one
+SILENT = (Outcome.NOT_ANSWERED, Outcome.NOT_APPLICABLE)
 
 
 def fell(check: Check) -> bool:
@@ -21,60 +20,45 @@ def fell(check: Check) -> bool:
 
 
 def severity(check: Check) -> float:
-    """Demand over allowable [-]: infinite where there is no finite demand, negative where the check does not apply."""
-    if check.verdict in ("not-answered", "not-applicable"):
+    """Demand over allowable [-]: infinite where there is no finite demand, negative where nothing was answered."""
+    if check.verdict in SILENT:
         return -1.0
     if check.ratio is not None:
         return check.ratio
-    return inf if check.verdict == "fail" else 0.0
+    return inf if check.verdict == Outcome.FAIL else 0.0
 
 
 def worst(checks: tuple[Check, ...]) -> Check | None:
     """The failing check with the largest severity, else the passing one; of equals the lowest level."""
-    ranked = sorted(checks, key=lambda check: (check.verdict != "fail", -severity(check), check.level_pga_g))
+    ranked = sorted(checks, key=lambda check: (check.verdict != Outcome.FAIL, -severity(check), check.level_pga_g))
     return ranked[0] if ranked else None
 
 
-def of_code(checks: tuple[Check, ...]) -> tuple[Check, ...]:
-    """The checks that decide: readings of a code, not informative ones."""
+def letters(checks: tuple[Check, ...]) -> tuple[Check, ...]:
+    """The checks by the letter of a code: no readings of the thesis, none that only inform."""
     return tuple(check for check in checks if check.reading == "letter" and not check.informs)
 
 
 def at_level(checks: tuple[Check, ...], level_pga_g: float) -> tuple[Check, ...]:
     """The checks at one level [g]."""
-    return tuple(check for check in checks if check.level_pga_g == level_pga_g)
+    return tuple(check for check in checks if isclose(check.level_pga_g, level_pga_g, rel_tol=SAME))
 
 
-def verdict(checks: tuple[Check, ...]) -> Outcome:
-    """One verdict of several checks that decide: fail if any fails, pass if all pass, incomplete if only some do."""
-    found = {check.verdict for check in of_code(checks)}
-    if "fail" in found:
-        return "fail"
-    if "pass" not in found:
-        return "not-applicable"
-    return "incomplete" if found & {"not-answered", "not-applicable"} else "pass"
+def site_pga(results: Results) -> float | None:
+    """The site's own peak ground acceleration [g], at which the verdict stands; None without a verdict."""
+    return None if results.verdict is None else results.verdict.action.pga_g
 
 
-def of_all(results: Results) -> tuple[Check, ...]:
-    """The checks of every mechanism that decide."""
-    return tuple(check for mechanism in results.mechanisms for check in of_code(mechanism.checks))
+def at_site(results: Results, mechanism: MechanismResult) -> tuple[Check, ...]:
+    """The checks of a mechanism at the site's own action; all of them without a verdict."""
+    own = site_pga(results)
+    return mechanism.checks if own is None else at_level(mechanism.checks, own)
 
 
-def unanswered(checks: tuple[Check, ...]) -> str:
-    """How many of the checks that decide could not be answered, of how many; empty where all were."""
-    deciding = of_code(checks)
-    silent = sum(check.verdict == "not-answered" for check in deciding)
-    return f"{silent} of {len(deciding)} checks could not be answered" if silent else ""
-
-
-def reasons(checks: tuple[Check, ...]) -> tuple[str, ...]:
-    """Why checks that decide could not be answered, each reason once: procedure, reason, and how many they are."""
-    silent = [check for check in of_code(checks) if check.verdict == "not-answered"]
-    counts = Counter((check.procedure, check.reason.text) for check in silent)
-    return tuple(
-        f"{procedure}: {reason}" + (f" ({number} checks)" if number > 1 else "")
-        for (procedure, reason), number in counts.items()
-    )
+def other_levels(results: Results) -> tuple[float, ...]:
+    """The levels of the study besides the site's own [g], rising."""
+    own, every = site_pga(results), (check for mechanism in results.mechanisms for check in mechanism.checks)
+    return tuple(x for x in levels(tuple(every)) if own is None or not isclose(x, own, rel_tol=SAME))
 
 
 def levels(checks: tuple[Check, ...]) -> tuple[float, ...]:
@@ -82,15 +66,10 @@ def levels(checks: tuple[Check, ...]) -> tuple[float, ...]:
     return tuple(sorted({check.level_pga_g for check in checks}))
 
 
-def procedures(results: Results) -> tuple[str, ...]:
-    """Every procedure that was asked, in order of appearance."""
-    return tuple(dict.fromkeys(check.procedure for mechanism in results.mechanisms for check in mechanism.checks))
-
-
-def worst_per_procedure(mechanism: MechanismResult) -> tuple[Check, ...]:
-    """For each procedure and limit state the check that governs, in order of appearance."""
-    keys = dict.fromkeys((check.procedure, check.limit_state) for check in mechanism.checks)
-    groups = (tuple(c for c in mechanism.checks if (c.procedure, c.limit_state) == key) for key in keys)
+def worst_per_procedure(checks: tuple[Check, ...]) -> tuple[Check, ...]:
+    """For each procedure and limit state the worst check, in order of appearance."""
+    keys = dict.fromkeys((check.procedure, check.limit_state) for check in checks)
+    groups = (tuple(c for c in checks if (c.procedure, c.limit_state) == key) for key in keys)
     return tuple(check for check in map(worst, groups) if check is not None)
 
 
@@ -137,22 +116,10 @@ def drawn(results: Results) -> tuple[ComparisonRow, ...]:
     )
 
 
-def outcome(results: Results) -> Outcome:
-    """One verdict of the whole run."""
-    return verdict(of_all(results))
-
-
 def of_collapse(checks: tuple[Check, ...]) -> tuple[Check, ...]:
     """The checks of each procedure but those of damage, where it has others: SLD comes before collapse."""
     ultimate = {check.procedure for check in checks if check.limit_state != DAMAGE}
     return tuple(check for check in checks if check.limit_state != DAMAGE or check.procedure not in ultimate)
-
-
-def weakest(checks: tuple[Check, ...]) -> Check | None:
-    """The check of collapse with the least known PGA at capacity; the first of equals."""
-    answered = (check for check in of_collapse(checks) if check.verdict in ("pass", "fail"))
-    known = [check for check in answered if check.capacity_pga_g is not None]
-    return min(known, key=lambda check: check.capacity_pga_g or 0.0, default=None)
 
 
 def capacities(checks: tuple[Check, ...]) -> dict[str, float]:

@@ -11,7 +11,7 @@ from reports.lettering import shortened
 from reports.numerals import outcome, shown
 from reports.ruled import PADDING, Row, Ruled, ruled
 from reports.typeset import SMALL, paragraph, width_of
-from reports.worded import in_words
+from reports.worded import coloured, in_words
 
 LONGEST = 400  # characters in a cell; the whole text stands in the CSV file and the spreadsheet
 _LONGEST_STEP = 700
@@ -104,9 +104,7 @@ def _style(raw: Cell, column: Column, *, muted: bool) -> str:
     right = column.kind == "number"
     if muted:
         return "muted-number" if right else "muted"
-    if column.kind == "verdict" and raw in ("pass", "fail"):
-        return str(raw)
-    return "number" if right else "cell"
+    return coloured(raw, column) or ("number" if right else "cell")
 
 
 def _step(line: Line, rooms: list[float]) -> list[Set]:

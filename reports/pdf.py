@@ -18,6 +18,7 @@ from reports.document import (
     SIGNATURE_HEADS,
     Banner,
     Block,
+    Code,
     Document,
     Figure,
     Items,
@@ -31,7 +32,7 @@ from reports.grid import sheet_grid, table_grid
 from reports.inking import replay
 from reports.lettering import shortened
 from reports.page import Heading, LateCanvas, Pages
-from reports.style import BANNER, GRID, MUTED, WORDS
+from reports.style import BANNER, GRID, MUTED
 from reports.typeset import BOLD, REGULAR, STYLES, markup, paragraph, register_fonts, width_of
 from reports.vector import Traced, trace
 
@@ -128,6 +129,10 @@ class Story:
         return [Paragraph(markup(text), STYLES["item"], bulletText="•") for text in block.points]
 
     @_block.register
+    def _(self, block: Code) -> list[Flowable]:
+        return [*(paragraph(line, "code") for line in block.lines), Spacer(1, 6)]
+
+    @_block.register
     def _(self, block: Table) -> list[Flowable]:
         title = self.titles["Table", block.name]
         return [CondPageBreak(28 * mm), table_grid(block, title=title, width=self.width, said=self.document.said)]
@@ -140,7 +145,7 @@ class Story:
     @_block.register
     def _(self, block: Banner) -> list[Flowable]:
         ink = HexColor(BANNER[block.verdict])
-        word, widths = self.document.said(WORDS[block.verdict]), [0.3 * self.width, 0.7 * self.width]
+        word, widths = self.document.said(block.word), [0.3 * self.width, 0.7 * self.width]
         style = STYLES["verdict"].clone("banner", textColor=ink, fontSize=_fitting(word, widths[0] - _VERDICT_MARGINS))
         grid = Grid([[Paragraph(markup(word), style), paragraph(block.headline, "body")]], colWidths=widths)
         grid.setStyle([("BOX", (0, 0), (-1, -1), 1.4, ink), ("VALIGN", (0, 0), (-1, -1), "MIDDLE"), *_ROOMY])

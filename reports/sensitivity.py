@@ -66,7 +66,7 @@ def data(results: Results) -> tuple[Table, ...]:
     columns = (
         *(Column(label) for label in ("Mechanism", "Parameter", "Key", "Unit")),
         *(Column(label, kind="number") for label in ("Base", "Low", "High")),
-        *(Column(label) for label in ("Procedure", "Limit state")),
+        *(Column(label) for label in ("Procedure", "Limit state", "Role")),
         Column("PGA", "g", "number"),
         Column("Quantity"),
         *(Column(label, kind="number") for label in ("At base", "At low", "At high")),
@@ -76,7 +76,16 @@ def data(results: Results) -> tuple[Table, ...]:
     rows = tuple(
         (
             *(row.mechanism, row.parameter, row.key, row.unit, row.base, row.low, row.high),
-            *(row.procedure, row.limit_state, row.level_pga_g, row.quantity, row.at_base, row.at_low, row.at_high),
+            *(
+                row.procedure,
+                row.limit_state,
+                row.role,
+                row.level_pga_g,
+                row.quantity,
+                row.at_base,
+                row.at_low,
+                row.at_high,
+            ),
             *(row.verdict_base, row.verdict_low, row.verdict_high, row.remark),
         )
         for row in results.sensitivity
@@ -91,16 +100,16 @@ def sentences(found: Sequence[Varied], called: str) -> tuple[str, ...]:
 
 
 def overall(found: Sequence[Varied], called: str) -> str:
-    """Whether the verdict of the mechanism, by all checks at all levels, changes."""
+    """Whether what decides the mechanism changes; where nothing does, whether any check does at any level."""
     changed = [
-        f"{name_of(each.number)} at {at(each.number, side)} ({'FAIL' if fails(each.rows, side) else 'pass'})"
+        f"{name_of(each.number)} at {at(each.number, side)} ({'FAIL' if fails(each.telling, side) else 'pass'})"
         for each in found
         for side in SIDES
-        if assessed(each, side) and fails(each.rows, side) != fails(each.rows, "base")
+        if assessed(each, side) and fails(each.telling, side) != fails(each.telling, "base")
     ]
     if changed:
         return f"The verdict of {called} changes with {'; '.join(changed)}."
-    stands = "some check fails" if fails(found[0].rows, "base") else "no check fails"
+    stands = "some check fails" if fails(found[0].telling, "base") else "no check fails"
     return f"The verdict of {called} does not change within these ranges: {stands} throughout."
 
 
@@ -117,7 +126,7 @@ def single_checks(found: Sequence[Varied]) -> Iterator[str]:
         for each in found
         for row in each.rows
         for side in SIDES
-        if flips(row, side)
+        if row.quantity != "index" and flips(row, side)
     ]
     if told:
         more = f"; and {len(told) - MOST} more, see the table sensitivity" if len(told) > MOST else ""
@@ -140,6 +149,8 @@ def strongest(found: Sequence[Varied], place: int) -> str:
 
 def words_of(row: SensitivityResult) -> str:
     """What an answer is."""
+    if row.quantity == "index":
+        return f"index {row.index}".replace("zeta_E", "ζ_E")
     return "PGA at capacity" if row.quantity == "capacity_pga_g" else f"demand over capacity at {level(row)} g"
 
 
@@ -213,6 +224,7 @@ def panels(found: Sequence[Varied]) -> tuple[tornado.Panel, ...]:
             for name, row in zip(names, rows, strict=True)
         )
         limit = (1.0, "limit") if first.quantity == "demand_capacity" else None
+        limit = (1.0, "1") if first.quantity == "index" else limit
         if limit is None and beside is not None and beside.level_pga_g:
             limit = (beside.level_pga_g, f"{level(beside)} g")
         unit = "g" if first.quantity == "capacity_pga_g" else "-"

@@ -1,44 +1,24 @@
-"""What the report says in words: the outcome in a sentence, and what the method cannot do."""
+"""What the report says in words: what the mechanisms are, and what the method cannot do."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 
-from assess.codes.check import Check
-from assess.plural import counted
+from assess.codes.check import Check, Outcome
 from assess.results import MechanismResult, Results, View
 from assess.texts import TEXTS
-from reports import governing, interfaces
+from reports import interfaces
 from reports.lettering import shortened
-from reports.numerals import numeral
 from reports.tables import name_of
 
 SLIDING = "sliding"
 GROUND_AT_HEIGHT = "ground-motion"  # key of a remark
-UNCHECKED = "not checked against the printed standard"
 _KINDS = {
     "single-block": "a single rocking block",
     "two-block": "a wall held at its top and bottom that cracks between them (two blocks)",
     "four-hinge": "a chain of three blocks with four hinges",
     "equivalent-block": "an equivalent block, given by its rocking parameters instead of a geometry",
 }
-
-
-def outcome(results: Results) -> tuple[str, ...]:
-    """The outcome in plain words, and what decides it; what could not be answered is no pass."""
-    judged = [m for m in results.mechanisms if governing.verdict(m.checks) != "not-applicable"]
-    failing = [mechanism for mechanism in judged if governing.verdict(mechanism.checks) == "fail"]
-    if not judged:
-        return ("No code procedure gave a verdict:", *_unanswered(results))
-    open_ended = governing.unanswered(governing.of_all(results))
-    assessed = f"{counted(len(judged), 'mechanism')} assessed"
-    if failing:
-        first = f"{assessed}: {len(failing)} of them {_fails(failing)} at least one code check."
-        said = (first, *(_failure(mechanism) for mechanism in failing[:12]))
-        return (*said, *((f"Besides, {open_ended}:",) if open_ended else ()), *_unanswered(results))
-    if open_ended:
-        return (f"Incomplete: {open_ended}. The others pass at every level. Not answered:", *_unanswered(results))
-    return (f"{assessed}: every code check passes at every level.", *_unanswered(results))
 
 
 def description(mechanism: MechanismResult) -> str:
@@ -145,26 +125,26 @@ _ALWAYS = (
 def sliding(results: Results) -> str:
     """Where friction was checked, and where it is only taken as sufficient."""
     asked = {
-        mechanism.name: any(c.procedure == SLIDING and c.verdict != "not-applicable" for c in mechanism.checks)
+        mechanism.name: any(c.procedure == SLIDING and c.verdict != Outcome.NOT_APPLICABLE for c in mechanism.checks)
         for mechanism in results.mechanisms
     }
     taken = "friction at the hinges is taken as sufficient"
     tell = "the tables of forces at the hinges say how much of it rocking needs"
     if not any(asked.values()):
-        return f"No sliding, no bouncing, no parting but the rocking itself: {taken}; {tell}."
+        return f"No sliding, no bouncing, no separation other than rocking: {taken}; {tell}."
     silent = dict.fromkeys(shortened(name_of(m), 40) for m in results.mechanisms if not asked[m.name])
     others = f" For {joined(silent)} it was not checked: {taken}." if silent else ""
     return (
         "Sliding was checked by equilibrium, at every hinge up to the moment at which the mechanism starts to rock "
-        f"(procedure {SLIDING}; horizontal motion only).{others} While it rocks {taken}: no bouncing, no parting but "
-        f"the rocking itself; {tell}. The support at the top of a wall of two blocks is taken as held."
+        f"(procedure {SLIDING}; horizontal motion only).{others} While it rocks {taken}: no bouncing, no "
+        f"separation other than rocking; {tell}. The support at the top of a wall of two blocks is taken as held."
     )
 
 
 def _readings(results: Results) -> tuple[str, ...]:
     names = dict.fromkeys(c.procedure for c in _checks(results) if c.reading == "thesis")
     return (
-        (f"{joined(names)}: informative reading, shown for comparison; it never decides a verdict.",) if names else ()
+        (f"{joined(names)}: reading of the thesis, shown for comparison; it never decides a verdict.",) if names else ()
     )
 
 
@@ -199,20 +179,13 @@ def _linearised(results: Results) -> tuple[str, ...]:
     )
 
 
-def _unverified(results: Results) -> tuple[str, ...]:
-    names = dict.fromkeys(check.procedure for check in _checks(results) if _says(check, UNCHECKED))
-    return (f"{joined(names)}: holds clauses {UNCHECKED}; the table of procedures says which.",) if names else ()
-
-
-def _says(check: Check, words: str) -> bool:
-    texts = (
-        check.reason.text,
-        check.edition,
-        check.damping_rule,
-        check.caveat,
-        *(f"{s.clause} {s.description}" for s in check.steps),
-    )
-    return any(words in text.lower() for text in texts)
+def _unverified(results: Results) -> Iterator[str]:
+    """What could not be compared with the text of a standard, of the basis and of the procedures."""
+    if results.verdict is not None and results.verdict.uncompared:
+        yield f"Basis {results.verdict.basis}: {'; '.join(results.verdict.uncompared)}."
+    names = dict.fromkeys(check.procedure for check in _checks(results) if check.caveat)
+    if names:
+        yield f"{joined(names)}: the table of procedures says what could not be compared with the printed standard."
 
 
 def capacity(mechanism: MechanismResult) -> str:
@@ -258,39 +231,8 @@ def view(seen: View) -> str:
     )
 
 
-def _failure(mechanism: MechanismResult) -> str:
-    failing = tuple(check for check in governing.of_code(mechanism.checks) if check.verdict == "fail")
-    worst = governing.worst(failing)
-    first = min(check.level_pga_g for check in failing)
-    least = min(check.level_pga_g for check in governing.of_code(mechanism.checks))
-    start = f"{shortened(name_of(mechanism), 60)} fails {'at' if first == least else 'from'} PGA {first:.3g} g"
-    beyond = dict.fromkeys(check.procedure for check in failing if governing.fell(check))
-    if beyond:
-        return f"{start} and overturns, according to {joined(beyond)}."
-    if worst is not None and worst.unbounded:
-        return f"{start}; its demand lies {worst.unbounded}, by {worst.procedure} at PGA {worst.level_pga_g:.3g} g."
-    if worst is None or worst.ratio is None:
-        return f"{start}."
-    return (
-        f"{start}; the largest demand is {numeral(worst.ratio)} times the allowable, by {worst.procedure} at PGA "
-        f"{worst.level_pga_g:.3g} g."
-    )
-
-
-def _unanswered(results: Results) -> tuple[str, ...]:
-    """Why code checks could not be answered, and for which mechanisms none was."""
-    silent = [m for m in results.mechanisms if governing.verdict(m.checks) == "not-applicable"]
-    names = joined(dict.fromkeys(shortened(name_of(mechanism), 40) for mechanism in silent))
-    found = tuple(f"{reason}." for reason in governing.reasons(governing.of_all(results))[:12])
-    return (*found, *((f"No code procedure gave a verdict for {names}.",) if silent else ()))
-
-
 def _checks(results: Results) -> list[Check]:
     return [check for mechanism in results.mechanisms for check in mechanism.checks]
-
-
-def _fails(failing: list[MechanismResult]) -> str:
-    return "fails" if len(failing) == 1 else "fail"
 
 
 def joined(names: Iterable[str]) -> str:

@@ -18,9 +18,9 @@ def sheet(check: Check, *, name: str, mechanism: str) -> Sheet:
         for s in check.steps
     )
     state = f", limit state {check.limit_state}" if check.limit_state else ""
-    reading = " — informative reading" if check.reading == "thesis" else ""
+    role = ", deciding" * (check.role == "deciding") + ", reading of the thesis" * (check.reading == "thesis")
     what = f"{check.procedure} ({check.edition}){state}, {check.branch} branch"
-    return Sheet(name, f"{mechanism}: {what}, at PGA {check.level_pga_g:.3g} g: {check.verdict}{reading}.", lines)
+    return Sheet(name, f"{mechanism}: {what}, at PGA {check.level_pga_g:.3g} g: {check.verdict}{role}.", lines)
 
 
 def as_table(sheet: Sheet, *, said: Callable[[str], str] = str) -> Table:

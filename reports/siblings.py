@@ -95,7 +95,7 @@ def table(groups: tuple[Siblings, ...], *, name: str) -> Table:
     rows = [(check, group) for check in roles.values() for group in groups]
     caption = (
         "Peak ground acceleration at capacity, mechanism by mechanism, for each kind of interface (as thesis Table "
-        "8.7). Informative readings are grey."
+        "8.7). Readings of the thesis are grey."
     )
     cells = tuple(_row(check, group, models, every) for check, group in rows)
     muted = frozenset(place for place, (check, _) in enumerate(rows) if check.reading == "thesis")

@@ -18,7 +18,7 @@ from reports.lettering import shortened, visible
 from reports.numerals import FIGURES, decimals, numeral
 from reports.sheets import as_table
 from reports.style import FAIL, INK, MUTED, PASS
-from reports.worded import in_words
+from reports.worded import coloured, in_words
 
 CONTENTS, SHEETS = "contents", "calculation sheets"
 _LONGEST_TEXT, _LONGEST_NAME, _LONGEST_PROPERTY = 32_000, 31, 255
@@ -181,7 +181,7 @@ def _look(cell: Cell, column: Column, *, muted: bool) -> Look:
 
 def _look_of_verdicts(cell: Cell, column: Column, *, muted: bool) -> Look:
     """Verdicts in their colours, anything else plain."""
-    return _VERDICTS.get(cell, {}) if column.kind == "verdict" and not muted else {}
+    return {} if muted else _VERDICTS.get(coloured(cell, column), {})
 
 
 def _write(sheet: Worksheet, place: int, at: int, cell: Cell, look: Format | None) -> None:

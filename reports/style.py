@@ -23,10 +23,9 @@ from reports.panel import Panel
 from reports.ruler import Canvas
 
 WIDTH = 6.7  # of the text on the page [in]
-INK, MUTED, GRID = "#1b2733", "#6b7680", "#d7dce1"
+INK, MUTED, GRID, PAPER = "#1b2733", "#6b7680", "#d7dce1", "#f3f5f7"
 PASS, FAIL = "#00694c", "#b3380e"
-WORDS = {"pass": "PASS", "fail": "FAIL", "incomplete": "INCOMPLETE", "not-applicable": "NO VERDICT"}
-BANNER = {"pass": PASS, "fail": FAIL, "incomplete": "#8a6100", "not-applicable": MUTED}
+BANNER = {"pass": PASS, "fail": FAIL, "incomplete": "#8a6100"}
 STONE_EDGE, LOAD = "#6f6350", "#6b4c9a"
 POSITIVE, NEGATIVE = "#c1121f", "#0072b2"  # the branches
 BLOCKS = ("#d9cdb8", "#a8977a", "#efe8db")  # from the base upwards, told apart in grey too

@@ -1,10 +1,10 @@
-"""The summary: what the numbers say, and every procedure's answer for every mechanism."""
+"""The summary: what the numbers say, and what every procedure answers for every mechanism at the site's own action."""
 
 from __future__ import annotations
 
 from assess.codes.check import Check
 from assess.results import MechanismResult, Results
-from reports import findings, governing, inputs, sentences, tables
+from reports import findings, governing, inputs, tables
 from reports.document import Block, Cell, Column, Items, Section, Table, Text, filled
 from reports.tables import name_of
 
@@ -12,23 +12,18 @@ REFERENCE = "SLV"  # the limit state whose PGA is the level's
 
 
 def section(results: Results) -> Section:
-    """Outcome and findings in words, then the verdicts level by level and the check that governs each procedure."""
+    """The findings in words, and the answers of all procedures at the site's own action."""
     found = findings.findings(results)
     warned: list[Block] = filled(inputs.warnings(results)) or [Text(("The run gave no warnings.",))]
-    blocks = (
-        Text(sentences.outcome(results)),
-        *((Items(found),) if found else ()),
-        *filled(governing_checks(results)),
-        *own_accelerations(results),
-        *filled(tables.brief(results)),
-        *warned,
-    )
+    answers = filled(governing_checks(results)) or [Text(("No code procedure gave an answer.",))]
+    blocks = (*((Items(found),) if found else ()), *answers, *own_accelerations(results), *warned)
     return Section("Summary", 0, blocks)
 
 
 def own_accelerations(results: Results) -> tuple[Text, ...]:
     """Which limit states are not checked at the level in the table, where the site has a hazard of its own for them."""
-    checks = [check for check in governing.of_all(results) if check.return_period_years is not None]
+    every = (check for mechanism in results.mechanisms for check in governing.letters(mechanism.checks))
+    checks = [check for check in every if check.return_period_years is not None]
     states = dict.fromkeys(check.limit_state for check in checks if check.limit_state != REFERENCE)
     if not states:
         return ()
@@ -40,24 +35,27 @@ def own_accelerations(results: Results) -> tuple[Text, ...]:
 
 
 def governing_checks(results: Results) -> Table:
-    """Every mechanism by every procedure, at the level that governs: demand, allowable, ratio, PGA, verdict."""
+    """Every mechanism by every procedure at the site's own action: role, demand, allowable, ratio, PGA, outcome."""
     columns = (
         tables.MECHANISM,
         tables.PROCEDURE,
-        Column("at PGA", "g", "number"),
+        Column("Role"),
         *tables.ANSWER,
         Column("PGA at uplift", "g", "number"),
         Column("PGA at capacity", "g", "number"),
-        Column("Verdict", kind="verdict"),
+        Column("Outcome", kind="verdict"),
     )
-    pairs = [(mechanism, check) for mechanism in results.mechanisms for check in _worst_of_code(mechanism)]
-    caption = "Every mechanism by every code procedure, at the level that governs."
+    pairs = [
+        (mechanism, check)
+        for mechanism in results.mechanisms
+        for check in governing.worst_per_procedure(governing.letters(governing.at_site(results, mechanism)))
+    ]
+    caption = (
+        "Every mechanism by every code procedure at the site’s own action. One procedure decides each limit state of a "
+        "mechanism; the others stand for comparison."
+    )
     rows = tuple(_row(mechanism, check) for mechanism, check in pairs)
     return Table("governing-checks", caption, columns, rows)
-
-
-def _worst_of_code(mechanism: MechanismResult) -> tuple[Check, ...]:
-    return governing.of_code(governing.worst_per_procedure(mechanism))
 
 
 def _row(mechanism: MechanismResult, check: Check) -> tuple[Cell, ...]:
@@ -66,7 +64,7 @@ def _row(mechanism: MechanismResult, check: Check) -> tuple[Cell, ...]:
     return (
         name_of(mechanism),
         named,
-        check.level_pga_g,
+        check.role,
         quantity,
         demand,
         capacity,

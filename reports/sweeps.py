@@ -15,9 +15,9 @@ from reports.numerals import given, numeral
 from reports.tables import OVERTURNED, uplift
 
 RULE = (
-    "The controlling case has the largest demand over capacity of all checks of a code that apply, at all levels; of "
-    "equals, or where no check applies, the least peak ground acceleration at capacity, then the least load multiplier "
-    "at uplift."
+    "The controlling case has the worst answer that decides: a failing case stands before an incomplete one, and that "
+    "before one that passes; of equals the one that holds the least over the site’s own action controls, then the one "
+    "with the largest demand over capacity."
 )
 JOINTS = (
     " φₒᵥ is that of rigid joints; on joints it counts from rest, about which small motions have the elastic frequency."
@@ -69,11 +69,12 @@ def table(sweep: SweepResult, *, name: str) -> Table:
         Column("Restitution η", "-", "number"),
         Column("Demand / capacity", "-", "number"),
         Column("PGA at capacity", "g", "number"),
+        Column("Verdict", kind="verdict"),
         Column("Case"),
     )
     caption = (
-        f"{key_of(sweep)}: rocking parameters of the branch that uplifts first, and the worst of all checks of a code "
-        f"at all levels.{JOINTS if on_joints(sweep) else ''}"
+        f"{key_of(sweep)}: rocking parameters of the branch that uplifts first, and the answer that decides; where "
+        f"none does, the worst of all checks of a code at all levels.{JOINTS if on_joints(sweep) else ''}"
     )
     return Table(name, caption, columns, tuple(_row(sweep, place) for place in range(len(sweep.value))))
 
@@ -99,6 +100,7 @@ def _row(sweep: SweepResult, place: int) -> tuple[Cell, ...]:
         sweep.restitution[place],
         ratio,
         sweep.capacity_pga_g[place],
+        sweep.outcome[place].value,
         mark,
     )
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from assess.codes.check import Check, Reason
+from assess.codes.check import Check, Outcome, Reason
 from assess.results import MechanismResult, Results
 from reports import governing
 from reports.document import Cell, Column, Table
@@ -23,68 +23,54 @@ ANSWER = (
 )
 
 
+SAID = (
+    Column("Outcome", kind="verdict"),
+    Column("Role"),
+    Column("Reading"),
+    Column("Input at"),
+    Column("Why"),
+    Column("Conditions and remarks"),
+)
+
+
 def name_of(mechanism: MechanismResult) -> str:
     """What the mechanism is called in the report: its label, or its name."""
     return mechanism.label or mechanism.name
 
 
-def brief(results: Results) -> Table:
-    """One line per mechanism and level: the verdict of each procedure that decides, and the largest ratio."""
-    deciding = dict.fromkeys(c.procedure for m in results.mechanisms for c in governing.of_code(m.checks))
-    columns = (MECHANISM, LEVEL, *(Column(broken(name), kind="verdict") for name in deciding))
-    columns += (Column("Largest ratio", "-", "number"), Column("Verdict", kind="verdict"))
-    rows: list[tuple[Cell, ...]] = []
-    for mechanism in results.mechanisms:
-        for level in governing.levels(mechanism.checks):
-            checks = governing.of_code(governing.at_level(mechanism.checks, level))
-            each = (governing.verdict(tuple(c for c in checks if c.procedure == name)) for name in deciding)
-            asked = {check.procedure for check in checks}
-            cells = tuple(v if name in asked else None for name, v in zip(deciding, each, strict=True))
-            rows.append((name_of(mechanism), level, *cells, _largest(checks), governing.verdict(checks)))
-    caption = "Verdicts of the code procedures; the largest ratio is demand over allowable of the worst of them."
-    return Table("summary", caption, columns, tuple(rows))
-
-
 def verdicts(results: Results) -> Table:
-    """Every check of every mechanism: demand, allowable, ratio, verdict."""
+    """Every check of every mechanism: demand, allowable, ratio, outcome, role, and why."""
     pairs = [(mechanism, check) for mechanism in results.mechanisms for check in mechanism.checks]
-    columns = (
-        MECHANISM,
-        LEVEL,
-        PROCEDURE,
-        *ANSWER,
-        Column("Verdict", kind="verdict"),
-        Column("Role"),
-        Column("Input at"),
-    )
+    columns = (MECHANISM, LEVEL, PROCEDURE, *ANSWER, *SAID)
     rows = tuple(
-        (name_of(mechanism), check.level_pga_g, *_answer(check, mechanism.checks)) for mechanism, check in pairs
+        (name_of(mechanism), check.level_pga_g, *numbers(check, mechanism.checks), *said(check))
+        for mechanism, check in pairs
     )
     muted = frozenset(place for place, (_, check) in enumerate(pairs) if check.reading == "thesis")
-    caption = "Demand, allowable, ratio and verdict of every check. Informative readings (grey) decide nothing."
+    caption = "Demand, allowable, ratio and outcome of every check. Readings of the thesis (grey) never decide."
     return Table("verdicts", caption, columns, rows, muted)
 
 
 def procedures(results: Results) -> Table:
-    """Each procedure with its edition, role, where its input acts, damping, and what could not be compared, once."""
+    """Each procedure with its edition, reading, where its input acts, damping, and what could not be compared, once."""
     checks = (check for mechanism in results.mechanisms for check in mechanism.checks)
     rows = dict.fromkeys(
-        (check.procedure, check.edition, check.limit_state, check.role, check.input_at, _remark(check))
+        (check.procedure, check.edition, check.limit_state, check.reading, check.input_at, _remark(check))
         for check in checks
     )
     columns = (
         PROCEDURE,
         Column("Edition"),
         Column("Limit state"),
-        Column("Role"),
+        Column("Reading"),
         Column("Input at"),
         Column("Remark"),
     )
-    return Table("procedures", "Procedures, their editions and roles.", columns, tuple(rows))
+    return Table("procedures", "Procedures and their editions.", columns, tuple(rows))
 
 
 def demands(mechanism: MechanismResult, *, name: str) -> Table:
-    """Every check of one mechanism: demand, allowable, ratio and verdict, and the accelerations it stands up to."""
+    """Every check of one mechanism: demand, allowable, ratio and outcome, and the accelerations it stands up to."""
     ratings = [_rating(check) for check in mechanism.checks]
     rated = [column for column in (_INDEX, _YEARS) if any(rating[column] is not None for rating in ratings)]
     columns = (
@@ -95,10 +81,10 @@ def demands(mechanism: MechanismResult, *, name: str) -> Table:
         Column("PGA at uplift", "g", "number"),
         Column("PGA at capacity", "g", "number"),
         *rated,
-        Column("Verdict", kind="verdict"),
+        Column("Outcome", kind="verdict"),
     )
     rows = tuple(
-        (*_demand(check, mechanism.checks), *(rating[column] for column in rated), check.verdict)
+        (*_demand(check, mechanism.checks), *(rating[column] for column in rated), check.verdict.value)
         for check, rating in zip(mechanism.checks, ratings, strict=True)
     )
     muted = frozenset(place for place, check in enumerate(mechanism.checks) if check.reading == "thesis")
@@ -106,9 +92,9 @@ def demands(mechanism: MechanismResult, *, name: str) -> Table:
     rating = " Safety index: PGA at capacity over that demanded; return period: of the capacity." if rated else ""
     return Table(
         name,
-        "Demand, allowable, ratio and verdict of every check; the peak ground acceleration at uplift"
+        "Demand, allowable, ratio and outcome of every check; the peak ground acceleration at uplift"
         f"{' (none: its joints answer to any motion)' * soft} and at capacity. "
-        f"Informative readings (grey) decide nothing.{rating}",
+        f"Readings of the thesis (grey) never decide.{rating}",
         columns,
         rows,
         muted,
@@ -120,15 +106,17 @@ def _rating(check: Check) -> dict[Column, Cell]:
     return {_INDEX: check.safety_index, _YEARS: bounded(check.return_period_years, check.return_period_bound)}
 
 
-def reasons(mechanism: MechanismResult, *, name: str) -> Table:
-    """Why a check did not pass, for those that say so."""
-    columns = (PROCEDURE, Column("PGA", "g", "number"), Column("Verdict", kind="verdict"), Column("Reason"))
-    rows = tuple(
-        (governing.named(c, mechanism.checks), c.level_pga_g, c.verdict, c.reason.text)
-        for c in mechanism.checks
-        if c.verdict != "pass"
-    )
-    return Table(name, "Checks that fail or do not apply, and why.", columns, rows)
+def answers(mechanism: MechanismResult, site_pga: float | None, *, name: str) -> Table:
+    """What the checks say besides their numbers: all at the site's own action, at other levels those that do not pass.
+
+    site_pga : of the site's own action [g], None for all levels alike
+    """
+    own = mechanism.checks if site_pga is None else governing.at_level(mechanism.checks, site_pga)
+    shown = [check for check in mechanism.checks if check in own or check.verdict != Outcome.PASS]
+    rows = tuple((check.level_pga_g, governing.named(check, mechanism.checks), *said(check)) for check in shown)
+    muted = frozenset(place for place, check in enumerate(shown) if check.reading == "thesis")
+    caption = "What each check says and why: all at the site’s own action, at other levels those that do not pass."
+    return Table(name, caption, (LEVEL, PROCEDURE, *SAID), rows, muted)
 
 
 def turned(check: Check) -> Cell:
@@ -162,15 +150,10 @@ def _curved(checks: tuple[Check, ...]) -> tuple[Check, ...]:
     return tuple(first.values())
 
 
-def _largest(checks: tuple[Check, ...]) -> Cell:
-    worst = governing.worst(checks)
-    if worst is None:
-        return None
-    return worst.unbounded or worst.ratio
-
-
-def _answer(check: Check, among: tuple[Check, ...]) -> tuple[Cell, ...]:
-    return (*numbers(check, among), check.verdict, check.role, check.input_at)
+def said(check: Check) -> tuple[Cell, ...]:
+    """What a check says besides its numbers: outcome, role, reading, where its input acts, why, what bears on it."""
+    beside = "; ".join(dict.fromkeys(each.text for each in (*check.conditions, *check.remarks)))
+    return (check.verdict.value, check.role, check.reading, check.input_at, check.reason.text, beside)
 
 
 def numbers(check: Check, among: tuple[Check, ...]) -> tuple[Cell, Cell, Cell, Cell, Cell]:

@@ -13,7 +13,7 @@ from reportlab.pdfbase.ttfonts import TTFont
 from reportlab.platypus import Paragraph
 
 from reports.lettering import font_file, printable
-from reports.style import FAIL, INK, MUTED, PASS
+from reports.style import FAIL, INK, MUTED, PAPER, PASS
 
 REGULAR, BOLD, ITALIC = "ReportSans", "ReportSans-Bold", "ReportSans-Italic"
 _FACES = {REGULAR: "regular", BOLD: "bold", ITALIC: "italic"}
@@ -23,6 +23,7 @@ _CELL = ParagraphStyle("cell", _ROOT, fontSize=6.7, leading=8.7)
 STYLES: dict[str, ParagraphStyle] = {
     "body": ParagraphStyle("body", _ROOT, spaceAfter=5),
     "item": ParagraphStyle("item", _ROOT, spaceAfter=4, leftIndent=11, bulletIndent=1),
+    "code": ParagraphStyle("code", _ROOT, fontSize=7.6, leading=10.4, leftIndent=11, backColor=HexColor(PAPER)),
     "title": ParagraphStyle("title", _ROOT, fontName=BOLD, fontSize=19, leading=24, spaceAfter=3),
     "subject": ParagraphStyle("subject", _ROOT, fontSize=10, leading=14, textColor=HexColor(MUTED), spaceAfter=9),
     "verdict": ParagraphStyle("verdict", _ROOT, fontName=BOLD, fontSize=19, leading=24, leftIndent=4),

@@ -33,6 +33,11 @@ class Varied:
     shown: tuple[SensitivityResult, ...]
 
     @property
+    def telling(self) -> tuple[SensitivityResult, ...]:
+        """The rows of what decides; where nothing does, all."""
+        return tuple(row for row in self.rows if row.role == "deciding") or self.rows
+
+    @property
     def number(self) -> SensitivityResult:
         """Any of its rows, for what they have in common: parameter, key, unit, base, low, high, remark."""
         return self.rows[0]
@@ -64,10 +69,15 @@ def identity(row: SensitivityResult) -> tuple[str, str, str, float | None]:
 def answers(rows: Sequence[SensitivityResult]) -> list[SensitivityResult]:
     """The answers that stand for all, out of those of one number.
 
-    They are of the procedure with the least PGA at capacity, at the level nearest to it, and beside it of the histories
-    at this level; where no PGA at capacity is known, of the check with the worst ratio. Damage comes before collapse
-    and stands for it only where a procedure knows nothing else.
+    They are the index of what decides, and the PGA at capacity of its procedure. Where nothing decides, they are of the
+    procedure with the least PGA at capacity, at the level nearest to it, and beside it of the histories at this level;
+    where no PGA at capacity is known, of the check with the worst ratio. Damage comes before collapse and stands for it
+    only where a procedure knows nothing else.
     """
+    index = [row for row in rows if row.quantity == "index"]
+    if index:
+        decide = {(row.procedure, row.limit_state) for row in index}
+        return [*index, *(r for r in rows if r.quantity == "capacity_pga_g" and (r.procedure, r.limit_state) in decide)]
     ultimate = {row.procedure for row in rows if row.limit_state != DAMAGE}
     rows = [row for row in rows if row.limit_state != DAMAGE or row.procedure not in ultimate]
     ratios = [row for row in rows if row.quantity == "demand_capacity"]
@@ -86,7 +96,7 @@ def answers(rows: Sequence[SensitivityResult]) -> list[SensitivityResult]:
 def value(row: SensitivityResult, at: At) -> float | None:
     """The answer with the number there: infinite where the body overturns, None where it is not known."""
     found = {"base": row.at_base, "low": row.at_low, "high": row.at_high}[at]
-    return inf if found is None and verdict(row, at) == "fail" else found
+    return inf if found is None and verdict(row, at) == Outcome.FAIL else found
 
 
 def verdict(row: SensitivityResult, at: At) -> Outcome | None:
@@ -107,9 +117,9 @@ def is_still(row: SensitivityResult) -> bool:
 
 def flips(row: SensitivityResult, side: Side) -> bool:
     """Whether a verdict turns from pass to fail or back."""
-    return {row.verdict_base, verdict(row, side)} == {"pass", "fail"}
+    return {row.verdict_base, verdict(row, side)} == {Outcome.PASS, Outcome.FAIL}
 
 
 def fails(rows: Sequence[SensitivityResult], at: At) -> bool:
     """Whether any check fails with the number there."""
-    return any(verdict(row, at) == "fail" for row in rows)
+    return any(verdict(row, at) == Outcome.FAIL for row in rows)

@@ -17,6 +17,12 @@ def worded(table: Table, said: Callable[[str], str]) -> Table:
     return replace(table, rows=rows)
 
 
+def coloured(cell: Cell, column: Column) -> str:
+    """The outcome whose colour a cell has: "pass" or "fail", at the limit too; else empty."""
+    word = cell.partition(" ")[0] if isinstance(cell, str) and column.kind == "verdict" else ""
+    return word if word in ("pass", "fail") else ""
+
+
 def in_words(cell: Cell, column: Column, said: Callable[[str], str]) -> Cell:
     """A verdict as `said` says it; a truth value too, where that is another word than the English one."""
     if isinstance(cell, bool):

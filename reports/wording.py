@@ -15,6 +15,7 @@ from reports.document import (
     Banner,
     Block,
     Cell,
+    Code,
     Column,
     Document,
     Figure,
@@ -34,7 +35,7 @@ Say = Callable[[str], str]
 def reworded(document: Document, say: Say) -> Document:
     """The document with `say` applied to each of its texts, figures when they are drawn.
 
-    Left as they are: the author, names of tables and files, verdicts, and what was given without a unit.
+    Left as they are: the author, code, names of tables and files, verdicts, and what was given without a unit.
     """
     return replace(
         document,
@@ -63,6 +64,11 @@ def _(block: Text, say: Say) -> Block:
 @_block.register
 def _(block: Items, say: Say) -> Block:
     return Items(tuple(map(say, block.points)))
+
+
+@_block.register
+def _(block: Code, say: Say) -> Block:
+    return block
 
 
 @_block.register

@@ -27,8 +27,8 @@ def description(
 
 
 def warned(notices: tuple[Message, ...]) -> str:
-    """A line for each warning."""
-    return "".join(f"warning: {printable(notice.where)}: {printable(notice.text)}\n" for notice in notices)
+    """A line for each warning and note."""
+    return "".join(f"{notice.severity}: {printable(notice.where)}: {printable(notice.text)}\n" for notice in notices)
 
 
 def sensitivity_text(variables: Sequence[Variable | Unvaried]) -> str:
@@ -120,7 +120,10 @@ def _interface(found: dict[str, Any]) -> str:
 
 
 def _loads(loads: tuple[LoadResult, ...]) -> list[str]:
-    lines = [f"{printable(load.name)} at {_at(load.at)}: {_size(load)}; {printable(load.source)}" for load in loads]
+    lines = [
+        f"{printable(load.name)} at {_at(load.at)}: {_size(load)}; {printable(load.source)}{lasting_text(load)}"
+        for load in loads
+    ]
     return [f"  {'loads' if i == 0 else '':<11} {line}" for i, line in enumerate(lines or ["none"])]
 
 
@@ -129,6 +132,20 @@ def _size(load: LoadResult) -> str:
         return f"{load.mass_kg:.6g} kg, {'bearing' if load.bearing else 'horizontal inertia only'}"
     along, up = load.force_n or (0.0, 0.0)
     return f"{load.kind} {along / 1e3:.4g} kN along the direction, {up / 1e3:.4g} kN up"
+
+
+def lasting_text(load: LoadResult) -> str:
+    """How long a load is there where it resists, and how far it may move on its seat."""
+    if load.bearing:
+        return "; seat not given" if load.seat_m is None else f"; seat {load.seat_m:.4g} m"
+    end = "" if load.end_m is None else f"where its point has moved {load.end_m:.4g} m, at {load.end_rad:.4g} rad"
+    if load.lasting == "to collapse":
+        return "; lasts to collapse" + (f", and ends {end}" if end else "")
+    if load.lasting == "to its end":
+        return f"; ends {end}, and is left out of displacements and histories"
+    if load.lasting == "not shown":
+        return f"; where it resists not shown to last ({', '.join(load.missing)} missing): in the multiplier alone"
+    return ""
 
 
 def _sweep(sweep: Sweep) -> str:

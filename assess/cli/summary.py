@@ -1,17 +1,28 @@
-"""What `assess run` prints: the verdict of each mechanism and of the building, its conditions, and what is missing."""
+"""What `assess run` prints: the answer that decides each mechanism, and the verdict with what it rests on."""
 
 from __future__ import annotations
 
-from assess.cli.description import warned
-from assess.cli.text_table import text_table
+from collections.abc import Iterator
+from textwrap import wrap
+
+from assess.cli.text_table import on_one_line, text_table
 from assess.codes.verdict import Answer, Decision, MechanismVerdict, Verdict
+from assess.codes.verdict_text import (
+    action_text,
+    bearing,
+    building_index_text,
+    index_text,
+    outcome_text,
+    target_text,
+    toml_lines,
+)
 from assess.project.messages import printable
 from assess.results import Results
 
 CODES = {Decision.PASS: 0, Decision.FAIL: 1, Decision.INCOMPLETE: 3}
 """Exit codes of `assess run`."""
-_WORDS = {Decision.PASS: "pass", Decision.FAIL: "FAIL", Decision.INCOMPLETE: "incomplete"}
-_ABOUT = {"D/C": 1.0, "zeta_E": 1.0, "%NBS": 100.0}
+HEADER = ("verdict", "state", "decided by", "index", "holds up to")
+WIDE, LEAST = 100, 16  # characters of a line, and of the name of a mechanism
 
 
 def exit_code(results: Results) -> int:
@@ -20,62 +31,81 @@ def exit_code(results: Results) -> int:
 
 
 def summary(results: Results) -> str:
-    """A line for each mechanism, the warnings, and the verdict with what it rests on and what is missing."""
+    """A line for each mechanism and limit state, why they do not pass, and the verdict with what it rests on."""
     found = results.verdict
     if found is None:
-        return f"{warned(results.warnings)}no verdict\n"
-    rows = [row for one in found.mechanisms for row in _rows(one, found)]
-    table = text_table(["mechanism", "verdict", "limit state", "decided by", "index", "holds up to", "why"], rows)
-    return table + warned(results.warnings) + "".join(f"{line}\n" for line in _closing(found))
+        return "no verdict\n"
+    pairs = [(one, answer) for one in found.mechanisms for answer in one.answers]
+    told = bearing(results.warnings)
+    notes = [each for each in results.warnings if each not in told]
+    lines = [
+        *_reasons(found),
+        *(f"note: {each.where}: {each.text}" for each in notes),
+        "",
+        *_verdict(found),
+        *(f"on condition: {each.text}" for each in found.conditions),
+        *(f"warning: {each.where}: {each.text}" for each in told),
+        *_missing(found),
+    ]
+    return _table(found, pairs) + "".join(map(_folded, lines)) + "".join(f"{line}\n" for line in _toml(found, results))
 
 
-def _rows(one: MechanismVerdict, found: Verdict) -> list[list[str]]:
+def _table(found: Verdict, pairs: list[tuple[MechanismVerdict, Answer]]) -> str:
+    """The answers that decide, as wide as a line; names get what the numbers leave."""
+    rows = [_cells(one, answer, found) for one, answer in pairs]
+    taken = sum(max(len(row[place]) for row in (HEADER, *rows)) + 2 for place in range(len(HEADER)))
+    room = max(LEAST, WIDE - taken)
+    names = [on_one_line(printable(one.mechanism), room) for one, _ in pairs]
+    return text_table(["mechanism", *HEADER], [[name, *row] for name, row in zip(names, rows, strict=True)])
+
+
+def _cells(one: MechanismVerdict, answer: Answer, found: Verdict) -> tuple[str, ...]:
     holds = "" if one.margin is None else f"{one.margin * found.action.pga_g:.3g} g = {one.margin:.3g} x"
-    first, *others = one.answers or (None,)
-    rows = [[printable(one.mechanism), _word(one.outcome, near=one.at_the_limit), *_cells(first), holds, _why(first)]]
-    return rows + [["", _word(each.outcome, near=each.at_the_limit), *_cells(each), "", _why(each)] for each in others]
+    outcome = answer.outcome if len(one.answers) > 1 else one.outcome
+    said = _loud(outcome_text(outcome, near=answer.at_the_limit))
+    return (said, answer.limit_state, answer.procedure, index_text(answer.index).replace(", grade", ""), holds)
 
 
-def _word(outcome: Decision, *, near: bool) -> str:
-    return _WORDS[outcome] + (" at the limit" if near and outcome != Decision.INCOMPLETE else "")
+def _loud(outcome: str) -> str:
+    """An outcome with its failure in capitals."""
+    return outcome.replace("fail", "FAIL")
 
 
-def _cells(answer: Answer | None) -> list[str]:
-    if answer is None:
-        return ["", "", ""]
-    index = answer.index
-    value = "" if index is None else f"{index.name} {index.value * _ABOUT[index.name]:.3g} {index.grade}".strip()
-    return [answer.limit_state, answer.procedure, value]
+def _reasons(found: Verdict) -> Iterator[str]:
+    """Why mechanisms do not pass, each reason once with the mechanisms that it is of."""
+    names: dict[str, dict[str, None]] = {}
+    for one in found.mechanisms:
+        for answer in one.answers:
+            if answer.outcome != Decision.PASS:
+                names.setdefault(answer.reason.text, {})[on_one_line(one.mechanism, 40)] = None
+    yield from (f"{', '.join(of)}: {text}" for text, of in names.items())
 
 
-def _why(answer: Answer | None) -> str:
-    return "" if answer is None else printable(answer.reason.text)
+def _verdict(found: Verdict) -> Iterator[str]:
+    states = ", ".join(found.limit_states) or "no limit state"
+    said = _loud(outcome_text(found.outcome, near=found.at_the_limit))
+    yield f"verdict: {said}"
+    yield f"basis: {found.edition or 'none'}; {states}; site's own action: {action_text(found.action)}"
+    if index := building_index_text(found):
+        yield f"index: {index}, target {target_text(found) or 'not known'}; local mechanisms only"
 
 
-def _closing(found: Verdict) -> list[str]:
-    action = found.action
-    state = ", ".join(found.limit_states) or "no limit state"
-    lines = [f"basis: {found.edition or 'none'}; {state}; site's own PGA {action.pga_g:.3g} g"]
-    lines += [f"on condition: {each.text}" for each in found.conditions]
-    near = " at the limit" if found.at_the_limit and found.outcome != Decision.INCOMPLETE else ""
-    lines.append(f"verdict: {_WORDS[found.outcome]}{near}")
-    return lines + _missing(found)
-
-
-def _missing(found: Verdict) -> list[str]:
-    """What would complete the verdict: why, and a block of TOML to paste."""
-    if found.outcome != Decision.INCOMPLETE or not found.missing:
-        return []
-    lines = [f"missing: {each.key}: {printable(each.text)}" for each in found.missing]
+def _missing(found: Verdict) -> Iterator[str]:
+    """What would complete the verdict, and what it would be with the safe values."""
+    if found.outcome != Decision.INCOMPLETE:
+        return
+    yield from (f"missing: {each.key}: {each.text}" for each in found.missing)
     if found.provisional is not None:
-        lines.append(f"with the safe values the verdict would be: {_WORDS[found.provisional]}")
-    return [*lines, "to complete it, add to the project file:", *toml_block(found)]
+        yield f"with the safe values the verdict would be: {_loud(found.provisional.value)}"
 
 
-def toml_block(found: Verdict) -> list[str]:
-    """The missing keys as TOML, by table."""
-    tables: dict[str, list[str]] = {}
-    for each in found.missing:
-        if each.toml:
-            tables.setdefault(each.key.rpartition(".")[0], []).append(each.toml)
-    return [line for table, keys in tables.items() for line in (f"[{table}]", *keys)]
+def _toml(found: Verdict, results: Results) -> list[str]:
+    """The block of TOML that completes the verdict."""
+    given = [key for key, each in results.project.items() if each.given]
+    lines = toml_lines(found.missing, given) if found.outcome == Decision.INCOMPLETE else ()
+    return ["to complete it, add to the project file:", *map(printable, lines)] if lines else []
+
+
+def _folded(line: str) -> str:
+    """A line of the text in as many lines of the terminal as it takes."""
+    return "\n".join(wrap(printable(line), WIDE, subsequent_indent="  ") or [""]) + "\n"

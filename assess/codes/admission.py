@@ -22,6 +22,9 @@ from assess.message import Message, Quantity
 from assess.oscillator import Oscillator
 
 ONE_SIDED = ("asce43-05-spectrum",)  # damping by the two impacts of a body that rocks both ways
+SUITE_OF_A2 = "asce43-05"  # whose rules the suite must meet that a floor spectrum is made of
+ON_THE_WAY = (Family.DISPLACEMENT, Family.HISTORY, Family.ENERGY, Family.PART, Family.ELEMENT)
+"""What follows a mechanism as it moves, and so asks for what lasts."""
 FLOOR_CLAUSES: dict[Family, str] = {
     Family.LINEAR: "give [building] height and storeys",
     Family.DISPLACEMENT: "give [building] height and storeys",
@@ -46,12 +49,14 @@ class Admission:
     """What a procedure may say, and the reason where that is not everything.
 
     safe : whether the numbers were worked out with the safe value of what is missing, so that they may be shown beside
+    void : whether the numbers are of another mechanism than the one asked about, so that they may not be shown
     others : further reasons of the same kind, each with its remedy
     """
 
     may: May
     reason: Message | None = None
     safe: bool = False
+    void: bool = False
     others: tuple[Message, ...] = ()
 
 
@@ -61,7 +66,7 @@ ASKED = Admission(May.ANSWER)
 def admission(procedure: str, oscillator: Oscillator, context: Context) -> Admission:
     """Find whether `procedure` may be asked; the first rule that speaks decides, the strictest first."""
     family = FAMILIES[procedure]
-    rules = (_of_clause, _of_impossible, _of_histories, _of_height)
+    rules = (_of_clause, _of_unheld, _of_impossible, _of_histories, _of_height)
     found = (rule(procedure, family, oscillator, context) for rule in rules)
     return next((each for each in found if each is not None), ASKED)
 
@@ -83,7 +88,7 @@ def _with(given: Admission, lacking: tuple[Lacking, ...]) -> Admission:
         return replace(given, others=(*given.others, *(each.reason for each in lacking)))
     reasons = [each.reason for each in lacking]
     if given.reason is None:
-        return Admission(May.NOT_ANSWER, reasons[0], all(each.safe for each in lacking), tuple(reasons[1:]))
+        return Admission(May.NOT_ANSWER, reasons[0], all(each.safe for each in lacking), others=tuple(reasons[1:]))
     return replace(given, may=May.NOT_ANSWER, others=tuple(reasons))
 
 
@@ -92,6 +97,8 @@ def _as_admitted(check: Check, given: Admission) -> Check:
         return check
     if given.may == May.NOT_APPLY:
         return replace(check, verdict=Outcome.NOT_APPLICABLE, reason=given.reason)
+    if given.void:
+        return without_numbers(check, given.reason, given.others)
     if check.verdict == Outcome.NOT_ANSWERED:
         return check
     if given.may == May.ONLY_FAIL and check.verdict == Outcome.FAIL:
@@ -104,6 +111,27 @@ def _as_admitted(check: Check, given: Admission) -> Check:
         may_pass=False,
         reason=given.reason,
         remarks=(*check.remarks, *given.others, *own),
+    )
+
+
+def without_numbers(check: Check, reason: Message, others: tuple[Message, ...] = ()) -> Check:
+    """A check that is not answered, as it would be where nothing could be worked out."""
+    return Check(
+        procedure=check.procedure,
+        edition=check.edition,
+        reading=check.reading,
+        branch=check.branch,
+        limit_state=check.limit_state,
+        level_pga_g=check.level_pga_g,
+        input_at=check.input_at,
+        damping=None,
+        quantity=check.quantity,
+        unit=check.unit,
+        verdict=Outcome.NOT_ANSWERED,
+        reason=reason,
+        caveat=check.caveat,
+        may_pass=False,
+        remarks=others,
     )
 
 
@@ -123,6 +151,13 @@ def _of_impossible(procedure: str, family: Family, oscillator: Oscillator, conte
     return Admission(May.NOT_ANSWER, context.impossible[0]) if context.impossible else None
 
 
+def _of_unheld(procedure: str, family: Family, oscillator: Oscillator, context: Context) -> Admission | None:
+    """What makes answers by displacements and histories impossible: it stands only by what is not shown to last."""
+    if family not in ON_THE_WAY or not context.unheld:
+        return None
+    return Admission(May.NOT_ANSWER, context.unheld[0], void=True, others=context.impossible)
+
+
 def _of_histories(procedure: str, family: Family, oscillator: Oscillator, context: Context) -> Admission | None:
     """What makes histories impossible: an impact without rebound, or a suite that misses its code's rules."""
     if family != Family.HISTORY:
@@ -140,6 +175,9 @@ def _of_height(procedure: str, family: Family, oscillator: Oscillator, context: 
         return Admission(May.ONLY_FAIL, because(Reason.ABOVE_BUILDING, height=height))
     if procedure not in READINGS and _has_floor_input(family, context):
         return None
+    faults = context.suite_faults.get(SUITE_OF_A2, ()) if family == Family.ENERGY else ()
+    if faults and context.carried == "by a filter":
+        return Admission(May.ONLY_FAIL, faults[0], others=tuple(faults[1:]))
     why = (
         Reason.SCALAR_MOTION if family == Family.HISTORY and context.carried == "by a factor" else Reason.GROUND_MOTION
     )

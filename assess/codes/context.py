@@ -163,6 +163,7 @@ class Context:
     limit_state : what the site's single spectrum is declared for; None where nobody says, or the site gives its hazard
     floor_spectrum : of the motion at the mechanism's base, at the site's PGA; None where none is given
     impossible : why no answer can be given at all, and why none by histories; each with the remedy
+    unheld : why none by displacements and histories: it stands only by what is not shown to last; with the remedy
     amplification : the largest, over the records, of peak acceleration at the mechanism's base over that at the ground
     suite_faults : by the code of a procedure, the rules for suites that the records miss, with the change that would do
     hinges : what the hinges of both branches pass on when the mechanism starts to rock; none where that is not known
@@ -194,6 +195,7 @@ class Context:
     floor_spectrum: Spectrum | None = None
     impossible: tuple[Message, ...] = ()
     impossible_by_histories: tuple[Message, ...] = ()
+    unheld: tuple[Message, ...] = ()
     suite_faults: Mapping[str, tuple[Message, ...]] = field(default_factory=dict)
     amplification: float = 1.0
     support: Support = "free"

@@ -14,9 +14,3 @@ def multiplier_step(symbol: str, description: str, clause: str, branch: Branch) 
     resisting, shaken = float(branch.restoring[0]), float(branch.excitation[0])
     given = {"V'(0) − M": (resisting, "N m"), "B0": (shaken, "kg m")}
     return step(symbol, description, clause, "(V'(0) − M) / (g B0)", found, given=given)
-
-
-def multiplier_worked(branch: Branch) -> tuple[str, str, float]:
-    """Formula, numbers and value of the same line."""
-    line = multiplier_step("λ", "multiplier", "statics", branch)
-    return line.formula, line.substituted, resisted(branch)

@@ -15,6 +15,7 @@ change as it moves. Closings count from the state of rest, in which the geometry
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from functools import cached_property
 from math import hypot
@@ -26,7 +27,7 @@ from scipy.constants import g
 
 from assess.errors import MechanismError
 from assess.interfaces.contact import Contact, contact, semi_flexible_shift
-from assess.loads import Force, Load, PointMass, Tie, pull_at_rest, upward
+from assess.loads import Action, Force, Load, PointMass, Tie, pull_at_rest, upward
 from assess.mechanisms.chain import Chain, hinge_names
 from assess.mechanisms.joint import PAIRS, Joint, Pair
 from assess.mechanisms.motion import closed, move, place, shares
@@ -186,6 +187,18 @@ class FlexibleChain:
         return tuple(tie for tie in ties if not pulled(tie, place(leaving, block=tie.block, at=tie.at)).any())
 
     @cached_property
+    def actions(self) -> tuple[Action, ...]:
+        """The forces and ties on it."""
+        return tuple(load for load in self.chain.loads if not isinstance(load, PointMass))
+
+    def moments(self, rotation: FloatArray) -> FloatArray:
+        """Generalised moment of each force and tie at `rotation` [n] [rad]; positive overturns [actions, n] [N m]."""
+        found = self.balance(rotation)
+        points = self._points(found, "resultant")
+        held = [self._holding(found.posture, points, [action]) for action in self.actions]
+        return -np.array(held).reshape(-1, rotation.size)
+
+    @cached_property
     def standing(self) -> Balance:
         """The joints at rest, where each resultant is in the middle."""
         middle = np.array([joint.section.centroid if joint else 0.0 for joint in self.joints])
@@ -221,7 +234,8 @@ class FlexibleChain:
         for _ in range(ROUNDS):
             posture = self._posture(rotation, now[0])
             points = posture.corner + now[1] * self._faces(posture)
-            normal = self._normal_forces(posture, self._reactions(points, *self._loads(posture, points)))
+            loads = self._loads(posture, points, self.chain.loads)
+            normal = self._normal_forces(posture, self._reactions(points, *loads))
             contacts = self._contacts(posture, normal)
             closing = _each(contacts, "closing", shape)
             found = np.array([(closing - rest[:, None]) * (rotation > 0.0), _each(contacts, "resultant", shape)])
@@ -296,20 +310,18 @@ class FlexibleChain:
                 )
 
     def _loads(
-        self, posture: Posture, points: ComplexArray, *, given: bool | None = None
+        self, posture: Posture, points: ComplexArray, loads: Iterable[Load], *, blocks: bool = True
     ) -> tuple[ComplexArray, FloatArray]:
         """Force on each block and its moment about the origin, anticlockwise [blocks, n] [N, N m].
 
-        given : the given forces and ties alone, or weights alone; None for all
+        loads : those that count; blocks : whether their own weights do
         """
-        blocks, n = len(self.chain.blocks), points.shape[1]
-        force, moment = np.zeros((blocks, n), dtype=np.complex128), np.zeros((blocks, n))
-        for number, block in enumerate(() if given else self.chain.blocks):
+        shape = (len(self.chain.blocks), points.shape[1])
+        force, moment = np.zeros(shape, dtype=np.complex128), np.zeros(shape)
+        for number, block in enumerate(self.chain.blocks if blocks else ()):
             force[number] = -1j * g * block.mass
             moment[number] = -g * block.mass * self._place(posture, number, complex(*block.centroid)).real
-        for load in self.chain.loads:
-            if given is not None and given == isinstance(load, PointMass):
-                continue
+        for load in loads:
             here = points[2] if load in self.at_top else self._place(posture, load.block, complex(*load.at))
             pull = self._force(load, here)
             force[load.block] += pull
@@ -345,9 +357,11 @@ class FlexibleChain:
             forces[i] = away * (np.conj(normal) * reactions[i]).real
         return forces
 
-    def _holding(self, posture: Posture, points: ComplexArray, *, given: bool) -> FloatArray:
-        """The clockwise moment that holds the leading block against the given loads or the weights [n] [N m]."""
-        force, moment = self._loads(posture, points, given=given)
+    def _holding(
+        self, posture: Posture, points: ComplexArray, loads: Iterable[Load], *, blocks: bool = False
+    ) -> FloatArray:
+        """The clockwise moment that holds the leading block against loads, and the weights of the blocks [n] [N m]."""
+        force, moment = self._loads(posture, points, loads, blocks=blocks)
         reactions = self._reactions(points, force, moment)
         passed_on = _cross(points[1], reactions[1]) if len(force) > 1 else 0.0
         return np.asarray(_cross(points[0], reactions[0]) + moment[0] - passed_on, dtype=np.float64)
@@ -391,7 +405,7 @@ class FlexibleChain:
         if load.anchor is None:
             return np.full_like(here, complex(*pull_at_rest(load)))
         towards = complex(*load.anchor) - here
-        return load.pull * towards / np.abs(towards)
+        return load.tension * towards / np.abs(towards)
 
     def _work(self, found: Balance, moving: Field) -> Work:
         """The sums: what holds weights and forces, and the masses in the field of the true motion."""
@@ -406,8 +420,8 @@ class FlexibleChain:
             participation += mass * v.real**2
             inertia += mass * (v.real**2 + bearing * v.imag**2) + turned * moving.rate[number] ** 2
             lift += mass * bearing * v.imag
-        weight = self._holding(posture, points, given=False)
-        return Work(inertia, weight, -self._holding(posture, points, given=True), excitation, participation, lift)
+        weight = self._holding(posture, points, masses, blocks=True)
+        return Work(inertia, weight, -self._holding(posture, points, self.actions), excitation, participation, lift)
 
 
 def _cross(a: ComplexArray, b: ComplexArray) -> FloatArray:

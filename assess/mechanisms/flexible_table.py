@@ -10,173 +10,36 @@ the branch on the other side then begins with the way back from phi_e to zero, s
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass, fields, replace
-from functools import cached_property
-from itertools import pairwise
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from assess.errors import MechanismError
-from assess.interfaces.contact import thresholds
 from assess.mechanisms.chain import Chain, mirrored
 from assess.mechanisms.flexible import FlexibleChain
 from assess.mechanisms.joint import Joint
 from assess.mechanisms.mechanism import Mechanism
-from assess.mechanisms.motion import limit
-from assess.mechanisms.table import FLAT, NODES, REACH, branch
-from assess.mechanisms.virtual_work import Work
+from assess.mechanisms.side import FINE, ZERO, Side, columns_of, side_of
+from assess.mechanisms.stages import Moments, Stages, rounding, signature, whole
 from assess.oscillator import Branch, Oscillator
 
 FloatArray = NDArray[np.float64]
-
-FINE = 0.05  # step of the table over rotation, as moments go with the power -1/2 of it
-COARSE = 1.0 / 128.0  # largest step, of the table's length
-FIRST = 6  # steps up to the first change of regime
-ZERO = 1e-9  # of the rigid restoring moment at rest: less is none
-NEAR = 1e-4  # of a root found on the table: so near to it the moment is asked for again
-JUST = 1e-6  # of the table's length: a rotation that has just begun
-FEWEST = 4  # nodes of a piece between two changes of regime: a cubic
-SAME = 1e-9  # of the largest of them: places that move by less are found
-CORRECTIONS = 4  # of the places where joints open and crush, or moments are zero
-FOUND = 1e-7  # of a root: after a step as short, what is left goes with its square
+IntArray = NDArray[np.int64]
 
 
-@dataclass(frozen=True)
-class Side:
-    """A chain on its joints, and the same with rigid ones."""
-
-    flexible: FlexibleChain
-    rigid: Branch
-
-    @cached_property
-    def end(self) -> float:
-        """Of the table, which holds phi_ov and phi_cr of the rigid chain [rad]."""
-        reach, farthest = limit(self.flexible.chain) * (1.0 - FLAT), max(self.rigid.overturning, self.rigid.critical)
-        return min(max(REACH * self.rigid.overturning, 1.05 * farthest), 0.5 * (farthest + reach))
-
-    @cached_property
-    def changes(self) -> list[float]:
-        """Rotations [rad] at which joints open or begin to crush, in order.
-
-        At first by their forces and rates at rest, then corrected by those at the rotations found.
-        """
-        joints = [(number, joint) for number, joint in enumerate(self.flexible.joints) if joint is not None]
-        places = np.full((len(joints), 2), JUST * self.end)
-        for _ in range(CORRECTIONS):
-            balance, before = self.flexible.balance(places.ravel()), places.copy()
-            turned = self.flexible.relative(balance.posture)
-            for row, (number, joint) in enumerate(joints):
-                for column, at in enumerate((2 * row, 2 * row + 1)):
-                    force, psi = float(balance.normal_force[number, at]), float(turned[number, at])
-                    slope = thresholds(joint.section, joint.law, normal_force=force)[column]
-                    places[row, column] *= np.arcsin(min(slope, 1.0)) / psi if psi > 0.0 else 1.0
-            was, places = before, np.minimum(places, self.end)
-            if np.abs(places - was).max() <= SAME * places.max():
-                break
-        return sorted({float(each) for each in places.ravel() if 0.0 < each < self.end})
-
-    @cached_property
-    def rotation(self) -> FloatArray:
-        """Nodes [n] [rad]: fine where joints open and crush, with two at one place where that begins, for the kink."""
-        if not self.changes:
-            return np.linspace(0.0, self.end, NODES)
-        ends = [0.0, *self.changes, self.end]
-        return np.concatenate([self._piece(*between, least=ends[1]) for between in pairwise(ends)])
-
-    def _piece(self, start: float, end: float, *, least: float) -> FloatArray:
-        """Nodes from one change of regime to the next; least: the first change of all."""
-        nodes = [start]
-        while nodes[-1] < end:
-            step = FINE * nodes[-1] if nodes[-1] >= least else least / FIRST
-            nodes.append(nodes[-1] + min(step, COARSE * self.end))
-        if len(nodes) < FEWEST:
-            return np.linspace(start, end, FEWEST)
-        stretched = start + (np.array(nodes) - start) * ((end - start) / (nodes[-1] - start))
-        stretched[-1] = end
-        return stretched
-
-    @cached_property
-    def work(self) -> Work:
-        """The sums of virtual work at the nodes."""
-        return self.work_at(self.rotation)
-
-    def work_at(self, rotation: FloatArray) -> Work:
-        """The same at rotations [n] [rad], of which equal ones get equal sums, to the last digit: no jump."""
-        once, where = np.unique(rotation, return_inverse=True)
-        work = self.flexible.held(once).work
-        return Work(*(getattr(work, each.name)[where] for each in fields(work)))
-
-    @cached_property
-    def pushed(self) -> bool:
-        """Whether its loads push it this way at rest."""
-        return bool(self.work.restoring[0] < -ZERO * self.rigid.restoring[0])
-
-    @cached_property
-    def lean(self) -> float:
-        """Where it stands when its loads push it this way [rad]; 0 where they do not.
-
-        Raises MechanismError where it finds no stand.
-        """
-        start, then = self.work.restoring[:2]
-        if start <= ZERO * self.rigid.restoring[0] and not self.pushed and then < 0.0:
-            raise MechanismError(
-                f'mechanism "{self.flexible.name}": it falls by itself: its joints are too soft to hold it upright; '
-                "give them more stiffness or area, or check loads"
-            )
-        if not self.pushed:
-            return 0.0
-        found = self.fall(lambda work: -work.restoring)
-        if found is None:
-            raise MechanismError(
-                f'mechanism "{self.flexible.name}": it falls by itself: the load on its joints lies '
-                f"too far out, by {-self.work.restoring[0]:.4g} N m at rest; check loads, hinges and joints"
-            )
-        return found
-
-    def fall(self, value: Callable[[Work], FloatArray]) -> float | None:
-        """The first rotation where a sum goes from + to - [rad]; None where it never does."""
-        values = value(self.work)
-        falling = np.flatnonzero((values[:-1] > 0.0) & (values[1:] <= 0.0))
-        if not falling.size:
-            return None
-        near = _crossing(self.rotation, values, int(falling[0]))
-        for _ in range(CORRECTIONS):
-            places = near * np.array([1.0 - NEAR, 1.0, 1.0 + NEAR])
-            before, at, after = value(self.flexible.held(places).work)
-            step = float(at * 2.0 * NEAR * near / (after - before))
-            near -= step
-            if abs(step) <= FOUND * near:
-                break
-        return near
-
-    def columns(self, *, back_from: float | None = None) -> FloatArray:
-        """A table [6, n] by rotation, or from a rotation back to zero, counted from there with the other sign."""
-        rotation, work = self.rotation, self.work
-        if back_from is not None:
-            kept = rotation < (1.0 - 0.5 * FINE) * back_from
-            rotation = np.append(rotation[kept], back_from)[::-1]
-            work = self.work_at(rotation)
-        columns = _columns(rotation, work)
-        if back_from is not None:
-            columns[0] = back_from - columns[0]
-            columns[[2, 5]] *= -1.0
-        return columns
-
-
-def flexible_oscillator(mechanism: Mechanism) -> Oscillator:
-    """The mechanism on its joints as the dynamics and the codes see it.
+def flexible_oscillator(mechanism: Mechanism, front: Stages, back: Stages) -> Oscillator:
+    """The mechanism on its joints as the dynamics and the codes see it, with the stages of its two chains.
 
     Raises MechanismError where it finds no stable rest, or never overturns.
     """
     name, (first, second) = mechanism.name, mechanism.restitution
-    positive = side_of(mechanism.positive, name=name, restitution=first)
+    positive = side_of(front, name=name, restitution=first)
     if mechanism.negative is None:
         return Oscillator(table(positive, None), None, mechanism.positive.mass, equilibrium=positive.lean)
-    alike = same_chain(mechanism.positive, mechanism.negative) and first == second
-    negative = positive if alike else side_of(mechanism.negative, name=name, restitution=second)
-    if not one_rest(mechanism.positive, mechanism.negative):
+    alike = same_stages(front, back) and first == second
+    negative = positive if alike else side_of(back, name=name, restitution=second)
+    if not one_rest(mechanism.positive, mechanism.negative) or front[0].absent != back[0].absent:
         return Oscillator(
             positive=table(positive, None),
             negative=table(negative, None),
@@ -211,9 +74,11 @@ def one_rest(positive: Chain, negative: Chain) -> bool:
     return True
 
 
-def side_of(chain: Chain, *, name: str, restitution: float) -> Side:
-    """One side of a mechanism."""
-    return Side(FlexibleChain(chain, name), branch(replace(chain, joints=()), restitution=restitution, name=name))
+def flexible_moments(chain: Chain, *, name: str) -> Moments:
+    """The moments of the actions on a chain, each as its joints move."""
+    flexible = FlexibleChain(chain, name)
+    scan = np.unique(side_of(whole(chain), name=name, restitution=1.0).rotation)
+    return Moments(scan, lambda rotation: flexible.moments(rotation) + rounding(chain))
 
 
 def table(side: Side, other: Side | None) -> Branch:
@@ -233,7 +98,8 @@ def table(side: Side, other: Side | None) -> Branch:
     if shift:
         columns = columns[:, columns[0] > (1.0 + 0.5 * FINE) * shift]
         stand = np.array([shift])
-        columns = np.concatenate([_columns(stand, side.work_at(stand)), columns], axis=1)
+        work = side.work_at(stand, np.array([side.chain_at(shift)]))
+        columns = np.concatenate([columns_of(stand, work), columns], axis=1)
     elif other is not None and other.lean:
         shift = -other.lean
         back = other.columns(back_from=other.lean)
@@ -258,18 +124,9 @@ def table(side: Side, other: Side | None) -> Branch:
     )
 
 
-def _crossing(rotation: FloatArray, values: FloatArray, k: int) -> float:
-    """Where falling values pass zero after node k: by the cubic, rotation over values, through the nodes around."""
-    first = min(max(k - 1, 0), rotation.size - 4)
-    x, y = rotation[first : first + 4], values[first : first + 4]
-    if np.all(np.diff(y) < 0.0):
-        near = sum(
-            x[i] * np.prod([y[j] / (y[j] - y[i]) for j in range(4) if j != i]) for i in range(4)
-        )  # Lagrange's polynomial at zero
-        if rotation[k] <= near <= rotation[k + 1]:
-            return float(near)
-    a, b = values[k], values[k + 1]
-    return float(rotation[k] + (rotation[k + 1] - rotation[k]) * a / (a - b))
+def same_stages(one: Stages, other: Stages) -> bool:
+    """Whether two sides, each in its own sign, are alike to the last digit."""
+    return same_chain(one[0].chain, other[0].chain) and signature(one) == signature(other)
 
 
 def same_chain(one: Chain, other: Chain) -> bool:
@@ -285,8 +142,3 @@ def _numbers(joint: Joint | None) -> tuple[object, ...] | None:
         return None
     section = joint.section
     return (joint.inward, joint.law, joint.model, section.depth, section.pieces.tolist(), section.discs.tolist())
-
-
-def _columns(rotation: FloatArray, work: Work) -> FloatArray:
-    """Rows of numbers as a branch has them [6, n], from the sums at rotations [n]."""
-    return np.array([rotation, work.inertia, work.restoring, work.excitation, work.participation, work.lift])

@@ -7,9 +7,10 @@ from functools import lru_cache
 
 import numpy as np
 
-from assess.mechanisms.flexible_table import flexible_oscillator, same_chain
+from assess.mechanisms.flexible_table import flexible_oscillator, same_stages
 from assess.mechanisms.mechanism import Mechanism
-from assess.mechanisms.table import branch
+from assess.mechanisms.stages import Stages, whole
+from assess.mechanisms.table import staged_branch
 from assess.oscillator import Branch, Oscillator
 
 ROUNDING = 1e-12
@@ -20,28 +21,32 @@ NUMBERS = ("restitution", "overturning", "critical", "unstable")
 
 @lru_cache(maxsize=256)
 def oscillator(mechanism: Mechanism) -> Oscillator:
-    """The mechanism as the dynamics and the codes see it.
+    """The mechanism as the dynamics and the codes see it, with every action that is there at rest.
 
     Where both directions are the same but for ROUNDING they are one branch, so that what is asked of both, or of both
     polarities of a motion, is worked out once, and no answer hangs on the last digits of a mesh.
     """
-    made = flexible_oscillator(mechanism) if mechanism.flexible else _rigid(mechanism)
+    return staged_oscillator(mechanism, whole(mechanism.positive), whole(mechanism.negative or mechanism.positive))
+
+
+def staged_oscillator(mechanism: Mechanism, front: Stages, back: Stages) -> Oscillator:
+    """The same as its actions come to an end, with the stages of its chains; of one chain only the first count."""
+    made = flexible_oscillator(mechanism, front, back) if mechanism.flexible else _rigid(mechanism, front, back)
     if made.negative is None or not _alike(made.positive, made.negative):
         return made
     return replace(made, negative=made.positive)
 
 
-def _rigid(mechanism: Mechanism) -> Oscillator:
+def _rigid(mechanism: Mechanism, front: Stages, back: Stages) -> Oscillator:
     first, second = mechanism.restitution
-    chain, back = mechanism.positive, mechanism.negative
-    positive = branch(chain, restitution=first, name=mechanism.name)
-    if back is None:
-        return Oscillator(positive, None, chain.mass)
-    same = same_chain(chain, back) and first == second
+    positive = staged_branch(front, restitution=first, name=mechanism.name)
+    if mechanism.negative is None:
+        return Oscillator(positive, None, mechanism.positive.mass)
+    same = same_stages(front, back) and first == second
     return Oscillator(
         positive=positive,
-        negative=positive if same else branch(back, restitution=second, name=mechanism.name),
-        mass=chain.mass,
+        negative=positive if same else staged_branch(back, restitution=second, name=mechanism.name),
+        mass=mechanism.positive.mass,
     )
 
 

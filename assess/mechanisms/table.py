@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import fields
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,24 +11,33 @@ from scipy.optimize import brentq
 
 from assess.errors import MechanismError
 from assess.mechanisms.chain import Chain
-from assess.mechanisms.motion import limit
+from assess.mechanisms.ends import STATIONS
+from assess.mechanisms.motion import FLAT, limit
+from assess.mechanisms.stages import Stages, whole
 from assess.mechanisms.virtual_work import Work, require_stable, virtual_work
 from assess.oscillator import Branch
 
 FloatArray = NDArray[np.float64]
+IntArray = NDArray[np.int64]
 
 NODES = 257  # of a branch table; a block's cubic splines are then exact to 1e-11 of their largest value
-FLAT = 1e-6  # of the geometric limit: a loop is never taken quite to it, where its rates grow without bound
 REACH = 1.5  # tables end at this many overturning rotations
+FEWEST = 4  # nodes of a piece between two changes: a cubic
 
 
-def first_fall(values: FloatArray, rotation: FloatArray, value_at: Callable[[float], float]) -> float | None:
-    """The first rotation [rad] where `values` [n] over `rotation` [n] go from + to -; None where they never do."""
+def first_fall(values: FloatArray, rotation: FloatArray, value_at: Callable[[float, int], float]) -> float | None:
+    """The first rotation [rad] where `values` [n] over `rotation` [n] go from + to -; None where they never do.
+
+    value_at : of a rotation between a node, by its number, and the next
+    """
     falling = np.flatnonzero((values[:-1] > 0) & (values[1:] <= 0))
     if not falling.size:
         return None
     first = int(falling[0])
-    return float(brentq(value_at, rotation[first], rotation[first + 1], xtol=1e-15, rtol=1e-14))
+    if rotation[first] == rotation[first + 1]:  # it falls where something ends
+        return float(rotation[first])
+    found = brentq(lambda phi: value_at(phi, first), rotation[first], rotation[first + 1], xtol=1e-15, rtol=1e-14)
+    return float(found)
 
 
 def branch(chain: Chain, *, restitution: float, name: str) -> Branch:
@@ -35,17 +45,23 @@ def branch(chain: Chain, *, restitution: float, name: str) -> Branch:
 
     Raises MechanismError for a chain that falls by itself, or that never overturns before it can turn no further.
     """
+    return staged_branch(whole(chain), restitution=restitution, name=name)
+
+
+def staged_branch(stages: Stages, *, restitution: float, name: str) -> Branch:
+    """The same of a chain whose actions come to an end: a jump is two nodes at one rotation."""
+    chain = stages[0].chain
     require_stable(chain, name=name)
     reach = limit(chain) * (1.0 - FLAT)
-    scan = np.linspace(0.0, reach, 2001)
-    whole = virtual_work(chain, scan)
+    scan, number = nodes(stages, reach, STATIONS)
+    scanned = sums(stages, scan, number)
 
-    def at(phi: float) -> Work:
-        return virtual_work(chain, np.array([0.0, phi]))  # rest first: it tells whether a tie is slack
+    def at(phi: float, node: int) -> Work:
+        return virtual_work(stages[number[node]].chain, np.array([0.0, phi]))  # rest first: it tells a slack tie
 
-    overturning = first_fall(whole.restoring, scan, lambda phi: float(at(phi).restoring[1]))
-    critical = first_fall(whole.weight, scan, lambda phi: float(at(phi).weight[1]))
-    edge = first_fall(whole.excitation, scan, lambda phi: float(at(phi).excitation[1])) or reach
+    overturning = first_fall(scanned.restoring, scan, lambda phi, node: float(at(phi, node).restoring[1]))
+    critical = first_fall(scanned.weight, scan, lambda phi, node: float(at(phi, node).weight[1]))
+    edge = first_fall(scanned.excitation, scan, lambda phi, node: float(at(phi, node).excitation[1])) or reach
     if overturning is None or critical is None or max(overturning, critical) >= edge:
         last = "the body lies level with its hinge" if len(chain.blocks) == 1 else "its blocks can turn no further"
         raise MechanismError(
@@ -53,9 +69,33 @@ def branch(chain: Chain, *, restitution: float, name: str) -> Branch:
             "cannot overturn as described: check hinges and loads"
         )
     end = min(max(REACH * overturning, 1.05 * critical), 0.5 * (max(overturning, critical) + edge))
-    rotation = np.linspace(0.0, end, NODES)
-    work = virtual_work(chain, rotation)
+    rotation, number = nodes(stages, end, NODES)
+    work = sums(stages, rotation, number)
     columns = (rotation, work.inertia, work.restoring, work.excitation, work.participation, work.lift)
     for column in columns:
         column.flags.writeable = False
     return Branch(*columns, restitution=restitution, overturning=overturning, critical=critical)
+
+
+def nodes(stages: Stages, end: float, count: int) -> tuple[FloatArray, IntArray]:
+    """About `count` rotations from 0 to `end` [n] [rad], with two where a stage ends, and the stage of each [n]."""
+    starts = [stage.start for stage in stages if stage.start < end]
+    if len(starts) == 1:
+        return np.linspace(0.0, end, count), np.zeros(count, dtype=np.int64)
+    stops = [*starts[1:], end]
+    pieces = [
+        np.linspace(start, stop, max(FEWEST, 1 + int(np.ceil((count - 1) * (stop - start) / end))))
+        for start, stop in zip(starts, stops, strict=True)
+    ]
+    return np.concatenate(pieces), np.repeat(np.arange(len(pieces)), [piece.size for piece in pieces])
+
+
+def sums(stages: Stages, rotation: FloatArray, number: IntArray) -> Work:
+    """The sums of virtual work at rotations [n], each by the stage of its number [n]."""
+    found = []
+    for stage in np.unique(number):
+        here = rotation[number == stage]
+        work = virtual_work(stages[stage].chain, here if here[0] == 0.0 else np.concatenate([[0.0], here]))
+        skip = 0 if here[0] == 0.0 else 1  # rest first: it tells whether a tie is slack
+        found.append([getattr(work, each.name)[skip:] for each in fields(Work)])
+    return Work(*(np.concatenate(column) for column in zip(*found, strict=True)))

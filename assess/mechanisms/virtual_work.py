@@ -73,10 +73,10 @@ def pulled(load: Force | Tie, moved: Path) -> FloatArray:
         return load.force[0] * moved.dx + load.force[1] * moved.dz
     if load.anchor is None:
         along, up = load.direction or (0.0, 0.0)
-        work = load.pull * (along * moved.dx + up * moved.dz)
+        work = load.tension * (along * moved.dx + up * moved.dz)
     else:
         to_x, to_z = load.anchor[0] - moved.x, load.anchor[1] - moved.z
-        work = load.pull * (to_x * moved.dx + to_z * moved.dz) / np.hypot(to_x, to_z)
+        work = load.tension * (to_x * moved.dx + to_z * moved.dz) / np.hypot(to_x, to_z)
     slack = not load.both and work[0] > 0.0  # the point moves the way the tie pulls: it shortens
     return np.zeros_like(work) if slack else np.asarray(work)
 

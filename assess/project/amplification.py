@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from assess.amplification import FirstMode, FloorFactor, ModalFilter, Srss, SrssRelative, Unamplified, first_mode
 from assess.errors import GeometryError, ProjectError
+from assess.mechanisms.lasting import rise_of
 from assess.natural_frequency import ASSUMPTIONS, SLICES, Rayleigh, cantilever, rayleigh
 from assess.project import sections
 from assess.project.bodies import Solids
@@ -78,7 +79,7 @@ def amplified(standing: Standing) -> Amplified:
 
 
 def height_of(asked: sections.RaisedAmplification, standing: Standing) -> float:
-    """Of what holds the mechanism above the ground [m]: given, or its base, or the mean of base and far support."""
+    """Of what holds the mechanism above the ground [m]: given, its base, or the mean of base and far support or tie."""
     if asked.height is not None:
         return asked.height
     mechanism = standing.built.mechanism
@@ -88,7 +89,7 @@ def height_of(asked: sections.RaisedAmplification, standing: Standing) -> float:
             f"{standing.where}.height: the mechanism begins {-base:.3g} m below the ground; give height, or "
             "building.ground_elevation"
         )
-    return max(base, 0.0) + mechanism.rise / 2.0
+    return max(base, 0.0) + rise_of(mechanism) / 2.0
 
 
 def by_floor_factor(

@@ -8,6 +8,7 @@ Sliding is asked where a material has friction.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from typing import Any
 
 from scipy.constants import g
 
@@ -23,7 +24,7 @@ from assess.errors import ProjectError
 from assess.project import sections
 from assess.project.deciding import methods_of, question_of, states_of
 from assess.project.messages import shown
-from assess.project.sections.analysis import Asce41
+from assess.project.section import Section
 from assess.results import Resolved
 
 ASCE43 = ("asce43-05-spectrum", "asce43-05-spectrum-thesis", "asce43-05-history")
@@ -84,17 +85,18 @@ def options_of(content: sections.Content) -> CodeOptions:
     dmi2008, ntc2018 = section.dmi2008, section.ntc2018
     return CodeOptions(
         asce43_05=Asce43Options(**section.asce43_05.model_dump()),
-        nzsee2017=Nzsee2017Options(**section.nzsee2017.model_dump()),
-        asce41_13=_asce41(section.asce41_13),
-        ec8=Ec8Options(**section.ec8.model_dump()),
+        nzsee2017=Nzsee2017Options(**in_g(section.nzsee2017, "c_0")),
+        asce41_13=Asce41Options(**in_g(section.asce41_13, "s_x1")),
+        ec8=Ec8Options(**in_g(section.ec8, "alpha_s")),
         dmi2008=Options(dmi2008.confidence_factor, _states(dmi2008.limit_states, deciding)),
         ntc2018=Options(ntc2018.confidence_factor, _states(ntc2018.limit_states, deciding)),
     )
 
 
-def _asce41(section: Asce41) -> Asce41Options:
-    s_x1 = None if section.s_x1 is None else section.s_x1 / g
-    return Asce41Options(section.position, section.masonry, section.seismicity, s_x1)
+def in_g(section: Section, key: str) -> dict[str, Any]:
+    """The options of a section as they are, but for one acceleration, which its clause takes in g."""
+    options = section.model_dump()
+    return {**options, key: None if options[key] is None else options[key] / g}
 
 
 def _states(asked: tuple[str, ...], deciding: tuple[str, ...]) -> tuple[str, ...]:

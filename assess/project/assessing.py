@@ -11,17 +11,18 @@ from assess.amplification import Carried, ModalFilter, carried
 from assess.codes.admission import admitted
 from assess.codes.check import Check, Outcome, Reason, because
 from assess.codes.context import Carried as CarriedBy
-from assess.codes.context import Context
+from assess.codes.context import Context, LocalLimit
 from assess.codes.family import of_histories
 from assess.codes.italian.confidence import confidences
 from assess.codes.italian.history import suites_needed
 from assess.codes.registry import history_rules, procedure
 from assess.loads import PointMass
 from assess.mechanisms.activation import hinge_forces
+from assess.mechanisms.lasting import limits, rise_of, variants
 from assess.mechanisms.mechanism import Mechanism
-from assess.mechanisms.oscillation import oscillator
 from assess.message import Message, Quantity
 from assess.oscillator import Oscillator
+from assess.project.enduring import unheld
 from assess.project.floor_input import floor_spectrum_of
 from assess.project.histories import Rocking, Shaken, governing_trace, rocking, vibrates
 from assess.project.motions import Motion
@@ -45,7 +46,7 @@ def mechanisms_assessed(
     So the procedures of one, which hold the interpreter's lock, go on beside the histories of another, which do not.
     """
     shaken = {
-        m.name: Shaken(m.name, oscillator(m), study.equations[m.name], at_base(study.amplified[m.name], motions))
+        m.name: Shaken(m.name, variants(m).deciding, study.equations[m.name], at_base(study.amplified[m.name], motions))
         for m in study.mechanisms
     }
     scanned = any(map(of_histories, study.procedures))
@@ -91,11 +92,11 @@ def assessed(
     context = context_of(study, spectrum, mechanism, rocked, shaken.base, motions)
     return mechanism_result(
         mechanism,
-        shaken.oscillator,
+        variants(mechanism).starting,
         equation=shaken.equation,
         scene=study.scenes.get(mechanism.name),
         checks=checks_of(study, shaken.oscillator, context),
-        histories=governing_trace(shaken, rocked.histories, motions),
+        histories=() if context.unheld else governing_trace(shaken, rocked.histories, motions),
         amplification=amplification_result(study.amplified[mechanism.name], motions, shaken.base),
     )
 
@@ -126,7 +127,7 @@ def context_of(
 def _context_of(
     study: Study, spectrum: Spectrum, mechanism: Mechanism, rocked: Rocking, base: tuple[Carried, ...]
 ) -> Context:
-    elevation = mechanism.elevation - study.ground
+    elevation, rise, ways = mechanism.elevation - study.ground, rise_of(mechanism), variants(mechanism)
     return Context(
         spectrum=spectrum,
         levels=study.levels,
@@ -135,16 +136,20 @@ def _context_of(
         carries_floors=carries_floors(mechanism),
         wall=wall_of(mechanism),
         elevation=elevation,
-        rise=mechanism.rise,
+        rise=rise,
         building=study.building,
         suites=rocked.suites,
         histories_at="ground" if study.amplified[mechanism.name].height is None else "mechanism base",
-        carried=carried_by(study.amplified[mechanism.name], support=max(elevation, 0.0) + mechanism.rise / 2.0),
+        carried=carried_by(study.amplified[mechanism.name], support=max(elevation, 0.0) + rise / 2.0),
         crushing=mechanism.crushing,
+        starting=ways.starting,
+        breaking=ways.breaking,
+        limits=tuple(LocalLimit(each.kind, each.what, each.branch, each.rotation) for each in limits(mechanism)),
         seats_unknown=seats_unknown(mechanism),
         knowledge=study.knowledge.get(mechanism.name, {}),
         limit_state=study.limit_state if study.hazard is None else None,
         impossible=study.impossible,
+        unheld=unheld(mechanism),
         suite_faults=study.suite_faults,
         impossible_by_histories=stopped(mechanism),
         amplification=max((each.factor for each in base), default=1.0),

@@ -7,7 +7,7 @@ from typing import Any
 
 from scipy.constants import g
 
-from assess.message import Message, warning
+from assess.message import Message, Quantity, warning
 from assess.project.messages import Key, look_up, written
 
 WEAK = 0.1 * g  # m/s2: below it a number alone was rather meant in g
@@ -24,5 +24,5 @@ def bare_numbers(raw: Mapping[str, Any]) -> Iterator[Message]:
     for key in (*PLACES, *listed):
         value = look_up(raw, key)[1]
         if isinstance(value, int | float) and value < WEAK:
-            text = f'{value:.4g} m/s^2 is {value / g:.3g} g; write "{value:.4g} g" if that was meant'
-            yield warning("unit", written(key), text)
+            given, as_g = Quantity(value, "acceleration"), Quantity(value / g, "ground acceleration", 3)
+            yield warning("unit", written(key), given=given, as_g=as_g, number=Quantity(value))

@@ -120,7 +120,9 @@ def body_loads(
         force = Force(f"{load.body} (thrust)", (thrust.size, 0.0), at, load.block, thrust.source)
         pushed += [force] if thrust.size else []
         source += [] if thrust.size else [thrust.source]
-    carried = PointMass(load.body, part.share * whole, at, bearing, load.block, "; ".join(source))
+    if load.seat is not None and not bearing:
+        raise GeometryError(f"{case.where}: it only pushes, so it has no seat; remove seat, or write bearing = true")
+    carried = PointMass(load.body, part.share * whole, at, bearing, load.block, "; ".join(source), load.seat)
     return Brought((carried, *pushed), tuple(f'load "{load.body}": {text}' for text in (*doubts, *part.doubts)))
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from assess.errors import ProjectError
-from assess.message import Message, warning
+from assess.message import Message, note
 from records.orientation import is_vertical
 from records.record import Record
 
@@ -22,4 +22,4 @@ def left_out(records: Sequence[Record]) -> Iterator[Message]:
     """Says which vertical components were found and are not used."""
     vertical = [record.id for record in records if is_vertical(record.component)]
     if vertical:
-        yield warning("records", "records.files", f"vertical components are left out: {', '.join(vertical)}")
+        yield note("vertical-left-out", "records.files", records=", ".join(vertical))

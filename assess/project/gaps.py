@@ -11,8 +11,11 @@ from assess.geometry.boolean import gap
 from assess.geometry.solid import Solid
 from assess.geometry.surface import linked
 from assess.geometry.touch import TOLERANCE
-from assess.message import Message, warning
+from assess.message import Message, Quantity, Value, warning
 from assess.project import sections
+
+Gap = dict[str, Value]
+"""The values of a warning of two bodies that lie apart."""
 
 
 def gaps_of(content: sections.Content, solids: Mapping[str, Solid | None]) -> Iterator[Message]:
@@ -23,9 +26,10 @@ def gaps_of(content: sections.Content, solids: Mapping[str, Solid | None]) -> It
     for name, section in content.mechanisms.items():
         chained = () if isinstance(section, sections.EquivalentBlock) else section.blocks
         blocks = [known(block, solids) for block in chained]
-        texts = [text for block in blocks for text in loose(block)]
-        texts += [text for one, other in pairwise(blocks) for text in parted(one, other)]
-        yield from (warning("gap", f"mechanisms.{name}", text) for text in texts)
+        where = f"mechanisms.{name}"
+        yield from (warning("gap", where, **each) for block in blocks for each in loose(block))
+        pairs = pairwise(blocks)
+        yield from (warning("gap-at-hinge", where, **each) for one, other in pairs for each in parted(one, other))
 
 
 def known(block: Sequence[str], solids: Mapping[str, Solid | None]) -> list[Solid]:
@@ -34,8 +38,8 @@ def known(block: Sequence[str], solids: Mapping[str, Solid | None]) -> list[Soli
     return found if len(found) == len(block) else []
 
 
-def loose(block: Sequence[Solid]) -> Iterator[str]:
-    """A sentence for each gap that would have to be closed for the bodies of a block to hang together."""
+def loose(block: Sequence[Solid]) -> Iterator[Gap]:
+    """What is said of each gap that would have to be closed for the bodies of a block to hang together."""
     pairs = list(combinations(range(len(block)), 2))
     joined = [(i, j) for i, j in pairs if touching(block[i], block[j])]
     while len(block) > 1:
@@ -45,17 +49,16 @@ def loose(block: Sequence[Solid]) -> Iterator[str]:
             return
         distance, (i, j) = min(across)
         joined.append((i, j))
-        yield f"{told(block[i], block[j], distance)} as one block they are taken to be joined"
+        yield said(block[i], block[j], distance)
 
 
-def parted(one: Sequence[Solid], other: Sequence[Solid]) -> Iterator[str]:
-    """A sentence where two blocks with a hinge between them touch nowhere."""
+def parted(one: Sequence[Solid], other: Sequence[Solid]) -> Iterator[Gap]:
+    """What is said where two blocks with a hinge between them touch nowhere."""
     pairs = list(product(one, other))
     if not pairs or any(touching(*pair) for pair in pairs):
         return
     distances = [gap(*pair) for pair in pairs]
-    nearest = told(*pairs[int(np.argmin(distances))], min(distances))
-    yield f"{nearest} with a hinge between them they are taken to meet: close the gap, or check hinges and blocks"
+    yield said(*pairs[int(np.argmin(distances))], min(distances))
 
 
 def touching(one: Solid, other: Solid) -> bool:
@@ -63,6 +66,6 @@ def touching(one: Solid, other: Solid) -> bool:
     return gap(one, other, limit=TOLERANCE) < TOLERANCE
 
 
-def told(one: Solid, other: Solid, distance: float) -> str:
+def said(one: Solid, other: Solid, distance: float) -> Gap:
     """Which two bodies are apart, and by how much [m]."""
-    return f'bodies "{one.name}" and "{other.name}" touch nowhere: they lie {distance:.3g} m apart;'
+    return {"one": one.name, "other": other.name, "distance": Quantity(distance, "length", 3)}

@@ -9,7 +9,8 @@ import numpy as np
 from scipy.constants import g
 
 from assess.project.motions import Motion
-from assess.project.outcome import floats, periods_of
+from assess.project.oscillator_results import floats
+from assess.project.outcome import periods_of
 from assess.project.periods import ABOVE, BELOW, ends, equivalent_periods
 from assess.project.study import Fitting, Study
 from assess.project.suite_rules import RULES

@@ -13,9 +13,9 @@ from assess.interfaces.contact import thresholds
 from assess.mechanisms.chain import Chain
 from assess.mechanisms.flexible import FlexibleChain
 from assess.mechanisms.mechanism import Mechanism
-from assess.mechanisms.motion import limit
+from assess.mechanisms.motion import FLAT, limit
 from assess.mechanisms.statics import compressions
-from assess.mechanisms.table import FLAT, NODES
+from assess.mechanisms.table import NODES
 from assess.mechanisms.virtual_work import virtual_work
 from assess.oscillator import Branch, Oscillator
 from assess.results import BranchMoment, InterfaceCurves

@@ -56,12 +56,13 @@ def loads_of(
             mass = mass_of(load.body, content, solids)
             brought = body_loads(load, body=solids[load.body], mass=mass, around=around, meet=meet)
         else:
-            brought = Brought((load_of(number, load, section.towards),), ())
+            brought = Brought((load_of(number, load, section.towards, evidence=evidence_of(name, content)),), ())
         loads += brought.loads
         doubts += (*brought.doubts, *in_the_air(brought.loads, piece.body.outline))
         doubts += moving_anchors(brought.loads, [each.body.outline for each in pieces])
     carried = dict.fromkeys(load.body for load in section.loads if isinstance(load, sections.BodyLoad))
-    doubts += overlaps([solid for body in carried if (solid := solids[body]) is not None])
+    known = [solid for body in carried if (solid := solids[body]) is not None]
+    doubts += (each.text for each in overlaps(known))
     return Brought(tuple(loads), tuple(dict.fromkeys(doubts)))
 
 
@@ -84,23 +85,37 @@ def mass_of(name: str, content: sections.Content, solids: Solids) -> float:
     return body.mass
 
 
+def evidence_of(name: str, content: sections.Content) -> str:
+    """Where the loads of the mechanism `name` come from, by [report.sources]; empty where nobody says."""
+    table = f"mechanisms.{name}"
+    given = (text for key, text in content.report.sources.items() if key in (table, f"{table}.loads"))
+    return next(given, "")
+
+
 def load_of(
-    number: int, load: sections.MassLoad | sections.ForceLoad | sections.TieLoad, direction: Sequence[float]
+    number: int,
+    load: sections.MassLoad | sections.ForceLoad | sections.TieLoad,
+    direction: Sequence[float],
+    *,
+    evidence: str = "",
 ) -> Load:
-    """One entry of `loads` in the plane of motion, named by its kind and number."""
+    """One entry of `loads` in the plane of motion, named by its kind and number; evidence: the source of what it is."""
     name, at = f"{load.kind} {number}", point_in_plane(load.at, direction)
     if isinstance(load, sections.MassLoad):
-        return PointMass(name, load.mass, at, load.bearing, load.block)
+        return PointMass(name, load.mass, at, load.bearing, load.block, seat=load.seat)
     way = None if load.direction is None else unit_in_plane(load.direction, direction)
     if isinstance(load, sections.TieLoad):
         anchor = None if load.anchor is None else point_in_plane(load.anchor, direction)
         if anchor == at:
             raise GeometryError(f'load "{name}": seen in the plane of motion its anchor is where it holds; move one')
-        return Tie(name, load.force, at, way, anchor, load.both, load.block)
+        shown = load.model_dump(include={"both", "block", "until", "strength", "length", "fracture_strain"})
+        return Tie(name, load.force, at, way, anchor, evidence=evidence, **shown)
     if isinstance(load.force, tuple):
-        return Force(name, load.force, at, load.block)
-    assert way is not None  # the schema asks for it
-    return Force(name, (load.force * way[0], load.force * way[1]), at, load.block)
+        force = load.force
+    else:
+        assert way is not None  # the schema asks for it
+        force = (load.force * way[0], load.force * way[1])
+    return Force(name, force, at, load.block, until=load.until, evidence=evidence)
 
 
 def moving_anchors(loads: Sequence[Load], outlines: Sequence[Outline]) -> Iterator[str]:

@@ -10,9 +10,10 @@ from assess.geometry import mesh
 from assess.geometry.formats.reading import WITHOUT_UNIT
 from assess.geometry.solid import Solid
 from assess.mechanisms.mechanism import Mechanism
-from assess.message import Message, warning
+from assess.message import Message, Quantity, note, warning
 from assess.project import sections
 from assess.project.asking import procedures_of
+from assess.project.enduring import left_out
 from assess.project.gaps import gaps_of
 from assess.project.grounding import ground_of
 from assess.project.overlaps import overlaps_of
@@ -36,7 +37,8 @@ def notices_of(
     yield from gaps_of(content, solids)
     for mechanism in mechanisms:
         for text in mechanism.notices:
-            yield warning("mechanism", f"mechanisms.{mechanism.name}", text)
+            yield warning("mechanism", f"mechanisms.{mechanism.name}", text=text)
+        yield from left_out(mechanism)
         yield from mechanism.messages
     yield from _of_equation(content.analysis.equation, mechanisms)
     ground = ground_of(content)
@@ -52,15 +54,10 @@ def _of_amplification(raised: Sequence[str], amplified: Mapping[str, Amplified])
     """Which mechanisms above the ground feel the ground's motion as it is, and what is assumed for the others."""
     without = [name for name in raised if amplified[name].height is None]
     if without:
-        yield warning(
-            "amplification",
-            "mechanisms",
-            f"above the ground, yet histories and ASCE 43-05 use the ground's motion as it is: {', '.join(without)}; "
-            "the floor clauses of the other codes ask for the floor's motion; `amplification` carries the histories up",
-        )
+        yield warning("not-amplified", "mechanisms", mechanisms=", ".join(without))
     for name, one in amplified.items():
         for text in one.assumed:
-            yield warning("amplification", f"mechanisms.{name}", text)
+            yield warning("amplification", f"mechanisms.{name}", text=text)
 
 
 def _of_two_first_modes(content: sections.Content) -> Iterator[Message]:
@@ -70,10 +67,11 @@ def _of_two_first_modes(content: sections.Content) -> Iterator[Message]:
         return
     if abs(building.period * building.natural_frequency - 1.0) > SAME_MODE:
         yield warning(
-            "amplification",
+            "two-first-modes",
             "building",
-            f"histories take a first mode of {building.natural_frequency:.4g} Hz, the floor clauses of the codes a "
-            f"period of {building.period:.4g} s; give period = {1.0 / building.natural_frequency:.4g} for one building",
+            frequency=Quantity(building.natural_frequency, "frequency"),
+            period=Quantity(building.period, "time"),
+            reciprocal=Quantity(1.0 / building.natural_frequency),
         )
 
 
@@ -81,12 +79,7 @@ def _of_equation(equation: Equation | None, mechanisms: Sequence[Mechanism]) -> 
     """What the linearised equation leaves out of mechanisms on joints."""
     soft = [mechanism.name for mechanism in mechanisms if mechanism.yielding]
     if equation == "linearised" and soft:
-        yield warning(
-            "equation",
-            "analysis.equation",
-            f'"linearised": it has a threshold of uplift, which the joints of {", ".join(soft)} have not: below it the '
-            'histories of the linearised equation do not move at all; write "exact"',
-        )
+        yield warning("equation", "analysis.equation", mechanisms=", ".join(soft))
 
 
 def _of_crushing(
@@ -101,18 +94,19 @@ def _of_crushing(
             yield warning(
                 "confidence-factor",
                 f"procedures.{code}.{key}",
-                f"crushing of the masonry is not modelled in {', '.join(names)}: by {circular} the FC of LC1, "
-                f"{LEAST_KNOWN:.2f}, decides there",
+                mechanisms=", ".join(names),
+                circular=circular,
+                least=f"{LEAST_KNOWN:.2f}",
             )
 
 
 def _of_body(name: str, solid: Solid, body: sections.Body) -> Iterator[Message]:
     """What was done to the mesh of a body, and a size or place that suggests a slip."""
     if isinstance(body, sections.MeshBody) and solid.trail:
-        yield warning("mesh", f"bodies.{name}", f"{body.mesh.name}: {'; '.join(solid.trail)}")
+        yield note("mesh", f"bodies.{name}", file=body.mesh.name, trail="; ".join(solid.trail))
     doubt = mesh.suspicious(solid, unit=mesh_unit_of(body))
     if doubt:
-        yield warning("size", f"bodies.{name}", doubt)
+        yield warning("size", f"bodies.{name}", text=doubt)
 
 
 def mesh_unit_of(body: sections.Body) -> float | None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 from math import ceil
 
 import numpy as np
@@ -14,42 +13,30 @@ from assess.amplification import Carried, ModalFilter
 from assess.codes.check import Check
 from assess.geometry.scene import Scene
 from assess.hinge_forces import HingeForces
-from assess.loads import Force, Load, PointMass, pull_at_rest
 from assess.mechanisms.activation import hinge_forces
 from assess.mechanisms.directions import Directions
+from assess.mechanisms.lasting import variants
 from assess.mechanisms.mechanism import Mechanism
-from assess.mechanisms.table import branch
 from assess.oscillator import (
-    Branch,
-    Linearised,
     Oscillator,
-    displacement,
-    elastic_frequency,
-    equivalent_block,
-    linearise,
-    participating_mass,
-    threshold,
 )
 from assess.project.drawing import drawing
+from assess.project.enduring import load_results
 from assess.project.joint_results import interface_curves, interface_results
 from assess.project.motions import Motion
+from assess.project.oscillator_results import curve_of, floats, oscillator_result, overturning_of, rigid_branches
 from assess.project.study import Amplified, Equation
 from assess.project.view import view
 from assess.results import (
     AmplificationResult,
-    BranchCurve,
     CarriedMotion,
     ComparisonRow,
-    Curve,
     DirectionCandidate,
     DirectionSweep,
     Factor,
     HingeForceResult,
     HistoryResult,
-    LinearisedResult,
-    LoadResult,
     MechanismResult,
-    OscillatorResult,
     RecordResult,
     RecordSpectrum,
     SpectrumResult,
@@ -68,11 +55,6 @@ ROUND = (0.02, 0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.75, 1.0, 1.5, 2.0, 2.
 SHORTEST_SHOWN = 0.01  # [s]
 SAME_PERIOD = 1e-9  # relative difference of periods that are one
 LONGEST_PERIOD = 10.0  # s, of the spectra in the results, where the spectrum reaches so far
-
-
-def floats(values: FloatArray) -> tuple[float, ...]:
-    """An array as plain numbers."""
-    return tuple(values.tolist())
 
 
 def periods_of(spectrum: Spectrum) -> FloatArray:
@@ -126,60 +108,6 @@ def record_result(motion: Motion, spectrum: Spectrum, *, nga: int | None = None)
     )
 
 
-def oscillator_result(branch: Branch, *, mass: float, rigid: Branch, equilibrium: float) -> OscillatorResult:
-    """The rocking parameters of one branch; rigid: the same with rigid interfaces; equilibrium: phi_e in its sign."""
-    block, linear = equivalent_block(rigid, mass=mass), linearise(branch)
-    return OscillatorResult(
-        mass_kg=mass,
-        inertia_kg_m2=block.inertia,
-        radius_m=block.radius,
-        slenderness_rad=block.slenderness,
-        p_eq_per_s=linear.p,
-        uplift_multiplier=threshold(branch),
-        overturning_rad=branch.overturning,
-        overturning_flexible_rad=branch.overturning_flexible,
-        critical_rad=branch.critical,
-        equilibrium_rad=equilibrium + 0.0,
-        elastic_frequency_hz=elastic_frequency(branch),
-        restitution=branch.restitution,
-        linearised=linearised_result(linear),
-    )
-
-
-def linearised_result(linear: Linearised) -> LinearisedResult:
-    """The kinematic constants of the linearised branch."""
-    rounding = 1e-9 * linear.stiffness * linear.critical  # of the table at phi_cr, where without forces M = 0
-    return LinearisedResult(
-        inertia_kg_m2=linear.inertia,
-        stiffness_n_m_per_rad=linear.stiffness,
-        excitation_kg_m=linear.excitation,
-        moment_n_m=0.0 if abs(linear.moment) <= rounding else linear.moment,
-        critical_rad=linear.critical,
-        overturning_rad=linear.overturning,
-        uplift_multiplier=linear.multiplier,
-    )
-
-
-def branch_curve(branch: Branch, *, mass: float) -> BranchCurve:
-    """The capacity curve of one branch."""
-    return BranchCurve(
-        rotation_rad=floats(branch.rotation),
-        inertia_kg_m2=floats(branch.inertia),
-        restoring_n_m=floats(branch.restoring),
-        excitation_kg_m=floats(branch.excitation),
-        participating_mass_kg=floats(participating_mass(branch)),
-        displacement_m=floats(displacement(branch, branch.rotation, mass=mass)),
-    )
-
-
-def rigid_branches(mechanism: Mechanism, oscillator: Oscillator) -> tuple[Branch, ...]:
-    """The branches of the mechanism with rigid interfaces."""
-    if not mechanism.flexible:
-        return oscillator.branches
-    chains = [chain for chain in (mechanism.positive, mechanism.negative) if chain is not None]
-    return tuple(branch(replace(chain, joints=()), restitution=1.0, name=mechanism.name) for chain in chains)
-
-
 def mechanism_result(
     mechanism: Mechanism,
     oscillator: Oscillator,
@@ -192,6 +120,8 @@ def mechanism_result(
 ) -> MechanismResult:
     """One mechanism with its checks and its histories [level][record]; `scene` has its bodies in space."""
     positive, negative, mass = oscillator.positive, oscillator.negative, oscillator.mass
+    deciding = variants(mechanism).deciding
+    same = deciding is oscillator
     drawn = drawing(mechanism, oscillator, scene)
     rigid = rigid_branches(mechanism, oscillator)
     return MechanismResult(
@@ -208,7 +138,7 @@ def mechanism_result(
         oscillator_negative=None
         if negative is None
         else oscillator_result(negative, mass=mass, rigid=rigid[-1], equilibrium=oscillator.equilibrium_negative),
-        curve=Curve(branch_curve(positive, mass=mass), None if negative is None else branch_curve(negative, mass=mass)),
+        curve=curve_of(oscillator),
         interfaces=interface_results(mechanism, oscillator, [hinge.name for hinge in drawn.hinges]),
         interface_curves=interface_curves(mechanism, rigid) if mechanism.flexible else None,
         amplification=amplification,
@@ -216,8 +146,10 @@ def mechanism_result(
         histories=tuple(history for level in histories for history in level),
         suites=tuple(suite_result(level) for level in histories),
         envelope=None,
-        loads=tuple(load_result(load) for load in mechanism.positive.loads),
+        loads=load_results(mechanism),
         hinge_forces=tuple(hinge_force_result(each) for each in hinge_forces(mechanism)),
+        deciding_curve=None if same else curve_of(deciding),
+        deciding_overturning_rad=None if same else overturning_of(deciding),
         direction=mechanism.direction,
         candidates=tuple(
             DirectionCandidate(each.angle, each.multiplier, each.displacement, each.touching)
@@ -254,16 +186,6 @@ def carried_motion(motion: Motion, base: Record) -> CarriedMotion:
         ground_spectrum_g=floats(scale / g * response_spectrum(ground, period)),
         base_spectrum_g=floats(scale / g * response_spectrum(base, period)),
     )
-
-
-def load_result(load: Load) -> LoadResult:
-    """A load as used, and how it was found."""
-    source = load.source or "given"
-    if isinstance(load, PointMass):
-        return LoadResult(load.name, "mass", load.block, load.at, load.mass, load.bearing, None, source)
-    if isinstance(load, Force):
-        return LoadResult(load.name, "force", load.block, load.at, None, None, load.force, source)
-    return LoadResult(load.name, "tie", load.block, load.at, None, None, pull_at_rest(load), source)
 
 
 def hinge_force_result(forces: HingeForces) -> HingeForceResult:

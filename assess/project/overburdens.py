@@ -29,6 +29,8 @@ THROUGH_TOP = (
     'and so does one with through = "fixed"'
 )
 
+WEIGHT = "a weight, which stays"
+
 Through = Literal["joint", "fixed"] | None
 
 
@@ -54,7 +56,7 @@ def overburden_of(
     require_on_top(load, thickness=head[1][0] - head[0][0], where=f"{where}: {name}")
     if load.force is not None:
         at = (middle + (load.eccentricity or 0.0), elevation)
-        return Force(name, (0.0, -load.force), at, UPPER)
+        return Force(name, (0.0, -load.force), at, UPPER, until="collapse", evidence=WEIGHT)
     carried = [pressing(body, solids, where=f"{where}: {name}") for body in load.bodies]
     beside = [solid for key, solid in solids.items() if solid is not None and key not in (*moving, *load.bodies)]
     states = [solid.name for solid in beside if shared_with(piece.solids, solid)[0] > SAME_PLACE]
@@ -65,7 +67,7 @@ def overburden_of(
         x = middle + (load.eccentricity or 0.0)  # at rest the resultant of a joint is in its middle
     source = f"weight of {', '.join(load.bodies)} on the wall, {x - middle:+.3g} m from mid-thickness"
     source += f"; not shared with {', '.join(states)}, which stands where the wall does" if states else ""
-    return Force(name, (0.0, -found.force), (x, elevation), UPPER, source)
+    return Force(name, (0.0, -found.force), (x, elevation), UPPER, source, until="collapse", evidence=WEIGHT)
 
 
 def require_on_top(load: sections.OverburdenLoad, *, thickness: float, where: str) -> None:

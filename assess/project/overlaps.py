@@ -7,20 +7,26 @@ from itertools import combinations
 
 from assess.geometry.boolean import common
 from assess.geometry.solid import Solid
-from assess.message import Message, warning
+from assess.message import Message, Quantity, warning
 from assess.project import sections
 
 OVERLAP = 5e-3  # of the smaller body's volume: bodies that share less are taken to touch
 SAME_PLACE = 0.1  # of the smaller body's volume: a body that shares more with a block is another state of it
 
 
-def overlaps(bodies: Sequence[Solid]) -> Iterator[str]:
-    """A sentence for each two of the bodies that overlap, so that what they share is weighed twice."""
+def overlaps(bodies: Sequence[Solid], *, where: str = "") -> Iterator[Message]:
+    """A warning for each two of the bodies that overlap, so that what they share is weighed twice."""
     for one, other in combinations(bodies, 2):
         shared = common(one, other)
         if shared is not None and shared.part > OVERLAP:
-            size = f"{shared.volume:.3g} m3, {100.0 * shared.part:.3g} % of the smaller"
-            yield f'bodies "{one.name}" and "{other.name}" overlap by {size}, which is weighed with both; cut one back'
+            yield warning(
+                "overlap",
+                where,
+                one=one.name,
+                other=other.name,
+                volume=Quantity(shared.volume, "volume", 3),
+                share=Quantity(100.0 * shared.part, "percent", 3),
+            )
 
 
 def shared_with(block: Sequence[Solid], other: Solid) -> tuple[float, float]:
@@ -34,5 +40,5 @@ def overlaps_of(content: sections.Content, solids: Mapping[str, Solid | None]) -
     for name, section in content.mechanisms.items():
         blocks = () if isinstance(section, sections.EquivalentBlock) else section.blocks
         names = dict.fromkeys(body for block in blocks for body in block)
-        for text in overlaps([solid for body in names if (solid := solids[body]) is not None]):
-            yield warning("overlap", f"mechanisms.{name}", text)
+        known = [solid for body in names if (solid := solids[body]) is not None]
+        yield from overlaps(known, where=f"mechanisms.{name}")

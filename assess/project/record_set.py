@@ -13,6 +13,7 @@ import numpy as np
 from assess.errors import ProjectError
 from assess.mechanisms.mechanism import Mechanism
 from assess.message import Message, warning
+from assess.plural import counted
 from assess.project import sections
 from assess.project.periods import ABOVE, BELOW, ends, equivalent_periods
 from assess.project.schema import relative
@@ -183,12 +184,13 @@ def notices_of(offer: Offer) -> Iterator[Message]:
     """What to know of the files that were not read, and of a flatfile that does not fit."""
     if offer.problems:
         told = _first([f"{path}: {why}" for path, why in offer.problems])
-        yield warning("records", "records.files", f"{len(offer.problems)} files were not read: {told}")
+        yield warning("files-not-read", "records.files", files=counted(len(offer.problems), "file"), told=told)
     if offer.merged is not None and offer.merged.doubt:
-        yield warning("records", "records.flatfile", offer.merged.doubt)
+        yield warning("flatfile", "records.flatfile", text=offer.merged.doubt)
     if offer.merged is not None and offer.merged.bad:
         told = _first([cell_text(cell) for cell in offer.merged.bad])
-        yield warning("records", "records.flatfile", f"{len(offer.merged.bad)} cells are passed over: {told}")
+        cells = counted(len(offer.merged.bad), "cell")
+        yield warning("cells-passed-over", "records.flatfile", cells=cells, told=told)
 
 
 def cell_text(cell: BadCell) -> str:
@@ -200,7 +202,7 @@ def doubts_of(records: Sequence[Record]) -> Iterator[Message]:
     """Which records have peaks that ground hardly has."""
     doubts = [doubt for record in records if (doubt := doubt_of(record))]
     if doubts:
-        yield warning("records", "records.unit", _first(doubts))
+        yield warning("implausible-record", "records.unit", text=_first(doubts))
 
 
 def _first(told: Sequence[str]) -> str:

@@ -8,8 +8,9 @@ from functools import partial
 from importlib.metadata import version
 
 from assess.amplification import factor_over_frequency
+from assess.codes.verdict import Question
 from assess.errors import ProjectError
-from assess.mechanisms.oscillation import oscillator
+from assess.mechanisms.lasting import variants
 from assess.message import Message, warning
 from assess.project.assessing import Progress, mechanisms_assessed
 from assess.project.deciding import decided, marked
@@ -44,10 +45,12 @@ def run(study: Study, *, jobs: int = 0, progress: Progress = lambda stage, done,
     alone = replace(study, mechanisms=tuple(m for m in study.mechanisms if m.name not in standing))
     own = {one.name: one for one in mechanisms_assessed(alone, spectrum, motions, jobs=jobs, progress=progress)}
     mechanisms = tuple(own.get(m.name) or standing[m.name].worst for m in study.mechanisms)
-    found = decided(study, mechanisms)
-    near = tolerances(study.survey, spectrum, study.question, found, mechanisms)
-    found = decided(study, mechanisms, near) if near else found
-    mechanisms = tuple(marked(found, study.question, each) for each in mechanisms)
+    asked = replace(study, question=question_of(study, standing))
+    found = decided(asked, mechanisms)
+    at_home = asked.question == study.question  # the survey's tolerance is worked out at the site of the file
+    near = tolerances(study.survey, spectrum, asked.question, found, mechanisms) if at_home else {}
+    found = decided(asked, mechanisms, near) if near else found
+    mechanisms = tuple(marked(found, asked.question, each) for each in mechanisms)
     rockers = rockers_of(study, standing)
     mapped = mapped_pulses(rockers, study.pulses, jobs=jobs, progress=progress)
     numbers = dict(study.fitting.nga)
@@ -70,6 +73,14 @@ def run(study: Study, *, jobs: int = 0, progress: Progress = lambda stage, done,
     )
 
 
+def question_of(study: Study, standing: Mapping[str, Swept]) -> Question:
+    """What decides: of the case that stands for every mechanism, where a sweep changes the site, else of the study."""
+    questions = [
+        standing[m.name].case.study.question if m.name in standing else study.question for m in study.mechanisms
+    ]
+    return questions[0] if questions and all(each == questions[0] for each in questions) else study.question
+
+
 def envelope(study: Study, *, jobs: int = 0, progress: Progress = lambda stage, done, total: None) -> Results:
     """The overturning envelopes of `study` alone, on its pulses or the default ones; no spectrum or record is needed.
 
@@ -89,7 +100,7 @@ def envelope(study: Study, *, jobs: int = 0, progress: Progress = lambda stage, 
         project=study.resolved,
         spectrum=None if study.spectrum is None else spectrum_result(study.spectrum),
         records=with_primary_pulses(records, motions, grid),
-        mechanisms=tuple(replace(each, envelope=mapped[each.name]) for each in parameters(study)),
+        mechanisms=tuple(replace(each, envelope=mapped.get(each.name)) for each in parameters(study)),
         critical=critical_result(mapped),
         comparison=(),
         sweeps=(),
@@ -102,23 +113,28 @@ def _case_of(swept: Swept) -> str:
 
 def envelope_notices(study: Study) -> tuple[Message, ...]:
     """What the engineer should know of envelopes: no procedure of a code is asked."""
-    kept = tuple(notice for notice in study.notices if notice.key != "confidence-factor")
+    kept = tuple(notice for notice in study.notices if not notice.key.startswith("confidence-factor"))
     if not study.sweeps:
         return kept
     keys = ", ".join(sweep.key for sweep in study.sweeps)
-    text = f"left out of the envelopes, which are of the values in the file: {keys}; `assess run` takes the cases"
-    return (*kept, warning("sweep", "analysis.sweep", text))
+    return (*kept, warning("sweep-left-out", "analysis.sweep", keys=keys))
 
 
 def rockers_of(study: Study, standing: Mapping[str, Swept]) -> tuple[Rocker, ...]:
-    """Every mechanism as envelopes see it; a swept one in its controlling case."""
+    """Every mechanism as envelopes see it, but for those that fall without what is not shown to last.
+
+    A swept one in its controlling case.
+    """
     found = []
     for mechanism in study.mechanisms:
         swept = standing.get(mechanism.name)
         of, case = (study, "") if swept is None else (swept.case.study, _case_of(swept))
         used = next(each for each in of.mechanisms if each.name == mechanism.name)
+        rocker = variants(used).collapse
+        if rocker is None:
+            continue
         factor = partial(factor_over_frequency, of.amplified[used.name].amplification)
-        found.append(Rocker(used.name, oscillator(used), of.equations[used.name], factor, case))
+        found.append(Rocker(used.name, rocker, of.equations[used.name], factor, case))
     return tuple(found)
 
 
@@ -127,7 +143,7 @@ def parameters(study: Study) -> tuple[MechanismResult, ...]:
     return tuple(
         mechanism_result(
             mechanism,
-            oscillator(mechanism),
+            variants(mechanism).starting,
             equation=study.equations[mechanism.name],
             scene=study.scenes.get(mechanism.name),
             amplification=amplification_result(study.amplified[mechanism.name]),
@@ -165,5 +181,4 @@ def suite_notices(motions: tuple[Motion, ...]) -> tuple[Message, ...]:
     """What the engineer should know of the records."""
     if not any(motion.record.artificial for motion in motions):
         return ()
-    text = "artificial records fit the spectrum at every period at once, as no earthquake does; real records are better"
-    return (warning("artificial-records", "records", text),)
+    return (warning("artificial-records", "records"),)

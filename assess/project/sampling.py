@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from assess.message import Message, warning
+from assess.message import Message, Quantity, warning
 from assess.oscillator import Oscillator, elastic_frequency, linearise
 from assess.project.envelopes import Rocker
 from assess.project.motions import Motion
@@ -34,8 +34,9 @@ def coarse_notices(rockers: Sequence[Rocker], motions: Sequence[Motion]) -> Iter
             yield warning(
                 "coarse-record",
                 f"mechanisms.{rocker.name}",
-                f"the time step of {named}{more} is too coarse for {why}: what shakes it between two samples is not in "
-                f"the record; take records with a step of {longest:.3g} s or less",
+                records=f"{named}{more}",
+                motion=why,
+                longest=Quantity(longest, "time", 3),
             )
 
 

@@ -10,9 +10,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
+from assess.codes.basis import Basis
 from assess.codes.check import Check
+from assess.codes.family import of_histories
+from assess.codes.verdict.answer import index_of
 from assess.errors import AssessError
-from assess.mechanisms.oscillation import oscillator
+from assess.mechanisms.lasting import variants
 from assess.project.assessing import Progress, at_base, besides, checks_of, context_of
 from assess.project.histories import Rocking, Shaken, asked_of
 from assess.project.motions import Motion
@@ -23,8 +26,6 @@ from spectra.spectrum import Spectrum
 
 Answer = tuple[str, str, float]
 """What tells a check from the others of a mechanism: procedure, limit state, level [g]."""
-
-BY_HISTORIES = "-history"  # how the names of procedures that ask for histories end
 
 
 @dataclass(frozen=True)
@@ -60,7 +61,7 @@ def sensitivities(
             case_of(variable, value, study, procedures, spectrum, motions, jobs=jobs)
             for value in (variable.low, variable.high)
         )
-        rows += rows_of(variable, deciding, low, high)
+        rows += rows_of(variable, deciding, low, high, basis=study.question.basis)
     return tuple(rows)
 
 
@@ -86,8 +87,8 @@ def checked(study: Study, spectrum: Spectrum, motions: tuple[Motion, ...], *, jo
     """The checks of the one mechanism of a case."""
     (mechanism,) = study.mechanisms
     base = at_base(study.amplified[mechanism.name], motions)
-    shaken = Shaken(mechanism.name, oscillator(mechanism), study.equations[mechanism.name], base)
-    shakes = any(name.endswith(BY_HISTORIES) for name in study.procedures)
+    shaken = Shaken(mechanism.name, variants(mechanism).deciding, study.equations[mechanism.name], base)
+    shakes = any(map(of_histories, study.procedures))
     levels = study.levels if shakes else ()
     rocked = Rocking((), ())
     if levels and motions:
@@ -105,8 +106,10 @@ def by_answer(checks: Sequence[Check]) -> dict[Answer, Check]:
     return found
 
 
-def rows_of(variable: Variable, deciding: Sequence[Check], low: Case, high: Case) -> Iterator[SensitivityResult]:
-    """Demand over capacity of each check, and the PGA at capacity of each procedure and limit state."""
+def rows_of(
+    variable: Variable, deciding: Sequence[Check], low: Case, high: Case, *, basis: Basis | None
+) -> Iterator[SensitivityResult]:
+    """The index of what decides, demand over capacity of each check, and the PGA at capacity of each limit state."""
     row = SensitivityResult(
         mechanism=variable.mechanism,
         parameter=variable.parameter,
@@ -119,12 +122,30 @@ def rows_of(variable: Variable, deciding: Sequence[Check], low: Case, high: Case
     )
     told: set[tuple[str, str]] = set()
     for key, check in by_answer(deciding).items():
-        row = replace(row, procedure=check.procedure, limit_state=check.limit_state)
+        row = replace(row, procedure=check.procedure, limit_state=check.limit_state, role=check.role)
         sides = low.checks.get(key), high.checks.get(key)
-        if key[:2] not in told and not check.procedure.endswith(BY_HISTORIES):
+        if check.role == "deciding" and basis is not None:
+            yield with_index(row, basis, check, *sides)
+        if key[:2] not in told and not of_histories(check.procedure):
             told.add(key[:2])
             yield with_capacity(row, check, *sides)
         yield with_ratio(row, check, *sides)
+
+
+def with_index(
+    row: SensitivityResult, basis: Basis, check: Check, low: Check | None, high: Check | None
+) -> SensitivityResult:
+    """The row of what the basis counts a deciding check in."""
+    base, *ends = (None if each is None else index_of(each, basis) for each in (check, low, high))
+    at_low, at_high = (None if end is None else end.value for end in ends)
+    return replace(
+        with_ratio(row, check, low, high),
+        quantity="index",
+        index=basis.index.value,
+        at_base=None if base is None else base.value,
+        at_low=at_low,
+        at_high=at_high,
+    )
 
 
 def with_capacity(row: SensitivityResult, check: Check, low: Check | None, high: Check | None) -> SensitivityResult:

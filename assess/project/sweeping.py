@@ -1,9 +1,11 @@
 """The cases of the sweeps of a study, and which of them controls.
 
-The controlling case of a mechanism is the one with the largest demand over capacity of all checks of a code that
-apply, at all levels (overturning before any ratio); of equals, or where no check applies, the one with the least PGA
-at capacity; then the one with the least multiplier at uplift; then the first. Where several sweeps change one
-mechanism, the worst of their controlling cases stands for it.
+The controlling case of a mechanism is the one with the worst answer that decides: a failing case before an incomplete
+one, that before one that passes; of equals the one that holds the least over the site's own action, then the one with
+the largest demand over capacity (overturning before any ratio), then with the least PGA at capacity, then with the
+least multiplier at uplift; then the first. Where nothing decides, as without a basis, all checks by the letter of a
+code stand for what decides. Where several sweeps change one mechanism, the worst of their controlling cases stands for
+it.
 """
 
 from __future__ import annotations
@@ -13,13 +15,25 @@ from dataclasses import dataclass, replace
 from math import inf
 
 from assess.codes.check import Check, Outcome
-from assess.message import Message, warning
+from assess.codes.verdict import Decision, MechanismVerdict
+from assess.message import Message, count, note, warning
 from assess.project.assessing import Progress, mechanisms_assessed
+from assess.project.deciding import decided, marked
 from assess.project.messages import located
 from assess.project.motions import Motion, motions_of
 from assess.project.study import Case, Study, Sweep
 from assess.project.suite_faults import suite_faults
 from assess.results import MechanismResult, OscillatorResult, SweepResult
+
+RANKS = (Decision.PASS, Decision.INCOMPLETE, Decision.FAIL)
+
+
+@dataclass(frozen=True)
+class Judged:
+    """One mechanism in one case, with its verdict."""
+
+    result: MechanismResult
+    verdict: MechanismVerdict
 
 
 @dataclass(frozen=True)
@@ -27,8 +41,13 @@ class Swept:
     """One mechanism in all cases of one sweep [n]: what was found, and the case that controls, from 0."""
 
     sweep: Sweep
-    results: tuple[MechanismResult, ...]
+    judged: tuple[Judged, ...]
     controlling: int
+
+    @property
+    def results(self) -> tuple[MechanismResult, ...]:
+        """The mechanism in each case."""
+        return tuple(each.result for each in self.judged)
 
     @property
     def mechanism(self) -> str:
@@ -59,11 +78,11 @@ def swept(study: Study, motions: tuple[Motion, ...], *, jobs: int, progress: Pro
                 cases.append(case_assessed(case, study, motions, jobs=jobs))
             done += 1
         each = zip(*cases, strict=True)  # mechanism by mechanism
-        found += [Swept(sweep, results, controlling(results)) for results in each]
+        found += [Swept(sweep, judged, controlling(judged)) for judged in each]
     return tuple(found)
 
 
-def case_assessed(case: Case, study: Study, motions: tuple[Motion, ...], *, jobs: int) -> tuple[MechanismResult, ...]:
+def case_assessed(case: Case, study: Study, motions: tuple[Motion, ...], *, jobs: int) -> tuple[Judged, ...]:
     """The mechanisms of one case under its motions, those of the study where the case does not change them."""
     spectrum = case.study.spectrum
     assert spectrum is not None  # no number takes the site away
@@ -72,20 +91,27 @@ def case_assessed(case: Case, study: Study, motions: tuple[Motion, ...], *, jobs
     moving = motions if shared else motions_of(case.study, spectrum, jobs=jobs)
     faults = study.suite_faults if shared else suite_faults(case.study, spectrum, moving)
     judged = replace(case.study, suite_faults=faults)
-    return mechanisms_assessed(judged, spectrum, moving, jobs=jobs, progress=lambda stage, done, total: None)
+    done = mechanisms_assessed(judged, spectrum, moving, jobs=jobs, progress=lambda stage, done, total: None)
+    found = decided(judged, done)
+    each = zip(done, found.mechanisms, strict=True)
+    return tuple(Judged(marked(found, judged.question, result), one) for result, one in each)
 
 
-def controlling(results: Sequence[MechanismResult]) -> int:
+def controlling(cases: Sequence[Judged]) -> int:
     """Which of the cases controls, from 0: the first of the most severe."""
-    return max(range(len(results)), key=lambda place: (severity(results[place]), -place))
+    return max(range(len(cases)), key=lambda place: (severity(cases[place]), -place))
 
 
-def severity(mechanism: MechanismResult) -> tuple[float, float, float]:
-    """What the controlling case has the largest of: demand over capacity, then less PGA, then less multiplier."""
-    checks = of_code(mechanism)
+def severity(case: Judged) -> tuple[float, ...]:
+    """What the controlling case has the largest of: outcome, then less margin, ratio, less PGA, less multiplier."""
+    outcome, margin = case.verdict.outcome, case.verdict.margin
+    checks = telling(case.result)
     ratio, capacity = worst_ratio(checks), least_capacity(checks)
-    uplift = weaker(mechanism).uplift_multiplier
+    uplift = weaker(case.result).uplift_multiplier
+    unknown = 0.0 if outcome == Decision.FAIL else inf  # what fails at an unknown PGA may do so at any
     return (
+        float(RANKS.index(outcome)),
+        -(unknown if margin is None else rounded(margin)),
         -1.0 if ratio is None else rounded(ratio),
         -inf if capacity is None else -rounded(capacity),
         -inf if uplift is None else -rounded(uplift),
@@ -97,16 +123,15 @@ def rounded(value: float) -> float:
     return float(f"{value:.9g}")
 
 
-def of_code(mechanism: MechanismResult) -> list[Check]:
-    """The checks that decide."""
-    return [check for check in mechanism.checks if check.reading == "letter" and not check.informs]
+def telling(mechanism: MechanismResult) -> list[Check]:
+    """The checks that decide; where none does, all by the letter of a code."""
+    letters = [check for check in mechanism.checks if check.reading == "letter" and not check.informs]
+    return [check for check in letters if check.role == "deciding"] or letters
 
 
 def worst_ratio(checks: Sequence[Check]) -> float | None:
-    """The largest demand over capacity of the checks that apply; None where none does."""
-    return max(
-        (ratio_of(check) for check in checks if check.ratio is not None or check.verdict == Outcome.FAIL), default=None
-    )
+    """The largest demand over capacity of the checks that are answered; None where none is."""
+    return max((ratio_of(check) for check in checks if check.verdict in (Outcome.PASS, Outcome.FAIL)), default=None)
 
 
 def least_capacity(checks: Sequence[Check]) -> float | None:
@@ -118,7 +143,7 @@ def ratio_of(check: Check) -> float:
     """Demand over capacity [-], infinite where the body overturned."""
     if check.ratio is not None:
         return check.ratio
-    return inf if check.verdict == "fail" else 0.0
+    return inf if check.verdict == Outcome.FAIL else 0.0
 
 
 def weaker(mechanism: MechanismResult) -> OscillatorResult:
@@ -133,7 +158,7 @@ def controlling_cases(sweeps: Sequence[Swept]) -> dict[str, Swept]:
     standing: dict[str, Swept] = {}
     for one in sweeps:
         before = standing.get(one.mechanism)
-        if before is None or severity(one.worst) > severity(before.worst):
+        if before is None or severity(one.judged[one.controlling]) > severity(before.judged[before.controlling]):
             standing[one.mechanism] = one
     return standing
 
@@ -142,11 +167,10 @@ def case_notices(swept: Swept) -> Iterator[Message]:
     """Which case stands for the mechanism, and the notices of that case."""
     where, sweep = f"mechanisms.{swept.mechanism}", swept.sweep
     case = f"{sweep.key} = {value_text(sweep, swept.case)}"
-    text = f"swept: the controlling one of {len(sweep.cases)} cases, {case}, stands for the mechanism"
-    yield warning("sweep", where, text)
+    yield note("sweep", where, cases=count(len(sweep.cases)), case=case)
     for mechanism in swept.case.study.mechanisms:
         if mechanism.name == swept.mechanism:
-            yield from (warning("mechanism", where, notice) for notice in mechanism.notices)
+            yield from (warning("mechanism", where, text=notice) for notice in mechanism.notices)
 
 
 def case_text(sweep: Sweep, case: Case, mechanism: str) -> str:
@@ -170,7 +194,7 @@ def sweep_results(sweeps: Sequence[Swept], standing: Mapping[str, Swept]) -> tup
 def sweep_result(swept: Swept, *, governs: bool) -> SweepResult:
     """One mechanism over the values of one sweep, by the branch that uplifts first in each case."""
     branches = [weaker(result) for result in swept.results]
-    checks = [of_code(result) for result in swept.results]
+    checks = [telling(result) for result in swept.results]
     ratios = [worst_ratio(each) for each in checks]
     return SweepResult(
         mechanism=swept.mechanism,
@@ -186,6 +210,7 @@ def sweep_result(swept: Swept, *, governs: bool) -> SweepResult:
         demand_capacity=tuple(None if ratio == inf else ratio for ratio in ratios),
         overturned=tuple(any(check.unbounded == "overturned" for check in each) for each in checks),
         capacity_pga_g=tuple(least_capacity(each) for each in checks),
+        outcome=tuple(each.verdict.outcome for each in swept.judged),
         controlling=swept.controlling,
         governs=governs,
     )

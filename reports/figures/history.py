@@ -39,10 +39,12 @@ def _motion(axes: Axes, trace: Trace) -> None:
 
 
 def ratio(mechanism: MechanismResult, trace: Trace) -> np.ndarray[tuple[int], np.dtype[np.float64]]:
-    """Rotation over the rigid overturning rotation of the branch it is on [-], signed."""
+    """Rotation over the rigid overturning rotation of the deciding branch it is on [-], signed."""
     turned = np.asarray(trace.rotation_rad, dtype=np.float64)
     negative = mechanism.oscillator_negative or mechanism.oscillator
-    return turned / np.where(turned < 0, negative.overturning_rad, mechanism.oscillator.overturning_rad)
+    both = (mechanism.oscillator.overturning_rad, negative.overturning_rad)
+    ahead, behind = mechanism.deciding_overturning_rad or both
+    return turned / np.where(turned < 0, behind or ahead, ahead)
 
 
 def _rotation(axes: Axes, mechanism: MechanismResult, trace: Trace) -> None:

@@ -379,6 +379,7 @@ TAILS = {
     "two-block": """
 [mechanisms.m]
 kind = "two-block"
+direction = [1, 0, 0]
 blocks = {blocks}
 loads = [{{ kind = "overburden", force = "21 kN", eccentricity = 0.1 }}]
 """,

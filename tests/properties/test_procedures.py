@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -15,6 +16,7 @@ from assess.codes.context import Building, Context, Suite, Wall
 from assess.codes.registry import PROCEDURES, CodeOptions, procedure
 from assess.errors import ProcedureError
 from assess.geometry.planar import planar_direct
+from assess.loads import Force
 from assess.mechanisms.activation import hinge_forces
 from assess.mechanisms.equivalent_block import equivalent_block
 from assess.mechanisms.face import Face
@@ -213,7 +215,7 @@ def test_readings_of_the_thesis_are_named_so_and_spectra_of_another_family_are_t
 
 
 @EVERY
-def test_a_wider_base_never_raises_demand_over_capacity(name):
+def test_a_wider_base_never_makes_an_answer_worse(name):
     """Walls of one height and mass, thicker and thicker, on their base or between floors."""
     if name.endswith("-history"):
         pytest.skip("its histories are given")
@@ -226,14 +228,75 @@ def test_a_wider_base_never_raises_demand_over_capacity(name):
             context = dataclasses.replace(
                 site(),
                 elevation=elevation,
+                floor_spectrum=dataclasses.replace(site().spectrum, factor=1.7),
                 building=house,
                 support=support,
                 wall=Wall(4.0, t),
                 rise=4.0 * (support == "spanning"),
             )
-            ratios = [np.inf if check.ratio is None else check.ratio for check in answers(name, rocker, context)]
-            assert before is None or all(now <= then * (1 + 1e-9) for now, then in zip(ratios, before, strict=True))
-            before = ratios
+            checks = answers(name, rocker, context)
+            assert before is None or not any(worse(now, then) for now, then in zip(checks, before, strict=True))
+            before = checks
+
+
+BADNESS = {"pass": 0, "not-answered": 1, "not-applicable": 1, "fail": 2}
+
+
+def worse(now, before):
+    """Whether an answer is worse than another: by its outcome, or by its ratio of demand to capacity."""
+    ratios = [np.inf if check.ratio is None else check.ratio for check in (now, before)]
+    return BADNESS[now.verdict] > BADNESS[before.verdict] or ratios[0] > ratios[1] * (1 + 1e-9)
+
+
+def held_wall(force, *, thickness=0.45):
+    """A wall that rocks one way, with an inward force at its top [N] that is always there."""
+    body = planar_direct(mass=5000.0, centroid=(0.0, 2.0), inertia=5000.0 * (thickness**2 + 16.0) / 12.0, name="w")
+    loads = (Force("held", (-force, 0.0), (0.0, 4.0)),) if force else ()
+    return oscillator(single_block("w", body, sides="one", hinge=(thickness / 2, 0.0), loads=loads))
+
+
+@pytest.mark.parametrize("name", [name for name in PROCEDURES if not name.endswith(("-history", "sliding"))])
+def test_more_restoring_never_makes_an_answer_worse(name):
+    """A force that holds the wall back, larger and larger, on the ground and between floors."""
+    for support in ("free", "spanning"):
+        where = dataclasses.replace(site(), support=support, rise=4.0 * (support == "spanning"))
+        before = None
+        for force in (0.0, 200.0, 500.0, 1000.0, 2000.0, 4000.0):
+            checks = answers(name, held_wall(force), where)
+            assert before is None or not any(worse(now, then) for now, then in zip(checks, before, strict=True))
+            before = checks
+
+
+@EVERY
+@pytest.mark.parametrize("elevation", [0.0, 4.0])
+def test_a_lower_action_never_makes_an_answer_worse(name, elevation):
+    """What may only fail included: the weaker the ground, the less there is to fail."""
+    house = Building(height=8.0, storeys=2, period=0.24, damping=0.05)
+    levels = tuple(np.geomspace(0.01, 2.0, 25) * g)
+    shares = np.minimum(np.geomspace(0.01, 2.0, 25), 0.99)
+    suites = tuple(
+        Suite(level, (*((share,) * 6), None if share > 0.9 else share), "positive")
+        for level, share in zip(levels, shares, strict=True)
+    )
+    where = dataclasses.replace(
+        site(levels=levels), suites=suites, incremental=(), elevation=elevation, building=house, rise=0.0
+    )
+    checks = [check for check in allowed(name, context=where) if check.verdict != "not-applicable"]
+    assert not any(worse(weak, strong) for weak, strong in pairwise(checks))
+
+
+@pytest.mark.parametrize("name", [name for name in PROCEDURES if name.endswith("-history")])
+def test_a_record_that_turns_farther_never_makes_an_answer_better(name):
+    rng = np.random.default_rng(11)
+    for _ in range(40):
+        first, *others = rng.uniform(0.0, 0.8, 7).tolist()
+        before = None
+        for turned in (first, 1.1 * first, 1.2 * first, None):
+            suite = Suite(LEVELS[0], (turned, *others), "positive")
+            where = dataclasses.replace(site(levels=LEVELS[:1]), suites=(suite,), incremental=(), besides=(suite,))
+            checks = answers(name, context=where)
+            assert before is None or not any(worse(then, now) for then, now in zip(before, checks, strict=True))
+            before = checks
 
 
 def test_unknown_procedure_lists_the_known_ones():

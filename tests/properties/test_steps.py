@@ -28,7 +28,6 @@ from assess.project.wall_size import SUPPORTS, wall_of
 from spectra.asce7 import design_spectrum
 from spectra.spectrum import Spectrum
 
-WORKED = tuple(PROCEDURES)
 CLOSE = 1e-3  # relative: what is printed must come out
 LEVELS = tuple(level * g for level in (0.05, 0.2, 0.6))
 SUITES = tuple(
@@ -95,7 +94,7 @@ def by_formula(step: Step) -> float:
     return evaluate(step.formula, {each.symbol: each.value for each in step.inputs})
 
 
-@pytest.mark.parametrize("name", WORKED)
+@pytest.mark.parametrize("name", PROCEDURES)
 def test_every_line_comes_to_its_value_by_its_formula(name: str) -> None:
     worked = [step for step in steps_of(name) if step.inputs and step.value is not None]
     assert worked
@@ -103,7 +102,7 @@ def test_every_line_comes_to_its_value_by_its_formula(name: str) -> None:
         assert by_formula(step) == pytest.approx(step.value, rel=CLOSE, abs=1e-12), (step.symbol, step.formula)
 
 
-@pytest.mark.parametrize("name", WORKED)
+@pytest.mark.parametrize("name", PROCEDURES)
 def test_the_numbers_printed_come_to_the_value_too(name: str) -> None:
     """Five figures of each number stand in the line; differences of two nearly equal ones lose some of them."""
     for step in steps_of(name):
@@ -114,8 +113,8 @@ def test_the_numbers_printed_come_to_the_value_too(name: str) -> None:
 
 def test_most_lines_can_be_worked_out_from_what_is_printed() -> None:
     """The others read a curve, a spectrum or a table, count, or state what was given."""
-    steps = [step for name in WORKED for step in steps_of(name)]
-    assert sum(bool(step.inputs) for step in steps) / len(steps) > 0.6
+    steps = [step for name in PROCEDURES for step in steps_of(name)]
+    assert sum(bool(step.inputs) for step in steps) / len(steps) > 0.65
 
 
 @pytest.mark.parametrize(

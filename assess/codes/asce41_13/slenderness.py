@@ -28,6 +28,7 @@ from assess.oscillator import Branch, Oscillator, threshold
 
 NAME = "asce41-13-ht"
 CLAUSE, CHECKLIST = "ASCE 41-13 Table 11-5", "ASCE 41-13, checklist for nonstructural components"
+KEY = "procedures.asce41-13.s_x1"
 PERIOD, DAMPING = 1.0, 0.05  # s, of S_X1
 
 
@@ -76,7 +77,7 @@ def _silence(context: Context, options: Options) -> tuple[Outcome, Message]:
         return not_for, because(Reason.RUBBLE, clause=CLAUSE)
     if context.support == "spanning" and options.s_x1 is None:
         if context.spectrum.code == GIVEN:
-            return Outcome.NOT_ANSWERED, because(Reason.NO_S_X1, clause=CLAUSE)
+            return Outcome.NOT_ANSWERED, because(Reason.NOT_BY_NAME, clause=CLAUSE, symbol="S_X1", key=KEY)
         if context.spectrum.longest_period < PERIOD:
             end = Quantity(context.spectrum.longest_period, "time")
             return Outcome.NOT_ANSWERED, because(Reason.SPECTRUM_TOO_SHORT, period="S_X1 at 1 s", end=end)

@@ -113,7 +113,7 @@ def _verdict(suite: Suite, share: float | None) -> tuple[Outcome, Message]:
 
 
 def _steps(suite: Suite, found: tuple[float | None, ...], share: float | None, branch: Branch) -> tuple[Step, ...]:
-    n, largest = len(found), max((each for each in found if each is not None), default=None)
+    n = len(found)
     at_least = f"records run, both polarities; at least {LEAST_RECORDS}"
     overturns = {"φ_u": (branch.unstable, "rad")}
     lines = [
@@ -121,8 +121,7 @@ def _steps(suite: Suite, found: tuple[float | None, ...], share: float | None, b
         step("n_ov", "records that overturn the body; none may", CLAUSE, "count", float(suite.overturned)),
         step("φ_u", f"rotation that overturns it, {suite.branch} branch", CLAUSE, "restoring moment = 0",
              branch.unstable, "rad", remark="curve, joints included"),
-        step("max φ/φ_u", "largest of those that stand, each by its branch", CLAUSE, "max |φ(t)| / φ_u", largest,
-             remark=f"{n - suite.overturned} records"),
+        _largest_step(found),
         _mean_step(found, share),
         step("φ_all", "allowable: a factor of 2 on instability", CLAUSE, "φ_u / 2", HALF * branch.unstable, "rad",
              given=overturns),
@@ -132,10 +131,22 @@ def _steps(suite: Suite, found: tuple[float | None, ...], share: float | None, b
     return tuple(lines)
 
 
+def _standing(found: tuple[float | None, ...]) -> dict[str, float]:
+    """The maxima of the records that left the body standing, by number."""
+    return {f"r_{i}": ratio for i, ratio in enumerate(found, start=1) if ratio is not None}
+
+
+def _largest_step(found: tuple[float | None, ...]) -> Step:
+    symbol, words, each = "max φ/φ_u", "largest of those that stand, each by its branch", _standing(found)
+    if not each:
+        return step(symbol, words, CLAUSE, "max |φ(t)| / φ_u", None, remark="none stands")
+    return step(symbol, words, CLAUSE, f"max({', '.join(each)})", max(each.values()), given=each)
+
+
 def _mean_step(found: tuple[float | None, ...], share: float | None) -> Step:
     """The mean of the maxima, from all of them."""
     symbol, words, n = "φ/φ_u", "mean of the maxima, each by its branch", len(found)
     if share is None:
         return step(symbol, words, CLAUSE, "Σ max |φ(t)| / φ_u / n", None, remark="a record overturned")
-    each = {f"r_{i}": ratio for i, ratio in enumerate(found, start=1) if ratio is not None}
+    each = _standing(found)
     return step(symbol, words, CLAUSE, f"({' + '.join(each)}) / {n}", share, given=each)

@@ -33,10 +33,14 @@ RESONANCE = 1.0  # T_a / T_1 where the building is not known: the worst
 
 @dataclass(frozen=True)
 class Options:
-    """behaviour_factor q_a [-], None for that of Table 4.4; importance_factor gamma_a [-] of the element."""
+    """behaviour_factor q_a [-], None for that of Table 4.4; importance_factor gamma_a [-] of the element.
+
+    alpha_s : alpha S at the site's own PGA [g]; None where the spectrum is of a code, and begins with it
+    """
 
     behaviour_factor: float | None = None
     importance_factor: float = 1.0
+    alpha_s: float | None = None
 
 
 def element_period(branch: Branch) -> float:
@@ -68,12 +72,12 @@ def amplification(ratio: float, context: Context) -> float:
     return ec8_floor_factor(height_ratio(context), building_height=1.0, period_ratio=ratio)
 
 
-def force_over_weight(amplified: float, level: float, *, behaviour_factor: float, importance_factor: float) -> float:
-    """F_a / W_a = S_a gamma_a / q_a [-] at PGA `level` [m/s2] (4.24)."""
-    return amplified * level / g * importance_factor / behaviour_factor
+def force_over_weight(S_a: float, *, behaviour_factor: float, importance_factor: float) -> float:
+    """F_a / W_a = S_a gamma_a / q_a [-] (4.24)."""
+    return S_a * importance_factor / behaviour_factor
 
 
 def uplift_pga(branch: Branch, amplified: float) -> float | None:
-    """PGA [m/s2] at which S_a itself reaches the multiplier at rest; None on joints without a threshold."""
+    """PGA [m/s2] at which S_a, `amplified` times it, reaches the multiplier at rest; None without a threshold."""
     at_rest = threshold(branch)
     return None if at_rest is None else at_rest * g / amplified

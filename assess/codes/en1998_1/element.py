@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from scipy.constants import g
 
@@ -21,7 +21,7 @@ from assess.codes.en1998_1.clauses import (
     period_ratio,
     uplift_pga,
 )
-from assess.codes.family import foreign
+from assess.codes.family import GIVEN, foreign
 from assess.codes.governing import governing
 from assess.codes.worked import multiplier_step
 from assess.oscillator import Branch, Oscillator, resisted
@@ -32,8 +32,10 @@ CLAUSE, FORCE, TABLE = "EN 1998-1, 4.3.5.2 (4.25)", "EN 1998-1, 4.3.5.2 (4.24)",
 
 @dataclass(frozen=True)
 class Demand:
-    """T_a / T_1, S_a / (alpha S), q_a, gamma_a, F_a / W_a, all [-]."""
+    """alpha S [g], T_a / T_1, S_a / (alpha S), q_a, gamma_a, F_a / W_a, all [-]; surface: alpha S over PGA [-]."""
 
+    alpha_s: float
+    surface: float
     ratio: float
     amplified: float
     q_a: float
@@ -45,7 +47,11 @@ def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tup
     """4.3.5: F_a / W_a against the multiplier that the mechanism resists, on the worse branch."""
 
     def one(branch: Branch, name: BranchName, level: float) -> Check:
-        return _check(branch, name, context, options, level)
+        check = _check(branch, name, context, options, level)
+        if context.spectrum.code != GIVEN or options.alpha_s is not None:
+            return check
+        why = because(Reason.NOT_BY_NAME, clause=CLAUSE, symbol="alpha S", key="procedures.ec8.alpha_s")
+        return replace(check, verdict=Outcome.NOT_ANSWERED, reason=why)
 
     return governing(oscillator, context.levels, one)
 
@@ -56,13 +62,15 @@ def demand_of(branch: Branch, context: Context, options: Options, level: float) 
     amplified = amplification(ratio, context)
     q_a = BEHAVIOUR[context.support] if options.behaviour_factor is None else options.behaviour_factor
     gamma_a = options.importance_factor
-    force = force_over_weight(amplified, level, behaviour_factor=q_a, importance_factor=gamma_a)
-    return Demand(ratio, amplified, q_a, gamma_a, force)
+    surface = 1.0 if options.alpha_s is None else options.alpha_s * g / context.spectrum.pga
+    alpha_s = surface * level / g
+    force = force_over_weight(alpha_s * amplified, behaviour_factor=q_a, importance_factor=gamma_a)
+    return Demand(alpha_s, surface, ratio, amplified, q_a, gamma_a, force)
 
 
 def _check(branch: Branch, name: BranchName, context: Context, options: Options, level: float) -> Check:
     found, resistance = demand_of(branch, context, options, level), resisted(branch)
-    lifts, ratio = uplift_pga(branch, found.amplified), found.force / resistance
+    lifts, ratio = uplift_pga(branch, found.surface * found.amplified), found.force / resistance
     verdict = Outcome.FAIL if ratio > 1.0 else Outcome.PASS
     return Check(
         procedure=NAME,
@@ -81,24 +89,21 @@ def _check(branch: Branch, name: BranchName, context: Context, options: Options,
         reason=because(Reason.WITHIN if verdict == Outcome.PASS else Reason.BEYOND, capacity="what the weight resists"),
         capacity_pga_g=level * resistance / found.force / g,
         uplift_pga_g=None if lifts is None else lifts / g,
-        steps=_steps(branch, context, found, level=level),
+        steps=_steps(branch, context, found),
         caveat=CAVEAT + foreign(NAME, context.spectrum.code),
     )
 
 
-def _steps(branch: Branch, context: Context, found: Demand, *, level: float) -> tuple[Step, ...]:
-    building, resistance = context.building, resisted(branch)
-    raised = height_ratio(context)
-    S_a = found.amplified * level / g
-    worst = "worst, the building is not known" if found.ratio and building is None else ""
-    remark = worst or f"T_a = {element_period(branch):.4g} s"
-    shaken = {"α S": level / g, "z/H": raised, "T_a/T_1": found.ratio}
+def _steps(branch: Branch, context: Context, found: Demand) -> tuple[Step, ...]:
+    resistance, raised = resisted(branch), height_ratio(context)
+    S_a = found.alpha_s * found.amplified
+    shaken = {"α S": found.alpha_s, "z/H": raised, "T_a/T_1": found.ratio}
     forced = {"S_a": S_a, "γ_a": found.gamma_a, "q_a": found.q_a}
     held = {"F_a/W_a": found.force, "λ": resistance}
     kind = f"behaviour factor; {ELEMENTS[context.support]}"
     return (
-        step("T_a/T_1", "period of the element over the building's", CLAUSE, "T_a / T_1", found.ratio, remark=remark),
-        step("z/H", "height of the supports", CLAUSE, "z / H", raised, remark=f"z = {context.support_height:.4g} m"),
+        _period_step(branch, context, found.ratio),
+        _height_step(context),
         step("S_a", "seismic coefficient", CLAUSE, "α S max(1, 3 (1 + z/H) / (1 + (1 − T_a/T_1)²) − 0.5)", S_a,
              given=shaken),
         step("q_a", kind, TABLE, "given", found.q_a),
@@ -107,3 +112,20 @@ def _steps(branch: Branch, context: Context, found: Demand, *, level: float) -> 
         multiplier_step("λ", "multiplier that the weight resists", "statics", branch),
         step("D/C", "ratio", FORCE, "F_a/W_a / λ", found.force / resistance, given=held),
     )  # fmt: skip
+
+
+def _period_step(branch: Branch, context: Context, ratio: float) -> Step:
+    words, T_a = "period of the element over the building's", element_period(branch)
+    if context.building is None:
+        remark = "the worst, the building is not known" if ratio else "what does not move before uplift has no period"
+        return step("T_a/T_1", words, CLAUSE, "1 at worst, 0 for what is rigid", ratio, remark=remark)
+    given = {"T_a": (T_a, "s"), "T_1": (context.building.period, "s")}
+    return step("T_a/T_1", words, CLAUSE, "T_a / T_1", ratio, given=given)
+
+
+def _height_step(context: Context) -> Step:
+    words, z = "height of the supports", context.support_height
+    if context.building is None:
+        return step("z/H", words, CLAUSE, "0: the building is not known", 0.0, remark=f"z = {z:.4g} m")
+    given = {"z": (z, "m"), "H": (context.building.height, "m")}
+    return step("z/H", words, CLAUSE, "min(z / H, 1)", height_ratio(context), given=given)

@@ -50,10 +50,15 @@ LARGEST_FLOOR_FACTOR = 3.0  # C_Hi, NZS 1170.5, 8.3
 
 @dataclass(frozen=True)
 class Options:
-    """usable: phi_m / phi_i [-], None for 0.6 (spanning) and 0.3 (free); risk_factor: R_p, NZS 1170.5 Table 8.1 [-]."""
+    """Options of face-loaded walls.
+
+    usable : phi_m / phi_i [-], None for 0.6 (spanning) and 0.3 (free); risk_factor : R_p, NZS 1170.5 Table 8.1 [-]
+    c_0 : C(0) at the site's own PGA [g]; None where the spectrum is that of NZS 1170.5, which begins with it
+    """
 
     usable: float | None = None
     risk_factor: float = 1.0
+    c_0: float | None = None
 
 
 @dataclass(frozen=True)

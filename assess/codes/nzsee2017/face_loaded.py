@@ -8,7 +8,7 @@ from scipy.constants import g
 
 from assess.codes.check import BranchName, Check, Outcome, PgaCurve, Reason, because, step
 from assess.codes.context import Context
-from assess.codes.family import foreign
+from assess.codes.family import GIVEN, foreign
 from assess.codes.governing import governing
 from assess.codes.nzsee2017.clauses import CAVEAT, CAVEAT_FREE, EDITION, Options
 from assess.codes.nzsee2017.response import Response, overloaded, response
@@ -28,6 +28,9 @@ def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tup
         empty = _check(name, context, level)
         if context.support == "hinged":
             return empty
+        if context.spectrum.code == GIVEN and options.c_0 is None:
+            why = because(Reason.NOT_BY_NAME, clause=CLAUSE, symbol="C(0)", key="procedures.nzsee2017.c_0")
+            return replace(empty, verdict=Outcome.NOT_ANSWERED, reason=why)
         if overloaded(name, context):
             return replace(empty, verdict=Outcome.NOT_ANSWERED, reason=because(Reason.OVERLOADED, clause=CLAUSE))
         return _answered(empty, branch, context, response(branch, name, context, options), level)

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from scipy.constants import g
+
 from assess.codes.check import BranchName
 from assess.codes.context import Context, Gravity
 from assess.codes.nzsee2017.clauses import (
@@ -27,6 +29,7 @@ class Response:
 
     whole, part : with its own and with its effective thickness; gravity : None where they are the same
     Tp : period [s]; usable : phi_m / phi_i [-]; floor : C_Hi [-]; risk_factor : R_p [-]
+    surface : C(0) over the PGA of the spectrum [-]
     per_pga : phi_D over PGA [rad s2/m]; multiplier : at rest [-], uplift : PGA below which nothing rocks [m/s2]; both
     None on yielding joints
     """
@@ -38,6 +41,7 @@ class Response:
     usable: float
     floor: float
     risk_factor: float
+    surface: float
     per_pga: float
     multiplier: float | None
     uplift: float | None
@@ -70,6 +74,7 @@ def response(branch: Branch, name: BranchName, context: Context, options: Option
     part = whole if gravity is None else with_effective_thickness(whole, gravity)
     Tp, R_p, at_rest = period(part, support=context.support), options.risk_factor, threshold(branch)
     multiplier = None if at_rest is None else at_rest * (part.line.b / part.B) / (whole.line.b / whole.B)
+    surface = 1.0 if options.c_0 is None else options.c_0 * g / context.spectrum.pga
     return Response(
         whole=whole,
         part=part,
@@ -78,9 +83,10 @@ def response(branch: Branch, name: BranchName, context: Context, options: Option
         usable=USABLE[context.support] if options.usable is None else options.usable,
         floor=floor,
         risk_factor=R_p,
-        per_pga=demand_per_pga(part, Tp, floor=floor, risk_factor=R_p),
+        surface=surface,
+        per_pga=surface * demand_per_pga(part, Tp, floor=floor, risk_factor=R_p),
         multiplier=multiplier,
-        uplift=uplift_pga(multiplier, floor=floor, risk_factor=R_p),
+        uplift=uplift_pga(multiplier, floor=surface * floor, risk_factor=R_p),
     )
 
 

@@ -9,6 +9,7 @@ from assess.codes.context import Context
 from assess.codes.nzsee2017.clauses import part_coefficient, period_factor
 from assess.codes.nzsee2017.response import Response
 from assess.oscillator import Branch
+from spectra.floor import NZS_LOW, NZS_SHARE
 
 CLAUSE, PARTS = "NZSEE 2017 C8.8.5", "NZS 1170.5, 8.2-8.4"
 
@@ -78,12 +79,10 @@ def _capacity_steps(context: Context, found: Response) -> tuple[Step, ...]:
 
 
 def _part_steps(context: Context, found: Response, level: float) -> tuple[Step, ...]:
-    building, Ci = context.building, part_coefficient(found.Tp, floor=1.0)
-    where = f"h_i = {context.support_height:.4g} m"
-    where += f", h_n = {building.height:.4g} m" if building is not None else ", h_n not known"
-    Cp = level / g * found.floor * Ci
-    rule = "least of 1 + h_i/6 (h_i < 12 m), 1 + 10 h_i/h_n, 3"
-    coefficients = {"C(0)": (level / g, "g"), "C_Hi": (found.floor, "-"), "C_i(T_p)": (Ci, "-")}
+    Ci = part_coefficient(found.Tp, floor=1.0)
+    C_0 = level / g * found.surface
+    Cp = C_0 * found.floor * Ci
+    coefficients = {"C(0)": (C_0, "g"), "C_Hi": (found.floor, "-"), "C_i(T_p)": (Ci, "-")}
     demanded = {
         "B": (found.part.B, "kg m"),
         "J": (found.part.J, "kg m2"),
@@ -92,12 +91,27 @@ def _part_steps(context: Context, found: Response, level: float) -> tuple[Step, 
         "R_p": (found.risk_factor, "-"),
     }
     return (
-        step("C_Hi", "floor height coefficient, mean of the supports", PARTS, rule, found.floor, remark=where),
+        _floor_step(context, found.floor),
         step("C_i(T_p)", "spectral shape of the part: 2 to 0.75 s, 0.5 from 1.5 s", PARTS,
              "min(2, max(0.5, 2 (1.75 − T_p)))", Ci, given={"T_p": (found.Tp, "s")}),
         step("C_p(T_p)", "part coefficient", PARTS, "C(0) C_Hi C_i(T_p)", Cp, given=coefficients),
         step("φ_D", "demand", CLAUSE, "B / J (T_p / 2π)² C_p(T_p) g R_p", found.per_pga * level, "rad", given=demanded),
     )  # fmt: skip
+
+
+def _floor_step(context: Context, floor: float) -> Step:
+    """C_Hi: the least of what applies at the height of the supports."""
+    symbol, words = "C_Hi", "floor height coefficient, mean of the supports"
+    h_n = None if context.building is None else context.building.height
+    h = context.support_height if h_n is None else min(context.support_height, h_n)
+    low = h < NZS_LOW
+    if h <= 0.0 or (h_n is None and not low):
+        return step(symbol, words, PARTS, "1 at the ground, 3 at most", floor, remark=f"h_i = {h:.4g} m")
+    rules, given = (["1 + h_i / 6"] if low else []), {"h_i": (h, "m")}
+    if h_n is not None and h < NZS_SHARE * h_n:
+        rules.append("1 + 10 h_i / h_n")
+        given["h_n"] = (h_n, "m")
+    return step(symbol, f"{words}, h_n of the building", PARTS, f"min({', '.join([*rules, '3'])})", floor, given=given)
 
 
 def _displacement_steps(context: Context, found: Response, phi_d: float) -> tuple[Step, ...]:
@@ -142,6 +156,6 @@ def _uplift_step(found: Response) -> Step:
     if found.uplift is None or found.multiplier is None:
         return step("PGA_u", "PGA at uplift: none on joints that answer at once", PARTS, "C_p(0) R_p = λ", None, "g")
     stiff = part_coefficient(0.0, floor=1.0)
-    given = {"λ": found.multiplier, "C_Hi": found.floor, "C_i(0)": stiff, "R_p": found.risk_factor}
-    words = "PGA at uplift, λ = b / (g B) the multiplier at rest"
-    return step("PGA_u", words, PARTS, "λ / (C_Hi C_i(0) R_p)", found.uplift / g, "g", given=given)
+    given = {"λ": found.multiplier, "C_Hi": found.floor, "C_i(0)": stiff, "R_p": found.risk_factor, "s": found.surface}
+    words = "PGA at uplift, λ = b / (g B) the multiplier at rest, s = C(0)/PGA"
+    return step("PGA_u", words, PARTS, "λ / (s C_Hi C_i(0) R_p)", found.uplift / g, "g", given=given)

@@ -118,6 +118,8 @@ class Nzsee2017(Section):
     """usable rotation over that at instability; if absent 0.6 for walls that span, 0.3 for those that stand free"""
     risk_factor: PositiveRatio = 1.0
     """risk factor R_p of the part, NZS 1170.5 Table 8.1"""
+    c_0: PositiveAcceleration | None = None
+    """C(0) at the site's own peak ground acceleration; needed where the spectrum is a table"""
 
 
 class Asce41(Section):
@@ -130,7 +132,7 @@ class Asce41(Section):
     seismicity: Seismicity = "high"
     """level of seismicity, on which the limit of parapets hangs: "high", h/t 1.5, or "moderate", 2.5"""
     s_x1: PositiveAcceleration | None = None
-    """S_X1 at the site's own peak ground acceleration; if absent the spectrum at 1 s, which a table does not state"""
+    """S_X1 at the site's own peak ground acceleration; if absent the spectrum at 1 s; needed where that is a table"""
 
 
 class Ec8(Section):
@@ -140,6 +142,8 @@ class Ec8(Section):
     """q_a of Table 4.4; if absent 2.0 for walls that span, 1.0 for what stands free"""
     importance_factor: PositiveRatio = 1.0
     """gamma_a of the element: 1.5 where life depends on it"""
+    alpha_s: PositiveAcceleration | None = None
+    """alpha S at the site's own peak ground acceleration; needed where the spectrum is a table"""
 
 
 class Asce4305(Section):

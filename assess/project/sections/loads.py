@@ -16,6 +16,7 @@ from assess.project.quantities import (
     PositiveForce,
     PositiveLength,
     PositiveMass,
+    PositiveRatio,
     Share,
 )
 from assess.project.section import Section, listed, wrong
@@ -44,6 +45,24 @@ GivenForce = Annotated[
 ]
 
 
+def _until(value: Any) -> float | str:
+    """A displacement, or the word for a load that is there up to collapse."""
+    if isinstance(value, str) and value.strip() == "collapse":
+        return "collapse"
+    moved = si_value(value, KINDS["length"])
+    if moved <= 0.0:
+        raise ValueError('must be greater than 0; write the displacement of its point at which it ends, or "collapse"')
+    return moved
+
+
+Until = Annotated[
+    float | Literal["collapse"],
+    BeforeValidator(_until),
+    WithJsonSchema({"description": 'a displacement like "0.10 m", or "collapse"'}),
+    KINDS["length"],
+]
+
+
 class MassLoad(Section):
     """A point mass: a floor, a roof, a wall that moves with the block."""
 
@@ -55,8 +74,16 @@ class MassLoad(Section):
     """[x, y, z], or [distance along the direction, elevation]"""
     bearing: StrictBool = True
     """true: weight and inertia; false: its weight is carried elsewhere, horizontal inertia only"""
+    seat: PositiveLength | None = None
+    """of a bearing mass: how far its point can move along the direction before it falls off, like "0.12 m\""""
     block: BlockIndex = 0
     """which block it acts on, from 0 at the base"""
+
+    @model_validator(mode="after")
+    def _what_bears_has_a_seat(self) -> MassLoad:
+        if self.seat is not None and not self.bearing:
+            raise wrong("seat", "only what bears on the block has a seat; remove it, or write bearing = true")
+        return self
 
 
 class ForceLoad(Section):
@@ -70,6 +97,9 @@ class ForceLoad(Section):
     """[x, y, z], or [distance along the direction, elevation]"""
     direction: AnyDirection | None = None
     """where a force given by its size points: [x, y, z], or [along the direction, up]"""
+    until: Until | None = None
+    """where it resists: "collapse" if it is shown to be there up to collapse, with a source in [report.sources]; or the
+    displacement of its point at which it ends; if absent it counts in the multiplier alone"""
     block: BlockIndex = 0
     """which block it acts on, from 0 at the base"""
 
@@ -83,7 +113,10 @@ class ForceLoad(Section):
 
 
 class TieLoad(Section):
-    """A tie of constant pretension; slack on the branch where it shortens."""
+    """A tie of constant pretension; slack on the branch where it shortens.
+
+    It counts up to collapse only with until = "collapse", strength, length, fracture_strain and a source.
+    """
 
     kind: Literal["tie"]
     """"tie\""""
@@ -97,6 +130,15 @@ class TieLoad(Section):
     """the fixed end: [x, y, z], or [distance along the direction, elevation]"""
     both: StrictBool = False
     """true: taut on both branches"""
+    until: Until | None = None
+    """"collapse" if it is shown to be there up to collapse; or the displacement of its point at which it breaks; if
+    absent it counts in the multiplier alone"""
+    strength: PositiveForce | None = None
+    """least of bar, plate, masonry and far wall; it never pulls with more"""
+    length: PositiveLength | None = None
+    """of the bar, over which it stretches"""
+    fracture_strain: PositiveRatio | None = None
+    """of the bar; it breaks where it has lengthened by more than this times its length"""
     block: BlockIndex = 0
     """which block it acts on, from 0 at the base"""
 
@@ -149,6 +191,8 @@ class BodyLoad(Section):
     """part of the body that this block carries, in (0, 1]; by statics from what else carries it if absent"""
     bearing: StrictBool | None = None
     """true: the block carries weight; false: it is only pushed; as the contact shows if absent"""
+    seat: PositiveLength | None = None
+    """how far the contact can move along the direction before the body falls off the block, like "0.12 m\""""
     at: Point | None = None
     """where it acts: [x, y, z], or [distance along the direction, elevation]; centroid of the contact if absent"""
     mass: PositiveMass | None = None

@@ -8,20 +8,30 @@ from pathlib import Path
 
 import pytest
 
+from assess.codes.verdict import Decision
 from assess.comparing import KINDS, Change, changes, same
+from assess.message import Message, Severity
 from assess.project.build import build
 from assess.project.run import envelope, run
 from assess.project.schema import load
-from assess.results import Notice, Resolved, Results, SensitivityResult, SweepResult
+from assess.results import Resolved, Results, SensitivityResult, SweepResult
 
 PROJECT = """
+[verdict]
+basis = "dmi2008"
+procedures = ["dmi2008-linear"]
+[site]
+limit_state = "SLV"
+[building]
+use_class = "II"
 [site.spectrum]
 code = "asce7-16"
-s_ds = "0.5 g"
-s_d1 = "0.2 g"
+s_ds = "0.75 g"
+s_d1 = "0.3 g"
 t_l = 6
 [materials.stone]
 density = 2000
+disintegration = "excluded"
 [bodies.wall]
 material = "stone"
 box = { thickness = 0.6, length = 4.0, height = 4.5 }
@@ -29,18 +39,21 @@ box = { thickness = 0.6, length = 4.0, height = 4.5 }
 kind = "single-block"
 blocks = ["wall"]
 sides = "one"
+direction = [1, 0, 0]
 [mechanisms.parapet]
 kind = "equivalent-block"
 p = 2.4
-uplift = 0.2
+uplift = 0.26
 radius = 1.2
+[report.sources]
+"materials.stone" = "measured: blocks bonded through the wall"
 [records]
 synthetic = { count = 1, duration = 8 }
 [analysis]
 levels = ["0.1 g", "0.3 g"]
 procedures = ["asce43-05-spectrum", "dmi2008-linear"]
 """
-TIE = 'sides = "one"\nloads = [{ kind = "tie", force = "10 kN", at = [0, 4], direction = [-1, 0] }]'
+TIE = 'sides = "one"\nloads = [{ kind = "tie", force = "20 kN", at = [0, 4], direction = [-1, 0] }]'
 
 
 @pytest.fixture(scope="module")
@@ -73,13 +86,16 @@ def test_a_run_does_not_differ_from_itself(before: Results, after: Results) -> N
 
 def test_a_tie_turns_the_verdict_which_stands_first(before: Results, after: Results) -> None:
     found = changes(before, after)
-    first = found[0]
-    assert (first.kind, first.where, first.before, first.after) == ("verdict", "wall", "fail", "pass")
+    building, *others = of_kind(found, "verdict")
+    assert found[0] == building == Change("verdict", "", "verdict", "fail", "pass")
+    assert Change("verdict", "wall", "verdict", "fail", "pass") in others
+    margin = next(each for each in others if each.what == "holds up to, over the site's PGA")
+    assert margin.before < 1.0 < margin.after
     assert [change.kind for change in found] == sorted((c.kind for c in found), key=KINDS.index)
-    assert {change.where for change in found} <= {"wall", "", "project.toml"}  # the parapet stays as it was
+    assert {change.where for change in found} <= {"wall", "mechanisms.wall", "", "project.toml"}  # parapet: as it was
     (tied,) = of_kind(found, "project")
     assert (tied.what, tied.before) == ("mechanisms.wall.loads[1]", None)
-    assert (tied.after["kind"], tied.after["force"]) == ("tie", 10000.0)
+    assert (tied.after["kind"], tied.after["force"]) == ("tie", 20000.0)
     (file,) = of_kind(found, "input")
     assert (file.where, file.what) == ("project.toml", "sha256")
 
@@ -114,7 +130,9 @@ def test_the_other_way_round_is_the_mirror_image(before: Results, after: Results
 
 
 def test_what_one_run_alone_has_is_a_change(before: Results) -> None:
-    less = replace(before, mechanisms=before.mechanisms[:1], warnings=(*before.warnings, Notice("a", "b", "c")))
+    less = replace(
+        before, mechanisms=before.mechanisms[:1], warnings=(*before.warnings, Message("a", Severity.WARNING, "b", "c"))
+    )
     found = changes(before, less)
     assert [(c.kind, c.where, c.before, c.after) for c in found] == [
         ("mechanism", "parapet", "equivalent-block", None),
@@ -145,7 +163,7 @@ def test_what_changed_in_a_load_is_one_number(after: Results) -> None:
     loads = after.project["mechanisms.wall.loads"]
     stronger = Resolved([{**loads.value[0], "force": 12000.0}], True)
     found = changes(after, replace(after, project={**after.project, "mechanisms.wall.loads": stronger}))
-    assert [(c.what, c.before, c.after) for c in found] == [("mechanisms.wall.loads[1].force", 10000.0, 12000.0)]
+    assert [(c.what, c.before, c.after) for c in found] == [("mechanisms.wall.loads[1].force", 20000.0, 12000.0)]
 
 
 def swept(values: tuple[float, ...], ratios: tuple[float | None, ...], controlling: int) -> SweepResult:
@@ -153,7 +171,7 @@ def swept(values: tuple[float, ...], ratios: tuple[float | None, ...], controlli
     n = len(values)
     fell = tuple(ratio is None for ratio in ratios)
     same, none = (0.5,) * n, (None,) * n
-    answers = (ratios, fell, (0.2,) * n, controlling, True)
+    answers = (ratios, fell, (0.2,) * n, (Decision.PASS,) * n, controlling, True)
     return SweepResult(
         "wall", "materials.stone.density", "kg/m^3", values, same, same, same, none, none, same, *answers
     )

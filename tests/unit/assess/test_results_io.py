@@ -8,9 +8,13 @@ from typing import Any
 
 import pytest
 
-from assess.codes.check import Check, PgaCurve, Step
+from assess.codes.bases import BASES
+from assess.codes.check import Check, Outcome, PgaCurve, Reason, because, step
+from assess.codes.verdict import Action, Decision, Judged, Missing, Question, Verdict, verdict
 from assess.errors import ResultsError
+from assess.message import Message, Quantity, Severity
 from assess.results import (
+    SCHEMA_VERSION,
     AmplificationResult,
     Axis,
     BranchCurve,
@@ -24,7 +28,6 @@ from assess.results import (
     LoadResult,
     MechanismResult,
     NamedPoint,
-    Notice,
     OscillatorResult,
     Program,
     Resolved,
@@ -42,14 +45,17 @@ def oscillator() -> OscillatorResult:
 
 
 def check() -> Check:
-    step = Step("f", "frequency", "A.2", "f = 1 / T", "1 / 2", 0.5, "Hz")
+    line = step("f", "frequency", "A.2", "f = 1 / T", 0.5, "Hz", given={"T": (2.0, "s")})
     curve = PgaCurve((0.0, 0.5), (0.1, 1 / 3))
     numbers: dict[str, Any] = {"capacity_pga_g": 0.4, "uplift_pga_g": 0.1, "capacity_rotation_ratio": 0.5}
     return Check(
-        procedure="asce43-05-spectrum", edition="2005", role="code", branch="positive", limit_state="", level_pga_g=0.1,
-        input_at="ground", damping=None, damping_rule="", quantity="rotation", unit="rad", demand=None, capacity=0.05,
-        ratio=None, verdict="fail", reason="overturns", rotation_ratio=None, pga_curve=curve,
-        steps=(step,), caveat="", **numbers,
+        procedure="asce43-05-spectrum", edition="2005", role="deciding", branch="positive",
+        limit_state="no overturning", level_pga_g=0.1, input_at="ground", damping=None, damping_rule="",
+        quantity="rotation", unit="rad", demand=None, capacity=0.05, ratio=None,
+        verdict=Outcome.FAIL, reason=because(Reason.OVERTURNS), rotation_ratio=None,
+        pga_curve=curve,
+        steps=(line,), caveat="", remarks=(because(Reason.SLIDES_LATER, pga=Quantity(0.3, "ground acceleration")),),
+        **numbers,
     )  # fmt: skip
 
 
@@ -69,12 +75,26 @@ def mechanism() -> MechanismResult:
     )  # fmt: skip
 
 
+def decided() -> Verdict:
+    """A verdict with a failing answer, a missing key, a condition and no margin."""
+    missing = Missing("building.use_class", "on which <the> target hangs", 'use_class = "II"')
+    condition = Message("premise", Severity.WARNING, "", "a pass holds where it is anchored")
+    question = Question(
+        BASES["asce43-05"], Action(0.1, "DBE", return_period_years=475.0), procedures=("asce43-05-spectrum",)
+    )
+    other = replace(check(), verdict=Outcome.PASS, ratio=0.97)
+    judged = (Judged("w", (check(),)), Judged("v", (other,), (missing,), (condition,)))
+    return verdict(question, judged)
+
+
 def results() -> Results:
     return Results(
-        schema_version=1,
+        schema_version=SCHEMA_VERSION,
         program=Program("assess", "0.1.0"),
         inputs=(Input("project.toml", "00ff"),),
-        warnings=(Notice("x", "records", "a “sentence” with \n and \x07"),),
+        warnings=(
+            Message("x", Severity.WARNING, "records", "a “sentence” with \n and \x07", {"a": Quantity(0.1, "length")}),
+        ),
         project={
             "title": Resolved("é", True),
             "levels": Resolved([0.1, 0.2], False),
@@ -87,9 +107,20 @@ def results() -> Results:
         mechanisms=(mechanism(),),
         critical=None,
         comparison=(ComparisonRow("w", 0.1, "asce43-05-spectrum", None, 0.5, None),),
+        verdict=decided(),
         sweeps=(
             SweepResult(
-                "w", "a.b", "deg", (1, 2.5), *[(0.5, 0.6)] * 6, (None, 1.2), (True, False), (0.1, None), 0, True
+                "w",
+                "a.b",
+                "deg",
+                (1, 2.5),
+                *[(0.5, 0.6)] * 6,
+                (None, 1.2),
+                (True, False),
+                (0.1, None),
+                (Decision.FAIL, Decision.PASS),
+                0,
+                True,
             ),
         ),
     )
@@ -99,10 +130,34 @@ def test_round_trip_keeps_every_value() -> None:
     assert loads(dumps(results())) == results()
 
 
+def test_the_verdict_comes_back_whole() -> None:
+    found = loads(dumps(results())).verdict
+    assert found == decided()
+    assert found is not None
+    assert [(one.outcome, one.provisional) for one in found.mechanisms] == [("fail", None), ("incomplete", "pass")]
+    plain = json.loads(dumps(results()))["verdict"]
+    assert plain["outcome"] == "fail"
+    assert plain["missing"][0]["key"] == "building.use_class"
+    assert plain["action"] == {
+        "pga_g": 0.1,
+        "limit_state": "DBE",
+        "return_period_years": 475.0,
+        "over_periods": False,
+    }
+    answer = plain["mechanisms"][1]["answers"][0]
+    assert (answer["procedure"], answer["index"]["name"], answer["at_the_limit"]) == ("asce43-05-spectrum", "D/C", True)
+
+
+def test_a_message_has_key_severity_where_values_and_text() -> None:
+    (warning,) = json.loads(dumps(results()))["warnings"]
+    assert list(warning) == ["key", "severity", "where", "text", "values"]
+    assert warning["values"] == {"a": {"value": 0.1, "dimension": "length", "figures": 4}}
+
+
 def test_read_at_once_as_step_by_step() -> None:
     text = dumps(results())
     assert _at_once(text) == _step_by_step(text, "results") == results()
-    told = replace(results(), warnings=(Notice("NaN", "Infinity", "a word, not a number"),))
+    told = replace(results(), warnings=(Message("NaN", Severity.NOTE, "Infinity", "a word, not a number"),))
     assert loads(dumps(told)) == told
 
 
@@ -143,8 +198,9 @@ def test_infinite_number_is_refused_with_its_place(bad: float) -> None:
         ("{", "not JSON"),
         ("[1, 2]", "not a results file"),
         ("{}", "no schema_version"),
-        ('{"schema_version": 99}', "schema_version: 99: this program reads 1"),
-        ('{"schema_version": 1}', "program: "),
+        ('{"schema_version": 99}', "schema_version: 99: this program reads 2; run the project again"),
+        ('{"schema_version": 1}', "schema_version: 1: this program reads 2; run the project again"),
+        ('{"schema_version": 2}', "program: "),
         ('{"schema_version": NaN}', "NaN"),
         ("[" * 100_000, "nested too deeply"),
     ],

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from pathlib import Path
 
@@ -10,8 +10,12 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.codes.check import Check, PgaCurve, Step
+from assess.codes.bases import BASES
+from assess.codes.check import Check, Outcome, PgaCurve, Reason, Step, because
+from assess.codes.verdict import Action, Decision, Judged, Question, verdict, with_roles
+from assess.message import Message, Severity, count
 from assess.results import (
+    SCHEMA_VERSION,
     AmplificationResult,
     Axis,
     BranchCurve,
@@ -29,7 +33,6 @@ from assess.results import (
     LoadResult,
     MechanismResult,
     NamedPoint,
-    Notice,
     OscillatorResult,
     Point,
     Program,
@@ -144,13 +147,13 @@ def check(
     curve = PgaCurve(tuple(map(float, x)), tuple(float(strength * (1 + 4 * v - 2.6 * v**2)) for v in x))
     linear = procedure == "dmi2008-linear"
     informative = procedure.endswith("thesis")
-    capacity = None if verdict == "not-applicable" else 0.14 if linear else 0.5 * alpha
+    capacity = None if verdict == "not-answered" else 0.14 if linear else 0.5 * alpha
     return Check(
         procedure=procedure,
         edition="ASCE/SEI 43-05 (2005), Appendix A" if "asce" in procedure else "DMI 2008 with Circolare 617/2009",
-        role="informative" if informative else "code",
+        reading="thesis" if informative else "letter",
         branch="negative" if level > 0.3 else "positive",
-        limit_state="SLV" if "dmi" in procedure else "",
+        limit_state="SLV" if "dmi" in procedure else "no overturning",
         level_pga_g=level,
         input_at="ground" if "spectrum" in procedure else "mechanism base",
         damping=0.05 if informative else 0.0123,
@@ -160,16 +163,24 @@ def check(
         demand=demand,
         capacity=capacity,
         ratio=ratio,
-        verdict=verdict,  # type: ignore[arg-type]
-        reason="fewer than 5 records: shown as information" if verdict == "not-applicable" else "",
+        verdict=Outcome(verdict),
+        reason=reason_of(verdict, ratio),
         capacity_pga_g=None if linear else float(np.interp(0.5, x, curve.pga_g)),
         uplift_pga_g=strength,
         capacity_rotation_ratio=None if linear else 0.5,
         rotation_ratio=None if demand is None or linear else demand / alpha,
         pga_curve=PgaCurve((), ()) if linear else curve,
-        steps=() if verdict == "not-applicable" else steps(ratio if ratio is not None else 9.99),
+        steps=() if verdict == "not-answered" else steps(ratio if ratio is not None else 9.99),
         caveat="clauses not checked against the printed standard" if "dmi" in procedure else "",
     )
+
+
+def reason_of(verdict: str, ratio: float | None) -> Message:
+    if verdict == "not-answered":
+        return because(Reason.TOO_FEW_RECORDS, n=count(4), fallen=count(0), clause="ASCE 43-05", least=count(5))
+    if verdict == "fail" and ratio is None:
+        return because(Reason.OVERTURNS)
+    return because(Reason.WITHIN if verdict == "pass" else Reason.BEYOND, capacity="the allowable")
 
 
 def checks(alpha: float, weak: bool) -> tuple[Check, ...]:
@@ -204,7 +215,7 @@ def checks(alpha: float, weak: bool) -> tuple[Check, ...]:
             ),
         ]
         if not weak:
-            made.append(check("asce43-05-history", level, alpha, verdict="not-applicable", ratio=None, demand=None))
+            made.append(check("asce43-05-history", level, alpha, verdict="not-answered", ratio=None, demand=None))
         else:
             fell = place == 2
             made.append(
@@ -391,6 +402,23 @@ def round_tower() -> DirectionSweep:
     return DirectionSweep(angle, multiplier, (1.6,) * 72, (0.14,) * 72, 0.0, 0.027, 131.25)
 
 
+def asked(pga_g: float = LEVELS[0]) -> Question:
+    """ASCE 43-05 at a site of this PGA; the approximate method is named too."""
+    methods = ("asce43-05-history", "asce43-05-spectrum")
+    return Question(BASES["asce43-05"], Action(pga_g, "DBE"), procedures=methods)
+
+
+def decided(results: Results, question: Question | None = None) -> Results:
+    """The results with their verdict, and with the checks that decide marked."""
+    question = question or asked()
+    found = verdict(question, [Judged(each.name, each.checks) for each in results.mechanisms])
+    mechanisms = tuple(
+        replace(each, checks=with_roles(each.checks, one, question.basis, question.action))
+        for each, one in zip(results.mechanisms, found.mechanisms, strict=True)
+    )
+    return replace(results, mechanisms=mechanisms, verdict=found)
+
+
 def make_results() -> Results:
     records = tuple(record(number) for number in range(1, 6))
     mechanisms = (
@@ -424,17 +452,18 @@ def make_results() -> Results:
         0.05,
         "ASCE 7-16 Table 17.5-1, B factor",
         "ASCE 7-16 11.4.6",
-        0.0668,
+        0.067,
         PERIODS,
         tuple(asce_shape(p) for p in PERIODS),
     )
-    return Results(
-        1,
+    made = Results(
+        SCHEMA_VERSION,
         Program("assess", "0.1.0"),
         (Input("project.toml", "3f" * 32), Input("wall.stl", "a7" * 32)),
         (
-            Notice(
+            Message(
                 "knowledge-level",
+                Severity.WARNING,
                 "procedures.dmi2008",
                 "the confidence factor is 1.0 by default; knowledge level LC1 means 1.35",
             ),
@@ -460,16 +489,24 @@ def make_results() -> Results:
                 demand_capacity=(None, 1.31, 0.87),
                 overturned=(True, False, False),
                 capacity_pga_g=(None, 0.231, 0.292),
+                outcome=(Decision.FAIL, Decision.FAIL, Decision.PASS),
                 controlling=0,
                 governs=True,
             ),
         ),
     )
+    return decided(made)
 
 
 @pytest.fixture(scope="session")
 def results() -> Results:
     return make_results()
+
+
+@pytest.fixture(scope="session")
+def judged_at() -> Callable[[Results, float], Results]:
+    """The results as they are judged at a site of another PGA [g]."""
+    return lambda results, pga_g: decided(results, asked(pga_g))
 
 
 @pytest.fixture(scope="session")

@@ -11,10 +11,14 @@ import pytest
 
 import reports
 from assess.cli.report import Language
+from assess.codes.check import Outcome
+from assess.codes.verdict import Decision
+from assess.codes.verdict_text import outcome_text
 from assess.project.sections.analysis import Report
 from reports.catalogue import FOLDER, catalogue, languages, parsed
+from reports.document import Banner
 from reports.page import PAGE
-from reports.style import WORDS
+from reports.style import BANNER
 
 EMPTY = {"unchanged": [], "furniture": {}, "sentences": {}, "phrases": {}}
 NUMBER = re.compile(r"\d+(?:\.\d+)*")
@@ -30,11 +34,14 @@ def test_every_language_can_be_asked_for_and_has_a_name_in_the_pdf() -> None:
 def test_words_that_renderers_ask_for_are_there(language: str) -> None:
     asked = {
         PAGE,
-        *WORDS.values(),
-        "pass",
-        "fail",
-        "incomplete",
-        "not-applicable",
+        *(
+            Banner(word, "", near=near).word
+            for word in BANNER
+            for near in (False, True)
+            if word != "incomplete" or not near
+        ),
+        *Outcome,
+        *(outcome_text(each, near=near) for each in Decision for near in (False, True)),
         "yes",
         "no",
         "Figure",

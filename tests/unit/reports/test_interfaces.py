@@ -31,19 +31,23 @@ material = "stone"
 box = { thickness = 0.5, length = 1, height = 4 }
 [mechanisms.rigid]
 kind = "single-block"
+direction = [1, 0, 0]
 blocks = ["wall"]
 [mechanisms.flexible]
 label = "<b>on joints</b>"
 kind = "single-block"
+direction = [1, 0, 0]
 blocks = ["wall"]
 interface = { model = "flexible", stiffness = "0.2 GPa/m" }
 [mechanisms.other]
 kind = "single-block"
+direction = [1, 0, 0]
 blocks = ["wall"]
 sides = "one"
 interface = { model = "flexible", stiffness = "0.2 GPa/m" }
 [mechanisms.two]
 kind = "two-block"
+direction = [1, 0, 0]
 blocks = ["slim"]
 crack = "2.4 m"
 loads = [{ kind = "overburden", force = "20 kN", eccentricity = 0.25 }]

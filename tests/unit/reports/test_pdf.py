@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from dataclasses import replace
 from pathlib import Path
+from typing import Literal
 
 import pytest
 from pypdf import PdfReader
@@ -12,10 +13,11 @@ from pypdf.generic import Destination
 
 from assess.results import Resolved, Results
 from reports.assessment import assessment
-from reports.document import Banner, Section
+from reports.document import Banner, Code, Section
 from reports.document import Figure as DrawnFigure
 from reports.pdf import write_pdf
-from reports.style import WORDS, bare_sheet
+from reports.style import bare_sheet
+from reports.wording import reworded
 
 HOSTILE = ("<b>&", "<para>", "</font>", "=cmd()", "$x$", "{}%s", "\\frac{1}{2}")
 
@@ -38,7 +40,7 @@ def test_text_holds_every_verdict_and_every_mechanism(results: Results, report: 
             assert check.procedure in text
     number = r"(?:no rocking|none lasting|\S+)"
     rows = re.findall(
-        rf"(?:rotation, rad|acceleration, g) {number} \S+ \S+ {number} \S+ \S+ (pass|fail|not-applicable)", text
+        rf"(?:rotation, rad|acceleration, g) {number} \S+ \S+ {number} \S+ \S+ (pass|fail|not-answered)", text
     )
     assert rows == [check.verdict for mechanism in results.mechanisms for check in mechanism.checks]
 
@@ -148,8 +150,18 @@ def test_a_figure_higher_than_the_page_is_made_smaller(results: Results, tmp_pat
     assert len(PdfReader(write_pdf(one, tmp_path / "tall.pdf")).pages) <= 3
 
 
-@pytest.mark.parametrize("verdict", ["pass", "fail", "incomplete", "not-applicable"])
-def test_the_verdict_on_the_cover_stands_on_one_line(results: Results, tmp_path: Path, verdict: str) -> None:
-    opening = Section("Verdict", 0, (Banner(verdict, "some words beside it"),))
-    document = replace(assessment(results), sections=(opening,), data=())
-    assert WORDS[verdict] in text_of(write_pdf(document, tmp_path / "verdict.pdf"))
+@pytest.mark.parametrize("near", [False, True])
+@pytest.mark.parametrize("verdict", ["pass", "fail", "incomplete"])
+def test_the_verdict_on_the_cover_is_printed_whole(
+    results: Results, tmp_path: Path, verdict: Literal["pass", "fail", "incomplete"], near: bool
+) -> None:
+    banner = Banner(verdict, "some words beside it", near)
+    document = replace(assessment(results), sections=(Section("Verdict", 0, (banner,)),), data=())
+    assert banner.word in text_of(write_pdf(document, tmp_path / "verdict.pdf"))
+
+
+def test_lines_to_paste_are_printed_letter_for_letter(results: Results, tmp_path: Path) -> None:
+    code = Code(('[materials."<b> & stone"]', 'disintegration = "excluded"'))
+    document = replace(assessment(results), sections=(Section("Verdict", 0, (code,)),), data=())
+    assert " ".join(code.lines) in text_of(write_pdf(document, tmp_path / "code.pdf"))
+    assert reworded(document, str.upper).sections[0].blocks == (code,)

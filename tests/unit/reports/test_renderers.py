@@ -34,7 +34,16 @@ RENDERERS = (
     "catalogue",
     "template",
 )
-DATA = {"assess.results", "assess.codes.check", "assess.plural"}
+DATA = {
+    "assess.results",
+    "assess.codes.check",
+    "assess.codes.family",
+    "assess.codes.verdict",
+    "assess.codes.verdict_text",
+    "assess.message",
+    "assess.plural",
+    "assess.texts",
+}
 
 
 def imports(path: Path) -> set[str]:

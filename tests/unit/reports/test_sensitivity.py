@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure as Drawn
 
-from assess.codes.check import Verdict
+from assess.codes.check import Outcome
 from assess.results import Results, SensitivityResult
 from reports import sensitivity
 from reports.assessment import assessment
@@ -28,7 +28,7 @@ def rows(parameter: str, low: float, high: float, *, mechanism: str = "wall-6", 
     common |= {"base": value, "low": 0.95 * value, "high": 1.05 * value, "procedure": "dmi2008-linear"}
     made = [SensitivityResult(**common, quantity="capacity_pga_g", at_base=base, at_low=low, at_high=high)]  # type: ignore[arg-type]
     for level in LEVELS:
-        verdicts: list[Verdict] = ["fail" if level > at else "pass" for at in (base, low, high)]
+        verdicts = [Outcome.FAIL if level > at else Outcome.PASS for at in (base, low, high)]
         ratios = dict(zip(("at_base", "at_low", "at_high"), (level / at for at in (base, low, high)), strict=True))
         turned = dict(zip(("verdict_base", "verdict_low", "verdict_high"), verdicts, strict=True))
         made.append(SensitivityResult(**common, quantity="demand_capacity", level_pga_g=level, **ratios, **turned))  # type: ignore[arg-type]
@@ -44,9 +44,9 @@ def history(parameter: str, at_high: float | None) -> SensitivityResult:
         at_base=0.5,
         at_low=0.5,
         at_high=at_high,
-        verdict_base="pass",
-        verdict_low="pass",
-        verdict_high="fail" if at_high is None else "pass",
+        verdict_base=Outcome.PASS,
+        verdict_low=Outcome.PASS,
+        verdict_high=Outcome.FAIL if at_high is None else Outcome.PASS,
     )
 
 
@@ -140,9 +140,26 @@ def test_where_no_capacity_is_known_the_worst_ratio_is_shown(
     assert [row.procedure for row in varied(only)[0].shown] == ["asce43-05-history"]
     assert varied(only)[0].number.parameter == "restitution"  # it overturns
     assert len(drawn(results, only).axes) == 1
-    silent: dict[str, Any] = {"verdict_base": "not-applicable", "verdict_low": None, "verdict_high": "not-applicable"}
+    silent: dict[str, Any] = {
+        "verdict_base": Outcome.NOT_ANSWERED,
+        "verdict_low": None,
+        "verdict_high": Outcome.NOT_ANSWERED,
+    }
     unknown = tuple(replace(row, at_base=None, at_low=None, at_high=None, **silent) for row in only)
     assert drawn(results, unknown).axes
+
+
+def test_what_decides_stands_before_what_is_for_comparison() -> None:
+    """The index of the deciding procedure and its PGA at capacity; the verdict changes by its rows alone."""
+    made = []
+    for row in rows("thickness", 0.17, 0.205):
+        made += [row, replace(row, procedure="asce43-05-spectrum", role="deciding")]
+    index = replace(made[-1], quantity="index", index="D/C", verdict_base=Outcome.PASS, verdict_low=Outcome.PASS)
+    (found,) = varied([*made, index])
+    shown = [(row.quantity, row.procedure) for row in found.shown]
+    assert shown == [("index", "asce43-05-spectrum"), ("capacity_pga_g", "asce43-05-spectrum")]
+    assert {row.procedure for row in found.telling} == {"asce43-05-spectrum"}
+    assert sensitivity.words_of(index) == "index D/C"
 
 
 def test_units_suit_the_number() -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import asdict, replace
 
 from assess.codes.check import Bound, Step
+from assess.message import message
 from assess.results import Results
 from reports import tables
 from reports.assessment import assessment
@@ -59,25 +60,22 @@ def test_a_return_period_beyond_the_hazard_is_shown_as_a_bound(results: Results)
         assert as_table(made).rows[0][-2:] == ("≥ 2475", "years")
 
 
-def test_brief_gives_one_line_per_mechanism_and_level(results: Results) -> None:
-    table = tables.brief(results)
-    headings = [column.heading for column in table.columns]
-    assert not any("thesis" in heading for heading in headings)
-    rows = {(row[0], row[1]): dict(zip(headings, row, strict=True)) for row in table.rows}
-    assert len(rows) == 6
-    assert rows["parapet", 0.45]["Largest ratio [-]"] == "overturned"
-    assert rows["parapet", 0.2]["Verdict"] == "pass"
-    assert rows["Wall 6, eroded base", 0.45]["asce43-05 history"] == "not-applicable"
-    assert rows["Wall 6, eroded base", 0.45]["Verdict"] == "fail"
-
-
-def test_an_informative_failure_does_not_decide(results: Results) -> None:
-    first = results.mechanisms[0]
-    level = tuple(replace(c, verdict="pass", ratio=0.5) for c in first.checks if c.level_pga_g == 0.2)
-    failing = tuple(replace(c, verdict="fail", ratio=9.0) if c.role == "informative" else c for c in level)
-    alone = replace(results, mechanisms=(replace(first, checks=failing),))
-    assert [(row[-2], row[-1]) for row in tables.brief(alone).rows] == [(0.5, "pass")]
-    assert tables.verdicts(alone).muted == {1}
+def test_what_checks_say_is_told_at_the_sites_own_action_and_elsewhere_where_they_do_not_pass(
+    results: Results,
+) -> None:
+    parapet = results.mechanisms[1]
+    remark, condition = message("fails-below", {"pga": "0.3 g"}), message("premise-anchorage")
+    first = replace(parapet.checks[0], remarks=(remark,), conditions=(condition,))
+    table = tables.answers(replace(parapet, checks=(first, *parapet.checks[1:])), 0.067, name="a")
+    heads = [column.label for column in table.columns]
+    rows = [dict(zip(heads, row, strict=True)) for row in table.rows]
+    assert {row["Outcome"] for row in rows if row["PGA"] != 0.067} == {"fail"}
+    assert [row["Procedure"] for row in rows if row["PGA"] == 0.067] == [c.procedure for c in parapet.checks[:5]]
+    assert rows[0]["Conditions and remarks"] == f"{condition.text}; {remark.text}"
+    assert [row["Procedure"] for row in rows if row["Role"] == "deciding"] == ["asce43-05-history"]
+    assert {row["Procedure"] for row in rows if row["Reading"] == "thesis"} == {"asce43-05-spectrum-thesis"}
+    assert [row["Reading"] for place, row in enumerate(rows) if place in table.muted] == ["thesis"]
+    assert next(row["Why"] for row in rows if row["PGA"] == 0.45).startswith("the demand is beyond")
 
 
 def test_joints_without_a_threshold_have_no_pga_at_uplift(results: Results) -> None:

@@ -103,7 +103,7 @@ MISSING = {
     "no geometry": ({"wall": None}, "not-applicable", Reason.NO_WALL_SIZE),
     "stands free": ({"support": "free"}, "not-applicable", Reason.NOT_SPANNING),
     "hinges": ({"support": "hinged"}, "not-applicable", Reason.NOT_SPANNING),
-    "table": ({"spectrum": SHORT}, "not-answered", Reason.NO_S_X1),
+    "table": ({"spectrum": SHORT}, "not-answered", Reason.NOT_BY_NAME),
     "short": ({"spectrum": dataclasses.replace(SPECTRUM, longest_period=0.8)}, "not-answered", "spectrum-too-short"),
 }
 

@@ -18,6 +18,7 @@ from assess.mechanisms.equivalent_block import equivalent_block
 from assess.mechanisms.oscillation import oscillator
 from spectra.asce7 import design_spectrum
 from spectra.ec8 import elastic_spectrum
+from spectra.table import table_spectrum
 
 SPECTRUM = elastic_spectrum(a_g=0.25 * g, ground_type="B")
 HOUSE = Building(height=10.0, storeys=3, period=0.4, damping=0.05)
@@ -102,3 +103,15 @@ def test_a_wall_that_carries_floors_has_no_accepted_method() -> None:
     assert (check.verdict, check.reason.key) == ("not-answered", Reason.CARRIES_FLOORS)
     (light,) = asked(dataclasses.replace(at(10.0), levels=(0.01 * g,)))
     assert light.verdict == "pass"
+
+
+def test_on_a_table_alpha_s_has_to_be_given_by_name() -> None:
+    """A table that begins at 0.24 g: with alpha S = 0.3 g the answer is that of the spectrum that begins with it."""
+    table = table_spectrum(np.array([0.0, 0.15, 0.5]), np.array([0.24, 0.75, 0.75]) * g)
+    on_table = dataclasses.replace(at(10.0), spectrum=table, levels=(0.24 * g,))
+    (silent,) = assess(PARAPET, on_table, options=Options())
+    assert (silent.verdict, silent.reason.key) == ("not-answered", Reason.NOT_BY_NAME)
+    (named,) = assess(PARAPET, on_table, options=Options(alpha_s=0.3))
+    (code,) = assess(PARAPET, at(10.0), options=Options())
+    assert (named.ratio, named.verdict) == (pytest.approx(code.ratio, rel=1e-12), code.verdict)
+    assert named.capacity_pga_g == pytest.approx(0.8 * code.capacity_pga_g, rel=1e-12)

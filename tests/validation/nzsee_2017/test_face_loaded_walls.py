@@ -26,6 +26,7 @@ from assess.mechanisms.single_block import single_block
 from assess.mechanisms.two_block import two_block
 from assess.project.wall_size import wall_of
 from spectra.nzs1170_5 import site_spectrum
+from spectra.table import table_spectrum
 
 H, T = 4.0, 0.23
 WELLINGTON = site_spectrum(subsoil="C", z=0.4, r=1.0)  # C(0) = 0.532
@@ -237,3 +238,14 @@ def test_what_is_no_face_loaded_wall_is_not_answered() -> None:
     ):
         (check,) = admitted(NAME, partial(assess, options=Options()), wall(), context)
         assert (check.verdict, check.reason.key) == (verdict, reason)
+
+
+def test_on_a_table_c_0_has_to_be_given_by_name() -> None:
+    """A table that begins at 0.4 g: with C(0) = 0.532 g the answer is that of the code's own spectrum."""
+    table = table_spectrum(np.array([0.0, 0.1, 3.0]), np.array([0.4, 1.0, 0.1]) * g)
+    on_table = second_storey(spectrum=table, level=0.4 * g)
+    (silent,) = assess(wall(), on_table, options=Options())
+    assert (silent.verdict, silent.reason.key) == ("not-answered", Reason.NOT_BY_NAME)
+    (named,) = assess(wall(), on_table, options=Options(c_0=0.532))
+    (code,) = assess(wall(), second_storey(), options=Options())
+    assert named.score["%NBS"] == pytest.approx(code.score["%NBS"], rel=1e-9)

@@ -13,10 +13,11 @@ import pytest
 from assess.cli import main
 from assess.cli.diff_table import changes_text
 from assess.comparing import Change
+from assess.message import Message, Severity
 from assess.project.build import build
 from assess.project.run import parameters
 from assess.project.schema import load
-from assess.results import Input, Notice, Program, Resolved, Results
+from assess.results import SCHEMA_VERSION, Input, Program, Resolved, Results
 from assess.results_io import dumps
 
 PROJECT = """
@@ -43,7 +44,8 @@ def runs(tmp_path: Path) -> tuple[Path, Path]:
         folder.mkdir()
         (folder / "project.toml").write_text(PROJECT.replace("2.4", str(p)))
         results = Results(
-            1, Program("assess", "0"), (Input("project.toml", name * 8),), (Notice("w", "here", f"said\n {name}"),),
+            SCHEMA_VERSION, Program("assess", "0"), (Input("project.toml", name * 8),),
+            (Message("w", Severity.WARNING, "here", f"said\n {name}"),),
             {"mechanisms.parapet.p": Resolved(p, True)}, None, (), parameters(build(load(folder))), None, (), (),
         )  # fmt: skip
         made.append(folder / "project-results" / "results.json")
@@ -91,10 +93,10 @@ def test_the_exit_code_tells_only_where_asked(runs: tuple[Path, Path], capsys: p
 
 def test_what_is_no_results_file_is_one_line(runs: tuple[Path, Path], capsys: pytest.CaptureFixture[str]) -> None:
     before, after = runs
-    text = after.read_text().replace('"schema_version": 1', '"schema_version": 7')
+    text = after.read_text().replace('"schema_version": 2', '"schema_version": 7')
     after.write_text(text)
     for arguments, told in (
-        ((before, after), "schema_version: 7: this program reads 1; run the project again"),
+        ((before, after), "schema_version: 7: this program reads 2; run the project again"),
         ((before, before.parents[2]), "a folder with none of results.json or envelopes.json"),
         ((before, before.parents[1] / "project.toml"), "not JSON"),
         ((before, before.parent / "absent.json"), "absent.json: No such file"),

@@ -125,7 +125,7 @@ BAD_PROJECTS: dict[str, str | bytes] = {
     "junk mesh": SITE + WALL.replace("box = {", 'mesh = "junk.stl" #'),
     "missing mesh": SITE + WALL.replace("box = {", 'mesh = "missing.stl" #'),
     "junk spectrum": WALL + '[site.spectrum]\ncode = "table"\nfile = "junk.csv"\n',
-    "hinge outside": SITE + WALL + "hinges = { A = [-50, 0, 0] }\n",
+    "hinge outside": SITE + WALL + "direction = [1, 0, 0]\nhinges = { A = [-50, 0, 0] }\n",
     "binary junk": bytes(range(256)) * 9,
     "empty file": "",
 }

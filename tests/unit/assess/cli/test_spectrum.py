@@ -215,6 +215,6 @@ def test_what_no_site_has_is_told_on_stderr(capsys: pytest.CaptureFixture[str]) 
 
 def test_a_number_that_was_rather_meant_in_g_is_told(capsys: pytest.CaptureFixture[str]) -> None:
     assert ended("spectrum", "--code", "ec8", "--a-g", "0.25", "--ground-type", "B") == 0
-    assert '--a-g: 0.25 m/s^2 is 0.0255 g; write "0.25 g"' in capsys.readouterr().err
+    assert '--a-g: 0.25 m/s2 is 0.0255 g; write "0.25 g"' in capsys.readouterr().err
     assert ended("spectrum", "--code", "ec8", "--a-g", "0.25 g", "--ground-type", "B") == 0
     assert capsys.readouterr().err == ""

@@ -322,8 +322,8 @@ def test_a_bare_number_that_is_hardly_an_earthquake_is_told(tmp_path: Path) -> N
     slip = changed('levels = ["0.1 g", "0.2 g"]', 'levels = [0.1, 1.3, "0.01 g"]').replace('"0.25 g"', "0.15")
     doubts = load(written(tmp_path, slip)).doubts
     assert [(doubt.key, doubt.where, doubt.text) for doubt in doubts] == [
-        ("unit", "site.spectrum.s_d1", '0.15 m/s^2 is 0.0153 g; write "0.15 g" if that was meant'),
-        ("unit", "analysis.levels[1]", '0.1 m/s^2 is 0.0102 g; write "0.1 g" if that was meant'),
+        ("unit", "site.spectrum.s_d1", '0.15 m/s2 is 0.0153 g; write "0.15 g" if that was meant'),
+        ("unit", "analysis.levels[1]", '0.1 m/s2 is 0.0102 g; write "0.1 g" if that was meant'),
     ]
     assert load(written(tmp_path, PROJECT)).doubts == ()
 

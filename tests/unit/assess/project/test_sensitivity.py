@@ -97,7 +97,22 @@ def test_capacity_of_a_plain_block_is_proportional_to_thickness_and_free_of_dens
         assert thick.at_low < thick.at_base < thick.at_high  # type: ignore[operator]
         for row in rows_of(results, "thickness", RATIO, procedure):
             assert row.at_low >= row.at_base >= row.at_high  # type: ignore[operator]
-    assert [row.level_pga_g for row in rows_of(results, "density", RATIO, "dmi2008-linear")] == [0.1, 0.25]
+    assert [row.level_pga_g for row in rows_of(results, "density", RATIO, "dmi2008-linear")] == [0.1, 0.2, 0.25]
+
+
+def test_what_decides_is_told_by_its_index(folder: Path) -> None:
+    """Demand over capacity of the approximate method at the site's own PGA; without a basis there is none."""
+    assert not rows_of(run(study_of(folder, asked("true"))), "thickness", "index", "asce43-05-spectrum")
+    basis = '[verdict]\nbasis = "asce43-05"\nprocedures = ["asce43-05-spectrum"]\n[site]\nlimit_state = "DBE"\n'
+    results = run(study_of(folder, asked('{ thickness = "3 cm" }', project=basis + PROJECT)))
+    (index,) = rows_of(results, "thickness", "index", "asce43-05-spectrum")
+    ratio = next(row for row in rows_of(results, "thickness", RATIO, "asce43-05-spectrum") if row.role == "deciding")
+    assert (index.index, index.level_pga_g) == ("D/C", 0.2)
+    assert (index.at_base, index.at_low, index.at_high) == (ratio.at_base, ratio.at_low, ratio.at_high)
+    assert results.verdict is not None
+    assert results.verdict.mechanisms[0].answers[0].index.value == index.at_base  # type: ignore[union-attr]
+    others = [row.role for row in results.sensitivity if row.procedure == "dmi2008-linear"]
+    assert set(others) == {"comparison"}
 
 
 def test_a_share_of_nothing_changes_nothing(folder: Path) -> None:
@@ -312,17 +327,18 @@ def test_the_schema_knows_the_table() -> None:
 
 
 def test_a_case_that_the_floor_governs_stands_beside_one_that_the_ground_governs(folder: Path) -> None:
-    """DM 2008 at 4 m: with 38 kN of a tie the floor demands more than the ground, with 20 kN it does not."""
-    tie = 'sides = "one"\nloads = [{ kind = "tie", force = "20 kN", at = [0, 8], direction = [-1, 0] }]'
+    """DM 2008 at 4 m: with 19 kN of a strut the floor demands more than the ground, with 10 kN it does not."""
+    strut = '{ kind = "force", force = "10 kN", at = [0, 8], direction = [-1, 0], until = "collapse" }'
     text = PROJECT.replace("height = 4.5 }", "height = 4.5, base = [0, 0, 4] }").replace(
-        'blocks = ["wall"]', f'blocks = ["wall"]\n{tie}'
+        'blocks = ["wall"]', f'blocks = ["wall"]\nsides = "one"\nloads = [{strut}]'
     )
     text = text.replace('["asce43-05-spectrum", "dmi2008-linear"]', '["dmi2008-nonlinear"]')
-    text = f"[building]\nheight = 8\nstoreys = 2\nperiod = 0.53\n{text}"
+    sources = '[report.sources]\n"mechanisms.wall.loads" = "measured: it stays"'
+    text = f"{sources}\n[building]\nheight = 8\nstoreys = 2\nperiod = 0.62\n{text}"
     ends = [
-        run(study_of(folder, text.replace("20 kN", force))).mechanisms[0].checks[-1] for force in ("20 kN", "38 kN")
+        run(study_of(folder, text.replace("10 kN", force))).mechanisms[0].checks[-1] for force in ("10 kN", "19 kN")
     ]
     assert [check.input_at for check in ends] == ["ground", "mechanism base"]
-    results = run(study_of(folder, asked(only("{ tie_force = 0.9 }"), project=text)))
-    row = rows_of(results, "tie_force", RATIO, "dmi2008-nonlinear")[-1]
+    results = run(study_of(folder, asked(only("{ loads = 0.9 }"), project=text)))
+    row = rows_of(results, "loads", RATIO, "dmi2008-nonlinear")[-1]
     assert (row.at_base, row.at_high) == tuple(pytest.approx(check.ratio, rel=1e-9) for check in ends)

@@ -11,16 +11,24 @@ import pytest
 import trimesh
 from scipy.constants import g
 
-from assess.codes.check import Check, PgaCurve
+from assess.codes.bases import BASES
+from assess.codes.check import Check, Outcome, Reason, because
+from assess.codes.verdict import Action, Question, verdict, with_roles
+from assess.codes.verdict import Judged as JudgedChecks
 from assess.project.build import build
 from assess.project.run import case_parameters, parameters, run
 from assess.project.schema import load
 from assess.project.study import Study
-from assess.project.sweeping import controlling
+from assess.project.sweeping import Judged, controlling
 from assess.results import MechanismResult
 from assess.results_io import dumps
 
 PROJECT = """
+[verdict]
+basis = "asce43-05"
+procedures = ["asce43-05-spectrum"]
+[site]
+limit_state = "DBE"
 [site.spectrum]
 code = "asce7-16"
 s_ds = "0.5 g"
@@ -66,13 +74,11 @@ def study_of(folder: Path, text: str) -> Study:
     return build(load(folder))
 
 
-def check(**changes: Any) -> Check:
+def check(verdict: str = "pass", **changes: Any) -> Check:
     given: dict[str, Any] = {
-        "procedure": "p", "edition": "", "role": "code", "branch": "positive", "limit_state": "", "level_pga_g": 0.1,
-        "input_at": "ground", "damping": None, "damping_rule": "", "quantity": "rotation", "unit": "rad",
-        "demand": None, "capacity": None, "ratio": None, "verdict": "pass", "reason": "", "capacity_pga_g": None,
-        "uplift_pga_g": None, "capacity_rotation_ratio": None, "rotation_ratio": None, "pga_curve": PgaCurve((), ()),
-        "steps": (), "caveat": "",
+        "procedure": "asce43-05-spectrum", "edition": "", "branch": "positive", "limit_state": "no overturning",
+        "level_pga_g": 0.1, "input_at": "ground", "damping": None, "quantity": "rotation", "unit": "rad",
+        "verdict": Outcome(verdict), "reason": because(Reason.WITHIN, capacity="the allowable"),
     }  # fmt: skip
     return Check(**{**given, **changes})
 
@@ -82,24 +88,57 @@ def result(folder: Path) -> MechanismResult:
     return parameters(study_of(folder, PROJECT))[0]
 
 
-def case(result: MechanismResult, *checks: Check, uplift: float = 0.1) -> MechanismResult:
+def case(result: MechanismResult, *checks: Check, uplift: float = 0.1, basis: str | None = "asce43-05") -> Judged:
+    """The mechanism with these checks and this multiplier, judged at 0.1 g."""
+    methods = ("asce43-05-history", "asce43-05-spectrum")
+    question = Question(None if basis is None else BASES[basis], Action(0.1, "DBE"), procedures=methods)
+    found = verdict(question, [JudgedChecks(result.name, checks)]).mechanisms[0]
     weaker = replace(result.oscillator, uplift_multiplier=uplift)
-    return replace(result, checks=checks, oscillator=weaker, oscillator_negative=None)
+    marked = with_roles(checks, found, question.basis, question.action)
+    return Judged(replace(result, checks=marked, oscillator=weaker, oscillator_negative=None), found)
 
 
-def test_the_largest_ratio_controls_and_overturning_before_it(result: MechanismResult) -> None:
+def test_a_failing_case_controls_before_an_incomplete_one_and_that_before_one_that_passes(
+    result: MechanismResult,
+) -> None:
+    """A larger ratio for comparison, or at another level, does not make a case control."""
     cases = [
-        case(result, check(ratio=0.5), check(ratio=1.2, level_pga_g=0.2)),
-        case(result, check(ratio=1.3, role="informative"), check(ratio=0.4)),
-        case(result, check(ratio=9.0, verdict="not-applicable"), check(ratio=0.3)),
-        case(result, check(ratio=1.25)),
+        case(result, check(ratio=0.9), check("fail", ratio=7.0, procedure="dmi2008-linear")),
+        case(result, check(ratio=0.8), check("fail", ratio=9.0, level_pga_g=0.3)),
+        case(result, check("not-answered")),
+    ]
+    assert [each.verdict.outcome for each in cases] == ["pass", "pass", "incomplete"]
+    assert controlling(cases) == 2
+    assert controlling(cases[:2]) == 0
+    assert controlling([*cases, case(result, check("fail", ratio=1.01))]) == 3
+
+
+def test_of_equal_verdicts_the_least_margin_controls_then_the_ratio(result: MechanismResult) -> None:
+    cases = [
+        case(result, check("fail", ratio=1.5, capacity_pga_g=0.08)),
+        case(result, check("fail", ratio=1.2, capacity_pga_g=0.07)),
+    ]
+    assert controlling(cases) == 1
+    fallen = case(result, check("fail"))  # it overturns, and at which PGA it would not is unknown
+    assert controlling([*cases, fallen, case(result, check("fail", ratio=3.0))]) == 2
+    passing = [case(result, check(ratio=0.4)), case(result, check(ratio=0.5, capacity_pga_g=0.2))]
+    assert controlling(passing) == 1
+
+
+def test_without_a_basis_all_checks_of_codes_tell_which_case_controls(result: MechanismResult) -> None:
+    none = {"basis": None}
+    cases = [
+        case(result, check(ratio=0.5), check(ratio=1.2, level_pga_g=0.2), **none),
+        case(result, check(ratio=1.3, reading="thesis"), check(ratio=0.4), **none),
+        case(result, check("not-applicable", ratio=9.0), check(ratio=0.3), **none),
+        case(result, check("fail", ratio=1.25), **none),
     ]
     assert controlling(cases) == 3
-    assert controlling([*cases, case(result, check(verdict="fail"), check(ratio=0.1))]) == 4
+    assert controlling([*cases, case(result, check("fail"), check(ratio=0.1), **none)]) == 4
 
 
-def test_where_no_check_applies_the_least_capacity_controls_then_the_multiplier(result: MechanismResult) -> None:
-    silent = {"verdict": "not-applicable", "ratio": 2.0}
+def test_where_nothing_is_answered_the_least_capacity_controls_then_the_multiplier(result: MechanismResult) -> None:
+    silent = {"verdict": "not-answered", "ratio": 2.0}
     cases = [
         case(result, check(capacity_pga_g=0.4, **silent), uplift=0.05),
         case(result, check(capacity_pga_g=0.3, **silent)),
@@ -129,8 +168,11 @@ def test_only_what_depends_on_the_key_is_swept_and_its_worst_case_stands(folder:
     assert (sweep.controlling, sweep.governs) == (1, True)
     standing = results.mechanisms[0]
     assert standing.oscillator.uplift_multiplier == sweep.uplift_multiplier[1]
-    ratios = [c.ratio for c in standing.checks if c.role == "code" and c.verdict != "not-applicable"]
-    assert max(ratio for ratio in ratios if ratio is not None) == sweep.demand_capacity[1]
+    (deciding,) = [c for c in standing.checks if c.role == "deciding"]
+    assert (deciding.procedure, deciding.level_pga_g) == ("asce43-05-spectrum", 0.2)
+    assert deciding.ratio == sweep.demand_capacity[1]
+    assert results.verdict is not None
+    assert results.verdict.mechanisms[0].outcome == sweep.outcome[1]
     assert [row.demand_capacity for row in results.comparison if row.mechanism == "capped"] == [
         c.ratio for c in standing.checks
     ]
@@ -219,3 +261,15 @@ def test_without_sweeps_nothing_is_swept(folder: Path) -> None:
     results = run(study_of(folder, PROJECT))
     assert results.sweeps == ()
     assert [mechanism.direction_sweep for mechanism in results.mechanisms] == [None, None]
+
+
+def test_the_verdict_of_a_swept_site_stands_at_the_action_of_the_case_that_controls(folder: Path) -> None:
+    scaled = PROJECT.replace("[site]\n", '[site]\npga = "0.2 g"\n')
+    swept = run(study_of(folder, f'{scaled}[analysis.sweep]\nkey = "site.pga"\nvalues = ["0.15 g", "0.28 g"]\n'))
+    alone = run(study_of(folder, scaled.replace('pga = "0.2 g"', 'pga = "0.28 g"')))
+    assert swept.verdict is not None
+    assert swept.verdict.action.pga_g == pytest.approx(0.28, rel=1e-12)
+    assert alone.verdict is not None
+    for one, other in zip(swept.verdict.mechanisms, alone.verdict.mechanisms, strict=True):
+        assert (one.outcome, one.margin) == (other.outcome, other.margin)
+    assert swept.verdict.outcome == "fail"

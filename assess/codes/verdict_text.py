@@ -1,0 +1,87 @@
+"""A verdict in words: what the command line and the report both print of it. All text is English, in SI."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Collection, Sequence
+
+from assess.codes.verdict import Action, Decision, Index, MechanismVerdict, Missing, Verdict
+from assess.message import Message, Severity
+
+AT_THE_LIMIT = " at the limit"
+AS_COUNTED = {"%NBS": 100.0}  # by what an index is multiplied where it is shown
+NAMED = ("materials", "mechanisms", "bodies")  # tables whose entries the user names
+_BARE = re.compile(r"[A-Za-z0-9_-]+")
+
+
+def outcome_text(outcome: Decision, *, near: bool) -> str:
+    """The outcome, and whether it lies at the limit: "fail at the limit"."""
+    return outcome.value + (AT_THE_LIMIT if near and outcome != Decision.INCOMPLETE else "")
+
+
+def index_text(index: Index | None) -> str:
+    """An index with its name and grade: "zeta_E 0.83", "45 %NBS, grade C"; empty where there is none."""
+    if index is None:
+        return ""
+    value = f"{index.value * AS_COUNTED.get(index.name, 1.0):.3g}"
+    said = f"{value} {index.name}" if index.name in AS_COUNTED else f"{index.name} {value}"
+    return f"{said}, grade {index.grade}" if index.grade else said
+
+
+def building_index_text(verdict: Verdict) -> str:
+    """The index of the building, which local mechanisms alone can only bound; empty where none is known."""
+    if verdict.index is None:
+        return ""
+    bound = "at least" if verdict.index.name == "D/C" else "at most"
+    return f"{bound} {index_text(verdict.index)}"
+
+
+def target_text(verdict: Verdict) -> str:
+    """What the index is compared with; empty where that is not known."""
+    if verdict.target is None:
+        return ""
+    name = verdict.index.name if verdict.index is not None else ""
+    return f"{verdict.target * AS_COUNTED.get(name, 1.0):.3g}"
+
+
+def action_text(action: Action) -> str:
+    """The site's own action: PGA, limit state and return period as far as they are known."""
+    known = [f"PGA {action.pga_g:.3g} g"]
+    known += [f"stated for {action.limit_state}"] if action.limit_state else []
+    known += ["each limit state by the hazard of the site"] if action.over_periods else []
+    known += [f"return period {action.return_period_years:.0f} years"] if action.return_period_years else []
+    return ", ".join(known)
+
+
+def holds_text(one: MechanismVerdict, action: Action) -> str:
+    """Up to which PGA a mechanism holds: "0.18 g = 2.7 x the site's"; empty where that is not known."""
+    return "" if one.margin is None else f"{one.margin * action.pga_g:.3g} g = {one.margin:.3g} x the site's"
+
+
+def bearing(warnings: Sequence[Message]) -> tuple[Message, ...]:
+    """The warnings that bear on a verdict: all but notes."""
+    return tuple(each for each in warnings if each.severity != Severity.NOTE)
+
+
+def toml_lines(missing: Sequence[Missing], given: Collection[str]) -> tuple[str, ...]:
+    """The missing keys as TOML to paste, table by table.
+
+    given : keys that the project file gives, written with dots; a table that stands there already is marked
+    """
+    tables: dict[str, list[str]] = {}
+    for each in missing:
+        if each.toml:
+            tables.setdefault(each.key.rpartition(".")[0], []).append(each.toml)
+    lines: list[str] = []
+    for table, keys in tables.items():
+        there = any(key.startswith(f"{table}.") for key in given)
+        lines += [heading(table) + ("  # in your file already: add below it" if there else ""), *keys]
+    return tuple(lines)
+
+
+def heading(table: str) -> str:
+    """The heading of a table of the project file, its own name quoted where TOML wants that."""
+    first, _, name = table.partition(".")
+    plain = first not in NAMED or _BARE.fullmatch(name)
+    return f"[{table}]" if plain else f"[{first}.{json.dumps(name, ensure_ascii=False)}]"

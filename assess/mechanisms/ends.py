@@ -1,0 +1,88 @@
+"""When a force or tie ends, and when a floor loses its seat, as a mechanism moves: rotations of its leading block.
+
+Displacements are those of the load's own point from rest, by the motion of the blocks about their hinges.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from math import inf
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import brentq
+
+from assess.loads import Action, PointMass, Tie, lasts
+from assess.mechanisms.chain import Chain
+from assess.mechanisms.motion import FLAT, Path, limit, move, place
+
+FloatArray = NDArray[np.float64]
+
+STATIONS = 2001  # of a scan from rest to the geometric limit
+
+
+def stations(chain: Chain) -> FloatArray:
+    """Rotations from rest to the geometric limit at which a chain is looked at [n] [rad]."""
+    return np.linspace(0.0, limit(chain) * (1.0 - FLAT), STATIONS)
+
+
+def end_of(chain: Chain, action: Action) -> float:
+    """Rotation [rad] up to which a force or tie is shown to be there; 0 where nothing is shown, inf where it lasts."""
+    broken = breaking_rotation(chain, action) if isinstance(action, Tie) else inf
+    if isinstance(action.until, float | int):
+        return min(broken, reached(chain, action, float(action.until), _moved))
+    return broken if lasts(action) else 0.0
+
+
+def breaking_rotation(chain: Chain, tie: Tie) -> float:
+    """Rotation [rad] at which a tie has lengthened by its fracture strain; inf where it never does or none is known."""
+    if tie.elongation is None:
+        return inf
+    return reached(chain, tie, tie.elongation, lambda path: _lengthened(tie, path))
+
+
+def unseating_rotation(chain: Chain, mass: PointMass) -> float:
+    """Rotation [rad] at which the point of a load has moved sideways by its seat; inf where it never does."""
+    if mass.seat is None:
+        return inf
+    return reached(chain, mass, mass.seat, lambda path: np.abs(path.x - path.x[0]))
+
+
+def reached(chain: Chain, load: Action | PointMass, amount: float, measure: Callable[[Path], FloatArray]) -> float:
+    """First rotation [rad] at which a measure of the path of a load reaches an amount [m]; inf where it never does.
+
+    measure : path over rotations that begin at rest [n] -> [n] [m]
+    """
+
+    def over(rotation: FloatArray) -> FloatArray:
+        return measure(place(move(chain, rotation), block=load.block, at=load.at)) - amount
+
+    scan = stations(chain)
+    beyond = np.flatnonzero(over(scan) >= 0.0)
+    if not beyond.size:
+        return inf
+    last = int(beyond[0])
+    if last == 0:
+        return 0.0
+    found = brentq(lambda phi: float(over(np.array([0.0, phi]))[1]), scan[last - 1], scan[last], xtol=1e-15, rtol=1e-14)
+    return float(found)
+
+
+def moved_at(chain: Chain, load: Action, rotation: float) -> float:
+    """Displacement of the point of a load from rest to a rotation [m]."""
+    path = place(move(chain, np.array([0.0, rotation])), block=load.block, at=load.at)
+    return float(_moved(path)[1])
+
+
+def _moved(path: Path) -> FloatArray:
+    """Displacement from rest [n] [m]."""
+    return np.asarray(np.hypot(path.x - path.x[0], path.z - path.z[0]))
+
+
+def _lengthened(tie: Tie, path: Path) -> FloatArray:
+    """Elongation of a tie from rest [n] [m]: of its distance to the anchor, or against its direction."""
+    if tie.anchor is not None:
+        far = np.hypot(tie.anchor[0] - path.x, tie.anchor[1] - path.z)
+        return np.asarray(far - far[0])
+    along, up = tie.direction or (0.0, 0.0)
+    return np.asarray(along * (path.x[0] - path.x) + up * (path.z[0] - path.z))

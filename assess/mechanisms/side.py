@@ -1,0 +1,230 @@
+"""One side of a mechanism on its joints: the nodes of its table, what holds it at each, where it stands and falls."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, fields, replace
+from functools import cached_property
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from assess.errors import MechanismError
+from assess.interfaces.contact import thresholds
+from assess.mechanisms.flexible import FlexibleChain
+from assess.mechanisms.motion import FLAT, limit
+from assess.mechanisms.stages import Stages
+from assess.mechanisms.table import NODES, REACH, staged_branch
+from assess.mechanisms.virtual_work import Work
+from assess.oscillator import Branch
+
+FloatArray = NDArray[np.float64]
+IntArray = NDArray[np.int64]
+
+FINE = 0.05  # step of the table over rotation, as moments go with the power -1/2 of it
+COARSE = 1.0 / 128.0  # largest step, of the table's length
+FIRST = 6  # steps up to the first change of regime
+ZERO = 1e-9  # of the rigid restoring moment at rest: less is none
+NEAR = 1e-4  # of a root found on the table: so near to it the moment is asked for again
+JUST = 1e-6  # of the table's length: a rotation that has just begun
+FEWEST = 4  # nodes of a piece between two changes of regime: a cubic
+SAME = 1e-9  # of the largest of them: places that move by less are found
+CORRECTIONS = 4  # of the places where joints open and crush, or moments are zero
+FOUND = 1e-7  # of a root: after a step as short, what is left goes with its square
+
+
+@dataclass(frozen=True)
+class Side:
+    """A chain on its joints, and the same with rigid ones.
+
+    starts : rotations [rad] from which each of the chains holds, the first from rest; where actions end there are more
+    """
+
+    chains: tuple[FlexibleChain, ...]
+    starts: tuple[float, ...]
+    rigid: Branch
+
+    @property
+    def flexible(self) -> FlexibleChain:
+        """The chain at rest."""
+        return self.chains[0]
+
+    @cached_property
+    def end(self) -> float:
+        """Of the table, which holds phi_ov and phi_cr of the rigid chain [rad]."""
+        reach, farthest = limit(self.flexible.chain) * (1.0 - FLAT), max(self.rigid.overturning, self.rigid.critical)
+        return min(max(REACH * self.rigid.overturning, 1.05 * farthest), 0.5 * (farthest + reach))
+
+    @cached_property
+    def stops(self) -> tuple[float, ...]:
+        """Where each of the chains that the table reaches ends [rad]."""
+        return (*(start for start in self.starts[1:] if start < self.end), self.end)
+
+    def changes(self, number: int) -> list[float]:
+        """Rotations [rad] at which joints of a chain, by its number, open or begin to crush, in order.
+
+        At first by their forces and rates at rest, then corrected by those at the rotations found.
+        """
+        chain, start, stop = self.chains[number], self.starts[number], self.stops[number]
+        joints = [(number, joint) for number, joint in enumerate(chain.joints) if joint is not None]
+        places = np.full((len(joints), 2), JUST * self.end)
+        for _ in range(CORRECTIONS):
+            balance, before = chain.balance(places.ravel()), places.copy()
+            turned = chain.relative(balance.posture)
+            for row, (number, joint) in enumerate(joints):
+                for column, at in enumerate((2 * row, 2 * row + 1)):
+                    force, psi = float(balance.normal_force[number, at]), float(turned[number, at])
+                    slope = thresholds(joint.section, joint.law, normal_force=force)[column]
+                    places[row, column] *= np.arcsin(min(slope, 1.0)) / psi if psi > 0.0 else 1.0
+            was, places = before, np.minimum(places, self.end)
+            if np.abs(places - was).max() <= SAME * places.max():
+                break
+        return sorted({float(each) for each in places.ravel() if start < each < stop})
+
+    @cached_property
+    def pieces(self) -> tuple[FloatArray, ...]:
+        """Nodes [n] [rad] of each chain: fine where joints open and crush, with two where that begins, for the kink."""
+        return tuple(self._nodes(number) for number in range(len(self.stops)))
+
+    @cached_property
+    def rotation(self) -> FloatArray:
+        """All nodes [n] [rad]."""
+        return np.concatenate(self.pieces)
+
+    @cached_property
+    def number(self) -> IntArray:
+        """The chain of each node [n]."""
+        return np.repeat(np.arange(len(self.pieces)), [piece.size for piece in self.pieces])
+
+    def _nodes(self, number: int) -> FloatArray:
+        start, stop, changes = self.starts[number], self.stops[number], self.changes(number)
+        ends = [start, *changes, stop]
+        if number:
+            return np.concatenate([self._piece(*between, least=start) for between in pairwise(ends)])
+        if not changes:
+            return np.linspace(0.0, stop, NODES)
+        return np.concatenate([self._piece(*between, least=ends[1]) for between in pairwise(ends)])
+
+    def _piece(self, start: float, end: float, *, least: float) -> FloatArray:
+        """Nodes from one change of regime to the next; least: the first change of all."""
+        nodes = [start]
+        while nodes[-1] < end:
+            step = FINE * nodes[-1] if nodes[-1] >= least else least / FIRST
+            nodes.append(nodes[-1] + min(step, COARSE * self.end))
+        if len(nodes) < FEWEST:
+            return np.linspace(start, end, FEWEST)
+        stretched = start + (np.array(nodes) - start) * ((end - start) / (nodes[-1] - start))
+        stretched[-1] = end
+        return stretched
+
+    @cached_property
+    def work(self) -> Work:
+        """The sums of virtual work at the nodes."""
+        return self.work_at(self.rotation, self.number)
+
+    def work_at(self, rotation: FloatArray, number: IntArray) -> Work:
+        """The same at rotations [n] [rad], of which equal ones of one chain get equal sums, to the last digit: no jump.
+
+        number : of the chain at each [n]
+        """
+        rows = np.empty((len(fields(Work)), rotation.size))
+        for each in np.unique(number):
+            here = number == each
+            once, where = np.unique(rotation[here], return_inverse=True)
+            work = self.chains[each].held(once).work
+            rows[:, here] = np.array([getattr(work, column.name)[where] for column in fields(work)])
+        return Work(*rows)
+
+    def chain_at(self, rotation: float) -> int:
+        """The number of the chain at a rotation [rad]; where one ends, that of the one that ends."""
+        return max(int(np.searchsorted(self.starts[: len(self.stops)], rotation)) - 1, 0)
+
+    @cached_property
+    def pushed(self) -> bool:
+        """Whether its loads push it this way at rest."""
+        return bool(self.work.restoring[0] < -ZERO * self.rigid.restoring[0])
+
+    @cached_property
+    def lean(self) -> float:
+        """Where it stands when its loads push it this way [rad]; 0 where they do not.
+
+        Raises MechanismError where it finds no stand.
+        """
+        start, then = self.work.restoring[:2]
+        if start <= ZERO * self.rigid.restoring[0] and not self.pushed and then < 0.0:
+            raise MechanismError(
+                f'mechanism "{self.flexible.name}": it falls by itself: its joints are too soft to hold it upright; '
+                "give them more stiffness or area, or check loads"
+            )
+        if not self.pushed:
+            return 0.0
+        found = self.fall(lambda work: -work.restoring)
+        if found is None:
+            raise MechanismError(
+                f'mechanism "{self.flexible.name}": it falls by itself: the load on its joints lies '
+                f"too far out, by {-self.work.restoring[0]:.4g} N m at rest; check loads, hinges and joints"
+            )
+        return found
+
+    def fall(self, value: Callable[[Work], FloatArray]) -> float | None:
+        """The first rotation where a sum goes from + to - [rad]; None where it never does."""
+        values = value(self.work)
+        falling = np.flatnonzero((values[:-1] > 0.0) & (values[1:] <= 0.0))
+        if not falling.size:
+            return None
+        first = int(falling[0])
+        if self.number[first] != self.number[first + 1]:  # it falls where something ends
+            return float(self.rotation[first])
+        here = self.number == self.number[first]
+        near = _crossing(self.rotation[here], values[here], first - int(np.flatnonzero(here)[0]))
+        for _ in range(CORRECTIONS):
+            places = near * np.array([1.0 - NEAR, 1.0, 1.0 + NEAR])
+            before, at, after = value(self.chains[self.number[first]].held(places).work)
+            step = float(at * 2.0 * NEAR * near / (after - before))
+            near -= step
+            if abs(step) <= FOUND * near:
+                break
+        return near
+
+    def columns(self, *, back_from: float | None = None) -> FloatArray:
+        """A table [6, n] by rotation, or from a rotation back to zero, counted from there with the other sign."""
+        rotation, work = self.rotation, self.work
+        if back_from is not None:
+            kept = rotation < (1.0 - 0.5 * FINE) * back_from
+            rotation = np.append(rotation[kept], back_from)[::-1]
+            work = self.work_at(rotation, np.append(self.number[kept], self.chain_at(back_from))[::-1])
+        columns = columns_of(rotation, work)
+        if back_from is not None:
+            columns[0] = back_from - columns[0]
+            columns[[2, 5]] *= -1.0
+        return columns
+
+
+def side_of(stages: Stages, *, name: str, restitution: float) -> Side:
+    """One side of a mechanism."""
+    rigid = tuple(replace(stage, chain=replace(stage.chain, joints=())) for stage in stages)
+    return Side(
+        chains=tuple(FlexibleChain(stage.chain, name) for stage in stages),
+        starts=tuple(stage.start for stage in stages),
+        rigid=staged_branch(rigid, restitution=restitution, name=name),
+    )
+
+
+def columns_of(rotation: FloatArray, work: Work) -> FloatArray:
+    """Rows of numbers as a branch has them [6, n], from the sums at rotations [n]."""
+    return np.array([rotation, work.inertia, work.restoring, work.excitation, work.participation, work.lift])
+
+
+def _crossing(rotation: FloatArray, values: FloatArray, k: int) -> float:
+    """Where falling values pass zero after node k: by the cubic, rotation over values, through the nodes around."""
+    first = min(max(k - 1, 0), rotation.size - 4)
+    x, y = rotation[first : first + 4], values[first : first + 4]
+    if np.all(np.diff(y) < 0.0):
+        near = sum(
+            x[i] * np.prod([y[j] / (y[j] - y[i]) for j in range(4) if j != i]) for i in range(4)
+        )  # Lagrange's polynomial at zero
+        if rotation[k] <= near <= rotation[k + 1]:
+            return float(near)
+    a, b = values[k], values[k + 1]
+    return float(rotation[k] + (rotation[k + 1] - rotation[k]) * a / (a - b))

@@ -1,0 +1,138 @@
+"""A chain as its forces and ties come to an end: which of them act on it from which rotation on.
+
+One that drives never leaves, whatever is known of it; one that resists is there up to its end only. So one that has
+ended contributes max(M, 0) at each rotation, M its generalised moment.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from itertools import pairwise
+from math import hypot
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import brentq
+
+from assess.loads import Action, Force, PointMass
+from assess.mechanisms.chain import Chain
+from assess.mechanisms.ends import STATIONS
+from assess.mechanisms.flexible import through_top
+from assess.mechanisms.motion import move, place
+from assess.mechanisms.virtual_work import pulled
+
+FloatArray = NDArray[np.float64]
+
+NONE = 1e-12  # of the size of an action times that of its chain: less is no moment
+AT_REST = 1e-9  # of a scan: what begins so near to rest begins there
+
+
+@dataclass(frozen=True)
+class Stage:
+    """A chain from a rotation on: start [rad]; chain : without the actions that are absent, by their number."""
+
+    start: float
+    chain: Chain
+    absent: tuple[int, ...] = ()
+
+
+Stages = tuple[Stage, ...]
+Signature = tuple[tuple[float, tuple[int, ...]], ...]
+
+
+@dataclass(frozen=True)
+class Moments:
+    """The generalised moment of every action of a chain; positive drives.
+
+    scan : rotations from rest on at which it is looked at [n] [rad]
+    of : at rotations from rest on, each action's, rounding included in favour of driving [n] -> [actions, n] [N m]
+    """
+
+    scan: FloatArray
+    of: Callable[[FloatArray], FloatArray]
+
+
+def actions_of(chain: Chain) -> tuple[Action, ...]:
+    """The forces and ties on a chain."""
+    return tuple(load for load in chain.loads if not isinstance(load, PointMass))
+
+
+def rigid_moments(chain: Chain, *, end: float) -> Moments:
+    """The moments of the actions as the blocks turn about their hinges, up to a rotation [rad]."""
+    actions = actions_of(chain)
+
+    def of(rotation: FloatArray) -> FloatArray:
+        motion = move(chain, np.concatenate([[0.0], rotation]))  # rest first: it tells whether a tie is slack
+        works = [pulled(each, place(motion, block=each.block, at=each.at)) for each in actions]
+        return np.array(works).reshape(len(actions), -1)[:, 1:] + rounding(chain)
+
+    return Moments(np.linspace(0.0, end, STATIONS), of)
+
+
+def rounding(chain: Chain) -> FloatArray:
+    """The moment of each action that is none [actions, 1] [N m]."""
+    actions = actions_of(chain)
+    points = np.array([*chain.hinges, *(block.centroid for block in chain.blocks), *(each.at for each in actions)])
+    forces = [hypot(*each.force) if isinstance(each, Force) else each.tension for each in actions]
+    return NONE * hypot(*np.ptp(points, axis=0)) * np.array(forces)[:, None]
+
+
+def whole(chain: Chain) -> Stages:
+    """The chain with every action at every rotation."""
+    return (Stage(0.0, chain),)
+
+
+def signature(found: Stages) -> Signature:
+    """What tells stages of one chain apart."""
+    return tuple((stage.start, stage.absent) for stage in found)
+
+
+def stages(chain: Chain, ends: Sequence[float], moments: Moments) -> Stages:
+    """The chain with each action up to its end [rad] where it resists, and everywhere where it drives.
+
+    ends : of each of `actions_of(chain)`, 0 where it never resists, inf where it always does
+    """
+    if not ends:
+        return whole(chain)
+    values = moments.of(moments.scan)
+    ended = [number for number, end in enumerate(ends) if end < moments.scan[-1] and values[number].min() < 0.0]
+    if not ended:
+        return whole(chain)
+    marks = {0.0}
+    for number in ended:
+        marks |= {ends[number], *_turnings(number, values[number], moments, after=ends[number])}
+    least = AT_REST * moments.scan[-1]
+    starts = [0.0, *sorted(mark for mark in marks if mark > least)]
+    found: list[Stage] = []
+    for start, stop in pairwise([*starts, float(moments.scan[-1])]):
+        middle = 0.5 * (start + stop)
+        now = moments.of(np.array([middle]))[:, 0]
+        absent = tuple(number for number in ended if middle > ends[number] and now[number] < 0.0)
+        if not found or found[-1].absent != absent:
+            found.append(Stage(start, without(chain, absent), absent))
+    return tuple(found)
+
+
+def without(chain: Chain, absent: Sequence[int]) -> Chain:
+    """The chain without some of its actions, by their number; a joint at its top without any load is rigid."""
+    if not absent:
+        return chain
+    actions = actions_of(chain)
+    gone = [id(actions[number]) for number in absent]
+    left = replace(chain, loads=tuple(load for load in chain.loads if id(load) not in gone))
+    if len(chain.blocks) == 2 and chain.joints and not through_top(left):
+        return replace(left, joints=(*left.joints[:2], None))
+    return left
+
+
+def _turnings(number: int, moment: FloatArray, moments: Moments, *, after: float) -> set[float]:
+    """Rotations [rad] after one at which the moment of an action changes from driving to resisting, or back."""
+    scan = moments.scan
+    changes = np.flatnonzero((moment[:-1] < 0.0) != (moment[1:] < 0.0))
+
+    def at(phi: float) -> float:
+        return float(moments.of(np.array([phi]))[number, 0])
+
+    roots = (float(brentq(at, scan[k], scan[k + 1], xtol=1e-15, rtol=1e-14)) for k in changes if scan[k + 1] > after)
+    return {root for root in roots if root > after}

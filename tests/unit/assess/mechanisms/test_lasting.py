@@ -1,0 +1,291 @@
+"""A mechanism as it starts, breaks and collapses, against statics by hand."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import asin, atan2, cos, hypot, inf, sin
+
+import numpy as np
+import pytest
+from scipy.constants import g
+from scipy.integrate import quad
+from scipy.optimize import brentq
+
+from assess.codes.italian.kinematic import displacement_at_collapse
+from assess.geometry.planar import planar
+from assess.geometry.solid import box
+from assess.interfaces.law import Law
+from assess.interfaces.shapes import rectangle
+from assess.loads import Force, PointMass, Tie, lasts, mirrored
+from assess.mechanisms.assembly import on_joints
+from assess.mechanisms.joint import Joint
+from assess.mechanisms.lasting import held_above, limits, variants
+from assess.mechanisms.single_block import single_block
+from assess.mechanisms.two_block import two_block
+from assess.oscillator import interpolant, restoring
+
+T, L, H, RHO = 0.8, 2.0, 5.0, 1900.0
+M = RHO * T * L * H
+R, ALPHA = hypot(T / 2, H / 2), atan2(T, H)
+WALL = planar(box(thickness=T, length=L, height=H, base=(0, 0, 0), density=RHO, name="wall"), direction=(1, 0, 0))
+TOP = (0.4, 4.5)  # straight above hinge A
+THRUST = Force("thrust", (3000.0, 0.0), TOP)
+INWARD = Tie("tie", 3000.0, TOP, direction=(-1.0, 0.0))
+VOUCHED = replace(INWARD, until="collapse", strength=9000.0, length=8.0, fracture_strain=0.2, evidence="tests 2024")
+
+
+def wall(*loads, sides="two"):
+    return single_block("w", WALL, loads=loads, sides=sides)
+
+
+def found(*loads, sides="two"):
+    return variants(wall(*loads, sides=sides))
+
+
+def d0(rocker):
+    return displacement_at_collapse(rocker.positive, mass=rocker.mass)
+
+
+def on_joint(stiffness, *loads):
+    joint = (Joint((-1.0, 0.0), rectangle(T, L), Law(stiffness, inf), "flexible"),)
+    return on_joints(wall(*loads), joint, joint, restitution=("thesis", "thesis"))
+
+
+def test_a_thrust_beside_a_tie_of_its_size_collapses_as_the_thrust_alone():
+    both, alone, none = found(THRUST, INWARD), found(THRUST), found()
+    assert d0(both.starting) == pytest.approx(d0(none.starting), rel=1e-12)
+    assert d0(both.collapse) == d0(alone.collapse) == d0(alone.starting)
+    np.testing.assert_array_equal(both.collapse.positive.restoring, alone.starting.positive.restoring)
+    np.testing.assert_array_equal(both.breaking.positive.restoring, alone.starting.positive.restoring)
+    np.testing.assert_array_equal(both.collapse.negative.restoring, none.starting.negative.restoring)
+
+
+@pytest.mark.parametrize("until", [None, 0.05, 5.0])
+def test_a_tie_of_three_percent_of_the_weight_never_moves_d0(until):
+    tie = replace(INWARD, pull=0.03 * M * g, until=until)
+    assert d0(found(tie).collapse) == d0(found().collapse)
+    assert d0(found(tie).starting) > 1.05 * d0(found().starting)
+
+
+def test_a_tie_that_is_vouched_for_moves_d0_by_the_closed_form():
+    """M g R sin(alpha - phi) + S h cos(phi) = 0; d0 is the way of the centroid, e* being 1."""
+    phi = brentq(lambda p: M * g * R * sin(ALPHA - p) + 3000.0 * 4.5 * cos(p), 0.0, 1.0, xtol=1e-15)
+    ways = found(VOUCHED)
+    assert ways.collapse is ways.starting is ways.breaking
+    assert ways.collapse.positive.overturning == pytest.approx(phi, rel=1e-12)
+    assert d0(ways.collapse) == pytest.approx(R * (sin(ALPHA) - sin(ALPHA - phi)), rel=1e-9)
+    assert d0(ways.collapse) > d0(found().collapse)
+
+
+@pytest.mark.parametrize("key", ["until", "strength", "length", "fracture_strain", "evidence"])
+def test_a_tie_that_lacks_one_of_its_proofs_does_not_last(key):
+    lacking = replace(VOUCHED, **{key: "" if key == "evidence" else None})
+    assert lasts(VOUCHED)
+    assert not lasts(lacking)
+    assert lacking.missing == ("source" if key == "evidence" else key,)
+    assert d0(found(lacking).collapse) == d0(found().collapse)
+
+
+def test_a_tie_never_pulls_with_more_than_its_strength():
+    weak = replace(VOUCHED, strength=1200.0)
+    plain, held = found().starting.positive.restoring[0], found(weak).starting.positive.restoring[0]
+    assert held - plain == pytest.approx(1200.0 * 4.5, rel=1e-12)
+
+
+def test_the_moment_drops_by_that_of_the_tie_where_its_point_has_moved_so_far():
+    """A point h above the hinge moves by 2 h sin(phi / 2)."""
+    tie = replace(INWARD, until=0.1)
+    ways, at = found(tie), 2 * asin(0.1 / (2 * 4.5))
+    side = ways.breaking.positive
+    jump = int(np.flatnonzero(np.diff(side.rotation) == 0.0)[0])
+    assert side.rotation[jump] == pytest.approx(at, rel=1e-12)
+    assert side.restoring[jump] - side.restoring[jump + 1] == pytest.approx(3000.0 * 4.5 * cos(at), rel=1e-11)
+    np.testing.assert_allclose(side.restoring[jump + 1 :], M * g * R * np.sin(ALPHA - side.rotation[jump + 1 :]),
+                               rtol=1e-10, atol=1e-9 * M * g)  # fmt: skip
+    (limit,) = limits(wall(tie))
+    assert (limit.kind, limit.what, limit.branch, limit.rotation) == ("break", "tie", "positive", side.rotation[jump])
+    assert d0(ways.collapse) == d0(found().collapse)
+
+
+def test_a_tie_breaks_where_it_has_lengthened_by_its_fracture_strain():
+    """Level, it lengthens by h sin(phi): 0.225 m at 0.05 rad. It is no part of the curve of collapse then."""
+    brittle = replace(VOUCHED, length=4.5 * sin(0.05) / 0.1, fracture_strain=0.1)
+    side = found(brittle).breaking.positive
+    assert side.rotation[np.flatnonzero(np.diff(side.rotation) == 0.0)] == pytest.approx([0.05], rel=1e-12)
+    np.testing.assert_array_equal(found(brittle).collapse.positive.restoring, found().starting.positive.restoring)
+    assert [limit.rotation for limit in limits(wall(brittle))] == pytest.approx([0.05], rel=1e-12)
+
+
+def test_towards_an_anchor_it_lengthens_as_the_distance_does():
+    anchor, elongation = (-3.0, 4.0), 0.12
+    tie = replace(VOUCHED, direction=None, anchor=anchor, length=elongation / 0.05, fracture_strain=0.05)
+
+    def length(phi):
+        return hypot(anchor[0] - (0.4 + 4.5 * sin(phi)), anchor[1] - 4.5 * cos(phi))
+
+    at = brentq(lambda phi: length(phi) - length(0.0) - elongation, 0.0, 0.3, xtol=1e-15)
+    assert [limit.rotation for limit in limits(wall(tie))] == pytest.approx([at], rel=1e-11)
+
+
+def test_a_tie_that_breaks_as_the_wall_would_fall_without_it_ends_the_curve_there():
+    """Beyond the block's own overturning only the tie holds: the curve of collapse ends where it breaks."""
+    at = 1.02 * ALPHA
+    tie = replace(VOUCHED, pull=9000.0, length=4.5 * sin(at) / 0.1, fracture_strain=0.1)
+    ways = found(tie)
+    assert ways.collapse.positive.overturning == pytest.approx(at, rel=1e-12)
+    assert ways.starting.positive.overturning > 1.05 * at
+    assert ways.collapse.positive.restoring[0] == ways.starting.positive.restoring[0]
+
+
+def test_without_ties_and_resisting_forces_the_three_are_one_object():
+    for ways in (found(), found(PointMass("floor", 900.0, (0.2, 4.0), True)), found(THRUST, sides="one")):
+        assert ways.starting is ways.breaking is ways.collapse
+
+
+def test_a_force_that_resists_and_is_not_shown_to_last_leaves_and_a_weight_that_stays_does_not():
+    weight = Force("beam", (0.0, -5000.0), (-0.1, 5.0))
+    stays = replace(weight, until="collapse", evidence="a weight, which stays")
+    kept = found(stays)
+    assert kept.collapse is kept.starting
+    assert found(weight).collapse.positive.restoring[0] == found().starting.positive.restoring[0]
+    assert d0(found(weight).collapse) < d0(found().collapse)  # it drives once it has passed over the hinge
+
+
+def test_a_force_acts_where_it_drives_and_not_where_it_resists():
+    """A load h above and in front of the hinge drives down from the start; behind it, only once it has passed over."""
+    behind = Force("beam", (0.0, -9000.0), (0.1, 4.0))
+    over = atan2(0.3, 4.0)  # where it stands over hinge A
+    side, plain = found(behind).collapse.positive, found().collapse.positive
+    rotation = np.linspace(0.0, side.overturning, 41)
+    moment = 9000.0 * hypot(0.3, 4.0) * np.sin(rotation - over)
+    expected = restoring(plain, rotation) - np.maximum(moment, 0.0)
+    np.testing.assert_allclose(restoring(side, rotation), expected, rtol=0.0, atol=1e-8 * M * g)
+    assert side.rotation[np.flatnonzero(np.diff(side.rotation) == 0.0)] == pytest.approx([over], rel=1e-9)
+
+
+def test_a_mechanism_that_stands_by_such_a_tie_alone_has_no_curve_of_collapse():
+    heavy, holding = Force("thrust", (30000.0, 0.0), TOP), replace(INWARD, pull=20000.0)
+    ways = found(heavy, holding)
+    assert (ways.breaking, ways.collapse, ways.standing_by) == (None, None, ("tie",))
+    assert ways.deciding is ways.starting
+    assert limits(wall(heavy, holding)) == ()
+    breaking = found(heavy, replace(holding, until=0.1))
+    assert breaking.breaking is not None
+    assert breaking.collapse is None
+
+
+def test_seats_are_lost_where_the_point_has_moved_sideways_by_them():
+    floor = PointMass("floor", 900.0, TOP, True, seat=0.12)
+    loose = PointMass("pushes", 900.0, TOP, False, seat=0.12)
+    seats = {(limit.kind, limit.branch): limit.rotation for limit in limits(wall(floor, loose))}
+    assert seats["seat", "positive"] == pytest.approx(asin(0.12 / 4.5), rel=1e-12)
+    r, start = hypot(0.8, 4.5), atan2(0.8, 4.5)  # about the other hinge
+    assert seats["seat", "negative"] == pytest.approx(start - asin(sin(start) - 0.12 / r), rel=1e-11)
+    assert len(seats) == 2
+
+
+CASES = [
+    (THRUST, replace(INWARD, until=0.15)),
+    (THRUST, VOUCHED, replace(INWARD, both=True)),
+    (Force("beam", (500.0, -9000.0), (0.1, 4.0)), Tie("stay", 2000.0, (-0.2, 3.0), anchor=(-4.0, 5.0), until=0.2)),
+]
+
+
+@pytest.mark.parametrize("loads", CASES)
+def test_the_mirror_image_has_the_branches_of_the_other_side(loads):
+    one, two = found(*loads), found(*(mirrored(load) for load in loads))
+    for name in ("starting", "breaking", "collapse"):
+        a, b = getattr(one, name), getattr(two, name)
+        for here, there in ((a.positive, b.negative), (a.negative, b.positive)):
+            np.testing.assert_allclose(here.rotation, there.rotation, rtol=1e-12)
+            np.testing.assert_allclose(here.restoring, there.restoring, rtol=0.0, atol=1e-9 * M * g)
+    ends = {(each.what, each.branch): each.rotation for each in limits(wall(*loads))}
+    other = {(each.what, each.branch): each.rotation for each in limits(wall(*(mirrored(load) for load in loads)))}
+    assert {(what, {"positive": "negative", "negative": "positive"}[branch]) for what, branch in ends} == set(other)
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_more_ties_never_worsen_any_of_the_three(seed):
+    """Ties with no end, an end on the way, or none before collapse, one after the other."""
+    rng, loads = np.random.default_rng(seed), [Force("thrust", (2000.0, -500.0), (0.0, 4.0))]
+    before = found(*loads)
+    for number in range(4):
+        lasting = {"until": "collapse", "strength": 1e4, "length": 20.0, "fracture_strain": 0.2, "evidence": "tests"}
+        proof = [{}, {"until": rng.uniform(0.02, 0.4)}, lasting]
+        at, away = (float(rng.uniform(-0.4, 0.4)), float(rng.uniform(1.0, 5.0))), -float(rng.uniform(1.0, 6.0))
+        tie = Tie(f"tie {number}", float(rng.uniform(200.0, 1500.0)), at, anchor=(away, at[1]))
+        loads.append(replace(tie, **proof[int(rng.integers(3))]))
+        now = found(*loads)
+        for name in ("starting", "breaking", "collapse"):
+            was, side = getattr(before, name).positive, getattr(now, name).positive
+            rotation = np.linspace(0.0, was.overturning, 301)[1:-1]
+            jumps = np.concatenate([each.rotation[1:][np.diff(each.rotation) == 0.0] for each in (was, side)])
+            clear = np.abs(rotation[:, None] - jumps).min(axis=1, initial=1.0) > 1e-9
+            gain = restoring(side, rotation[clear]) - restoring(was, rotation[clear])
+            assert gain.min() > -1e-8 * M * g
+            assert side.overturning > was.overturning * (1.0 - 1e-12)
+        before = now
+
+
+def test_a_wall_of_two_blocks_with_a_tie_that_breaks():
+    half = {"thickness": 0.4, "length": 1.0, "density": RHO, "name": "half"}
+    low = planar(box(height=2.5, base=(0, 0, 0), **half), direction=(1, 0, 0))
+    high = planar(box(height=1.5, base=(0, 0, 2.5), **half), direction=(1, 0, 0))
+    hinges = {
+        "hinges": ((0.2, 0.0), (-0.2, 2.5), (0.2, 4.0)),
+        "hinges_negative": ((-0.2, 0.0), (0.2, 2.5), (-0.2, 4.0)),
+    }
+    tie = Tie("tie", 500.0, (0.2, 2.0), direction=(-1.0, 0.0), until=0.08)
+    ways, plain = (
+        variants(two_block("w", low, high, loads=(tie,), **hinges)),
+        variants(two_block("w", low, high, **hinges)),
+    )
+    side, at = ways.breaking.positive, 2 * asin(0.08 / (2 * 2.0))
+    assert side.rotation[np.flatnonzero(np.diff(side.rotation) == 0.0)] == pytest.approx([at], rel=1e-12)
+    assert side.restoring[0] - plain.starting.positive.restoring[0] == pytest.approx(500.0 * 2.0, rel=1e-12)
+    after = restoring(plain.starting.positive, np.array(1.1 * at))
+    assert restoring(side, np.array(1.1 * at)) == pytest.approx(float(after), rel=1e-9)
+
+
+def test_on_stiff_joints_the_variants_tend_to_the_rigid_ones():
+    loads = (THRUST, replace(INWARD, pull=6000.0, until=0.15), Force("beam", (0.0, -4000.0), (-0.1, 5.0)))
+    rigid, distance = variants(wall(*loads)), []
+    for stiffness in (1e10, 1e11, 1e12):
+        soft = variants(on_joint(stiffness, *loads))
+        shares = [
+            getattr(soft, name).positive.unstable / getattr(rigid, name).positive.overturning - 1.0
+            for name in ("starting", "breaking", "collapse")
+        ]
+        distance.append(np.abs(shares).max())
+    assert distance[1] < 0.4 * distance[0]  # the resultant comes to the edge with the root of the stiffness
+    assert distance[2] < 0.4 * distance[1] < 2e-3
+
+
+def test_on_joints_it_drops_by_the_tie_too_and_normal_forces_follow():
+    """A stay that pulls down presses on the joint; as it goes, the resultant moves, so more goes than its moment."""
+    stay = Tie("stay", 9000.0, (-0.4, 4.5), direction=(0.0, -1.0), until=0.1)
+    side = variants(on_joint(1e9, stay)).breaking.positive
+    plain = variants(on_joint(1e9)).starting.positive
+    jumps = (np.diff(side.rotation) == 0.0) & (np.abs(np.diff(side.restoring)) > 1.0)
+    (jump,) = np.flatnonzero(jumps & (side.rotation[1:] < side.unstable))
+    assert side.rotation[jump] == pytest.approx(2 * asin(0.1 / (2 * hypot(0.8, 4.5))), rel=1e-12)
+    after = interpolant(plain.rotation, plain.restoring)(side.rotation[jump + 1])
+    assert side.restoring[jump + 1] == pytest.approx(float(after), rel=1e-5)
+    assert side.restoring[jump] > side.restoring[jump + 1]
+
+
+def test_the_highest_tie_that_lasts_holds_the_wall():
+    low, slack = replace(VOUCHED, name="low", at=(0.4, 2.0)), replace(VOUCHED, name="slack", direction=(-1.0, 0.0))
+    assert held_above(wall(low)) == 2.0
+    assert held_above(wall(low, slack)) == 4.5
+    assert held_above(wall(INWARD, THRUST)) == 0.0
+
+
+def test_work_up_to_overturning_is_that_of_weights_and_tie_before_and_after_the_break():
+    tie = replace(INWARD, pull=8000.0, until=0.2)
+    side, at = found(tie).breaking.positive, 2 * asin(0.2 / (2 * 4.5))
+    expected = M * g * (R - H / 2) + 8000.0 * 4.5 * sin(at)
+    spline = interpolant(side.rotation, side.restoring)
+    assert float(spline.integrate(0.0, ALPHA)) == pytest.approx(expected, rel=1e-10)
+    by_parts = quad(lambda p: float(spline(p)), 0.0, at)[0] + quad(lambda p: float(spline(p)), at, ALPHA)[0]
+    assert by_parts == pytest.approx(expected, rel=1e-8)

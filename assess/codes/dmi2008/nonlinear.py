@@ -53,7 +53,7 @@ def _check(case: Case) -> Check:
         symbol="d_u*",
         collapse=cap.d0,
         e=cap.e,
-        needs=f"T_s = {cap.Ts:.4g} s",
+        needs=f"T_s = {cap.Ts:.4g} s, or T1 of the building,",
         wanted=demands(context, cap.Ts),
         starts=lifts or 0.0,
         still=0.0,

@@ -172,7 +172,7 @@ def _context_of(
 def seats_unknown(mechanism: Mechanism) -> tuple[str, ...]:
     """What rests on the mechanism and may lose a seat that nobody gave: floors, beams, bearing masses."""
     resting = [load for load in mechanism.positive.loads if isinstance(load, PointMass) and load.bearing]
-    return tuple(load.name for load in resting if getattr(load, "seat", None) is None)
+    return tuple(load.name for load in resting if load.seat is None)
 
 
 def stopped(mechanism: Mechanism) -> tuple[Message, ...]:

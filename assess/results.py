@@ -572,7 +572,9 @@ class MechanismResult:
     (of rigid joints, positive and negative) their ratios refer; None where both are the same, or where it falls at rest
     without the others.
     direction: of positive rotation, horizontal; None for an equivalent block. candidates: the directions among which
-    the weakest was found, or with which a given one was compared.
+    the weakest was found, or with which a given one was compared. base_elevation_m: of its base over the ground;
+    input_height_m: of what holds it, the mean of base and far support where it is held twice; above_ground: whether
+    that counts as above the ground; ground_known_from: what says where the ground is.
     """
 
     name: str
@@ -600,6 +602,10 @@ class MechanismResult:
     deciding_overturning_rad: tuple[float, float | None] | None = None
     direction: tuple[float, float, float] | None = None
     candidates: tuple[DirectionCandidate, ...] = ()
+    base_elevation_m: float | None = None
+    input_height_m: float | None = None
+    above_ground: bool | None = None
+    ground_known_from: str = ""
 
 
 @dataclass(frozen=True)

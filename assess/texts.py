@@ -17,7 +17,7 @@ TEXTS: Mapping[str, str] = {
     "unheld": "the mechanism stands only by {loads}, not shown to last to collapse, so nothing can be said of its "
     "displacements and histories; give until, for a tie with strength, length and fracture_strain, and a source",
     "lower-confidence-factor": "by the confidence factor {given} given, below the code's {deciding}: for comparison",
-    "seats-hold": "a pass at {state} holds where {what} keep their seats up to a displacement d* of {moved}",
+    "seats-hold": "a pass at {state} holds where the seat of {what} lasts up to a displacement d* of {moved}",
     # of the verdict
     "no-deciding-method": "no method that may decide {state} was asked or applies: {methods}",
     "missing-key": "{key}: {text}",
@@ -73,10 +73,10 @@ TEXTS: Mapping[str, str] = {
     "scalar-motion-at-height": "what holds the mechanism is {height} above the ground; histories carried there by one "
     "number miss resonance, so they can fail a check and cannot pass it: {remedy}",
     "ground-unknown": "the lowest body lies {height} from elevation 0 and nobody says where the ground is: give "
-    "[building] ground_elevation",
+    "[building] ground_elevation, or the mechanism its base_elevation",
     "knowledge-unknown": "crushing of the masonry is modelled, so FC is that of the level of knowledge, which is not "
     "given; beside it the answer by LC1",
-    "seat-unknown": "the displacement at which {what} lose their seats limits SLC, and no seat is given",
+    "seat-unknown": "the seat of {what} is not given, and its loss limits SLC",
     "other-limit-state": "the site's single spectrum is that of {declared}; {state} is decided by its own: give the "
     "hazard over return periods",
     "hazard-too-short": "the hazard does not reach the return period of {state}: add a row",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import atan2, degrees
 from typing import Any
 
 from assess.cli.parameter_table import table_text, weakest_text
@@ -11,7 +12,9 @@ from assess.message import Message
 from assess.project.messages import printable
 from assess.project.schema import Project
 from assess.project.study import Sweep, Unvaried, Variable
-from assess.results import LoadResult, MechanismResult, NamedPoint
+from assess.results import DirectionCandidate, LoadResult, MechanismResult, NamedPoint
+
+MOST = 8  # candidates on a line
 
 
 def description(
@@ -70,6 +73,7 @@ def _mechanism(m: MechanismResult) -> list[str]:
     return [
         f"{printable(m.name)}{label}: {m.kind}, {sides}, {m.equation} equation",
         *_direction(m),
+        *_ground(m),
         f"  hinges      {_points(m.drawing.hinges)}",
         f"  centroid    {_at(m.drawing.centroid)}",
         *_loads(m.loads),
@@ -156,7 +160,32 @@ def _sweep(sweep: Sweep) -> str:
 
 
 def _direction(mechanism: MechanismResult) -> list[str]:
-    return [] if mechanism.direction_sweep is None else [f"  direction   {weakest_text(mechanism.direction_sweep)}"]
+    if mechanism.direction_sweep is not None:
+        return [f"  direction   {weakest_text(mechanism.direction_sweep)}"]
+    if mechanism.direction is None:
+        return []
+    along, across, _ = mechanism.direction
+    lines = [f"  direction   towards {degrees(atan2(across, along)) % 360.0:.6g} deg from +x"]
+    known = [each for each in mechanism.candidates if each.uplift_multiplier is not None]
+    if known:
+        lines.append(
+            f"  {'candidates':<11} {', '.join(map(_candidate, known[:MOST]))}{' …' if len(known) > MOST else ''}"
+        )
+    return lines
+
+
+def _candidate(candidate: DirectionCandidate) -> str:
+    touched = f" (stopped by {', '.join(map(printable, candidate.touching))})" if candidate.touching else ""
+    return f"{candidate.angle_deg:.6g} deg {candidate.uplift_multiplier:.4g}{touched}"
+
+
+def _ground(m: MechanismResult) -> list[str]:
+    """How high the mechanism stands over the ground, and what says where that is."""
+    if m.base_elevation_m is None or m.input_height_m is None:
+        return []
+    counts = "above the ground" if m.above_ground else "on the ground"
+    heights = f"base {metres(m.base_elevation_m)} m over the ground, held at {metres(m.input_height_m)} m: {counts}"
+    return [f"  ground      {heights}; {printable(m.ground_known_from)}"]
 
 
 def _points(points: tuple[NamedPoint, ...]) -> str:

@@ -40,6 +40,11 @@ class Gravity:
     own_excitation: float
 
 
+def counts_as_above(support: float, height: float) -> bool:
+    """Whether what holds a mechanism, `support` [m] high in a building of `height` [m], is above the ground."""
+    return support > max(PLINTH, PLINTH_SHARE * height)
+
+
 @dataclass(frozen=True)
 class Wall:
     """A wall seen across its plane.
@@ -215,8 +220,7 @@ class Context:
     @property
     def above_ground(self) -> bool:
         """Whether what holds the mechanism is above the ground; a plinth is ground."""
-        height = 0.0 if self.building is None else self.building.height
-        return self.support_height > max(PLINTH, PLINTH_SHARE * height)
+        return counts_as_above(self.support_height, 0.0 if self.building is None else self.building.height)
 
     @property
     def above_building(self) -> bool:

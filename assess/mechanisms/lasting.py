@@ -36,8 +36,9 @@ from assess.mechanisms.stages import (
     stages,
     whole,
 )
+from assess.mechanisms.table import staged_branch
 from assess.mechanisms.virtual_work import virtual_work
-from assess.oscillator import Oscillator
+from assess.oscillator import Branch, Oscillator
 
 Kind = Literal["break", "seat"]
 BranchName = Literal["positive", "negative"]
@@ -143,6 +144,18 @@ def variants(mechanism: Mechanism) -> Variants:
         collapse = of(sides)
     missing = () if collapse is not None else _standing_by(acting, sides)
     return Variants(starting, breaking, collapse, missing, tuple(ends))
+
+
+def collapse_branch(chain: Chain, *, name: str) -> Branch:
+    """The table of a chain on rigid hinges with what is shown to last to collapse, and what drives; no restitution.
+
+    Raises MechanismError for one that never overturns, FallingError for one that falls, or stands by the rest alone.
+    """
+    rigid = replace(chain, joints=())
+    end = float(staged_branch(whole(rigid), restitution=0.0, name=name).rotation[-1])
+    acting = _acting(rigid, name=name, end=end)
+    found = staged_branch(acting.up_to(acting.lasting), restitution=0.0, name=name)
+    return staged_branch(acting.up_to(_kept(acting, found.overturning)), restitution=0.0, name=name)
 
 
 def equilibria(rocker: Oscillator) -> tuple[float, float]:

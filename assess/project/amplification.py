@@ -11,7 +11,7 @@ from assess.mechanisms.lasting import rise_of
 from assess.natural_frequency import ASSUMPTIONS, SLICES, Rayleigh, cantilever, rayleigh
 from assess.project import sections
 from assess.project.bodies import Solids
-from assess.project.grounding import ground_of
+from assess.project.grounding import base_above_ground, ground_of
 from assess.project.mechanisms import Built
 from assess.project.study import Amplified
 from spectra.errors import SpectrumError
@@ -83,7 +83,7 @@ def height_of(asked: sections.RaisedAmplification, standing: Standing) -> float:
     if asked.height is not None:
         return asked.height
     mechanism = standing.built.mechanism
-    base = mechanism.elevation - standing.ground
+    base = base_above_ground(standing.section, mechanism, standing.content)
     if base < -NEAR_GROUND:
         raise ProjectError(
             f"{standing.where}.height: the mechanism begins {-base:.3g} m below the ground; give height, or "

@@ -98,6 +98,7 @@ def assessed(
         checks=checks_of(study, shaken.oscillator, context),
         histories=() if context.unheld else governing_trace(shaken, rocked.histories, motions),
         amplification=amplification_result(study.amplified[mechanism.name], motions, shaken.base),
+        grounded=study.grounded[mechanism.name],
     )
 
 
@@ -127,7 +128,7 @@ def context_of(
 def _context_of(
     study: Study, spectrum: Spectrum, mechanism: Mechanism, rocked: Rocking, base: tuple[Carried, ...]
 ) -> Context:
-    elevation, rise, ways = mechanism.elevation - study.ground, rise_of(mechanism), variants(mechanism)
+    grounded, rise, ways = study.grounded[mechanism.name], rise_of(mechanism), variants(mechanism)
     return Context(
         spectrum=spectrum,
         levels=study.levels,
@@ -135,12 +136,12 @@ def _context_of(
         support=SUPPORTS[mechanism.kind],
         carries_floors=carries_floors(mechanism),
         wall=wall_of(mechanism),
-        elevation=elevation,
+        elevation=grounded.base,
         rise=rise,
         building=study.building,
         suites=rocked.suites,
         histories_at="ground" if study.amplified[mechanism.name].height is None else "mechanism base",
-        carried=carried_by(study.amplified[mechanism.name], support=max(elevation, 0.0) + rise / 2.0),
+        carried=carried_by(study.amplified[mechanism.name], support=grounded.support),
         crushing=mechanism.crushing,
         starting=ways.starting,
         breaking=ways.breaking,
@@ -148,7 +149,7 @@ def _context_of(
         seats_unknown=seats_unknown(mechanism),
         knowledge=study.knowledge.get(mechanism.name, {}),
         limit_state=study.limit_state if study.hazard is None else None,
-        impossible=study.impossible,
+        impossible=grounded.unknown,
         unheld=unheld(mechanism),
         suite_faults=study.suite_faults,
         impossible_by_histories=stopped(mechanism),
@@ -165,7 +166,7 @@ def _context_of(
 def seats_unknown(mechanism: Mechanism) -> tuple[str, ...]:
     """What rests on the mechanism and may lose a seat that nobody gave: floors, beams, bearing masses."""
     resting = [load for load in mechanism.positive.loads if isinstance(load, PointMass) and load.bearing]
-    return tuple(load.name for load in resting if getattr(load, "seat", None) is None)
+    return tuple(load.name for load in resting if load.seat is None)
 
 
 def stopped(mechanism: Mechanism) -> tuple[Message, ...]:

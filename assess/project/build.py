@@ -22,7 +22,7 @@ from assess.project.bodies import solid_of
 from assess.project.components import horizontal, left_out
 from assess.project.deciding import facts_of, levels_with_site, question_of
 from assess.project.dependents import dependents
-from assess.project.grounding import ground_of, unknown_ground
+from assess.project.grounding import grounded
 from assess.project.messages import located, shown
 from assess.project.notices import notices_of
 from assess.project.record_set import RecordSet
@@ -86,7 +86,7 @@ def study_of(project: Project, *, executor: Executor | None = None) -> Study:
         notices=(
             *project.doubts,
             *(warning("site-study", "site.spectrum", text=text) for text in (spectrum.cautions if spectrum else ())),
-            *notices_of(content, solids, study.mechanisms, study.amplified),
+            *notices_of(content, solids, study),
             *notices,
         ),
         sweeps=tuple(
@@ -116,8 +116,10 @@ def part_of(content: sections.Content, files: Files, *, names: Iterable[str]) ->
         levels=levels_of(content.analysis.levels, files.spectrum),
         question=question,
         facts=facts_of(content, question, tuple(chosen)),
-        ground=ground_of(content),
-        impossible=unknown_ground(content, files.solids),
+        grounded={
+            name: grounded(section, one.mechanism, content, files.solids)
+            for (name, section), one in zip(chosen.items(), built, strict=True)
+        },
         procedures=procedures_of(content),
         offered=content.offered,
         options=options_of(content),

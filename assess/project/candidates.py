@@ -18,8 +18,8 @@ from assess.geometry.footprint import edge_normals
 from assess.geometry.planar import FloatArray, lowest_corners
 from assess.mechanisms.chain import Chain
 from assess.mechanisms.directions import Candidate, Vector
+from assess.mechanisms.lasting import collapse_branch
 from assess.mechanisms.mechanism import Mechanism
-from assess.mechanisms.table import branch
 from assess.mechanisms.virtual_work import virtual_work
 from assess.oscillator import displacement
 from assess.project import sections
@@ -32,7 +32,7 @@ from assess.project.sections.mechanisms import Restitution
 
 NEAR = 1.1  # multipliers up to this many times the least are compared by d0*
 HELD = 1.5  # of the least multiplier: free directions this much stronger do not stand for a weak axis held both ways
-ON_SIDE = 0.5  # of the half width of the base: a given hinge is on the side that it is as far out towards
+ON_SIDE = (0.5, 1.1)  # of the half width of the base: a given hinge is on the side towards which it is as far out
 OTHER_SIDE = "the hinge that is given lies on another side"
 DIGITS = 6  # candidates that agree to so many are as weak
 
@@ -141,7 +141,8 @@ def on_side(look: Look, way: Vector) -> bool:
         return True
     reach = look.foot @ np.array(way)
     low, high = float(reach.min()), float(reach.max())
-    return point_in_plane(hinges.A, way)[0] - (low + high) / 2.0 > ON_SIDE * (high - low) / 2.0
+    out = (point_in_plane(hinges.A, way)[0] - (low + high) / 2.0) / ((high - low) / 2.0)
+    return ON_SIDE[0] < out < ON_SIDE[1]
 
 
 def vector_text(way: Vector) -> str:
@@ -161,9 +162,14 @@ def with_displacement(candidate: Candidate, look: Look) -> Candidate:
 
 
 def displacement_of(chain: Chain, *, name: str) -> float | None:
-    """d0* of a chain on rigid hinges, where its control point is when it overturns [m]; None where it never does."""
+    """d0* of a chain on rigid hinges, where its control point is when it overturns [m]; None where it never does.
+
+    With what is shown to last to collapse: 0 where it stands only by other ties and forces.
+    """
     try:
-        side = branch(replace(chain, joints=()), restitution=0.0, name=name)
+        side = collapse_branch(chain, name=name)
+    except FallingError:
+        return 0.0
     except AssessError:
         return None
     return float(displacement(side, np.array(side.overturning), mass=chain.mass))

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from assess.codes.context import PLINTH
 from assess.codes.italian.confidence import LEAST_KNOWN
 from assess.geometry import mesh
 from assess.geometry.formats.reading import WITHOUT_UNIT
@@ -15,9 +14,8 @@ from assess.project import sections
 from assess.project.asking import procedures_of
 from assess.project.enduring import left_out
 from assess.project.gaps import gaps_of
-from assess.project.grounding import ground_of
 from assess.project.overlaps import overlaps_of
-from assess.project.study import Amplified, Equation
+from assess.project.study import Amplified, Equation, Study
 
 CIRCULARS = {"dmi2008": "Circolare 617/2009", "ntc2018": "Circolare 7/2019"}
 SAME_MODE = 0.05  # by how much two first modes of one building may differ
@@ -26,10 +24,10 @@ SAME_MODE = 0.05  # by how much two first modes of one building may differ
 def notices_of(
     content: sections.Content,
     solids: Mapping[str, Solid | None],
-    mechanisms: Sequence[Mechanism],
-    amplified: Mapping[str, Amplified],
+    study: Study,
 ) -> Iterator[Message]:
     """What the engineer should know before reading any result."""
+    mechanisms = study.mechanisms
     for name, solid in solids.items():
         if solid is not None:
             yield from _of_body(name, solid, content.bodies[name])
@@ -41,9 +39,8 @@ def notices_of(
         yield from left_out(mechanism)
         yield from mechanism.messages
     yield from _of_equation(content.analysis.equation, mechanisms)
-    ground = ground_of(content)
-    raised = [mechanism.name for mechanism in mechanisms if mechanism.elevation > ground + PLINTH]
-    yield from _of_amplification(raised, amplified)
+    raised = [mechanism.name for mechanism in mechanisms if study.grounded[mechanism.name].above]
+    yield from _of_amplification(raised, study.amplified)
     yield from _of_two_first_modes(content)
     for code, circular in CIRCULARS.items():
         if any(name.startswith(code) for name in procedures_of(content)):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -11,6 +11,7 @@ from assess.geometry.solid import Solid
 from assess.geometry.touch import TOLERANCE, Patches, beside
 from assess.mechanisms.directions import Vector
 from assess.project import sections
+from assess.project.grounding import carried
 
 FOOT = 0.1  # of the height of the masonry: what touches it lower, as a pavement does, does not stop it
 AHEAD = 0.7  # cosine between a touched face and the motion that the contact stops: within 45 degrees
@@ -40,7 +41,8 @@ def obstacles_of(
     head = (
         high - FOOT * (high - low) if isinstance(section, sections.TwoBlock) else np.inf
     )  # held there by what touches
-    own = {*(body for block in section.blocks for body in block), *_carried(section)}
+    own = {body for block in section.blocks for body in block}
+    own |= {body for load in section.loads for body in carried(load)}
     others = [solid for name, solid in solids.items() if solid is not None and name not in own]
     found = ((other, _touched(standing, other, foot=foot, head=head)) for other in others if _near(standing, other))
     return tuple(Obstacle(other.name, faces) for other, faces in found if float(faces.area.sum()) > SMALLEST)
@@ -49,15 +51,6 @@ def obstacles_of(
 def stopping(obstacles: Sequence[Obstacle], way: Vector) -> tuple[str, ...]:
     """The bodies that stop a motion towards `way`."""
     return tuple(obstacle.body for obstacle in obstacles if obstacle.stops(way))
-
-
-def _carried(section: sections.Chained) -> Iterator[str]:
-    """The bodies that move with the mechanism as its loads."""
-    for load in section.loads:
-        if isinstance(load, sections.BodyLoad):
-            yield load.body
-        elif isinstance(load, sections.OverburdenLoad):
-            yield from load.bodies
 
 
 def _near(standing: Sequence[Solid], other: Solid) -> bool:

@@ -22,6 +22,7 @@ from assess.oscillator import (
 )
 from assess.project.drawing import drawing
 from assess.project.enduring import load_results
+from assess.project.grounding import Grounded
 from assess.project.joint_results import interface_curves, interface_results
 from assess.project.motions import Motion
 from assess.project.oscillator_results import curve_of, floats, oscillator_result, overturning_of, rigid_branches
@@ -117,6 +118,7 @@ def mechanism_result(
     checks: Sequence[Check] = (),
     histories: Sequence[Sequence[HistoryResult]] = (),
     amplification: AmplificationResult = UNAMPLIFIED,
+    grounded: Grounded | None = None,
 ) -> MechanismResult:
     """One mechanism with its checks and its histories [level][record]; `scene` has its bodies in space."""
     positive, negative, mass = oscillator.positive, oscillator.negative, oscillator.mass
@@ -155,6 +157,10 @@ def mechanism_result(
             DirectionCandidate(each.angle, each.multiplier, each.displacement, each.touching)
             for each in mechanism.candidates
         ),
+        base_elevation_m=None if grounded is None else grounded.base,
+        input_height_m=None if grounded is None else grounded.support,
+        above_ground=None if grounded is None else grounded.above,
+        ground_known_from="" if grounded is None else grounded.source,
     )
 
 

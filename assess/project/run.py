@@ -147,6 +147,7 @@ def parameters(study: Study) -> tuple[MechanismResult, ...]:
             equation=study.equations[mechanism.name],
             scene=study.scenes.get(mechanism.name),
             amplification=amplification_result(study.amplified[mechanism.name]),
+            grounded=study.grounded[mechanism.name],
         )
         for mechanism in study.mechanisms
     )

@@ -16,6 +16,7 @@ from assess.codes.verdict import Missing, Question
 from assess.geometry.scene import Scene
 from assess.mechanisms.mechanism import Mechanism
 from assess.message import Message
+from assess.project.grounding import Grounded
 from assess.results import Input, Resolved
 from records.band import Band
 from records.pulses import Shape
@@ -95,7 +96,7 @@ class Study:
     sweeps : parametric studies; a case has none
     question : what decides
     facts : what the pass of each mechanism needs and nobody gave, and what it rests on, by name
-    ground : its elevation [m]; impossible : what makes every answer impossible
+    grounded : where each mechanism stands over the ground, by name
     record_factor : a further factor on every record [-]
     suite_faults : by code, the rules for suites that the records miss, known once the records are
     survey : the numbers of a mechanism that the survey's tolerance bears on, by its name
@@ -129,8 +130,7 @@ class Study:
     limit_state: str | None
     question: Question
     facts: Mapping[str, tuple[tuple[Missing, ...], tuple[Message, ...]]]
-    ground: float = 0.0
-    impossible: tuple[Message, ...] = ()
+    grounded: Mapping[str, Grounded] = field(default_factory=dict)
     record_factor: float = 1.0
     suite_faults: Mapping[str, tuple[Message, ...]] = field(default_factory=dict)
     survey: Callable[[str], tuple[Variable, ...]] = lambda name: ()

@@ -66,7 +66,7 @@ def at_limit_state(study: Study) -> Range:
 
 def is_raised(mechanism: Mechanism, study: Study) -> bool:
     """Whether a mechanism stands above the ground, be it on a plinth."""
-    return mechanism.elevation > study.ground
+    return study.grounded[mechanism.name].base > 0.0
 
 
 def deciding_state(study: Study) -> str:

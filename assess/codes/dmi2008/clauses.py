@@ -87,7 +87,12 @@ def floor_acceleration(context: Context, floor: Floor) -> float:
 
 
 def uplift(branch: Branch, context: Context, *, confidence_factor: float) -> float | None:
-    """PGA [m/s2] that lifts the mechanism off, less where the floor amplifies the ground; None without a threshold."""
+    """PGA [m/s2] that lifts the mechanism off, less where the floor amplifies the ground.
+
+    None without a threshold, and where the spectrum ends before the period of the building.
+    """
     floor = floor_of(context)
+    if floor is not None and context.spectrum.longest_period < floor.T1:
+        return None
     amplified = 1.0 if floor is None else floor_acceleration(context, floor) / context.spectrum.pga
     return uplift_pga(branch, confidence_factor=confidence_factor, amplified=amplified)

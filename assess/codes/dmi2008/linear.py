@@ -5,11 +5,11 @@ from __future__ import annotations
 from assess.codes.check import Check, Step, step
 from assess.codes.context import Context
 from assess.codes.dmi2008.clauses import DAMPING, EDITION, floor_acceleration, uplift
-from assess.codes.italian.acceleration import acceleration_check, ratio_step
+from assess.codes.italian.acceleration import acceleration_check, ratio_steps
 from assess.codes.italian.edition import Options
 from assess.codes.italian.floor import Demands, floor_of
 from assess.codes.italian.kinematic import activation, activation_steps
-from assess.codes.italian.limit_state import Case, at_each, rated_on_hazard
+from assess.codes.italian.limit_state import Case, at_each, rated
 from assess.codes.step import Given
 from assess.oscillator import Oscillator
 
@@ -21,15 +21,13 @@ STATES = ("SLD", "SLV")
 def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tuple[Check, ...]:
     """C8A.4.2.1: a0* against the demand (over q at SLV), at the ground and, above it, at the floor."""
     checks = at_each(oscillator, context, EDITION, options, known=STATES, one=lambda case: _check(case, options))
-    return rated_on_hazard(checks, context)
+    return tuple(rated(check, context) for check in checks)
 
 
 def _check(case: Case, options: Options) -> Check:
     FC, context, branch = case.confidence.factor, case.context, case.curves.starting
     q = options.behaviour_factor if case.state == "SLV" else 1.0
-    floor = floor_of(context)
-    at_floor = 0.0 if floor is None else floor_acceleration(context, floor) * case.pga / context.spectrum.pga / q
-    demands = Demands(case.pga / q, at_floor)
+    demands = demands_of(context, pga=case.pga, q=q)
     a0 = activation(branch, mass=case.curves.mass, confidence_factor=FC)
     return acceleration_check(
         case,
@@ -37,17 +35,30 @@ def _check(case: Case, options: Options) -> Check:
         procedure=PROCEDURE,
         capacity=a0,
         demands=demands,
+        needs="T1 of the building",
         uplift=uplift(branch, context, confidence_factor=FC),
         damping=DAMPING,
         steps=(
             *activation_steps(case, EDITION),
             *_demand_steps(case, demands, q=q),
-            ratio_step(CLAUSE, demanded=demands.largest, capacity=a0),
+            *ratio_steps(CLAUSE, demands, capacity=a0),
         ),
     )
 
 
-def _demand_steps(case: Case, demands: Demands, *, q: float) -> tuple[Step, ...]:
+def demands_of(context: Context, *, pga: float, q: float) -> Demands | None:
+    """Accelerations of ground and floor over q [m/s2] at a PGA; None where the spectrum ends before T1."""
+    floor = floor_of(context)
+    if floor is None:
+        return Demands(pga / q, 0.0)
+    if context.spectrum.longest_period < floor.T1:
+        return None
+    return Demands(1.0, floor_acceleration(context, floor) / context.spectrum.pga).times(pga / q)
+
+
+def _demand_steps(case: Case, demands: Demands | None, *, q: float) -> tuple[Step, ...]:
+    if demands is None:
+        return ()
     floor, spectrum = floor_of(case.context), case.context.spectrum
     given: Given = {"PGA": (case.pga, "m/s2"), "q": q}
     ground = step("a_g S / q", "demand of the ground", CLAUSE, "PGA / q", demands.ground, "m/s2", given=given)

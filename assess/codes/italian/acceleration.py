@@ -8,6 +8,7 @@ from assess.codes.check import Check, Outcome, Reason, Step, because, step
 from assess.codes.italian.edition import Edition
 from assess.codes.italian.floor import Demands, floor_of, judged
 from assess.codes.italian.limit_state import Case
+from assess.message import Message, Quantity
 
 
 def acceleration_check(
@@ -16,14 +17,18 @@ def acceleration_check(
     *,
     procedure: str,
     capacity: float,
-    demands: Demands,
+    demands: Demands | None,
+    needs: str,
     uplift: float | None,
     damping: float,
     steps: tuple[Step, ...],
 ) -> Check:
-    """a0* = `capacity` [m/s2] against the larger of the `demands` [m/s2]; uplift: its PGA [m/s2]."""
-    demanded = demands.largest
-    verdict = judged(demanded / capacity)
+    """a0* = `capacity` [m/s2] against the larger of the `demands` [m/s2]; uplift: its PGA [m/s2].
+
+    demands : None where the spectrum ends before a period that it `needs`
+    """
+    demanded = None if demands is None else demands.largest
+    verdict, reason = _verdict(case, demanded, capacity, needs=needs)
     return Check(
         procedure=procedure,
         edition=edition.name,
@@ -36,17 +41,27 @@ def acceleration_check(
         unit="m/s2",
         demand=demanded,
         capacity=capacity,
-        ratio=demanded / capacity,
+        ratio=None if demanded is None else demanded / capacity,
         verdict=verdict,
-        reason=because(Reason.WITHIN if verdict == Outcome.PASS else Reason.BEYOND, capacity="a0*"),
-        capacity_pga_g=case.pga * capacity / demanded / g,
+        reason=reason,
+        capacity_pga_g=None if demanded is None else case.pga * capacity / demanded / g,
         uplift_pga_g=None if uplift is None else uplift / g,
         steps=steps,
         caveat=edition.caveat,
     )
 
 
-def ratio_step(clause: str, *, demanded: float, capacity: float) -> Step:
+def _verdict(case: Case, demanded: float | None, capacity: float, *, needs: str) -> tuple[Outcome, Message]:
+    if demanded is None:
+        end = Quantity(case.context.spectrum.longest_period, "time")
+        return Outcome.NOT_ANSWERED, because(Reason.SPECTRUM_TOO_SHORT, period=needs, end=end)
+    verdict = judged(demanded / capacity)
+    return verdict, because(Reason.WITHIN if verdict == Outcome.PASS else Reason.BEYOND, capacity="a0*")
+
+
+def ratio_steps(clause: str, demands: Demands | None, *, capacity: float) -> tuple[Step, ...]:
     """The last line of the sheet."""
-    given = {"demand": (demanded, "m/s2"), "a0*": (capacity, "m/s2")}
-    return step("demand / a0*", "ratio", clause, "demand / a0*", demanded / capacity, given=given)
+    if demands is None:
+        return ()
+    given = {"demand": (demands.largest, "m/s2"), "a0*": (capacity, "m/s2")}
+    return (step("demand / a0*", "ratio", clause, "demand / a0*", demands.largest / capacity, given=given),)

@@ -26,6 +26,10 @@ class Demands:
     ground: float
     floor: float
 
+    def times(self, factor: float) -> Demands:
+        """Both multiplied by a factor."""
+        return Demands(self.ground * factor, self.floor * factor)
+
     @property
     def largest(self) -> float:
         """The governing one: both must hold."""

@@ -133,13 +133,16 @@ def period_of(branch: Branch, context: Context) -> float:
     return 1.0 / frequency if frequency else 0.0
 
 
-def acceleration_demands(context: Context, modes: FirstModes | None, *, T0: float) -> Demands:
+def acceleration_demands(context: Context, modes: FirstModes | None, *, T0: float) -> Demands | None:
     """Over PGA [-]: S_e(T0) of the ground, S_eZ(T0) of the floor, 5 % damping; at T0 = 0 the PGA and a_Z.
 
+    None where the spectrum ends too early.
     modes : of the building, of which the one that asks most counts; None at the ground
     Source: C8.7.1.8, C8.7.1.9 with C7.2.5 to C7.2.8.
     """
     spectrum = context.spectrum
+    if max(T0, 0.0 if modes is None else modes.longest) > spectrum.longest_period:
+        return None
     ground = float(spectrum.acceleration(T0, damping=ELASTIC_DAMPING)) / spectrum.pga
     floor = 0.0 if modes is None else floor_acceleration(context, modes, T0)[1] / spectrum.pga
     return Demands(ground, floor)
@@ -163,8 +166,13 @@ def displacement_demands(
 
 
 def uplift(branch: Branch, context: Context, *, confidence_factor: float) -> float | None:
-    """PGA [m/s2] that lifts the mechanism off, less where the floor amplifies the ground; None without a threshold."""
+    """PGA [m/s2] that lifts the mechanism off, less where the floor amplifies the ground.
+
+    None without a threshold, and where the spectrum ends before the period of the building.
+    """
     modes = elastic_modes(context)
+    if modes is not None and modes.longest > context.spectrum.longest_period:
+        return None
     peak = 0.0 if modes is None else peak_acceleration(context, modes, modes.shortest)
     return uplift_pga(branch, confidence_factor=confidence_factor, amplified=max(1.0, peak / context.spectrum.pga))
 

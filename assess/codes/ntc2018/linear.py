@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from assess.codes.check import Check, Step, step
 from assess.codes.context import Context
-from assess.codes.italian.acceleration import acceleration_check, ratio_step
+from assess.codes.italian.acceleration import acceleration_check, ratio_steps
 from assess.codes.italian.edition import Options
 from assess.codes.italian.floor import Demands
 from assess.codes.italian.kinematic import activation, activation_steps
@@ -38,7 +38,7 @@ def _check(case: Case, options: Options) -> Check:
     context, branch, modes = case.context, case.curves.starting, elastic_modes(case.context)
     T0 = period_of(branch, context)
     over_pga = acceleration_demands(context, modes, T0=T0)
-    demands = Demands(over_pga.ground * case.pga / q, over_pga.floor * case.pga / q)
+    demands = None if over_pga is None else over_pga.times(case.pga / q)
     a0 = activation(branch, mass=case.curves.mass, confidence_factor=FC)
     return acceleration_check(
         case,
@@ -46,6 +46,7 @@ def _check(case: Case, options: Options) -> Check:
         procedure=PROCEDURE,
         capacity=a0,
         demands=demands,
+        needs="T0 or T1 of the building",
         uplift=uplift(branch, context, confidence_factor=FC),
         damping=ELASTIC_DAMPING,
         steps=(
@@ -54,18 +55,20 @@ def _check(case: Case, options: Options) -> Check:
             *share_steps(case, modes),
             *demand_steps(case, modes, over_pga, T0=T0, a0=a0),
             *_capacity_steps(case, over_pga, a0=a0, q=q),
-            ratio_step(CLAUSES[case.state], demanded=demands.largest, capacity=a0),
+            *ratio_steps(CLAUSES[case.state], demands, capacity=a0),
         ),
     )
 
 
 def demand_steps(
-    case: Case, modes: FirstModes | None, over_pga: Demands, *, T0: float, a0: float, symbol: str = "T1"
+    case: Case, modes: FirstModes | None, over_pga: Demands | None, *, T0: float, a0: float, symbol: str = "T1"
 ) -> tuple[Step, ...]:
     """Accelerations of ground and floor, and the PGA a_g,SLD S at which the larger one reaches a0*.
 
     symbol : of the first mode that asks most
     """
+    if over_pga is None:
+        return ()
     spectrum, free = case.context.spectrum, T0 > 0.0
     ground, floor = ("S_e(T0)" if free else "PGA"), ("S_eZ(T0)" if free else peak_symbol(symbol))
     given = {"a0*": (a0, "m/s2"), "PGA": (case.pga, "m/s2"), ground: (over_pga.ground * case.pga, "m/s2")}
@@ -95,7 +98,9 @@ def floor_steps(case: Case, modes: FirstModes, *, T0: float, symbol: str) -> tup
     )
 
 
-def _capacity_steps(case: Case, over_pga: Demands, *, a0: float, q: float) -> tuple[Step, ...]:
+def _capacity_steps(case: Case, over_pga: Demands | None, *, a0: float, q: float) -> tuple[Step, ...]:
+    if over_pga is None:
+        return ()
     clause, largest = CLAUSES[case.state], over_pga.largest * case.pga
     demanded = step(
         "a_max / q",

@@ -53,7 +53,7 @@ class Worked:
 
     capacity: Capacity
     modes: FirstModes | None
-    over_pga: Demands
+    over_pga: Demands | None
     wanted: Demands | None
 
 
@@ -89,7 +89,10 @@ def _worked(case: Case) -> Worked:
 def _answer(case: Case, worked: Worked) -> Answer:
     """Below a_g,SLD the element does not rock: it moves elastically with T0, or, rigid, not at all."""
     cap, over_pga = worked.capacity, worked.over_pga
-    activated, elastic = activation_pga(cap.a0, over_pga), over_pga.largest * (cap.T0 / (2 * np.pi)) ** 2
+    if over_pga is None:
+        activated = elastic = 0.0
+    else:
+        activated, elastic = activation_pga(cap.a0, over_pga), over_pga.largest * (cap.T0 / (2 * np.pi)) ** 2
     symbol, longest = f"T_{case.state}", longest_asked(worked.modes, cap.T)
     return Answer(
         ultimate=cap.d,

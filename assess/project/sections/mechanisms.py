@@ -242,6 +242,8 @@ class Chained(Section):
     """the same for single hinges of a chain, { A = { … }, B = { … } }"""
     amplification: AmplificationSection = Field(default_factory=NoAmplification)
     """{ method = "srss" | "modal-filter" | "ec8" | "nzs1170.5" | …, height, … }: the motion's way up to its base"""
+    base_elevation: Length | None = None
+    """of its base above the ground, where it is drawn alone and not in its place"""
 
     @model_validator(mode="after")
     def _interfaces_are_at_hinges(self) -> Self:

@@ -45,6 +45,7 @@ mesh = "spire.obj"
 mesh_unit = "mm"
 [mechanisms.spire]
 kind = "single-block"
+direction = [1, 0, 0]
 blocks = ["spire"]
 """)
     return folder
@@ -154,6 +155,7 @@ material = "m"
 box = {{ thickness = {T}, length = 1.0, height = {H} }}
 [mechanisms.w]
 kind = "single-block"
+direction = [1, 0, 0]
 blocks = ["w"]
 loads = [
     {{ kind = "mass", mass = "650 kg", at = [0.1, 0.3, 4.7] }},

@@ -43,6 +43,7 @@ material = "m"
 {body}
 [mechanisms.w]
 kind = "two-block"
+direction = [1, 0, 0]
 blocks = ["w"]
 {mechanism}
 """)
@@ -246,6 +247,7 @@ material = "m"
 box = {{ thickness = {B}, length = {L}, height = 1.8, base = [1.0, 0.0, 4.2] }}
 [mechanisms.w]
 kind = "two-block"
+direction = [1, 0, 0]
 blocks = ["low", "high"]
 {pressed(9000.0, place=0.3)}
 """)

@@ -10,7 +10,7 @@ import pytest
 from scipy.constants import g
 
 from assess.codes.asce43_05.clauses import thesis_limit
-from assess.codes.worked import multiplier_worked
+from assess.codes.worked import multiplier_step
 from assess.dynamics.history import Jobs, peaks
 from assess.errors import MechanismError
 from assess.geometry.planar import planar_direct
@@ -86,14 +86,14 @@ def test_what_resists_does_not_drop_where_a_wall_just_leans_on_its_support():
 
 def test_the_sheet_says_where_its_multiplier_comes_from():
     side = oscillator(wall()).positive
-    formula, _, value = multiplier_worked(side)
-    assert formula.startswith("largest")
-    assert value == multiplier(side).max()
+    largest = multiplier_step("λ", "multiplier", "clause", side)
+    assert largest.formula.startswith("largest")
+    assert largest.value == multiplier(side).max()
     rigid = replace(side, overturning_flexible=None, restoring=side.restoring + 1e4)
-    formula, numbers, value = multiplier_worked(rigid)
-    assert formula == "(V'(0) − M) / (g B0)"
-    assert value == pytest.approx(1e4 / (g * side.excitation[0]), rel=1e-12)
-    assert numbers.startswith("(10000) /")
+    at_rest = multiplier_step("λ", "multiplier", "clause", rigid)
+    assert at_rest.formula == "(V'(0) − M) / (g B0)"
+    assert at_rest.value == pytest.approx(1e4 / (g * side.excitation[0]), rel=1e-12)
+    assert at_rest.substituted.startswith("(10000) /")
 
 
 def test_the_limit_of_rotation_of_the_thesis_on_a_joint_hardly_stiff_enough_to_stand():

@@ -12,6 +12,7 @@ from scipy.integrate import quad
 from scipy.optimize import brentq
 
 from assess.codes.italian.kinematic import displacement_at_collapse
+from assess.errors import FallingError
 from assess.geometry.planar import planar
 from assess.geometry.solid import box
 from assess.interfaces.law import Law
@@ -19,7 +20,7 @@ from assess.interfaces.shapes import rectangle
 from assess.loads import Force, PointMass, Tie, lasts, mirrored
 from assess.mechanisms.assembly import on_joints
 from assess.mechanisms.joint import Joint
-from assess.mechanisms.lasting import held_above, limits, variants
+from assess.mechanisms.lasting import collapse_branch, held_above, limits, variants
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.two_block import two_block
 from assess.oscillator import interpolant, restoring
@@ -272,6 +273,16 @@ def test_on_joints_it_drops_by_the_tie_too_and_normal_forces_follow():
     after = interpolant(plain.rotation, plain.restoring)(side.rotation[jump + 1])
     assert side.restoring[jump + 1] == pytest.approx(float(after), rel=1e-5)
     assert side.restoring[jump] > side.restoring[jump + 1]
+
+
+def test_one_chain_alone_has_the_same_curve_of_collapse():
+    brittle = replace(VOUCHED, length=2.0, fracture_strain=0.1)
+    for loads in ((THRUST, INWARD), (THRUST, VOUCHED), (brittle,)):
+        mechanism = wall(*loads)
+        side = collapse_branch(on_joint(1e9, *loads).positive, name="w")
+        np.testing.assert_array_equal(side.restoring, variants(mechanism).collapse.positive.restoring)
+    with pytest.raises(FallingError):
+        collapse_branch(wall(Force("thrust", (30000.0, 0.0), TOP), replace(INWARD, pull=20000.0)).positive, name="w")
 
 
 def test_the_highest_tie_that_lasts_holds_the_wall():

@@ -71,7 +71,7 @@ def test_defaults(tmp_path: Path) -> None:
     content = load(written(tmp_path, PROJECT)).content
     wall = content.mechanisms["wall"]
     assert isinstance(wall, SingleBlock)
-    assert (wall.blocks, wall.direction, wall.sides, wall.hinges) == ((("wall",),), (1.0, 0.0, 0.0), "two", None)
+    assert (wall.blocks, wall.direction, wall.sides, wall.hinges) == ((("wall",),), None, None, None)
     assert (wall.restitution.positive, wall.restitution.negative) == (0.9, 0.9)
     assert content.mechanisms["other"].restitution.positive is None
     assert content.building is not None

@@ -5,11 +5,12 @@ from pathlib import Path
 import pytest
 from scipy.constants import g
 
+from assess.codes.context import FirstMode
 from assess.errors import ProjectError
 from assess.project.build import build
 from assess.project.outcome import spectrum_result
 from assess.project.schema import load, resolved
-from assess.project.site_spectrum import spectrum_of, vertical_of
+from assess.project.site_spectrum import site_in, spectrum_of, vertical_of
 from spectra.errors import SpectrumError
 
 WALL = """
@@ -41,7 +42,7 @@ def loaded(folder: Path, table: str, *, site: str = "", rest: str = ""):
 
 
 def spectrum(folder: Path, table: str, *, site: str = ""):
-    section = loaded(folder, table, site=site).content.site
+    section = site_in(loaded(folder, table, site=site).content)
     assert section is not None
     return spectrum_of(section)
 
@@ -75,6 +76,56 @@ def test_limit_states_ask_for_their_own_return_period(tmp_path: Path) -> None:
     tables = [f'{CODES["hazard"]}\nlimit_state = "{name}"' for name in ("SLO", "SLD", "SLV", "SLC")]
     found = [spectrum(tmp_path, table).parameters["return_period"] for table in tables]
     assert found == pytest.approx([30.1, 50.3, 474.6, 974.8], abs=0.06)
+
+
+def test_limit_state_of_the_site_s_own_action(tmp_path: Path) -> None:
+    """[site] limit_state, its old spelling, [verdict] limit_state, else SLV; each at its own return period."""
+    years = {"SLD": 50.3, "SLV": 474.6, "SLC": 974.8}
+    hazard = CODES["hazard"].replace("ntc2008", "ntc2018")
+    for site, rest, state in (
+        ("", "", "SLV"),
+        ('limit_state = "SLC"', "", "SLC"),
+        ("", '[verdict]\nlimit_state = "SLC"', "SLC"),
+        ('limit_state = "SLD"', '[verdict]\nlimit_state = "SLC"', "SLD"),
+    ):
+        study = build(loaded(tmp_path, hazard, site=site, rest=rest))
+        assert study.spectrum is not None
+        assert study.hazard is not None
+        assert study.spectrum.parameters["return_period"] == pytest.approx(years[state], abs=0.06)
+        assert study.spectrum.pga == pytest.approx(study.hazard.spectra[state].pga, rel=1e-12)
+        assert (study.question.action.limit_state, study.question.action.over_periods) == (state, True)
+        assert study.question.action.return_period_years == pytest.approx(years[state], abs=0.06)
+
+
+def test_two_limit_states_of_the_site_must_agree(tmp_path: Path) -> None:
+    table = CODES["hazard"] + '\nlimit_state = "SLV"'
+    assert spectrum(tmp_path, table, site='limit_state = "SLV"').parameters["limit_state"] == "SLV"
+    with pytest.raises(ProjectError, match=r'site\.limit_state: "SLC": site\.spectrum\.limit_state, its old spelling'):
+        loaded(tmp_path, table, site='limit_state = "SLC"')
+    with pytest.raises(ProjectError, match=r"site\.limit_state: .*not one of the hazard over return periods"):
+        loaded(tmp_path, CODES["hazard"], site='limit_state = "ULS"')
+    with pytest.raises(ProjectError, match=r"limit_state: .*write it in \[site\]"):
+        loaded(tmp_path, CODES["ntc2018"] + '\nlimit_state = "SLV"')
+
+
+def test_class_of_use_of_the_site_or_of_the_building(tmp_path: Path) -> None:
+    bare = CODES["hazard"].replace('use_class = "II"\n', "")
+    in_building = build(loaded(tmp_path, bare, rest='[building]\nuse_class = "III"'))
+    assert in_building.spectrum is not None
+    assert in_building.spectrum.parameters["return_period"] == pytest.approx(1.5 * 474.6, abs=0.1)
+    with pytest.raises(ProjectError, match=r"site\.spectrum\.use_class: missing"):
+        build(loaded(tmp_path, bare))
+    with pytest.raises(ProjectError, match=r'building\.use_class: "III" beside site\.spectrum\.use_class "II"'):
+        build(loaded(tmp_path, CODES["hazard"], rest='[building]\nuse_class = "III"'))
+
+
+def test_a_first_mode_of_the_building_at_a_limit_state_reaches_the_study(tmp_path: Path) -> None:
+    mode = 'limit_states = { SLV = { period = "0.5 s", damping = 0.12, reason = "pushover" } }'
+    study = build(loaded(tmp_path, CODES["ntc2018"], rest=f'[building]\nheight = "9 m"\n{mode}'))
+    assert study.building is not None
+    assert study.building.limit_states == {"SLV": FirstMode(0.5, 0.12, "pushover")}
+    with pytest.raises(ProjectError, match=r"building\.limit_states"):
+        loaded(tmp_path, CODES["ntc2018"], rest=f'[building]\nheight = "9 m"\n{mode.replace("SLV", "SLD")}')
 
 
 def test_return_period_in_place_of_r(tmp_path: Path) -> None:

@@ -1,0 +1,103 @@
+"""What must hold for the Italian procedures whatever the wall."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import pairwise
+from math import inf
+
+import numpy as np
+import pytest
+from curved import both, pulled
+from scipy.constants import g
+
+from assess.codes.context import Building, Context, FirstMode
+from assess.codes.dmi2008 import linear as dmi2008_linear
+from assess.codes.dmi2008 import nonlinear as dmi2008_nonlinear
+from assess.codes.italian.edition import Options
+from assess.codes.ntc2018 import linear, nonlinear
+from assess.mechanisms.equivalent_block import equivalent_block
+from assess.mechanisms.oscillation import oscillator
+from spectra import ntc
+
+SPECTRUM = ntc.elastic_spectrum(ntc.Hazard(0.25 * g, 2.4, 0.35), place=ntc.Place("C"))
+HOUSE = Building(9.0, 3, 0.3, 0.05)
+EVERY = pytest.mark.parametrize("procedure", [linear, nonlinear, dmi2008_linear, dmi2008_nonlinear])
+BY_DISPLACEMENT = pytest.mark.parametrize("procedure", [nonlinear, dmi2008_nonlinear])
+WALLS = [(0.06, 1.5), (0.1, 3.0), (0.2, 2.0), (0.35, 4.0), (0.5, 1.0)]
+
+
+def wall(slender, radius):
+    return oscillator(equivalent_block("w", p=np.sqrt(0.75 * g / radius), uplift=slender, radius=radius))
+
+
+def site(*, elevation=0.0, levels=(0.25 * g,), **more):
+    return Context(SPECTRUM, levels, 0.0, elevation, HOUSE, **more)
+
+
+def asked(procedure, rocker, context, **more):
+    return procedure.assess(rocker, context, options=Options(**more))
+
+
+def ratio(check):
+    return inf if check.ratio is None else check.ratio
+
+
+@EVERY
+@pytest.mark.parametrize("elevation", [0.0, 4.0, 9.0])
+@pytest.mark.parametrize(("slender", "radius"), WALLS)
+def test_a_lower_action_never_worsens(procedure, elevation, slender, radius):
+    levels = tuple((np.linspace(0.02, 1.5, 25) * g).tolist())
+    checks = asked(procedure, wall(slender, radius), site(elevation=elevation, levels=levels))
+    assert [ratio(check) for check in checks] == sorted(ratio(check) for check in checks)
+    for check in checks:
+        assert (check.verdict == "pass") is (check.level_pga_g <= check.capacity_pga_g * (1 + 1e-9))
+
+
+@EVERY
+def test_a_larger_d0_at_the_ground_never_worsens(procedure):
+    """Walls of one slenderness, larger and larger: periods beyond T_B, where S_e does not rise."""
+    for slender in (0.06, 0.15, 0.3):
+        ratios = [ratio(asked(procedure, wall(slender, radius), site())[0]) for radius in np.geomspace(0.5, 12.0, 12)]
+        assert all(after <= before * (1 + 1e-9) for before, after in pairwise(ratios))
+
+
+@BY_DISPLACEMENT
+@pytest.mark.parametrize(("slender", "radius"), WALLS)
+def test_a_tie_that_is_not_shown_to_last_never_changes_the_displacement_capacity(procedure, slender, radius):
+    """It is in the curve of activation alone: d_SLV, a(d_SLV), T_SLV and the demand stay as they are."""
+    rocker = wall(slender, radius)
+    (plain,) = asked(procedure, rocker, site())
+    for share in (0.01, 0.03, 0.3, 3.0):
+        force = share * g * rocker.mass * radius
+        starting = both(pulled(rocker.positive, force, until=1.4 * slender), rocker)
+        (held,) = asked(procedure, rocker, site(starting=starting))
+        assert held.capacity == plain.capacity
+        names = ("d0*", "a(d_SLV)", "T_SLV", "a_s*", "T_s")
+        for one, other in zip(held.steps, plain.steps, strict=True):
+            assert one.symbol not in names or one.value == other.value
+
+
+@BY_DISPLACEMENT
+@pytest.mark.parametrize(("slender", "radius"), WALLS)
+def test_a_seat_never_raises_and_a_lower_factor_never_changes_what_decides(procedure, slender, radius):
+    rocker = wall(slender, radius)
+    (plain,) = asked(procedure, rocker, site())
+    deciding, informing = asked(procedure, rocker, site(), confidence_factor=1.0)
+    assert replace(deciding) == plain
+    assert informing.informs
+    assert not deciding.informs
+
+
+@pytest.mark.parametrize(("slender", "radius"), WALLS)
+@pytest.mark.parametrize("T1", [0.15, 0.3, 0.6, 1.2])
+def test_no_building_of_the_range_asks_more_than_the_range(slender, radius, T1):
+    rocker, elevation = wall(slender, radius), 9.0
+    ranged = site(elevation=elevation)
+    at = replace(ranged, building=replace(HOUSE, period=T1), levels=(2.0 * g,))
+    (whole,) = asked(nonlinear, rocker, at)
+    for softening in np.linspace(1.5, 2.0, 21):
+        mode = {"SLV": FirstMode(softening * T1, 0.10, "one of them")}
+        (one,) = asked(nonlinear, rocker, replace(at, building=replace(HOUSE, period=T1, limit_states=mode)))
+        assert one.ratio <= whole.ratio * (1 + 1e-5)
+        assert one.capacity_pga_g >= whole.capacity_pga_g * (1 - 1e-5)

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import ast
 import re
+import tomllib
 from collections.abc import Iterator, Mapping
 from functools import cache
 from pathlib import Path
@@ -18,7 +19,7 @@ import pytest
 
 from assess.geometry.mesh import load
 from assess.texts import TEXTS
-from reports.catalogue import catalogue, languages
+from reports.catalogue import FOLDER, catalogue, languages
 from reports.translation import Speech
 
 ROOT = Path(__file__).parents[2]
@@ -165,6 +166,13 @@ def test_every_text_of_a_warning_is_known(language: str) -> None:
 @pytest.mark.parametrize("key", TEXTS)
 def test_every_message_is_known(language: str, key: str) -> None:
     assert unknown(re.sub(r"\{\w+\}", FILLED, TEXTS[key]), language=language) == []
+
+
+@pytest.mark.parametrize("language", languages()[1:])
+def test_no_message_is_translated_that_is_no_more(language: str) -> None:
+    entries = tomllib.loads((FOLDER / f"{language}.toml").read_text(encoding="utf-8"))["sentences"]["messages"]
+    written = {re.sub(r"\{\w+\}", "{}", text) for text in TEXTS.values()}
+    assert [text for text in entries if re.sub(r"\{\d+\}", "{}", text) not in written] == []
 
 
 def test_every_key_that_is_written_has_a_text() -> None:

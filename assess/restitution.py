@@ -13,12 +13,14 @@ class Restitution:
     """A coefficient [-], at least 0, where it comes from, and a notice when the rule did not hold ("" otherwise).
 
     stopped : the negative value that the rule gave, where the impact brings the mechanism to rest; None elsewhere
+    range : what a value so uncertain is multiplied by in histories, of which the worst counts
     """
 
     value: float
     source: str
     notice: str = ""
     stopped: float | None = None
+    range: tuple[float, ...] = (1.0,)
 
 
 def housner(block: SingleBlock) -> float:

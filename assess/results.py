@@ -373,6 +373,7 @@ class HistoryResult:
 
     max_rotation_rad is signed; it, its ratio and its time are None where the record overturned the mechanism.
     overturning_time_s: when the rotation passed phi_ov for the last time. branch: where the largest rotation was.
+    rebound: times the restitution of the mechanism, with which this history was worst; 1 where no range was run.
     """
 
     record: str
@@ -388,6 +389,7 @@ class HistoryResult:
     overturning_time_s: float | None
     trace: Trace | None
     branch: BranchName
+    rebound: float = 1.0
 
 
 @dataclass(frozen=True)

@@ -80,6 +80,7 @@ TEXTS: Mapping[str, str] = {
     "other-limit-state": "the site's single spectrum is that of {declared}; {state} is decided by its own: give the "
     "hazard over return periods",
     "hazard-too-short": "the hazard does not reach the return period of {state}: add a row",
+    "no-rebound": "the effective damping is that of impacts after which the body rocks on; this one stops at the first",
     "one-sided": "the effective damping is that of the two impacts of a body that rocks both ways; this one rocks to "
     "one side",
     "stops-at-impact": "restitution by the momentum kept at the impact is {restitution}: a mechanism this squat stops "

@@ -99,7 +99,8 @@ def requirements(motion: GroundMotionResult) -> Table:
     )
     caveats = "; ".join(dict.fromkeys(one.caveat for one in motion.requirements if one.caveat))
     caption = (
-        "Requirements of codes on the suite, for information: they decide no verdict. T₁ is replaced by the least and "
+        "Requirements of codes on the suite. Histories by ASCE 43-05 and NTC 2018 are answered only where theirs are "
+        "met; the others are for information. T₁ is replaced by the least and "
         f"the largest equivalent period. Clauses: {caveats}."
     )
     return Table("requirements", caption, columns, tuple(_row(one) for one in motion.requirements))

@@ -57,6 +57,7 @@ def assembled(
         outlines=outlines,
         notices=(*notices, *pulling, *sorted({kept.notice, back.notice} - {""})),
         stopped=_stopped(kept, back),
+        rebounds=kept.range,
     )
 
 
@@ -92,6 +93,7 @@ def on_joints(
         restitution_source=_sources(kept, returned) + about * (kept.source != "given"),
         notices=(*others, *sorted({kept.notice, returned.notice} - {""})),
         stopped=_stopped(kept, returned),
+        rebounds=kept.range,
     )
 
 

@@ -32,6 +32,7 @@ HOUSNER = "Housner 1963, thesis eq. 3.44"
 MOMENTUM = "momentum kept over the mechanism"
 ABOUT_BASE = "angular momentum about the new base hinge, Sorrentino et al. 2008, thesis eq. 3.46"
 NOTABLE = 0.03  # a difference between two coefficients that is printed with its reason
+REBOUNDS = (1.0, 0.5, 1.5)  # times the rebound of 3.45: what histories are run with, its own value first
 SAME = 5e-4  # coefficients this near are one as they are printed
 
 
@@ -136,7 +137,8 @@ def rebound(chain: Chain) -> Restitution:
     source = f"Sorrentino et al. 2011, thesis eq. 3.45: {signed:+.3f}"
     if signed >= 0:
         return Restitution(0.0, source, f"{source} is not negative: there is no rebound, restitution 0 is used")
-    return Restitution(-signed, source)
+    said = f"{source}; histories take the worst of {', '.join(f'{each:g}' for each in sorted(REBOUNDS))} times it"
+    return Restitution(-signed, said, range=REBOUNDS)
 
 
 def no_rebound(chain: Chain) -> Restitution:

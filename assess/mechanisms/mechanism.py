@@ -29,6 +29,7 @@ class Mechanism:
     positive, negative : the chain of each branch in that branch's own mirrored sign; negative None if one-sided
     restitution : what the impact that ends the positive and the negative branch leaves of the velocity [-]
     restitution_source : the formula it comes from, or "given"
+    rebounds : what its restitution is multiplied by in histories, its own value first, of which the worst counts
     stopped : the negative restitution that the rule gave where an impact brings the mechanism to rest, else None [-]
     elevation : of the base hinge above the origin of the project [m]
     outlines : of each block (of each part, where the chains have parts), its closed polygons in the plane of motion
@@ -56,6 +57,7 @@ class Mechanism:
     directions: Directions | None = None
     faces: tuple[tuple[Face, ...], ...] = ()
     stopped: float | None = None
+    rebounds: tuple[float, ...] = (1.0,)
     direction: Vector | None = None
     candidates: tuple[Candidate, ...] = ()
     beside: tuple[str, ...] = ()

@@ -46,7 +46,13 @@ def mechanisms_assessed(
     So the procedures of one, which hold the interpreter's lock, go on beside the histories of another, which do not.
     """
     shaken = {
-        m.name: Shaken(m.name, variants(m).deciding, study.equations[m.name], at_base(study.amplified[m.name], motions))
+        m.name: Shaken(
+            m.name,
+            variants(m).deciding,
+            study.equations[m.name],
+            at_base(study.amplified[m.name], motions),
+            m.rebounds,
+        )
         for m in study.mechanisms
     }
     scanned = any(map(of_histories, study.procedures))

@@ -36,12 +36,16 @@ AT_ONCE = 3  # levels, for the threads to share; those above the first that over
 
 @dataclass(frozen=True)
 class Shaken:
-    """One oscillator with the equation its histories solve, and every ground motion as it acts at its base."""
+    """One oscillator with the equation its histories solve, and every ground motion as it acts at its base.
+
+    rebounds : what its restitution is multiplied by, its own value first; the worst counts
+    """
 
     name: str
     oscillator: Oscillator
     equation: Equation
     base: tuple[Carried, ...]
+    rebounds: tuple[float, ...] = (1.0,)
 
 
 @dataclass(frozen=True)
@@ -83,7 +87,7 @@ def asked_of(
     ran = at_levels(shaken, motions, site_pga=site_pga, threads=threads)((*levels, *besides))
     histories = tuple(
         tuple(
-            _history(ran.found, int(job), carried, level, float(ran.scale[job]))
+            _history(ran.found, int(job), carried, level, float(ran.scale[job]), rebound=float(ran.rebound[job]))
             for job, carried in zip(ran.worse[i], shaken.base, strict=True)
         )
         for i, level in enumerate(levels)
@@ -94,15 +98,17 @@ def asked_of(
 
 @dataclass(frozen=True)
 class Ran:
-    """Histories of one mechanism under every record, in both polarities.
+    """Histories of one mechanism under every record, in both polarities and with every rebound of its range.
 
-    levels : PGA of the target [levels] [m/s2]; found : what every job found; scale : of each job [-]
-    worse : the job of the worse polarity; of two that overturn, or that rest, the first stands [levels, records]
+    levels : PGA of the target [levels] [m/s2]; found : what every job found
+    scale, rebound : of each job, on the motion and on the restitution [-]
+    worse : the worst job; of several that overturn, or that rest, the first stands [levels, records]
     """
 
     levels: tuple[float, ...]
     found: Peaks
     scale: FloatArray
+    rebound: FloatArray
     worse: IntArray
 
 
@@ -112,18 +118,30 @@ def at_levels(
     """What runs the histories at any levels [m/s2]. A symmetric body needs but one polarity: the other mirrors it."""
     n, factors = len(motions), np.array([motion.scaling.factor for motion in motions])
     records = [carried.record for carried in shaken.base]
-    run = prepared([shaken.oscillator], records, equation=shaken.equation, threads=threads)
+    oscillators = [rebounding(shaken.oscillator, rebound) for rebound in shaken.rebounds]
+    run = prepared(oscillators, records, equation=shaken.equation, threads=threads)
     signs = np.array([1.0] if shaken.oscillator.symmetric else [1.0, -1.0])
+    ways = np.tile(signs, len(oscillators))  # of one record at one level: every polarity with every rebound
+    which = np.repeat(np.arange(len(oscillators)), signs.size)
 
     def ran(levels: Sequence[float]) -> Ran:
-        scale = np.asarray(levels)[:, None, None] / site_pga * factors[:, None] * signs
+        scale = np.asarray(levels)[:, None, None] / site_pga * factors[:, None] * ways
         motion = np.broadcast_to(np.arange(n)[:, None], scale.shape)
-        found = run(Jobs(np.zeros(scale.size, dtype=np.int64), motion.ravel(), scale.ravel()))
-        polarity = _severity(found).reshape(scale.shape).argmax(axis=2)
-        first = np.arange(0, scale.size, signs.size).reshape(polarity.shape)
-        return Ran(tuple(levels), found, scale.ravel(), first + polarity)
+        oscillator = np.broadcast_to(which, scale.shape).ravel()
+        found = run(Jobs(oscillator, motion.ravel(), scale.ravel()))
+        worst = _severity(found).reshape(scale.shape).argmax(axis=2)
+        first = np.arange(0, scale.size, ways.size).reshape(worst.shape)
+        return Ran(tuple(levels), found, scale.ravel(), np.array(shaken.rebounds)[oscillator], first + worst)
 
     return ran
+
+
+def rebounding(oscillator: Oscillator, factor: float) -> Oscillator:
+    """The oscillator with its restitution times a factor, at most 1; as it is at 1."""
+    if factor == 1.0:
+        return oscillator
+    kept = min(1.0, factor * oscillator.positive.restitution)
+    return replace(oscillator, positive=replace(oscillator.positive, restitution=kept))
 
 
 def _severity(found: Peaks) -> FloatArray:
@@ -131,7 +149,7 @@ def _severity(found: Peaks) -> FloatArray:
     return np.where(found.overturned, inf, found.max_ratio)
 
 
-def _history(found: Peaks, job: int, carried: Carried, level: float, scale: float) -> HistoryResult:
+def _history(found: Peaks, job: int, carried: Carried, level: float, scale: float, *, rebound: float) -> HistoryResult:
     overturned = bool(found.overturned[job])
     return HistoryResult(
         record=carried.record.id,
@@ -147,6 +165,7 @@ def _history(found: Peaks, job: int, carried: Carried, level: float, scale: floa
         overturning_time_s=float(found.overturning_time[job]) if overturned else None,
         trace=None,
         branch=branch_of(float(found.max_rotation[job])),
+        rebound=rebound,
     )
 
 
@@ -198,7 +217,7 @@ def governing_trace(
     place = next(place for place, motion in enumerate(motions) if motion.record.id == worst.record)
     ground, base = motions[place].record, shaken.base[place].record
     scale = worst.polarity * worst.scale_factor
-    path = trace(shaken.oscillator, base, scale=scale, equation=shaken.equation)
+    path = trace(rebounding(shaken.oscillator, worst.rebound), base, scale=scale, equation=shaken.equation)
     below = np.interp(path.time, ground.time, ground.acceleration, right=0.0)
     drawn = Trace(
         time_s=tuple(path.time.tolist()),

@@ -87,7 +87,9 @@ def checked(study: Study, spectrum: Spectrum, motions: tuple[Motion, ...], *, jo
     """The checks of the one mechanism of a case."""
     (mechanism,) = study.mechanisms
     base = at_base(study.amplified[mechanism.name], motions)
-    shaken = Shaken(mechanism.name, variants(mechanism).deciding, study.equations[mechanism.name], base)
+    shaken = Shaken(
+        mechanism.name, variants(mechanism).deciding, study.equations[mechanism.name], base, mechanism.rebounds
+    )
     shakes = any(map(of_histories, study.procedures))
     levels = study.levels if shakes else ()
     rocked = Rocking((), ())

@@ -9,7 +9,7 @@ from assess.codes.italian.acceleration import acceleration_check, ratio_steps
 from assess.codes.italian.edition import Options
 from assess.codes.italian.floor import Demands, floor_of
 from assess.codes.italian.kinematic import activation, activation_steps
-from assess.codes.italian.limit_state import Case, at_each, rated_on_hazard
+from assess.codes.italian.limit_state import Case, at_each, rated
 from assess.codes.step import Given
 from assess.oscillator import Oscillator
 
@@ -21,7 +21,7 @@ STATES = ("SLD", "SLV")
 def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tuple[Check, ...]:
     """C8A.4.2.1: a0* against the demand (over q at SLV), at the ground and, above it, at the floor."""
     checks = at_each(oscillator, context, EDITION, options, known=STATES, one=lambda case: _check(case, options))
-    return rated_on_hazard(checks, context)
+    return tuple(rated(check, context) for check in checks)
 
 
 def _check(case: Case, options: Options) -> Check:

@@ -19,7 +19,7 @@ from assess.codes.italian.displacement import Answer, displacement_check, ground
 from assess.codes.italian.edition import Options
 from assess.codes.italian.floor import Demands, floor_of
 from assess.codes.italian.kinematic import activation_steps, curve_step
-from assess.codes.italian.limit_state import Case, at_each, rated_on_hazard
+from assess.codes.italian.limit_state import Case, at_each, rated
 from assess.codes.italian.thresholds import seat_conditions, threshold_steps
 from assess.codes.step import Given
 from assess.oscillator import Oscillator
@@ -41,7 +41,7 @@ def demands(context: Context, Ts: float) -> Demands | None:
 def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tuple[Check, ...]:
     """C8A.4.2.2-2.3 to the letter: du* against S_De(Ts), and against the floor's displacement above ground."""
     checks = at_each(oscillator, context, EDITION, options, known=STATES, one=_check)
-    return rated_on_hazard(checks, context)
+    return tuple(rated(check, context) for check in checks)
 
 
 def _check(case: Case) -> Check:

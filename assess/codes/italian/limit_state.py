@@ -22,7 +22,7 @@ from assess.codes.italian.edition import Edition, Options
 from assess.oscillator import Oscillator
 from spectra.spectrum import Spectrum
 
-INDEX_CLAUSE = "NTC 2018 8.3"
+INDEX_CLAUSE = "NTC 8.3"
 HAZARD_CLAUSE = "NTC Annex A"
 
 
@@ -100,11 +100,6 @@ def pga_step(context: Context, *, state: str, level: float, pga: float) -> Step:
     said = f"peak ground acceleration of {state}: the level multiplies every limit state"
     given = {"level": (level, "m/s2"), f"S a_g,{state}": (own.pga, "m/s2"), "PGA": (context.spectrum.pga, "m/s2")}
     return step(symbol, said, HAZARD_CLAUSE, f"level · S a_g,{state} / PGA", pga, "m/s2", given=given)
-
-
-def rated_on_hazard(checks: tuple[Check, ...], context: Context) -> tuple[Check, ...]:
-    """The `checks` of the older edition: rated where the site gives its hazard."""
-    return checks if context.hazard is None else tuple(rated(check, context) for check in checks)
 
 
 def rated(check: Check, context: Context) -> Check:

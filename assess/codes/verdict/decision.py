@@ -90,7 +90,7 @@ def verdict(question: Question, mechanisms: Sequence[Judged]) -> Verdict:
         action=question.action,
         target=target,
         outcome=outcome,
-        at_the_limit=any(one.at_the_limit and one.outcome == outcome for one in found),
+        at_the_limit=_near_limit(outcome, [one.at_the_limit for one in found if one.outcome == outcome]),
         conditions=_unique(each for one in found for each in one.conditions),
         missing=once((*measure.missing, *(each for one in found for each in one.missing))),
         mechanisms=found,
@@ -101,6 +101,11 @@ def verdict(question: Question, mechanisms: Sequence[Judged]) -> Verdict:
         clauses=basis.clauses,
         uncompared=basis.uncompared,
     )
+
+
+def _near_limit(outcome: Decision, those: Sequence[bool]) -> bool:
+    """One that passes at the limit is enough to say so; of those that fail all must be at the limit."""
+    return all(those) if outcome == Decision.FAIL else any(those)
 
 
 def _of_mechanism(one: Judged, measure: _Measure) -> MechanismVerdict:
@@ -116,7 +121,7 @@ def _of_mechanism(one: Judged, measure: _Measure) -> MechanismVerdict:
         mechanism=one.name,
         outcome=outcome,
         margin=_margin([check for it in found for check in it.checks]),
-        at_the_limit=any(it.answer.at_the_limit for it in found if it.answer.outcome == outcome),
+        at_the_limit=_near_limit(outcome, [it.answer.at_the_limit for it in found if it.answer.outcome == outcome]),
         answers=tuple(it.answer for it in found),
         conditions=() if outcome == Decision.FAIL else _conditions(one, found),
         missing=missing if incomplete else (),

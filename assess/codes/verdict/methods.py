@@ -63,4 +63,6 @@ def undeclared(state: LimitState, action: Action) -> Missing | None:
         text = f"what the site's single spectrum stands for; {state.name} is decided by the action of {names}"
     else:
         text = f"the site's spectrum is that of {action.limit_state}; {state.name} asks for the action of {names}"
+        if state.role == Role.BESIDES:  # two limit states decide: one spectrum cannot be that of both
+            return Missing("site.spectrum.hazard", f"{text}: give the hazard over return periods")
     return Missing("site.limit_state", text, f'limit_state = "{state.actions[0]}"')

@@ -16,7 +16,7 @@ FILTER: Line = ("mechanisms.{}.amplification", 'amplification = { method = "moda
 HEIGHT: Line = ("building.height", 'height = "9 m"')
 STOREYS: Line = ("building.storeys", "storeys = 2")
 GROUND: Line = ("building.ground_elevation", "ground_elevation = 0.0")
-SEAT: Line = ("mechanisms.{}.loads", 'seat = "0.12 m"')
+SEAT: Line = ("mechanisms.{}.loads", '# in the load: seat = "0.12 m"')
 RECORDS: Line = ("records.files", 'files = ["records/*.AT2"]')
 TABLE: Line = ("site.spectrum.file", "")
 

@@ -144,7 +144,6 @@ def test_edition_of_2008_has_one_limit_state_and_the_same_share():
     checks = dmi2008.assess(block(), context(*SEVEN), options=Options(limit_states=("SLD", "SLV")))
     assert [check.limit_state for check in checks] == ["SLV"]
     assert checks[0].ratio == pytest.approx(one(*SEVEN).ratio, rel=1e-12)
-    assert checks[0].safety_index is None
 
 
 def test_suites_needed_beside_those_of_the_levels():

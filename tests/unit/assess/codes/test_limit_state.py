@@ -84,3 +84,9 @@ def test_older_edition_is_rated_where_the_site_gives_its_hazard():
     (check,) = dmi2008.assess(wall(), site(), options=Options())
     assert check.safety_index == pytest.approx(1 / check.ratio, rel=1e-12)
     assert check.return_period_years is not None
+
+
+def test_older_edition_has_an_index_on_a_single_spectrum_too():
+    (check,) = dmi2008.assess(wall(), Context(spectrum(0.25), (0.2 * g,), 0.0, 0.0, None), options=Options())
+    assert check.safety_index == pytest.approx(1 / check.ratio, rel=1e-12)
+    assert check.return_period_years is None

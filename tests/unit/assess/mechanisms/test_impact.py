@@ -128,3 +128,26 @@ def test_one_branch_that_stops_is_enough():
     found = single_block("w", wall(thickness=20.0), restitution=(0.2, None))
     assert found.restitution == (0.2, 0.0)
     assert found.stopped is not None
+
+
+def test_the_rebound_of_a_one_sided_block_has_a_range():
+    found = single_block("w", wall(), sides="one")
+    assert found.rebounds == (1.0, 0.5, 1.5)
+    assert "the worst of 0.5, 1, 1.5 times it" in found.restitution_source
+    assert single_block("w", wall(), sides="one", restitution=(0.3, 0.3)).rebounds == (1.0,)
+    assert single_block("w", wall()).rebounds == (1.0,)
+
+
+def test_where_the_formula_gives_no_rebound_there_is_none():
+    """3.45 is positive for a block wider than high: cos^2 alpha falls below I / (2 M R^2)."""
+    found = single_block("w", wall(thickness=8.0), sides="one")
+    assert found.restitution == (0.0, 0.0)
+    assert found.rebounds == (1.0,)
+    assert any("no rebound" in text for text in found.notices)
+
+
+def test_a_chain_to_one_side_does_not_rebound():
+    found = two_block("w", wall(height=2.2), wall(height=1.8, foot=2.2), sides="one")
+    assert found.restitution == (0.0, 0.0)
+    assert found.stopped is None
+    assert any("no formula is published" in text for text in found.notices)

@@ -11,7 +11,7 @@ import pytest
 from assess.amplification import Unamplified, carried
 from assess.dynamics.history import Jobs, peaks
 from assess.oscillator import Oscillator, SingleBlock, plain_branch
-from assess.project.histories import AT_ONCE, SCAN_STEP, Shaken, asked_of, scan_of
+from assess.project.histories import AT_ONCE, SCAN_STEP, Shaken, asked_of, governing_trace, rebounding, scan_of
 from assess.project.motions import Motion
 from records.record import make_record
 from records.scaling import Scaling
@@ -52,6 +52,33 @@ def test_a_body_that_is_the_same_both_ways_needs_one_polarity():
     levels = (2.2, 3.0, 5.0, 9.0)
     assert asked(SYMMETRIC, levels) == asked(twice, levels)
     assert scanned(SYMMETRIC) == scanned(twice)
+
+
+def test_of_the_range_of_a_rebound_the_worst_stands():
+    """Half, once and one and a half times the rebound, each run by itself as a number that is given."""
+    levels, factors = (2.5, 3.5, 5.0, 6.5), (1.0, 0.5, 1.5)
+    one_sided = Oscillator(replace(ONE, restitution=0.4), None, 1.0)
+    ranged = replace(shaken(one_sided), rebounds=factors)
+    found = asked_of(ranged, MOTIONS, levels=levels, besides=(4.0,), site_pga=PGA, threads=1)
+    alone = {f: asked(Oscillator(replace(ONE, restitution=0.4 * f), None, 1.0), levels, (4.0,)) for f in factors}
+    chosen = set()
+    for i, histories in enumerate(found.histories):
+        for j, one in enumerate(histories):
+            cases = {f: each.histories[i][j] for f, each in alone.items()}
+            worst = max(cases, key=lambda f: inf if cases[f].overturned else cases[f].max_rotation_ratio)
+            assert one == replace(cases[worst], rebound=worst)
+            chosen.add(worst)
+    assert len(chosen) > 1
+    ratios = zip(*(each.besides[0].ratio for each in alone.values()), strict=True)
+    assert found.besides[0].ratio == tuple(None if None in each else max(each) for each in ratios)
+    for record in governing_trace(ranged, found.histories, MOTIONS)[-1]:
+        if record.trace is not None and not record.overturned:
+            assert max(record.trace.rotation_rad) == pytest.approx(record.max_rotation_rad, rel=1e-3)
+
+
+def test_a_rebound_is_never_above_one():
+    assert rebounding(Oscillator(ONE, None, 1.0), 1.5).positive.restitution == 1.0
+    assert rebounding(Oscillator(ONE, None, 1.0), 0.5).positive.restitution == 0.45
 
 
 def test_of_two_polarities_the_worse_stands():

@@ -13,12 +13,12 @@ from scipy.constants import g
 
 from assess.message import Message
 from assess.project.build import build
-from assess.project.motions import Motion, motions_of
+from assess.project.motions import Motion, motions_of, raised
 from assess.project.run import run
 from assess.project.schema import load
 from assess.project.study import Study
 from assess.project.suite_faults import suite_faults
-from assess.project.suite_rules import made_band
+from assess.project.suite_rules import made_band, spectrum_of_rules
 from records.record import Record
 from records.scaling import Scaling
 from records.synthetic import artificial
@@ -272,3 +272,43 @@ def test_a_further_factor_multiplies_every_record(tmp_path: Path) -> None:
         for a, b in zip(motions_of(plain, plain.spectrum), motions_of(more, plain.spectrum), strict=True)
     ]
     assert ratio == pytest.approx([1.1] * 7)
+
+
+def test_a_suite_made_too_low_is_raised_by_the_least_factor_that_does_and_says_so(tmp_path: Path) -> None:
+    study = study_of(tmp_path)
+    assert study.spectrum is not None
+    low = moved(made(7), 0.85)
+    lifted = raised(low, study.spectrum, (0.04, 5.0), fitting=study.fitting)
+    factors = {after.scaling.factor / before.scaling.factor for before, after in zip(low, lifted, strict=True)}
+    (factor,) = {round(each, 12) for each in factors}
+    assert 1.0 < factor < 1.0 / 0.85  # ten points side by side at the target need less than the mean at every one
+    assert faults(study, lifted) == ()
+    assert faults(study, moved(made(7), 0.85 * (factor - 1e-6))) != ()
+    assert all(f"raised by {factor:.6g}" in each.record.trail[-1] for each in lifted)
+    assert raised(lifted, study.spectrum, (0.04, 5.0), fitting=study.fitting) == lifted
+
+
+HAZARD = """code = "ntc2018"
+soil = "A"
+nominal_life = 50
+use_class = "II"
+hazard = [
+    { return_period = 30, a_g = "0.08 g", f_0 = 2.4, t_c_star = 0.27 },
+    { return_period = 475, a_g = "0.26 g", f_0 = 2.36, t_c_star = 0.35 },
+    { return_period = 975, a_g = "0.33 g", f_0 = 2.40, t_c_star = 0.50 },
+]"""
+
+
+def test_a_suite_is_held_against_the_spectrum_of_the_limit_state_that_decides(tmp_path: Path) -> None:
+    """Records of SLV, at the PGA of SLC, fall short of an SLC whose spectrum has a longer corner period."""
+    study_of(tmp_path, code="ntc2018", verdict=f'limit_state = "SLC"\n{NTC2018}', records="synthetic = { count = 7 }")
+    file = tmp_path / "project.toml"
+    file.write_text(file.read_text().replace(NTC, HAZARD).replace('limit_state = "SLV"\n[site.', "[site."))
+    study = build(load(tmp_path))
+    assert study.spectrum is not None
+    assert study.hazard is not None
+    lesser, spectrum = (study.hazard.spectra[state] for state in ("SLV", "SLC"))
+    assert spectrum_of_rules("ntc2018", study, lesser).pga == spectrum.pga
+    assert suite_faults(study, spectrum, motions_of(study, spectrum))["ntc2018"] == ()
+    (low,) = suite_faults(study, lesser, motions_of(study, lesser))["ntc2018"]
+    assert low.key == "suite-mean-low"

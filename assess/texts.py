@@ -21,6 +21,7 @@ TEXTS: Mapping[str, str] = {
     # of the verdict
     "no-deciding-method": "no method that may decide {state} was asked or applies: {methods}",
     "missing-key": "{key}: {text}",
+    "thrust-is-tied": "a pass holds where ties or tie-beams take the thrust of {what} up to collapse",
     "premise-anchorage": "a pass holds where the wall is anchored to floors and roof",
     "premise-collar-joints": "a pass holds where the collar joints between the leaves are sound",
     "premise-coursed": "a pass holds for coursed masonry, not for rubble: say which it is by "

@@ -21,6 +21,7 @@ TEXTS: Mapping[str, str] = {
     # of the verdict
     "no-deciding-method": "no method that may decide {state} was asked or applies: {methods}",
     "missing-key": "{key}: {text}",
+    "thrust-is-tied": "a pass holds where ties or tie-beams take the thrust of {what} up to collapse",
     "premise-anchorage": "a pass holds where the wall is anchored to floors and roof",
     "premise-collar-joints": "a pass holds where the collar joints between the leaves are sound",
     "premise-coursed": "a pass holds for coursed masonry, not for rubble: say which it is by "
@@ -80,6 +81,7 @@ TEXTS: Mapping[str, str] = {
     "other-limit-state": "the site's single spectrum is that of {declared}; {state} is decided by its own: give the "
     "hazard over return periods",
     "hazard-too-short": "the hazard does not reach the return period of {state}: add a row",
+    "no-rebound": "the effective damping is that of impacts after which the body rocks on; this one stops at the first",
     "one-sided": "the effective damping is that of the two impacts of a body that rocks both ways; this one rocks to "
     "one side",
     "stops-at-impact": "restitution by the momentum kept at the impact is {restitution}: a mechanism this squat stops "

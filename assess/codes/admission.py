@@ -21,7 +21,7 @@ from assess.codes.italian.inputs import Lacking, lacking_of
 from assess.message import Message, Quantity
 from assess.oscillator import Oscillator
 
-ONE_SIDED = ("asce43-05-spectrum",)  # damping by the two impacts of a body that rocks both ways
+BY_IMPACTS = ("asce43-05-spectrum",)  # damping by the two impacts of a body that rocks both ways
 SUITE_OF_A2 = "asce43-05"  # whose rules the suite must meet that a floor spectrum is made of
 ON_THE_WAY = (Family.DISPLACEMENT, Family.HISTORY, Family.ENERGY, Family.PART, Family.ELEMENT)
 """What follows a mechanism as it moves, and so asks for what lasts."""
@@ -137,8 +137,10 @@ def without_numbers(check: Check, reason: Message, others: tuple[Message, ...] =
 
 def _of_clause(procedure: str, family: Family, oscillator: Oscillator, context: Context) -> Admission | None:
     """What the clause is not for."""
-    if procedure in ONE_SIDED and oscillator.negative is None:
+    if procedure in BY_IMPACTS and oscillator.negative is None:
         return Admission(May.NOT_APPLY, because(Reason.ONE_SIDED))
+    if procedure in BY_IMPACTS and min(branch.restitution for branch in oscillator.branches) == 0.0:
+        return Admission(May.NOT_APPLY, because(Reason.NO_REBOUND))
     if family == Family.PART and context.support == "hinged":
         return Admission(May.NOT_APPLY, because(Reason.NOT_A_WALL, clause="NZSEE 2017 C8.8.5"))
     if family == Family.ELEMENT and context.carries_floors:

@@ -81,6 +81,7 @@ class Reason(StrEnum):
     OTHER_LIMIT_STATE = "other-limit-state"
     HAZARD_TOO_SHORT = "hazard-too-short"
     ONE_SIDED = "one-sided"
+    NO_REBOUND = "no-rebound"
     STOPS = "stops-at-impact"
     NOT_A_WALL = "not-a-wall"
     NOT_SPANNING = "not-spanning"

@@ -98,7 +98,7 @@ def table(side: Side, other: Side | None) -> Branch:
     if shift:
         columns = columns[:, columns[0] > (1.0 + 0.5 * FINE) * shift]
         stand = np.array([shift])
-        work = side.work_at(stand, np.array([side.chain_at(shift)]))
+        work = side.work_at(stand, np.array([side.chain_at(shift, then="right")]))
         columns = np.concatenate([columns_of(stand, work), columns], axis=1)
     elif other is not None and other.lean:
         shift = -other.lean

@@ -17,6 +17,7 @@ from math import inf
 from typing import Literal
 
 import numpy as np
+from numpy.typing import NDArray
 
 from assess.errors import InterfaceError, MechanismError
 from assess.loads import Action, Force, PointMass, Tie, lasts
@@ -43,6 +44,7 @@ from assess.oscillator import Branch, Oscillator
 Kind = Literal["break", "seat"]
 BranchName = Literal["positive", "negative"]
 
+CLEARLY = 1.0 + 1e-6  # two rotations that differ by less are one
 SAME = 1e-9  # of a rotation: an end this near overturning comes with it
 BRANCHES: tuple[BranchName, BranchName] = ("positive", "negative")
 
@@ -133,17 +135,42 @@ def variants(mechanism: Mechanism) -> Variants:
             known[key] = _standing(mechanism, sides)
         return known[key]
 
-    breaking = of([each.up_to(each.ends) for each in acting])
+    def no_later(sides: Sequence[Stages]) -> Oscillator | None:
+        """Keep what crushes a joint by its weight, without which the mechanism would fall later than it starts to."""
+        made = of(sides)
+        later = (
+            [False] if made is None else [a > b * CLEARLY for a, b in zip(falls(made), falls(starting), strict=True)]
+        )
+        if not any(later):
+            return made
+        return of([whole(one.chain) if on else side for one, on, side in zip(acting, later, sides, strict=True)])
+
+    breaking = no_later([each.up_to(each.ends) for each in acting])
     ends = [each.lasting for each in acting]
     sides = [each.up_to(each.lasting) for each in acting]
-    collapse = of(sides)
+    collapse = no_later(sides)
     if collapse is not None:
-        falls = zip(collapse.branches, equilibria(collapse), strict=False)
-        ends = [_kept(each, branch.unstable + rest) for each, (branch, rest) in zip(acting, falls, strict=True)]
+        ends = [_kept(each, fall) for each, fall in zip(acting, falls(collapse), strict=True)]
         sides = [each.up_to(kept) for each, kept in zip(acting, ends, strict=True)]
-        collapse = of(sides)
+        collapse = no_later(sides)
+    if collapse is not None and (breaking is None or _falls_before(breaking, collapse)):
+        breaking = collapse
     missing = () if collapse is not None else _standing_by(acting, sides)
     return Variants(starting, breaking, collapse, missing, tuple(ends))
+
+
+def falls(rocker: Oscillator) -> tuple[float, ...]:
+    """Where each branch of an oscillator overturns, counted from the geometry [rad]."""
+    sides = zip(rocker.branches, equilibria(rocker), strict=False)
+    return tuple(branch.unstable + rest for branch, rest in sides)
+
+
+def _falls_before(one: Oscillator, other: Oscillator) -> bool:
+    """Whether a mechanism first falls at a smaller rotation than another of its variants.
+
+    On soft joints one that loses a tie may fall over to where it stands without: then the curve without it is taken.
+    """
+    return any(first < then * (1.0 - SAME) for first, then in zip(falls(one), falls(other), strict=True))
 
 
 def collapse_branch(chain: Chain, *, name: str) -> Branch:
@@ -172,11 +199,17 @@ def limits(mechanism: Mechanism) -> tuple[Limit, ...]:
 def _limits(rocker: Oscillator, acting: Sequence[Acting]) -> Iterator[Limit]:
     sides = zip(acting, rocker.branches, BRANCHES, equilibria(rocker), strict=False)
     for one, branch, name, rest in sides:
-        ends = [(number, end) for number, end in enumerate(one.ends) if 0.0 < end < inf]
-        found = [Limit("break", one.actions[k].name, name, end - rest) for k, end in ends if one.resists_at(k, end)]
+        jumps = branch.rotation[1:][np.diff(branch.rotation) == 0.0]
+        ends = [(k, end - rest) for k, end in enumerate(one.ends) if 0.0 < end < inf and one.resists_at(k, end)]
+        found = [Limit("break", one.actions[k].name, name, end) for k, end in ends if _among(end, jumps)]
         masses = [load for load in one.chain.loads if isinstance(load, PointMass) and load.bearing]
         found += [Limit("seat", mass.name, name, unseating_rotation(one.chain, mass) - rest) for mass in masses]
         yield from (limit for limit in found if limit.rotation <= branch.rotation[-1])
+
+
+def _among(rotation: float, jumps: NDArray[np.float64]) -> bool:
+    """Whether a table jumps at a rotation [rad]; jumps : all that it has [n]."""
+    return bool(np.isclose(jumps, rotation, rtol=SAME, atol=0.0).any())
 
 
 @lru_cache(maxsize=256)

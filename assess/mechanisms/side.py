@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, fields, replace
 from functools import cached_property
 from itertools import pairwise
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -136,9 +137,9 @@ class Side:
             rows[:, here] = np.array([getattr(work, column.name)[where] for column in fields(work)])
         return Work(*rows)
 
-    def chain_at(self, rotation: float) -> int:
-        """The number of the chain at a rotation [rad]; where one ends, that of the one that ends."""
-        return max(int(np.searchsorted(self.starts[: len(self.stops)], rotation)) - 1, 0)
+    def chain_at(self, rotation: float, *, then: Literal["left", "right"]) -> int:
+        """The number of the chain at a rotation [rad]; where one ends and another begins, the first or the second."""
+        return max(int(np.searchsorted(self.starts[: len(self.stops)], rotation, side=then)) - 1, 0)
 
     @cached_property
     def pushed(self) -> bool:
@@ -193,7 +194,7 @@ class Side:
         if back_from is not None:
             kept = rotation < (1.0 - 0.5 * FINE) * back_from
             rotation = np.append(rotation[kept], back_from)[::-1]
-            work = self.work_at(rotation, np.append(self.number[kept], self.chain_at(back_from))[::-1])
+            work = self.work_at(rotation, np.append(self.number[kept], self.chain_at(back_from, then="left"))[::-1])
         columns = columns_of(rotation, work)
         if back_from is not None:
             columns[0] = back_from - columns[0]

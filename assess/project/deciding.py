@@ -24,9 +24,13 @@ from assess.codes.verdict import (
 from assess.errors import ProjectError
 from assess.message import Message, Severity, message
 from assess.project import sections
+from assess.project.sources import shown_by
 from assess.project.study import Study
 from assess.results import MechanismResult
 from spectra import ntc
+
+Facts = tuple[tuple[Missing, ...], tuple[Message, ...]]
+"""What the pass of a mechanism needs and nobody gave, and what it rests on."""
 
 
 def basis_of(content: sections.Content) -> Basis | None:
@@ -111,37 +115,49 @@ def states_of(question: Question) -> tuple[str, ...]:
     return tuple(state.checked_as for state in deciding_states(question)[0])
 
 
-def facts_of(
-    content: sections.Content, question: Question, names: Sequence[str]
-) -> Mapping[str, tuple[tuple[Missing, ...], tuple[Message, ...]]]:
+def facts_of(content: sections.Content, question: Question, names: Sequence[str]) -> Mapping[str, Facts]:
     """What the pass of each mechanism needs and nobody gave, and what it rests on, by its name."""
     premises = () if question.basis is None else question.basis.premises
-    found = {}
-    for name in names:
-        missing, conditions = [], []
-        for premise in premises:
-            if premise == Premise.SOUND_MASONRY:
-                missing += list(_unsound(content, name))
-            else:
-                conditions.append(message(f"premise-{premise.value}", severity=Severity.WARNING))
-        found[name] = (tuple(missing), tuple(conditions))
+    return {name: (tuple(_missing(content, name, premises)), _conditions(content, name, premises)) for name in names}
+
+
+def _missing(content: sections.Content, name: str, premises: Sequence[Premise]) -> Iterator[Missing]:
+    """The masonry of a mechanism whose disintegration nobody excluded, with a source."""
+    if Premise.SOUND_MASONRY not in premises:
+        return
+    for table, said in _masonry(content, name).items():
+        key = f"{table}.disintegration"
+        if said != "excluded":
+            text = "whether the masonry may disintegrate: the rigid chain is credible only where it does not (C8.7.1.2)"
+            yield Missing(key, text, 'disintegration = "excluded"')
+        elif not shown_by(content, key):
+            text = f'the source (survey, quality index, test) of {key} = "excluded"'
+            yield Missing("report.sources", text, f'"{key}" = "measured: …"')
+
+
+def _masonry(content: sections.Content, name: str) -> Mapping[str, str | None]:
+    """What is said of the disintegration of each masonry of a mechanism, by the table that says it."""
+    section = content.mechanisms[name]
+    if isinstance(section, sections.EquivalentBlock):
+        return {f"mechanisms.{name}": section.disintegration}
+    found: dict[str, str | None] = {}
+    for body in (body for block in section.blocks for body in block):
+        given = content.bodies[body]
+        if isinstance(given, sections.DirectBody):
+            found[f"bodies.{body}"] = given.disintegration
+        else:
+            found[f"materials.{given.material}"] = content.materials[given.material].disintegration
     return found
 
 
-def _unsound(content: sections.Content, name: str) -> Iterator[Missing]:
-    """The materials of a mechanism whose disintegration nobody excluded, with a source."""
+def _conditions(content: sections.Content, name: str, premises: Sequence[Premise]) -> tuple[Message, ...]:
+    """The premises of the basis that nobody can show here, and thrusts that ties are said to take."""
+    keys = (f"premise-{premise.value}" for premise in premises if premise != Premise.SOUND_MASONRY)
+    own = tuple(message(key, severity=Severity.WARNING) for key in keys)
     section = content.mechanisms[name]
-    names = [body for block in section.blocks for body in block] if isinstance(section, sections.Chained) else []
-    bodies = [content.bodies[body] for body in names]
-    used = dict.fromkeys(body.material for body in bodies if not isinstance(body, sections.DirectBody))
-    for material in used:
-        key = f"materials.{material}.disintegration"
-        if content.materials[material].disintegration != "excluded":
-            text = "whether the masonry may disintegrate: the rigid chain is credible only where it does not (C8.7.1.2)"
-            yield Missing(key, text, 'disintegration = "excluded"')
-        elif not any(key.startswith(source) for source in content.report.sources):
-            text = f'the source (survey, quality index, test) of disintegration = "excluded" of {material}'
-            yield Missing("report.sources", text, f'"{key}" = "measured: …"')
+    loads = section.loads if isinstance(section, sections.Chained) else ()
+    tied = (load.body for load in loads if isinstance(load, sections.BodyLoad) and load.tied)
+    return (*own, *(message("thrust-is-tied", {"what": body}, severity=Severity.WARNING) for body in tied))
 
 
 def decided(

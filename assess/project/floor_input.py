@@ -3,8 +3,9 @@
 A suite carried up by the first mode gives the response spectra of its motions: their envelope, with the peaks widened
 by 15 % to both sides for what is not known of the building's period. The mean would be lower; the clause that allows it
 could not be read, and one record that lies low at the building's period would pull it down, so the envelope is taken.
-Without such a suite it is C7.2.5 of Circolare 7/2019, where the building's height and storeys are known. Neither is
-taken below the spectrum of the ground: a suite is finite, and one mode leaves the others out.
+Without such a suite it is C7.2.5 of Circolare 7/2019, where the building's height and storeys are known, its period
+varied by 15 % too. Neither is taken below the spectrum of the ground: a suite is finite, and one mode leaves the
+others out.
 """
 
 from __future__ import annotations
@@ -29,6 +30,7 @@ LEAST_RECORDS = 5  # of the response-history method of the same standard
 WIDENED = 0.15  # of the period, to both sides
 SHORTEST, LONGEST, APART = 0.02, 15.0, 1.03  # s, s, and the ratio of two periods at which the motions are asked
 NEAR_MODE = np.linspace(0.85, 1.15, 61)  # of the building's period, where the peak is
+PERIODS = np.linspace(1.0 - WIDENED, 1.0 + WIDENED, 7)  # of the building, over its own
 MOST_DAMPING = 0.99  # of an oscillator that still swings
 SUITE = "envelope of the response spectra of the suite at the mechanism's base, peaks widened by 15 %"
 CIRCULAR = "Circolare 7/2019, C7.2.5, first mode"
@@ -74,15 +76,17 @@ def suite_spectrum(ground: Spectrum, records: Sequence[Record], *, mode: FirstMo
 
 
 def circular_spectrum(ground: Spectrum, *, height: float, building: Building, storeys: int) -> Spectrum:
-    """C7.2.5 at a height [m], the first mode linear over the building's height."""
-    mode = Mode(building.period, building.damping, first_mode_factor(storeys) * height / building.height)
+    """C7.2.5 at a height [m], the first mode linear over the building's height, the largest over 15 % of its period."""
+    share = first_mode_factor(storeys) * height / building.height
+    modes = [Mode(building.period * factor, building.damping, share) for factor in PERIODS]
 
     def ordinates(period: FloatArray, damping: float) -> FloatArray:
         T = np.asarray(period, dtype=np.float64)
-        above = circolare2019(T, spectrum=ground, modes=(mode,), damping=damping)
-        return np.maximum(above, ground.acceleration(T, damping=damping))
+        above = [circolare2019(T, spectrum=ground, modes=(mode,), damping=damping) for mode in modes]
+        largest: FloatArray = np.maximum(np.max(above, axis=0), ground.acceleration(T, damping=damping))
+        return largest
 
-    parameters = {"T_1": mode.period, "share of the mode": mode.share}
+    parameters = {"T_1": building.period, "share of the mode": share}
     rule = f"C7.2.6, {ground.damping_rule}"
     return Spectrum(
         "floor", parameters, ground.damping, rule, ordinates, CIRCULAR, longest_period=ground.longest_period

@@ -17,6 +17,7 @@ from assess.project.body_loads import Brought, Meet, Surroundings, body_loads, m
 from assess.project.overburdens import overburden_of
 from assess.project.overlaps import overlaps
 from assess.project.plane import point_in_plane, unit_in_plane
+from assess.project.sources import shown_by
 
 IN_THE_AIR = 0.05  # of the block's size: a load farther outside it is not on the block
 
@@ -86,10 +87,8 @@ def mass_of(name: str, content: sections.Content, solids: Solids) -> float:
 
 
 def evidence_of(name: str, content: sections.Content) -> str:
-    """Where the loads of the mechanism `name` come from, by [report.sources]; empty where nobody says."""
-    table = f"mechanisms.{name}"
-    given = (text for key, text in content.report.sources.items() if key in (table, f"{table}.loads"))
-    return next(given, "")
+    """Where the loads of the mechanism `name` come from, by [report.sources]; empty where nobody shows it."""
+    return shown_by(content, f"mechanisms.{name}.loads")
 
 
 def load_of(

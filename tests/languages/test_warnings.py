@@ -1,13 +1,15 @@
-"""Every warning is known in every language: its texts are read out of the functions that make them.
+"""Every message is known in every language: those of `assess.texts` key by key, and the texts that stand within them.
 
-A text is a literal of the source with 7 in its gaps; `counted(n, "hole")` gives "1 hole" and "7 holes". Literals of
-what is raised, of `where` it would be, and those of one word, are none. What stands only within others is in COMPOSED,
-with the sentences that it makes.
+The latter are read out of the functions that make them. A text is a literal of the source with 7 in its gaps;
+`counted(n, "hole")` gives "1 hole" and "7 holes". Literals of what is raised, of `where` it would be, and those of one
+word, are none. What stands only within others is in COMPOSED, with the sentences that it makes.
 """
 
 from __future__ import annotations
 
 import ast
+import re
+import tomllib
 from collections.abc import Iterator, Mapping
 from functools import cache
 from pathlib import Path
@@ -16,11 +18,13 @@ import numpy as np
 import pytest
 
 from assess.geometry.mesh import load
-from reports.catalogue import catalogue, languages
+from assess.texts import TEXTS
+from reports.catalogue import FOLDER, catalogue, languages
 from reports.translation import Speech
 
 ROOT = Path(__file__).parents[2]
 FILLED = "7"
+MAKERS = ("message", "warning", "note")
 SOURCES: Mapping[str, tuple[str, ...]] = {
     "assess/geometry/mesh.py": ("_likely_unit", "_turned", "_unit", "suspicious"),
     "assess/geometry/repair.py": ("_filled", "_single", "_split", "_welded", "_wound_alike"),
@@ -35,27 +39,13 @@ SOURCES: Mapping[str, tuple[str, ...]] = {
     "assess/natural_frequency.py": ("ASSUMPTIONS",),
     "assess/project/amplification.py": ("RAYLEIGH", "by_first_mode"),
     "assess/project/arches.py": ("doubtful", "told"),
-    "assess/project/bare_numbers.py": ("bare_numbers",),
     "assess/project/bodies.py": ("ASKEW", "doubts_of", "uneven"),
     "assess/project/body_loads.py": ("alone", "beside_the_block", "body_loads", "part_of"),
-    "assess/project/build.py": (),
-    "assess/project/components.py": ("left_out",),
     "assess/project/directions.py": ("CORNER",),
-    "assess/project/gaps.py": ("loose", "parted", "told"),
     "assess/project/interfaces.py": ("apart", "joint_at", "sideways"),
     "assess/project/loading.py": ("in_the_air", "moving_anchors"),
-    "assess/project/notices.py": (
-        "_of_amplification",
-        "_of_body",
-        "_of_crushing",
-        "_of_equation",
-        "_of_two_first_modes",
-    ),
-    "assess/project/overlaps.py": ("overlaps",),
-    "assess/project/record_set.py": ("_first", "cell_text", "notices_of"),
-    "assess/project/run.py": ("envelope_notices", "suite_notices"),
-    "assess/project/sampling.py": ("coarse_notices", "longest_step"),
-    "assess/project/sweeping.py": ("case_notices",),
+    "assess/project/record_set.py": ("_first", "cell_text"),
+    "assess/project/sampling.py": ("longest_step",),
     "assess/project/walls.py": ("by_formula", "by_search"),
     "records/flatfile.py": ("_reason",),
     "records/plausibility.py": ("_doubt", "_likely"),
@@ -63,28 +53,19 @@ SOURCES: Mapping[str, tuple[str, ...]] = {
     "spectra/nzs1170_5.py": ("_capped",),
     "spectra/spectrum.py": ("implausible",),
 }
-"""Files with the functions and constants that warnings are written in; without any: their texts come from elsewhere."""
+"""Files with the functions and constants in which texts are written that messages take as they are."""
 
 _LONGEST = 'body "7" measures 7 m at its longest; is its unit right?'
-_APART = 'bodies "7" and "7" touch nowhere: they lie 7 m apart;'
-_BLOCK = "as one block they are taken to be joined"
-_HINGE = "with a hinge between them they are taken to meet: close the gap, or check hinges and blocks"
 _ALONE, _BESIDE = (
     "nothing else in the project carries it",
     "the hinge lies 7 m 7 the edge of its contact, which is 7 m deep",
 )
 _HALF = "half of it is taken, since its other foot must stand on something: else give share"
-_CRUSHING = "; where crushing of the masonry is not modelled, 7, 7 asks for the FC of LC1, 7"
-_SHARED = "7 m3, 7 % of the smaller"
-_OVERLAP = 'bodies "7" and "7" overlap by 7, which is weighed with both; cut one back'
 _CRACK = "crack at z = 7 m, 7 of the height, where the uplift multiplier is least, 7"
 _HELD = " with the mortar's tension before it opens"
 COMPOSED: Mapping[str, tuple[str, ...]] = {
     f"{_LONGEST}7": (_LONGEST,),
     ' With mesh_unit = "7" it would measure 7 m': (f'{_LONGEST} With mesh_unit = "7" it would measure 7 m',),
-    _APART: (f"{_APART} {_BLOCK}", f"{_APART} {_HINGE}"),
-    f"7 {_BLOCK}": (),
-    f"7 {_HINGE}": (),
     f"7; {_HALF}": (f"{_ALONE}; {_HALF}",),
     "7, so its whole weight is on the block: else give share": (
         f"{_ALONE}, so its whole weight is on the block: else give share",
@@ -95,18 +76,7 @@ COMPOSED: Mapping[str, tuple[str, ...]] = {
         f"interface A: {_BESIDE.replace(' m 7 ', f' m {side} ')}; pressure is counted from the hinge on"
         for side in ("inside", "outside")
     ),
-    _CRUSHING: tuple(
-        f"{known}{_CRUSHING.replace('modelled, 7, 7', f'modelled, {here}, {circular}')}"
-        for known in ("FC = 1.00 stands for knowledge level LC3", "FC = 7")
-        for here in ("as here", "as in 7")
-        for circular in ("Circolare 617/2009", "Circolare 7/2019")
-    ),
-    "as here": (),
-    "as in 7": (),
-    _SHARED: (_OVERLAP.replace("by 7", f"by {_SHARED}"),),
-    _OVERLAP: (),
     _HELD: (f"{_CRACK}{_HELD}",),
-    " and 7 more": ("7 (7 s) and 7 more",),
     " (read in 7; in 7 it would be 7 g)": (
         "its peak is 7 g, below 7 g; check the unit (read in 7; in 7 it would be 7 g)",
     ),
@@ -170,15 +140,12 @@ def _tree(file: str) -> ast.Module:
     return ast.parse((ROOT / file).read_text(encoding="utf-8"))
 
 
-def makers() -> set[str]:
-    """The files of the program in which a warning is made: that name Notice and call it."""
-    paths = [path for path in (ROOT / "assess").rglob("*.py") if "cli" not in path.parts]
-    return {str(path.relative_to(ROOT)) for path in paths if _calls_notice(str(path.relative_to(ROOT)))}
-
-
-def _calls_notice(file: str) -> bool:
-    calls = (node for node in ast.walk(_tree(file)) if isinstance(node, ast.Call))
-    return any(isinstance(call.func, ast.Name) and call.func.id == "Notice" for call in calls)
+def called() -> set[str]:
+    """The keys that the program makes messages by, where they are written at the call."""
+    paths = [str(path.relative_to(ROOT)) for path in (ROOT / "assess").rglob("*.py")]
+    calls = (node for path in paths for node in ast.walk(_tree(path)) if isinstance(node, ast.Call))
+    firsts = [call.args[0] for call in calls if call.args and getattr(call.func, "id", "") in MAKERS]
+    return {each.value for each in firsts if isinstance(each, ast.Constant) and isinstance(each.value, str)}
 
 
 def unknown(text: str, *, language: str, verbatim: frozenset[str] = frozenset()) -> list[str]:
@@ -195,8 +162,22 @@ def test_every_text_of_a_warning_is_known(language: str) -> None:
     assert [(file, text) for file, text in found if unknown(text, language=language)] == []
 
 
-def test_every_file_that_warns_is_looked_at() -> None:
-    assert makers() <= SOURCES.keys()
+@pytest.mark.parametrize("language", languages()[1:])
+@pytest.mark.parametrize("key", TEXTS)
+def test_every_message_is_known(language: str, key: str) -> None:
+    assert unknown(re.sub(r"\{\w+\}", FILLED, TEXTS[key]), language=language) == []
+
+
+@pytest.mark.parametrize("language", languages()[1:])
+def test_no_message_is_translated_that_is_no_more(language: str) -> None:
+    entries = tomllib.loads((FOLDER / f"{language}.toml").read_text(encoding="utf-8"))["sentences"]["messages"]
+    written = {re.sub(r"\{\w+\}", "{}", text) for text in TEXTS.values()}
+    assert [text for text in entries if re.sub(r"\{\d+\}", "{}", text) not in written] == []
+
+
+def test_every_key_that_is_written_has_a_text() -> None:
+    assert len(called()) > 20
+    assert called() <= TEXTS.keys()
 
 
 def test_what_stands_within_others_is_still_there() -> None:

@@ -33,7 +33,7 @@ def _lacking(code: str, state: str, context: Context) -> Iterator[Lacking]:
         yield Lacking(_reason(Reason.KNOWLEDGE_UNKNOWN, {"toml": toml}, where=key), safe=True)
     if state == "SLC" and context.seats_unknown:
         values: dict[str, Value] = {"what": ", ".join(context.seats_unknown), "toml": 'seat = "0.12 m"'}
-        yield Lacking(_reason(Reason.SEAT_UNKNOWN, values), safe=True)
+        yield Lacking(_reason(Reason.SEAT_UNKNOWN, values), safe=False)
     if context.hazard is not None and state not in context.hazard.spectra:
         yield Lacking(_reason(Reason.HAZARD_TOO_SHORT, {"state": state}, where="site.spectrum.hazard"), safe=False)
     declared = context.limit_state

@@ -101,6 +101,8 @@ class DirectBody(Section):
     """centre of mass [x, z]"""
     inertia: PositiveInertia
     """moment of inertia about the centroid, like "5200 kg*m^2\""""
+    disintegration: Literal["excluded", "possible"] | None = None
+    """whether its masonry may fall apart: "excluded" (by survey, quality index or test) or "possible\""""
 
 
 Body = MeshBody | BoxBody | ProfileBody | DirectBody

@@ -389,6 +389,8 @@ class EquivalentBlock(Section):
     """a number in [0, 1], a name, or { positive, negative }"""
     mass: PositiveMass = 1.0
     """mass of the mechanism"""
+    disintegration: Literal["excluded", "possible"] | None = None
+    """whether its masonry may fall apart: "excluded" (by survey, quality index or test) or "possible\""""
     elevation: Length = 0.0
     """of the mechanism's base, in the coordinates of the bodies"""
     amplification: AmplificationSection = Field(default_factory=NoAmplification)

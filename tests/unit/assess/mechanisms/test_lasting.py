@@ -47,8 +47,8 @@ def d0(rocker):
     return displacement_at_collapse(rocker.positive, mass=rocker.mass)
 
 
-def on_joint(stiffness, *loads):
-    joint = (Joint((-1.0, 0.0), rectangle(T, L), Law(stiffness, inf), "flexible"),)
+def on_joint(stiffness, *loads, strength=inf):
+    joint = (Joint((-1.0, 0.0), rectangle(T, L), Law(stiffness, strength), "flexible"),)
     return on_joints(wall(*loads), joint, joint, restitution=("thesis", "thesis"))
 
 
@@ -273,6 +273,16 @@ def test_on_joints_it_drops_by_the_tie_too_and_normal_forces_follow():
     after = interpolant(plain.rotation, plain.restoring)(side.rotation[jump + 1])
     assert side.restoring[jump + 1] == pytest.approx(float(after), rel=1e-5)
     assert side.restoring[jump] > side.restoring[jump + 1]
+
+
+@pytest.mark.parametrize("at", [0.3, 0.39, 0.399])
+def test_a_weight_that_crushes_the_joint_does_not_leave_to_make_the_wall_stand_longer(at):
+    """Near the edge it resists by its lever, and takes more by what it presses with."""
+    weight = Force("beam", (-500.0, -40000.0), (at, 3.4))
+    ways = variants(on_joint(1e9, weight, strength=5e5))
+    for name in ("breaking", "collapse"):
+        for side, first in zip(getattr(ways, name).branches, ways.starting.branches, strict=True):
+            assert side.unstable <= first.unstable * (1.0 + 1e-6)
 
 
 def test_one_chain_alone_has_the_same_curve_of_collapse():

@@ -66,7 +66,8 @@ def test_where_no_suite_holds_it_is_the_circulars(motions) -> None:
     for few, filtered in ((motions, None), (motions[:4], FILTER)):
         floor = floor_of(few, filtered=filtered, building=HOUSE)
         assert float(floor.acceleration(0.3, damping=0.05)) == pytest.approx(1.1 * 0.05**-0.5 * a_z, rel=1e-9)
-        assert float(floor.acceleration(9.0)) == pytest.approx(float(GROUND.acceleration(9.0)), rel=1e-12)
+        assert float(floor.acceleration(9.0)) >= float(GROUND.acceleration(9.0))
+        assert float(floor.acceleration(0.3 * 1.14 * 1.1, damping=0.05)) >= 0.999 * 1.1 * 0.05**-0.5 * a_z
 
 
 def test_nothing_gives_none(motions) -> None:

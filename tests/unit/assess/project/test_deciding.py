@@ -1,0 +1,93 @@
+"""What a pass needs besides its numbers, and what the question of a project is."""
+
+from __future__ import annotations
+
+import pytest
+
+from assess.project.deciding import facts_of, methods_of, question_of
+from assess.project.schema import load
+
+SITE = """
+[site]
+limit_state = "SLV"
+[site.spectrum]
+code = "ntc2018"
+a_g = "0.15 g"
+f_0 = 2.4
+t_c_star = "0.3 s"
+soil = "A"
+[materials.m]
+density = 1800
+{material}
+[bodies.wall]
+material = "m"
+box = {{ thickness = 0.6, length = 3.0, height = 6.0 }}
+[bodies.roof]
+mass = "1000 kg"
+centroid = [0.0, 6.1]
+inertia = "10 kg*m^2"
+{direct}
+[mechanisms.wall]
+kind = "single-block"
+blocks = ["{block}"]
+direction = [1, 0, 0]
+{more}
+[mechanisms.tabled]
+kind = "equivalent-block"
+p = "1.6 1/s"
+uplift = 0.14
+radius = "2.84 m"
+{tabled}
+[report.sources]
+{sources}
+"""
+EXCLUDED = 'disintegration = "excluded"'
+NONE = {"material": "", "direct": "", "block": "wall", "more": "", "tabled": "", "sources": ""}
+
+
+def content(tmp_path, top="", **given):
+    file = tmp_path / "project.toml"
+    file.write_text(top + SITE.format(**{**NONE, **given}), encoding="utf-8")
+    return load(file).content
+
+
+def facts(tmp_path, name="wall", **given):
+    of = content(tmp_path, **given)
+    return facts_of(of, question_of(of, site_pga=1.0), (name,))[name]
+
+
+def keys(found):
+    return [each.key for each in found[0]]
+
+
+@pytest.mark.parametrize(
+    ("material", "sources", "missing"),
+    [
+        ("", "", ["materials.m.disintegration"]),
+        ('disintegration = "possible"', "", ["materials.m.disintegration"]),
+        (EXCLUDED, "", ["report.sources"]),
+        (EXCLUDED, '"materials.m" = "assumed: it looks sound"', ["report.sources"]),
+        (EXCLUDED, '"materials.m.disintegration" = "measured: quality index"', []),
+        (EXCLUDED, '"materials.m" = "measured: survey"', []),
+    ],
+)
+def test_an_italian_pass_needs_sound_masonry_shown(tmp_path, material, sources, missing):
+    assert keys(facts(tmp_path, material=material, sources=sources)) == missing
+
+
+def test_masonry_without_a_material_says_it_in_its_own_table(tmp_path):
+    assert keys(facts(tmp_path, "tabled")) == ["mechanisms.tabled.disintegration"]
+    assert keys(facts(tmp_path, block="roof")) == ["bodies.roof.disintegration"]
+    shown = '"mechanisms.tabled" = "literature: a table"'
+    assert keys(facts(tmp_path, "tabled", tabled=EXCLUDED, sources=shown)) == []
+
+
+def test_a_thrust_that_ties_are_said_to_take_is_a_condition(tmp_path):
+    load = 'loads = [{ kind = "body", body = "roof", role = "roof", tied = true, at = [0.0, 6.0], bearing = true }]'
+    conditions = facts(tmp_path, more=load)[1]
+    assert [(each.key, each.values) for each in conditions] == [("thrust-is-tied", {"what": "roof"})]
+
+
+def test_the_methods_that_may_decide_run_whatever_the_analysis_lists(tmp_path):
+    of = content(tmp_path, top='[verdict]\nprocedures = ["ntc2018-history"]\n')
+    assert methods_of(question_of(of, site_pga=1.0)) == ("ntc2018-history", "ntc2018-linear")

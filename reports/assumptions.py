@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 from assess.results import Resolved, Results
 from reports import tables
-from reports.document import Block, Cell, Column, Section, Table, Text
+from reports.document import Block, Cell, Column, Section, Table, Text, filled
 from reports.lettering import shortened
 from reports.numerals import entries
 
@@ -39,7 +39,14 @@ def section(results: Results) -> Section:
     )
     blocks: tuple[Block, ...] = (Text((said,)), table(results))
     procedures = tables.procedures(results)
-    return Section("Assumptions", 0, (*blocks, *((procedures,) if procedures.rows else ())))
+    return Section("Assumptions", 0, (*blocks, *filled(rules(results)), *filled(procedures)))
+
+
+def rules(results: Results) -> Table:
+    """The rules of the basis that decides, with the clauses they come from."""
+    columns = (Column("Rule"), Column("Clause"))
+    rows = () if results.verdict is None else results.verdict.clauses
+    return Table("basis-rules", "The rules of the basis, and the clauses they come from.", columns, rows)
 
 
 def table(results: Results) -> Table:

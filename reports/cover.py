@@ -60,7 +60,8 @@ def question(found: Verdict) -> Table:
     """What was asked: the code, limit states, action, methods, and the target."""
     index = building_index_text(found).replace("zeta_E", "ζ_E")
     rows = (
-        ("Basis", f"{found.basis}: {found.edition}" if found.basis else ""),
+        ("Basis", f"{found.basis}: {found.edition}" if found.basis else "none named"),
+        ("Statement", found.clauses[0][0] if found.basis == "own" else ""),
         ("Limit state", ", ".join(found.limit_states)),
         ("Site’s own action", action_text(found.action)),
         ("Methods that may decide", ", ".join(found.methods)),
@@ -76,7 +77,7 @@ def _missing(found: Verdict, results: Results) -> list[Block]:
     if found.outcome != Decision.INCOMPLETE or not found.missing:
         return []
     blocks = _listed("Missing:", [f"{each.key}: {each.text}." for each in found.missing])
-    if found.provisional is not None:
+    if found.provisional in (Decision.PASS, Decision.FAIL):
         blocks.append(Text((f"{SAFE}{outcome_text(found.provisional, near=False)}.",)))
     given = [key for key, each in results.project.items() if each.given]
     return [*blocks, Text(("To complete it, add to the project file:",)), Code(toml_lines(found.missing, given))]

@@ -36,6 +36,6 @@ def values_set(results: Results) -> Table:
 
 def warnings(results: Results) -> Table:
     """What the engineer should know."""
-    rows = tuple((each.key, each.where, each.text) for each in results.warnings)
-    columns = (Column("Code", kind="given"), Column("Where", kind="given"), Column("What"))
-    return Table("warnings", "Warnings of this run.", columns, rows)
+    rows = tuple((each.key, each.severity.value, each.where, each.text) for each in results.warnings)
+    columns = (Column("Code", kind="given"), Column("Severity"), Column("Where", kind="given"), Column("What"))
+    return Table("warnings", "Warnings and notes of this run.", columns, rows)

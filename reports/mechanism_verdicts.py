@@ -10,11 +10,12 @@ from assess.results import Results
 from reports.document import Cell, Column, Table
 from reports.tables import name_of
 
+ANSWER = Column("Answer", kind="verdict")
 COLUMNS = (
     Column("Mechanism"),
     Column("Verdict", kind="verdict"),
     Column("Limit state"),
-    Column("Answer", kind="verdict"),
+    ANSWER,
     Column("Decided by"),
     Column("Index"),
     Column("Holds up to"),
@@ -23,7 +24,7 @@ COLUMNS = (
 
 
 def table(results: Results) -> Table:
-    """One line for each mechanism and limit state that decides."""
+    """One line for each mechanism and limit state that decides; answers where one is not the mechanism's verdict."""
     caption = (
         "The verdict of each mechanism at the site’s own action: the one procedure that decides each limit state, its "
         "index, and the peak ground acceleration up to which the mechanism holds."
@@ -32,7 +33,11 @@ def table(results: Results) -> Table:
     assert found is not None  # the page has none without a verdict
     names = {mechanism.name: name_of(mechanism) for mechanism in results.mechanisms}
     rows = tuple(row for one in found.mechanisms for row in _rows(one, found, names))
-    return Table("verdict", caption, COLUMNS, rows)
+    place = COLUMNS.index(ANSWER)
+    if any(row[place] != row[1] for row in rows):
+        return Table("verdict", caption, COLUMNS, rows)
+    columns = tuple(column for column in COLUMNS if column is not ANSWER)
+    return Table("verdict", caption, columns, tuple((*row[:place], *row[place + 1 :]) for row in rows))
 
 
 def _rows(one: MechanismVerdict, found: Verdict, names: Mapping[str, str]) -> Iterator[tuple[Cell, ...]]:

@@ -30,7 +30,13 @@ HEADINGS: Mapping[Kind, str] = {
     "warning": "warnings",
     "program": "program",
 }
-WORDS = {"fail": "FAIL", "not-applicable": "n/a"}  # verdicts, as `assess run` prints them
+WORDS = {
+    "fail": "FAIL",
+    "fail at the limit": "FAIL at the limit",
+    "not-answered": "not answered",
+    "not-applicable": "n/a",
+}
+"""Verdicts and outcomes, as `assess run` prints them."""
 LONGEST, WIDEST = 40, 100  # characters of names and values, and of what they are of
 AROUND = 12  # characters that are shown of what two long texts have in common
 HASH = 12  # characters of a SHA-256 that tell files apart
@@ -93,7 +99,7 @@ def _ends(change: Change) -> tuple[str, str]:
 def _shown(value: Any, kind: Kind) -> str:
     if value is None:
         return "-"
-    if kind == "verdict":
+    if kind == "verdict" and isinstance(value, str):
         return WORDS.get(value, str(value))
     if kind == "input":
         return str(value)[:HASH]

@@ -11,6 +11,7 @@ from assess.codes.verdict_text import (
     action_text,
     bearing,
     building_index_text,
+    figures,
     index_text,
     outcome_text,
     target_text,
@@ -60,7 +61,7 @@ def _table(found: Verdict, pairs: list[tuple[MechanismVerdict, Answer]]) -> str:
 
 
 def _cells(one: MechanismVerdict, answer: Answer, found: Verdict) -> tuple[str, ...]:
-    holds = "" if one.margin is None else f"{one.margin * found.action.pga_g:.3g} g = {one.margin:.3g} x"
+    holds = "" if one.margin is None else f"{figures(one.margin * found.action.pga_g)} g = {figures(one.margin)} x"
     outcome = answer.outcome if len(one.answers) > 1 else one.outcome
     said = _loud(outcome_text(outcome, near=answer.at_the_limit))
     return (said, answer.limit_state, answer.procedure, index_text(answer.index).replace(", grade", ""), holds)
@@ -95,7 +96,7 @@ def _missing(found: Verdict) -> Iterator[str]:
     if found.outcome != Decision.INCOMPLETE:
         return
     yield from (f"missing: {each.key}: {each.text}" for each in found.missing)
-    if found.provisional is not None:
+    if found.provisional in (Decision.PASS, Decision.FAIL):
         yield f"with the safe values the verdict would be: {_loud(found.provisional.value)}"
 
 

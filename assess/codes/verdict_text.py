@@ -24,7 +24,7 @@ def index_text(index: Index | None) -> str:
     """An index with its name and grade: "zeta_E 0.83", "45 %NBS, grade C"; empty where there is none."""
     if index is None:
         return ""
-    value = f"{index.value * AS_COUNTED.get(index.name, 1.0):.3g}"
+    value = figures(index.value * AS_COUNTED.get(index.name, 1.0))
     said = f"{value} {index.name}" if index.name in AS_COUNTED else f"{index.name} {value}"
     return f"{said}, grade {index.grade}" if index.grade else said
 
@@ -45,6 +45,11 @@ def target_text(verdict: Verdict) -> str:
     return f"{verdict.target * AS_COUNTED.get(name, 1.0):.3g}"
 
 
+def figures(value: float) -> str:
+    """A number to three figures, all of them written: 1.00 for one."""
+    return f"{value:#.3g}".rstrip(".") if value else "0"
+
+
 def action_text(action: Action) -> str:
     """The site's own action: PGA, limit state and return period as far as they are known."""
     known = [f"PGA {action.pga_g:.3g} g"]
@@ -56,7 +61,7 @@ def action_text(action: Action) -> str:
 
 def holds_text(one: MechanismVerdict, action: Action) -> str:
     """Up to which PGA a mechanism holds: "0.18 g = 2.7 x the site's"; empty where that is not known."""
-    return "" if one.margin is None else f"{one.margin * action.pga_g:.3g} g = {one.margin:.3g} x the site's"
+    return "" if one.margin is None else f"{figures(one.margin * action.pga_g)} g = {figures(one.margin)} x the site's"
 
 
 def bearing(warnings: Sequence[Message]) -> tuple[Message, ...]:

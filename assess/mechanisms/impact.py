@@ -137,7 +137,7 @@ def rebound(chain: Chain) -> Restitution:
     source = f"Sorrentino et al. 2011, thesis eq. 3.45: {signed:+.3f}"
     if signed >= 0:
         return Restitution(0.0, source, f"{source} is not negative: there is no rebound, restitution 0 is used")
-    said = f"{source}; histories take the worst of {', '.join(f'{each:g}' for each in sorted(REBOUNDS))} times it"
+    said = f"{source}; histories take the worst of 0.5, 1 and 1.5 times it"
     return Restitution(-signed, said, range=REBOUNDS)
 
 

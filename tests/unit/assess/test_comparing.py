@@ -24,6 +24,8 @@ procedures = ["dmi2008-linear"]
 limit_state = "SLV"
 [building]
 use_class = "II"
+height = 9
+storeys = 2
 [site.spectrum]
 code = "asce7-16"
 s_ds = "0.75 g"
@@ -45,8 +47,10 @@ kind = "equivalent-block"
 p = 2.4
 uplift = 0.26
 radius = 1.2
+disintegration = "excluded"
 [report.sources]
 "materials.stone" = "measured: blocks bonded through the wall"
+"mechanisms.parapet" = "measured: blocks bonded through the wall"
 [records]
 synthetic = { count = 1, duration = 8 }
 [analysis]

@@ -23,9 +23,9 @@ def with_margins(results: Results, *margins: float | None) -> Results:
 def test_the_critical_mechanism_holds_the_least_by_what_decides(results: Results) -> None:
     first, second = results.mechanisms
     said = findings.findings(with_margins(results, 3.0, 2.0))[0]
-    holds = f"Critical is {findings.named(second)}: it holds up to 0.134 g = 2 x the site's, by asce43-05-history"
+    holds = f"Critical is {findings.named(second)}: it holds up to 0.134 g = 2.00 x the site's, by asce43-05-history"
     assert said.startswith(holds)
-    assert f"next is {findings.named(first)} with 0.201 g = 3 x the site's, by asce43-05-spectrum" in said
+    assert f"next is {findings.named(first)} with 0.201 g = 3.00 x the site's, by asce43-05-spectrum" in said
 
 
 def test_where_no_margin_is_known_no_mechanism_is_critical(results: Results) -> None:

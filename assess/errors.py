@@ -4,6 +4,7 @@ AssessError                what a user can mend; the command line prints its one
 ├── ProjectError           the project file: missing, unreadable, unknown key, wrong unit or value
 ├── GeometryError          a body or mesh: open, inverted, degenerate
 ├── MechanismError         a mechanism that cannot rock: no base, already falling, impossible hinges
+│   ├── CrackError         a wall whose crack cannot be found; told before its mechanism is named
 │   └── FallingError       one that already falls by itself
 ├── InterfaceError         a contact that cannot carry its load: pulled, crushed at rest, without stiffness
 ├── ProcedureError         a code procedure asked outside its range
@@ -28,6 +29,10 @@ class GeometryError(AssessError):
 
 class MechanismError(AssessError):
     """A mechanism cannot rock as described: no base, already falling, impossible hinges."""
+
+
+class CrackError(MechanismError):
+    """The crack of a wall cannot be found, or lies where none can be; the mechanism is not named yet."""
 
 
 class FallingError(MechanismError):

@@ -39,8 +39,8 @@ SAID: dict[Outcome | None, str] = {
 }
 MOST = 8  # checks that are named in a sentence
 INTENT = (
-    "Each of these numbers is varied alone, all others staying as they are, and the mechanism is assessed again by the "
-    "procedures that decide, with all records. The ranges are those of the project and say nothing of how likely they "
+    "Each of these numbers is varied alone, all others staying as they are, and the mechanism is assessed again by all "
+    "procedures of codes, with all records. The ranges are those of the project and say nothing of how likely they "
     "are; numbers that change together can move the answer farther. Time histories scatter: where both ends of a range "
     "move their ratio the same way, that is scatter rather than an effect."
 )
@@ -109,7 +109,11 @@ def overall(found: Sequence[Varied], called: str) -> str:
     ]
     if changed:
         return f"The verdict of {called} changes with {'; '.join(changed)}."
-    stands = "some check fails" if fails(found[0].telling, "base") else "no check fails"
+    decided, failing = found[0].telling != found[0].rows, fails(found[0].telling, "base")
+    if decided:
+        stands = "what decides fails" if failing else "what decides does not fail"
+    else:
+        stands = "some check fails" if failing else "no check fails"
     return f"The verdict of {called} does not change within these ranges: {stands} throughout."
 
 

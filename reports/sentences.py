@@ -45,8 +45,8 @@ def amplification(mechanism: MechanismResult) -> tuple[str, ...]:
     span = "" if not factors else f" Peak accelerations at the base are {_span(factors)} times those at the ground."
     return (
         f"The time histories act at the base of the mechanism, {found.height_m:.3g} m above the ground, not at the "
-        f"ground (method {found.method}).{span} The code procedures that ask for a spectrum keep their own floor "
-        "clause, so their input is another one.",
+        f"ground (method {found.method}).{span} The code procedures that ask for a spectrum have their own floor "
+        "clause or floor spectrum, so their input is another one.",
         f"How it was found: {'; '.join(found.said)}.",
     )
 
@@ -73,7 +73,7 @@ def amplified(results: Results) -> tuple[str, ...]:
     names = joined(dict.fromkeys(shortened(name_of(mechanism), 40) for mechanism in carried))
     return (
         f"Not the same input: the time histories of {names} act at the base of the mechanism, amplified; those of the "
-        "others, and the spectrum of ASCE 43-05, act at the ground. The table of procedures says where each takes "
+        "others act at the ground. The table of procedures says where each takes "
         "its input.",
     )
 

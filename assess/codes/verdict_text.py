@@ -10,7 +10,7 @@ from assess.codes.verdict import Action, Decision, Index, MechanismVerdict, Miss
 from assess.message import Message, Severity
 
 AT_THE_LIMIT = " at the limit"
-AS_COUNTED = {"%NBS": 100.0}  # by what an index is multiplied where it is shown
+BEHIND = ("%NBS",)  # indices whose name stands behind their value
 NAMED = ("materials", "mechanisms", "bodies")  # tables whose entries the user names
 _BARE = re.compile(r"[A-Za-z0-9_-]+")
 
@@ -24,8 +24,8 @@ def index_text(index: Index | None) -> str:
     """An index with its name and grade: "zeta_E 0.83", "45 %NBS, grade C"; empty where there is none."""
     if index is None:
         return ""
-    value = figures(index.value * AS_COUNTED.get(index.name, 1.0))
-    said = f"{value} {index.name}" if index.name in AS_COUNTED else f"{index.name} {value}"
+    value = figures(index.value)
+    said = f"{value} {index.name}" if index.name in BEHIND else f"{index.name} {value}"
     return f"{said}, grade {index.grade}" if index.grade else said
 
 
@@ -39,10 +39,7 @@ def building_index_text(verdict: Verdict) -> str:
 
 def target_text(verdict: Verdict) -> str:
     """What the index is compared with; empty where that is not known."""
-    if verdict.target is None:
-        return ""
-    name = verdict.index.name if verdict.index is not None else ""
-    return f"{verdict.target * AS_COUNTED.get(name, 1.0):.3g}"
+    return "" if verdict.target is None else f"{verdict.target:.3g}"
 
 
 def figures(value: float) -> str:

@@ -8,7 +8,7 @@ from math import sqrt
 import numpy as np
 from scipy.optimize import minimize_scalar
 
-from assess.errors import MechanismError
+from assess.errors import CrackError
 
 STATIONS = 41  # of the search, before it is refined
 MARGIN = 0.02  # of the height: no crack is looked for nearer to base or top
@@ -31,11 +31,11 @@ def crack_ratio(*, load: float, tension: float, place: float, arm: float = ARM) 
 
     Raises
     ------
-    MechanismError : neither load nor tension holds the wall, so that the crack would be at the top
+    CrackError : neither load nor tension holds the wall, so that the crack would be at the top
     """
     a, c = 1.0 + load + arm * tension, (1.0 - place) * load + arm * tension
     if c <= 0.0:
-        raise MechanismError(
+        raise CrackError(
             "eq. 3.27 puts the crack at the very top, for there is neither load nor tensile strength to hold it lower"
         )
     return sqrt(a) / (sqrt(a) + sqrt(c))
@@ -44,13 +44,13 @@ def crack_ratio(*, load: float, tension: float, place: float, arm: float = ARM) 
 def least(multiplier: Callable[[float], float], *, low: float, high: float) -> float:
     """The elevation [m] between those of base and top at which `multiplier` of the cracked wall is least.
 
-    Raises MechanismError where it is least at the end, for then there is no crack between.
+    Raises CrackError where it is least at the end, for then there is no crack between.
     """
     stations = np.linspace(low + MARGIN * (high - low), high - MARGIN * (high - low), STATIONS)
     values = [multiplier(float(each)) for each in stations]
     best = int(np.argmin(values))
     if best in (0, STATIONS - 1):
-        raise MechanismError(
+        raise CrackError(
             f'crack = "minimum": the least multiplier is at an end, at z = {stations[best]:.4g} m, so no crack between '
             "base and top controls; give an overburden load, the material's tensile_strength, a crack elevation, or "
             "hinges"

@@ -134,7 +134,7 @@ def by_first_mode(asked: sections.FirstModeAmplification, standing: Standing, *,
         f"{mode.shape(height):.4g}"
     )
     make, how = FIRST_MODES[asked.method]
-    return Amplified(asked.method, height, make(mode, height), (how, said), assumed)
+    return Amplified(asked.method, height, make(mode, height), (how, said), assumed, by_stiffness=bool(assumed))
 
 
 def frequency_given(

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from assess.errors import MechanismError
+from assess.errors import CrackError, MechanismError
 from assess.geometry.scene import Scene
 from assess.loads import Load
 from assess.mechanisms.chain import Point
@@ -52,8 +52,8 @@ def on_rigid_hinges(name: str, section: sections.Chained, content: sections.Cont
     brought = loads_of(name, section, pieces, content, solids)
     try:
         mechanism, members = BUILDERS[type(section)](name, section, pieces, content, loads=brought.loads)
-    except MechanismError as error:
-        raise error if str(error).startswith("mechanism ") else MechanismError(f'mechanism "{name}": {error}') from None
+    except CrackError as error:
+        raise MechanismError(f'mechanism "{name}": {error}') from None
     return replace(mechanism, notices=(*mechanism.notices, *brought.doubts)), members
 
 

@@ -68,7 +68,7 @@ class Amplified:
 
     method : as the project names it; height : of the base above the ground [m], None where nothing is amplified
     said : sentences: what is done, with which numbers, and where they come from
-    assumed : sentences: what nobody gave
+    assumed : sentences: what nobody gave; by_stiffness : whether it follows from the stiffness of the bodies
     """
 
     method: str
@@ -76,6 +76,7 @@ class Amplified:
     amplification: Amplification
     said: tuple[str, ...]
     assumed: tuple[str, ...] = ()
+    by_stiffness: bool = False
 
 
 @dataclass(frozen=True)

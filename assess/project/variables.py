@@ -17,7 +17,6 @@ from assess.geometry.stretch import stretched
 from assess.mechanisms.chain import hinge_names
 from assess.mechanisms.mechanism import Mechanism
 from assess.project import sections
-from assess.project.amplification import RAYLEIGH
 from assess.project.bodies import Solids, pieces_of
 from assess.project.dependents import dependents
 from assess.project.interfaces import material_name
@@ -122,7 +121,7 @@ def numbers_of(subject: Subject) -> Iterator[Number]:
     for name in subject.materials:
         yield Number("density", ("materials", name, "density"), "kg/m^3")
     yield from of_joints(subject, section)
-    if any(RAYLEIGH in text for text in subject.amplified.said):
+    if subject.amplified.by_stiffness:
         for name in subject.materials:
             if materials[name].young_modulus is not None:
                 yield Number("stiffness", ("materials", name, "young_modulus"), "Pa")

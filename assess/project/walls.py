@@ -9,7 +9,7 @@ from functools import partial
 import numpy as np
 from scipy.constants import g
 
-from assess.errors import MechanismError
+from assess.errors import CrackError
 from assess.geometry.cut import Parts, divide, level
 from assess.geometry.planar import base_of_section, planar, top
 from assess.geometry.solid import Solid
@@ -73,13 +73,13 @@ def cracked(
 ) -> Wall:
     """The wall of one table: its two bodies as they are, or one body cut at its crack.
 
-    Raises MechanismError where there is nothing to find the crack from, or it does not lie in the wall.
+    Raises CrackError where there is nothing to find the crack from, or it does not lie in the wall.
     """
     if len(pieces) == 2:
         return Wall((pieces[0], pieces[1]), loads, ())
     whole = pieces[0]
     if not whole.solids:
-        raise MechanismError("its body has no geometry to crack; give it a mesh, box or profile, or two bodies")
+        raise CrackError("its body has no geometry to crack; give it a mesh, box or profile, or two bodies")
     strength = content.materials[material_of(section.blocks[0], content)].tensile_strength or 0.0
     panel = panel_of(section, whole, loads, strength=strength)
     crack = section.crack
@@ -93,7 +93,7 @@ def cracked(
         elevation, notice = float(crack), ""
     parts = divide(whole.solids, level(elevation), where=f'mechanism "{name}", crack')
     if not parts.below:
-        raise MechanismError(f"the crack at z = {elevation:.4g} m is at the foot of the wall; give one above it")
+        raise CrackError(f"the crack at z = {elevation:.4g} m is at the foot of the wall; give one above it")
     lower, upper = below(parts, whole, section.towards), standing_on(parts, section.towards)
     return Wall((lower, upper), loads, (notice,) if notice else ())
 
@@ -138,8 +138,8 @@ def by_formula(panel: Panel, *, sides: str) -> tuple[float, str]:
     place = max(ahead, 1.0 - ahead) if sides == "two" else ahead
     try:
         ratio = crack_ratio(load=n, tension=t, place=place)
-    except MechanismError as error:
-        raise MechanismError(
+    except CrackError as error:
+        raise CrackError(
             f'crack = "sorrentino": {error}; give an overburden load, the material\'s tensile_strength, a crack '
             "elevation, or hinges"
         ) from None

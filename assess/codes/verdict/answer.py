@@ -12,17 +12,17 @@ from assess.codes.verdict.methods import Rank, ranks_asked, undeclared
 from assess.codes.verdict.outcome import Decision, worst
 from assess.codes.verdict.question import Action, Judged, Missing, Question
 from assess.codes.verdict.remedies import remedies
+from assess.codes.verdict.target import whole
 from assess.message import Message, message
 
-SAFE_TARGET = 1.0
 LEAST_WIDTH = 0.05  # of the threshold: answers nearer to it are "at the limit"
-GRADES = ((0.80, "A"), (0.67, "B"), (0.34, "C"), (0.20, "D"), (0.0, "E"))
-"""Grades of NZSEE 2017 by the least share of the new building standard; above 1 it is A+."""
+GRADES = ((80.0, "A"), (67.0, "B"), (34.0, "C"), (20.0, "D"), (0.0, "E"))
+"""Grades of NZSEE 2017 by the least share of the new building standard [%]; above 100 it is A+."""
 
 
 @dataclass(frozen=True)
 class Index:
-    """What the code counts the answer in: its name, its value (%NBS as a share), and its grade if there are grades."""
+    """What the code counts the answer in: its name, its value (%NBS in per cent), and its grade if there are grades."""
 
     name: str
     value: float
@@ -110,14 +110,14 @@ def decided(check: Check, basis: Basis, target: float | None) -> Decision | None
     """Compare a check with the target; None where it says nothing."""
     if target is None or check.verdict == Outcome.NOT_ANSWERED:
         return None
-    index = index_of(check, basis)
-    if index is not None and index.name != IndexKind.DEMAND_CAPACITY and target != 1.0:
+    index, full = index_of(check, basis), whole(basis)
+    if index is not None and index.name != IndexKind.DEMAND_CAPACITY and target != full:
         holds = index.value >= target
-    elif target == 1.0:
+    elif target == full:
         holds = check.verdict == Outcome.PASS
     else:  # no index to compare: full safety is more than any lower target, and nothing is known of a higher one
         holds = check.verdict == Outcome.PASS
-        if holds is (target > 1.0):
+        if holds is (target > full):
             return None
     if holds and not check.may_pass:
         return None
@@ -130,13 +130,13 @@ def index_of(check: Check, basis: Basis) -> Index | None:
         return None if check.safety_index is None else Index(basis.index, check.safety_index)
     if basis.index == IndexKind.NBS:
         share = check.score.get(IndexKind.NBS)
-        return None if share is None else Index(basis.index, share / 100.0, grade(share / 100.0))
+        return None if share is None else Index(basis.index, share, grade(share))
     return None if check.ratio is None else Index(basis.index, check.ratio)
 
 
 def grade(share: float) -> str:
-    """Return the grade of a share of the new building standard (NZSEE 2017, Table A3.1)."""
-    return "A+" if share > 1.0 else next(name for least, name in GRADES if share >= least)
+    """Return the grade of a share of the new building standard [%] (NZSEE 2017, Table A3.1)."""
+    return "A+" if share > 100.0 else next(name for least, name in GRADES if share >= least)
 
 
 def _answered(
@@ -178,7 +178,7 @@ def _declared(found: Found, lacking: Missing | None) -> Found:
 
 def _provisional(check: Check, basis: Basis, target: float | None) -> Decision | None:
     """What a check would say with the safe value of what is missing; the safe target is the whole one."""
-    wanted = SAFE_TARGET if target is None else target
+    wanted = whole(basis) if target is None else target
     if check.verdict != Outcome.NOT_ANSWERED:
         return decided(check, basis, wanted) if target is None else None
     if check.provisional is None:

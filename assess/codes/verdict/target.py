@@ -21,11 +21,16 @@ def target_of(question: Question, basis: Basis) -> Target:
     return _OF_WORKS[question.works](question)
 
 
+def whole(basis: Basis) -> float:
+    """Return the target that asks for all that the code asks of a new building, in the unit of the index."""
+    return 100.0 if basis.index == IndexKind.NBS else FULL
+
+
 def _share_of_standard(question: Question) -> Target:
     if question.target_nbs is None:
         text = "the share of the new building standard to be reached, 34, 67 or 100, has no default"
         return None, (Missing("verdict.target_nbs", text, "target_nbs = 67"),)
-    return question.target_nbs / 100.0, ()
+    return question.target_nbs, ()
 
 
 def _unchanged(question: Question) -> Target:

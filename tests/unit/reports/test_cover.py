@@ -61,7 +61,7 @@ def test_the_question_stands_beside_the_answer(results: Results) -> None:
         "Index of the building": "at least D/C 0",
     }
     assert results.verdict is not None
-    share = replace(results.verdict, index=Index("%NBS", 0.45, "C"), target=0.67)
+    share = replace(results.verdict, index=Index("%NBS", 45.0, "C"), target=67.0)
     found = asked(cover.section(replace(results, verdict=share)))
     assert (found["Index of the building"], found["Target of the index"]) == ("at most 45.0 %NBS, grade C", "67")
 

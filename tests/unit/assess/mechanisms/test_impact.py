@@ -133,7 +133,7 @@ def test_one_branch_that_stops_is_enough():
 def test_the_rebound_of_a_one_sided_block_has_a_range():
     found = single_block("w", wall(), sides="one")
     assert found.rebounds == (1.0, 0.5, 1.5)
-    assert "the worst of 0.5, 1, 1.5 times it" in found.restitution_source
+    assert "the worst of 0.5, 1 and 1.5 times it" in found.restitution_source
     assert single_block("w", wall(), sides="one", restitution=(0.3, 0.3)).rebounds == (1.0,)
     assert single_block("w", wall()).rebounds == (1.0,)
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from math import inf, isclose
 
@@ -66,11 +66,16 @@ def find_answer(one: Judged, state: LimitState, question: Question, basis: Basis
     for rank in ranks:
         checks = [check for method in rank for check in _of_method(one, method.procedure, state, question.action)]
         said = [decided(check, basis, target) for check in checks]
-        if Decision.FAIL in said or (said and None not in said and len(checks) >= len(_applying(one, rank, state))):
+        if Decision.FAIL in said or (said and None not in said and _every_method(checks, one, rank, state)):
             outcome = worst(each for each in said if each is not None)
             return _declared(_answered(one, checks, said, state, outcome, basis, target), lacking)
         silent += [check for check, each in zip(checks, said, strict=True) if each is None]
     return _unanswered(one, state, ranks, silent, basis, target, lacking)
+
+
+def _every_method(checks: Sequence[Check], one: Judged, rank: Rank, state: LimitState) -> bool:
+    """Whether each method of a rank gave a check; one that gives several does not stand for another."""
+    return {check.procedure for check in checks}.issuperset(_applying(one, rank, state))
 
 
 def _applying(one: Judged, rank: Rank, state: LimitState) -> list[str]:
@@ -181,6 +186,21 @@ def _provisional(check: Check, basis: Basis, target: float | None) -> Decision |
     return decided(replace(check, verdict=check.provisional, may_pass=True), basis, wanted)
 
 
+def _of_rank(check: Check, silent: Sequence[Check], ranks: Sequence[Rank]) -> list[Check]:
+    """The checks that say nothing of the methods of the rank that `check` is of."""
+    rank = next(each for each in ranks if any(method.procedure == check.procedure for method in each))
+    procedures = {method.procedure for method in rank}
+    return [each for each in silent if each.procedure in procedures]
+
+
+def _together(said: Iterable[Decision | None]) -> Decision | None:
+    """What methods that must all hold would say: fail where one fails, pass where none is left open."""
+    found = list(said)
+    if Decision.FAIL in found:
+        return Decision.FAIL
+    return None if None in found else Decision.PASS
+
+
 def _unanswered(
     one: Judged,
     state: LimitState,
@@ -197,7 +217,7 @@ def _unanswered(
         reason = message("no-deciding-method", {"state": state.name, "methods": names})
         return Found(Answer(state.name, Decision.INCOMPLETE, "", None, None, reason), (), missing)
     check = silent[0]
-    said = _provisional(check, basis, target)
+    said = _together(_provisional(each, basis, target) for each in _of_rank(check, silent, ranks))
     index = index_of(check, basis)
     answer = Answer(
         state.name, Decision.INCOMPLETE, check.procedure, check.ratio, index, check.reason, provisional=said

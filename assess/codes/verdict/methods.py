@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from assess.codes.basis import Acceptance, Basis, LimitState, Method, Role
 from assess.codes.verdict.question import Action, Missing, Question
+from spectra.ntc import EXCEEDANCE
 
 Rank = tuple[Method, ...]
 
@@ -55,10 +56,20 @@ def ranks_asked(state: LimitState, named: tuple[str, ...] | None) -> tuple[Rank,
 
 
 def undeclared(state: LimitState, action: Action) -> Missing | None:
-    """Return what is missing where a single spectrum is not declared for a limit state, which then it cannot decide."""
-    if action.over_periods or not state.actions or action.limit_state in state.actions:
+    """Return what is missing where a single spectrum is not declared for a limit state, which then it cannot decide.
+
+    A hazard over return periods has the spectra of the Italian limit states, and of no other code's.
+    """
+    if not state.actions or action.limit_state in state.actions:
         return None
     names = " or ".join(state.actions)
+    if action.over_periods:
+        if any(each in EXCEEDANCE for each in state.actions):
+            return None
+        text = (
+            f"the hazard is that of Italian limit states; {state.name} is decided by the spectrum of {names}: give it"
+        )
+        return Missing("site.spectrum", text)
     if action.limit_state is None:
         text = f"what the site's single spectrum stands for; {state.name} is decided by the action of {names}"
     else:

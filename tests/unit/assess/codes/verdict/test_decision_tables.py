@@ -244,6 +244,39 @@ def test_own_basis(rule, first, second, outcome):
     assert decide(asked, checks).outcome == outcome
 
 
+def test_a_method_with_two_checks_does_not_stand_for_one_that_gave_none():
+    basis = own((LINEAR, "asce43-05-history"), rule="all", statement="as agreed")
+    checks = [check(LINEAR, PASS), check(LINEAR, PASS, state="SLD")]
+    assert decide(Question(basis, Action(SITE, None)), checks).outcome == OPEN
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "provisional"), [(PASS, FAIL, NO), (FAIL, PASS, NO), (PASS, PASS, YES), (PASS, None, None)]
+)
+def test_methods_that_must_both_hold_would_pass_only_where_both_would(first, second, provisional):
+    checks = [
+        check("dmi2008-linear", SILENT, provisional=first),
+        check("dmi2008-nonlinear", SILENT, provisional=second),
+    ]
+    found = of("dmi2008", checks, use_class="II")
+    assert (found.outcome, found.mechanisms[0].answers[0].provisional) == (OPEN, provisional)
+
+
+@pytest.mark.parametrize(
+    ("basis", "method", "state"),
+    [
+        ("asce43-05", "asce43-05-history", "no overturning"),
+        ("nzsee2017", "nzsee2017-face-loaded", "ULS"),
+        ("ec8", "ec8-element", "element"),
+    ],
+)
+def test_an_italian_hazard_is_not_the_action_of_another_code(basis, method, state):
+    """It gives SLO to SLC; that of SLV is neither a DBE nor New Zealand's ULS."""
+    more = {"target_nbs": 34} if basis == "nzsee2017" else {}
+    found = of(basis, [check(method, PASS, state=state)], periods=True, **more)
+    assert (found.outcome, [each.key for each in found.missing]) == (OPEN, ["site.spectrum"])
+
+
 def test_what_informs_other_levels_and_thesis_readings_never_decide():
     others = [
         check(NONLINEAR, FAIL, informs=True),

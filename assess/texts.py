@@ -17,6 +17,7 @@ TEXTS: Mapping[str, str] = {
     "unheld": "the mechanism stands only by {loads}, not shown to last to collapse, so nothing can be said of its "
     "displacements and histories; give until, for a tie with strength, length and fracture_strain, and a source",
     "lower-confidence-factor": "by the confidence factor {given} given, below the code's {deciding}: for comparison",
+    "larger-usable-rotation": "by the usable share {given} given, above the Guidelines' {deciding}: for comparison",
     "seats-hold": "a pass at {state} holds where the seat of {what} lasts up to a displacement d* of {moved}",
     # of the verdict
     "no-deciding-method": "no method that may decide {state} was asked or applies: {methods}",

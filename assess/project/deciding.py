@@ -29,6 +29,7 @@ from assess.project.study import Study
 from assess.results import MechanismResult
 from spectra import ntc
 
+LIKE = 5e-3  # of a PGA: one given to three figures is the hazard's own
 Facts = tuple[tuple[Missing, ...], tuple[Message, ...]]
 """What the pass of a mechanism needs and nobody gave, and what it rests on."""
 
@@ -48,8 +49,8 @@ def basis_of(content: sections.Content) -> Basis | None:
     return found
 
 
-def question_of(content: sections.Content, *, site_pga: float) -> Question:
-    """What the project asks of its basis, at the site's own action."""
+def question_of(content: sections.Content, *, site_pga: float, scale: float = 1.0) -> Question:
+    """What the project asks of its basis, at the site's own action; scale: of the spectrum by `[site] pga` [-]."""
     asked, building, basis = content.verdict, content.building, basis_of(content)
     return Question(
         basis=basis,
@@ -62,7 +63,17 @@ def question_of(content: sections.Content, *, site_pga: float) -> Question:
         upgrading=asked.upgrading,
         index_before=asked.index_before,
         target_nbs=asked.target_nbs,
+        missing=tuple(_scaled_down(content, scale)),
     )
+
+
+def _scaled_down(content: sections.Content, scale: float) -> Iterator[Missing]:
+    """A PGA of the site below that of its own hazard, which is no action of any limit state."""
+    if content.site is None or content.site.pga is None or scale > 1.0 - LIKE:
+        return
+    if isinstance(content.site.spectrum, sections.NtcHazardSpectrum):
+        text = f"it scales the hazard to {scale:.3g} of what the rows give, which decides nothing: remove it"
+        yield Missing("site.pga", f"{text}; [analysis] levels study other PGA")
 
 
 def action_of(content: sections.Content, basis: Basis | None, *, pga_g: float) -> Action:

@@ -45,7 +45,7 @@ class Question:
     limit_state, procedures : as the project names them; None where it does not
     works, use_class, school, upgrading, index_before : of the targets of NTC 8.4
     target_nbs : share of the new building standard to be reached [%], of NZSEE 2017
-    missing : what the whole project lacks
+    missing : what the whole project lacks, without which its numbers stand for no action
     """
 
     basis: Basis | None

@@ -18,6 +18,10 @@ TEXTS: Mapping[str, str] = {
     "displacements and histories; give until, for a tie with strength, length and fracture_strain, and a source",
     "lower-confidence-factor": "by the confidence factor {given} given, below the code's {deciding}: for comparison",
     "larger-usable-rotation": "by the usable share {given} given, above the Guidelines' {deciding}: for comparison",
+    "held-from-sliding": "a pass holds where it is kept from sliding: by the friction given it slides before it rocks, "
+    "from PGA {pga} on",
+    "holds-to-its-end": "a pass holds where {what} is there with its whole force up to the displacement given as its "
+    "end",
     "seats-hold": "a pass at {state} holds where the seat of {what} lasts up to a displacement d* of {moved}",
     # of the verdict
     "no-deciding-method": "no method that may decide {state} was asked or applies: {methods}",

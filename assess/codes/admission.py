@@ -18,13 +18,16 @@ from assess.codes.context import Context
 from assess.codes.family import CODES, FAMILIES, READINGS
 from assess.codes.italian.floor import floor_of
 from assess.codes.italian.inputs import Lacking, lacking_of
-from assess.message import Message, Quantity
+from assess.codes.sliding import sliding_pga
+from assess.message import Message, Quantity, Severity, message
 from assess.oscillator import Oscillator
 
 BY_IMPACTS = ("asce43-05-spectrum",)  # damping by the two impacts of a body that rocks both ways
 SUITE_OF_A2 = "asce43-05"  # whose rules the suite must meet that a floor spectrum is made of
 ON_THE_WAY = (Family.DISPLACEMENT, Family.HISTORY, Family.ENERGY, Family.PART, Family.ELEMENT)
 """What follows a mechanism as it moves, and so asks for what lasts."""
+ROCKING = (*ON_THE_WAY, Family.LINEAR)
+"""What takes it that the mechanism rocks and does not slide."""
 FLOOR_CLAUSES: dict[Family, str] = {
     Family.LINEAR: "give [building] height and storeys",
     Family.DISPLACEMENT: "give [building] height and storeys",
@@ -77,10 +80,21 @@ def admitted(
 ) -> tuple[Check, ...]:
     """The checks of a procedure, each as its admission lets it stand."""
     given = admission(procedure, oscillator, context)
-    return tuple(
+    found = (
         _as_admitted(check, _with(given, lacking_of(procedure, check.limit_state, context)))
         for check in assess(oscillator, context)
     )
+    return tuple(_if_held(check, context) for check in found)
+
+
+def _if_held(check: Check, context: Context) -> Check:
+    """The check; a pass by rocking of what slides before it rocks holds where something keeps it from sliding."""
+    slides_at = sliding_pga(context) if FAMILIES[check.procedure] in ROCKING and check.verdict == Outcome.PASS else None
+    if slides_at is None or check.level_pga_g * g <= slides_at:
+        return check
+    pga = Quantity(slides_at / g, "ground acceleration", 3)
+    held = message("held-from-sliding", {"pga": pga}, severity=Severity.WARNING)
+    return replace(check, conditions=(*check.conditions, held))
 
 
 def _with(given: Admission, lacking: tuple[Lacking, ...]) -> Admission:

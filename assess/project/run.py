@@ -113,7 +113,7 @@ def _case_of(swept: Swept) -> str:
 
 def envelope_notices(study: Study) -> tuple[Message, ...]:
     """What the engineer should know of envelopes: no procedure of a code is asked."""
-    kept = tuple(notice for notice in study.notices if not notice.key.startswith("confidence-factor"))
+    kept = tuple(notice for notice in study.notices if notice.key != "confidence-factor")
     if not study.sweeps:
         return kept
     keys = ", ".join(sweep.key for sweep in study.sweeps)

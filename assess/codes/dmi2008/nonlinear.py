@@ -20,7 +20,7 @@ from assess.codes.italian.edition import Options
 from assess.codes.italian.floor import Demands, floor_of
 from assess.codes.italian.kinematic import activation_steps, curve_step
 from assess.codes.italian.limit_state import Case, at_each, rated
-from assess.codes.italian.thresholds import seat_conditions, threshold_steps
+from assess.codes.italian.thresholds import break_conditions, seat_conditions, threshold_steps
 from assess.codes.step import Given
 from assess.oscillator import Oscillator
 
@@ -40,7 +40,7 @@ def demands(context: Context, Ts: float) -> Demands | None:
 
 def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tuple[Check, ...]:
     """C8A.4.2.2-2.3 to the letter: du* against S_De(Ts), and against the floor's displacement above ground."""
-    checks = at_each(oscillator, context, EDITION, options, known=STATES, one=lambda case: _check(case.shown))
+    checks = at_each(oscillator, context, EDITION, options, known=STATES, one=lambda case: _check(case.as_lasting))
     return tuple(rated(check, context) for check in checks)
 
 
@@ -58,7 +58,7 @@ def _check(case: Case) -> Check:
         starts=lifts or 0.0,
         still=0.0,
         uplift=lifts,
-        conditions=seat_conditions(context, case.state, cap.du),
+        conditions=(*break_conditions(case.curves), *seat_conditions(context, case.state, cap.du)),
     )
     steps = (
         *activation_steps(case, EDITION),

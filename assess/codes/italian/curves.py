@@ -30,12 +30,12 @@ class Curves:
     mass: float
 
     @property
-    def shown(self) -> Curves:
-        """The same without actions that resist at rest and that nobody shows to last beyond it.
+    def as_lasting(self) -> Curves:
+        """The same, at rest too with what is shown to last to collapse alone.
 
-        What an ultimate limit state is held by: a wall is not kept from moving by a tie that may be gone.
+        What an ultimate limit state is held by: no wall is kept from moving by a tie that is gone after a millimetre.
         """
-        return replace(self, starting=self.breaking)
+        return replace(self, starting=self.lasting)
 
 
 def curves_of(oscillator: Oscillator, context: Context) -> tuple[Curves, ...]:

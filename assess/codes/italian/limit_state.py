@@ -43,9 +43,9 @@ class Case:
     pga_step: Step
 
     @property
-    def shown(self) -> Case:
-        """The same without actions that resist at rest and that nobody shows to last beyond it."""
-        return replace(self, curves=self.curves.shown)
+    def as_lasting(self) -> Case:
+        """The same, at rest too with what is shown to last to collapse alone."""
+        return replace(self, curves=self.curves.as_lasting)
 
 
 OneCase = Callable[[Case], Check]

@@ -106,6 +106,12 @@ def _local_steps(each: Local, name: str, clause: str) -> Iterator[Step]:
     yield step("λ / λ_max", words, clause, "λ / λ_max", each.after / each.largest, given=given)
 
 
+def break_conditions(curves: Curves) -> tuple[Message, ...]:
+    """What a pass rests on where a tie or force is counted up to a displacement: that it is there with its force."""
+    what = ", ".join(dict.fromkeys(each.what for each in curves.limits if each.kind == "break"))
+    return (message("holds-to-its-end", {"what": what}, severity=Severity.WARNING),) if what else ()
+
+
 def seat_conditions(context: Context, state: str, moved: float) -> tuple[Message, ...]:
     """What a pass rests on where floors or beams rest on the mechanism and nobody gave their seats."""
     if not context.seats_unknown:

@@ -13,7 +13,7 @@ from assess.codes.italian.edition import Options
 from assess.codes.italian.floor import Demands
 from assess.codes.italian.kinematic import activation_steps, curve_step
 from assess.codes.italian.limit_state import Case, at_each, rated
-from assess.codes.italian.thresholds import seat_conditions, threshold_steps
+from assess.codes.italian.thresholds import break_conditions, seat_conditions, threshold_steps
 from assess.codes.ntc2018.building import (
     SHOWN_DAMPING,
     FirstModes,
@@ -59,7 +59,7 @@ class Worked:
 
 def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tuple[Check, ...]:
     """d_SLV and d_SLC against the displacements of ground and floor; at least a_g,SLD is stood."""
-    checks = at_each(oscillator, context, EDITION, options, known=STATES, one=lambda case: _check(case.shown))
+    checks = at_each(oscillator, context, EDITION, options, known=STATES, one=lambda case: _check(case.as_lasting))
     return tuple(rated(check, context) for check in checks)
 
 
@@ -104,7 +104,10 @@ def _answer(case: Case, worked: Worked) -> Answer:
         starts=activated if elastic * activated <= cap.d else 0.0,
         still=elastic,
         uplift=uplift(case.curves.starting, case.context, confidence_factor=case.confidence.factor),
-        conditions=seat_conditions(case.context, case.state, cap.d) if case.state == "SLV" else (),
+        conditions=(
+            *break_conditions(case.curves),
+            *(seat_conditions(case.context, case.state, cap.d) if case.state == "SLV" else ()),
+        ),
     )
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 import pytest
@@ -11,6 +12,8 @@ from scipy.constants import g
 from assess.codes import sliding
 from assess.codes.admission import admitted
 from assess.codes.context import Context
+from assess.codes.en1998_1 import element
+from assess.codes.en1998_1.clauses import Options
 from assess.hinge_forces import HingeForces, Pressure
 from assess.mechanisms.equivalent_block import equivalent_block
 from assess.mechanisms.oscillation import oscillator
@@ -18,6 +21,7 @@ from spectra.asce7 import design_spectrum
 
 ROCKER = oscillator(equivalent_block("w", p=1.8, uplift=0.18, radius=2.4))
 SPECTRUM = design_spectrum(s_ds=0.5 * g, s_d1=0.25 * g, t_l=6.0)
+HEAVY = oscillator(equivalent_block("h", p=1.0, uplift=1.2, radius=9.0))
 LEVELS = tuple(level * g for level in (0.05, 0.2, 0.35, 0.6))
 
 
@@ -70,6 +74,16 @@ def test_above_the_ground_the_motion_of_the_ground_fails_it_and_cannot_pass_it()
     assert [check.verdict for check in found] == ["not-answered", "not-answered", "fail", "fail"]
     raised = admitted("sliding", sliding.assess, ROCKER, replace(context, carried="by a factor"))
     assert [check.verdict for check in raised] == ["pass", "pass", "fail", "fail"]
+
+
+@pytest.mark.parametrize(("friction", "held"), [(0.3, [False, True]), (0.6, [False, False]), (None, [False, False])])
+def test_a_pass_by_rocking_of_what_slides_first_holds_where_it_is_kept_from_sliding(friction, held) -> None:
+    """Needs 0.5 at 0.4 g: with 0.3 it slides at 0.24 g, with 0.6 it rocks first."""
+    context = Context(SPECTRUM, (0.2 * g, 0.35 * g), 0.0, 0.0, None, hinges=(hinge(0.5, friction=friction),))
+    options = Options(behaviour_factor=2.0)
+    found = admitted("ec8-element", partial(element.assess, options=options), HEAVY, context)
+    assert {check.verdict for check in found} == {"pass"}
+    assert [bool(check.conditions) for check in found] == held
 
 
 def test_where_it_rocks_first_it_passes_at_every_level() -> None:

@@ -21,14 +21,17 @@ from assess.codes.verdict import (
     verdict,
     with_roles,
 )
+from assess.codes.verdict.question import SOURCES
 from assess.errors import ProjectError
-from assess.message import Message, Severity, message
+from assess.message import Message, Quantity, Severity, message
 from assess.project import sections
 from assess.project.sources import shown_by
 from assess.project.study import Study
 from assess.results import MechanismResult
 from spectra import ntc
+from spectra.spectrum import Spectrum
 
+SAME = 1e-9  # share by which two accelerations may differ and be one
 Facts = tuple[tuple[Missing, ...], tuple[Message, ...]]
 """What the pass of a mechanism needs and nobody gave, and what it rests on."""
 
@@ -115,10 +118,31 @@ def states_of(question: Question) -> tuple[str, ...]:
     return tuple(state.checked_as for state in deciding_states(question)[0])
 
 
-def facts_of(content: sections.Content, question: Question, names: Sequence[str]) -> Mapping[str, Facts]:
+def facts_of(
+    content: sections.Content, question: Question, names: Sequence[str], spectrum: Spectrum | None = None
+) -> Mapping[str, Facts]:
     """What the pass of each mechanism needs and nobody gave, and what it rests on, by its name."""
     premises = () if question.basis is None else question.basis.premises
-    return {name: (tuple(_missing(content, name, premises)), _conditions(content, name, premises)) for name in names}
+    lacking, holds = of_pga(content, spectrum)
+    return {
+        name: ((*lacking, *_missing(content, name, premises)), (*holds, *_conditions(content, name, premises)))
+        for name in names
+    }
+
+
+def of_pga(content: sections.Content, spectrum: Spectrum | None) -> Facts:
+    """What a pass needs, or rests on, where `pga` of the site makes its spectrum weaker than its own parameters do.
+
+    A hazard over return periods gives the action of each limit state, so a lower one cannot pass.
+    """
+    site = content.site
+    if site is None or site.pga is None or spectrum is None or spectrum.factor > 1.0 - SAME:
+        return (), ()
+    own = Quantity(site.pga / spectrum.factor / g, "ground acceleration", 3)
+    values = {"given": Quantity(site.pga / g, "ground acceleration", 3), "own": own}
+    if isinstance(site.spectrum, sections.NtcHazardSpectrum):
+        return (Missing("site.pga", message("pga-beside-hazard", values).text, safe=False),), ()
+    return (), (message("pga-lowered", values, severity=Severity.WARNING),)
 
 
 def _missing(content: sections.Content, name: str, premises: Sequence[Premise]) -> Iterator[Missing]:
@@ -130,9 +154,9 @@ def _missing(content: sections.Content, name: str, premises: Sequence[Premise]) 
         if said != "excluded":
             text = "whether the masonry may disintegrate: the rigid chain is credible only where it does not (C8.7.1.2)"
             yield Missing(key, text, 'disintegration = "excluded"')
-        elif not shown_by(content, key):
+        if said != "possible" and not shown_by(content, key):
             text = f'the source (survey, quality index, test) of {key} = "excluded"'
-            yield Missing("report.sources", text, f'"{key}" = "measured: …"')
+            yield Missing(SOURCES, text, f'"{key}" = "measured: …"')
 
 
 def _masonry(content: sections.Content, name: str) -> Mapping[str, str | None]:

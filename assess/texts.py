@@ -17,14 +17,13 @@ TEXTS: Mapping[str, str] = {
     "unheld": "the mechanism stands only by {loads}, not shown to last to collapse, so nothing can be said of its "
     "displacements and histories; give until, for a tie with strength, length and fracture_strain, and a source",
     "lower-confidence-factor": "by the confidence factor {given} given, below the code's {deciding}: for comparison",
+    "larger-usable-rotation": "by the usable share {given} given, above the Guidelines' {deciding}: for comparison",
     "seats-hold": "a pass at {state} holds where the seat of {what} lasts up to a displacement d* of {moved}",
     # of the verdict
     "no-deciding-method": "no method that may decide {state} was asked or applies: {methods}",
     "missing-key": "{key}: {text}",
     "class-not-given": "a pass holds in classes of use I to III, class IV asks for {states} too; give "
     "[building] use_class",
-    "pga-beside-hazard": "a pass asks for the action of the hazard over return periods, which site.pga = {given} "
-    "lowers from {own}; leave site.pga out, and put other accelerations into [analysis] levels",
     "pga-lowered": "a pass holds at site.pga = {given}, in place of {own} by the parameters of the spectrum",
     "thrust-is-tied": "a pass holds where ties or tie-beams take the thrust of {what} up to collapse",
     "premise-anchorage": "a pass holds where the wall is anchored to floors and roof",

@@ -31,6 +31,7 @@ FLOOR_CLAUSES: dict[Family, str] = {
     Family.ELEMENT: "give [building] height",
     Family.HISTORY: 'give the mechanism amplification = { method = "modal-filter" }, up to that height',
     Family.ENERGY: 'give the mechanism amplification = { method = "modal-filter" }, up to that height',
+    Family.FRICTION: "give the mechanism an amplification, up to that height",
     Family.SLIDING: "the clause has no floor motion",
 }
 
@@ -194,6 +195,8 @@ def _has_floor_input(family: Family, context: Context) -> bool:
         return context.building is not None
     if family == Family.HISTORY:
         return context.carried == "by a filter"
+    if family == Family.FRICTION:  # the peak decides, which one factor gives too
+        return context.carried != "not"
     if family == Family.ENERGY:
         return context.floor_spectrum is not None
     return family == Family.PART

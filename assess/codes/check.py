@@ -22,6 +22,7 @@ __all__ = [
     "Role",
     "Step",
     "because",
+    "not_by_name",
     "step",
 ]
 
@@ -109,6 +110,13 @@ class Reason(StrEnum):
 def because(reason: Reason, **values: Value) -> Message:
     """The message of a reason."""
     return message(reason, values, severity=Severity.NOTE)
+
+
+def not_by_name(clause: str, symbol: str, key: str) -> Message:
+    """That a clause asks for a number which a table of ordinates does not state, with its key."""
+    line = f'{key.rpartition(".")[2]} = "…"  # {symbol} in g'
+    values = {"clause": clause, "symbol": symbol, "key": key, "toml": f"# {line}"}
+    return message(Reason.NOT_BY_NAME, values, severity=Severity.NOTE, where=key)
 
 
 @dataclass(frozen=True)

@@ -103,7 +103,8 @@ def part_of(content: sections.Content, files: Files, *, names: Iterable[str]) ->
     site, building, synthetic = site_in(content), content.building, content.records.synthetic
     chosen = {name: content.mechanisms[name] for name in names}
     built = [directed(name, section, content, files.solids) for name, section in chosen.items()]
-    question = question_of(content, site_pga=0.0 if files.spectrum is None else files.spectrum.pga)
+    own = files.spectrum
+    question = question_of(content, site_pga=own.pga if own else 0.0, scale=own.factor if own else 1.0)
     return Study(
         spectrum=files.spectrum,
         vertical_ratio=0.0 if site is None else site.vertical_ratio,

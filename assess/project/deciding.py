@@ -31,7 +31,7 @@ from assess.results import MechanismResult
 from spectra import ntc
 from spectra.spectrum import Spectrum
 
-SAME = 1e-9  # share by which two accelerations may differ and be one
+LIKE = 5e-3  # of a PGA: one given to three figures is the hazard's own
 Facts = tuple[tuple[Missing, ...], tuple[Message, ...]]
 """What the pass of a mechanism needs and nobody gave, and what it rests on."""
 
@@ -51,8 +51,8 @@ def basis_of(content: sections.Content) -> Basis | None:
     return found
 
 
-def question_of(content: sections.Content, *, site_pga: float) -> Question:
-    """What the project asks of its basis, at the site's own action."""
+def question_of(content: sections.Content, *, site_pga: float, scale: float = 1.0) -> Question:
+    """What the project asks of its basis, at the site's own action; scale: of the spectrum by `[site] pga` [-]."""
     asked, building, basis = content.verdict, content.building, basis_of(content)
     return Question(
         basis=basis,
@@ -65,7 +65,17 @@ def question_of(content: sections.Content, *, site_pga: float) -> Question:
         upgrading=asked.upgrading,
         index_before=asked.index_before,
         target_nbs=asked.target_nbs,
+        missing=tuple(_scaled_down(content, scale)),
     )
+
+
+def _scaled_down(content: sections.Content, scale: float) -> Iterator[Missing]:
+    """A PGA of the site below that of its own hazard, which is no action of any limit state."""
+    if content.site is None or content.site.pga is None or scale > 1.0 - LIKE:
+        return
+    if isinstance(content.site.spectrum, sections.NtcHazardSpectrum):
+        text = f"it scales the hazard to {scale:.3g} of what the rows give, which decides nothing: remove it"
+        yield Missing("site.pga", f"{text}; [analysis] levels study other PGA")
 
 
 def action_of(content: sections.Content, basis: Basis | None, *, pga_g: float) -> Action:
@@ -123,26 +133,23 @@ def facts_of(
 ) -> Mapping[str, Facts]:
     """What the pass of each mechanism needs and nobody gave, and what it rests on, by its name."""
     premises = () if question.basis is None else question.basis.premises
-    lacking, holds = of_pga(content, spectrum)
+    holds = of_pga(content, spectrum)
     return {
-        name: ((*lacking, *_missing(content, name, premises)), (*holds, *_conditions(content, name, premises)))
+        name: (tuple(_missing(content, name, premises)), (*holds, *_conditions(content, name, premises)))
         for name in names
     }
 
 
-def of_pga(content: sections.Content, spectrum: Spectrum | None) -> Facts:
-    """What a pass needs, or rests on, where `pga` of the site makes its spectrum weaker than its own parameters do.
-
-    A hazard over return periods gives the action of each limit state, so a lower one cannot pass.
-    """
+def of_pga(content: sections.Content, spectrum: Spectrum | None) -> tuple[Message, ...]:
+    """What a pass rests on where `pga` of the site makes a single spectrum weaker than its own parameters do."""
     site = content.site
-    if site is None or site.pga is None or spectrum is None or spectrum.factor > 1.0 - SAME:
-        return (), ()
+    if site is None or site.pga is None or spectrum is None or spectrum.factor > 1.0 - LIKE:
+        return ()
+    if isinstance(site.spectrum, sections.NtcHazardSpectrum):
+        return ()  # it cannot pass at all: `_scaled_down`
     own = Quantity(site.pga / spectrum.factor / g, "ground acceleration", 3)
     values = {"given": Quantity(site.pga / g, "ground acceleration", 3), "own": own}
-    if isinstance(site.spectrum, sections.NtcHazardSpectrum):
-        return (Missing("site.pga", message("pga-beside-hazard", values).text, safe=False),), ()
-    return (), (message("pga-lowered", values, severity=Severity.WARNING),)
+    return (message("pga-lowered", values, severity=Severity.WARNING),)
 
 
 def _missing(content: sections.Content, name: str, premises: Sequence[Premise]) -> Iterator[Missing]:

@@ -21,7 +21,7 @@ from assess.codes.asce41_13.clauses import (
     permissible,
     position_of,
 )
-from assess.codes.check import BranchName, Check, Outcome, Reason, Step, because, step
+from assess.codes.check import BranchName, Check, Outcome, Reason, Step, because, not_by_name, step
 from assess.codes.context import Context, Wall
 from assess.codes.family import GIVEN, foreign
 from assess.codes.governing import governing
@@ -79,7 +79,7 @@ def _silence(context: Context, options: Options) -> tuple[Outcome, Message]:
         return not_for, because(Reason.RUBBLE, clause=CLAUSE)
     if context.support == "spanning" and options.s_x1 is None:
         if context.spectrum.code == GIVEN:
-            return Outcome.NOT_ANSWERED, because(Reason.NOT_BY_NAME, clause=CLAUSE, symbol="S_X1", key=KEY)
+            return Outcome.NOT_ANSWERED, not_by_name(CLAUSE, "S_X1", KEY)
         if context.spectrum.longest_period < PERIOD:
             end = Quantity(context.spectrum.longest_period, "time")
             return Outcome.NOT_ANSWERED, because(Reason.SPECTRUM_TOO_SHORT, period="S_X1 at 1 s", end=end)

@@ -40,7 +40,7 @@ def demands(context: Context, Ts: float) -> Demands | None:
 
 def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tuple[Check, ...]:
     """C8A.4.2.2-2.3 to the letter: du* against S_De(Ts), and against the floor's displacement above ground."""
-    checks = at_each(oscillator, context, EDITION, options, known=STATES, one=_check)
+    checks = at_each(oscillator, context, EDITION, options, known=STATES, one=lambda case: _check(case.shown))
     return tuple(rated(check, context) for check in checks)
 
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 
 from scipy.constants import g
 
-from assess.codes.check import BranchName, Check, Outcome, Reason, Step, because, step
+from assess.codes.check import BranchName, Check, Outcome, Reason, Step, because, not_by_name, step
 from assess.codes.context import Context
 from assess.codes.en1998_1.clauses import (
     BEHAVIOUR,
@@ -50,7 +50,7 @@ def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tup
         check = _check(branch, name, context, options, level)
         if context.spectrum.code != GIVEN or options.alpha_s is not None:
             return check
-        why = because(Reason.NOT_BY_NAME, clause=CLAUSE, symbol="alpha S", key="procedures.ec8.alpha_s")
+        why = not_by_name(CLAUSE, "alpha S", "procedures.ec8.alpha_s")
         return replace(check, verdict=Outcome.NOT_ANSWERED, reason=why)
 
     return governing(oscillator, context.levels, one)

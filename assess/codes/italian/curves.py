@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from assess.codes.check import BranchName
 from assess.codes.context import Context, LocalLimit
@@ -28,6 +28,14 @@ class Curves:
     breaking: Branch
     limits: tuple[LocalLimit, ...]
     mass: float
+
+    @property
+    def shown(self) -> Curves:
+        """The same without actions that resist at rest and that nobody shows to last beyond it.
+
+        What an ultimate limit state is held by: a wall is not kept from moving by a tie that may be gone.
+        """
+        return replace(self, starting=self.breaking)
 
 
 def curves_of(oscillator: Oscillator, context: Context) -> tuple[Curves, ...]:

@@ -42,6 +42,11 @@ class Case:
     pga: float
     pga_step: Step
 
+    @property
+    def shown(self) -> Case:
+        """The same without actions that resist at rest and that nobody shows to last beyond it."""
+        return replace(self, curves=self.curves.shown)
+
 
 OneCase = Callable[[Case], Check]
 

@@ -59,7 +59,7 @@ class Worked:
 
 def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tuple[Check, ...]:
     """d_SLV and d_SLC against the displacements of ground and floor; at least a_g,SLD is stood."""
-    checks = at_each(oscillator, context, EDITION, options, known=STATES, one=_check)
+    checks = at_each(oscillator, context, EDITION, options, known=STATES, one=lambda case: _check(case.shown))
     return tuple(rated(check, context) for check in checks)
 
 

@@ -6,15 +6,15 @@ from dataclasses import replace
 
 from scipy.constants import g
 
-from assess.codes.check import BranchName, Check, Outcome, PgaCurve, Reason, because, step
+from assess.codes.check import BranchName, Check, Outcome, PgaCurve, Reason, because, not_by_name, step
 from assess.codes.context import Context
 from assess.codes.family import GIVEN, foreign
 from assess.codes.governing import governing
-from assess.codes.nzsee2017.clauses import CAVEAT, CAVEAT_FREE, EDITION, Options
+from assess.codes.nzsee2017.clauses import CAVEAT, CAVEAT_FREE, EDITION, USABLE, Options
 from assess.codes.nzsee2017.response import Response, overloaded, response
 from assess.codes.nzsee2017.sheet import CLAUSE, sheet
 from assess.codes.relation import as_curve, relation
-from assess.message import Message
+from assess.message import Message, Quantity, message
 from assess.oscillator import Branch, FloatArray, Oscillator
 
 NAME, SCORE = "nzsee2017-face-loaded", "%NBS"
@@ -22,14 +22,29 @@ DAMPING = 0.05
 
 
 def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tuple[Check, ...]:
-    """C8.8.5: phi_m against phi_D at C(0) = the level; one check for each level, on the worse branch, with its %NBS."""
+    """C8.8.5: phi_m against phi_D at C(0) = the level; one check for each level, on the worse branch, with its %NBS.
 
+    A usable rotation beyond the Guidelines' is shown after the answer by theirs, and never decides.
+    """
+    most = USABLE.get(context.support)
+    if most is None or options.usable is None or options.usable <= most:
+        return _checks(oscillator, context, options)
+    values = {"given": Quantity(options.usable), "deciding": Quantity(most)}
+    beyond = message("larger-usable-rotation", values)
+    shown = _checks(oscillator, context, options)
+    return (
+        *_checks(oscillator, context, replace(options, usable=None)),
+        *(replace(check, informs=True, remarks=(*check.remarks, beyond)) for check in shown),
+    )
+
+
+def _checks(oscillator: Oscillator, context: Context, options: Options) -> tuple[Check, ...]:
     def one(branch: Branch, name: BranchName, level: float) -> Check:
         empty = _check(name, context, level)
         if context.support == "hinged":
             return empty
         if context.spectrum.code == GIVEN and options.c_0 is None:
-            why = because(Reason.NOT_BY_NAME, clause=CLAUSE, symbol="C(0)", key="procedures.nzsee2017.c_0")
+            why = not_by_name(CLAUSE, "C(0)", "procedures.nzsee2017.c_0")
             return replace(empty, verdict=Outcome.NOT_ANSWERED, reason=why)
         if overloaded(name, context):
             return replace(empty, verdict=Outcome.NOT_ANSWERED, reason=because(Reason.OVERLOADED, clause=CLAUSE))

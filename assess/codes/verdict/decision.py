@@ -125,15 +125,13 @@ def _of_mechanism(one: Judged, measure: _Measure) -> MechanismVerdict:
         answers=tuple(it.answer for it in found),
         conditions=() if outcome == Decision.FAIL else _unique((*_conditions(one, found), *_of_class(asked, measure))),
         missing=missing if incomplete else (),
-        provisional=_provisional(found, missing) if incomplete else None,
+        provisional=_provisional(found, measure) if incomplete else None,
     )
 
 
-def _provisional(found: Sequence[Found], missing: Sequence[Missing]) -> Decision | None:
-    """What the numbers would decide; None where they do not stand for the safe value of all that is missing."""
-    if not all(each.safe for each in missing):
-        return None
-    return worst(it.answer.provisional or it.answer.outcome for it in found)
+def _provisional(found: Sequence[Found], measure: _Measure) -> Decision | None:
+    """What it would be; None where the project lacks what has no safe value."""
+    return None if measure.question.missing else worst(it.answer.provisional or it.answer.outcome for it in found)
 
 
 def _by_class(found: Sequence[Found], measure: _Measure) -> tuple[Found, ...]:

@@ -17,15 +17,11 @@ Works = Literal["none", "repair", "improvement", "upgrading"]
 
 @dataclass(frozen=True)
 class Missing:
-    """An input without which there is no answer: its key in the project file, why, and a line of TOML to begin with.
-
-    safe : whether the numbers may be shown as what the verdict would be, as far as this key goes
-    """
+    """An input without which there is no answer: its key in the project file, why, and a line of TOML to begin with."""
 
     key: str
     text: str
     toml: str = ""
-    safe: bool = True
 
 
 @dataclass(frozen=True)
@@ -51,7 +47,7 @@ class Question:
     limit_state, procedures : as the project names them; None where it does not
     works, use_class, school, upgrading, index_before : of the targets of NTC 8.4
     target_nbs : share of the new building standard to be reached [%], of NZSEE 2017
-    missing : what the whole project lacks
+    missing : what the whole project lacks, without which its numbers stand for no action
     """
 
     basis: Basis | None

@@ -28,6 +28,7 @@ AT_HEIGHT: Mapping[Family, tuple[Line, ...]] = {
     Family.PART: (HEIGHT,),
     Family.HISTORY: (FILTER,),
     Family.ENERGY: (FILTER,),
+    Family.FRICTION: (FILTER,),
 }
 REMEDIES: Mapping[Reason, tuple[Line, ...]] = {
     Reason.SCALAR_MOTION: (FILTER,),

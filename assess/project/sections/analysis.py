@@ -115,8 +115,9 @@ class Nzsee2017(Section):
     """Options of the face-loaded walls of NZSEE 2017, C8."""
 
     usable: Share | None = None
-    """usable rotation over that at instability; if absent 0.6 for walls that span, 0.3 for those that stand free"""
-    risk_factor: PositiveRatio = 1.0
+    """usable rotation over that at instability; if absent 0.6 for walls that span, 0.3 for those that stand free; a
+    larger one is shown for comparison"""
+    risk_factor: Annotated[Ratio, Field(ge=0.9)] = 1.0
     """risk factor R_p of the part, NZS 1170.5 Table 8.1"""
     c_0: PositiveAcceleration | None = None
     """C(0) at the site's own peak ground acceleration; needed where the spectrum is a table"""
@@ -138,10 +139,10 @@ class Asce41(Section):
 class Ec8(Section):
     """Options of the check of non-structural elements of EN 1998-1, 4.3.5."""
 
-    behaviour_factor: Annotated[Ratio, Field(ge=1)] | None = None
-    """q_a of Table 4.4; if absent 2.0 for walls that span, 1.0 for what stands free"""
-    importance_factor: PositiveRatio = 1.0
-    """gamma_a of the element: 1.5 where life depends on it"""
+    behaviour_factor: Annotated[Ratio, Field(ge=1, le=2)] | None = None
+    """q_a of Table 4.4, 1 to 2; if absent 2.0 for walls that span, 1.0 for what stands free"""
+    importance_factor: Annotated[Ratio, Field(ge=1)] = 1.0
+    """gamma_a of the element, no less than 1: 1.5 where life depends on it"""
     alpha_s: PositiveAcceleration | None = None
     """alpha S at the site's own peak ground acceleration; needed where the spectrum is a table"""
 

@@ -212,6 +212,14 @@ def test_options() -> None:
     assert other.score["%NBS"] == pytest.approx(plain.score["%NBS"] * 0.5 / 0.9, rel=1e-12)
 
 
+def test_a_larger_usable_share_is_shown_and_never_decides() -> None:
+    (plain,) = assess(wall(), second_storey(), options=Options())
+    deciding, shown = assess(wall(), second_storey(), options=Options(usable=0.9))
+    assert (deciding, deciding.informs, shown.informs) == (plain, False, True)
+    assert shown.score["%NBS"] == pytest.approx(plain.score["%NBS"] * 1.5, rel=1e-12)
+    assert [each.key for each in shown.remarks] == ["larger-usable-rotation"]
+
+
 @pytest.mark.parametrize(
     ("elevation", "building", "factor"), [(2.0, HOUSE, 5 / 3), (2.0, None, 5 / 3), (10.0, None, 3.0)]
 )
@@ -246,6 +254,7 @@ def test_on_a_table_c_0_has_to_be_given_by_name() -> None:
     on_table = second_storey(spectrum=table, level=0.4 * g)
     (silent,) = assess(wall(), on_table, options=Options())
     assert (silent.verdict, silent.reason.key) == ("not-answered", Reason.NOT_BY_NAME)
+    assert silent.reason.where == "procedures.nzsee2017.c_0"
     (named,) = assess(wall(), on_table, options=Options(c_0=0.532))
     (code,) = assess(wall(), second_storey(), options=Options())
     assert named.score["%NBS"] == pytest.approx(code.score["%NBS"], rel=1e-9)

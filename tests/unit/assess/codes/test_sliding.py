@@ -9,6 +9,7 @@ import pytest
 from scipy.constants import g
 
 from assess.codes import sliding
+from assess.codes.admission import admitted
 from assess.codes.context import Context
 from assess.hinge_forces import HingeForces, Pressure
 from assess.mechanisms.equivalent_block import equivalent_block
@@ -61,6 +62,14 @@ def test_amplified_at_its_base_it_slides_at_less() -> None:
     assert [check.verdict for check in found] == ["pass", "fail", "fail", "fail"]
     assert found[0].capacity_pga_g == pytest.approx(0.12, rel=1e-12)
     assert found[0].uplift_pga_g == pytest.approx(np.tan(0.18) / 2, rel=1e-9)
+
+
+def test_above_the_ground_the_motion_of_the_ground_fails_it_and_cannot_pass_it() -> None:
+    context = Context(SPECTRUM, LEVELS, 0.0, 8.0, None, hinges=(hinge(0.5),))
+    found = admitted("sliding", sliding.assess, ROCKER, context)
+    assert [check.verdict for check in found] == ["not-answered", "not-answered", "fail", "fail"]
+    raised = admitted("sliding", sliding.assess, ROCKER, replace(context, carried="by a factor"))
+    assert [check.verdict for check in raised] == ["pass", "pass", "fail", "fail"]
 
 
 def test_where_it_rocks_first_it_passes_at_every_level() -> None:

@@ -98,42 +98,12 @@ def test_the_methods_that_may_decide_run_whatever_the_analysis_lists(tmp_path):
     assert methods_of(question_of(of, site_pga=1.0)) == ("ntc2018-history", "ntc2018-linear")
 
 
-HAZARD = """
-[site]
-{pga}
-[site.spectrum]
-code = "ntc2018"
-soil = "A"
-nominal_life = 50
-use_class = "II"
-hazard = [
-  {{ return_period = 50, a_g = "0.05 g", f_0 = 2.4, t_c_star = "0.3 s" }},
-  {{ return_period = 475, a_g = "0.15 g", f_0 = 2.4, t_c_star = "0.3 s" }},
-]
-"""
-
-
-def own_pga(tmp_path, pga, *, hazard):
-    single, _, rest = SITE.format(**NONE).partition("[materials.m]")
-    site = HAZARD.format(pga=pga) if hazard else single.replace("[site]\n", f"[site]\n{pga}\n")
-    file = tmp_path / "project.toml"
-    file.write_text(f"{site}[materials.m]{rest}", encoding="utf-8")
-    of = load(file).content
-    return of_pga(of, spectrum_of(site_in(of)))
-
-
-@pytest.mark.parametrize(("pga", "lowers"), [("", False), ('pga = "0.05 g"', True), ('pga = "0.4 g"', False)])
-def test_a_pga_below_that_of_a_hazard_over_return_periods_cannot_pass(tmp_path, pga, lowers):
-    missing, conditions = own_pga(tmp_path, pga, hazard=True)
-    assert [(each.key, each.safe) for each in missing] == ([("site.pga", False)] if lowers else [])
-    assert conditions == ()
-
-
 @pytest.mark.parametrize(("pga", "lowers"), [("", False), ('pga = "0.05 g"', True), ('pga = "0.4 g"', False)])
 def test_a_pga_below_that_of_a_single_spectrum_is_a_condition_of_a_pass(tmp_path, pga, lowers):
-    missing, conditions = own_pga(tmp_path, pga, hazard=False)
-    assert missing == ()
-    assert [each.key for each in conditions] == (["pga-lowered"] if lowers else [])
+    file = tmp_path / "project.toml"
+    file.write_text(SITE.format(**NONE).replace("[site]\n", f"[site]\n{pga}\n"), encoding="utf-8")
+    of = load(file).content
+    assert [each.key for each in of_pga(of, spectrum_of(site_in(of)))] == (["pga-lowered"] if lowers else [])
 
 
 def test_the_sources_of_several_materials_are_all_asked_for():

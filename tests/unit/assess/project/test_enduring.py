@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from math import asin
 
 import pytest
@@ -16,6 +17,7 @@ from assess.project.build import build
 from assess.project.histories import Rocking
 from assess.project.run import envelope, parameters, run
 from assess.project.schema import load
+from assess.project.sensitivity import checked
 
 PROJECT = """
 {top}
@@ -41,6 +43,7 @@ box = {{ thickness = 0.8, length = 2.0, height = 5.0 }}
 kind = "single-block"
 blocks = ["wall"]
 direction = [1, 0, 0]
+sides = "{sides}"
 loads = [{loads}]
 [records]
 synthetic = {{ count = 3, seed = 1, duration = "10 s" }}
@@ -57,8 +60,8 @@ def tie(more="", *, force="20 kN"):
     return TIE.format(force=force, more=more)
 
 
-def study_of(folder, *loads, top=""):
-    (folder / "project.toml").write_text(PROJECT.format(top=top, loads=", ".join(loads)))
+def study_of(folder, *loads, top="", sides="two"):
+    (folder / "project.toml").write_text(PROJECT.format(top=top, sides=sides, loads=", ".join(loads)))
     return build(load(folder))
 
 
@@ -148,6 +151,19 @@ def test_results_start_with_every_action_and_decide_with_what_lasts(tmp_path):
     assert found.deciding_curve.positive == bare.curve.positive
     assert found.deciding_overturning_rad == (bare.oscillator.overturning_rad,) * 2
     assert bare.deciding_curve is None
+
+
+@pytest.mark.parametrize("method", ["ntc2018-nonlinear", "dmi2008-nonlinear"])
+def test_a_tie_that_nobody_vouches_for_does_not_keep_a_wall_from_rocking_at_slv(tmp_path, method):
+    """Its force is in the multiplier of the linear check, and in no bound of the non-linear one (verdict.md 1.8)."""
+
+    def index(*loads):
+        study = replace(study_of(tmp_path, *loads, sides="one"), procedures=(method,))
+        return checked(study, study.spectrum, (), jobs=1)[0].safety_index
+
+    bare = index()
+    assert index(tie(force="60 kN")) == index(tie(PROOF, force="60 kN")) == bare
+    assert index(tie(', until = "1 m"', force="60 kN")) > bare
 
 
 @pytest.fixture(scope="module")

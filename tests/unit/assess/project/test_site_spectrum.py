@@ -97,6 +97,18 @@ def test_limit_state_of_the_site_s_own_action(tmp_path: Path) -> None:
         assert study.question.action.return_period_years == pytest.approx(years[state], abs=0.06)
 
 
+def test_a_pga_below_that_of_the_hazard_decides_nothing(tmp_path: Path) -> None:
+    hazard = CODES["hazard"].replace("ntc2008", "ntc2018")
+    own = build(loaded(tmp_path, hazard)).spectrum
+    assert own is not None
+
+    def missing(share: float) -> list[str]:
+        study = build(loaded(tmp_path, hazard, site=f"pga = {share * own.pga}"))
+        return [each.key for each in study.question.missing]
+
+    assert [missing(share) for share in (0.1, 0.99, 0.999, 1.5)] == [["site.pga"], ["site.pga"], [], []]
+
+
 def test_two_limit_states_of_the_site_must_agree(tmp_path: Path) -> None:
     table = CODES["hazard"] + '\nlimit_state = "SLV"'
     assert spectrum(tmp_path, table, site='limit_state = "SLV"').parameters["limit_state"] == "SLV"

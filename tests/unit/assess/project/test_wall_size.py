@@ -6,6 +6,7 @@ import pytest
 from scipy.constants import g
 
 from assess.codes.context import Wall
+from assess.errors import ProjectError
 from assess.project.build import build
 from assess.project.run import run
 from assess.project.schema import load as load_project
@@ -101,6 +102,20 @@ def test_asked_for_by_name_every_mechanism_is_answered(tmp_path: Path) -> None:
     assert {name for name, check in checks.items() if check.verdict == "not-applicable"} == {"values", "block", "free"}
     assert checks["spanning"].ratio == pytest.approx(4.0 / 0.4 / 9.0, rel=1e-9)  # S_X1 = 0.45 g > 0.37 g
     assert checks["spanning"].capacity_pga_g == pytest.approx(0.37 * 0.4 / 0.45, rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("code", "line"),
+    [
+        ("nzsee2017", "risk_factor = 0.5"),
+        ("ec8", "behaviour_factor = 3"),
+        ("ec8", "importance_factor = 0.5"),
+    ],
+)
+def test_factors_that_no_table_has_are_refused(tmp_path: Path, code: str, line: str) -> None:
+    """NZS 1170.5 Table 8.1 begins with 0.9, EN 1998-1 Table 4.4 ends with 2, gamma_a is no less than 1 (4.3.5.3)."""
+    with pytest.raises(ProjectError, match=line.split(" ")[0]):
+        build(project(tmp_path, ZEALAND, rest=f"[procedures.{code}]\n{line}"))
 
 
 def test_options_reach_the_clause(tmp_path: Path) -> None:

@@ -277,6 +277,12 @@ def test_an_italian_hazard_is_not_the_action_of_another_code(basis, method, stat
     assert (found.outcome, [each.key for each in found.missing]) == (OPEN, ["site.spectrum"])
 
 
+def test_what_the_project_lacks_as_a_whole_leaves_nothing_to_show():
+    lacking = (Missing("site.pga", "less than the hazard's"),)
+    found = of("ntc2018", [check(NONLINEAR, PASS)], use_class="II", missing=lacking)
+    assert (found.outcome, found.missing, found.mechanisms[0].provisional) == (OPEN, lacking, None)
+
+
 def test_what_informs_other_levels_and_thesis_readings_never_decide():
     others = [
         check(NONLINEAR, FAIL, informs=True),

@@ -26,6 +26,9 @@ TEXTS: Mapping[str, str] = {
     # of the verdict
     "no-deciding-method": "no method that may decide {state} was asked or applies: {methods}",
     "missing-key": "{key}: {text}",
+    "class-not-given": "a pass holds in classes of use I to III, class IV asks for {states} too; give "
+    "[building] use_class",
+    "pga-lowered": "a pass holds at site.pga = {given}, in place of {own} by the parameters of the spectrum",
     "thrust-is-tied": "a pass holds where ties or tie-beams take the thrust of {what} up to collapse",
     "premise-anchorage": "a pass holds where the wall is anchored to floors and roof",
     "premise-collar-joints": "a pass holds where the collar joints between the leaves are sound",
@@ -80,6 +83,10 @@ TEXTS: Mapping[str, str] = {
     "number miss resonance, so they can fail a check and cannot pass it: {remedy}",
     "ground-unknown": "the lowest body lies {height} from elevation 0 and nobody says where the ground is: give "
     "[building] ground_elevation, or the mechanism its base_elevation",
+    "ground-contradicted": "base_elevation = {given}, yet its base is drawn {drawn} above the ground; that key is for "
+    "a mechanism that is drawn alone: leave it out, or make both agree",
+    "storey-unknown": "passes by the mildest row of {clause} and not by the strictest, and nobody says in which storey "
+    "the wall is: give [building] height and storeys",
     "knowledge-unknown": "crushing of the masonry is modelled, so FC is that of the level of knowledge, which is not "
     "given; beside it the answer by LC1",
     "seat-unknown": "the seat of {what} is not given, and its loss limits SLC",
@@ -119,6 +126,7 @@ TEXTS: Mapping[str, str] = {
     "size": "{text}",
     "mechanism": "{text}",
     "site-study": "{text}",
+    "box-size": 'a number without unit is in m, so this is {given}; if mm was meant write "{number} mm"',
     "unit": '{given} is {as_g}; write "{number} g" if that was meant',
     "overlap": 'bodies "{one}" and "{other}" overlap by {volume}, {share} of the smaller, which is weighed with both; '
     "cut one back",

@@ -80,7 +80,11 @@ def _missing(found: Verdict, results: Results) -> list[Block]:
     if found.provisional in (Decision.PASS, Decision.FAIL):
         blocks.append(Text((f"{SAFE}{outcome_text(found.provisional, near=False)}.",)))
     given = [key for key, each in results.project.items() if each.given]
-    return [*blocks, Text(("To complete it, add to the project file:",)), Code(toml_lines(found.missing, given))]
+    return [
+        *blocks,
+        Text(("To complete it, add to the project file, with your own values:",)),
+        Code(toml_lines(found.missing, given)),
+    ]
 
 
 def _bearing(results: Results) -> Iterator[str]:

@@ -104,7 +104,7 @@ def _toml(found: Verdict, results: Results) -> list[str]:
     """The block of TOML that completes the verdict."""
     given = [key for key, each in results.project.items() if each.given]
     lines = toml_lines(found.missing, given) if found.outcome == Decision.INCOMPLETE else ()
-    return ["to complete it, add to the project file:", *map(printable, lines)] if lines else []
+    return ["to complete it, add to the project file, with your own values:", *map(printable, lines)] if lines else []
 
 
 def _folded(line: str) -> str:

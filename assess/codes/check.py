@@ -77,6 +77,8 @@ class Reason(StrEnum):
     SCALAR_MOTION = "scalar-motion-at-height"
     UNHELD = "unheld"
     GROUND_UNKNOWN = "ground-unknown"
+    GROUND_CONTRADICTED = "ground-contradicted"
+    STOREY_UNKNOWN = "storey-unknown"
     KNOWLEDGE_UNKNOWN = "knowledge-unknown"
     SEAT_UNKNOWN = "seat-unknown"
     OTHER_LIMIT_STATE = "other-limit-state"

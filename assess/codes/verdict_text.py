@@ -7,6 +7,7 @@ import re
 from collections.abc import Collection, Sequence
 
 from assess.codes.verdict import Action, Decision, Index, MechanismVerdict, Missing, Verdict
+from assess.codes.verdict.question import SOURCES
 from assess.message import Message, Severity
 
 AT_THE_LIMIT = " at the limit"
@@ -74,12 +75,25 @@ def toml_lines(missing: Sequence[Missing], given: Collection[str]) -> tuple[str,
     tables: dict[str, list[str]] = {}
     for each in missing:
         if each.toml:
-            tables.setdefault(each.key.rpartition(".")[0], []).append(each.toml)
+            tables.setdefault(table_of(each.key), []).append(each.toml)
     lines: list[str] = []
     for table, keys in tables.items():
-        there = any(key.startswith(f"{table}.") for key in given)
-        lines += [heading(table) + ("  # in your file already: add below it" if there else ""), *keys]
+        lines += [heading(table) + _there(table, given), *(line for key in keys for line in key.splitlines())]
     return tuple(lines)
+
+
+def table_of(key: str) -> str:
+    """The table that a missing key stands in; for a line of the sources that is the key itself."""
+    return key if key == SOURCES else key.rpartition(".")[0]
+
+
+def _there(table: str, given: Collection[str]) -> str:
+    """A remark to the heading of a table that the file has, or may have where only tables within it are known."""
+    within = [key.removeprefix(f"{table}.") for key in given if key.startswith(f"{table}.")]
+    own = bool(within) if table == SOURCES else any("." not in key for key in within)
+    if own:
+        return "  # in your file already: add below it"
+    return "  # where this heading is in your file already, add below it" if within else ""
 
 
 def heading(table: str) -> str:

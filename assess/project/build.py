@@ -116,7 +116,7 @@ def part_of(content: sections.Content, files: Files, *, names: Iterable[str]) ->
         record_factor=content.records.factor,
         levels=levels_of(content.analysis.levels, files.spectrum),
         question=question,
-        facts=facts_of(content, question, tuple(chosen)),
+        facts=facts_of(content, question, tuple(chosen), files.spectrum),
         grounded={
             name: grounded(section, one.mechanism, content, files.solids)
             for (name, section), one in zip(chosen.items(), built, strict=True)

@@ -21,13 +21,15 @@ from assess.codes.verdict import (
     verdict,
     with_roles,
 )
+from assess.codes.verdict.question import SOURCES
 from assess.errors import ProjectError
-from assess.message import Message, Severity, message
+from assess.message import Message, Quantity, Severity, message
 from assess.project import sections
 from assess.project.sources import shown_by
 from assess.project.study import Study
 from assess.results import MechanismResult
 from spectra import ntc
+from spectra.spectrum import Spectrum
 
 LIKE = 5e-3  # of a PGA: one given to three figures is the hazard's own
 Facts = tuple[tuple[Missing, ...], tuple[Message, ...]]
@@ -126,10 +128,28 @@ def states_of(question: Question) -> tuple[str, ...]:
     return tuple(state.checked_as for state in deciding_states(question)[0])
 
 
-def facts_of(content: sections.Content, question: Question, names: Sequence[str]) -> Mapping[str, Facts]:
+def facts_of(
+    content: sections.Content, question: Question, names: Sequence[str], spectrum: Spectrum | None = None
+) -> Mapping[str, Facts]:
     """What the pass of each mechanism needs and nobody gave, and what it rests on, by its name."""
     premises = () if question.basis is None else question.basis.premises
-    return {name: (tuple(_missing(content, name, premises)), _conditions(content, name, premises)) for name in names}
+    holds = of_pga(content, spectrum)
+    return {
+        name: (tuple(_missing(content, name, premises)), (*holds, *_conditions(content, name, premises)))
+        for name in names
+    }
+
+
+def of_pga(content: sections.Content, spectrum: Spectrum | None) -> tuple[Message, ...]:
+    """What a pass rests on where `pga` of the site makes a single spectrum weaker than its own parameters do."""
+    site = content.site
+    if site is None or site.pga is None or spectrum is None or spectrum.factor > 1.0 - LIKE:
+        return ()
+    if isinstance(site.spectrum, sections.NtcHazardSpectrum):
+        return ()  # it cannot pass at all: `_scaled_down`
+    own = Quantity(site.pga / spectrum.factor / g, "ground acceleration", 3)
+    values = {"given": Quantity(site.pga / g, "ground acceleration", 3), "own": own}
+    return (message("pga-lowered", values, severity=Severity.WARNING),)
 
 
 def _missing(content: sections.Content, name: str, premises: Sequence[Premise]) -> Iterator[Missing]:
@@ -141,9 +161,9 @@ def _missing(content: sections.Content, name: str, premises: Sequence[Premise]) 
         if said != "excluded":
             text = "whether the masonry may disintegrate: the rigid chain is credible only where it does not (C8.7.1.2)"
             yield Missing(key, text, 'disintegration = "excluded"')
-        elif not shown_by(content, key):
+        if said != "possible" and not shown_by(content, key):
             text = f'the source (survey, quality index, test) of {key} = "excluded"'
-            yield Missing("report.sources", text, f'"{key}" = "measured: …"')
+            yield Missing(SOURCES, text, f'"{key}" = "measured: …"')
 
 
 def _masonry(content: sections.Content, name: str) -> Mapping[str, str | None]:

@@ -60,8 +60,26 @@ def grounded(
     lowest = lowest_of(content, solids, default=mechanism.elevation)
     if not source:
         source = BY_BODIES if abs(lowest) <= DOUBTFUL else UNKNOWN
-    unknown = (because(Reason.GROUND_UNKNOWN, height=Quantity(lowest, "length")),) if source == UNKNOWN else ()
+    unknown: tuple[Message, ...] = (
+        (because(Reason.GROUND_UNKNOWN, height=Quantity(lowest, "length")),) if source == UNKNOWN else ()
+    )
+    if source == BY_MECHANISM and not unknown:
+        unknown = _contradicted(base, mechanism.elevation - ground_of(content), lowest, mechanism, content)
     return Grounded(base, support, counts_as_above(support, height), source, unknown)
+
+
+def _contradicted(
+    base: float, drawn: float, lowest: float, mechanism: Mechanism, content: sections.Content
+) -> tuple[Message, ...]:
+    """Why a base_elevation below where the mechanism is drawn does not hold: the file says where the ground is.
+
+    It does by its ground_elevation, or by bodies under the mechanism, which then is not drawn alone.
+    """
+    said = content.building is not None and content.building.ground_elevation is not None
+    alone = lowest > mechanism.elevation - DOUBTFUL
+    if base >= drawn - DOUBTFUL or (alone and not said):
+        return ()
+    return (because(Reason.GROUND_CONTRADICTED, given=Quantity(base, "length"), drawn=Quantity(drawn, "length")),)
 
 
 def known_from(section: sections.Mechanism, content: sections.Content) -> str:

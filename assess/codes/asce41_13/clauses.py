@@ -22,6 +22,8 @@ CAVEAT = (
 CAVEAT_PARAPET = "the limits for parapets are from memory, not checked against the printed standard"
 
 Position = Literal["one-storey", "first-storey", "top-storey", "other"]
+STRICTEST: Position = "top-storey"
+MILDEST: Position = "first-storey"
 Masonry = Literal["coursed", "rubble"]
 Seismicity = Literal["moderate", "high"]
 
@@ -68,13 +70,13 @@ def largest_s_x1(position: Position, slenderness: float) -> float | None:
     return None if all(within) else (0.0, *BOUNDS)[sum(within)]
 
 
-def position_of(wall: Wall, elevation: float, building: Building | None) -> Position:
-    """Where a wall that stands `elevation` [m] above the ground is in its building; "other" where nobody says.
+def position_of(wall: Wall, elevation: float, building: Building | None) -> Position | None:
+    """Where a wall that stands `elevation` [m] above the ground is in its building; None where nobody says.
 
     A wall whose top is within half a storey of the building's is in the top storey, the stricter row.
     """
     if building is None or building.storeys is None:
-        return "other"
+        return None
     if building.storeys == 1:
         return "one-storey"
     storey = building.height / building.storeys

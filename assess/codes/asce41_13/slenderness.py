@@ -10,8 +10,10 @@ from assess.codes.asce41_13.clauses import (
     CAVEAT,
     CAVEAT_PARAPET,
     EDITION,
+    MILDEST,
     PARAPET,
     PLACES,
+    STRICTEST,
     Options,
     Position,
     is_parapet,
@@ -93,12 +95,23 @@ def _of_parapet(check: Check, wall: Wall, options: Options) -> Check:
 
 
 def _of_wall(check: Check, wall: Wall, context: Context, options: Options) -> Check:
-    position = options.position or position_of(wall, context.elevation, context.building)
+    """By the row of the wall; where nobody says which that is a pass by the strictest row and a fail by all count."""
+    known = options.position or position_of(wall, context.elevation, context.building)
+    if known is not None:
+        return _in_row(check, wall, context, options, known)
+    strict, mild = (_in_row(check, wall, context, options, row) for row in (STRICTEST, MILDEST))
+    if strict.verdict == mild.verdict:
+        return strict
+    reason = because(Reason.STOREY_UNKNOWN, clause=CLAUSE)
+    return replace(strict, verdict=Outcome.NOT_ANSWERED, provisional=strict.verdict, reason=reason)
+
+
+def _in_row(check: Check, wall: Wall, context: Context, options: Options, position: Position) -> Check:
     ordinate = s_x1_over_pga(context, options)
     slenderness, s_x1 = wall.height / wall.thickness, ordinate * check.level_pga_g
     most, bound = permissible(position, s_x1), largest_s_x1(position, slenderness)
     answered = _answered(check, slenderness, most, f"the permissible h/t ({PLACES[position]})")
-    row = f"{PLACES[position]}: {_source(position, context, options)}"
+    row = f"{PLACES[position]}: {_source(context, options)}"
     factors = {"S_a(1 s)/PGA": (ordinate, "-"), "PGA": (check.level_pga_g, "g")}
     return replace(
         answered,
@@ -126,11 +139,11 @@ def _answered(check: Check, slenderness: float, most: float, permitted: str) -> 
     return replace(check, demand=slenderness, capacity=most, ratio=slenderness / most, verdict=verdict, reason=reason)
 
 
-def _source(position: Position, context: Context, options: Options) -> str:
+def _source(context: Context, options: Options) -> str:
     if options.position is not None:
         return "given"
-    if position == "other" and (context.building is None or context.building.storeys is None):
-        return "not known, so all other walls; give [building] storeys, or the position"
+    if context.building is None or context.building.storeys is None:
+        return "not known, so the strictest row; give [building] height and storeys, or the position"
     return "by storeys and elevation"
 
 

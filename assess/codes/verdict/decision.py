@@ -16,7 +16,7 @@ from assess.codes.verdict.methods import deciding_states, methods_asked
 from assess.codes.verdict.outcome import Decision, worst
 from assess.codes.verdict.question import Action, Judged, Missing, Question, once
 from assess.codes.verdict.target import target_of
-from assess.message import Message, message
+from assess.message import Message, Severity, message
 
 
 @dataclass(frozen=True)
@@ -123,7 +123,7 @@ def _of_mechanism(one: Judged, measure: _Measure) -> MechanismVerdict:
         margin=_margin([check for it in found for check in it.checks]),
         at_the_limit=_near_limit(outcome, [it.answer.at_the_limit for it in found if it.answer.outcome == outcome]),
         answers=tuple(it.answer for it in found),
-        conditions=() if outcome == Decision.FAIL else _conditions(one, found),
+        conditions=() if outcome == Decision.FAIL else _unique((*_conditions(one, found), *_of_class(asked, measure))),
         missing=missing if incomplete else (),
         provisional=_provisional(found, measure) if incomplete else None,
     )
@@ -152,6 +152,16 @@ def _by_class(found: Sequence[Found], measure: _Measure) -> tuple[Found, ...]:
             answer = replace(it.answer, outcome=Decision.INCOMPLETE, provisional=Decision.FAIL)
             kept.append(Found(answer, it.checks, (missing,)))
     return tuple(kept)
+
+
+def _of_class(asked: Sequence[Found], measure: _Measure) -> tuple[Message, ...]:
+    """The condition of a pass where the class of use is not given, and what decides besides in one was not answered."""
+    if measure.question.use_class is not None:
+        return ()
+    besides = {state.name for state in measure.states if state.role == Role.BESIDES}
+    silent = [it.answer.limit_state for it in asked if it.answer.outcome == Decision.INCOMPLETE]
+    names = ", ".join(name for name in silent if name in besides)
+    return (message("class-not-given", {"states": names}, severity=Severity.WARNING),) if names else ()
 
 
 def _conditions(one: Judged, found: Sequence[Found]) -> tuple[Message, ...]:

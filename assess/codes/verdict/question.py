@@ -10,6 +10,8 @@ from assess.codes.basis import Basis
 from assess.codes.check import Check
 from assess.message import Message
 
+SOURCES = "report.sources"
+"""The key of a missing source; a table whose own keys are keys of the file."""
 Works = Literal["none", "repair", "improvement", "upgrading"]
 
 
@@ -82,5 +84,12 @@ def once(missing: Sequence[Missing]) -> tuple[Missing, ...]:
     for each in missing:
         groups.setdefault(each.key, []).append(each)
     return tuple(
-        replace(group[0], text="; ".join(dict.fromkeys(each.text for each in group))) for group in groups.values()
+        replace(group[0], text="; ".join(dict.fromkeys(each.text for each in group)), toml=_line_of(group))
+        for group in groups.values()
     )
+
+
+def _line_of(group: Sequence[Missing]) -> str:
+    """The line of a key; of the sources, which are many under one key, the lines of all."""
+    lines = list(dict.fromkeys(each.toml for each in group))
+    return "\n".join(lines) if group[0].key == SOURCES else lines[0]

@@ -16,6 +16,7 @@ FILTER: Line = ("mechanisms.{}.amplification", 'amplification = { method = "moda
 HEIGHT: Line = ("building.height", 'height = "9 m"')
 STOREYS: Line = ("building.storeys", "storeys = 2")
 GROUND: Line = ("building.ground_elevation", "ground_elevation = 0.0")
+BASE: Line = ("mechanisms.{}.base_elevation", "")
 SEAT: Line = ("mechanisms.{}.loads", '# in the load: seat = "0.12 m"')
 RECORDS: Line = ("records.files", 'files = ["records/*.AT2"]')
 TABLE: Line = ("site.spectrum.file", "")
@@ -32,6 +33,8 @@ AT_HEIGHT: Mapping[Family, tuple[Line, ...]] = {
 REMEDIES: Mapping[Reason, tuple[Line, ...]] = {
     Reason.SCALAR_MOTION: (FILTER,),
     Reason.GROUND_UNKNOWN: (GROUND,),
+    Reason.GROUND_CONTRADICTED: (BASE,),
+    Reason.STOREY_UNKNOWN: (HEIGHT, STOREYS),
     Reason.ABOVE_BUILDING: (HEIGHT, GROUND),
     Reason.SEAT_UNKNOWN: (SEAT,),
     Reason.TOO_FEW_RECORDS: (RECORDS,),

@@ -63,7 +63,7 @@ def test_s_x1_up_to_which_a_wall_is_permitted(slenderness, bound) -> None:
 def test_pga_at_capacity_is_where_the_column_ends() -> None:
     """h/t = 15 in row "other": up to S_X1 = 0.37 g, PGA = 0.37 x 0.4 / 0.45."""
     at = dataclasses.replace(AT, wall=Wall(4.95, 0.33))
-    (check,) = assess(BLOCK, at, options=Options())
+    (check,) = assess(BLOCK, at, options=Options("other"))
     assert check.capacity_pga_g == pytest.approx(0.37 * 0.4 / 0.45, rel=1e-12)
 
 
@@ -73,7 +73,7 @@ def test_pga_at_capacity_is_where_the_column_ends() -> None:
         (0.0, 2, "first-storey"),
         (4.2, 2, "top-storey"),
         (0.0, 1, "one-storey"),
-        (0.0, None, "other"),
+        (0.0, None, None),
         (2.1, 4, "other"),
         (4.2, 4, "top-storey"),
     ],
@@ -84,6 +84,17 @@ def test_place_by_storeys_and_elevation(elevation, storeys, place) -> None:
 
 def test_a_wall_as_high_as_the_building_is_in_the_top_storey() -> None:
     assert position_of(Wall(8.4, 0.5), 0.0, building(2)) == "top-storey"
+
+
+@pytest.mark.parametrize(
+    ("height", "verdict"),
+    [(2.96, "pass"), (3.0, "not-answered"), (4.94, "not-answered"), (5.0, "fail")],
+)
+def test_without_storeys_a_wall_passes_by_the_strictest_row_and_fails_by_the_mildest(height, verdict) -> None:
+    """S_X1 = 0.45 g: 9 in the top storey, 15 in the first."""
+    (check,) = assess(BLOCK, dataclasses.replace(AT, wall=Wall(height, 0.33)), options=Options())
+    assert (check.verdict, check.capacity) == (verdict, 9.0)
+    assert (check.reason.key == Reason.STOREY_UNKNOWN) == (verdict == "not-answered")
 
 
 def test_a_place_that_nobody_gave_is_said() -> None:

@@ -309,7 +309,7 @@ def test_an_incomplete_verdict_ends_with_all_that_is_missing(project: Path) -> N
     assert "missing: materials.brick.disintegration: nobody\\nsays" in lines[start:]
     assert "with the safe values the verdict would be: pass" in lines[start:]
     assert lines[-7:] == [
-        "to complete it, add to the project file:",
+        "to complete it, add to the project file, with your own values:",
         "[materials.brick]  # in your file already: add below it",
         'disintegration = "excluded"',
         '[materials."old stone"]',

@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+import tomllib
+
 import pytest
 
-from assess.project.deciding import facts_of, methods_of, question_of
+from assess.codes.verdict.question import SOURCES, Missing, once
+from assess.codes.verdict_text import toml_lines
+from assess.project.deciding import facts_of, methods_of, of_pga, question_of
 from assess.project.schema import load
+from assess.project.site_spectrum import site_in, spectrum_of
 
 SITE = """
 [site]
@@ -63,7 +68,7 @@ def keys(found):
 @pytest.mark.parametrize(
     ("material", "sources", "missing"),
     [
-        ("", "", ["materials.m.disintegration"]),
+        ("", "", ["materials.m.disintegration", "report.sources"]),
         ('disintegration = "possible"', "", ["materials.m.disintegration"]),
         (EXCLUDED, "", ["report.sources"]),
         (EXCLUDED, '"materials.m" = "assumed: it looks sound"', ["report.sources"]),
@@ -76,8 +81,8 @@ def test_an_italian_pass_needs_sound_masonry_shown(tmp_path, material, sources, 
 
 
 def test_masonry_without_a_material_says_it_in_its_own_table(tmp_path):
-    assert keys(facts(tmp_path, "tabled")) == ["mechanisms.tabled.disintegration"]
-    assert keys(facts(tmp_path, block="roof")) == ["bodies.roof.disintegration"]
+    assert keys(facts(tmp_path, "tabled")) == ["mechanisms.tabled.disintegration", "report.sources"]
+    assert keys(facts(tmp_path, block="roof")) == ["bodies.roof.disintegration", "report.sources"]
     shown = '"mechanisms.tabled" = "literature: a table"'
     assert keys(facts(tmp_path, "tabled", tabled=EXCLUDED, sources=shown)) == []
 
@@ -91,3 +96,26 @@ def test_a_thrust_that_ties_are_said_to_take_is_a_condition(tmp_path):
 def test_the_methods_that_may_decide_run_whatever_the_analysis_lists(tmp_path):
     of = content(tmp_path, top='[verdict]\nprocedures = ["ntc2018-history"]\n')
     assert methods_of(question_of(of, site_pga=1.0)) == ("ntc2018-history", "ntc2018-linear")
+
+
+@pytest.mark.parametrize(("pga", "lowers"), [("", False), ('pga = "0.05 g"', True), ('pga = "0.4 g"', False)])
+def test_a_pga_below_that_of_a_single_spectrum_is_a_condition_of_a_pass(tmp_path, pga, lowers):
+    file = tmp_path / "project.toml"
+    file.write_text(SITE.format(**NONE).replace("[site]\n", f"[site]\n{pga}\n"), encoding="utf-8")
+    of = load(file).content
+    assert [each.key for each in of_pga(of, spectrum_of(site_in(of)))] == (["pga-lowered"] if lowers else [])
+
+
+def test_the_sources_of_several_materials_are_all_asked_for():
+    asked = [Missing(SOURCES, "of a", '"materials.a.disintegration" = "x"'), Missing(SOURCES, "of b", '"b" = "x"')]
+    lines = toml_lines(once(asked), ["report.language", "site.spectrum.code"])
+    assert lines == ("[report.sources]", '"materials.a.disintegration" = "x"', '"b" = "x"')
+    tomllib.loads("\n".join(lines))
+
+
+def test_a_table_that_may_have_no_heading_of_its_own_is_marked_so():
+    """`[site.spectrum]` alone has no `[site]`; a key right under it has."""
+    asked = [Missing("site.limit_state", "why", 'limit_state = "ULS"')]
+    remark = "[site]  # where this heading is in your file already, add below it"
+    assert toml_lines(asked, ["site.spectrum.code"])[0] == remark
+    assert toml_lines(asked, ["site.pga"])[0].endswith("# in your file already: add below it")

@@ -139,3 +139,24 @@ def test_check_prints_a_squat_mechanism(tmp_path: Path) -> None:
     text = description(load(tmp_path), parameters(made), (), made.notices)
     assert "stops at its first impact" in text
     assert "direction   towards 0 deg from +x\n" in text
+
+
+@pytest.mark.parametrize(
+    ("drawn", "building", "given", "contradicted"),
+    [
+        (8.0, "ground_elevation = 0.0", 0.0, True),  # the file says twice where the ground is
+        (8.0, "ground_elevation = 0.0", 7.5, False),
+        (8.0, "ground_elevation = 0.0", 12.0, False),  # higher than drawn is on the safe side
+        (8.0, "", 0.0, False),  # drawn alone
+        (0.0, "ground_elevation = 0.0", 6.0, False),
+    ],
+)
+def test_a_base_elevation_that_contradicts_the_ground_is_not_taken(tmp_path, drawn, building, given, contradicted):
+    found = of(tmp_path, BUILDING + building + "\n", wall(drawn), mechanism(f"base_elevation = {given}"))
+    assert [each.key for each in found.unknown] == ([Reason.GROUND_CONTRADICTED] if contradicted else [])
+
+
+def test_a_gable_on_a_drawn_wall_is_not_drawn_alone(tmp_path: Path) -> None:
+    below = wall(0.0, height=8.0, name="below") + '[mechanisms.b]\nkind = "single-block"\nblocks = ["below"]\n'
+    found = of(tmp_path, below, wall(8.0), mechanism("base_elevation = 0"))
+    assert [each.key for each in found.unknown] == [Reason.GROUND_CONTRADICTED]

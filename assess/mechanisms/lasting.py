@@ -230,12 +230,17 @@ def rise_of(mechanism: Mechanism) -> float:
 
 
 def held_above(mechanism: Mechanism) -> float:
-    """Height over the base hinge of the highest tie that holds the mechanism and is shown to last [m]; 0 without."""
+    """Height over the base hinge of the highest tie that holds the mechanism [m]; 0 without.
+
+    Those count that are shown to last, or whose end is given: they stiffen the curve up to there.
+    """
     heights = [
         action.at[1] - one.chain.hinges[0][1]
         for one in acting_of(mechanism)
         for number, action in enumerate(one.actions)
-        if isinstance(action, Tie) and lasts(action) and one.resists_at(number, 0.0)
+        if isinstance(action, Tie)
+        and one.resists_at(number, 0.0)
+        and (lasts(action) or isinstance(action.until, float))
     ]
     return max(heights, default=0.0)
 

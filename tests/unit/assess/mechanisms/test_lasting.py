@@ -300,6 +300,7 @@ def test_the_highest_tie_that_lasts_holds_the_wall():
     assert held_above(wall(low)) == 2.0
     assert held_above(wall(low, slack)) == 4.5
     assert held_above(wall(INWARD, THRUST)) == 0.0
+    assert held_above(wall(replace(low, until=0.1, length=None))) == 2.0
 
 
 def test_work_up_to_overturning_is_that_of_weights_and_tie_before_and_after_the_break():

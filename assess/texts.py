@@ -20,6 +20,8 @@ TEXTS: Mapping[str, str] = {
     "larger-usable-rotation": "by the usable share {given} given, above the Guidelines' {deciding}: for comparison",
     "held-from-sliding": "a pass holds where it is kept from sliding: by the friction given it slides before it rocks, "
     "from PGA {pga} on",
+    "counts-at-rest": "a pass holds where every tie and force that resists acts with its whole force as the motion "
+    "starts: nobody shows that they last, and the multiplier counts them",
     "holds-to-its-end": "a pass holds where {what} is there with its whole force up to the displacement given as its "
     "end",
     "seats-hold": "a pass at {state} holds where the seat of {what} lasts up to a displacement d* of {moved}",

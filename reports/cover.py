@@ -48,7 +48,7 @@ def headline(found: Verdict) -> str:
     number = sum(one.outcome == found.outcome for one in found.mechanisms)
     at = f"at the site’s own action, PGA {found.action.pga_g:.3g} g"
     if found.outcome == Decision.PASS:
-        return f"Every one of {every} holds {at}."
+        return f"The one mechanism holds {at}." if number == 1 else f"All {every} hold {at}."
     if found.outcome == Decision.FAIL:
         return f"{number} of {every} {'fails' if number == 1 else 'fail'} {at}."
     if not found.basis:

@@ -175,7 +175,7 @@ def impact(choice: RestitutionChoice, *, ending: Chain, starting: Chain | None, 
     Raises MechanismError for a rule that is not for this kind, or a named one that adds energy.
     """
     if isinstance(choice, int | float):
-        return Restitution(choice, "given")
+        return Restitution(choice, "given", _flattering(choice, ending=ending, starting=starting))
     rules = (ONE_SIDED if starting is None else TWO_SIDED)[kind]
     if choice is not None and choice not in rules:
         sides = "one" if starting is None else "two"
@@ -191,6 +191,17 @@ def impact(choice: RestitutionChoice, *, ending: Chain, starting: Chain | None, 
     _refuse_gain(kept, ending=ending, starting=starting, name=name)
     told = replace(kept, source=kept.source + beside(rule, kept, ending=ending, starting=starting, kind=kind))
     return _stopped(told) if told.value < 0.0 else _noticed(told, ending=ending, starting=starting)
+
+
+def _flattering(given: float, *, ending: Chain, starting: Chain | None) -> str:
+    """That a given restitution takes more energy at each impact than momentum does; empty where it does not."""
+    by_momentum = 1.0 if starting is None else kept_momentum(ending, starting).value
+    if starting is None or given >= by_momentum - NOTABLE:
+        return ""
+    return (
+        f"restitution {given:.3g} is given, where momentum kept over the mechanism is {by_momentum:.3f}: each impact "
+        "takes more energy than the rule has it, so histories and ASCE 43-05 A.2 rest on the source of that number"
+    )
 
 
 def default_rule(ending: Chain, starting: Chain, *, kind: str) -> Named:

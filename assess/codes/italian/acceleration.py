@@ -8,7 +8,8 @@ from assess.codes.check import Check, Outcome, Reason, Step, because, step
 from assess.codes.italian.edition import Edition
 from assess.codes.italian.floor import Demands, floor_of, judged
 from assess.codes.italian.limit_state import Case
-from assess.message import Message, Quantity
+from assess.message import Message, Quantity, Severity, message
+from assess.oscillator import resisted
 
 
 def acceleration_check(
@@ -48,7 +49,16 @@ def acceleration_check(
         uplift_pga_g=None if uplift is None else uplift / g,
         steps=steps,
         caveat=edition.caveat,
+        conditions=_conditions(case) if verdict == Outcome.PASS else (),
     )
+
+
+def _conditions(case: Case) -> tuple[Message, ...]:
+    """That the multiplier counts actions which resist at rest and nobody shows to last; empty where none does."""
+    shown = case.curves.lasting
+    if resisted(case.curves.starting) <= resisted(shown) * (1.0 + 1e-9):
+        return ()
+    return (message("counts-at-rest", severity=Severity.WARNING),)
 
 
 def _verdict(case: Case, demanded: float | None, capacity: float, *, needs: str) -> tuple[Outcome, Message]:

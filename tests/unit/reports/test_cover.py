@@ -31,7 +31,7 @@ def asked(section: Section) -> dict[object, object]:
 @pytest.mark.parametrize(
     ("pga_g", "outcome", "said"),
     [
-        (0.067, Decision.PASS, "Every one of 2 mechanisms holds at the site’s own action, PGA 0.067 g."),
+        (0.067, Decision.PASS, "All 2 mechanisms hold at the site’s own action, PGA 0.067 g."),
         (0.45, Decision.FAIL, "1 of 2 mechanisms fails at the site’s own action, PGA 0.45 g."),
     ],
 )

@@ -151,3 +151,13 @@ def test_a_chain_to_one_side_does_not_rebound():
     assert found.restitution == (0.0, 0.0)
     assert found.stopped is None
     assert any("no formula is published" in text for text in found.notices)
+
+
+def test_a_given_restitution_that_takes_more_energy_than_the_rule_is_warned_of():
+    """For a slender wall momentum keeps 1 - 3/2 sin^2 alpha; a number well below it flatters every history."""
+    by_rule = single_block("w", wall()).restitution[0]
+    low = single_block("w", wall(), restitution=(by_rule - 0.05, by_rule - 0.05))
+    assert any("takes more energy" in text for text in low.notices)
+    near = single_block("w", wall(), restitution=(by_rule - 0.02, by_rule - 0.02))
+    assert not any("takes more energy" in text for text in near.notices)
+    assert not single_block("w", wall(), sides="one", restitution=(0.1, 0.1)).notices

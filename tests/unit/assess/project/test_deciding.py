@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import tomllib
+from dataclasses import replace
 
 import pytest
 
 from assess.codes.verdict.question import SOURCES, Missing, once
 from assess.codes.verdict_text import toml_lines
+from assess.project.build import build
 from assess.project.deciding import facts_of, methods_of, of_pga, question_of
+from assess.project.run import run
 from assess.project.schema import load
 from assess.project.site_spectrum import site_in, spectrum_of
 
@@ -119,3 +122,16 @@ def test_a_table_that_may_have_no_heading_of_its_own_is_marked_so():
     remark = "[site]  # where this heading is in your file already, add below it"
     assert toml_lines(asked, ["site.spectrum.code"])[0] == remark
     assert toml_lines(asked, ["site.pga"])[0].endswith("# in your file already: add below it")
+
+
+@pytest.mark.parametrize(("tied", "conditions"), [(False, []), (True, ["counts-at-rest"])])
+def test_a_linear_pass_says_that_it_counts_ties_nobody_shows_to_last(tmp_path, tied, conditions):
+    tie = 'sides = "one"\nloads = [{ kind = "tie", at = [-0.2, 5.8], anchor = [-6.0, 5.8], force = "20 kN" }]'
+    file = tmp_path / "project.toml"
+    given = {**NONE, "more": tie if tied else ""}
+    file.write_text('[verdict]\nprocedures = ["ntc2018-linear"]\n' + SITE.format(**given), encoding="utf-8")
+    study = build(load(file))
+    spectrum = replace(study.spectrum, factor=0.1 * study.spectrum.factor)
+    results = run(replace(study, spectrum=spectrum, levels=(spectrum.pga,)), jobs=1)
+    checks = [c for c in results.mechanisms[0].checks if c.procedure == "ntc2018-linear" and c.limit_state == "SLV"]
+    assert [each.key for each in checks[0].conditions] == conditions

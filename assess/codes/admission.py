@@ -68,11 +68,19 @@ ASKED = Admission(May.ANSWER)
 
 
 def admission(procedure: str, oscillator: Oscillator, context: Context) -> Admission:
-    """Find whether `procedure` may be asked; the first rule that speaks decides, the strictest first."""
+    """Find whether `procedure` may be asked: the first rule that speaks decides, the strictest first.
+
+    What the other rules miss stands beside it, so that all that is missing is listed at once.
+    """
     family = FAMILIES[procedure]
     rules = (_of_clause, _of_unheld, _of_impossible, _of_histories, _of_height)
-    found = (rule(procedure, family, oscillator, context) for rule in rules)
-    return next((each for each in found if each is not None), ASKED)
+    spoken = (rule(procedure, family, oscillator, context) for rule in rules)
+    found = [each for each in spoken if each is not None]
+    if not found or found[0].may == May.NOT_APPLY:
+        return found[0] if found else ASKED
+    first, *rest = found
+    others = (reason for each in rest for reason in (each.reason, *each.others) if reason is not None)
+    return replace(first, safe=all(each.safe for each in found), others=(*first.others, *others))
 
 
 def admitted(
@@ -115,7 +123,7 @@ def _as_admitted(check: Check, given: Admission) -> Check:
     if given.void:
         return without_numbers(check, given.reason, given.others)
     if check.verdict == Outcome.NOT_ANSWERED:
-        return check
+        return replace(check, remarks=(*check.remarks, given.reason, *given.others))
     if given.may == May.ONLY_FAIL and check.verdict == Outcome.FAIL:
         return replace(check, may_pass=False, remarks=(*check.remarks, given.reason))
     own = () if check.reason.key in (Reason.WITHIN, Reason.BEYOND) else (check.reason,)
@@ -214,8 +222,3 @@ def _has_floor_input(family: Family, context: Context) -> bool:
     if family == Family.ENERGY:
         return context.floor_spectrum is not None
     return family == Family.PART
-
-
-def at_the_site(check: Check, site_pga: float) -> bool:
-    """Whether a check is at the site's own action, whose PGA is given [m/s2]."""
-    return abs(check.level_pga_g * g / site_pga - 1.0) < 1e-9

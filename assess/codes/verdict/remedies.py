@@ -71,9 +71,13 @@ def _reasons(check: Check) -> tuple[Message, ...]:
     Further reasons whose key is known stand among the remarks.
     """
     if check.verdict == Outcome.NOT_ANSWERED:
-        return (check.reason, *(each for each in check.remarks if each.where or each.key in REMEDIES))
-    low = (each for each in check.remarks if each.key == Reason.GROUND_MOTION or each.key in REMEDIES)
+        return (check.reason, *(each for each in check.remarks if each.where or _known(each)))
+    low = (each for each in check.remarks if _known(each))
     return tuple(low)[:1]
+
+
+def _known(reason: Message) -> bool:
+    return reason.key == Reason.GROUND_MOTION or reason.key in REMEDIES
 
 
 def _lines(check: Check, reason: Message) -> tuple[Line, ...]:

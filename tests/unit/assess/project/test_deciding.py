@@ -135,3 +135,14 @@ def test_a_linear_pass_says_that_it_counts_ties_nobody_shows_to_last(tmp_path, t
     results = run(replace(study, spectrum=spectrum, levels=(spectrum.pga,)), jobs=1)
     checks = [c for c in results.mechanisms[0].checks if c.procedure == "ntc2018-linear" and c.limit_state == "SLV"]
     assert [each.key for each in checks[0].conditions] == conditions
+
+
+def test_all_that_is_missing_is_listed_at_once(tmp_path):
+    """Too few records, and the ground's motion upstairs: both keys in one run."""
+    file = tmp_path / "project.toml"
+    top = '[verdict]\nprocedures = ["ntc2018-history"]\n[building]\nground_elevation = -6.0\nuse_class = "II"\n'
+    top += '[records]\nsynthetic = { count = 3, seed = 1, duration = "25 s" }\n'
+    file.write_text(top + SITE.format(**NONE), encoding="utf-8")
+    found = run(build(load(file)), jobs=1).verdict
+    missing = {each.key for one in found.mechanisms if one.mechanism == "wall" for each in one.missing}
+    assert {"mechanisms.wall.amplification", "records.synthetic", "materials.m.disintegration"} <= missing

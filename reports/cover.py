@@ -22,7 +22,7 @@ from reports.lettering import shortened
 
 MANY = 12  # points of a list
 LOCAL = "Local mechanisms only: the index of the building is at most the least of theirs."
-SAFE = "With the safe value of what is missing the verdict would be: "
+SAFE = "Were all this given, with the safe value where there is one, the verdict would be: "
 
 
 def section(results: Results) -> Section:

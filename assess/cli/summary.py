@@ -22,6 +22,7 @@ from assess.results import Results
 
 CODES = {Decision.PASS: 0, Decision.FAIL: 1, Decision.INCOMPLETE: 3}
 """Exit codes of `assess run`."""
+PROVISIONAL = "were all this given, with the safe value where there is one, the verdict would be: "
 HEADER = ("verdict", "state", "decided by", "index", "holds up to")
 WIDE, LEAST = 100, 16  # characters of a line, and of the name of a mechanism
 
@@ -97,7 +98,7 @@ def _missing(found: Verdict) -> Iterator[str]:
         return
     yield from (f"missing: {each.key}: {each.text}" for each in found.missing)
     if found.provisional in (Decision.PASS, Decision.FAIL):
-        yield f"with the safe values the verdict would be: {_loud(found.provisional.value)}"
+        yield f"{PROVISIONAL}{_loud(found.provisional.value)}"
 
 
 def _toml(found: Verdict, results: Results) -> list[str]:

@@ -74,7 +74,7 @@ def test_an_incomplete_verdict_gives_the_lines_to_paste(results: Results) -> Non
     section = cover.section(replace(results, verdict=open_ended))
     (code,) = (block for block in section.blocks if isinstance(block, Code))
     assert code.lines == ('[materials."old stone"]', 'disintegration = "excluded"')
-    assert "With the safe value of what is missing the verdict would be: fail." in words(section)
+    assert "Were all this given, with the safe value where there is one, the verdict would be: fail." in words(section)
     assert "materials.old stone.disintegration: whether it may disintegrate." in words(section)
     banner = section.blocks[0]
     assert isinstance(banner, Banner)

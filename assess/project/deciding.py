@@ -10,6 +10,8 @@ from scipy.constants import g
 
 from assess.codes.bases import BASES, BY_SITE
 from assess.codes.basis import Basis, Premise
+from assess.codes.check import Family
+from assess.codes.family import FAMILIES
 from assess.codes.verdict import (
     Action,
     Judged,
@@ -119,6 +121,12 @@ def methods_of(question: Question) -> tuple[str, ...]:
         return ()
     states, _ = deciding_states(question)
     return tuple(dict.fromkeys(name for state in states for name in methods_asked(state, question)))
+
+
+def by_motion(question: Question) -> bool:
+    """Whether a method may decide that follows the motion of the ground, or whether nothing tells what decides."""
+    methods = methods_of(question)
+    return not methods or any(FAMILIES[name] in (Family.HISTORY, Family.ENERGY) for name in methods)
 
 
 def states_of(question: Question) -> tuple[str, ...]:

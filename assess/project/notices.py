@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 
 from assess.codes.italian.confidence import LEAST_KNOWN
+from assess.codes.verdict import Question
 from assess.geometry import mesh
 from assess.geometry.formats.reading import WITHOUT_UNIT
 from assess.geometry.solid import Solid
@@ -12,6 +13,7 @@ from assess.mechanisms.mechanism import Mechanism
 from assess.message import Message, Quantity, note, warning
 from assess.project import sections
 from assess.project.asking import procedures_of
+from assess.project.deciding import by_motion
 from assess.project.enduring import left_out
 from assess.project.gaps import gaps_of
 from assess.project.overlaps import overlaps_of
@@ -40,18 +42,21 @@ def notices_of(
         yield from mechanism.messages
     yield from _of_equation(content.analysis.equation, mechanisms)
     raised = [mechanism.name for mechanism in mechanisms if study.grounded[mechanism.name].above]
-    yield from _of_amplification(raised, study.amplified)
+    yield from _of_amplification(raised, study.amplified, study.question)
     yield from _of_two_first_modes(content)
     for code, circular in CIRCULARS.items():
         if any(name.startswith(code) for name in procedures_of(content)):
             yield from _of_crushing(code, circular, getattr(content.procedures, code), mechanisms)
 
 
-def _of_amplification(raised: Sequence[str], amplified: Mapping[str, Amplified]) -> Iterator[Message]:
+def _of_amplification(
+    raised: Sequence[str], amplified: Mapping[str, Amplified], question: Question
+) -> Iterator[Message]:
     """Which mechanisms above the ground feel the ground's motion as it is, and what is assumed for the others."""
     without = [name for name in raised if amplified[name].height is None]
     if without:
-        yield warning("not-amplified", "mechanisms", mechanisms=", ".join(without))
+        bears = warning if by_motion(question) else note
+        yield bears("not-amplified", "mechanisms", mechanisms=", ".join(without))
     for name, one in amplified.items():
         for text in one.assumed:
             yield warning("amplification", f"mechanisms.{name}", text=text)

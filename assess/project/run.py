@@ -11,9 +11,9 @@ from assess.amplification import factor_over_frequency
 from assess.codes.verdict import Question
 from assess.errors import ProjectError
 from assess.mechanisms.lasting import variants
-from assess.message import Message, warning
+from assess.message import Message, note, warning
 from assess.project.assessing import Progress, mechanisms_assessed
-from assess.project.deciding import decided, marked
+from assess.project.deciding import by_motion, decided, marked
 from assess.project.envelopes import DEFAULT_GRID, Rocker, critical_result, mapped_pulses, with_primary_pulses
 from assess.project.ground_motion import ground_motion
 from assess.project.messages import located
@@ -59,7 +59,7 @@ def run(study: Study, *, jobs: int = 0, progress: Progress = lambda stage, done,
         schema_version=SCHEMA_VERSION,
         program=Program(NAME, version(NAME)),
         inputs=study.inputs,
-        warnings=(*notices_of(study, standing), *suite_notices(motions), *coarse_notices(rockers, motions)),
+        warnings=(*notices_of(study, standing), *suite_notices(study, motions), *coarse_notices(rockers, motions)),
         project=study.resolved,
         spectrum=spectrum_result(spectrum),
         records=with_primary_pulses(records, motions, study.pulses),
@@ -178,8 +178,8 @@ def notices_of(study: Study, standing: Mapping[str, Swept]) -> tuple[Message, ..
     return (*kept, *(notice for swept in standing.values() for notice in case_notices(swept)))
 
 
-def suite_notices(motions: tuple[Motion, ...]) -> tuple[Message, ...]:
-    """What the engineer should know of the records."""
+def suite_notices(study: Study, motions: tuple[Motion, ...]) -> tuple[Message, ...]:
+    """What the engineer should know of the records; a note where no method by the ground's motion decides."""
     if not any(motion.record.artificial for motion in motions):
         return ()
-    return (warning("artificial-records", "records"),)
+    return ((warning if by_motion(study.question) else note)("artificial-records", "records"),)

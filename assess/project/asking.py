@@ -20,9 +20,10 @@ from assess.codes.italian.edition import Options
 from assess.codes.ntc2018.clauses import free_period
 from assess.codes.nzsee2017.clauses import Options as Nzsee2017Options
 from assess.codes.registry import LIMIT_STATES, CodeOptions
+from assess.codes.verdict import methods_of
 from assess.errors import ProjectError
 from assess.project import sections
-from assess.project.deciding import methods_of, question_of, states_of
+from assess.project.deciding import question_of, states_of
 from assess.project.messages import shown
 from assess.project.section import Section
 from assess.results import Resolved

@@ -19,7 +19,7 @@ from assess.codes.verdict import (
     Question,
     Verdict,
     deciding_states,
-    methods_asked,
+    methods_of,
     verdict,
     with_roles,
 )
@@ -115,14 +115,6 @@ def use_class_of(content: sections.Content) -> str | None:
     return of_site or of_building
 
 
-def methods_of(question: Question) -> tuple[str, ...]:
-    """The procedures that may decide, whatever `[analysis] procedures` lists."""
-    if question.basis is None:
-        return ()
-    states, _ = deciding_states(question)
-    return tuple(dict.fromkeys(name for state in states for name in methods_asked(state, question)))
-
-
 def by_motion(question: Question) -> bool:
     """Whether a method may decide that follows the motion of the ground, or whether nothing tells what decides."""
     methods = methods_of(question)
@@ -131,8 +123,6 @@ def by_motion(question: Question) -> bool:
 
 def states_of(question: Question) -> tuple[str, ...]:
     """The limit states that decide, as checks name them."""
-    if question.basis is None:
-        return ()
     return tuple(state.checked_as for state in deciding_states(question)[0])
 
 

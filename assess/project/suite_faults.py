@@ -7,8 +7,8 @@ from dataclasses import dataclass, replace
 from math import ceil, floor
 
 from assess.codes.family import CODES
+from assess.codes.verdict import methods_of
 from assess.message import Message, Quantity, Severity, Value, count, message
-from assess.project.deciding import methods_of
 from assess.project.motions import Motion
 from assess.project.study import Artificial, Study
 from assess.project.suite_rules import HELD, RULES, spectrum_of_rules

@@ -11,8 +11,9 @@ from typing import Protocol
 
 from assess.codes.family import CODES, of_histories
 from assess.codes.ntc2018.clauses import ULTIMATE
+from assess.codes.verdict import methods_of
 from assess.mechanisms.mechanism import Mechanism
-from assess.project.deciding import methods_of, states_of
+from assess.project.deciding import states_of
 from assess.project.periods import ends, equivalent_periods, limit_state_periods
 from assess.project.study import Study
 from records.compliance import asce43_05, ntc2018

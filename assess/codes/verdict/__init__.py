@@ -13,7 +13,7 @@ roles.py      the checks that decide, marked as such
 
 from assess.codes.verdict.answer import Answer, Index, grade
 from assess.codes.verdict.decision import MechanismVerdict, Verdict, verdict
-from assess.codes.verdict.methods import deciding_states, methods_asked
+from assess.codes.verdict.methods import deciding_states, methods_of
 from assess.codes.verdict.outcome import Decision, worst
 from assess.codes.verdict.question import Action, Judged, Missing, Question
 from assess.codes.verdict.roles import deciding_check, with_roles
@@ -32,7 +32,7 @@ __all__ = [
     "deciding_check",
     "deciding_states",
     "grade",
-    "methods_asked",
+    "methods_of",
     "target_of",
     "verdict",
     "with_roles",

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from assess.codes.basis import Basis, IndexKind, LimitState, Role
 from assess.codes.check import Check
 from assess.codes.verdict.answer import Answer, Found, Index, find_answer
-from assess.codes.verdict.methods import deciding_states, methods_asked
+from assess.codes.verdict.methods import deciding_states, methods_of
 from assess.codes.verdict.outcome import Decision, worst
 from assess.codes.verdict.question import Action, Judged, Missing, Question, once
 from assess.codes.verdict.target import target_of
@@ -95,7 +95,7 @@ def verdict(question: Question, mechanisms: Sequence[Judged]) -> Verdict:
         missing=once((*measure.missing, *(each for one in found for each in one.missing))),
         mechanisms=found,
         limit_states=tuple(state.name for state in states),
-        methods=tuple(dict.fromkeys(method for state in states for method in methods_asked(state, question))),
+        methods=methods_of(question),
         index=_index(found),
         provisional=worst(one.provisional or one.outcome for one in found) if outcome == Decision.INCOMPLETE else None,
         clauses=basis.clauses,

@@ -42,6 +42,12 @@ def methods_asked(state: LimitState, question: Question) -> tuple[str, ...]:
     return tuple(method.procedure for rank in ranks_asked(state, question.procedures) for method in rank)
 
 
+def methods_of(question: Question) -> tuple[str, ...]:
+    """Return the procedures that may decide any limit state, each once; none without a basis."""
+    states, _ = deciding_states(question)
+    return tuple(dict.fromkeys(method for state in states for method in methods_asked(state, question)))
+
+
 def ranks_asked(state: LimitState, named: tuple[str, ...] | None) -> tuple[Rank, ...]:
     """Return the methods of each rank that the project asks for; where it names none, those accepted without a name.
 

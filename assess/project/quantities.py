@@ -32,6 +32,7 @@ def _read(kind: str) -> BeforeValidator:
 def _described(kind: str) -> WithJsonSchema:
     k = KINDS[kind]
     words = f'{k.name}: a number in {k.symbol}, or a string with its unit like "{k.example}"'
+    words += f', or the weight of it like "{k.weighing}", by standard gravity' if k.weight else ""
     return WithJsonSchema({"type": ["number", "string"], "description": words})
 
 

@@ -157,7 +157,7 @@ def test_parameters_as_table_json_and_csv_agree(project: Path, capsys: pytest.Ca
     assert ended("parameters", project, "--csv") == 0
     rows = list(csv.DictReader(capsys.readouterr().out.splitlines()))
     assert [(row["name"], row["branch"]) for row in rows] == [
-        ("=wall, 1", "positive"),
+        ("'=wall, 1", "positive"),
         ("published", "positive"),
         ("published", "negative"),
     ]

@@ -7,12 +7,17 @@ from typing import Annotated
 
 import typer
 
+from assess.cli.checked import share
+
 
 def diff(
     before: Annotated[Path, typer.Argument(metavar="A", help="results.json of the earlier run, or its folder.")],
     after: Annotated[Path, typer.Argument(metavar="B", help="results.json of the later run, or its folder.")],
     tolerance: Annotated[
-        float, typer.Option(min=0.0, metavar="SHARE", help="Numbers that differ by no more of their size are one.")
+        float,
+        typer.Option(
+            metavar="SHARE", help="Numbers that differ by no more of their size, 0 to 1, are one.", callback=share
+        ),
     ] = 1e-6,
     exit_code: Annotated[bool, typer.Option("--exit-code", help="End with 1 where anything differs.")] = False,
     as_json: Annotated[bool, typer.Option("--json", help="Print the changes as JSON.")] = False,

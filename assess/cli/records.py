@@ -7,6 +7,8 @@ from typing import Annotated
 
 import typer
 
+from assess.cli.checked import known_unit, response_file, step_of_records, turn
+
 records = typer.Typer(
     help="Read, process and convert records of ground motions.",
     no_args_is_help=False,
@@ -16,10 +18,17 @@ records = typer.Typer(
 
 Files = Annotated[list[Path], typer.Argument(metavar="FILES…", help="Record files, of any format known.")]
 Unit = Annotated[
-    str | None, typer.Option(help="Of accelerations, where a file does not say it: g, m/s2, cm/s2, gal, mm/s2.")
+    str | None,
+    typer.Option(
+        help="Of accelerations, where a file does not say it: g, m/s2, cm/s2, gal, mm/s2.", callback=known_unit
+    ),
 ]
-Step = Annotated[float | None, typer.Option(help="Of time [s], where a file does not say it.")]
-Response = Annotated[Path | None, typer.Option(help="StationXML of the instrument, for MiniSEED and SAC.")]
+Step = Annotated[
+    float | None, typer.Option(help="Of time [s], where a file does not say it.", callback=step_of_records)
+]
+Response = Annotated[
+    Path | None, typer.Option(help="StationXML of the instrument, for MiniSEED and SAC.", callback=response_file)
+]
 
 
 @records.callback()
@@ -64,12 +73,14 @@ def convert(
     component: Annotated[
         str | None, typer.Option(help="Of a file of several, as `assess records list` names it.")
     ] = None,
-    azimuth: Annotated[float | None, typer.Option(help="Turn two horizontal components to this one [deg].")] = None,
+    azimuth: Annotated[
+        float | None, typer.Option(help="Turn two horizontal components to this one [deg].", callback=turn)
+    ] = None,
     rotd: Annotated[float | None, typer.Option(help="Turn two to this percentile of peaks: 50, 100.")] = None,
     baseline: Annotated[int | None, typer.Option(help="Take off the best polynomial of this degree.")] = None,
     low_cut: Annotated[float | None, typer.Option(help="Corner of the acausal Butterworth filter [Hz].")] = None,
     high_cut: Annotated[float | None, typer.Option(help="Corner of the acausal Butterworth filter [Hz].")] = None,
-    order: Annotated[int, typer.Option(help="Of the filter, which runs forwards and backwards.")] = 4,
+    order: Annotated[int, typer.Option(min=1, max=10, help="Of the filter, which runs forwards and backwards.")] = 4,
     trim: Annotated[
         tuple[float, float] | None,
         typer.Option(metavar="FROM TO", help="Keep these shares of Arias intensity: 0.01 0.99."),
@@ -77,7 +88,8 @@ def convert(
     resample: Annotated[float | None, typer.Option(help="New step [s], without aliasing.")] = None,
     scale: Annotated[float | None, typer.Option(help="Multiply every acceleration.")] = None,
     to_unit: Annotated[
-        str | None, typer.Option(metavar="UNIT", help="Of the CSV written: m/s2 (if absent), g, cm/s2, gal, mm/s2.")
+        str | None,
+        typer.Option(metavar="UNIT", help="Of the CSV written: m/s2 (if absent), g, cm/s2, gal, mm/s2."),
     ] = None,
 ) -> None:
     """Write one record as CSV or PEER AT2, turned, corrected, filtered, trimmed, resampled and scaled in this order."""

@@ -118,6 +118,8 @@ TEXTS: Mapping[str, str] = {
     "slides-later": "no sliding yet; it would slide before it rocks from PGA {pga} on",
     "rocks-first": "it rocks before it slides; hinge {hinge} comes nearest",
     "one-block-only": "{clause} is for one block on its base",
+    "weight-only": "{clause} is for a body under its weight alone, and on this one {loads} acts too; the procedure "
+    "sliding counts that",
     "level-base-only": "{clause} is for a level base; the procedure sliding looks at inclined ones",
     "sliding-beyond-before": "sliding beyond the allowable, at a smaller PGA already",
     "no-sliding": "no sliding: the spectrum does not reach c_s",

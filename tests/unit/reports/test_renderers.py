@@ -33,6 +33,7 @@ RENDERERS = (
     "translation",
     "catalogue",
     "template",
+    "measures",
 )
 DATA = {
     "assess.results",

@@ -7,7 +7,6 @@ from dataclasses import replace
 
 from reports.customary import Customary, customary
 from reports.document import Block, Cell, Column, Document, Line, Section, Sheet, Table, Text
-from reports.numerals import numeral
 
 WORKED_IN_SI = (
     "Calculation sheets are worked in SI units, as the constants of the clauses are printed; the result of each step "
@@ -50,11 +49,11 @@ def _noted(sections: list[Section]) -> tuple[Section, ...]:
 
 
 def _line(line: Line) -> Line:
-    """A step with its result in both systems: 1.234 m (4.049 ft)."""
+    """A step with its result in both systems."""
     found = customary(line.unit)
     if found is None or not isinstance(line.value, float | int):
         return line
-    return replace(line, unit=f"{line.unit} ({numeral(line.value * found.factor)} {found.unit})")
+    return replace(line, beside=(line.value * found.factor, found.unit))
 
 
 def table(one: Table) -> Table:

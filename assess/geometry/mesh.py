@@ -16,7 +16,7 @@ from assess.geometry.models import Model, read_models
 from assess.geometry.repair import mended
 from assess.geometry.solid import Solid, polyhedron
 from assess.geometry.sounding import doubts_of
-from assess.geometry.surface import merged
+from assess.geometry.surface import Surface, merged
 
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
@@ -87,16 +87,26 @@ def _solid(
     where: str,
 ) -> Solid:
     """The solid inside some of a model's meshes."""
-    unit, doubts = _unit(model, scale, where=where)
-    vertices, triangles = together(parts)
-    placed = _upright(_sound(vertices, triangles, where=where) * unit, up=up or model.up or "z")
-    surface = merged(placed, triangles)
+    _, doubts = _unit(model, scale, where=where)
+    surface = merged(*placed(model, parts, scale=scale, up=up, where=where))
     if not len(surface[1]):
         raise GeometryError(f"{where}: all its triangles have shrunk to lines or points; export it with more digits")
     surface, told = mended(surface, where=where)
     solid = polyhedron(*surface, density=density, name=name)
     trail = (*model.told, *doubts, *_turned(model, given=up), *told, *doubts_of(surface, where=where))
     return replace(solid, trail=trail)
+
+
+def placed(model: Model, parts: Sequence[Part], *, scale: float | None, up: Up | None, where: str) -> Surface:
+    """Some of a model's meshes as one, upright [m]: vertices [n, 3] as they are, triangles [m, 3].
+
+    Raises
+    ------
+    GeometryError : there is no triangle, or one of a corner that is not there or not finite; scale is not positive
+    """
+    unit, _ = _unit(model, scale, where=where)
+    vertices, triangles = together(parts)
+    return _upright(_sound(vertices, triangles, where=where) * unit, up=up or model.up or "z"), triangles
 
 
 def _blamed(

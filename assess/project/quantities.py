@@ -177,6 +177,14 @@ def _one_unit(kind: str, value: Any) -> Any:
     return si_value(f"1 {value}" if isinstance(value, str) else value, KINDS[kind])
 
 
+def length_of_unit(text: str) -> float:
+    """The length [m] of a unit like "mm"; raises ValueError for what is none."""
+    length = float(_one_unit("length", text))
+    if not 0.0 < length < float("inf"):
+        raise ValueError("not a unit of length; write one like mm")
+    return length
+
+
 LengthUnit = Annotated[
     float,
     BeforeValidator(lambda value: _one_unit("length", value)),

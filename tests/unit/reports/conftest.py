@@ -46,7 +46,6 @@ from assess.results import (
     Trace,
     View,
 )
-from reports.asked import as_asked
 from reports.assessment import assessment
 from reports.document import Document
 from reports.html import write_html
@@ -512,7 +511,7 @@ def judged_at() -> Callable[[Results, float], Results]:
 
 @pytest.fixture(scope="session")
 def document(results: Results) -> Document:
-    return as_asked(assessment(results))
+    return assessment(results)
 
 
 @pytest.fixture(scope="session")

@@ -53,6 +53,10 @@ TEXTS: Mapping[str, str] = {
     "direction-into": "the direction given, {direction}, leads into {bodies}, which touches it there: check it",
     "direction-left-out": "towards {direction} it cannot rock as described and was left out: {why}",
     "sides-by-contact": "it rocks to one side only: {bodies} touches it behind; write `sides` to say otherwise",
+    # of amplification
+    "by-floor-factor": "every record and pulse times {factor} at h = {height} of H = {building} by {clause}",
+    "by-first-mode": "first mode of {frequency} ({frequency_from}), h_e = {effective} ({effective_from}), damping "
+    "{damping}, linear shape: at h = {height} participation times shape h/h_e = {shape}",
     # of suites of records
     "suite-empty": "there are no records: {remedy}",
     "suite-not-named": "artificial records decide only where [verdict] procedures names {procedure}: {remedy}",

@@ -16,6 +16,7 @@ UNITS: Mapping[str, str] = {
     "length": "m",
     "time": "s",
     "mass": "kg",
+    "density": "kg/m3",
     "force": "N",
     "moment": "N m",
     "energy": "J",

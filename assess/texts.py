@@ -128,7 +128,10 @@ TEXTS: Mapping[str, str] = {
     "size": "{text}",
     "mechanism": "{text}",
     "site-study": "{text}",
-    "box-size": 'a number without unit is in m, so this is {given}; if mm was meant write "{number} mm"',
+    "box-size": "a number without unit is in m, so this is {given}; if it was meant in another unit write {likely}",
+    "material-unit": "a number without unit is in SI, so this is {given}, which no masonry has; write {likely} if that "
+    "was meant, and check the units of the other numbers",
+    "weight-density": "{given} is a weight per volume; by standard gravity, 9.80665 m/s2, it is a density of {density}",
     "unit": '{given} is {as_g}; write "{number} g" if that was meant',
     "overlap": 'bodies "{one}" and "{other}" overlap by {volume}, {share} of the smaller, which is weighed with both; '
     "cut one back",

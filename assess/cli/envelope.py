@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import sys
 from pathlib import Path
 from typing import Annotated
 
@@ -40,6 +41,7 @@ def envelope(
     from assess.project.schema import load
 
     loaded = load(project)
+    from assess.cli.description import warned
     from assess.cli.envelope_table import csv_text, json_text, table_text
     from assess.cli.outputs import ENVELOPES, staged
     from assess.cli.processes import processes
@@ -59,6 +61,8 @@ def envelope(
             with staged(output, results=ENVELOPES) as stage:
                 (stage / ENVELOPES).write_bytes(dumps(results).encode())
                 write_document(of_envelopes(results), stage, name="envelopes.pdf", jobs=jobs or 0, progress=said.step)
+    if as_json or as_csv:  # the table ends with them
+        print(warned(results.warnings), end="", file=sys.stderr)
     print((json_text if as_json else csv_text if as_csv else table_text)(results), end="")
     if output is not None and not (as_json or as_csv):
         print(output / "envelopes.pdf")

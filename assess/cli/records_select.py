@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 from typing import Annotated
 
@@ -79,6 +80,7 @@ def select(
     if target is None and (given or len(places) != 1):
         what = f"--{given[0].replace('_', '-')}" if given else "several places"
         raise typer.BadParameter(f"{what} needs --target; a PROJECT has its own [records] select")
+    from assess.cli.description import warned
     from assess.cli.suite_table import csv_text, drawn, json_text, table_text
     from assess.project.choosing import Wanted, of_project, of_target
     from records.formats.stated import Stated
@@ -97,6 +99,8 @@ def select(
             )
     if output is not None:
         drawn(found, output)
+    if as_json or as_csv:  # the table ends with them
+        print(warned(found.notices), end="", file=sys.stderr)
     print((json_text if as_json else csv_text if as_csv else table_text)(found), end="")
 
 

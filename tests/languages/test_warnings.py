@@ -43,6 +43,7 @@ SOURCES: Mapping[str, tuple[str, ...]] = {
     "assess/project/body_loads.py": ("alone", "beside_the_block", "body_loads", "part_of"),
     "assess/project/directions.py": ("CORNER",),
     "assess/project/interfaces.py": ("apart", "joint_at", "sideways"),
+    "assess/project/loaded_blocks.py": ("_left_out", "as_given"),
     "assess/project/loading.py": ("in_the_air", "moving_anchors"),
     "assess/project/record_set.py": ("_first", "cell_text"),
     "assess/project/sampling.py": ("longest_step",),

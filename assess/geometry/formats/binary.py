@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from assess.geometry.formats import by_trimesh
-from assess.geometry.formats.parts import MeshFile, part
+from assess.geometry.formats.parts import Element, MeshFile, file_of, part
 
 FACET = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
 TITLE = 80  # bytes before the number of facets
@@ -95,4 +95,4 @@ def _types(header: re.Match[bytes]) -> tuple[np.dtype[np.void], np.dtype[np.void
 
 def _of_one(vertices: ArrayLike, triangles: ArrayLike) -> MeshFile:
     """A file of one nameless mesh."""
-    return MeshFile((part([], vertices, triangles),))
+    return file_of([part(Element(), vertices, triangles)])

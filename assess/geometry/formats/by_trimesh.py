@@ -7,12 +7,13 @@ from __future__ import annotations
 
 import io
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from assess.geometry.formats.parts import FloatArray, MeshFile, Part, moved, part
+from assess.geometry.formats.parts import Element, FloatArray, MeshFile, Part, file_of, moved, part
 
 UNITS_3MF = {  # 3MF Core Specification 1.3, 3.4: the attribute unit of <model> [m]
     "micron": 1e-6,
@@ -62,7 +63,7 @@ def read_glb(file: Path) -> MeshFile:
     """glTF 2.0 in one binary file: in metres, y up, whose +z is forward (glTF 2.0, 3.4)."""
     from trimesh.exchange.gltf import load_glb
 
-    return MeshFile(_placed(load_glb(_content(file), skip_materials=True)), unit=1.0, up="y")
+    return file_of(_placed(load_glb(_content(file), skip_materials=True)), unit=1.0, up="y")
 
 
 def read_gltf(file: Path) -> MeshFile:
@@ -71,7 +72,7 @@ def read_gltf(file: Path) -> MeshFile:
     from trimesh.resolvers import FilePathResolver
 
     loaded = load_gltf(_content(file), resolver=FilePathResolver(str(file)), skip_materials=True)
-    return MeshFile(_placed(loaded), unit=1.0, up="y")
+    return file_of(_placed(loaded), unit=1.0, up="y")
 
 
 def read_3mf(file: Path) -> MeshFile:
@@ -82,7 +83,7 @@ def read_3mf(file: Path) -> MeshFile:
     unit = str(loaded["metadata"]["units"]).lower()
     if unit not in UNITS_3MF:
         raise ValueError(f"its unit {unit!r:.30} is none of {', '.join(UNITS_3MF)}")
-    return MeshFile(_placed(loaded), unit=UNITS_3MF[unit], up="z")
+    return file_of(_placed(loaded), unit=UNITS_3MF[unit], up="z")
 
 
 def _content(file: Path) -> io.BytesIO:
@@ -92,13 +93,13 @@ def _content(file: Path) -> io.BytesIO:
 def _plain(loaded: Mapping[str, Any]) -> MeshFile:
     """The meshes of a file without places: one, or several named ones."""
     meshes = loaded.get("geometry", {"": loaded})
-    return MeshFile(tuple(_meshes(meshes).values()))
+    return file_of(tuple(_meshes(meshes).values()))
 
 
 def _meshes(meshes: Mapping[str, Mapping[str, Any]]) -> dict[str, Part]:
     """Those of the meshes that have faces, by name; points and lines have none."""
     return {
-        name: part([name], each["vertices"], each["faces"])
+        name: part(Element((name,) if name else ()), each["vertices"], each["faces"])
         for name, each in meshes.items()
         if len(each.get("faces", ()))
     }
@@ -113,7 +114,7 @@ def _placed(loaded: Mapping[str, Any]) -> tuple[Part, ...]:
         mesh = meshes.get(edge.get("geometry", ""))
         if mesh is not None:
             placed = moved(mesh, _place(node, edges, base=loaded["base_frame"]))
-            found.append(Part((str(node), *mesh.names), placed.vertices, placed.triangles))
+            found.append(replace(placed, element=Element((str(node),), within=mesh.element.names)))
     return tuple(found)
 
 

@@ -22,7 +22,7 @@ BARE = export_ply(BALL, vertex_normal=False)
 def same(found: MeshFile | None, wanted: MeshFile) -> None:
     assert found is not None
     (one,), (other,) = found.parts, wanted.parts
-    assert (found.unit, found.up, one.names) == (wanted.unit, wanted.up, other.names)
+    assert (found.unit, found.up, one.element) == (wanted.unit, wanted.up, other.element)
     np.testing.assert_array_equal(one.vertices, other.vertices)
     np.testing.assert_array_equal(one.triangles, other.triangles)
     assert one.vertices.dtype == other.vertices.dtype == np.float64

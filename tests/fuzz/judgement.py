@@ -17,7 +17,8 @@ OUTCOMES = (SAME, WARNED, SILENT, REFUSED, BUG, TRACEBACK, HANG, MEMORY, NOISE)
 BROKEN = {BUG, TRACEBACK, HANG, MEMORY, NOISE}
 TOLERANCE = 1e-9
 REFUSAL = re.compile(r"assess: error: [^\n]+\n")
-OURS = re.compile(r"(assess: |\s*$|\[|mechanism|records?\b|reading|figures|tables|report)")  # of lines on stderr
+TOLD = re.compile(r"(assess: )?(warning|note)\b")  # lines on stderr
+DRAWN = ".view."  # corners and triangles of pictures, whose order says nothing
 TEXTS = {"warnings", "notices", "conditions", "missing", "mended", "problems", "unreadable"}
 """Keys of the JSON under which the program tells what it doubts."""
 
@@ -49,6 +50,22 @@ def judged(found: Answer, usual: Answer) -> Judged:
     return _accepted(found, usual)
 
 
+def shown(found: Answer, before: str, after: str) -> Judged:
+    """The outcome of a comparison of two files: a number that differs between them and is not shown is silent."""
+    change = difference(before, after)
+    if found.out.strip() != "[]":
+        return Judged(WARNED, detail=found.out[:300])
+    return Judged(SAME) if change is None or _slight(before, after) else Judged(SILENT, detail=change)
+
+
+def _slight(before: str, after: str) -> bool:
+    """Whether all numbers agree within the tolerance of `assess diff`."""
+    old, new = (dict(_numbers(_parsed(text))) for text in (before, after))
+    return old.keys() == new.keys() and all(
+        _close(old[key], new[key]) or _distance(old[key], new[key]) <= 1e-6 for key in old
+    )
+
+
 def _refusal(found: Answer) -> Judged:
     """A refusal in one line; anything else that ends with 2 is a bug."""
     last = found.err.splitlines(keepends=True)[-1:] or [""]
@@ -70,7 +87,7 @@ def _accepted(found: Answer, usual: Answer) -> Judged:
 
 def said(found: Answer) -> set[str]:
     """Warnings on stderr, and those in the JSON printed."""
-    lines = {line for line in found.err.splitlines() if line.startswith("assess: warning")}
+    lines = {line for line in found.err.splitlines() if TOLD.match(line)}
     return lines | set(_told(_parsed(found.out)))
 
 
@@ -88,14 +105,13 @@ def _told(tree: Any, inside: bool = False) -> Iterator[str]:
 def difference(before: str, after: str) -> str | None:
     """The number that differs most between two outputs, in words; None where all agree within the tolerance."""
     old, new = (dict(_numbers(_parsed(text))) for text in (before, after))
-    if old.keys() != new.keys():
-        lost, more = sorted(old.keys() - new.keys()), sorted(new.keys() - old.keys())
-        return f"{len(lost)} numbers gone {lost[:1]}, {len(more)} more {more[:1]}"
-    far = [(key, old[key], new[key]) for key in old if not _close(old[key], new[key])]
+    lost, more = sorted(old.keys() - new.keys()), sorted(new.keys() - old.keys())
+    listed = f"{len(lost)} numbers gone {lost[:1]}, {len(more)} more {more[:1]}" if lost or more else ""
+    far = [(key, old[key], new[key]) for key in old.keys() & new.keys() if not _close(old[key], new[key])]
     if not far:
-        return None
-    key, one, other = max(far, key=lambda each: _distance(each[1], each[2]))
-    return f"{key}: {one!r} -> {other!r} ({len(far)} of {len(old)} numbers)"
+        return listed or None
+    key, one, other = max(sorted(far, key=str), key=lambda each: _distance(each[1], each[2]))
+    return f"{key}: {one!r} -> {other!r} ({len(far)} of {len(old)} numbers); {listed}".removesuffix("; ")
 
 
 def _parsed(text: str) -> Any:
@@ -114,7 +130,8 @@ def _numbers(tree: Any, key: str = "") -> Iterator[tuple[str, Any]]:
         for place, value in enumerate(tree):
             yield from _numbers(value, f"{key}[{place}]")
     elif not isinstance(tree, str):
-        yield key, tree
+        if DRAWN not in key:
+            yield key, tree
     elif not key.startswith(".") and re.fullmatch(r"\[\d+\]", key):
         yield key, float(tree)
 

@@ -31,7 +31,7 @@ from records.scaling import SCALING_PERIODS
 from records.selection import Criteria, Filters, Selection, select
 from spectra.spectrum import Spectrum
 
-EVERYWHERE = Band(np.array(SCALING_PERIODS), np.ones(len(SCALING_PERIODS)))
+EVERYWHERE = Band(np.array(SCALING_PERIODS), np.ones(len(SCALING_PERIODS)), np.array(SCALING_PERIODS))
 TOLD = 3  # files, cells or records that a warning names
 LONGEST = 30  # characters of a cell that are shown
 

@@ -1,4 +1,4 @@
-"""STL, OBJ, PLY, OFF, glTF and 3MF files. The only door to trimesh, which reads them; it is not asked to mend anything.
+"""glTF and 3MF files. The only door to trimesh, which reads them; it is not asked to mend anything.
 
 The format readers are called themselves, because trimesh's own objects merge and drop.
 """
@@ -24,39 +24,6 @@ UNITS_3MF = {  # 3MF Core Specification 1.3, 3.4: the attribute unit of <model> 
     "foot": 0.3048,
     "meter": 1.0,
 }
-
-
-def read_stl(file: Path) -> MeshFile:
-    """STL, text or binary."""
-    from trimesh.exchange.stl import load_stl
-
-    return _plain(load_stl(_content(file)))
-
-
-def read_obj(file: Path) -> MeshFile:
-    """Wavefront OBJ; materials are left."""
-    from trimesh.exchange.obj import load_obj
-
-    return _plain(load_obj(_content(file), skip_materials=True))
-
-
-def read_ply(file: Path) -> MeshFile:
-    """PLY, text or binary."""
-    from trimesh.exchange.ply import load_ply
-
-    return _plain(load_ply(_content(file), skip_materials=True))
-
-
-def read_off(file: Path) -> MeshFile:
-    """Object File Format, text."""
-    from trimesh.exchange.off import load_off
-    from trimesh.util import comment_strip, decode_text
-
-    loaded = load_off(_content(file))
-    announced = int(comment_strip(decode_text(file.read_bytes())).split("OFF", 1)[1].split()[1])
-    if len(loaded["faces"]) < announced:
-        raise ValueError(f"it announces {announced} faces and has {len(loaded['faces'])}")
-    return _plain(loaded)
 
 
 def read_glb(file: Path) -> MeshFile:
@@ -88,12 +55,6 @@ def read_3mf(file: Path) -> MeshFile:
 
 def _content(file: Path) -> io.BytesIO:
     return io.BytesIO(file.read_bytes())
-
-
-def _plain(loaded: Mapping[str, Any]) -> MeshFile:
-    """The meshes of a file without places: one, or several named ones."""
-    meshes = loaded.get("geometry", {"": loaded})
-    return file_of(tuple(_meshes(meshes).values()))
 
 
 def _meshes(meshes: Mapping[str, Mapping[str, Any]]) -> dict[str, Part]:

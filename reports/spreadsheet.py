@@ -142,7 +142,7 @@ def _alone(sheet: Worksheet, table: Table, *, said: Callable[[str], str], book: 
 def _sheets(sheet: Worksheet, document: Document, starts: list[int], *, book: _Book) -> None:
     for start, each in zip(starts, document.sheets, strict=True):
         _table(sheet, as_table(each, said=document.said), start=start, said=document.said, book=book)
-    _widths(sheet, (14, 50, 34, 40, 50, 14, 12))
+    _widths(sheet, (14, 50, 34, 40, 50, 14, 12, 14, 12))
     _paper(sheet, head=None)
 
 

@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+from assess.geometry.formats.bounds import INSTANCES, TRIANGLES, refuse_3mf, refuse_gltf
 from assess.geometry.formats.parts import Element, FloatArray, MeshFile, Part, file_of, moved, part
 
 UNITS_3MF = {  # 3MF Core Specification 1.3, 3.4: the attribute unit of <model> [m]
@@ -30,6 +31,7 @@ def read_glb(file: Path) -> MeshFile:
     """glTF 2.0 in one binary file: in metres, y up, whose +z is forward (glTF 2.0, 3.4)."""
     from trimesh.exchange.gltf import load_glb
 
+    refuse_gltf(file)
     return file_of(_placed(load_glb(_content(file), skip_materials=True)), unit=1.0, up="y")
 
 
@@ -38,6 +40,7 @@ def read_gltf(file: Path) -> MeshFile:
     from trimesh.exchange.gltf import load_gltf
     from trimesh.resolvers import FilePathResolver
 
+    refuse_gltf(file)
     loaded = load_gltf(_content(file), resolver=FilePathResolver(str(file)), skip_materials=True)
     return file_of(_placed(loaded), unit=1.0, up="y")
 
@@ -46,6 +49,7 @@ def read_3mf(file: Path) -> MeshFile:
     """3D Manufacturing Format: z up, in the unit it states, millimetres where it states none."""
     from trimesh.exchange.threemf import load_3MF
 
+    refuse_3mf(file)
     loaded = load_3MF(_content(file), postprocess=False)
     unit = str(loaded["metadata"]["units"]).lower()
     if unit not in UNITS_3MF:
@@ -70,6 +74,9 @@ def _placed(loaded: Mapping[str, Any]) -> tuple[Part, ...]:
     """Every instance of every mesh of a scene in its place; it bears the names of its node and its mesh."""
     meshes = _meshes(loaded["geometry"])
     edges = {edge["frame_to"]: edge for edge in loaded["graph"]}
+    used = [meshes[name] for edge in edges.values() if (name := edge.get("geometry", "")) in meshes]
+    if len(used) > INSTANCES or sum(len(each.triangles) for each in used) > TRIANGLES:
+        raise ValueError(f"its scene has more than {INSTANCES} instances or {TRIANGLES} triangles")
     found = []
     for node, edge in edges.items():
         mesh = meshes.get(edge.get("geometry", ""))

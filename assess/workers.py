@@ -7,7 +7,7 @@ import signal
 import sys
 import threading
 from collections.abc import Callable, Iterator
-from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures import InvalidStateError, ProcessPoolExecutor
 from contextlib import contextmanager
 from multiprocessing import active_children, get_context, parent_process
 from typing import Any
@@ -51,12 +51,24 @@ def ended_on_error(pool: ProcessPoolExecutor) -> Iterator[None]:
     try:
         yield
     except BaseException:
-        pool.shutdown(wait=False, cancel_futures=True)
-        for child in active_children():
-            child.terminate()
-        pool.shutdown()
+        with _broken_pools_kept_quiet():
+            pool.shutdown(wait=False, cancel_futures=True)
+            for child in active_children():
+                child.terminate()
+            pool.shutdown()
         raise
     pool.shutdown()
+
+
+@contextmanager
+def _broken_pools_kept_quiet() -> Iterator[None]:
+    """Let a pool whose workers are ended say nothing of futures that were cancelled a moment before."""
+    before = threading.excepthook
+    threading.excepthook = lambda seen: None if seen.exc_type is InvalidStateError else before(seen)
+    try:
+        yield
+    finally:
+        threading.excepthook = before
 
 
 @contextmanager

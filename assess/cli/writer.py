@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from assess.cli.processes import cores
-from assess.signals import TERMINATING
+from assess.signals import ENDING
 from assess.workers import end_with_parent
 
 if TYPE_CHECKING:
@@ -97,7 +97,7 @@ def _serve(connection: Connection, other_end: Connection, jobs: int) -> None:
     """Get ready, write what comes, tell the stages, and last the path or what went wrong."""
     other_end.close()
     end_with_parent()
-    for number in (signal.SIGINT, *TERMINATING):
+    for number in ENDING:
         if signal.getsignal(number) is not signal.SIG_IGN:  # as Ctrl-C is in the background: the analysis goes on too
             signal.signal(number, _interrupt)
     try:
@@ -115,7 +115,7 @@ def _serve(connection: Connection, other_end: Connection, jobs: int) -> None:
 
 def _interrupt(*_: object) -> None:
     """End once, however often it is asked for."""
-    for number in (signal.SIGINT, *TERMINATING):
+    for number in ENDING:
         signal.signal(number, signal.SIG_IGN)
     raise KeyboardInterrupt
 

@@ -60,7 +60,8 @@ def load(
     content = read(file, where=where)
     unit, doubts = _unit(content, scale, where=where)
     vertices, triangles = together(chosen(content, element, where=where))
-    placed = _upright(_sound(vertices, triangles, where=where) * unit, up=up or content.up or "z")
+    sound = _sound(vertices, triangles, where=where)
+    placed = _upright(sound if unit == 1.0 else sound * unit, up=up or content.up or "z")
     surface = merged(placed, triangles)
     if not len(surface[1]):
         raise GeometryError(f"{where}: all its triangles have shrunk to lines or points; export it with more digits")
@@ -127,8 +128,11 @@ def _sound(vertices: FloatArray, triangles: IntArray, *, where: str) -> FloatArr
     if triangles.min() < 0 or triangles.max() >= len(vertices):
         wrong = int(triangles[(triangles < 0) | (triangles >= len(vertices))][0])
         raise GeometryError(f"{where}: a triangle uses vertex {wrong} of {len(vertices)}; export the mesh again")
-    stands = np.all(np.abs(vertices) < FARTHEST, axis=1)
-    bad = np.setdiff1d(np.unique(triangles), np.flatnonzero(stands))
+    if vertices.min() > -FARTHEST and vertices.max() < FARTHEST:
+        return vertices
+    used = np.zeros(len(vertices), dtype=np.bool_)
+    used[triangles] = True
+    bad = np.flatnonzero(used & ~np.all(np.abs(vertices) < FARTHEST, axis=1))
     if len(bad):
         at = ", ".join(f"{value:g}" for value in vertices[bad[0]])
         raise GeometryError(

@@ -50,6 +50,8 @@ def part(names: Sequence[str], vertices: ArrayLike, faces: ArrayLike) -> Part:
 def fans(faces: ArrayLike) -> IntArray:
     """Triangles [m (k - 2), 3] of faces of k corners [m, k]: fans from the first corner."""
     corners = np.asarray(faces, dtype=np.int64)
+    if corners.shape[1] == 3:
+        return corners
     triangles = [corners[:, [0, i, i + 1]] for i in range(1, corners.shape[1] - 1)]
     return np.concatenate([np.empty((0, 3), dtype=np.int64), *triangles])
 
@@ -63,6 +65,8 @@ def moved(shape: Part, matrix: ArrayLike) -> Part:
 
 def together(parts: Sequence[Part]) -> tuple[FloatArray, IntArray]:
     """Vertices [n, 3] and triangles [m, 3] of all parts as one mesh."""
+    if len(parts) == 1:
+        return parts[0].vertices, parts[0].triangles
     starts = np.cumsum([0, *(len(each.vertices) for each in parts)])[: len(parts)]
     triangles = [each.triangles + start for each, start in zip(parts, starts, strict=True)]
     nothing = np.empty((0, 3))

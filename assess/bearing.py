@@ -47,8 +47,13 @@ def support(
     contact = together([each for each in met if each is not None])
     if contact is None:
         return None
-    found = {other.name: touch(other, body, tolerance=tolerance) for other in others}
-    return Support(contact, {name: each for name, each in found.items() if each is not None})
+    found: dict[str, list[Contact]] = {}
+    for other in others:
+        each = touch(other, body, tolerance=tolerance)
+        if each is not None:
+            found.setdefault(other.name, []).append(each)
+    joined = {name: together(each) for name, each in found.items()}
+    return Support(contact, {name: each for name, each in joined.items() if each is not None})
 
 
 def shares(contacts: Sequence[Contact], *, centroid: FloatArray) -> FloatArray:

@@ -7,6 +7,8 @@ from typing import Any, TypeVar, cast
 
 import numba
 
+from records.compilation.kernel import cache_on_disk
+
 F = TypeVar("F", bound=Callable[..., Any])
 
 OPTIONS: dict[str, Any] = {
@@ -46,4 +48,4 @@ def reachable(function: F) -> F:
 def entry(function: F) -> F:
     """An entry point: compiled at its first call, cached on disk, free of the interpreter's lock."""
     jit: Any = numba.njit
-    return cast(F, jit(**OPTIONS, cache=True)(function))
+    return cache_on_disk(cast(F, jit(**OPTIONS)(function)))

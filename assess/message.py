@@ -16,6 +16,7 @@ UNITS: Mapping[str, str] = {
     "length": "m",
     "time": "s",
     "mass": "kg",
+    "density": "kg/m3",
     "force": "N",
     "moment": "N m",
     "energy": "J",
@@ -76,6 +77,11 @@ def message(
     """Make the message of a key of `TEXTS`; raises KeyError for an unknown key or a missing value."""
     given = dict(values or {})
     return Message(str(key), severity, where, TEXTS[str(key)].format(**given), given)
+
+
+def text_of(said: Message | str) -> str:
+    """The English sentence of a message; a text as it is."""
+    return said if isinstance(said, str) else said.text
 
 
 def count(number: int) -> Quantity:

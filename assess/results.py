@@ -350,7 +350,7 @@ class AmplificationResult:
     method: str
     factors: tuple[Factor, ...]
     height_m: float | None = None
-    said: tuple[str, ...] = ()
+    said: tuple[Message | str, ...] = ()
     motion: CarriedMotion | None = None
 
 

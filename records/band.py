@@ -18,10 +18,14 @@ ROUNDING = 1e-9
 
 @dataclass(frozen=True)
 class Band:
-    """Rising periods [k] [s] of a catalogue, and their weights [k], the largest 1."""
+    """Rising periods [k] [s], from one end of a range to the other, and their weights [k], the largest 1.
+
+    nodes : rising periods [m] [s] at which spectra of records are taken; ends lie between
+    """
 
     period: FloatArray
     weight: FloatArray
+    nodes: FloatArray
 
     @property
     def ends(self) -> tuple[float, float]:
@@ -30,41 +34,56 @@ class Band:
 
     @property
     def columns(self) -> slice:
-        """Where its periods stand among those of a catalogue."""
-        first = int(np.searchsorted(PERIODS, self.period[0]))
-        return slice(first, first + self.period.size)
+        """Where its nodes stand among the periods of a catalogue."""
+        first = int(np.searchsorted(PERIODS, self.nodes[0]))
+        return slice(first, first + self.nodes.size)
+
+    def at_periods(self, logarithm: FloatArray) -> FloatArray:
+        """Logarithms of spectra at the nodes [..., m], as `interpolated`, at the periods [..., k]."""
+        return interpolated(self.period, self.nodes, logarithm)
+
+
+def interpolated(period: FloatArray, nodes: FloatArray, logarithm: FloatArray) -> FloatArray:
+    """Logarithms at `nodes` [..., m] [s], linear in the logarithm of the period, at each `period` [..., k] [s]."""
+    at = np.interp(np.log(period), np.log(nodes), np.arange(nodes.size))
+    before, after = np.floor(at).astype(np.int64), np.ceil(at).astype(np.int64)
+    share = at - before
+    return np.asarray(logarithm[..., before] * (1.0 - share) + logarithm[..., after] * share)
 
 
 def band(shortest: float, longest: float, *, weights: Sequence[tuple[float, float]] = ()) -> Band:
-    """The catalogue's periods from `shortest` to `longest` [s], ends included.
+    """The range from `shortest` to `longest` [s]: its ends, and the catalogue's periods between.
 
     weights : (period [s], weight) at rising periods; between them linear in the logarithm of the period, as the PEER
     web application does, and constant beyond; equal if absent.
 
-    Raises RecordError for a range outside the catalogue's 0.01 to 10 s, or so narrow that none lies in it, and for
-    weights that are negative, all zero, or at periods that do not rise.
+    Raises RecordError for a range outside the catalogue's 0.01 to 10 s, or so narrow that none of its periods lies in
+    it, and for weights that are negative, all zero, or at periods that do not rise.
     """
     low, high = PERIODS[0], PERIODS[-1]
     if not low * (1 - ROUNDING) <= shortest <= longest <= high * (1 + ROUNDING):
         raise RecordError(
             f"periods {shortest:.4g} s to {longest:.4g} s: they must rise, and lie between {low:g} s and {high:g} s"
         )
-    inside = (shortest * (1 - ROUNDING) <= PERIODS) & (longest * (1 + ROUNDING) >= PERIODS)
-    if not inside.any():
+    inside = np.flatnonzero((shortest * (1 - ROUNDING) <= PERIODS) & (longest * (1 + ROUNDING) >= PERIODS))
+    if not inside.size:
         raise RecordError(f"periods {shortest:.6g} s to {longest:.6g} s: too narrow; widen them by six percent")
-    period = PERIODS[inside]
-    return Band(period, _weight(period, weights))
+    first, last = int(inside[0]), int(inside[-1])
+    below = [shortest] if shortest < PERIODS[first] * (1 - ROUNDING) else []
+    above = [longest] if longest > PERIODS[last] * (1 + ROUNDING) else []
+    period = np.array([*below, *PERIODS[inside], *above])
+    return Band(period, _weight(period, weights), PERIODS[first - len(below) : last + 1 + len(above)])
 
 
 def up_to(band: Band, longest: float) -> Band:
-    """The band as far as a target reaches; RecordError where that ends before it begins."""
+    """The periods of the band that a target has; RecordError where it ends before the first."""
     kept = band.period <= longest
     if not kept.any():
         raise RecordError(
             f"the spectrum ends at {longest:.4g} s, before the periods from {band.period[0]:.4g} s on that it is to be "
             "fitted at; extend its table"
         )
-    return Band(band.period[kept], band.weight[kept])
+    return Band(band.period[kept], band.weight[kept], band.nodes)
 
 
 def _weight(period: FloatArray, weights: Sequence[tuple[float, float]]) -> FloatArray:

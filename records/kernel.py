@@ -14,6 +14,8 @@ import numpy as np
 from numba import njit
 from numpy.typing import NDArray
 
+from records.compilation.kernel import cache_on_disk
+
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
 
@@ -24,7 +26,7 @@ VISIT = 2  # steps of one oscillator in a row while its numbers are at hand
 BLOCK = 16  # steps whose maximum is looked for together, a multiple of VISIT
 
 
-@njit(cache=True, nogil=True)
+@njit(nogil=True)
 def advance(
     u: float, v: float, a: float, slope: float, time: float, omega: float, damping: float
 ) -> tuple[float, float]:
@@ -40,7 +42,7 @@ def advance(
     return u_end, v_end
 
 
-@njit(cache=True, nogil=True)
+@njit(nogil=True)
 def divisions(period: FloatArray, dt: float) -> IntArray:
     """Equal parts of a step [k] that are at most a twentieth of each period."""
     parts = np.empty(period.size, dtype=np.int64)
@@ -49,7 +51,7 @@ def divisions(period: FloatArray, dt: float) -> IntArray:
     return parts
 
 
-@njit(cache=True, nogil=True)
+@njit(nogil=True)
 def recurrence(period: FloatArray, damping: float, h: FloatArray) -> FloatArray:
     """What displacement and velocity become over h [k] [s]: of themselves, of the acceleration and its slope [8, k]."""
     found = np.empty((8, period.size))
@@ -62,7 +64,7 @@ def recurrence(period: FloatArray, damping: float, h: FloatArray) -> FloatArray:
     return found
 
 
-@njit(cache=True, nogil=True)
+@njit(nogil=True)
 def free_part(period: FloatArray, damping: float) -> FloatArray:
     """Coefficients [4, k] of the free vibration within a step, u(t) + a(t) / omega^2 - 2 damping slope / omega^3.
 
@@ -77,7 +79,7 @@ def free_part(period: FloatArray, damping: float) -> FloatArray:
     return found
 
 
-@njit(cache=True, nogil=True, fastmath=FUSED)
+@njit(nogil=True, fastmath=FUSED)
 def sweep(start: FloatArray, slope: FloatArray, of: FloatArray, free: FloatArray, u: FloatArray, v: FloatArray,
           largest: FloatArray, swing: FloatArray) -> None:  # fmt: skip
     """Through some steps with all oscillators [k] side by side, which the compiler does four at a time.
@@ -104,7 +106,7 @@ def sweep(start: FloatArray, slope: FloatArray, of: FloatArray, free: FloatArray
             u[k], v[k], largest[k], swing[k] = x, y, most, square
 
 
-@njit(cache=True, nogil=True)
+@njit(nogil=True)
 def largest_in(start: FloatArray, slope: FloatArray, h: float, parts: int, of: FloatArray, u: float, v: float) -> float:
     """Largest |u| [m] of one oscillator at `parts` points h [s] apart in each of some steps; of : recurrence over h."""
     largest = 0.0
@@ -119,7 +121,7 @@ def largest_in(start: FloatArray, slope: FloatArray, h: float, parts: int, of: F
     return largest
 
 
-@njit(cache=True, nogil=True)
+@njit(nogil=True)
 def largest_after(time: float, h: float, of: FloatArray, u: float, v: float) -> float:
     """Largest |u| [m] at points h [s] apart during `time` [s] of free vibration; of : recurrence over h."""
     largest = 0.0
@@ -129,7 +131,8 @@ def largest_after(time: float, h: float, of: FloatArray, u: float, v: float) -> 
     return largest
 
 
-@njit(cache=True, nogil=True)
+@cache_on_disk
+@njit(nogil=True)
 def peak_displacements(acceleration: FloatArray, dt: float, period: FloatArray, damping: float) -> FloatArray:
     """Largest |relative displacement| of each oscillator [m], from rest, during the motion and after it.
 
@@ -167,7 +170,8 @@ def peak_displacements(acceleration: FloatArray, dt: float, period: FloatArray, 
     return peak
 
 
-@njit(cache=True, nogil=True)
+@cache_on_disk
+@njit(nogil=True)
 def relative_accelerations(
     acceleration: FloatArray, dt: float, parts: int, period: float, damping: float
 ) -> FloatArray:

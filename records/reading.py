@@ -8,7 +8,7 @@ import numpy as np
 
 from records.errors import RecordError
 from records.formats import FORMATS
-from records.formats.stated import Stated
+from records.formats.stated import Stated, check
 from records.record import Record
 
 FINEST, COARSEST = 1e-5, 1.0  # s, of the steps of instruments and shaking tables
@@ -21,17 +21,19 @@ def read(
     """Every record of the file at `path`, with accelerations in m/s2.
 
     `unit` (g, m/s2, cm/s2, gal, mm/s2) of the accelerations, `step` of time [s] and `response` of the instrument (for
-    MiniSEED and SAC: a StationXML file) are used only where the file states none.
-    Raises RecordError, naming the file, where it cannot be opened, has no format known or more than one, holds
-    what is not a record, or no motion at all.
+    MiniSEED and SAC: a StationXML file) are used only where the file states none, but refused in any case where
+    they cannot be. Raises RecordError, naming the file, where it cannot be opened, has no format known or more than
+    one, holds what is not a record, or no motion at all.
     """
+    stated = Stated(unit, step, response)
+    check(stated)
     if path.is_dir():
         raise RecordError(f"{path}: is a folder; give the files in it, like {path / '*'}")
     try:
         with path.open("rb") as file:
             head = file.read(HEAD)
         with np.errstate(over="ignore", invalid="ignore"):  # what is not finite afterwards is refused by its sample
-            records = FORMATS[_format(head, path=path)].read(path, Stated(unit, step, response))
+            records = FORMATS[_format(head, path=path)].read(path, stated)
     except OSError as error:
         raise RecordError(f"{path}: the file cannot be read: {error.strerror}") from None
     for record in records:

@@ -7,6 +7,7 @@ from math import cos, degrees, isfinite, pi, sin
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+from scipy.optimize import brentq
 
 from records.errors import RecordError
 from records.record import Record, make_record
@@ -40,16 +41,15 @@ def at_azimuth(first: Record, second: Record, *, azimuth: float) -> Record:
 
 
 def rotd(first: Record, second: Record, *, percentile: float) -> Record:
-    """The motion in the direction whose peak is nearest to the `percentile` of the peaks of all directions.
+    """The motion in a direction whose peak is the `percentile` of the peaks of all directions.
 
-    50 is RotD50 and 100 RotD100 of the peak acceleration; directions are taken every degree over half a turn, and
-    the components are perpendicular. Raises RecordError for a percentile outside 0 to 100, components of different
-    steps and those known not to be perpendicular.
+    50 is RotD50 and 100 RotD100 of the peak acceleration; the percentile is that of directions every degree over half
+    a turn, the direction lies anywhere, and the components are perpendicular. Raises RecordError for a percentile
+    outside 0 to 100, components of different steps and those known not to be perpendicular.
     Source: Boore (2010), BSSA 100, 1830-1835.
     """
     a, b = _perpendicular(first, second)
-    peaks = np.array([np.max(np.abs(a * cos(angle) + b * sin(angle))) for angle in ANGLES])
-    angle = float(ANGLES[int(np.argmin(np.abs(peaks - np.percentile(peaks, _checked(percentile)))))])
+    angle = _angle(a, b, _checked(percentile))
     turned = a * cos(angle) + b * sin(angle)
     return _turned(first, second, turned, name=f"RotD{percentile:g}", azimuth=_azimuth_at(first, second, angle))
 
@@ -68,6 +68,28 @@ def rotd_spectrum(
         for angle in ANGLES
     ]
     return np.asarray(np.percentile(np.array(each), at, axis=0), dtype=np.float64)
+
+
+def _angle(a: FloatArray, b: FloatArray, percentile: float) -> float:
+    """Angle [rad] from `a` towards `b` [n] at which the peak is the `percentile` of those at ANGLES.
+
+    The peak is a continuous function of the angle: where it is on either side of the percentile a degree apart, it is
+    the percentile between. Of several such angles the one beside which a peak is nearest.
+    """
+
+    def beyond(angle: float) -> float:
+        return float(np.max(np.abs(a * cos(angle) + b * sin(angle)))) - wanted
+
+    wanted = 0.0
+    peaks = np.array([beyond(angle) for angle in ANGLES])
+    wanted = float(np.percentile(peaks, percentile))
+    off = np.abs(np.append(peaks, peaks[0]) - wanted)
+    if not off.min() > 0.0:
+        return float(ANGLES[int(np.argmin(off[:-1]))])
+    above = np.append(peaks, peaks[0]) > wanted
+    between = np.flatnonzero(above[1:] != above[:-1])
+    at = between[np.argmin(np.minimum(off[between], off[between + 1]))]
+    return float(brentq(beyond, ANGLES[at], ANGLES[at] + pi / 180.0, xtol=1e-14))
 
 
 def _side_by_side(first: Record, second: Record) -> tuple[FloatArray, FloatArray]:

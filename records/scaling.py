@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from records.band import interpolated
 from records.errors import RecordError
 from records.record import Record
 from records.response import response_spectrum
@@ -44,13 +45,19 @@ def mean_square(difference: FloatArray, *, weight: FloatArray | None = None) -> 
 
 
 def scale_to_spectrum(
-    record: Record, spectrum: Spectrum, *, period: ArrayLike = SCALING_PERIODS, weight: FloatArray | None = None
+    record: Record,
+    spectrum: Spectrum,
+    *,
+    period: ArrayLike = SCALING_PERIODS,
+    weight: FloatArray | None = None,
+    nodes: FloatArray | None = None,
 ) -> Scaling:
     """The factor that brings the record's 5 % spectrum closest to the target over `period` [k] [s], as `least_squares`.
 
-    `weight` [k], equal if None. Raises RecordError for a record without motion at these periods.
+    `weight` [k], equal if None; `nodes` as of `log_ratio`. Raises RecordError for a record without motion at these
+    periods.
     """
-    ratio = log_ratio(record, spectrum, period=period)
+    ratio = log_ratio(record, spectrum, period=period, nodes=nodes)
     log_factor, mse = least_squares(ratio, weight=None if weight is None else weight[: ratio.size])
     return Scaling(_factor(float(log_factor), record), float(mse))
 
@@ -80,16 +87,24 @@ def misfit(
     factor: float = 1.0,
     period: ArrayLike = SCALING_PERIODS,
     weight: FloatArray | None = None,
+    nodes: FloatArray | None = None,
 ) -> float:
     """Mean squared natural-log difference [-] between target and 5 % spectrum of the record times `factor`."""
-    left = log_ratio(record, spectrum, period=period) - np.log(factor)
+    left = log_ratio(record, spectrum, period=period, nodes=nodes) - np.log(factor)
     return float(mean_square(left, weight=None if weight is None else weight[: left.size]))
 
 
-def log_ratio(record: Record, spectrum: Spectrum, *, period: ArrayLike = SCALING_PERIODS) -> FloatArray:
+def log_ratio(
+    record: Record,
+    spectrum: Spectrum,
+    *,
+    period: ArrayLike = SCALING_PERIODS,
+    nodes: FloatArray | None = None,
+) -> FloatArray:
     """ln(target / record), 5 % damping, at each `period` [k] [s], rising, up to the spectrum's longest.
 
-    RecordError where the record has no motion, or the spectrum ends before all periods.
+    nodes : rising periods [m] [s] at which the record's spectrum is taken, linear in logarithms between; `period` if
+    None. RecordError where the record has no motion, or the spectrum ends before all periods.
     """
     T = np.atleast_1d(np.asarray(period, dtype=np.float64))
     T = T[spectrum.longest_period >= T]
@@ -97,13 +112,15 @@ def log_ratio(record: Record, spectrum: Spectrum, *, period: ArrayLike = SCALING
         raise RecordError(
             f'record "{record.id}": the spectrum ends at {spectrum.longest_period:.4g} s, before the periods of scaling'
         )
-    own = response_spectrum(record, T, damping=DAMPING)
-    still = T[~(own > 0.0)]
+    at = T if nodes is None else nodes
+    own = response_spectrum(record, at, damping=DAMPING)
+    still = at[~(own > 0.0)]
     if still.size:
         raise RecordError(
             f'record "{record.id}": no motion at a period of {still[0]:.4g} s; it cannot be scaled to a spectrum'
         )
-    return np.asarray(np.log(spectrum.acceleration(T, damping=DAMPING) / own), dtype=np.float64)
+    logarithm = np.log(own) if nodes is None else interpolated(T, nodes, np.log(own))
+    return np.asarray(np.log(spectrum.acceleration(T, damping=DAMPING)) - logarithm, dtype=np.float64)
 
 
 def _factor(log_factor: float, record: Record) -> float:

@@ -188,11 +188,10 @@ def _scaled(
     out.
     """
     target = np.log(spectrum.acceleration(band.period, damping=DAMPING))
-    columns = band.columns
-    with np.errstate(divide="ignore"):
-        own = np.array([_log_mean([one.spectrum[columns] for one in parts]) for parts in joined])
-    log_ratio = target - own.reshape(len(joined), band.period.size)
-    moving = np.isfinite(log_ratio).all(axis=1)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        own = np.array([_log_mean([one.spectrum[band.columns] for one in parts]) for parts in joined])
+        log_ratio = np.asarray(target - band.at_periods(own.reshape(len(joined), band.nodes.size)), dtype=np.float64)
+    moving = np.asarray(np.isfinite(log_ratio).all(axis=1), dtype=np.bool_)
     log_ratio, joined = log_ratio[moving], [parts for parts, keep in zip(joined, moving, strict=True) if keep]
     if scale_to == "spectrum":
         log_factor, mse = least_squares(log_ratio, weight=band.weight)

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import csv
+import io
+from collections.abc import Iterable
 from pathlib import Path
 
 from reports.document import Cell, Document, Table
 from reports.lettering import visible
 from reports.sheets import as_table
 from reports.worded import worded
-
-_FORMULA = ("=", "+", "-", "@", "\t", "\r")
+from spectra.formulas import harmless
 
 
 def write_csv(document: Document, folder: Path) -> tuple[Path, ...]:
@@ -26,15 +27,19 @@ def field(cell: Cell) -> str:
     if isinstance(cell, bool):
         return "true" if cell else "false"
     if isinstance(cell, int | float):
-        return repr(cell)
-    text = visible(cell)
-    return f"'{text}" if cell.lstrip(" \n\v\f").startswith(_FORMULA) and cell != "-" else text
+        return repr(float(cell)) if isinstance(cell, float) else repr(cell)
+    return harmless(cell, shown=visible(cell))
+
+
+def csv_lines(rows: Iterable[Iterable[Cell]]) -> str:
+    """Rows, the header first, as the text of a CSV file; every cell goes through `field`."""
+    stream = io.StringIO()
+    csv.writer(stream, lineterminator="\n").writerows([field(cell) for cell in row] for row in rows)
+    return stream.getvalue()
 
 
 def _write(table: Table, folder: Path) -> Path:
     path = folder / f"{table.name}.csv"
-    with path.open("w", encoding="utf-8", newline="") as stream:
-        writer = csv.writer(stream, lineterminator="\n")
-        writer.writerow([column.heading for column in table.columns])
-        writer.writerows([field(cell) for cell in row] for row in table.rows)
+    text = csv_lines([[column.heading for column in table.columns], *table.rows])
+    path.write_text(text, encoding="utf-8", newline="")
     return path

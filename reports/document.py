@@ -121,6 +121,7 @@ class Line:
     """One step of a calculation: what, where it stands, the formula, the numbers put in, what came out.
 
     value : a number, or in words where that is all that is known: "≥ 2475"
+    beside : the value in another unit, and that unit
     """
 
     symbol: str
@@ -130,6 +131,7 @@ class Line:
     substituted: str
     value: float | str | None
     unit: str
+    beside: tuple[float, str] | None = None
 
 
 @dataclass(frozen=True)

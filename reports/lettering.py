@@ -6,9 +6,6 @@ import unicodedata
 from functools import cache
 from pathlib import Path
 
-import matplotlib
-from matplotlib.ft2font import FT2Font
-
 FAMILY = "DejaVu Sans"
 _FILES = {"regular": "DejaVuSans.ttf", "bold": "DejaVuSans-Bold.ttf", "italic": "DejaVuSans-Oblique.ttf"}
 _HIDDEN = {"Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp"}
@@ -16,11 +13,15 @@ _HIDDEN = {"Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp"}
 
 def font_file(face: str) -> Path:
     """Path of the font `face` ("regular", "bold", "italic"), as matplotlib ships it."""
+    import matplotlib  # late: a fifth of a second, and tables in CSV draw no letters
+
     return Path(matplotlib.get_data_path()) / "fonts" / "ttf" / _FILES[face]
 
 
 @cache
 def _glyphs() -> frozenset[int]:
+    from matplotlib.ft2font import FT2Font
+
     faces = [FT2Font(str(font_file(face))) for face in _FILES]
     return frozenset.intersection(*(frozenset(face.get_charmap()) for face in faces))
 

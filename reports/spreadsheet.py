@@ -19,6 +19,7 @@ from reports.numerals import FIGURES, decimals, numeral
 from reports.sheets import as_table
 from reports.style import FAIL, INK, MUTED, PASS
 from reports.worded import coloured, in_words
+from spectra.formulas import is_formula
 
 CONTENTS, SHEETS = "contents", "calculation sheets"
 _LONGEST_TEXT, _LONGEST_NAME, _LONGEST_PROPERTY = 32_000, 31, 255
@@ -141,7 +142,7 @@ def _alone(sheet: Worksheet, table: Table, *, said: Callable[[str], str], book: 
 def _sheets(sheet: Worksheet, document: Document, starts: list[int], *, book: _Book) -> None:
     for start, each in zip(starts, document.sheets, strict=True):
         _table(sheet, as_table(each, said=document.said), start=start, said=document.said, book=book)
-    _widths(sheet, (14, 50, 34, 40, 50, 14, 12))
+    _widths(sheet, (14, 50, 34, 40, 50, 14, 12, 14, 12))
     _paper(sheet, head=None)
 
 
@@ -173,7 +174,7 @@ def _head(sheet: Worksheet, place: int, columns: Iterable[Column], *, book: _Boo
 
 def _look(cell: Cell, column: Column, *, muted: bool) -> Look:
     """How a cell looks: as the report shows it."""
-    look: Look = _GREY if muted else _look_of_verdicts(cell, column, muted=muted)
+    look: Look = {**_GREY, **_quoted(cell)} if muted else _look_of_verdicts(cell, column, muted=muted)
     if isinstance(cell, float) and isfinite(cell) and column.kind != "given":
         return {**look, "num_format": number_format(cell)}
     return {**look, **_WRAPPED} if isinstance(cell, str) and len(cell) > _WIDEST else look
@@ -181,7 +182,12 @@ def _look(cell: Cell, column: Column, *, muted: bool) -> Look:
 
 def _look_of_verdicts(cell: Cell, column: Column, *, muted: bool) -> Look:
     """Verdicts in their colours, anything else plain."""
-    return {} if muted else _VERDICTS.get(coloured(cell, column), {})
+    return _quoted(cell) if muted else {**_VERDICTS.get(coloured(cell, column), {}), **_quoted(cell)}
+
+
+def _quoted(cell: Cell) -> Look:
+    """Text that stays text also where somebody edits its cell."""
+    return {"quote_prefix": 1} if isinstance(cell, str) and is_formula(cell) else {}
 
 
 def _write(sheet: Worksheet, place: int, at: int, cell: Cell, look: Format | None) -> None:

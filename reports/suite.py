@@ -33,9 +33,9 @@ def blocks(results: Results) -> list[Block]:
 def sentences(motion: GroundMotionResult) -> tuple[str, ...]:
     """Range of periods, and the rules of the selection."""
     over = (
-        f"The records are compared with the target at forty periods to a decade, of which {motion.from_s:.4g} s is the "
-        f"first and {motion.to_s:.4g} s the last within the range ({motion.source}). The mean squared difference of "
-        f"the logarithms of their mean and the target is {numeral(motion.misfit)}."
+        f"The records are compared with the target from {motion.from_s:.4g} s to {motion.to_s:.4g} s, both ends "
+        f"included ({motion.source}). The mean squared difference of the logarithms of their mean and the target is "
+        f"{numeral(motion.misfit)}."
     )
     chosen = motion.selection
     if chosen is None:

@@ -22,6 +22,7 @@ ACCELERATION_UNITS: Mapping[str, float] = {"m/s2": 1.0, "g": g, "cm/s2": 0.01, "
 
 SEPARATORS = (";", "\t", ",")
 BRACKETS = re.compile(r"\[([^\]]*)\]|\(([^)]*)\)")
+DECIMAL_COMMA = re.compile(r"\d,\d")
 CONTROL = re.compile(r"[\x00-\x08\x0e-\x1f\x7f]")
 
 
@@ -146,9 +147,16 @@ def _numbers(rows: list[tuple[int, str]], separator: str | None, *, path: Path) 
     fields = [split(line, separator) for _, line in rows]
     for (number, line), row in zip(rows, fields, strict=True):
         if len(row) != 2:
-            raise ColumnError(f'{path}: line {number}: "{line.strip()[:40]}" has {len(row)} columns; two are expected')
+            remedy = _comma(line) or "two are expected"
+            raise ColumnError(f'{path}: line {number}: "{line.strip()[:40]}" has {len(row)} columns; {remedy}')
     try:
         return np.array(fields, dtype=np.float64)
     except ValueError:
         number, line = next(at for at, row in zip(rows, fields, strict=True) if not is_row(row))
-        raise ColumnError(f'{path}: line {number}: "{line.strip()[:40]}" is not two numbers') from None
+        remedy = _comma(line) or "write one for each column, without units"
+        raise ColumnError(f'{path}: line {number}: "{line.strip()[:40]}" is not two numbers; {remedy}') from None
+
+
+def _comma(line: str) -> str:
+    """What to do about a line with decimal commas; empty where there is none."""
+    return "two are expected, and decimal commas only between semicolons" if DECIMAL_COMMA.search(line) else ""

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import json
 from collections.abc import Callable, Mapping, Sequence
 from itertools import groupby
@@ -13,6 +11,7 @@ from assess.cli.text_table import on_one_line, text_table
 from assess.comparing import Change, Kind, is_number
 from assess.plural import counted
 from assess.project.messages import printable
+from reports.csv import csv_lines
 
 HEADINGS: Mapping[Kind, str] = {
     "verdict": "verdicts",
@@ -53,13 +52,11 @@ def changes_text(changes: Sequence[Change]) -> str:
 
 def csv_text(changes: Sequence[Change]) -> str:
     """All changes as one table at full precision; lists and tables as JSON."""
-    stream = io.StringIO()
-    writer = csv.writer(stream, lineterminator="\n")
-    writer.writerow(FIELDS)
-    for change in changes:
-        ends = (_plain(end) for end in (change.before, change.after))
-        writer.writerow([change.kind, change.where, change.what, change.unit, *ends, change.relative])
-    return stream.getvalue()
+    rows = (
+        (one.kind, one.where, one.what, one.unit, _plain(one.before), _plain(one.after), one.relative)
+        for one in changes
+    )
+    return csv_lines([FIELDS, *rows])
 
 
 def json_text(changes: Sequence[Change]) -> str:

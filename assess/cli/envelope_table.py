@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import csv
-import io
-
 from assess.cli.description import warned
 from assess.cli.text_table import text_table
 from assess.results import CriticalResult, EnvelopeResult, Results
 from assess.results_io import dumps_envelopes
-from reports.csv import field
+from reports.csv import csv_lines
+from reports.document import Cell
 
 SHOWN = 8  # frequencies in the table for reading
 
@@ -41,15 +39,13 @@ def _bound(one: EnvelopeResult, place: int) -> str:
 
 def csv_text(results: Results) -> str:
     """One line for each frequency: the critical mechanism, then the least pulse of each [g], empty where none is."""
-    stream = io.StringIO()
-    writer = csv.writer(stream, lineterminator="\n")
     mapped = [(each.name, each.envelope) for each in results.mechanisms if each.envelope is not None]
-    writer.writerow(["frequency [Hz]", "critical", "least [g]", *(field(f"{name} [g]") for name, _ in mapped)])
+    rows: list[list[Cell]] = [["frequency [Hz]", "critical", "least [g]", *(f"{name} [g]" for name, _ in mapped)]]
     if results.critical is not None:
         for k, frequency in enumerate(results.critical.frequency_hz):
             head = [frequency, results.critical.mechanism[k], results.critical.lower_bound_g[k]]
-            writer.writerow([field(cell) for cell in (*head, *(one.lower_bound_g[k] for _, one in mapped))])
-    return stream.getvalue()
+            rows.append([*head, *(one.lower_bound_g[k] for _, one in mapped)])
+    return csv_lines(rows)
 
 
 def json_text(results: Results) -> str:

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import csv
-import io
 from collections.abc import Iterator
 from dataclasses import fields
 
 from assess.cli.text_table import text_table
 from assess.project.messages import printable
 from assess.results import DirectionSweep, HingeForceResult, LinearisedResult, MechanismResult, OscillatorResult
+from reports.csv import csv_lines
 
 _SHORT = (
     "mechanism",
@@ -98,16 +97,14 @@ def weakest_text(found: DirectionSweep) -> str:
 
 def csv_text(mechanisms: tuple[MechanismResult, ...]) -> str:
     """All parameters of each branch at full precision, under their names of results.json."""
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
     names = [field.name for field in fields(OscillatorResult) if field.name != "linearised"]
     constants = [field.name for field in fields(LinearisedResult)]
-    writer.writerow(["name", "label", "kind", "sides", "branch", *names, *(f"linearised_{name}" for name in constants)])
+    rows = [["name", "label", "kind", "sides", "branch", *names, *(f"linearised_{name}" for name in constants)]]
     for m in mechanisms:
         for branch, o in _branches(m):
             numbers = [getattr(o, name) for name in names] + [getattr(o.linearised, name) for name in constants]
-            writer.writerow([m.name, m.label, m.kind, m.sides, branch, *numbers])
-    return text.getvalue()
+            rows.append([m.name, m.label, m.kind, m.sides, branch, *numbers])
+    return csv_lines(rows)
 
 
 def _branches(mechanism: MechanismResult) -> Iterator[tuple[str, OscillatorResult]]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from typing import Annotated
 
 import typer
@@ -20,6 +21,7 @@ def parameters(
     from assess.project.schema import load
 
     loaded = load(project)
+    from assess.cli.description import warned
     from assess.cli.parameter_table import csv_text, directions_text, parameters_text
     from assess.project.build import build
     from assess.project.run import case_parameters
@@ -28,6 +30,7 @@ def parameters(
 
     text = dumps_mechanisms if as_json else csv_text if as_csv else parameters_text
     study = build(loaded)
+    print(warned(study.notices), end="", file=sys.stderr)
     mechanisms = of_study(study)
     print(text((*mechanisms, *case_parameters(study))), end="")
     if text is parameters_text:

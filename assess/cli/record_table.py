@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import json
 from collections.abc import Sequence
 from dataclasses import asdict
@@ -18,6 +16,7 @@ from records.intensity import Measures, measures
 from records.orientation import is_vertical
 from records.record import Record
 from records.response import response_spectrum
+from reports.csv import csv_lines
 
 PERIODS = np.concatenate(([0.0], np.geomspace(0.01, 10.0, 160)))  # s, of the spectra, as in results.json
 _COLUMNS = (
@@ -46,13 +45,8 @@ def table_text(records: Sequence[Record]) -> str:
 
 def csv_text(records: Sequence[Record]) -> str:
     """All but the spectra at full precision, under their names of the JSON."""
-    text = io.StringIO()
     rows = [_flat(_known(record)) for record in records]
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(rows[0])
-    for row in rows:
-        writer.writerow("" if value is None else value for value in row.values())
-    return text.getvalue()
+    return csv_lines([rows[0], *(row.values() for row in rows)])
 
 
 def json_text(records: Sequence[Record]) -> str:
@@ -123,5 +117,5 @@ def _flat(known: dict[str, Any]) -> dict[str, Any]:
         if isinstance(value, dict):
             flat |= {name if key == "measures" else f"{key}_{name}": each for name, each in value.items()}
         else:
-            flat[key] = value
+            flat[key] = str(value) if isinstance(value, bool) else value
     return flat

@@ -7,6 +7,8 @@ from typing import Annotated
 
 import typer
 
+from assess.cli.checked import known_unit, response_file, step_of_records, turn
+
 records = typer.Typer(
     help="Read, process and convert records of ground motions.",
     no_args_is_help=False,
@@ -16,10 +18,17 @@ records = typer.Typer(
 
 Files = Annotated[list[Path], typer.Argument(metavar="FILES…", help="Record files, of any format known.")]
 Unit = Annotated[
-    str | None, typer.Option(help="Of accelerations, where a file does not say it: g, m/s2, cm/s2, gal, mm/s2.")
+    str | None,
+    typer.Option(
+        help="Of accelerations, where a file does not say it: g, m/s2, cm/s2, gal, mm/s2.", callback=known_unit
+    ),
 ]
-Step = Annotated[float | None, typer.Option(help="Of time [s], where a file does not say it.")]
-Response = Annotated[Path | None, typer.Option(help="StationXML of the instrument, for MiniSEED and SAC.")]
+Step = Annotated[
+    float | None, typer.Option(help="Of time [s], where a file does not say it.", callback=step_of_records)
+]
+Response = Annotated[
+    Path | None, typer.Option(help="StationXML of the instrument, for MiniSEED and SAC.", callback=response_file)
+]
 
 
 @records.callback()
@@ -45,11 +54,11 @@ def list_records(
         raise typer.BadParameter("--json and --csv exclude each other")
     from assess.cli.record_table import csv_text, json_text, table_text
     from assess.cli.warning import warn
-    from records.plausibility import doubt_of
+    from records.plausibility import doubt_of, doubts_among
     from records.reading import read
 
     found = [record for file in files for record in read(file, unit=unit, step=step, response=response)]
-    warn([doubt_of(record) for record in found])
+    warn([*map(doubt_of, found), *doubts_among(found)])
     text = json_text if as_json else csv_text if as_csv else table_text
     print(text(found), end="")
 
@@ -64,12 +73,14 @@ def convert(
     component: Annotated[
         str | None, typer.Option(help="Of a file of several, as `assess records list` names it.")
     ] = None,
-    azimuth: Annotated[float | None, typer.Option(help="Turn two horizontal components to this one [deg].")] = None,
+    azimuth: Annotated[
+        float | None, typer.Option(help="Turn two horizontal components to this one [deg].", callback=turn)
+    ] = None,
     rotd: Annotated[float | None, typer.Option(help="Turn two to this percentile of peaks: 50, 100.")] = None,
     baseline: Annotated[int | None, typer.Option(help="Take off the best polynomial of this degree.")] = None,
     low_cut: Annotated[float | None, typer.Option(help="Corner of the acausal Butterworth filter [Hz].")] = None,
     high_cut: Annotated[float | None, typer.Option(help="Corner of the acausal Butterworth filter [Hz].")] = None,
-    order: Annotated[int, typer.Option(help="Of the filter, which runs forwards and backwards.")] = 4,
+    order: Annotated[int, typer.Option(min=1, max=10, help="Of the filter, which runs forwards and backwards.")] = 4,
     trim: Annotated[
         tuple[float, float] | None,
         typer.Option(metavar="FROM TO", help="Keep these shares of Arias intensity: 0.01 0.99."),
@@ -77,7 +88,8 @@ def convert(
     resample: Annotated[float | None, typer.Option(help="New step [s], without aliasing.")] = None,
     scale: Annotated[float | None, typer.Option(help="Multiply every acceleration.")] = None,
     to_unit: Annotated[
-        str | None, typer.Option(metavar="UNIT", help="Of the CSV written: m/s2 (if absent), g, cm/s2, gal, mm/s2.")
+        str | None,
+        typer.Option(metavar="UNIT", help="Of the CSV written: m/s2 (if absent), g, cm/s2, gal, mm/s2."),
     ] = None,
 ) -> None:
     """Write one record as CSV or PEER AT2, turned, corrected, filtered, trimmed, resampled and scaled in this order."""
@@ -85,13 +97,13 @@ def convert(
         raise typer.BadParameter("--azimuth and --rotd exclude each other")
     from assess.cli.record_conversion import Processing, chosen, processed, text_of, write
     from assess.cli.warning import warn
-    from records.plausibility import doubt_of
+    from records.plausibility import doubt_of, doubts_among
     from records.reading import read
 
     found = [record for file in files for record in read(file, unit=unit, step=step, response=response)]
     wanted = Processing(azimuth, rotd, baseline, low_cut, high_cut, order, trim, resample, scale)
     used = chosen(found, component=component, turned=wanted.turns)
-    warn([doubt_of(record) for record in used])
+    warn([*map(doubt_of, used), *doubts_among(used)])
     record = processed(used, wanted)
     write(text_of(record, output, unit=to_unit), output, inputs=files)
     print(f"{output}: {record.npts} samples at {record.dt:.6g} s; {'; '.join(record.trail)}")

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
+from assess.cli.arguments import Jobs
 from assess.cli.figures import FigurePath, refuse_figure
-from assess.cli.processes import Jobs, processes
+from assess.cli.processes import processes
 from assess.cli.records import Response, Step, Unit
 from assess.cli.records_index import Catalogue, Flatfile
 
@@ -79,6 +81,7 @@ def select(
     if target is None and (given or len(places) != 1):
         what = f"--{given[0].replace('_', '-')}" if given else "several places"
         raise typer.BadParameter(f"{what} needs --target; a PROJECT has its own [records] select")
+    from assess.cli.description import warned
     from assess.cli.suite_table import csv_text, drawn, json_text, table_text
     from assess.project.choosing import Wanted, of_project, of_target
     from records.formats.stated import Stated
@@ -97,6 +100,8 @@ def select(
             )
     if output is not None:
         drawn(found, output)
+    if as_json or as_csv:  # the table ends with them
+        print(warned(found.notices), end="", file=sys.stderr)
     print((json_text if as_json else csv_text if as_csv else table_text)(found), end="")
 
 

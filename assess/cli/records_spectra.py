@@ -7,8 +7,10 @@ from typing import Annotated
 
 import typer
 
+from assess.cli.arguments import Jobs
+from assess.cli.checked import damping_ratio
 from assess.cli.figures import FigurePath, refuse_figure
-from assess.cli.processes import Jobs, processes
+from assess.cli.processes import processes
 from assess.cli.records import Response, Step, Unit
 from assess.cli.records_index import Catalogue
 
@@ -17,7 +19,9 @@ Places = Annotated[list[Path], typer.Argument(metavar="FILES…|FOLDER", help="R
 
 def spectra(
     places: Places,
-    damping: Annotated[float, typer.Option(help="Damping ratio; a folder has 5 % spectra.")] = 0.05,
+    damping: Annotated[
+        float, typer.Option(help="Damping ratio; a folder has 5 % spectra.", callback=damping_ratio)
+    ] = 0.05,
     unit: Unit = None,
     step: Step = None,
     response: Response = None,

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 from collections.abc import Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass
@@ -22,7 +20,7 @@ from records.candidates import DAMPING, PERIODS
 from records.formats.stated import Stated
 from records.indexing import read_stated
 from records.response import response_spectrum
-from reports.csv import field
+from reports.csv import csv_lines
 from reports.figure_file import write_figure
 from reports.figures import record_spectra
 
@@ -68,13 +66,9 @@ def table_text(spectra: Spectra) -> str:
 
 def csv_text(spectra: Spectra) -> str:
     """A line for each period, a column for each record, at full precision."""
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(["period [s]", *(field(f"{name} [m/s2]") for name in spectra.names)])
-    writer.writerow([0.0, *spectra.pga.tolist()])
-    for T, column in zip(PERIODS.tolist(), spectra.ordinates.T.tolist(), strict=True):
-        writer.writerow([T, *column])
-    return text.getvalue()
+    header = ["period [s]", *(f"{name} [m/s2]" for name in spectra.names)]
+    columns = zip(PERIODS.tolist(), spectra.ordinates.T.tolist(), strict=True)
+    return csv_lines([header, [0.0, *spectra.pga.tolist()], *([T, *column] for T, column in columns)])
 
 
 def drawn(spectra: Spectra, path: Path) -> None:

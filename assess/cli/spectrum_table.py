@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import sys
 from importlib.metadata import version
 from pathlib import Path
@@ -16,6 +14,7 @@ from assess.message import Message, warning
 from assess.project.outcome import spectrum_result
 from assess.project.run import NAME
 from assess.results_io import dumps_spectrum
+from reports.csv import csv_lines
 from reports.spectrum_parameters import ACCELERATION, corners, named
 from spectra.spectrum import Spectrum
 
@@ -48,11 +47,9 @@ def periods_of(spectrum: Spectrum) -> list[float]:
 
 def csv_text(spectrum: Spectrum) -> str:
     """Period and acceleration at full precision, as a table spectrum is read."""
-    result, stream = spectrum_result(spectrum), io.StringIO()
-    writer = csv.writer(stream, lineterminator="\n")
-    writer.writerow(["period [s]", "acceleration [g]"])
-    writer.writerows(zip(result.period_s, result.acceleration_g, strict=True))
-    return stream.getvalue()
+    result = spectrum_result(spectrum)
+    rows = zip(result.period_s, result.acceleration_g, strict=True)
+    return csv_lines([("period [s]", "acceleration [g]"), *rows])
 
 
 def json_text(spectrum: Spectrum) -> str:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import io
 from importlib.metadata import version
 from pathlib import Path
 
@@ -13,7 +11,7 @@ from assess.project.choosing import Suite
 from assess.project.run import NAME
 from assess.results import RecordResult
 from assess.results_io import dumps_suite
-from reports.csv import field
+from reports.csv import csv_lines
 from reports.figure_file import write_figure
 from reports.figures import record_spectra
 from reports.site import event_of
@@ -45,15 +43,11 @@ def table_text(suite: Suite) -> str:
 
 def csv_text(suite: Suite) -> str:
     """The records at full precision, under their names of results.json."""
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
     names = (
         "id", "path", "event", "date", "station", "component", "nga", "magnitude", "distance_km", "vs30_m_per_s",
         "dt_s", "npts", "mse", "scale_factor", "pga_g",
     )  # fmt: skip
-    writer.writerow(names)
-    writer.writerows([field(getattr(record, name)) for name in names] for record in suite.records)
-    return text.getvalue()
+    return csv_lines([names, *([getattr(record, name) for name in names] for record in suite.records)])
 
 
 def json_text(suite: Suite) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -9,12 +10,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from assess.errors import GeometryError
-from assess.geometry.formats.parts import MeshFile, Up, together
-from assess.geometry.formats.reading import chosen, read
+from assess.geometry.formats.elements import shown
+from assess.geometry.formats.parts import Part, Up, together
+from assess.geometry.models import Model, read_models
 from assess.geometry.repair import mended
 from assess.geometry.solid import Solid, polyhedron
 from assess.geometry.sounding import doubts_of
-from assess.geometry.surface import merged
+from assess.geometry.surface import Surface, merged
 
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
@@ -48,7 +50,7 @@ def load(
     name : the body's name in the project
     scale : length of the file's unit [m]; the file's own if absent, the metre where it has none
     up : the axis of the file that points up; the format's if absent, z where it has none
-    element : only the part of the file of this name or identifier; all parts if absent
+    element : only elements of this name, identifier, class or pattern (`formats.elements`); all if absent
 
     Raises
     ------
@@ -56,19 +58,70 @@ def load(
         cannot be closed or has no volume; a coordinate is not finite; scale or density is not positive
     """
     file = Path(path)
-    where = f'body "{name}": mesh {file.name}'
-    content = read(file, where=where)
-    unit, doubts = _unit(content, scale, where=where)
-    vertices, triangles = together(chosen(content, element, where=where))
-    sound = _sound(vertices, triangles, where=where)
-    placed = _upright(sound if unit == 1.0 else sound * unit, up=up or content.up or "z")
-    surface = merged(placed, triangles)
+    model = read_models({name: (file, element)})[file, element]
+    return solid_of(model, density=density, name=name, scale=scale, up=up)
+
+
+def solid_of(model: Model, *, density: float, name: str, scale: float | None = None, up: Up | None = None) -> Solid:
+    """The solid inside the meshes of what was taken of a file; the rest as `load` has it.
+
+    Raises
+    ------
+    GeometryError : as `load`; where one of several elements is at fault, it is named
+    """
+    where = f'body "{name}": mesh {model.file.name}'
+    try:
+        return _solid(model, model.parts, density=density, name=name, scale=scale, up=up, where=where)
+    except GeometryError as problem:
+        raise _blamed(model, density=density, name=name, scale=scale, up=up, where=where) or problem from None
+
+
+def _solid(
+    model: Model,
+    parts: Sequence[Part],
+    *,
+    density: float,
+    name: str,
+    scale: float | None,
+    up: Up | None,
+    where: str,
+) -> Solid:
+    """The solid inside some of a model's meshes."""
+    _, doubts = _unit(model, scale, where=where)
+    surface = merged(*placed(model, parts, scale=scale, up=up, where=where))
     if not len(surface[1]):
         raise GeometryError(f"{where}: all its triangles have shrunk to lines or points; export it with more digits")
     surface, told = mended(surface, where=where)
     solid = polyhedron(*surface, density=density, name=name)
-    trail = (*doubts, *_turned(content, given=up), *told, *doubts_of(surface, where=where))
+    trail = (*model.told, *doubts, *_turned(model, given=up), *told, *doubts_of(surface, where=where))
     return replace(solid, trail=trail)
+
+
+def placed(model: Model, parts: Sequence[Part], *, scale: float | None, up: Up | None, where: str) -> Surface:
+    """Some of a model's meshes as one, upright [m]: vertices [n, 3] as they are, triangles [m, 3].
+
+    Raises
+    ------
+    GeometryError : there is no triangle, or one of a corner that is not there or not finite; scale is not positive
+    """
+    unit, _ = _unit(model, scale, where=where)
+    vertices, triangles = together(parts)
+    sound = _sound(vertices, triangles, where=where)
+    return _upright(sound if unit == 1.0 else sound * unit, up=up or model.up or "z"), triangles
+
+
+def _blamed(
+    model: Model, *, density: float, name: str, scale: float | None, up: Up | None, where: str
+) -> GeometryError | None:
+    """The error of the first element that is no body by itself; None where that is none of several, or all."""
+    wrong = []
+    for part in model.parts if len(model.parts) > 1 else ():
+        at = f'{where}: element "{shown(part.element.shown)}"'
+        try:
+            _solid(model, [part], density=density, name=name, scale=scale, up=up, where=at)
+        except GeometryError as problem:
+            wrong.append(problem)
+    return wrong[0] if 0 < len(wrong) < len(model.parts) else None
 
 
 def suspicious(solid: Solid, *, unit: float | None = None) -> str | None:
@@ -102,13 +155,13 @@ def _upright(vertices: FloatArray, *, up: Up) -> FloatArray:
     return vertices if up == "z" else vertices[:, [0, 2, 1]] * [1.0, -1.0, 1.0]
 
 
-def _turned(content: MeshFile, *, given: Up | None) -> tuple[str, ...]:
+def _turned(content: Model, *, given: Up | None) -> tuple[str, ...]:
     """A sentence where a mesh is turned upright because its format says so, which exporters do not always heed."""
     turned = given is None and content.up == "y"
     return ('taken as y-up, as glTF prescribes; write mesh_up = "z" if it is not',) if turned else ()
 
 
-def _unit(content: MeshFile, given: float | None, *, where: str) -> tuple[float, tuple[str, ...]]:
+def _unit(content: Model, given: float | None, *, where: str) -> tuple[float, tuple[str, ...]]:
     """Length of the mesh's unit [m]: the one given, the file's own or the metre; and a sentence where they differ."""
     if given is not None and not (np.isfinite(given) and given > 0.0):
         raise GeometryError(f"{where}: its unit is {given:g} m; give a positive finite length")

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from math import sqrt
+from collections.abc import Callable, Iterator, Sequence
+from math import inf, sqrt
 
 import numpy as np
 from scipy.optimize import minimize_scalar
@@ -41,24 +41,41 @@ def crack_ratio(*, load: float, tension: float, place: float, arm: float = ARM) 
     return sqrt(a) / (sqrt(a) + sqrt(c))
 
 
-def least(multiplier: Callable[[float], float], *, low: float, high: float) -> float:
+def least(
+    multiplier: Callable[[float], float], *, low: float, high: float, jumps: Sequence[float] = (), apart: float = 0.0
+) -> float:
     """The elevation [m] between those of base and top at which `multiplier` of the cracked wall is least.
+
+    jumps : elevations at which it jumps [m]; it is not looked for within `apart` of them [m]
 
     Raises CrackError where it is least at the end, for then there is no crack between.
     """
-    stations = np.linspace(low + MARGIN * (high - low), high - MARGIN * (high - low), STATIONS)
-    values = [multiplier(float(each)) for each in stations]
-    best = int(np.argmin(values))
-    if best in (0, STATIONS - 1):
+    ends = (low + MARGIN * (high - low), high - MARGIN * (high - low))
+    parts = list(between(ends, jumps, apart=apart))
+    best, at, bounds = inf, low, ends
+    for start, end in parts:
+        stations = np.linspace(start, end, STATIONS)
+        values = [multiplier(float(each)) for each in stations]
+        lowest = int(np.argmin(values))
+        if values[lowest] < best:
+            best, at = values[lowest], float(stations[lowest])
+            bounds = (float(stations[max(lowest - 1, 0)]), float(stations[min(lowest + 1, STATIONS - 1)]))
+    if not parts or at in (parts[0][0], parts[-1][1]):
         raise CrackError(
-            f'crack = "minimum": the least multiplier is at an end, at z = {stations[best]:.4g} m, so no crack between '
+            f'crack = "minimum": the least multiplier is at an end, at z = {at:.4g} m, so no crack between '
             "base and top controls; give an overburden load, the material's tensile_strength, a crack elevation, or "
             "hinges"
         )
-    found = minimize_scalar(
-        multiplier,
-        bounds=(stations[best - 1], stations[best + 1]),
-        method="bounded",
-        options={"xatol": FINE * (high - low)},
-    )
+    found = minimize_scalar(multiplier, bounds=bounds, method="bounded", options={"xatol": FINE * (high - low)})
     return float(found.x)
+
+
+def between(ends: tuple[float, float], jumps: Sequence[float], *, apart: float) -> Iterator[tuple[float, float]]:
+    """The parts of a range between jumps, without what is nearer than `apart` to one."""
+    start = ends[0]
+    for jump in sorted(each for each in set(jumps) if ends[0] < each + apart and each - apart < ends[1]):
+        if jump - apart > start:
+            yield start, jump - apart
+        start = max(start, jump + apart)
+    if start < ends[1]:
+        yield start, ends[1]

@@ -11,6 +11,7 @@ import numpy as np
 from assess.errors import GeometryError
 from assess.geometry import mesh
 from assess.geometry.cut import Parts, Plane, divide, inclined, level
+from assess.geometry.models import Models, read_models
 from assess.geometry.planar import (
     FloatArray,
     PlanarBody,
@@ -52,15 +53,22 @@ class Piece:
     fixed: tuple[Solid, ...] = ()
 
 
-def solid_of(name: str, body: sections.Body, materials: Mapping[str, sections.Material]) -> Solid | None:
+def models_of(bodies: Mapping[str, sections.Body], *, known: Models) -> Models:
+    """What the bodies take of model files, each file read once; `known`: what has been read already."""
+    asked = {name: (body.mesh, body.element) for name, body in bodies.items() if isinstance(body, sections.MeshBody)}
+    return {**known, **read_models({name: one for name, one in asked.items() if one not in known})}
+
+
+def solid_of(
+    name: str, body: sections.Body, materials: Mapping[str, sections.Material], models: Models
+) -> Solid | None:
     """The solid of a body with geometry, None for direct values."""
     if isinstance(body, sections.DirectBody):
         return None
     density = materials[body.material].density
     if isinstance(body, sections.MeshBody):
-        return mesh.load(
-            body.mesh, density=density, name=name, scale=body.mesh_unit, up=body.mesh_up, element=body.element
-        )
+        model = models[body.mesh, body.element]
+        return mesh.solid_of(model, density=density, name=name, scale=body.mesh_unit, up=body.mesh_up)
     if isinstance(body, sections.BoxBody):
         return box(**body.box.model_dump(), density=density, name=name)
     return profile(body.profile, length=body.length, density=density, name=name)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
 import numpy as np
@@ -13,6 +13,7 @@ from assess.bearing import Support, carries, carrying, nearest, share_of, suppor
 from assess.errors import GeometryError
 from assess.geometry.covering import extent
 from assess.geometry.solid import Solid
+from assess.geometry.touch import touch
 from assess.loads import Force, Load, Point, PointMass
 from assess.project import sections
 from assess.project.coverings import Arch, Thrust, arch_of, thrust_of, weight
@@ -22,6 +23,7 @@ from assess.project.plane import point_in_plane
 FloatArray = NDArray[np.float64]
 
 BETWEEN = 1 / 8  # of the span: a contact this near its middle holds both feet of a roof or vault
+BELOW_THE_CUT = "it stands on what the cut leaves still, so it is no load of the mechanism; remove it from `loads`"
 BY_ITSELF = ("give `at` and `bearing`", "give it a mesh, box or profile, or write mass and force loads")
 
 
@@ -29,22 +31,27 @@ BY_ITSELF = ("give `at` and `bearing`", "give it a mesh, box or profile, or writ
 class Surroundings:
     """Where a load stands.
 
-    block : solids of the block that it loads, as cut; others : the project's other solids
-    along : unit vector of the motion [3]; where : what an error names
+    block : solids of the block that it touches, as cut; others : the project's other solids, as the mechanism cuts them
+    fixed : what cuts leave standing; along : unit vector of the motion [3]; where : what an error names
     """
 
     block: tuple[Solid, ...]
     others: tuple[Solid, ...]
+    fixed: tuple[Solid, ...]
     along: FloatArray
     where: str
 
 
 @dataclass(frozen=True)
 class Brought:
-    """The loads that bodies bring, and sentences on what is doubtful of them."""
+    """The loads that bodies bring, and sentences on what is doubtful of them.
+
+    follows : of each load, whether its block follows from where it is
+    """
 
     loads: tuple[Load, ...]
     doubts: tuple[str, ...]
+    follows: tuple[bool, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -73,7 +80,14 @@ class Case:
         return self.arch.axis if self.arch is not None and self.load.role == "vault" else None
 
 
-Meeting = tuple[Support | None, list[str]]
+@dataclass(frozen=True)
+class Meeting:
+    """Where a body meets the block and others, None where the user says all of it; and what is doubtful."""
+
+    found: Support | None
+    doubts: tuple[str, ...] = ()
+
+
 Meet = Callable[[sections.BodyLoad, Solid | None, Surroundings], Meeting]
 
 
@@ -91,21 +105,37 @@ def meeting(load: sections.BodyLoad, body: Solid | None, around: Surroundings) -
 
     Raises GeometryError where the body touches nothing of the block, or has no geometry where it needs one.
     """
-    return beside_the_block(met(load, body, around=around), around=around)
+    given = load.at is not None and load.bearing is not None
+    found = met(load, body, given=given, around=around)
+    if found is not None:
+        return beside_the_block(found, around=around)
+    if body is None or given:
+        return Meeting(None)
+    below = any(touch(solid, body, tolerance=load.tolerance) for solid in around.fixed)
+    why = BELOW_THE_CUT if below else nearest(body, block=around.block)
+    raise GeometryError(f'{around.where}: load "{load.body}" touches nothing of the block: {why}, or {BY_ITSELF[0]}')
 
 
 def body_loads(
-    load: sections.BodyLoad, *, body: Solid | None, mass: float, around: Surroundings, meet: Meet = meeting
+    load: sections.BodyLoad,
+    *,
+    block: int,
+    body: Solid | None,
+    mass: float,
+    around: Surroundings,
+    meet: Meet = meeting,
 ) -> Brought:
     """The point mass of a body, and the force of its thrust if it has one.
 
-    body : None for direct values; mass : of the whole body by its table [kg]; meet : finds where it meets the block
+    block : number of the one that it loads; body : None for direct values; mass : of the whole body by its table [kg]
+    meet : finds where it meets the block
 
     Raises
     ------
     GeometryError : the body touches nothing of the block, has no geometry where it needs one, or would lift off
     """
-    found, doubts = meet(load, body, around)
+    met_by = meet(load, body, around)
+    found = met_by.found
     covering = body if load.role != "floor" else None
     arch = None if covering is None else arch_of(load, covering, along=around.along)
     at = place_of(load, found, along=around.along)
@@ -117,18 +147,27 @@ def body_loads(
     source, pushed = [of, part.source, how, *placed(load, found, along=around.along)], list[Force]()
     if covering is not None:
         thrust = thrust_on(case, V=g * part.share * whole, along=around.along)
-        force = Force(f"{load.body} (thrust)", (thrust.size, 0.0), at, load.block, thrust.source)
+        force = Force(f"{load.body} (thrust)", (thrust.size, 0.0), at, block, thrust.source)
         pushed += [force] if thrust.size else []
         source += [] if thrust.size else [thrust.source]
     if load.seat is not None and not bearing:
         raise GeometryError(f"{case.where}: it only pushes, so it has no seat; remove seat, or write bearing = true")
-    carried = PointMass(load.body, part.share * whole, at, bearing, load.block, "; ".join(source), load.seat)
-    return Brought((carried, *pushed), tuple(f'load "{load.body}": {text}' for text in (*doubts, *part.doubts)))
+    carried = PointMass(load.body, part.share * whole, at, bearing, block, "; ".join(source), load.seat)
+    return Brought((carried, *pushed), told_of(load, (*met_by.doubts, *part.doubts)))
 
 
-def met(load: sections.BodyLoad, body: Solid | None, *, around: Surroundings) -> Support | None:
-    """Where the body meets the block and others; None where it does not, and the user says all that follows from it."""
-    given = load.at is not None and load.bearing is not None
+def told_of(load: sections.BodyLoad, doubts: Iterable[str]) -> tuple[str, ...]:
+    """Sentences with the name of the load that they are about."""
+    return tuple(f'load "{load.body}": {text}' for text in doubts)
+
+
+def met(load: sections.BodyLoad, body: Solid | None, *, given: bool, around: Surroundings) -> Support | None:
+    """Where the body meets the block and others; None where it does not, or where nothing can tell.
+
+    given : whether the user says all that follows from it
+
+    Raises GeometryError where nothing can tell, and the user does not either.
+    """
     place, shape = BY_ITSELF
     where = f'{around.where}: load "{load.body}"'
     if body is None or not around.block:
@@ -138,17 +177,27 @@ def met(load: sections.BodyLoad, body: Solid | None, *, around: Surroundings) ->
         if not given:
             raise GeometryError(f"{where}: {whose} has no geometry, so it is not known where they touch; {place}")
         return None
-    found = support(body, block=around.block, others=around.others, tolerance=load.tolerance)
-    if found is None and not given:
-        raise GeometryError(f"{where} touches nothing of the block: {nearest(body, block=around.block)}, or {place}")
-    return found
+    found = support(body, block=around.block, others=(*around.others, *around.fixed), tolerance=load.tolerance)
+    return None if found is None else apart(found, around.block, tolerance=load.tolerance)
 
 
-def beside_the_block(found: Support | None, *, around: Surroundings) -> Meeting:
+def apart(found: Support, block: tuple[Solid, ...], *, tolerance: float) -> Support:
+    """The same without contacts with what a cut parted from the block where both lie at one elevation.
+
+    There the face that the cut made is as near to the body as the face on which it stands.
+    """
+    own, height = {solid.name for solid in block}, float(found.contact.centroid[2])
+    kept = {
+        name: each
+        for name, each in found.others.items()
+        if name not in own or abs(float(each.centroid[2]) - height) > tolerance
+    }
+    return Support(found.contact, kept)
+
+
+def beside_the_block(found: Support, *, around: Surroundings) -> Meeting:
     """The contacts without those with bodies that stand where the block does; a sentence for each that overlaps it."""
-    if found is None:
-        return None, []
-    kept, doubts = dict(found.others), []
+    kept, doubts = dict(found.others), list[str]()
     for other in (solid for solid in around.others if solid.name in found.others):
         part, volume = shared_with(around.block, other)
         if part > SAME_PLACE:
@@ -156,7 +205,7 @@ def beside_the_block(found: Support | None, *, around: Surroundings) -> Meeting:
             doubts.append(f'body "{other.name}" stands where the block does; it is not taken to carry a part of this')
         elif part > OVERLAP:
             doubts.append(f'body "{other.name}", which it touches too, overlaps the block by {volume:.3g} m3')
-    return Support(found.contact, kept), doubts
+    return Meeting(Support(found.contact, kept), tuple(doubts))
 
 
 def bearing_of(case: Case) -> tuple[bool, str]:

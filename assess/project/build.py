@@ -13,12 +13,13 @@ import numpy as np
 
 from assess.codes.context import Building, FirstMode
 from assess.errors import ProjectError
+from assess.geometry.models import Models
 from assess.geometry.solid import Solid
 from assess.message import Message, warning
 from assess.project import record_set, sections
 from assess.project.amplification import Standing, amplified
 from assess.project.asking import as_asked, free_periods_of, knowledge_of, options_of, procedures_of
-from assess.project.bodies import solid_of
+from assess.project.bodies import models_of, solid_of
 from assess.project.components import horizontal, left_out
 from assess.project.deciding import facts_of, levels_with_site, question_of
 from assess.project.dependents import dependents
@@ -43,8 +44,9 @@ CLAUSES_NEED = {"height", "storeys", "period", "damping"}  # of [building]
 
 @dataclass(frozen=True)
 class Files:
-    """What the files of a project hold: bodies by name, None without geometry; the site's spectrum; records."""
+    """What the files of a project hold: models; bodies by name, None without geometry; the site's spectrum; records."""
 
+    models: Models
     solids: Mapping[str, Solid | None]
     spectrum: Spectrum | None
     named: RecordSet
@@ -64,9 +66,10 @@ def study_of(project: Project, *, executor: Executor | None = None) -> Study:
     content = project.content
     site = site_in(content)
     spectrum = None if site is None else spectrum_of(site)
-    solids = {name: solid_of(name, body, content.materials) for name, body in content.bodies.items()}
+    models = models_of(content.bodies, known={})
+    solids = {name: solid_of(name, body, content.materials, models) for name, body in content.bodies.items()}
     named, notices = all_records(content.records, project.folder)
-    study = part_of(content, Files(solids, spectrum, named), names=content.mechanisms)
+    study = part_of(content, Files(models, solids, spectrum, named), names=content.mechanisms)
     if content.records.select is not None and spectrum is not None:
         named, notices = record_set.chosen(
             content.records,
@@ -76,7 +79,7 @@ def study_of(project: Project, *, executor: Executor | None = None) -> Study:
             folder=project.folder,
             executor=executor,
         )
-    files = Files(solids, spectrum, named)
+    files = Files(models, solids, spectrum, named)
     return replace(
         study,
         records=named.records,
@@ -170,8 +173,10 @@ def alone(
 def reread(content: sections.Content, project: Project, files: Files) -> Files:
     """The files of a case: what a case has not changed is not read again."""
     whole = project.content
+    changed = {name: body for name, body in content.bodies.items() if not same_body(name, content, whole)}
+    models = models_of(changed, known=files.models)
     solids = {
-        name: files.solids[name] if same_body(name, content, whole) else solid_of(name, body, content.materials)
+        name: solid_of(name, body, content.materials, models) if name in changed else files.solids[name]
         for name, body in content.bodies.items()
     }
     site = site_in(content)
@@ -180,7 +185,7 @@ def reread(content: sections.Content, project: Project, files: Files) -> Files:
     if not same and content.records.select is not None:
         raise ProjectError("records: a sweep cannot vary what records are selected by; sweep another key")
     records = files.named if same else all_records(content.records, project.folder)[0]
-    return Files(solids, spectrum, records)
+    return Files(models, solids, spectrum, records)
 
 
 def same_body(name: str, case: sections.Content, whole: sections.Content) -> bool:

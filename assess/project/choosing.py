@@ -24,7 +24,7 @@ from assess.project.schema import load
 from assess.project.site_spectrum import site_of, spectrum_of
 from assess.project.study import Fitting
 from assess.results import GroundMotionResult, RecordResult
-from records.band import band
+from records.band import band, up_to
 from records.candidates import PERIODS
 from records.formats.stated import Stated
 from records.indexing import read_stated
@@ -136,7 +136,7 @@ def scaled_files(
         motions = scaled_together(records, spectrum, fitting, scale_to=_one_of("to", to, ScaleTo))
     else:
         factors = [scale_to_ordinate(record, spectrum, period=at) for record in records]
-        over = {"period": fitting.band.period, "weight": fitting.band.weight}
+        over = vars(up_to(fitting.band, spectrum.longest_period))
         scalings = [Scaling(f, misfit(r, spectrum, factor=f, **over)) for r, f in zip(records, factors, strict=True)]
         motions = tuple(Motion(record, scaling) for record, scaling in zip(records, scalings, strict=True))
     motion = suite_result(motions, spectrum, fitting, source="given", equivalent={})

@@ -97,10 +97,14 @@ def normals_of(foot: FloatArray) -> FloatArray:
 
 @dataclass(frozen=True)
 class Standing:
-    """A block as cut, before it is seen from a direction: its solids and the corners [k, 3] [m] it stands on."""
+    """A block as cut, before it is seen from a direction.
+
+    solids : what it is made of; foot : corners it stands on [k, 3] [m]; fixed : what lies below the cut and stays
+    """
 
     solids: tuple[Solid, ...]
     foot: FloatArray
+    fixed: tuple[Solid, ...] = ()
 
 
 def standing_block(name: str, section: sections.SingleBlock, solids: tuple[Solid, ...]) -> Standing:
@@ -109,7 +113,7 @@ def standing_block(name: str, section: sections.SingleBlock, solids: tuple[Solid
     if plane is None:
         return Standing(solids, lowest_corners(solids))
     parts = divide(solids, plane, where=f'mechanism "{name}"')
-    return Standing(parts.above, parts.foot)
+    return Standing(parts.above, parts.foot, parts.below)
 
 
 def block_towards(
@@ -126,7 +130,7 @@ def block_towards(
     def block(direction: Vector) -> Mechanism:
         body = as_one([planar_unseen(solid, direction=direction) for solid in standing.solids])
         body = replace(body, base=base_of_section(standing.foot, direction=direction))
-        pieces = [Piece(body, standing.solids, None)]
+        pieces = [Piece(body, standing.solids, None, fixed=standing.fixed)]
         faced = facing(section, direction)
         brought = loads_of(name, faced, pieces, content, solids, meet=meet)
         return of_one_block(name, faced, pieces, content, loads=brought.loads)[0]

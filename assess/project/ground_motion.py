@@ -15,12 +15,12 @@ from assess.project.periods import ABOVE, BELOW, ends, equivalent_periods
 from assess.project.study import Fitting, Study
 from assess.project.suite_rules import RULES
 from assess.results import EquivalentPeriods, GroundMotionResult, Remaining, RequirementResult, SelectionResult
-from records.band import Band
+from records.band import Band, up_to
 from records.compliance.registry import all_requirements
 from records.compliance.requirement import Requirement
 from records.compliance.suite import DAMPING, suite_of
 from records.response import response_spectrum
-from records.scaling import mean_square
+from records.scaling import log_ratio, mean_square
 from records.selection import Selection
 from spectra.spectrum import Spectrum
 
@@ -53,13 +53,13 @@ def suite_result(
     own : the shortest and the longest period [s] by the code of requirements that defines its own
     Without mechanisms the codes are asked for the periods whose multiples the range is.
     """
-    low, high = fitting.band.ends
+    low, high = up_to(fitting.band, spectrum.longest_period).ends
     shortest, longest = ends(equivalent) if equivalent else (low / BELOW, high / ABOVE)
     period = periods_of(spectrum)
     spectra = np.array([m.scaling.factor * response_spectrum(m.record, period, damping=DAMPING) for m in motions])
     return GroundMotionResult(
         from_s=low,
-        to_s=min(high, spectrum.longest_period),
+        to_s=high,
         source=source,
         equivalent_periods=tuple(EquivalentPeriods(name, *of) for name, of in equivalent.items()),
         period_s=floats(period),
@@ -84,10 +84,11 @@ def source_of(study: Study) -> str:
 
 def misfit_of_mean(motions: Sequence[Motion], spectrum: Spectrum, band: Band) -> float:
     """Mean squared natural-log difference between the mean spectrum and the target over the band [-]."""
-    inside = band.period <= spectrum.longest_period
-    T = band.period[inside]
-    mean = np.mean([m.scaling.factor * response_spectrum(m.record, T, damping=DAMPING) for m in motions], axis=0)
-    return float(mean_square(np.log(spectrum.acceleration(T, damping=DAMPING) / mean), weight=band.weight[inside]))
+    over = up_to(band, spectrum.longest_period)
+    ratios = [
+        m.scaling.factor * np.exp(-log_ratio(m.record, spectrum, period=over.period, nodes=over.nodes)) for m in motions
+    ]
+    return float(mean_square(np.log(np.mean(ratios, axis=0)), weight=over.weight))
 
 
 def requirements_of(

@@ -13,7 +13,8 @@ from assess.loads import Force, Load, PointMass, Tie
 from assess.mechanisms.chain import written
 from assess.project import sections
 from assess.project.bodies import Piece, Solids
-from assess.project.body_loads import Brought, Meet, Surroundings, body_loads, meeting
+from assess.project.body_loads import Brought, Meet, Surroundings, body_loads, meeting, told_of
+from assess.project.loaded_blocks import Blocks, loaded_blocks
 from assess.project.overburdens import overburden_of
 from assess.project.overlaps import overlaps
 from assess.project.plane import point_in_plane, unit_in_plane
@@ -37,6 +38,8 @@ def loads_of(
     """
     loads: list[Load] = []
     doubts: list[str] = []
+    follows: list[bool] = []
+    blocks = blocks_of(name, section, pieces)
     for number, load in enumerate(section.loads, start=1):
         if isinstance(load, sections.OverburdenLoad):
             loads.append(
@@ -50,31 +53,73 @@ def loads_of(
                     where=f'mechanism "{name}"',
                 )
             )
+            follows.append(False)
             continue
-        piece = pieces[min(load.block, len(pieces) - 1)]
         if isinstance(load, sections.BodyLoad):
-            around = surroundings(name, section, load, piece, solids)
-            mass = mass_of(load.body, content, solids)
-            brought = body_loads(load, body=solids[load.body], mass=mass, around=around, meet=meet)
+            brought = of_body(load, blocks, section, content, solids, meet=meet)
         else:
             brought = Brought((load_of(number, load, section.towards, evidence=evidence_of(name, content)),), ())
         loads += brought.loads
-        doubts += (*brought.doubts, *in_the_air(brought.loads, piece.body.outline))
+        follows += [isinstance(load, sections.BodyLoad) and load.block is None] * len(brought.loads)
+        doubts += (*brought.doubts, *in_the_air(brought.loads, blocks))
         doubts += moving_anchors(brought.loads, [each.body.outline for each in pieces])
     carried = dict.fromkeys(load.body for load in section.loads if isinstance(load, sections.BodyLoad))
     known = [solid for body in carried if (solid := solids[body]) is not None]
     doubts += (each.text for each in overlaps(known))
-    return Brought(tuple(loads), tuple(dict.fromkeys(doubts)))
+    return Brought(tuple(loads), tuple(dict.fromkeys(doubts)), tuple(follows))
 
 
-def surroundings(
-    name: str, section: sections.Chained, load: sections.BodyLoad, piece: Piece, solids: Solids
-) -> Surroundings:
-    """What stands around a body that loads a piece of the mechanism `name`."""
-    own = {solid.name for solid in piece.solids} | {load.body}
-    others = tuple(solid for key, solid in solids.items() if solid is not None and key not in own)
+def blocks_of(name: str, section: sections.Chained, pieces: Sequence[Piece]) -> Blocks:
+    """The blocks of the mechanism `name` as its loads meet them; of two direct values they part at hinge B."""
+    parted = len(section.blocks) == 1 and len(pieces) == 2
+    foot, crack = pieces[-1].foot, None
+    if parted and foot is not None:
+        crack = float(foot[0, 2])
+    elif len(pieces) == 2 and not any(piece.solids for piece in pieces) and isinstance(section, sections.TwoBlock):
+        crack = None if section.hinges is None else section.hinges.B[-1]
     along = np.asarray(section.towards) / np.linalg.norm(section.towards)
-    return Surroundings(piece.solids, others, along, where=f'mechanism "{name}"')
+    return Blocks(tuple(pieces), crack, parted, along, where=f'mechanism "{name}"')
+
+
+def of_body(
+    load: sections.BodyLoad,
+    blocks: Blocks,
+    section: sections.Chained,
+    content: sections.Content,
+    solids: Solids,
+    *,
+    meet: Meet,
+) -> Brought:
+    """What a body puts on each block that it loads; nothing where it rests below the cut.
+
+    Raises GeometryError where it touches nothing of them, or it is not known which of them it loads.
+    """
+    body, mass = solids[load.body], mass_of(load.body, content, solids)
+    taken = {each.block for each in section.loads if isinstance(each, sections.BodyLoad) and each.body == load.body}
+    found, doubts = loaded_blocks(load, body, among=blocks, taken=taken)
+    brought = [
+        body_loads(
+            load,
+            block=each.block,
+            body=body,
+            mass=mass,
+            around=surroundings(load, blocks, each.contact, solids),
+            meet=meet,
+        )
+        for each in found
+    ]
+    loads = tuple(one for each in brought for one in each.loads)
+    return Brought(loads, (*told_of(load, doubts), *(text for each in brought for text in each.doubts)))
+
+
+def surroundings(load: sections.BodyLoad, blocks: Blocks, number: int, solids: Solids) -> Surroundings:
+    """What stands around a body that loads a block: bodies as they are, those of the mechanism as cut."""
+    pieces = blocks.pieces
+    moving = {solid.name for piece in pieces for solid in piece.solids} | {load.body}
+    others = [solid for key, solid in solids.items() if solid is not None and key not in moving]
+    others += [solid for place, piece in enumerate(pieces) if place != number for solid in piece.solids]
+    fixed = tuple(solid for piece in pieces for solid in piece.fixed)
+    return Surroundings(pieces[number].solids, tuple(others), fixed, blocks.along, where=blocks.where)
 
 
 def mass_of(name: str, content: sections.Content, solids: Solids) -> float:
@@ -130,11 +175,13 @@ def moving_anchors(loads: Sequence[Load], outlines: Sequence[Outline]) -> Iterat
                 )
 
 
-def in_the_air(loads: Sequence[Load], outline: Outline) -> Iterator[str]:
-    """A sentence for each load that is not on or near the block of this outline, seen in the plane of motion."""
-    corners = [point for ring in outline for point in ring]
-    size = float(np.ptp(corners, axis=0).max()) if corners else 0.0
+def in_the_air(loads: Sequence[Load], blocks: Blocks) -> Iterator[str]:
+    """A sentence for each load that is not on or near its block, seen in the plane of motion; a crack parts nothing."""
     for load in loads:
+        whole = blocks.pieces if blocks.parted else [blocks.pieces[min(load.block, len(blocks.pieces) - 1)]]
+        outline = tuple(ring for piece in whole for ring in piece.body.outline)
+        corners = [point for ring in outline for point in ring]
+        size = float(np.ptp(corners, axis=0).max()) if corners else 0.0
         off = distance(outline, load.at) if corners else 0.0
         if off > IN_THE_AIR * size:
             yield (

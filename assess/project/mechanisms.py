@@ -22,7 +22,7 @@ from assess.project.faces import faces_of
 from assess.project.interfaces import put_on_joints
 from assess.project.loading import loads_of
 from assess.project.plane import point_in_plane
-from assess.project.walls import cracked
+from assess.project.walls import Crack, blocks_at, crack_of, require_as_found
 
 Parted = tuple[Mechanism, Sequence[Piece]]  # a mechanism, and the piece of masonry of each of its outlines
 
@@ -48,13 +48,27 @@ def mechanism_of(name: str, section: sections.Mechanism, content: sections.Conte
 
 def on_rigid_hinges(name: str, section: sections.Chained, content: sections.Content, solids: Solids) -> Parted:
     """The mechanism of one table before it is put on its joints."""
-    pieces = pieces_of(name, section, content, solids)
-    brought = loads_of(name, section, pieces, content, solids)
     try:
+        pieces, told = parted(name, section, content, solids)
+        brought = loads_of(name, section, pieces, content, solids)
+        require_as_found(told, brought.loads)
         mechanism, members = BUILDERS[type(section)](name, section, pieces, content, loads=brought.loads)
     except CrackError as error:
         raise MechanismError(f'mechanism "{name}": {error}') from None
-    return replace(mechanism, notices=(*mechanism.notices, *brought.doubts)), members
+    notices = mechanism.notices if told is None else (*told.notices, *mechanism.notices)
+    return replace(mechanism, notices=(*notices, *brought.doubts)), members
+
+
+def parted(
+    name: str, section: sections.Chained, content: sections.Content, solids: Solids
+) -> tuple[Sequence[Piece], Crack | None]:
+    """The blocks of one table, and the crack of a wall of one body, which parts it in two."""
+    pieces = pieces_of(name, section, content, solids)
+    if not isinstance(section, sections.TwoBlock) or len(pieces) == 2:
+        return pieces, None
+    front = hinges_of(section.hinges, section)
+    found = crack_of(section, pieces[0], content, lambda: loads_of(name, section, pieces, content, solids), front=front)
+    return blocks_at(found.elevation, name, section, pieces[0]), found
 
 
 def of_one_block(
@@ -87,21 +101,21 @@ def of_two_blocks(
     *,
     loads: tuple[Load, ...],
 ) -> Parted:
-    """A wall held at base and top, of two bodies or of one that cracks."""
+    """A wall held at base and top, of two bodies or of one that is cracked."""
     front, back = hinges_of(section.hinges, section), hinges_of(section.hinges_negative, section)
-    wall = cracked(name, section, pieces, content, loads, front=front)
-    doubts = () if front else tuple(text for piece in wall.pieces for text in doubts_of(piece, section.towards))
+    lower, upper = pieces
+    doubts = () if front else tuple(text for piece in pieces for text in doubts_of(piece, section.towards))
     mechanism = two_block(
         name,
-        wall.pieces[0].body,
-        wall.pieces[1].body,
+        lower.body,
+        upper.body,
         hinges=front,
         hinges_negative=back,
-        loads=wall.loads,
-        notices=(*wall.notices, *dict.fromkeys(doubts)),
+        loads=loads,
+        notices=tuple(dict.fromkeys(doubts)),
         **common(section),
     )
-    return mechanism, wall.pieces
+    return mechanism, pieces
 
 
 def of_four_hinges(

@@ -9,7 +9,7 @@ from statistics import mean
 
 from assess.project.study import Fitting, ScaleTo, Study
 from assess.project.suite_rules import made_band
-from records.band import Band
+from records.band import Band, up_to
 from records.compliance.asce43_05 import fit_of_mean
 from records.compliance.requirement import factor_that_does
 from records.compliance.suite import suite_of
@@ -85,7 +85,7 @@ def scaled_together(
     That is the factor of least misfit, or to the PGA, of the geometric mean of their spectra. Artificial ones are made
     for the target and stay as they are.
     """
-    band = given.band
+    band = up_to(given.band, spectrum.longest_period)
     alone = {
         record.id: SCALINGS["none" if record.artificial else scale_to](record, spectrum, band) for record in records
     }
@@ -97,12 +97,12 @@ def scaled_together(
 
 
 def _scaling(record: Record, spectrum: Spectrum, band: Band, factor: float) -> Scaling:
-    return Scaling(factor, misfit(record, spectrum, factor=factor, period=band.period, weight=band.weight))
+    return Scaling(factor, misfit(record, spectrum, factor=factor, **vars(band)))
 
 
 def to_spectrum(record: Record, spectrum: Spectrum, band: Band) -> Scaling:
     """The record brought as near to the spectrum as it comes over the band."""
-    return scale_to_spectrum(record, spectrum, period=band.period, weight=band.weight)
+    return scale_to_spectrum(record, spectrum, **vars(band))
 
 
 def to_pga(record: Record, spectrum: Spectrum, band: Band) -> Scaling:

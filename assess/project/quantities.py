@@ -32,6 +32,7 @@ def _read(kind: str) -> BeforeValidator:
 def _described(kind: str) -> WithJsonSchema:
     k = KINDS[kind]
     words = f'{k.name}: a number in {k.symbol}, or a string with its unit like "{k.example}"'
+    words += f', or the weight of it like "{k.weighing}", by standard gravity' if k.weight else ""
     return WithJsonSchema({"type": ["number", "string"], "description": words})
 
 
@@ -174,6 +175,14 @@ def unique(what: str) -> Callable[[tuple[T, ...]], tuple[T, ...]]:
 def _one_unit(kind: str, value: Any) -> Any:
     """A unit alone, "mm", read as one of it; a number is the size of the unit in SI already."""
     return si_value(f"1 {value}" if isinstance(value, str) else value, KINDS[kind])
+
+
+def length_of_unit(text: str) -> float:
+    """The length [m] of a unit like "mm"; raises ValueError for what is none."""
+    length = float(_one_unit("length", text))
+    if not 0.0 < length < float("inf"):
+        raise ValueError("not a unit of length; write one like mm")
+    return length
 
 
 LengthUnit = Annotated[

@@ -27,10 +27,12 @@ from assess.project.messages import one_line, printable, shown
 from assess.project.section import Section
 from assess.project.sections.content import Content
 from assess.project.variations import Variation, variations
+from assess.project.weight_densities import weight_densities
 from assess.results import Resolved
 
 FORMAT = 1
 FILE_NAME = "project.toml"
+_DECIMAL_COMMA = re.compile(r"=\s*([+-]?\d+,\d+)(?![.\d\]])")
 _UPGRADES: dict[int, Callable[[dict[str, Any]], dict[str, Any]]] = {}  # from format n to n + 1; there is only one yet
 
 
@@ -73,7 +75,8 @@ def load(path: Path | str) -> Project:
         raise ProjectError(f"{file}: {one_line(error, raw=raw)}") from None
     except ProjectError as error:
         raise ProjectError(f"{file}: {error}") from None
-    project = Project(content, file, hashlib.sha256(data).hexdigest(), varied, tuple(bare_numbers(raw)), raw)
+    doubts = (*bare_numbers(raw), *weight_densities(content, raw))
+    project = Project(content, file, hashlib.sha256(data).hexdigest(), varied, doubts, raw)
     _check_sources(project)
     return project
 
@@ -144,6 +147,9 @@ def _toml_reason(message: str, text: str) -> str:
         lines = text.rstrip().split("\n")
         name = _twice(match[1], lines[int(match[2]) - 1 if match[2] else -1])
         return f"{where}: {printable(name) or 'this key'} stands there twice; give each its own name"
+    comma = match[2] and _DECIMAL_COMMA.search(text.split("\n")[int(match[2]) - 1])
+    if comma:
+        return f"{where}: {comma[1]}: a decimal comma; write {comma[1].replace(',', '.')}"
     return f"{where}: not valid TOML: {printable(match[1])}; correct that line"
 
 

@@ -1,6 +1,6 @@
 """Quantities of the project file: a number in SI, or a string of a number and its unit, becomes an SI float.
 
-The number is split off by a regular expression and only the unit goes to pint, whose own parser would evaluate
+The number is split off (`typed_quantity`) and only the unit goes to pint, whose own parser would evaluate
 `9**9**9 m`. pint is imported for the first unit that is not a usual one (0.5 s). All is computed with fractions, so
 "690 mm" is 0.69.
 """
@@ -17,14 +17,13 @@ from typing import Any
 from scipy.constants import g
 
 from assess.errors import ProjectError
-from assess.project.usual_units import USUAL
+from assess.project.typed_quantity import QuantityError, number_and_unit
+from assess.project.usual_units import AMBIGUOUS, DEFINED, USUAL, WEIGHTS, G
 
-_NUMBER = re.compile(r"\s*([+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d{1,3})?)\s*")
-_POWER = r"(?:(?:\^|\*\*)?-?\d|[⁻]?[¹²³⁴])?"
-_FACTOR = rf"(?:1|[^\W\d_]+|%|°){_POWER}"
+_POWER = r"(?:(?:\^|\*\*)?-?[1-9]|[⁻]?[¹²³⁴])?"
+_FACTOR = rf"(?:1|[^\W\d_]+(?:_[^\W\d_]+)*|[%‰°'\"]){_POWER}"
 _UNIT = re.compile(rf"{_FACTOR}(?:\s*[*/·]\s*{_FACTOR}|\s+{_FACTOR})*")
 SMALLEST, LARGEST = 1e-12, 1e18  # in SI: no size, mass, force or stress of a structure lies beyond
-_LONGEST = 60
 _TURNS = frozenset(
     {"radian", "degree", "turn", "revolution", "cycle", "revolutions_per_minute", "revolutions_per_second"}
 )
@@ -38,6 +37,8 @@ class Kind:
     name : in words; unit : SI, as pint reads it; symbol : SI, as the project file writes it; example : with its unit
     only : the units allowed where their dimension does not settle it, empty for all of the right dimension
     never : units refused although their dimension is right
+    weight : the unit of the weight of it, as pint reads it, which is divided by standard gravity; "" for none
+    weighing : an example of that
     """
 
     name: str
@@ -46,6 +47,8 @@ class Kind:
     example: str
     only: frozenset[str] = frozenset()
     never: frozenset[str] = frozenset()
+    weight: str = ""
+    weighing: str = ""
 
 
 KINDS: dict[str, Kind] = {
@@ -58,7 +61,9 @@ KINDS: dict[str, Kind] = {
     "force": Kind("force", "newton", "N", "10 kN"),
     "stress": Kind("stress", "pascal", "Pa", "1.0 MPa"),
     "stiffness": Kind("stiffness per area", "pascal/meter", "Pa/m", "10 GPa/m"),
-    "density": Kind("density", "kilogram/meter**3", "kg/m^3", "2240 kg/m^3"),
+    "density": Kind(
+        "density", "kilogram/meter**3", "kg/m^3", "2240 kg/m^3", weight="newton/meter**3", weighing="20 kN/m^3"
+    ),
     "mass per area": Kind("mass per area", "kilogram/meter**2", "kg/m^2", "80 kg/m^2"),
     "inertia": Kind("moment of inertia", "kilogram*meter**2", "kg*m^2", "5200 kg*m^2"),
     "angle": Kind("angle", "radian", "rad", "30 deg", only=_ANGLES),
@@ -77,18 +82,6 @@ def to_si(value: Any, kind: str, *, key: str) -> float:
         return si_value(value, KINDS[kind])
     except QuantityError as error:
         raise ProjectError(f"{key}: {value!r:.80}: {error}") from None
-
-
-class QuantityError(ProjectError):
-    """A quantity cannot be read; the text says what is wrong and the remedy, its caller adds the key and the value."""
-
-
-def number_and_unit(text: str) -> tuple[float, str]:
-    """The number in front of a quantity and the unit behind it, as typed. Raises QuantityError."""
-    match = _NUMBER.match(text)
-    if len(text) > _LONGEST or match is None:
-        raise QuantityError("not a number with a unit")
-    return float(match[1]), text[match.end() :].strip()
 
 
 def si_value(value: Any, kind: Kind) -> float:
@@ -113,15 +106,14 @@ def _finite(value: int | float | Fraction, kind: Kind) -> float:
 
 
 def _from_text(text: str, kind: Kind) -> Fraction:
-    match = _NUMBER.match(text)
-    if len(text) > _LONGEST or match is None:
-        raise QuantityError(f"not a number with a unit; {_remedy(kind)}")
-    unit = text[match.end() :].strip()
-    if unit.startswith(","):
-        raise QuantityError(f"a comma is no decimal point; {_remedy(kind)}")
-    if not math.isfinite(float(match[1])):
+    try:
+        number, unit = number_and_unit(text)
+    except QuantityError as error:
+        said = str(error)
+        raise QuantityError(said if "; write " in said else f"{said}; {_remedy(kind)}") from None
+    if not math.isfinite(float(number)):
         raise QuantityError(f"not a finite number; {_remedy(kind)}")
-    return Fraction(match[1]) * _factor(unit, kind)
+    return Fraction(number) * _factor(unit, kind)
 
 
 def _factor(unit: str, kind: Kind) -> Fraction:
@@ -136,8 +128,22 @@ def _factor(unit: str, kind: Kind) -> Fraction:
         raise QuantityError(f'"{unit}" is not a unit; {_remedy(kind)}')
     if re.search(r"(?<![^\W\d_])g(?![^\W\d_])", unit):
         raise QuantityError(f'"g" is standard gravity, alone and for accelerations only; {_remedy(kind)}')
+    for word in re.findall(r"[^\W\d]+", unit.lower()):
+        if word in AMBIGUOUS:
+            raise QuantityError(f'"{word}" is {AMBIGUOUS[word]}')
     usual = USUAL.get(kind.name, {}).get(unit)
     return pint_factor(unit, kind) if usual is None else usual
+
+
+def is_weight(value: str, kind: Kind) -> bool:
+    """Whether a quantity that `si_value` reads is the weight of what it stands for, like a density in kN/m^3."""
+    if not kind.weight:
+        return False
+    unit = number_and_unit(value)[1]
+    if unit in USUAL[kind.name]:
+        return unit in WEIGHTS
+    pint_factor(unit, kind)
+    return bool(_registry().parse_units(_as_pint(unit, kind)).is_compatible_with(kind.weight))
 
 
 @cache
@@ -146,9 +152,12 @@ def pint_factor(unit: str, kind: Kind) -> Fraction:
     import pint
 
     try:
-        parsed = _registry().parse_units(_as_pint(unit))
+        parsed = _registry().parse_units(_as_pint(unit, kind))
         names = {_registry().parse_unit_name(name)[0][1] for name in parsed._units}
-        factor = _registry().Quantity(Fraction(1), parsed).to(kind.unit).magnitude
+        one = _registry().Quantity(Fraction(1), parsed)
+        if kind.weight and one.is_compatible_with(kind.weight):
+            return Fraction(one.to(kind.weight).magnitude) / G
+        factor = one.to(kind.unit).magnitude
     except pint.UndefinedUnitError:
         raise QuantityError(f'unknown unit "{unit}"; {_remedy(kind)}') from None
     except (pint.DimensionalityError, pint.OffsetUnitCalculusError):
@@ -165,17 +174,23 @@ def _registry() -> Any:
     """One pint registry in exact fractions; making it takes half a second."""
     import pint
 
-    return pint.UnitRegistry(non_int_type=Fraction)
+    registry: Any = pint.UnitRegistry(non_int_type=Fraction)
+    for definition in DEFINED:
+        registry.define(definition)
+    return registry
 
 
-def _as_pint(unit: str) -> str:
-    """`m/s2`, `kg·m²` and `5 %` as pint writes them."""
+def _as_pint(unit: str, kind: Kind) -> str:
+    """`m/s2`, `kg·m²` and `5 %` as pint writes them; a prime is a foot, or a minute where an angle is asked."""
     powers = re.sub(r"(?<=[^\W\d_])(-?\d)", r"**\1", unit)
-    return powers.replace("%", "percent").replace("·", "*").replace("°", "degree")
+    prime, double = ("arcminute", "arcsecond") if kind.name == "angle" else ("foot", "inch")
+    plain = powers.replace("'", prime).replace('"', double)
+    return plain.replace("%", "percent").replace("‰", "permille").replace("·", "*").replace("°", "degree")
 
 
 def _remedy(kind: Kind) -> str:
     if kind.unit == "dimensionless":
         return f"write a {kind.name} without unit, like {kind.example}"
     article = "an" if kind.name[0] in "aeiou" else "a"
-    return f'write {article} {kind.name} like "{kind.example}", or a number in {kind.symbol}'
+    weighing = f' or "{kind.weighing}"' if kind.weighing else ""
+    return f'write {article} {kind.name} like "{kind.example}"{weighing}, or a number in {kind.symbol}'

@@ -7,11 +7,20 @@ from fractions import Fraction
 
 INCH, FOOT = Fraction("0.0254"), Fraction("0.3048")
 POUND = Fraction("0.45359237")
-POUND_FORCE = POUND * Fraction("9.80665")
+G = Fraction("9.80665")  # standard gravity [m/s2]
+POUND_FORCE = POUND * G
 PI = Fraction("3.1415926535897932384626433832795028841971693993751")  # as pint has it
 
 USUAL: Mapping[str, Mapping[str, Fraction]] = {
-    "length": {"m": Fraction(1), "cm": Fraction(1, 100), "mm": Fraction(1, 1000), "ft": FOOT, "in": INCH},
+    "length": {
+        "m": Fraction(1),
+        "cm": Fraction(1, 100),
+        "mm": Fraction(1, 1000),
+        "ft": FOOT,
+        "in": INCH,
+        "'": FOOT,
+        '"': INCH,
+    },
     "mass": {"kg": Fraction(1), "t": Fraction(1000), "lb": POUND},
     "time": {"s": Fraction(1), "ms": Fraction(1, 1000)},
     "duration": {"years": Fraction(1), "year": Fraction(1)},
@@ -37,6 +46,10 @@ USUAL: Mapping[str, Mapping[str, Fraction]] = {
         "kg/m3": Fraction(1),
         "t/m^3": Fraction(1000),
         "lb/ft^3": POUND / FOOT**3,
+        "pcf": POUND / FOOT**3,
+        "kN/m^3": 1000 / G,
+        "kN/m3": 1000 / G,
+        "kN/m³": 1000 / G,
     },
     "mass per area": {"kg/m^2": Fraction(1), "kg/m2": Fraction(1)},
     "angle": {"rad": Fraction(1), "deg": PI / 180},
@@ -45,3 +58,11 @@ USUAL: Mapping[str, Mapping[str, Fraction]] = {
     "ratio": {"%": Fraction(1, 100)},
 }
 """SI units of a kind, by its name in `units.KINDS`, that one of each unit is, as it is typed."""
+WEIGHTS = frozenset({"kN/m^3", "kN/m3", "kN/m³", "pcf"})
+"""Units of weight per volume among those of density."""
+DEFINED = ("pcf = pound_force / foot ** 3", "psf = pound_force / foot ** 2", "lbm = pound")
+"""Units that American engineers write and pint does not know, as it is told of them."""
+AMBIGUOUS: Mapping[str, str] = dict.fromkeys(
+    ("ton", "tons"), '1000 kg to some and 2000 lb to others; write "t" or "short_ton"'
+)
+"""What is wrong with units that mean different things in different countries, and the remedy."""

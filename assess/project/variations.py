@@ -19,7 +19,7 @@ from assess.project.keys import Given, Key, Place, one_number, place_of, places_
 from assess.project.messages import one_line, shown, written
 from assess.project.sections.content import Content
 from assess.project.sections.sweeps import Sweep
-from assess.project.units import QuantityError, number_and_unit
+from assess.project.typed_quantity import QuantityError, number_and_unit
 
 
 @dataclass(frozen=True)
@@ -104,9 +104,11 @@ def _typed(value: Given, *, where: str) -> tuple[float, str]:
     if not isinstance(value, str):
         return float(value), ""
     try:
-        return number_and_unit(value)
+        number, unit = number_and_unit(value)
     except QuantityError as error:
-        raise ProjectError(f"{where}: {error}; write a number, or one with its unit") from None
+        remedy = "" if "; write " in str(error) else "; write a number, or one with its unit"
+        raise ProjectError(f"{where}: {error}{remedy}") from None
+    return float(number), unit
 
 
 def read_case(raw: Mapping[str, Any], folder: Path, path: Key, value: Any, *, name: str) -> Content:

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from functools import partial
+from itertools import pairwise
+from math import inf
 
 import numpy as np
 from scipy.constants import g
@@ -13,25 +14,27 @@ from assess.errors import CrackError
 from assess.geometry.cut import Parts, divide, level
 from assess.geometry.planar import base_of_section, planar, top
 from assess.geometry.solid import Solid
+from assess.geometry.touch import TOLERANCE
 from assess.loads import Force, Load, PointMass
 from assess.mechanisms.chain import Block, Chain, mirrored_chain
-from assess.mechanisms.crack import ARM, crack_ratio, least
+from assess.mechanisms.crack import ARM, MARGIN, crack_ratio, least
 from assess.mechanisms.motion import move
 from assess.mechanisms.two_block import Hinges
 from assess.mechanisms.virtual_work import virtual_work
 from assess.project import sections
 from assess.project.bodies import Piece, as_one, standing_on
+from assess.project.body_loads import Brought
 from assess.project.overburdens import UPPER
 from assess.project.plane import point_in_plane
 
 
 @dataclass(frozen=True)
-class Wall:
-    """The two blocks of a wall, all its loads, and what was decided on the way."""
+class Crack:
+    """Where a wall of one body cracks: elevation [m], how it was found, and the loads that it was found with."""
 
-    pieces: tuple[Piece, Piece]
-    loads: tuple[Load, ...]
-    notices: tuple[str, ...]
+    elevation: float
+    notices: tuple[str, ...] = ()
+    loads: tuple[Load, ...] | None = None
 
 
 @dataclass(frozen=True)
@@ -62,40 +65,61 @@ class Panel:
         return self.strength * self.thickness * self.length
 
 
-def cracked(
-    name: str,
+def crack_of(
     section: sections.TwoBlock,
-    pieces: Sequence[Piece],
+    whole: Piece,
     content: sections.Content,
-    loads: tuple[Load, ...],
+    loads: Callable[[], Brought],
     *,
     front: Hinges | None,
-) -> Wall:
-    """The wall of one table: its two bodies as they are, or one body cut at its crack.
+) -> Crack:
+    """Where the wall of one body cracks; loads : finds those of the whole wall, before it cracks.
 
-    Raises CrackError where there is nothing to find the crack from, or it does not lie in the wall.
+    Raises CrackError where there is nothing to find the crack from.
     """
-    if len(pieces) == 2:
-        return Wall((pieces[0], pieces[1]), loads, ())
-    whole = pieces[0]
     if not whole.solids:
         raise CrackError("its body has no geometry to crack; give it a mesh, box or profile, or two bodies")
-    strength = content.materials[material_of(section.blocks[0], content)].tensile_strength or 0.0
-    panel = panel_of(section, whole, loads, strength=strength)
     crack = section.crack
     if crack is None:
         crack = front[1][1] if front is not None else "sorrentino"
-    if crack == "sorrentino":
-        elevation, notice = by_formula(panel, sides="two" if section.two_sided else "one")
-    elif crack == "minimum":
-        elevation, notice = by_search(section, whole, panel, loads)
-    else:
-        elevation, notice = float(crack), ""
+    if isinstance(crack, float):
+        return Crack(crack)
+    find = by_formula if crack == "sorrentino" else by_search
+    brought = loads()
+    strength = content.materials[material_of(section.blocks[0], content)].tensile_strength or 0.0
+    elevation, notice = find(section, whole, brought, strength=strength)
+    return Crack(elevation, (notice,), over(brought, elevation))
+
+
+def blocks_at(elevation: float, name: str, section: sections.TwoBlock, whole: Piece) -> tuple[Piece, Piece]:
+    """The two blocks of a wall that cracks at an elevation [m].
+
+    Raises CrackError where the crack does not lie in the wall.
+    """
     parts = divide(whole.solids, level(elevation), where=f'mechanism "{name}", crack')
     if not parts.below:
         raise CrackError(f"the crack at z = {elevation:.4g} m is at the foot of the wall; give one above it")
-    lower, upper = below(parts, whole, section.towards), standing_on(parts, section.towards)
-    return Wall((lower, upper), loads, (notice,) if notice else ())
+    return below(parts, whole, section.towards), standing_on(parts, section.towards)
+
+
+def over(brought: Brought, elevation: float) -> tuple[Load, ...]:
+    """The loads of a wall that cracks at an elevation [m]: what follows from its place is on the block there."""
+    return tuple(
+        replace(load, block=UPPER if load.at[1] >= elevation else 0) if follows else load
+        for load, follows in zip(brought.loads, brought.follows, strict=True)
+    )
+
+
+def require_as_found(crack: Crack | None, loads: Sequence[Load]) -> None:
+    """Raise CrackError where a crack was found with loads on other blocks than those on which they stand when cut."""
+    if crack is None or crack.loads is None:
+        return
+    before, after = ({(load.name, load.block) for load in each} for each in (crack.loads, loads))
+    for name, _ in sorted(before ^ after):
+        raise CrackError(
+            f'the crack at z = {crack.elevation:.4g} m is found with load "{name}" on one side of it, yet the load '
+            "stands on the other too; give a crack elevation"
+        )
 
 
 def material_of(block: Sequence[str], content: sections.Content) -> str:
@@ -128,7 +152,49 @@ def panel_of(section: sections.TwoBlock, whole: Piece, loads: Sequence[Load], *,
     )
 
 
-def by_formula(panel: Panel, *, sides: str) -> tuple[float, str]:
+def by_formula(section: sections.TwoBlock, whole: Piece, brought: Brought, *, strength: float) -> tuple[float, str]:
+    """The crack by 3.27 with the loads that stand above it: elevation [m] and how it was found.
+
+    The crack depends on what stands above it, and that on the crack: each set of loads is tried that a crack can leave
+    above it. Where more than one agrees with its own crack, the one of the least uplift multiplier counts.
+
+    Raises CrackError where none does, or where one puts the crack at the very top.
+    """
+    found = list(agreeing(section, whole, brought, strength=strength))
+    if not found:
+        raise CrackError(
+            'crack = "sorrentino": wherever the formula puts the crack, other loads stand above it than it was found '
+            "with; give a crack elevation"
+        )
+    _, elevation, notice = min(found)
+    return elevation, notice
+
+
+def agreeing(
+    section: sections.TwoBlock, whole: Piece, brought: Brought, *, strength: float
+) -> Iterator[tuple[float, float, str]]:
+    """The cracks by 3.27 above which the loads stand that they are found with: uplift multiplier, elevation, and how.
+
+    A load within MARGIN of the top stands on it.
+    """
+    heights = sorted({load.at[1] for load, follows in zip(brought.loads, brought.follows, strict=True) if follows})
+    for lowest, next_one in pairwise((-inf, *heights, inf)):
+        loads = over(brought, next_one)
+        panel = panel_of(section, whole, loads, strength=strength)
+        on_top = panel.base + (1.0 - MARGIN) * panel.height
+        if lowest > on_top:
+            return
+        try:
+            elevation, notice = of_panel(panel, sides="two" if section.two_sided else "one")
+        except CrackError:
+            if next_one < on_top:
+                continue
+            raise
+        if lowest < elevation <= next_one:
+            yield uplift(section, whole, panel, loads, elevation), elevation, notice
+
+
+def of_panel(panel: Panel, *, sides: str) -> tuple[float, str]:
     """The crack by 3.27, or its general form where the load is off the middle: elevation [m] and how it was found.
 
     Where the wall rocks to both sides the load is taken at the face that is worse.
@@ -153,10 +219,19 @@ def by_formula(panel: Panel, *, sides: str) -> tuple[float, str]:
     )
 
 
-def by_search(section: sections.TwoBlock, whole: Piece, panel: Panel, loads: Sequence[Load]) -> tuple[float, str]:
-    """The crack of least uplift multiplier: elevation [m] and how it was found."""
-    multiplier = partial(uplift, section, whole, panel, tuple(loads))
-    elevation = least(multiplier, low=panel.base, high=panel.base + panel.height)
+def by_search(section: sections.TwoBlock, whole: Piece, brought: Brought, *, strength: float) -> tuple[float, str]:
+    """The crack of least uplift multiplier: elevation [m] and how it was found.
+
+    The multiplier jumps where the crack passes a load, from one block to the other; there it is looked for on both
+    sides, out of reach of the contact.
+    """
+    panel = panel_of(section, whole, over(brought, -inf), strength=strength)
+
+    def multiplier(elevation: float) -> float:
+        return uplift(section, whole, panel, over(brought, elevation), elevation)
+
+    jumps = [load.at[1] for load, follows in zip(brought.loads, brought.follows, strict=True) if follows]
+    elevation = least(multiplier, low=panel.base, high=panel.base + panel.height, jumps=jumps, apart=2.0 * TOLERANCE)
     ratio = (elevation - panel.base) / panel.height
     held = " with the mortar's tension before it opens" if panel.tension else ""
     return elevation, (

@@ -11,6 +11,7 @@ from typing import Any
 from records.formats.samples import number
 from records.orientation import azimuth_of
 from records.record import Earthquake, Record, Site
+from spectra.formulas import marked, unmarked
 
 COMMENT = re.compile(r"\s*#\s*([a-z][a-z0-9 ]*(?:\[[^\]]*\])?)\s*:\s*(.*?)\s*")
 LONGEST = 2000  # characters of a comment
@@ -43,14 +44,14 @@ def comments(record: Record) -> Iterator[str]:
         value = of(record)
         text = f"{value:.12g}" if isinstance(value, float | int) else value
         if text:
-            yield f"# {key}: {_on_one_line(text)}\n"
+            yield f"# {key}: {marked(_on_one_line(text))}\n"
 
 
 def said(lines: Sequence[str]) -> dict[str, str]:
     """What the comments before the first row say, by key."""
     above = takewhile(lambda line: not line.strip() or line.lstrip().startswith("#"), lines)
     found = (COMMENT.fullmatch(line) for line in above)
-    return {match[1]: match[2][:LONGEST] for match in found if match}
+    return {match[1]: unmarked(match[2])[:LONGEST] for match in found if match}
 
 
 def described(text: Mapping[str, str]) -> dict[str, Any]:

@@ -2,37 +2,114 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping, Sequence
+from functools import cache, partial
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
 from assess.geometry.formats.part21 import refuse_cut_short
-from assess.geometry.formats.parts import MeshFile, part
+from assess.geometry.formats.parts import Element, MeshFile, Part, part, without_mesh
 
 ANGULAR = 0.05  # rad: largest turn between neighbouring facets; a circle's area is then 0.04 % small
 NOT_BUILT = ("IfcSpace", "IfcOpeningElement", "IfcVirtualElement", "IfcAnnotation", "IfcGrid")
+NO_BODIES = ("Curve2D", "Curve3D", "Curve", "Point", "PointCloud", "Annotation2D", "GeometricCurveSet", "BoundingBox")
+NOT_MEASURED = ("Axis", "FootPrint", "Box", "Annotation", "Profile", "Reference", "Clearance", "CoG", "Lighting")
+UNMESHED = "its body could not be built from what the file says of it; repair or export this element again"
 
 
 def read_ifc(file: Path) -> MeshFile:
     """Every element of a building model that has a body, openings taken off, in metres and world coordinates.
 
-    A part is called by its Name and by its GlobalId.
+    Only elements that are asked for are meshed, which takes nearly all of the time.
     """
     import ifcopenshell
-    import ifcopenshell.geom
 
     refuse_cut_short(file)
     model = ifcopenshell.open(str(file))
+    products = [each for each in model.by_type("IfcProduct") if _has_body(each)]
+    above = cache(partial(_classes, model.schema_identifier))
+    elements = tuple(_element(each, above) for each in products)
+    return MeshFile(elements, partial(_meshed, model, products, elements), unit=1.0, up="z")
+
+
+def _has_body(product: Any) -> bool:
+    """Whether an element is built and has a representation that may be one of its body."""
+    shapes = getattr(product.Representation, "Representations", ()) if product.Representation else ()
+    return not any(product.is_a(kind) for kind in NOT_BUILT) and any(
+        shape.RepresentationIdentifier not in NOT_MEASURED and shape.RepresentationType not in NO_BODIES and shape.Items
+        for shape in shapes
+    )
+
+
+def _element(product: Any, above: Any) -> Element:
+    """What the file calls an element, and where it belongs."""
+    owners = tuple(_owners(product))
+    holders = [link.RelatingStructure for each in (product, *owners) for link in _links(each, "ContainedInStructure")]
+    within = [word for each in owners for word in (each.Name, each.GlobalId, *above(each.is_a())) if word]
+    return Element(
+        names=(product.Name,) if product.Name else (),
+        identifier=product.GlobalId,
+        kinds=above(product.is_a()),
+        storey=next((each.Name or each.is_a() for each in holders), ""),
+        within=tuple(dict.fromkeys(within)),
+    )
+
+
+def _owners(product: Any) -> Iterator[Any]:
+    """The elements that a part of an assembly belongs to, the nearest first."""
+    seen = {product.id()}
+    links = _links(product, "Decomposes")
+    while links:
+        owner = links[0].RelatingObject
+        if owner.id() in seen or not owner.is_a("IfcElement"):
+            return
+        seen.add(owner.id())
+        yield owner
+        links = _links(owner, "Decomposes")
+
+
+def _links(product: Any, name: str) -> Sequence[Any]:
+    return getattr(product, name, None) or ()
+
+
+def _classes(schema: str, name: str) -> tuple[str, ...]:
+    """A class and those above it, from the most special one."""
+    from ifcopenshell import ifcopenshell_wrapper
+
+    found, declaration = [], ifcopenshell_wrapper.schema_by_name(schema).declaration_by_name(name).as_entity()
+    while declaration is not None:
+        found.append(declaration.name())
+        declaration = declaration.supertype()
+    return tuple(found)
+
+
+def _meshed(
+    model: Any, products: Sequence[Any], elements: Sequence[Element], places: Sequence[int]
+) -> tuple[Part, ...]:
+    """The meshes of the elements asked for; one that has none is said to have none."""
+    wanted = [products[i] for i in places]
+    shapes = _shapes(model, wanted) if wanted else {}
+    nothing = without_mesh(Element(), UNMESHED)
+    found = [(elements[i], shapes.get(product.id(), nothing)) for i, product in zip(places, wanted, strict=True)]
+    return tuple(Part(element, shape.vertices, shape.triangles, shape.fault) for element, shape in found)
+
+
+def _shapes(model: Any, products: Sequence[Any]) -> Mapping[int, Part]:
+    """The meshes that ifcopenshell makes, by the number of their element in the file."""
+    import ifcopenshell.geom
+
     settings = ifcopenshell.geom.settings()
     settings.set("use-world-coords", True)
     settings.set("mesher-angular-deflection", ANGULAR)
-    iterator = ifcopenshell.geom.iterator(settings, model, exclude=list(NOT_BUILT))
-    found = []
+    iterator = ifcopenshell.geom.iterator(settings, model, include=list(products))
+    found = {}
     more = iterator.initialize()
     while more:
         shape = iterator.get()
-        corners = np.array(shape.geometry.verts, dtype=np.float64).reshape(-1, 3)
         faces = np.array(shape.geometry.faces, dtype=np.int64).reshape(-1, 3)
-        found.append(part([shape.name, shape.guid], corners, faces))
+        if len(faces):
+            found[shape.id] = part(Element(), np.array(shape.geometry.verts, dtype=np.float64), faces)
         more = iterator.next()
-    return MeshFile(tuple(each for each in found if len(each.triangles)), unit=1.0, up="z")
+    return found

@@ -1,8 +1,8 @@
-"""What a geometry file holds: triangle meshes, each with its names, and what the file says of unit and axes."""
+"""What a geometry file holds: elements, each with its names and its mesh, and what the file says of unit and axes."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -15,36 +15,78 @@ Up = Literal["y", "z"]
 
 
 @dataclass(frozen=True)
-class Part:
-    """One mesh of a file, in its place.
+class Element:
+    """One object of a file, by what the file calls it.
 
-    names : what the file calls it: its name, its identifier; none where the format has no names
-    vertices : [n, 3] in the file's unit
-    triangles : indices into vertices [m, 3]; none where the file holds a surface without its mesh
+    names : its name; none where the format has no names
+    identifier : what no other object of the file has, as the GlobalId of an IFC element; empty where there is none
+    kinds : its class and the classes above that, as IfcWallStandardCase, IfcWall, ...
+    storey : where it stands
+    within : names, identifiers and classes of what it is a part of, as an assembly or a block instance
     """
 
-    names: tuple[str, ...]
+    names: tuple[str, ...] = ()
+    identifier: str = ""
+    kinds: tuple[str, ...] = ()
+    storey: str = ""
+    within: tuple[str, ...] = ()
+
+    @property
+    def shown(self) -> str:
+        """What to call it in a sentence."""
+        return next((name for name in (*self.names, *self.within, self.identifier) if name), "without name")
+
+
+@dataclass(frozen=True)
+class Part:
+    """The mesh of one element, in its place.
+
+    vertices : [n, 3] in the file's unit
+    triangles : indices into vertices [m, 3]
+    fault : why there is no mesh, a sentence; empty where there is one
+    """
+
+    element: Element
     vertices: FloatArray
     triangles: IntArray
+    fault: str = ""
 
 
 @dataclass(frozen=True)
 class MeshFile:
-    """All meshes of a file.
+    """A file that was read.
 
+    elements : all objects that can have a mesh
+    meshed : gives the parts of the elements at these places; an element that turns out to have no body is left out
     unit : length of the file's unit [m]; None where the format does not say
     up : which axis points up; None where the format does not say
     """
 
-    parts: tuple[Part, ...]
+    elements: tuple[Element, ...]
+    meshed: Callable[[Sequence[int]], tuple[Part, ...]]
     unit: float | None = None
     up: Up | None = None
 
+    @property
+    def parts(self) -> tuple[Part, ...]:
+        """The meshes of all elements."""
+        return self.meshed(range(len(self.elements)))
 
-def part(names: Sequence[str], vertices: ArrayLike, faces: ArrayLike) -> Part:
+
+def file_of(parts: Sequence[Part], *, unit: float | None = None, up: Up | None = None) -> MeshFile:
+    """A file whose meshes all came with it."""
+    found = tuple(parts)
+    return MeshFile(tuple(each.element for each in found), lambda places: tuple(found[i] for i in places), unit, up)
+
+
+def part(element: Element, vertices: ArrayLike, faces: ArrayLike) -> Part:
     """A part of vertices [n, 3] and faces of k corners [m, k], which become fans of triangles."""
-    points = np.asarray(vertices, dtype=np.float64).reshape(-1, 3)
-    return Part(tuple(name for name in names if name), points, fans(faces))
+    return Part(element, np.asarray(vertices, dtype=np.float64).reshape(-1, 3), fans(faces))
+
+
+def without_mesh(element: Element, fault: str) -> Part:
+    """The part of an element that has no mesh, with the reason."""
+    return Part(element, np.empty((0, 3)), np.empty((0, 3), dtype=np.int64), fault)
 
 
 def fans(faces: ArrayLike) -> IntArray:
@@ -60,7 +102,7 @@ def moved(shape: Part, matrix: ArrayLike) -> Part:
     """The part after a transformation [4, 4] of homogeneous coordinates; a reflection turns its triangles."""
     A = np.asarray(matrix, dtype=np.float64)
     triangles = shape.triangles if np.linalg.det(A[:3, :3]) >= 0.0 else shape.triangles[:, ::-1]
-    return Part(shape.names, shape.vertices @ A[:3, :3].T + A[:3, 3], triangles)
+    return Part(shape.element, shape.vertices @ A[:3, :3].T + A[:3, 3], triangles, shape.fault)
 
 
 def together(parts: Sequence[Part]) -> tuple[FloatArray, IntArray]:

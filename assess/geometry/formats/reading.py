@@ -2,26 +2,32 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 
 from assess.errors import GeometryError
 from assess.geometry.formats import binary, by_trimesh
 from assess.geometry.formats.ifc import read_ifc
+from assess.geometry.formats.off import read_off
 from assess.geometry.formats.parts import MeshFile, Part
+from assess.geometry.formats.ply import read_ply
+from assess.geometry.formats.quiet import unheard
 from assess.geometry.formats.rhino import read_3dm
 from assess.geometry.formats.step import read_step
+from assess.geometry.formats.threemf import read_3mf
+from assess.geometry.formats.wavefront import read_obj
 
 Reader = Callable[[Path], MeshFile]
 
 READERS: Mapping[str, Reader] = {
     ".stl": binary.read_stl,
-    ".obj": by_trimesh.read_obj,
-    ".ply": binary.read_ply,
-    ".off": by_trimesh.read_off,
+    ".obj": read_obj,
+    ".ply": read_ply,
+    ".off": read_off,
     ".glb": by_trimesh.read_glb,
     ".gltf": by_trimesh.read_gltf,
-    ".3mf": by_trimesh.read_3mf,
+    ".3mf": read_3mf,
     ".step": read_step,
     ".stp": read_step,
     ".3dm": read_3dm,
@@ -29,12 +35,10 @@ READERS: Mapping[str, Reader] = {
 }
 WITHOUT_UNIT = (".stl", ".obj", ".ply", ".off")  # formats that do not say theirs
 EXTRAS = {".step": "step", ".stp": "step", ".3dm": "rhino", ".ifc": "ifc"}  # of this package, that installs the reader
-LONGEST = 40  # letters of such a name
-LISTED = 8  # names of a file's parts that an error lists
 
 
 def read(file: Path, *, where: str) -> MeshFile:
-    """All meshes of a geometry file, in its own unit and axes.
+    """The elements of a geometry file, in its own unit and axes.
 
     Raises
     ------
@@ -50,43 +54,37 @@ def read(file: Path, *, where: str) -> MeshFile:
             pass
     except OSError as problem:
         raise GeometryError(f"{where}: {problem.strerror or problem} ({file}); check the path") from None
-    try:
+    with _told(ending, where=where):
         return READERS[ending](file)
+
+
+def meshed(content: MeshFile, places: Sequence[int], *, file: Path, where: str) -> tuple[Part, ...]:
+    """The meshes of the elements of a file at these places.
+
+    Raises
+    ------
+    GeometryError : the file is such that nothing can be meshed
+    """
+    with _told(file.suffix.lower(), where=where):
+        return content.meshed(places)
+
+
+@contextmanager
+def _told(ending: str, *, where: str) -> Iterator[None]:
+    """Turn whatever a reader raises into one line, and keep to itself what it prints."""
+    try:
+        with unheard():
+            yield
     except ModuleNotFoundError as missing:
         raise GeometryError(_install(ending, missing, where=where)) from None
     except RecursionError:
         raise GeometryError(f"{where}: it is nested too deeply to be read; export it again") from None
+    except MemoryError:
+        raise GeometryError(f"{where}: there is not memory enough to read it; simplify it") from None
     except Exception as problem:  # the readers raise whatever a broken file leads them to
         reason = f" ({problem})" if str(problem) else ""
-        text = f"{where}: it cannot be read as {ending[1:].upper()}{reason:.120}; export it again as STL, OBJ or PLY"
+        text = f"{where}: it cannot be read as {ending[1:].upper()}{reason:.160}; export it again as STL, OBJ or PLY"
         raise GeometryError(" ".join(text.split())) from None
-
-
-def chosen(content: MeshFile, element: str | None, *, where: str) -> tuple[Part, ...]:
-    """The parts of a file called `element`; all where none is asked for.
-
-    Raises
-    ------
-    GeometryError : no part is called so, or a part is a surface without its mesh
-    """
-    found = tuple(each for each in content.parts if element is None or element in each.names)
-    bare = [_shown((*each.names, "one without name")[0]) for each in found if not len(each.triangles)]
-    if bare:
-        raise GeometryError(
-            f"{where}: {len(bare)} of its surfaces have no mesh ({', '.join(bare[:LISTED])}); save the file in a "
-            "shaded view, or mesh them there"
-        )
-    if element is not None and not found:
-        names = list(dict.fromkeys(_shown(each.names[0]) for each in content.parts if each.names))
-        more = f" and {len(names) - LISTED} more" if len(names) > LISTED else ""
-        known = f"known: {', '.join(names[:LISTED])}{more}" if names else "its parts have no names; remove the key"
-        raise GeometryError(f'{where}: it has no element "{element}"; {known}')
-    return found
-
-
-def _shown(name: str) -> str:
-    """A name that came with a file, fit for one line."""
-    return "".join(letter for letter in name if letter.isprintable())[:LONGEST]
 
 
 def _install(ending: str, missing: ModuleNotFoundError, *, where: str) -> str:

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from assess.geometry.formats.parts import MeshFile, Part, moved, part
+from assess.geometry.formats.parts import Element, FloatArray, MeshFile, Part, file_of, moved, part, without_mesh
 
 UNITS = {  # rhino3dm.UnitSystem [m]
     "Microns": 1e-6,
@@ -22,51 +23,64 @@ UNITS = {  # rhino3dm.UnitSystem [m]
     "Yards": 0.9144,
 }
 DEEPEST = 50  # instances within instances
+MOST = 100_000  # instances: blocks within blocks multiply
+SURFACES = ("Brep", "SubD", "Surface", "NurbsSurface", "Extrusion")
+NO_MESH = (
+    "it is a {kind} saved without its render mesh, and no program but Rhino meshes it; in Rhino set a shaded view and "
+    'save (not "Save small"), or turn it into a mesh (_Mesh), or export the model as STEP'
+)
 
 
 def read_3dm(file: Path) -> MeshFile:
     """Meshes, and the render meshes of polysurfaces and extrusions, of a Rhino file; block instances in their places.
 
-    openNURBS does not mesh: a surface saved without its render mesh comes as a part without triangles.
+    openNURBS does not mesh: a surface saved without its render mesh is a part without triangles.
     """
     import rhino3dm
 
     model = rhino3dm.File3dm.FromByteArray(file.read_bytes())
     if model is None:
         raise ValueError("not a Rhino file")
-    found = [
-        each for item in model.Objects if not item.Attributes.IsInstanceDefinitionObject for each in _of(item, model)
-    ]
-    unit = UNITS.get(model.Settings.ModelUnitSystem.name)
-    return MeshFile(tuple(found), unit=unit, up="z")
+    found: list[Part] = []
+    for item in model.Objects:
+        if not item.Attributes.IsInstanceDefinitionObject:
+            for each in _of(item, model):
+                found.append(each)
+                if len(found) > MOST:
+                    raise ValueError(f"its blocks make more than {MOST} parts")
+    return file_of(found, unit=UNITS.get(model.Settings.ModelUnitSystem.name), up="z")
 
 
 def _of(item: Any, model: Any, depth: int = 0) -> Iterator[Part]:
     """The parts of one object of the file; without triangles where it has a surface but no mesh."""
-    names = [item.Attributes.Name, str(item.Attributes.Id)]
     kind = type(item.Geometry).__name__
+    names = (item.Attributes.Name,) if item.Attributes.Name else ()
+    element = Element(names=names, identifier=str(item.Attributes.Id), kinds=(kind,))
     if kind == "InstanceReference":
         if depth > DEEPEST:
             raise ValueError("its blocks hold one another without end")
-        yield from _instance(item, model, names, depth)
+        yield from _instance(item, model, element, depth)
     elif kind == "Mesh":
-        yield _mesh(names, [item.Geometry])
+        yield _mesh(element, [item.Geometry])
     elif kind == "Extrusion":
-        yield _mesh(names, [_render(item.Geometry)])
-    elif kind in ("Brep", "SubD", "Surface", "NurbsSurface"):
+        yield _mesh(element, [_render(item.Geometry)])
+    elif kind in SURFACES:
         faces = item.Geometry.Faces if kind == "Brep" else ()
-        yield _mesh(names, [_render(faces[i]) for i in range(len(faces))])
+        yield _mesh(element, [_render(faces[i]) for i in range(len(faces))])
 
 
-def _instance(item: Any, model: Any, names: list[str], depth: int) -> Iterator[Part]:
+def _instance(item: Any, model: Any, element: Element, depth: int) -> Iterator[Part]:
     """The parts of a block's definition, moved to where the instance stands."""
     reference = item.Geometry
     matrix = np.array(reference.Xform.ToFloatArray(True), dtype=np.float64).reshape(4, 4)
     definition = model.InstanceDefinitions.FindId(reference.ParentIdefId)
     for identifier in definition.GetObjectIds():
         for each in _of(model.Objects.FindId(identifier), model, depth + 1):
-            placed = moved(each, matrix)
-            yield Part((*(name for name in names if name), *each.names), placed.vertices, placed.triangles)
+            own = each.element
+            # the same object stands in every instance of its block
+            within = (*element.names, element.identifier, *own.within, *own.names, own.identifier)
+            one = replace(own, names=(), identifier=f"{element.identifier}/{own.identifier}", within=within)
+            yield replace(moved(each, matrix), element=one)
 
 
 def _render(surface: Any) -> Any:
@@ -76,14 +90,24 @@ def _render(surface: Any) -> Any:
     return surface.GetMesh(rhino3dm.MeshType.Any)
 
 
-def _mesh(names: list[str], meshes: list[Any]) -> Part:
+def _mesh(element: Element, meshes: list[Any]) -> Part:
     """The Rhino meshes of one object as one part; nothing where one of them is missing."""
     if not meshes or any(each is None for each in meshes):
-        return part(names, np.empty((0, 3)), np.empty((0, 4), dtype=np.int64))
-    corners = [np.array([[v.X, v.Y, v.Z] for v in each.Vertices], dtype=np.float64) for each in meshes]
+        return without_mesh(element, NO_MESH.format(kind=_called(element.kinds[0])))
+    corners = [_points(each) for each in meshes]
     starts = np.cumsum([0, *(len(each) for each in corners)])
     faces = [
         np.array([each.Faces[i] for i in range(len(each.Faces))], dtype=np.int64).reshape(-1, 4) + start
         for each, start in zip(meshes, starts[:-1], strict=True)
     ]
-    return part(names, np.concatenate(corners), np.concatenate(faces))  # a triangle repeats its third corner
+    return part(element, np.concatenate(corners), np.concatenate(faces))  # a triangle repeats its third corner
+
+
+def _points(shape: Any) -> FloatArray:
+    """The vertices of a Rhino mesh [n, 3], point by point, as rhino3dm gives them out."""
+    values = np.fromiter((value for v in shape.Vertices for value in (v.X, v.Y, v.Z)), dtype=np.float64)
+    return values.reshape(-1, 3)
+
+
+def _called(kind: str) -> str:
+    return {"Brep": "polysurface (Brep)", "SubD": "SubD"}.get(kind, f"surface ({kind})")

@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import os
 import tempfile
-from collections.abc import Iterator
-from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 
@@ -24,24 +21,7 @@ def read_step(file: Path) -> MeshFile:
     refuse_cut_short(file)
     with tempfile.TemporaryDirectory() as folder:
         glb = Path(folder) / "meshed.glb"
-        with _unheard():
-            failed = cascadio.step_to_glb(str(file), str(glb), LINEAR, ANGULAR, True)
+        failed = cascadio.step_to_glb(str(file), str(glb), LINEAR, ANGULAR, True)
         if failed or not glb.is_file():
             raise ValueError("Open CASCADE finds no shape in it")
         return replace(read_glb(glb), up="z")
-
-
-@contextmanager
-def _unheard() -> Iterator[None]:
-    """Keep off the standard streams what Open CASCADE writes there; the error it returns says the same."""
-    kept = {stream: os.dup(stream) for stream in (1, 2)}
-    nowhere = os.open(os.devnull, os.O_WRONLY)
-    try:
-        for stream in kept:
-            os.dup2(nowhere, stream)
-        yield
-    finally:
-        for stream, saved in kept.items():
-            os.dup2(saved, stream)
-            os.close(saved)
-        os.close(nowhere)

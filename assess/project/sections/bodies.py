@@ -69,7 +69,8 @@ class MeshBody(Section):
     mesh_up: Literal["y", "z"] | None = None
     """axis of the file that points up; "y" for glTF and "z" for all others if absent"""
     element: Name | None = None
-    """only the part of the file of this name or GlobalId; all its parts if absent"""
+    """only elements of the file: a name, a GlobalId, a class like "IfcWall", or a pattern like "Wall-*"; several become
+    one body; all of the file if absent"""
 
 
 class BoxBody(Section):

@@ -90,7 +90,7 @@ class Content(Section):
 
     def _bodies_are_loads(self, name: str, mechanism: Chained, moving: set[str]) -> None:
         """Refuse a body as load that does not exist, is part of the mechanism, or loads the same block already."""
-        taken: set[tuple[str, int]] = set()
+        taken: dict[str, set[int | None]] = {}
         for place, load in enumerate(mechanism.loads):
             if isinstance(load, OverburdenLoad) and not set(load.bodies) <= set(self.bodies) - moving:
                 known = _known("bodies", self.bodies)
@@ -100,9 +100,12 @@ class Content(Section):
             key = ("mechanisms", name, "loads", place, "body")
             if load.body not in self.bodies:
                 raise wrong(key, f"no such body; {_known('bodies', self.bodies)}")
-            if load.body in moving or (load.body, load.block) in taken:
+            blocks = taken.setdefault(load.body, set())
+            if load.body in moving or load.block in blocks:
                 raise wrong(key, "it is part of a block, or a load of this block already; name another body")
-            taken.add((load.body, load.block))
+            if blocks and (load.block is None or None in blocks):
+                raise wrong(key, "it is listed twice; give each of the entries its block, or keep one without")
+            blocks.add(load.block)
 
 
 def _known(table: str, names: Mapping[str, Any]) -> str:

@@ -211,8 +211,8 @@ class BodyLoad(Section):
     """weight of a vault by Ungewitter's case 1 to 5 over its intrados, in place of the mesh's volume"""
     fill: PositiveAreaMass | None = None
     """fill and plaster over the plan of a vault, beside its own weight, like "80 kg/m^2\""""
-    block: BlockIndex = 0
-    """which block it acts on, from 0 at the base"""
+    block: BlockIndex | None = None
+    """which block it acts on, from 0 at the base; if absent the one that it touches, or all that it bears on"""
 
     @model_validator(mode="after")
     def _keys_belong_together(self) -> BodyLoad:

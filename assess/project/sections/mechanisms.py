@@ -292,7 +292,7 @@ class Chained(Section):
             if isinstance(load, OverburdenLoad):
                 if not isinstance(self, TwoBlock):
                     raise wrong(("loads", number, "kind"), "is for two-block mechanisms; use a mass or a force")
-            elif load.block > last:
+            elif load.block is not None and load.block > last:
                 raise wrong(("loads", number, "block"), f"must be {last} or less, counted from 0 at the base")
         return self
 

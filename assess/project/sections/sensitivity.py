@@ -9,7 +9,8 @@ from pydantic import BeforeValidator, Field, WithJsonSchema
 
 from assess.project.quantities import Ratio
 from assess.project.section import Section
-from assess.project.units import KINDS, QuantityError, number_and_unit, si_value
+from assess.project.typed_quantity import QuantityError, number_and_unit
+from assess.project.units import KINDS, si_value
 
 SHARES: Mapping[str, float] = {
     "thickness": 0.05,

@@ -163,6 +163,26 @@ def test_rotd_of_a_straight_motion_is_its_cosine() -> None:
     assert largest.component == "RotD100"
 
 
+@pytest.mark.parametrize("percentile", [0.0, 16.0, 50.0, 84.0, 100.0])
+@pytest.mark.parametrize("seed", range(4))
+def test_the_peak_of_rotd_is_the_percentile_of_the_peaks(seed: int, percentile: float) -> None:
+    """Of 180 directions, of which none need have the median; each direction by a matrix here."""
+    first, second = (make_record("rotd", noise(2 * seed + i, 40).acceleration * (1 + i), DT) for i in (0, 1))
+    angle = np.radians(np.arange(180.0))[:, np.newaxis]
+    peaks = np.abs(np.cos(angle) * first.acceleration + np.sin(angle) * second.acceleration).max(axis=1)
+    found = rotd(first, second, percentile=percentile)
+    assert found.pga == pytest.approx(np.percentile(peaks, percentile), rel=1e-12)
+    assert found.pga == pytest.approx(float(rotd_spectrum(first, second, 0.0, percentile=percentile)), rel=1e-12)
+
+
+def test_rotd_of_no_motion_and_of_a_circle_has_any_direction() -> None:
+    still = make_record("still", np.zeros(9), DT)
+    assert rotd(still, still, percentile=50).pga == 0.0
+    turn = np.radians(np.arange(720.0))
+    circle = (make_record("a", np.cos(turn), DT), make_record("b", np.sin(turn), DT))
+    assert rotd(*circle, percentile=50).pga == pytest.approx(1.0, rel=1e-12)
+
+
 def test_the_spectrum_over_directions_of_a_straight_motion() -> None:
     north, east = pair()
     period = np.array([0.2, 0.5, 1.0])

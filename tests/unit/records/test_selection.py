@@ -108,8 +108,9 @@ def test_components_of_a_recording_keep_one_factor() -> None:
     for choice in found.choices:
         first, second = choice.components
         assert first.station == second.station
-        geometric = np.sqrt(first.spectrum * second.spectrum)[BAND.columns]
-        expected = np.exp(np.mean(np.log(TARGET.acceleration(BAND.period) / geometric)))
+        logarithm = 0.5 * np.interp(np.log(BAND.period), np.log(PERIODS), np.log(first.spectrum * second.spectrum))
+        ratio = np.log(TARGET.acceleration(BAND.period)) - logarithm
+        expected = np.exp(np.average(ratio, weights=BAND.weight))
         assert choice.factor == pytest.approx(expected, rel=1e-12)
 
 
@@ -181,8 +182,34 @@ def test_weights_that_are_none_are_refused(weights: list[tuple[float, float]]) -
         band(0.2, 2.0, weights=weights)
 
 
+def test_the_band_reaches_from_end_to_end() -> None:
+    """Between them the catalogue's periods; all count alike, as PEER's mean squared error has them."""
+    found = band(0.15, 1.7)
+    assert found.ends == (0.15, 1.7)
+    np.testing.assert_array_equal(found.period[1:-1], PERIODS[(PERIODS > 0.15) & (PERIODS < 1.7)])
+    np.testing.assert_array_equal(found.weight, 1.0)
+    on = band(float(PERIODS[40]), float(PERIODS[80]))
+    np.testing.assert_array_equal(on.period, PERIODS[40:81])
+    np.testing.assert_array_equal(on.nodes, on.period)
+
+
+@pytest.mark.parametrize(("end", "step"), [(0.15, -1), (1.75, 1)])
+def test_what_moves_beyond_an_end_of_the_band_moves_the_fit(end: float, step: int) -> None:
+    """A peak at the catalogue's next period outside weighs by how near the end is to it in ln T."""
+    flat = replace(candidate(0), spectrum=TARGET.acceleration(PERIODS))
+    outside = int(np.searchsorted(PERIODS, end)) + (step - 1) // 2
+    peaked = replace(flat, spectrum=np.where(np.arange(121) == outside, np.e, 1.0) * flat.spectrum)
+    over = band(0.15, 1.75)
+    factors = [select([one], TARGET, Criteria(1, over)).choices[0].factor for one in (flat, peaked)]
+    inside = PERIODS[outside - step]
+    share = np.log(inside / end) / np.log(inside / PERIODS[outside])
+    assert np.log(factors[0] / factors[1]) == pytest.approx(share / over.period.size, rel=1e-9)
+    assert share > 0.4
+
+
 def test_a_spectrum_that_ends_early_cuts_the_band() -> None:
     assert up_to(BAND, 1.0).period[-1] == pytest.approx(1.0)
+    assert up_to(BAND, 2.0).ends == (0.2, 2.0)
     with pytest.raises(RecordError, match="extend its table"):
         up_to(BAND, 0.1)
 

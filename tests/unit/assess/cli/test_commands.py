@@ -12,12 +12,12 @@ import pytest
 from scipy.constants import g
 
 from assess.cli import main
-from assess.cli.outputs import LIST
 from assess.cli.summary import summary
 from assess.codes.bases import BASES
 from assess.codes.check import Check, Outcome, Reason, because
 from assess.codes.verdict import Action, Judged, Missing, Question, verdict
 from assess.message import Message, Severity
+from assess.outputs.manifest import MANIFEST
 from assess.project import run as running
 from assess.project.build import build
 from assess.project.schema import load
@@ -157,7 +157,7 @@ def test_parameters_as_table_json_and_csv_agree(project: Path, capsys: pytest.Ca
     assert ended("parameters", project, "--csv") == 0
     rows = list(csv.DictReader(capsys.readouterr().out.splitlines()))
     assert [(row["name"], row["branch"]) for row in rows] == [
-        ("=wall, 1", "positive"),
+        ("'=wall, 1", "positive"),
         ("published", "positive"),
         ("published", "negative"),
     ]
@@ -198,7 +198,7 @@ def test_run_ends_with_the_verdict(
     assert captured.out.splitlines()[-1] == str(folder / "report.pdf")
     assert captured.err == ""
     assert "thesis" not in captured.out
-    assert sorted(path.name for path in folder.iterdir()) == [LIST, "report.pdf", "results.json"]
+    assert sorted(path.name for path in folder.iterdir()) == [MANIFEST, "report.pdf", "results.json"]
 
 
 def test_run_without_report_takes_the_old_one_away(
@@ -209,7 +209,7 @@ def test_run_without_report_takes_the_old_one_away(
     assert ended("run", project, "-o", out, "--jobs", "1") == 0
     assert ended("run", project, "-o", out, "--no-report") == 0
     assert capsys.readouterr().out.splitlines()[-1] == str(out / "results.json")
-    assert sorted(path.name for path in out.iterdir()) == [LIST, "results.json"]
+    assert sorted(path.name for path in out.iterdir()) == [MANIFEST, "results.json"]
 
 
 def test_failing_report_leaves_old_outputs(
@@ -401,3 +401,20 @@ def test_parameters_show_where_joints_overturn_beside_rigid_ones(
     assert columns == ["-", "-", "-", *[f"{flexible['overturning_flexible_rad']:.4f}"] * 2]
     assert flexible["overturning_flexible_rad"] < flexible["overturning_rad"]
     assert rows[-1].split()[4] == "none"  # no load multiplier at uplift
+
+
+@pytest.mark.parametrize("form", [(), ("--json",), ("--csv",)])
+def test_what_was_done_to_a_mesh_is_told_on_stderr_whatever_is_printed(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], form: tuple[str, ...]
+) -> None:
+    """A box that lacks one triangle of its top is closed, and that is told."""
+    corners = [(x, y, z) for z in (0, 4) for x, y in ((0, 0), (0.6, 0), (0.6, 3), (0, 3))]
+    faces = [(1, 4, 3, 2), (1, 2, 6, 5), (2, 3, 7, 6), (3, 4, 8, 7), (4, 1, 5, 8), (5, 6, 7)]
+    lines = [f"v {x} {y} {z}" for x, y, z in corners] + ["f " + " ".join(map(str, face)) for face in faces]
+    (tmp_path / "wall.obj").write_text("\n".join(lines) + "\n")
+    box = "box = { thickness = 0.6, length = 3.0, height = 4.0 }"
+    (tmp_path / "project.toml").write_text(PROJECT.replace(box, 'mesh = "wall.obj"'))
+    assert ended("parameters", tmp_path, *form) == 0
+    told = capsys.readouterr()
+    assert "note: bodies.wall: wall.obj: 1 hole of 3 edges" in told.err
+    assert "hole" not in told.out

@@ -16,7 +16,7 @@ from assess.examples import EXAMPLES, source
 from records.errors import RecordError
 from spectra.errors import SpectrumError
 
-COMMANDS = ("new", "check", "run", "parameters", "spectrum", "report", "diff", "schema")
+COMMANDS = ("new", "check", "run", "parameters", "spectrum", "geometry", "report", "diff", "schema")
 SITE = """
 [site.spectrum]
 code = "asce7-16"

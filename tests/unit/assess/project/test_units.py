@@ -2,12 +2,17 @@
 
 import math
 import time
+from collections.abc import Iterator
+from contextlib import suppress
+from decimal import Decimal
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 from scipy.constants import foot, g, inch, lb, lbf, psi
 
 from assess.errors import ProjectError
-from assess.project.units import KINDS, pint_factor, to_si
+from assess.project.units import KINDS, is_weight, pint_factor, to_si
 from assess.project.usual_units import USUAL
 
 GOOD = [
@@ -24,6 +29,21 @@ GOOD = [
     ("2240 kg/m3", "density", 2240.0),
     ("2.24 t/m³", "density", 2240.0),
     ("140 lb/ft^3", "density", 140 * lb / foot**3),
+    ("130 pcf", "density", 130 * lb / foot**3),
+    ("130 lbf/ft^3", "density", 130 * lb / foot**3),
+    ("20 kN/m^3", "density", 20e3 / g),
+    ("20 kN/m³", "density", 20e3 / g),
+    ("0.02 MN/m³", "density", 20e3 / g),
+    ("2000 kgf/m³", "density", 2000.0),
+    ("100 psf", "stress", 100 * lbf / foot**2),
+    ("4′", "length", 4 * foot),
+    ('6"', "length", 6 * inch),
+    ("30′", "angle", math.pi / 360),
+    ("30º", "angle", math.pi / 6),
+    ("5 ‰", "ratio", 0.005),
+    ("−3.5 m", "length", -3.5),
+    ("1.5e−3\u00a0m", "length", 0.0015),
+    ("10\u200b kN", "force", 1e4),
     ("10 kip", "force", 1e4 * lbf),
     ("12 lb ft^2", "inertia", 12 * lb * foot**2),
     ("0.10 g", "acceleration", 0.10 * g),
@@ -52,7 +72,27 @@ BAD = [
     ("nan m", "length", "not a number with a unit"),
     ("", "length", "not a number with a unit"),
     ("3", "length", "no unit"),
-    ("1,25 m", "length", "comma"),
+    ("1,25 m", "length", 'a decimal comma; write "1.25 m"'),
+    ("0,10 g", "acceleration", 'a decimal comma; write "0.10 g"'),
+    ("-,5 m", "length", 'a decimal comma; write "-0.5 m"'),
+    ("0,100 m", "length", 'a decimal comma; write "0.100 m"'),
+    ("1,250 mm", "length", 'write "1.250 mm" for a decimal comma, "1250 mm" for thousands'),
+    ("1,250.5 mm", "length", 'thousands set apart; write "1250.5 mm"'),
+    ("1.250,5 mm", "length", 'thousands set apart; write "1250.5 mm"'),
+    ("1 250 mm", "length", 'thousands set apart; write "1250 mm"'),
+    ("1\u202f250\u00a0mm", "length", 'thousands set apart; write "1250 mm"'),
+    ("1'250 mm", "length", 'thousands set apart; write "1250 mm"'),
+    ("1.2.3 m", "length", "more in the number than one decimal point"),
+    ("4 ft 6 in", "length", "feet and inches in one"),
+    ("4′ 6″", "length", "feet and inches in one"),
+    ("½ m", "length", "not a number with a unit"),
+    ("1.2×10³ kg", "mass", "is not a unit"),
+    ("2 ton", "mass", '1000 kg to some and 2000 lb to others; write "t" or "short_ton"'),
+    ("1.5 ton/m^3", "density", "1000 kg to some"),
+    ("20 kN/m^2", "density", '"kN/m^2" is not a unit of density'),
+    ("20 kN", "density", '"kN" is not a unit of density'),
+    ("20 kN/m^3", "mass per area", "is not a unit of mass per area"),
+    ("4′", "mass", "is not a unit of mass"),
     ("3 s", "length", '"s" is not a unit of length'),
     ("3 fathomz", "length", "unknown unit"),
     ("9**9**9 m", "length", "is not a unit"),
@@ -70,6 +110,25 @@ BAD = [
     ("2 Hz", "rate", "is not a unit of rate"),
     ("20 degC", "length", "is not a unit of length"),
 ]
+
+USED: dict[str, tuple[str, float]] = {
+    **{unit: ("length", one) for unit, one in {"m": 1.0, "cm": 0.01, "mm": 1e-3, "ft": foot, "in": inch}.items()},
+    **{unit: ("mass", one) for unit, one in {"kg": 1.0, "t": 1e3, "lb": lb, "lbm": lb}.items()},
+    **{unit: ("force", one) for unit, one in {"N": 1.0, "kN": 1e3, "MN": 1e6, "lbf": lbf, "kip": 1e3 * lbf}.items()},
+    **{unit: ("stress", one) for unit, one in {"Pa": 1.0, "MPa": 1e6, "GPa": 1e9, "psi": psi}.items()},
+    **{unit: ("stress", one) for unit, one in {"N/mm^2": 1e6, "ksi": 1e3 * psi, "psf": lbf / foot**2}.items()},
+    **{unit: ("density", one) for unit, one in {"kg/m^3": 1.0, "t/m^3": 1e3, "lb/ft^3": lb / foot**3}.items()},
+    **{unit: ("density", one) for unit, one in {"kN/m^3": 1e3 / g, "N/m^3": 1 / g, "pcf": lb / foot**3}.items()},
+    **{unit: ("mass per area", one) for unit, one in {"kg/m^2": 1.0, "lb/ft^2": lb / foot**2}.items()},
+    **{unit: ("inertia", one) for unit, one in {"kg*m^2": 1.0, "t*m^2": 1e3}.items()},
+    **{unit: ("acceleration", one) for unit, one in {"g": g, "m/s^2": 1.0, "cm/s^2": 0.01, "in/s^2": inch}.items()},
+    **{unit: ("angle", one) for unit, one in {"rad": 1.0, "deg": math.pi / 180, "°": math.pi / 180}.items()},
+    **{unit: ("stiffness", one) for unit, one in {"GPa/m": 1e9, "N/mm^3": 1e9, "psi/in": psi / inch}.items()},
+    **{unit: ("time", one) for unit, one in {"s": 1.0, "ms": 1e-3}.items()},
+    **{unit: ("speed", one) for unit, one in {"m/s": 1.0, "ft/s": foot}.items()},
+    "Hz": ("frequency", 1.0), "1/s": ("rate", 1.0), "%": ("ratio", 0.01), "‰": ("ratio", 1e-3),
+}  # fmt: skip
+"""Units that project files use, as they are typed, with what they measure and what one of each is in SI."""
 
 
 @pytest.mark.parametrize(("value", "kind", "expected"), GOOD)
@@ -110,3 +169,38 @@ def test_example_of_each_kind_is_read(kind: str) -> None:
 def test_usual_unit_is_what_pint_makes_of_it(name: str, unit: str) -> None:
     (kind,) = (kind for kind in KINDS.values() if kind.name == name)
     assert USUAL[name][unit] == pint_factor(unit, kind)
+
+
+def forms(unit: str) -> Iterator[str]:
+    """A unit in the ways that people and programs type it."""
+    raised = unit.replace("^", "")
+    yield from (unit, unit.replace("^", "**"), raised)
+    yield raised.translate(str.maketrans("234", "²³⁴")) if "^" in unit else unit.replace("*", "·")
+
+
+@given(st.sampled_from(sorted(USED)), st.decimals("-1e6", "1e6", places=3), st.data())
+def test_a_unit_in_usual_use_is_read_in_every_form(unit: str, number: Decimal, data: st.DataObject) -> None:
+    """Beside scipy's constants; signs of word processors are those of the keyboard."""
+    kind, factor = USED[unit]
+    sign = data.draw(st.sampled_from("-−‑"))
+    space = data.draw(st.sampled_from(("", " ", "  ", "\u00a0", "\u2009", "\u202f")))
+    form = data.draw(st.sampled_from(sorted(set(forms(unit)))))
+    typed = f"{number:f}".replace("-", sign) + (space if form[0] != "1" else " ") + form
+    if abs(float(number) * factor) < 1e-12 and number:
+        return
+    assert to_si(typed, kind, key="k") == pytest.approx(float(number) * factor, rel=1e-12)
+
+
+@given(st.from_regex(r"[-+0-9.,'_ *e]{1,12}", fullmatch=True))
+def test_what_is_read_as_a_number_is_one(number: str) -> None:
+    """No text of digits and signs is evaluated, nor cut short."""
+    with suppress(ProjectError):
+        assert to_si(f"{number} m", "length", key="k") == float(number)
+
+
+def test_weights_are_told_from_masses() -> None:
+    density = KINDS["density"]
+    weights = ("20 kN/m^3", "20 kN/m³", "130 pcf", "130 lbf/ft^3", "2000 kgf/m^3")
+    assert [typed for typed in weights if not is_weight(typed, density)] == []
+    assert [typed for typed in ("2 t/m^3", "130 lb/ft^3", "2000 kg/m³") if is_weight(typed, density)] == []
+    assert not is_weight("2 m", KINDS["length"])

@@ -77,3 +77,54 @@ def test_text_that_only_ends_like_one_is_refused(tmp_path: Path) -> None:
     (tmp_path / "junk.ifc").write_text("hello\nEND-ISO-10303-21;\n")
     with pytest.raises(GeometryError, match=r'body "wall": mesh junk.ifc: it cannot be read as IFC'):
         load(tmp_path / "junk.ifc", density=1.0, name="wall")
+
+
+def test_only_the_elements_asked_for_are_meshed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    from assess.geometry.models import read_models
+
+    file = tmp_path / "house.ifc"
+    building(file, prefix=None)
+    opened, made = [], []
+    really_open, really = ifcopenshell.open, ifcopenshell.geom.iterator
+    monkeypatch.setattr(ifcopenshell, "open", lambda path: opened.append(path) or really_open(path))
+    monkeypatch.setattr(
+        ifcopenshell.geom, "iterator", lambda *given, include: made.append(include) or really(*given, include=include)
+    )
+    found = read_models({"one": (file, "south"), "two": (file, "s*th"), "three": (file, "south")})
+    assert [each.parts[0].element.names for each in found.values()] == [("south",), ("south",)]
+    assert opened == [str(file)]
+    assert [[each.Name for each in asked] for asked in made] == [["south"]]
+
+
+def test_classes_and_patterns_join_and_say_so(tmp_path: Path) -> None:
+    file = tmp_path / "house.ifc"
+    building(file, prefix=None)
+    for wanted in ("IfcWall", "IfcBuildingElement", "*th"):
+        found = load(file, density=1.0, name="wall", element=wanted)
+        assert found.mass == pytest.approx(4.0 * 1.25 * 8.0 + 3.0 * 1.25 * 8.0 - 1.0 * 1.25 * 2.0, rel=1e-9)
+        assert found.trail == ("2 elements joined: north, south",)
+
+
+def test_a_broken_element_is_named_and_does_not_refuse_the_others(tmp_path: Path) -> None:
+    file = tmp_path / "house.ifc"
+    identifiers = building(file, prefix=None)
+    model = ifcopenshell.open(str(file))
+    model.by_guid(identifiers["north"]).Representation.Representations[0].Items[0].Depth = 0.0
+    model.write(str(file))
+    assert load(file, density=1.0, name="wall", element="south").mass == pytest.approx(40.0, rel=1e-9)
+    for wanted in ("north", "IfcWall", None):
+        with pytest.raises(GeometryError) as caught:
+            load(file, density=1.0, name="wall", element=wanted)
+        assert f'element "north" ({identifiers["north"]}): its body could not be built' in str(caught.value)
+
+
+def test_elements_of_one_name_are_told_apart_by_their_identifiers(tmp_path: Path) -> None:
+    file = tmp_path / "house.ifc"
+    identifiers = building(file, prefix=None)
+    model = ifcopenshell.open(str(file))
+    model.by_guid(identifiers["north"]).Name = "south"
+    model.write(str(file))
+    with pytest.raises(GeometryError, match='2 elements are called "south"') as caught:
+        load(file, density=1.0, name="wall", element="south")
+    assert all(each in str(caught.value) for each in identifiers.values())
+    assert load(file, density=1.0, name="wall", element=identifiers["south"]).mass == pytest.approx(40.0, rel=1e-9)

@@ -3,12 +3,12 @@
 import sys
 from pathlib import Path
 
-import numpy as np
 import pytest
 
 from assess.errors import GeometryError
-from assess.geometry.formats.parts import MeshFile, part
-from assess.geometry.formats.reading import EXTRAS, READERS, chosen, read
+from assess.geometry.formats.elements import places_of
+from assess.geometry.formats.parts import Element
+from assess.geometry.formats.reading import EXTRAS, READERS, read
 
 
 @pytest.mark.parametrize(
@@ -51,10 +51,8 @@ def test_cad_packages_are_imported_only_for_their_files() -> None:
 
 
 def test_names_of_a_file_that_no_line_should_hold_are_shown_safely() -> None:
-    nothing = np.empty((0, 3))
-    hostile = MeshFile((part(["\x1b[31mred\nline " + "a" * 99], nothing, nothing.astype(np.int64)),))
-    for element in (None, "tower"):
-        with pytest.raises(GeometryError) as caught:
-            chosen(hostile, element, where="mesh")
-        assert str(caught.value).isprintable()
-        assert len(str(caught.value)) < 200
+    hostile = [Element(("\x1b[31mred\nline " + "a" * 99,))] * 20
+    with pytest.raises(GeometryError) as caught:
+        places_of(hostile, "tower", where="mesh")
+    assert str(caught.value).isprintable()
+    assert len(str(caught.value)) < 200

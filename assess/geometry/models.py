@@ -1,0 +1,86 @@
+"""The models that bodies are taken from: each file read once, and only the elements asked for meshed."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from assess.errors import GeometryError
+from assess.geometry.formats.elements import listed, places_of, shown
+from assess.geometry.formats.parts import Part, Up
+from assess.geometry.formats.reading import meshed, read
+
+
+@dataclass(frozen=True)
+class Model:
+    """What a body takes of a file.
+
+    file : where it was read from
+    parts : the meshes of the elements that it takes
+    unit : length of the file's unit [m]; None where the format does not say
+    up : which axis points up; None where the format does not say
+    told : which elements became one body, sentences
+    """
+
+    file: Path
+    parts: tuple[Part, ...]
+    unit: float | None = None
+    up: Up | None = None
+    told: tuple[str, ...] = ()
+
+
+Asked = tuple[Path, str | None]  # a file, and which of its elements: a name, identifier, class or pattern; None: all
+Models = Mapping[Asked, Model]
+
+
+def read_models(asked: Mapping[str, Asked]) -> Models:
+    """What each body takes of its file, by what is asked for; every file is read once, whoever asks.
+
+    Parameters
+    ----------
+    asked : file and elements by name of the body
+
+    Raises
+    ------
+    GeometryError : a file cannot be read, has no such elements, or has no mesh for one of those asked for
+    """
+    found: dict[Asked, Model] = {}
+    for file in dict.fromkeys(path for path, _ in asked.values()):
+        found |= _of_one({name: element for name, (path, element) in asked.items() if path == file}, file)
+    return found
+
+
+def _of_one(elements: Mapping[str, str | None], file: Path) -> Models:
+    """What bodies take of one file; elements: those asked for, by name of the body."""
+    places_named = {name: f'body "{name}": mesh {file.name}' for name in elements}
+    first = next(iter(places_named.values()))
+    content = read(file, where=first)
+    places = {
+        name: places_of(content.elements, element, where=places_named[name]) for name, element in elements.items()
+    }
+    wanted = sorted({place for each in places.values() for place in each})
+    parts = dict(zip(wanted, meshed(content, wanted, file=file, where=first), strict=True))
+    found = {}
+    for name, element in elements.items():
+        taken = tuple(parts[place] for place in places[name])
+        _refuse_unmeshed(taken, where=places_named[name])
+        found[file, element] = Model(file, taken, content.unit, content.up, () if element is None else _joined(taken))
+    return found
+
+
+def _joined(parts: Sequence[Part]) -> tuple[str, ...]:
+    """A sentence where several elements become one body."""
+    if len(parts) < 2:
+        return ()
+    return (f"{len(parts)} elements joined: {listed([each.element.shown for each in parts])}",)
+
+
+def _refuse_unmeshed(parts: Sequence[Part], *, where: str) -> None:
+    """Raise where an element that is asked for has no mesh."""
+    bare = [each for each in parts if each.fault]
+    if bare:
+        one = bare[0].element
+        known = f" ({one.identifier})" if one.identifier and one.shown != one.identifier else ""
+        more = f" (and {len(bare) - 1} more: {listed([each.element.shown for each in bare[1:]])})" if bare[1:] else ""
+        raise GeometryError(f'{where}: element "{shown(one.shown)}"{known}{more}: {bare[0].fault}')

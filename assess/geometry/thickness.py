@@ -1,0 +1,55 @@
+"""Which way a wall is thin, and how large a body is along that way, across it and upright."""
+
+from __future__ import annotations
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+
+from assess.geometry.surface import area_vectors
+
+FloatArray = NDArray[np.float64]
+IntArray = NDArray[np.int64]
+
+ALIKE = 0.05  # by how much the two sides of a plan must differ for one to be the thin one
+
+
+def thin_direction(vertices: FloatArray, triangles: IntArray) -> FloatArray | None:
+    """The horizontal unit vector [2] along the thickness of a wall: where most of its surface faces, either way.
+
+    The principal axis of the sum of a a^T / |a| over the horizontal parts a of the triangles' area vectors: of a
+    box its shorter side in plan, whatever stands off from its faces at right angles. None where no way is preferred, as
+    of a square or round tower. Its first part that is not zero is positive.
+    """
+    vectors = area_vectors(vertices[triangles])[:, :2]
+    size = np.hypot(*vectors.T)
+    tensor = (vectors / np.where(size > 0.0, size, 1.0)[:, None]).T @ vectors
+    (low, high), axes = np.linalg.eigh(tensor)
+    if not high > 0.0 or high - low < ALIKE * high:
+        return None
+    return _forwards(axes[:, 1])
+
+
+def sizes(vertices: FloatArray, thin: FloatArray | None) -> tuple[float, float, float]:
+    """Extents [m] along `thin` [2], level across it, and upright; without it by the smallest rectangle around."""
+    along = _shorter_side(vertices) if thin is None else thin
+    across = np.array([-along[1], along[0]])
+    extents = [float(np.ptp(vertices[:, :2] @ axis)) for axis in (along, across)]
+    return extents[0], extents[1], float(np.ptp(vertices[:, 2]))
+
+
+def _shorter_side(vertices: FloatArray) -> FloatArray:
+    """The direction [2] of the shorter side of the smallest rectangle around the plan; x where there is none."""
+    around = shapely.MultiPoint(vertices[:, :2]).minimum_rotated_rectangle
+    if not isinstance(around, shapely.Polygon):
+        return np.array([1.0, 0.0])
+    sides = np.diff(shapely.get_coordinates(around)[:3], axis=0)
+    lengths = np.hypot(*sides.T)
+    shorter = int(np.argmin(lengths))
+    return _forwards(sides[shorter] / lengths[shorter]) if lengths[shorter] > 0.0 else np.array([1.0, 0.0])
+
+
+def _forwards(axis: FloatArray) -> FloatArray:
+    """The axis without rounding, towards +x, or +y where it lies along y."""
+    clean = np.round(axis, 12) + 0.0
+    return np.asarray(clean if tuple(clean) > (0.0, 0.0) else -clean + 0.0, dtype=np.float64)

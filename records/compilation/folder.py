@@ -1,0 +1,82 @@
+"""A folder of the user's own for machine code, which is run as it is found: nobody else may own it or write to it."""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import stat
+import tempfile
+import time
+from collections.abc import Iterator
+from pathlib import Path
+
+NAME = "rocking-assess"
+KEY = re.compile(r"[0-9a-f]{32}")
+UNUSED = 30 * 86400.0  # s, after which the code of another version is deleted
+
+
+def find_folder(key: str, *, given: str, user: str) -> Path | None:
+    """The folder for the code of `key`, made where there is none; None where no place is private and can be written.
+
+    given : by NUMBA_CACHE_DIR, "" if not set; user : the user's folder for caches. Then the one for temporary files.
+    """
+    for place in _places(given, user):
+        if not is_private(place):
+            continue
+        folder = place / key
+        new = not folder.exists()
+        if is_private(folder):
+            if new:
+                remove_unused(place)
+            os.utime(folder)  # in use, for other versions that look for folders to delete
+            return folder
+    return None
+
+
+def is_private(folder: Path) -> bool:
+    """Whether `folder`, made if need be, is a folder of the user's that no one else can write to, and he can."""
+    try:
+        folder.parent.mkdir(parents=True, exist_ok=True)
+        folder.mkdir(mode=0o700, exist_ok=True)
+        found = folder.lstat()
+        if not stat.S_ISDIR(found.st_mode) or not os.access(folder, os.R_OK | os.W_OK | os.X_OK):
+            return False
+        if os.name == "posix":
+            if found.st_uid != os.getuid() or found.st_mode & 0o022:
+                return False
+            if found.st_mode & 0o077:
+                folder.chmod(0o700)
+    except OSError:
+        return False
+    return True
+
+
+def remove_unused(place: Path) -> None:
+    """Delete code in `place` that no process has started with for a month.
+
+    Who runs with it all the same finds its files missing, compiles again, and cannot write: none of that is an error.
+    """
+    try:
+        for folder in place.iterdir():
+            if KEY.fullmatch(folder.name) and time.time() - folder.lstat().st_mtime > UNUSED:
+                shutil.rmtree(folder, ignore_errors=True)
+    except OSError:
+        return
+
+
+def _places(given: str, user: str) -> Iterator[Path]:
+    if given:
+        yield Path(given).absolute() / NAME
+    if os.path.isabs(user) and _mine(Path(user)):
+        yield Path(user)
+    try:
+        yield Path(tempfile.gettempdir()) / (f"{NAME}-{os.getuid()}" if os.name == "posix" else NAME)
+    except OSError:  # there is none
+        return
+
+
+def _mine(folder: Path) -> bool:
+    """Whether the nearest folder that exists is the user's: not so in the home of another, as under sudo."""
+    there = next(one for one in (folder, *folder.parents) if one.exists())
+    return os.name != "posix" or there.stat().st_uid == os.getuid()

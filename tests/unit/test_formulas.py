@@ -1,0 +1,136 @@
+"""No table that the program writes holds text that a spreadsheet would run, whoever typed it."""
+
+from __future__ import annotations
+
+import csv
+import io
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import example, given
+from hypothesis import strategies as st
+from openpyxl import load_workbook
+
+from assess.cli import main
+from records.formats.comments import said
+from records.reading import read
+from records.record import Earthquake, Site, make_record
+from records.writing import csv_text
+from reports.csv import csv_lines
+from reports.document import Column, Document, Section, Table
+from reports.spreadsheet import write_xlsx
+from spectra.formulas import SIGNS, is_formula, marked, unmarked
+
+ROOT = Path(__file__).parents[2]
+WRITERS = {  # what may write tables; `csv_lines` escapes every cell, `write_xlsx` writes text as text, quoted
+    r"csv\.(writer|DictWriter)|to_csv|savetxt": {"reports/csv.py"},
+    r"xlsxwriter|openpyxl|to_excel": {"reports/spreadsheet.py"},
+}
+HOSTILE = "=cmd|'/c calc'!A1"
+PROJECT = """
+[site.spectrum]
+code = "asce7-16"
+s_ds = 0.5
+s_d1 = 0.2
+t_l = 6
+[analysis]
+levels = ["0.1 g"]
+procedures = ["asce43-05-spectrum"]
+[records]
+synthetic = {{ count = 1, duration = 8 }}
+[mechanisms."{name}"]
+label = "{name}"
+kind = "equivalent-block"
+p = {p}
+uplift = 0.14
+radius = 2.84
+[analysis.pulses]
+frequency = {{ from = "1 Hz", to = "2 Hz", count = 2 }}
+amplitude = {{ from = "0 g", to = "4 g", count = 2 }}
+"""
+LETTERS = st.text(alphabet="ab=+-@,;\"' \t:#1", max_size=30)
+
+
+@pytest.mark.parametrize("pattern", WRITERS)
+def test_one_module_writes_each_kind_of_table(pattern: str) -> None:
+    sources = (path for each in ("assess", "records", "reports", "spectra") for path in (ROOT / each).rglob("*.py"))
+    found = {str(path.relative_to(ROOT)) for path in sources if re.search(pattern, path.read_text(encoding="utf-8"))}
+    assert found == WRITERS[pattern]
+
+
+def run_cells(text: str) -> list[str]:
+    """Cells that a spreadsheet would run, whichever separator its language has; numbers are none."""
+    cells = (cell.strip() for mark in ",;\t" for row in csv.reader(io.StringIO(text), delimiter=mark) for cell in row)
+    return [cell for cell in cells if cell.startswith(SIGNS) and not re.fullmatch(r"-|[-+][\d.]+(e[-+]?\d+)?", cell)]
+
+
+def printed(capsys: pytest.CaptureFixture[str], *arguments: str | Path) -> str:
+    with pytest.raises(SystemExit) as caught:
+        main([str(argument) for argument in arguments])
+    assert caught.value.code in (0, 1, 3)
+    return capsys.readouterr().out
+
+
+def test_names_of_mechanisms_in_every_table_of_a_project(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    runs = []
+    for p in (1.6, 1.7):
+        project = tmp_path / f"{p}.toml"
+        project.write_text(PROJECT.format(name=HOSTILE, p=p))
+        for command in ("parameters", "envelope"):
+            out = printed(capsys, command, project, "--csv")
+            assert f"'{HOSTILE}" in out
+            assert run_cells(out) == []
+        printed(capsys, "run", project, "-o", tmp_path / f"{p}", "--no-report", "--jobs", "1")
+        runs.append(tmp_path / f"{p}")
+    out = printed(capsys, "diff", *runs, "--csv")
+    assert f"'{HOSTILE}" in out
+    assert run_cells(out) == []
+
+
+def test_names_of_records_in_every_table_of_records(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    name = tmp_path / f"{HOSTILE.replace('/', '')}.csv"
+    (tmp_path / "target.csv").write_text("period [s],acceleration [g]\n0,0.1\n0.1,0.25\n4,0.02\n")
+    time = 0.01 * np.arange(500)
+    texts = {"event": HOSTILE, "station": "@sum, =1+1", "component": "-x"}
+    place = {"site": Site(place=f'a;"{HOSTILE}'), "earthquake": Earthquake(time="+1, @x")}
+    record = make_record("x", np.sin(time) * np.sin(30 * time), 0.01, **texts, **place)  # type: ignore[arg-type]
+    name.write_text(csv_text(record), encoding="utf-8")
+    assert run_cells(name.read_text(encoding="utf-8")) == []
+    (again,) = read(name)
+    assert [getattr(again, key) for key in texts] == list(texts.values())
+    assert (again.site, again.earthquake) == (place["site"], place["earthquake"])
+    scaled = ("scale", name, "--target", tmp_path / "target.csv")
+    for command in (("list", name), ("spectra", name), (*scaled, "-o", tmp_path / "out")):
+        assert run_cells(printed(capsys, "records", *command, "--csv")) == []
+    assert all(run_cells(path.read_text(encoding="utf-8")) == [] for path in (tmp_path / "out").iterdir())
+
+
+@given(st.lists(LETTERS, min_size=1, max_size=4), st.floats(allow_nan=False))
+@example(["-"], -0.0)
+def test_any_text_is_a_cell_of_text_and_numbers_stand_as_they_are(texts: list[str], number: float) -> None:
+    ((*cells, last),) = csv.reader(io.StringIO(csv_lines([[*texts, number]])))
+    assert not any(is_formula(cell) for cell in cells)
+    assert float(last) == number
+
+
+@given(LETTERS)
+@example("x,'=1")
+@example('x, "=1"')
+def test_free_text_in_comments_is_read_as_it_was_written(text: str) -> None:
+    assert unmarked(marked(text)) == text
+    line = " ".join(text.split())  # comments have no tabs
+    assert run_cells(f"# event: {marked(line)}".replace('"', "")) == []
+    assert said([f"# event: {marked(line)}"]) == {"event": line}
+
+
+def test_text_in_a_workbook_stays_text_when_its_cell_is_edited(tmp_path: Path) -> None:
+    table = Table("t", "", (Column("x"), Column("y")), ((HOSTILE, -1.5), ("plain", 2.0)))
+    write_xlsx(Document("", "", "", "", "A4", (), (Section("s", 0, (table,)),), ()), tmp_path / "t.xlsx")
+    rows = list(load_workbook(tmp_path / "t.xlsx")["t"].iter_rows(min_row=3))
+    assert [(cell.value, cell.data_type, cell.quotePrefix) for cell in rows[0]] == [
+        (HOSTILE, "s", True),
+        (-1.5, "n", False),
+    ]
+    assert not rows[1][0].quotePrefix

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
 Up = Literal["y", "z"]
+CLOUD = "it holds {count} points and no faces; make a closed surface of the points first"
 
 
 @dataclass(frozen=True)

@@ -68,7 +68,7 @@ def read(path: Path, stated: Stated) -> tuple[Record, ...]:
         raise RecordError(str(error)) from None
     seconds, si, words = _units(columns, stated.unit, path=path)
     dt = _step(seconds * columns.values[:, 0], path=path)
-    known = said(decode(path.read_bytes(), where=str(path)).splitlines())
+    known = said(columns.comments)
     before = (f"before that: {known['trail']}",) if known.get("trail") else ()
     trail = (f"read from {NAME}, {words}", *before)
     return (make_record(path.stem, si * columns.values[:, 1], dt, path=str(path), trail=trail, **described(known)),)

@@ -3,11 +3,8 @@
 from __future__ import annotations
 
 import json
-import re
 import struct
 import zlib
-from collections.abc import Mapping, Sequence
-from functools import cache
 from pathlib import Path
 from typing import Any
 from zipfile import BadZipFile, ZipFile, ZipInfo
@@ -24,37 +21,34 @@ PACKED = {
 }
 WIDTHS = {5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, 5126: 4}  # bytes of glTF's component types
 NUMBERS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9, "MAT4": 16}
-TAGS = re.compile(rb"<(?:\w+:)?(object|component|item)\b[^>]*>")
-ATTRIBUTE = r'\b%s\s*=\s*["\']([^"\']*)["\']'
 BLOCK = 1 << 18  # bytes unpacked at a time
 PROLOGUE = 1 << 16  # bytes in which a document type stands, if there is one
 
 
-def refuse_3mf(file: Path) -> None:
-    """Raise where a 3MF package would unpack to too much, before any of it is unpacked, or multiplies its objects.
+def unpacked_3mf(file: Path) -> dict[str, bytes]:
+    """The model parts of a 3MF package by name; nothing is unpacked where all of it would be too large.
 
     Raises
     ------
-    ValueError : it is no package, or unpacks to too much; a part declares entities; an object is used too often
+    ValueError : it is no package, or unpacks to too much; a part declares entities
     """
     with ZipFile(file) as package:
         _refuse_large(sum(each.file_size for each in package.infolist()), packed=file.stat().st_size)
-        members = {each.filename: _unpacked(package, each) for each in package.infolist()}
-    models = [data for name, data in members.items() if name.lower().endswith(".model")]
-    for model in models:
+        models = [each for each in package.infolist() if each.filename.lower().endswith(".model")]
+        found = {each.filename: _unpacked(package, each) for each in models}
+    for model in found.values():
         if b"<!DOCTYPE" in model[:PROLOGUE].replace(b"\0", b"").upper():
             raise ValueError("it declares a document type, which 3MF forbids")
-    _refuse_many(models)
+    return found
 
 
 def _unpacked(package: ZipFile, member: ZipInfo) -> bytes:
-    """A member, unpacked by blocks, of which zipfile gives no more than it announces; nothing of what is no model."""
+    """A member, unpacked by blocks: then zipfile gives no more than it announces."""
     found = bytearray()
     try:
         with package.open(member) as content:
             while block := content.read(BLOCK):
-                if member.filename.lower().endswith(".model"):
-                    found += block
+                found += block
     except (BadZipFile, RuntimeError, NotImplementedError, zlib.error) as problem:
         raise ValueError(str(problem)) from None
     return bytes(found)
@@ -63,45 +57,6 @@ def _unpacked(package: ZipFile, member: ZipInfo) -> bytes:
 def _refuse_large(unpacked: int, *, packed: int) -> None:
     if unpacked > min(MOST, max(SMALL, RATIO * packed)):
         raise ValueError(f"its {packed / 1e6:.3g} MB would unpack to {unpacked / 1e6:.4g} MB, which no mesh does")
-
-
-def _refuse_many(models: Sequence[bytes]) -> None:
-    """Raise where components within components make too many instances."""
-    holds: dict[str, list[str]] = {}
-    items, current = [], ""
-    for model in models:
-        for tag in TAGS.finditer(model) if b"component" in model else ():
-            kind, text = tag[1], tag[0].decode("utf-8", errors="replace")
-            if kind == b"object":
-                current = _attribute(text, "id")
-                holds.setdefault(current, [])
-            elif kind == b"component":
-                holds.setdefault(current, []).append(_attribute(text, "objectid"))
-            else:
-                items.append(_attribute(text, "objectid"))
-    if _paths(items, holds) > INSTANCES:
-        raise ValueError(f"its components make more than {INSTANCES} instances")
-
-
-def _paths(items: Sequence[str], holds: Mapping[str, Sequence[str]]) -> int:
-    """How many instances the items of a build have; raises ValueError for an object that holds itself."""
-    open_objects: set[str] = set()
-
-    @cache
-    def below(name: str) -> int:
-        if name in open_objects:
-            raise ValueError(f"its object {name[:20]} is a component of itself")
-        open_objects.add(name)
-        total = 1 + sum(below(each) for each in holds.get(name, ()))
-        open_objects.remove(name)
-        return total
-
-    return sum(below(each) for each in items)
-
-
-def _attribute(tag: str, name: str) -> str:
-    found = re.search(ATTRIBUTE % name, tag)
-    return found[1] if found else ""
 
 
 def refuse_gltf(file: Path) -> None:

@@ -1,4 +1,4 @@
-"""glTF and 3MF files. The only door to trimesh, which reads them; it is not asked to mend anything.
+"""glTF files. The only door to trimesh, which reads them; it is not asked to mend anything.
 
 The format readers are called themselves, because trimesh's own objects merge and drop.
 """
@@ -13,18 +13,8 @@ from typing import Any
 
 import numpy as np
 
-from assess.geometry.formats.bounds import INSTANCES, TRIANGLES, refuse_3mf, refuse_gltf
+from assess.geometry.formats.bounds import INSTANCES, TRIANGLES, refuse_gltf
 from assess.geometry.formats.parts import Element, FloatArray, MeshFile, Part, file_of, moved, part
-
-UNITS_3MF = {  # 3MF Core Specification 1.3, 3.4: the attribute unit of <model> [m]
-    "micron": 1e-6,
-    "millimeter": 1e-3,
-    "millimeters": 1e-3,  # trimesh's word where the file has none
-    "centimeter": 1e-2,
-    "inch": 0.0254,
-    "foot": 0.3048,
-    "meter": 1.0,
-}
 
 
 def read_glb(file: Path) -> MeshFile:
@@ -43,18 +33,6 @@ def read_gltf(file: Path) -> MeshFile:
     refuse_gltf(file)
     loaded = load_gltf(_content(file), resolver=FilePathResolver(str(file)), skip_materials=True)
     return file_of(_placed(loaded), unit=1.0, up="y")
-
-
-def read_3mf(file: Path) -> MeshFile:
-    """3D Manufacturing Format: z up, in the unit it states, millimetres where it states none."""
-    from trimesh.exchange.threemf import load_3MF
-
-    refuse_3mf(file)
-    loaded = load_3MF(_content(file), postprocess=False)
-    unit = str(loaded["metadata"]["units"]).lower()
-    if unit not in UNITS_3MF:
-        raise ValueError(f"its unit {unit!r:.30} is none of {', '.join(UNITS_3MF)}")
-    return file_of(_placed(loaded), unit=UNITS_3MF[unit], up="z")
 
 
 def _content(file: Path) -> io.BytesIO:

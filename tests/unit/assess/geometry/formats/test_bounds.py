@@ -121,3 +121,8 @@ def test_what_would_be_huge_is_refused_at_once(tmp_path: Path, name: str, data: 
     tracemalloc.stop()
     assert seconds < 5.0
     assert peak < 20_000_000
+
+
+def test_components_and_repeated_parts_are_read(tmp_path: Path) -> None:
+    (tmp_path / "a.3mf").write_bytes(package(("3D/3dmodel.model", model(nested(2), item="2"))))
+    assert len(read(tmp_path / "a.3mf", where="mesh").parts) == 100

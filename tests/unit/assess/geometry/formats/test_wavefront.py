@@ -86,7 +86,7 @@ SQUARE = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]
     "text",
     [
         "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n",
-        "# made here\nOFF 4 2 5 # edges\n\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n# faces\n3 0 1 2 255 0 0\n3 0 2 3\n",
+        "# made here\nOFF 4 2 5 # edges\n\n0 0 0\n1 0 0\n1 1 0 # third\n0 1 0\n# faces\n3 0 1 2 255 0 0\n3 0 2 3\n",
         "COFF\r\n4 1 0\r\n0 0 0 1 1 1 1\r\n1 0 0 1 1 1 1\r\n1 1 0 1 1 1 1\r\n0 1 0 1 1 1 1\r\n4 0 1 2 3\r\n",
         "OFF\n4 2\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n2 0 1\n",
     ],

@@ -11,7 +11,7 @@ from assess.geometry.formats.lines import Block, BoolArray, FloatArray, IntArray
 from assess.geometry.formats.parts import Element, MeshFile, fans, file_of, part
 
 HEADER = re.compile(
-    rb"\A(?:\xef\xbb\xbf)?(?:\s|#[^\n]*\n)*(?:ST)?C?N?OFF\b(?:\s|#[^\n]*\n)*"
+    rb"\A(?:\xef\xbb\xbf)?(?:\s|#[^\n]*\n)*(?:ST)?C?N?OFF(?![A-Za-z])(?:\s|#[^\n]*\n)*"
     rb"(\d{1,12})\s+(\d{1,12})(?:[ \t]+\d+)?[^\n]*\n"
 )
 LONGEST = 1 << 16  # bytes before the first vertex

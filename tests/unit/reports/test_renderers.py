@@ -38,6 +38,8 @@ RENDERERS = (
 CELLS = "spectra.formulas"  # which text a spreadsheet would run: letters, not physics
 DATA = {
     CELLS,
+    "assess.outputs.single",  # files whole or not at all
+    "assess.workers",  # processes that end with their parent
     "assess.results",
     "assess.codes.check",
     "assess.codes.family",

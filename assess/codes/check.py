@@ -101,6 +101,7 @@ class Reason(StrEnum):
     ROCKS_FIRST = "rocks-first"
     ONE_BLOCK_ONLY = "one-block-only"
     LEVEL_BASE_ONLY = "level-base-only"
+    WEIGHT_ONLY = "weight-only"
     SLIDING_BEYOND_BEFORE = "sliding-beyond-before"
     NO_SLIDING = "no-sliding"
     NO_ALLOWABLE_SLIDING = "no-allowable-sliding"

@@ -175,6 +175,7 @@ class Context:
     incremental : further suites at rising PGA, for the curve and the PGA at collapse; empty when none were run
     support : how the masonry is held: it stands free on its base, spans between two supports, or is a chain of hinges
     carries_floors : whether a floor, roof or vault presses on it or moves with it
+    actions : ties and given forces on it, by name
     wall : its size, None where the mechanism is no wall or has no geometry
     hazard : of an Italian site over return periods; None where the site has but one spectrum
     free_period : of an element that vibrates before it lifts off; None where the project gives none
@@ -205,6 +206,7 @@ class Context:
     amplification: float = 1.0
     support: Support = "free"
     carries_floors: bool = False
+    actions: tuple[str, ...] = ()
     wall: Wall | None = None
     hazard: Hazard | None = None
     free_period: FreePeriod | None = None

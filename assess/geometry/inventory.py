@@ -68,7 +68,15 @@ def inventory(
     if not places:
         raise GeometryError(f"{file}: there are no meshes in it, and no solids or surfaces to mesh")
     parts = meshed(content, places, file=file, where=str(file))
-    return tuple(_entry(Model(file, (part,), content.unit, content.up), part, scale=scale, up=up) for part in parts)
+    return tuple(
+        _entry(
+            Model(file, (part,), content.unit, content.up, (part.doubt,) if part.doubt else ()),
+            part,
+            scale=scale,
+            up=up,
+        )
+        for part in parts
+    )
 
 
 def _entry(model: Model, part: Part, *, scale: float | None, up: Up | None) -> Entry:

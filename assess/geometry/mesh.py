@@ -106,7 +106,8 @@ def placed(model: Model, parts: Sequence[Part], *, scale: float | None, up: Up |
     """
     unit, _ = _unit(model, scale, where=where)
     vertices, triangles = together(parts)
-    return _upright(_sound(vertices, triangles, where=where) * unit, up=up or model.up or "z"), triangles
+    sound = _sound(vertices, triangles, where=where)
+    return _upright(sound if unit == 1.0 else sound * unit, up=up or model.up or "z"), triangles
 
 
 def _blamed(
@@ -180,8 +181,11 @@ def _sound(vertices: FloatArray, triangles: IntArray, *, where: str) -> FloatArr
     if triangles.min() < 0 or triangles.max() >= len(vertices):
         wrong = int(triangles[(triangles < 0) | (triangles >= len(vertices))][0])
         raise GeometryError(f"{where}: a triangle uses vertex {wrong} of {len(vertices)}; export the mesh again")
-    stands = np.all(np.abs(vertices) < FARTHEST, axis=1)
-    bad = np.setdiff1d(np.unique(triangles), np.flatnonzero(stands))
+    if vertices.min() > -FARTHEST and vertices.max() < FARTHEST:
+        return vertices
+    used = np.zeros(len(vertices), dtype=np.bool_)
+    used[triangles] = True
+    bad = np.flatnonzero(used & ~np.all(np.abs(vertices) < FARTHEST, axis=1))
     if len(bad):
         at = ", ".join(f"{value:g}" for value in vertices[bad[0]])
         raise GeometryError(

@@ -141,6 +141,7 @@ def _context_of(
         vertical_ratio=study.vertical_ratio,
         support=SUPPORTS[mechanism.kind],
         carries_floors=carries_floors(mechanism),
+        actions=tuple(load.name for load in mechanism.positive.loads if not isinstance(load, PointMass)),
         wall=wall_of(mechanism),
         elevation=grounded.base,
         rise=rise,

@@ -4,7 +4,8 @@
 
 f_es is the lowest frequency at which the horizontal spectrum of 10 % damping reaches c_s. Not checked against the
 printed standard: A-3 is from memory. The clause combines two horizontal directions in a vector; here the motion is in
-one vertical plane, and its ordinate is that of the spectrum. Ties and given forces have no place in it.
+one vertical plane, and its ordinate is that of the spectrum. Its body presses with all its weight: where masses move
+whose weight is carried elsewhere, mu N / (M g) stands for mu. Ties and given forces have no place in it.
 """
 
 from __future__ import annotations
@@ -22,6 +23,7 @@ from assess.codes.check import Check, Outcome, Reason, Step, because, step
 from assess.codes.context import Context
 from assess.codes.governing import least
 from assess.codes.sliding import sliding_pga
+from assess.hinge_forces import HingeForces
 from assess.message import Message, Severity, message
 from assess.oscillator import Oscillator, threshold
 
@@ -37,13 +39,18 @@ LEVEL = 1e-6  # of a unit normal: faces less inclined are level
 def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tuple[Check, ...]:
     """One check for each level, against `options.allowable_sliding`; without that for information only."""
     lifts = least([threshold(branch) for branch in oscillator.branches])
-    checks = tuple(_check(level, context, options.allowable_sliding) for level in context.levels)
+    checks = tuple(_check(level, context, oscillator.mass, options.allowable_sliding) for level in context.levels)
     return tuple(replace(check, uplift_pga_g=lifts) for check in with_height(checks, context=context))
 
 
 def effective_friction(mu: float, *, vertical: float) -> float:
     """mu_e [-] with a peak vertical acceleration [m/s2], not below 0 (A-1)."""
     return max(mu * (1.0 - 0.4 * vertical / g), 0.0)
+
+
+def friction_of_all(mu: float, *, normal: float, mass: float) -> float:
+    """mu N / (M g) [-]: N that presses on the base at rest [N], M all mass that slides [kg]."""
+    return mu * normal / (mass * g)
 
 
 def sliding_coefficient(friction: float) -> float:
@@ -103,6 +110,8 @@ def unanswerable(context: Context) -> tuple[Outcome, Message] | None:
     first = context.hinges[0]
     if not first.single:
         return Outcome.NOT_APPLICABLE, because(Reason.ONE_BLOCK_ONLY, clause=CLAUSE)
+    if context.actions:
+        return Outcome.NOT_APPLICABLE, because(Reason.WEIGHT_ONLY, clause=CLAUSE, loads=", ".join(context.actions))
     if any(abs(each.face[0]) > LEVEL for each in context.hinges):
         return Outcome.NOT_APPLICABLE, because(Reason.LEVEL_BASE_ONLY, clause=CLAUSE)
     if first.friction is None:
@@ -110,13 +119,14 @@ def unanswerable(context: Context) -> tuple[Outcome, Message] | None:
     return None
 
 
-def _check(level: float, context: Context, allowable: float | None) -> Check:
+def _check(level: float, context: Context, mass: float, allowable: float | None) -> Check:
     silent = unanswerable(context)
     if silent is not None:
         verdict, reason = silent
         steps = (step("δ_s", "best estimate of sliding", CLAUSE, "-", None, "m", remark=reason.text),)
         return _answer(level, context, verdict=verdict, reason=reason, steps=steps)
-    mu = context.hinges[0].friction or 0.0
+    first = context.hinges[0]
+    mu = friction_of_all(first.friction or 0.0, normal=first.resting.normal, mass=mass)
     found = best_estimate(context, level, mu)
     at_capacity = None if allowable is None else pga_at(context, mu, allowable)
     verdict, reason = _verdict(found, allowable, at_capacity)
@@ -129,7 +139,7 @@ def _check(level: float, context: Context, allowable: float | None) -> Check:
         at_capacity=at_capacity,
         verdict=verdict,
         reason=reason,
-        steps=_steps(level, context, mu, found, allowable),
+        steps=(_friction_step(first, mass, mu), *_steps(level, context, mu, found, allowable)),
     )
     return (
         replace(answer, remarks=(message("rocks-before-sliding", severity=Severity.WARNING),))
@@ -186,6 +196,11 @@ def _answer(
     )
 
 
+def _friction_step(hinge: HingeForces, mass: float, mu: float) -> Step:
+    given = {"μ": (hinge.friction or 0.0, "-"), "N": (hinge.resting.normal, "N"), "M": (mass, "kg")}
+    return step("μ_M", "friction over the weight of all that slides", CLAUSE, "μ N / (M g)", mu, given=given)
+
+
 def _steps(level: float, context: Context, mu: float, found: float | None, allowable: float | None) -> tuple[Step, ...]:
     vertical = context.vertical_ratio * level
     mu_e = effective_friction(mu, vertical=vertical)
@@ -201,8 +216,8 @@ def _steps(level: float, context: Context, mu: float, found: float | None, allow
     estimate, formula = "best estimate of sliding (A-3, from memory)", "c_s / (2π f_es)²"
     steps = (
         step("A_v", "peak vertical acceleration", CLAUSE, "S_aV/S_aH PGA", vertical, "m/s2", given=shaken),
-        step("μ_e", "effective coefficient of friction (A-1)", CLAUSE, "max(0, μ (1 − 0.4 A_v / g))", mu_e,
-             given={"μ": (mu, "-"), "A_v": (vertical, "m/s2")}),
+        step("μ_e", "effective coefficient of friction (A-1)", CLAUSE, "max(0, μ_M (1 − 0.4 A_v / g))", mu_e,
+             given={"μ_M": (mu, "-"), "A_v": (vertical, "m/s2")}),
         step("c_s", "sliding coefficient (A-2)", CLAUSE, "2 μ_e g", c_s, "m/s2", given={"μ_e": mu_e}),
         step("f_es", at_f, CLAUSE, "S_A(f_es, 10 %) = c_s", f_es, "Hz", remark=said),
         step("δ_s", estimate, CLAUSE, formula, found, "m", remark=said)

@@ -1,4 +1,4 @@
-"""STL, OBJ, PLY, OFF, glTF and 3MF files. The only door to trimesh, which reads them; it is not asked to mend anything.
+"""glTF files. The only door to trimesh, which reads them; it is not asked to mend anything.
 
 The format readers are called themselves, because trimesh's own objects merge and drop.
 """
@@ -13,56 +13,15 @@ from typing import Any
 
 import numpy as np
 
+from assess.geometry.formats.bounds import INSTANCES, TRIANGLES, refuse_gltf
 from assess.geometry.formats.parts import Element, FloatArray, MeshFile, Part, file_of, moved, part
-
-UNITS_3MF = {  # 3MF Core Specification 1.3, 3.4: the attribute unit of <model> [m]
-    "micron": 1e-6,
-    "millimeter": 1e-3,
-    "millimeters": 1e-3,  # trimesh's word where the file has none
-    "centimeter": 1e-2,
-    "inch": 0.0254,
-    "foot": 0.3048,
-    "meter": 1.0,
-}
-
-
-def read_stl(file: Path) -> MeshFile:
-    """STL, text or binary."""
-    from trimesh.exchange.stl import load_stl
-
-    return _plain(load_stl(_content(file)))
-
-
-def read_obj(file: Path) -> MeshFile:
-    """Wavefront OBJ; materials are left."""
-    from trimesh.exchange.obj import load_obj
-
-    return _plain(load_obj(_content(file), skip_materials=True))
-
-
-def read_ply(file: Path) -> MeshFile:
-    """PLY, text or binary."""
-    from trimesh.exchange.ply import load_ply
-
-    return _plain(load_ply(_content(file), skip_materials=True))
-
-
-def read_off(file: Path) -> MeshFile:
-    """Object File Format, text."""
-    from trimesh.exchange.off import load_off
-    from trimesh.util import comment_strip, decode_text
-
-    loaded = load_off(_content(file))
-    announced = int(comment_strip(decode_text(file.read_bytes())).split("OFF", 1)[1].split()[1])
-    if len(loaded["faces"]) < announced:
-        raise ValueError(f"it announces {announced} faces and has {len(loaded['faces'])}")
-    return _plain(loaded)
 
 
 def read_glb(file: Path) -> MeshFile:
     """glTF 2.0 in one binary file: in metres, y up, whose +z is forward (glTF 2.0, 3.4)."""
     from trimesh.exchange.gltf import load_glb
 
+    refuse_gltf(file)
     return file_of(_placed(load_glb(_content(file), skip_materials=True)), unit=1.0, up="y")
 
 
@@ -71,29 +30,13 @@ def read_gltf(file: Path) -> MeshFile:
     from trimesh.exchange.gltf import load_gltf
     from trimesh.resolvers import FilePathResolver
 
+    refuse_gltf(file)
     loaded = load_gltf(_content(file), resolver=FilePathResolver(str(file)), skip_materials=True)
     return file_of(_placed(loaded), unit=1.0, up="y")
 
 
-def read_3mf(file: Path) -> MeshFile:
-    """3D Manufacturing Format: z up, in the unit it states, millimetres where it states none."""
-    from trimesh.exchange.threemf import load_3MF
-
-    loaded = load_3MF(_content(file), postprocess=False)
-    unit = str(loaded["metadata"]["units"]).lower()
-    if unit not in UNITS_3MF:
-        raise ValueError(f"its unit {unit!r:.30} is none of {', '.join(UNITS_3MF)}")
-    return file_of(_placed(loaded), unit=UNITS_3MF[unit], up="z")
-
-
 def _content(file: Path) -> io.BytesIO:
     return io.BytesIO(file.read_bytes())
-
-
-def _plain(loaded: Mapping[str, Any]) -> MeshFile:
-    """The meshes of a file without places: one, or several named ones."""
-    meshes = loaded.get("geometry", {"": loaded})
-    return file_of(tuple(_meshes(meshes).values()))
 
 
 def _meshes(meshes: Mapping[str, Mapping[str, Any]]) -> dict[str, Part]:
@@ -109,6 +52,9 @@ def _placed(loaded: Mapping[str, Any]) -> tuple[Part, ...]:
     """Every instance of every mesh of a scene in its place; it bears the names of its node and its mesh."""
     meshes = _meshes(loaded["geometry"])
     edges = {edge["frame_to"]: edge for edge in loaded["graph"]}
+    used = [meshes[name] for edge in edges.values() if (name := edge.get("geometry", "")) in meshes]
+    if len(used) > INSTANCES or sum(len(each.triangles) for each in used) > TRIANGLES:
+        raise ValueError(f"its scene has more than {INSTANCES} instances or {TRIANGLES} triangles")
     found = []
     for node, edge in edges.items():
         mesh = meshes.get(edge.get("geometry", ""))

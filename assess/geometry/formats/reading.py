@@ -9,21 +9,25 @@ from pathlib import Path
 from assess.errors import GeometryError
 from assess.geometry.formats import binary, by_trimesh
 from assess.geometry.formats.ifc import read_ifc
+from assess.geometry.formats.off import read_off
 from assess.geometry.formats.parts import MeshFile, Part
+from assess.geometry.formats.ply import read_ply
 from assess.geometry.formats.quiet import unheard
 from assess.geometry.formats.rhino import read_3dm
 from assess.geometry.formats.step import read_step
+from assess.geometry.formats.threemf import read_3mf
+from assess.geometry.formats.wavefront import read_obj
 
 Reader = Callable[[Path], MeshFile]
 
 READERS: Mapping[str, Reader] = {
     ".stl": binary.read_stl,
-    ".obj": by_trimesh.read_obj,
-    ".ply": binary.read_ply,
-    ".off": by_trimesh.read_off,
+    ".obj": read_obj,
+    ".ply": read_ply,
+    ".off": read_off,
     ".glb": by_trimesh.read_glb,
     ".gltf": by_trimesh.read_gltf,
-    ".3mf": by_trimesh.read_3mf,
+    ".3mf": read_3mf,
     ".step": read_step,
     ".stp": read_step,
     ".3dm": read_3dm,

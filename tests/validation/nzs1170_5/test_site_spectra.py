@@ -59,6 +59,10 @@ def test_near_fault():
     far = site_spectrum(subsoil="C", z=0.3, r=1.0)
     ratio = near.acceleration([0.0, 1.5, 3.0, 5.0, 9.0]) / far.acceleration([0.0, 1.5, 3.0, 5.0, 9.0])
     assert ratio == pytest.approx([1.0, 1.0, 1.30, 1.60, 1.60], rel=1e-12)
+    published = {0.0: 1.0, 1.5: 1.0, 2.0: 1.12, 3.0: 1.36, 4.0: 1.60, 5.0: 1.72, 8.0: 1.72}  # N_max(T), Table 3.7
+    for distance, share in ((0.0, 1.0), (2e3, 1.0), (5e3, 15 / 18), (11e3, 0.5), (20e3, 0.0)):
+        expected = [1.0 + share * (N_max - 1.0) for N_max in published.values()]
+        assert near_fault_factor([*published], distance=distance, r=1.0) == pytest.approx(expected, rel=1e-12)
     assert near_fault_factor(2.5, distance=1e3, r=1.3) == pytest.approx(1.24, rel=1e-12)
     assert near_fault_factor(5.0, distance=20e3, r=1.3) == 1.0
     assert near_fault_factor(5.0, distance=0.0, r=0.75) == 1.0

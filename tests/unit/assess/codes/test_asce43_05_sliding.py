@@ -77,6 +77,11 @@ def test_a_spectrum_below_the_coefficient_slides_nothing() -> None:
     [
         (context(mu=None), "not-answered", "friction at hinge A is not known; give materials.w.friction"),
         (context(face=(0.1, 0.995)), "not-applicable", "level base"),
+        (
+            replace(context(), actions=("tie 1",)),
+            "not-applicable",
+            "under its weight alone, and on this one tie 1 acts",
+        ),
         (replace(context(), hinges=()), "not-answered", "an equivalent block has no geometry"),
         (context(mu=0.01), "not-answered", "does not fall below c_s before it ends"),
     ],

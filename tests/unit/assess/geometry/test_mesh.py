@@ -439,3 +439,29 @@ def test_two_hundred_thousand_triangles_in_seconds(tmp_path: Path) -> None:
     assert drum.mass == pytest.approx(DENSITY * np.pi * 1.5**2 * 8.0, rel=1e-3)  # 400 sides, rough skin
     assert len(body.outline) == 1
     assert seconds < 10.0, f"{seconds:.1f} s; about 1.5 s on an idle machine"
+
+
+def test_a_mesh_is_analysed_in_less_time_than_trimesh_opens_it(tmp_path: Path) -> None:
+    """Best of three of each in one run; 0.45 of it measured, 4 to 8 times as much with hashing."""
+    import trimesh
+
+    vertices, triangles = WALL.vertices, WALL.triangles
+    for _ in range(7):
+        corners = vertices[triangles]
+        middles = (corners + np.roll(corners, -1, axis=1)) / 2.0
+        a, b, c, ab, bc, ca = (*corners.swapaxes(0, 1), *middles.swapaxes(0, 1))
+        four = [(a, ab, ca), (ab, b, bc), (ca, bc, c), (ab, bc, ca)]
+        vertices = np.concatenate([np.stack(each, axis=1) for each in four]).reshape(-1, 3)
+        triangles = np.arange(len(vertices)).reshape(-1, 3)
+    path = tmp_path / "wall.stl"
+    path.write_bytes(stl_binary(vertices, triangles))
+    ours, theirs = [], []
+    for _ in range(3):
+        start = time.perf_counter()
+        found = load(path, density=DENSITY, name="wall")
+        ours.append(time.perf_counter() - start)
+        trimesh.load(path)
+        theirs.append(time.perf_counter() - start - ours[-1])
+    assert len(found.triangles) == 12 * 4**7 == 196_608
+    same(found, WALL, rtol=1e-12)
+    assert min(ours) < min(theirs)

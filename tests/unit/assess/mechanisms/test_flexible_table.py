@@ -298,12 +298,46 @@ def test_branches_meet_at_the_eccentric_rest():
     assert ahead.overturning_flexible < back.overturning_flexible
 
 
+def test_where_a_leaning_wall_overturns_counts_from_its_rest():
+    """The moment of all falls to zero at phi_ov, that of weight and joints alone at phi_cr, each from the rest on."""
+    found, leaning = oscillator(TIED), brentq(pulled, 0.0, 2e-3, xtol=1e-16)
+    assert found.equilibrium == pytest.approx(leaning, rel=1e-9)
+    assert found.equilibrium_negative == -found.equilibrium
+    chains = [FlexibleChain(chain, "m") for chain in (TIED.positive, TIED.negative)]
+    for chain, side, rest in zip(chains, found.branches, (leaning, -leaning), strict=True):
+        falls = [
+            brentq(lambda phi, at=what, by=chain: at(by, phi), 0.02, 0.3, xtol=1e-14) for what in (of_all, of_weight)
+        ]
+        assert falls[0] != pytest.approx(falls[1], rel=1e-3)
+        assert [side.overturning_flexible + rest, side.critical + rest] == pytest.approx(falls, rel=1e-7)
+        assert float(restoring(side, np.array(side.overturning_flexible))) == pytest.approx(0.0, abs=1e-4 * W)
+
+
+TIED = wall(loads=(Force("F", (0.0, -5e4), (0.15, 5.5)), Force("T", (1e3, 0.0), (0.0, 4.0))))
+
+
+def pulled(phi):
+    """What overturns the wall of TIED [N m], by hand."""
+    return excess(phi, F=5e4, at=(0.15, 5.5)) + 1e3 * (B / 2 * sin(phi) + 4.0 * cos(phi))
+
+
+def of_all(chain, phi):
+    """The restoring moment of a chain at a rotation [N m]."""
+    return float(chain.held(np.array([phi])).work.restoring[0])
+
+
+def of_weight(chain, phi):
+    """The same without that of the forces."""
+    return float(chain.held(np.array([phi])).work.weight[0])
+
+
 def test_mirrored_loads_change_the_branches():
     ours, theirs = (
         oscillator(LEANING),
         oscillator(wall(loads=tuple(mirrored_load(load) for load in LEANING.positive.loads))),
     )
     assert theirs.equilibrium == -ours.equilibrium
+    assert (theirs.equilibrium_negative, ours.equilibrium_negative) == (-theirs.equilibrium, -ours.equilibrium)
     for side, other in ((ours.positive, theirs.negative), (ours.negative, theirs.positive)):
         for what in ("rotation", "inertia", "restoring", "excitation", "participation", "lift"):
             np.testing.assert_array_equal(getattr(side, what), getattr(other, what))

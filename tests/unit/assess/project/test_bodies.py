@@ -250,3 +250,34 @@ def test_a_bad_profile_is_told_at_its_key_in_our_words(tmp_path: Path, corners: 
 def test_a_profile_may_be_closed_and_have_a_corner_twice(tmp_path: Path) -> None:
     made = study(tmp_path, body("w", "profile = [[0, 0], [1, 0], [1, 0], [1, 4], [0, 4], [0, 0]]\nlength = 3"))
     assert made.mechanisms[0].positive.blocks[0].mass == pytest.approx(2400.0 * 12.0, rel=1e-12)
+
+
+def test_a_file_is_read_once_however_many_bodies_and_cases_of_a_sweep_name_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from assess.geometry import models
+    from assess.project.build import build
+    from assess.project.schema import load
+
+    corners = [(x, y, z) for z in (0, 4) for x, y in ((0, 0), (0.6, 0), (0.6, 3), (0, 3))]
+    faces = [(1, 4, 3, 2), (1, 2, 6, 5), (2, 3, 7, 6), (3, 4, 8, 7), (4, 1, 5, 8), (5, 6, 7, 8)]
+    text = ""
+    for number, name in enumerate(("left", "right")):
+        text += f"o {name}\n" + "".join(f"v {x + 9 * number} {y} {z}\n" for x, y, z in corners)
+        text += "".join("f " + " ".join(str(corner + 8 * number) for corner in face) + "\n" for face in faces)
+    (tmp_path / "house.obj").write_text(text)
+    bodies = "".join(
+        f'[bodies.{name}]\nmaterial = "brick"\nmesh = "house.obj"\nelement = "{name}"\n'
+        f'[mechanisms.{name}]\nkind = "single-block"\nblocks = ["{name}"]\ndirection = [1, 0, 0]\n'
+        for name in ("left", "right")
+    )
+    sweep = '[analysis.sweep]\nkey = "materials.brick.density"\nvalues = [1600, 1800, 2000]\n'
+    (tmp_path / "project.toml").write_text(f"[materials.brick]\ndensity = 1800\n{bodies}{sweep}")
+    files: list[Path] = []
+    really = models.read
+    monkeypatch.setattr(models, "read", lambda file, *, where: files.append(file) or really(file, where=where))
+    study = build(load(tmp_path))
+    assert [file.name for file in files] == ["house.obj"]
+    assert len(study.sweeps[0].cases) == 3
+    masses = [case.study.mechanisms[0].positive.mass for case in study.sweeps[0].cases]
+    assert masses == pytest.approx([7.2 * 1600, 7.2 * 1800, 7.2 * 2000], rel=1e-9)

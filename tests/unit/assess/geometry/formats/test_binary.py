@@ -1,5 +1,6 @@
-"""Plain binary files against trimesh, which reads them too; what is not plain is left to it."""
+"""STL files, binary and text, against trimesh."""
 
+import io
 import subprocess
 import sys
 from pathlib import Path
@@ -8,24 +9,13 @@ import numpy as np
 import pytest
 from trimesh.creation import icosphere
 from trimesh.exchange.ply import export_ply
-from trimesh.exchange.stl import export_stl
+from trimesh.exchange.stl import export_stl, export_stl_ascii, load_stl
 
-from assess.geometry.formats import binary, by_trimesh
-from assess.geometry.formats.parts import MeshFile
+from assess.geometry.formats import binary
 
 BALL = icosphere(subdivisions=1, radius=3.0)
 STL = export_stl(BALL)
-PLY = export_ply(BALL, vertex_normal=True)
-BARE = export_ply(BALL, vertex_normal=False)
-
-
-def same(found: MeshFile | None, wanted: MeshFile) -> None:
-    assert found is not None
-    (one,), (other,) = found.parts, wanted.parts
-    assert (found.unit, found.up, one.element) == (wanted.unit, wanted.up, other.element)
-    np.testing.assert_array_equal(one.vertices, other.vertices)
-    np.testing.assert_array_equal(one.triangles, other.triangles)
-    assert one.vertices.dtype == other.vertices.dtype == np.float64
+TEXT = export_stl_ascii(BALL).encode()
 
 
 def kept(folder: Path, data: bytes) -> Path:
@@ -33,49 +23,31 @@ def kept(folder: Path, data: bytes) -> Path:
     return folder / "mesh"
 
 
-def test_stl_as_trimesh_reads_it(tmp_path: Path) -> None:
-    same(binary.stl(STL), by_trimesh.read_stl(kept(tmp_path, STL)))
-
-
 @pytest.mark.parametrize(
     "data",
     [
-        PLY,
-        BARE,
-        BARE.replace(b"\nelement vertex", b"\r\ncomment made here\r\nobj_info by us\nelement vertex"),
-        BARE.replace(b"vertex_indices", b"vertex_index"),
-        BARE.replace(b"property list uchar int", b"property list uint8 uint32"),
+        STL,
+        b"solid" + STL[5:],
+        TEXT,
+        TEXT.replace(b"\n", b"\r\n"),
+        TEXT.upper(),
+        TEXT.replace(b"vertex ", b" \tvertex\t  "),
     ],
 )
-def test_ply_as_trimesh_reads_it(data: bytes, tmp_path: Path) -> None:
-    same(binary.ply(data), by_trimesh.read_ply(kept(tmp_path, data)))
+def test_stl_as_trimesh_reads_it(data: bytes, tmp_path: Path) -> None:
+    (found,) = binary.read_stl(kept(tmp_path, data)).parts
+    wanted = load_stl(io.BytesIO(data.lower() if data.isupper() else data))
+    corners = wanted.get("geometry", {"": wanted}).popitem()[1]
+    np.testing.assert_array_equal(found.vertices[found.triangles], corners["vertices"][corners["faces"]])
+    assert found.vertices.dtype == np.float64
 
 
-@pytest.mark.parametrize(
-    "data",
-    [
-        b"",
-        BARE[:-1],
-        BARE + b"\0",
-        BARE.replace(b"little", b"big"),
-        BARE.replace(b"property list uchar int", b"property list uchar float"),
-        BARE.replace(b"property float z", b"property float y"),
-        BARE.replace(b"property float z", b"property other z"),
-        BARE.replace(b"element face 80", b"element face 0"),
-        export_ply(BALL, encoding="ascii"),
-    ],
-)
-def test_no_other_ply_is_plain(data: bytes) -> None:
-    assert binary.ply(data) is None
-
-
-def test_faces_of_more_corners_are_not_plain(tmp_path: Path) -> None:
-    start = BARE.index(b"end_header\n") + len(b"end_header\n")
-    square = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], dtype="<f4").tobytes()
-    faces = b"\x04" + np.arange(4, dtype="<i4").tobytes()
-    header = BARE[:start].replace(b"vertex 42", b"vertex 4").replace(b"face 80", b"face 1")
-    assert binary.ply(header + square + faces) is None
-    assert len(binary.read_ply(kept(tmp_path, header + square + faces)).parts[0].triangles) == 2
+def test_the_solids_of_a_text_are_its_parts(tmp_path: Path) -> None:
+    one = TEXT.replace(b"solid", b"solid north wall", 1)
+    two = TEXT.replace(b"solid", b"solid south wall", 1)
+    found = binary.read_stl(kept(tmp_path, one + b"\n" + two)).parts
+    assert [part.element.names for part in found] == [("north wall",), ("south wall",)]
+    np.testing.assert_array_equal(found[0].vertices, found[1].vertices)
 
 
 @pytest.mark.parametrize("data", [b"", STL[:-1], STL + b"\0", STL[:80] + bytes(4), b"solid text"])
@@ -83,12 +55,27 @@ def test_no_other_stl_is_plain(data: bytes) -> None:
     assert binary.stl(data) is None
 
 
+@pytest.mark.parametrize(
+    ("data", "told"),
+    [
+        (STL[:-1], "it announces 80 facets of 50 bytes and has 4083 bytes"),
+        (STL[:80] + b"\xff\xff\xff\xff" + STL[84:], "it announces 4294967295 facets"),
+        (TEXT.replace(b"vertex", b"vertax", 1), "is no number"),
+        (TEXT.replace(b"vertex -1.", b"vertex -1,", 1), "decimals take a point"),
+        (b"solid nothing\nendsolid", "0 facets"),
+    ],
+)
+def test_what_does_not_add_up_is_refused(data: bytes, told: str, tmp_path: Path) -> None:
+    with pytest.raises(ValueError, match=told):
+        binary.read_stl(kept(tmp_path, data))
+
+
 def test_plain_files_are_read_without_trimesh(tmp_path: Path) -> None:
-    files = kept(tmp_path, STL), tmp_path / "mesh.ply"
-    files[1].write_bytes(PLY)
+    (tmp_path / "mesh.stl").write_bytes(STL)
+    (tmp_path / "mesh.ply").write_bytes(export_ply(BALL))
     code = (
-        "import sys; from pathlib import Path; from assess.geometry.formats import binary\n"
-        f"binary.read_stl(Path({str(files[0])!r})), binary.read_ply(Path({str(files[1])!r}))\n"
+        "import sys; from pathlib import Path; from assess.geometry.formats.reading import read\n"
+        f"[read(Path({str(tmp_path)!r}) / name, where='mesh').parts for name in ('mesh.stl', 'mesh.ply')]\n"
         "sys.exit('trimesh' in sys.modules)"
     )
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0

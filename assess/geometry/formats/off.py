@@ -1,0 +1,75 @@
+"""Object File Format, text: positions, then faces; colours and normals are left."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import numpy as np
+
+from assess.geometry.formats.lines import Block, BoolArray, FloatArray, IntArray, blocks, numbers, rows_of, text_of
+from assess.geometry.formats.parts import Element, MeshFile, fans, file_of, part
+
+HEADER = re.compile(
+    rb"\A(?:\xef\xbb\xbf)?(?:\s|#[^\n]*\n)*(?:ST)?C?N?OFF(?![A-Za-z])(?:\s|#[^\n]*\n)*"
+    rb"(\d{1,12})\s+(\d{1,12})(?:[ \t]+\d+)?[^\n]*\n"
+)
+LONGEST = 1 << 16  # bytes before the first vertex
+LEAST = 3  # corners of a face, coordinates of a vertex
+
+
+def read_off(file: Path) -> MeshFile:
+    """The mesh of an OFF file.
+
+    Raises
+    ------
+    ValueError : it is another file, or has fewer vertices or faces than it announces
+    """
+    with file.open("rb") as content:
+        start = content.read(LONGEST).replace(b"\r\n", b" \n")
+    header = HEADER.match(start)
+    if header is None:
+        raise ValueError("it does not begin as text of the Object File Format: OFF, then numbers of vertices and faces")
+    vertices, faces = int(header[1]), int(header[2])
+    points, triangles = [np.empty((0, 3))], [np.empty((0, 3), dtype=np.int64)]
+    lines = 0
+    for block in blocks(file, skip=header.end(), comments=True):
+        content_lines = block.words > 0
+        place = lines + np.cumsum(content_lines) - 1
+        points.append(_points(block, content_lines & (place < vertices)))
+        triangles += _faces(block, content_lines & (place >= vertices) & (place < vertices + faces))
+        lines += int(np.count_nonzero(content_lines))
+    if lines < vertices + faces:
+        raise ValueError(f"it announces {vertices} vertices and {faces} faces and has {lines} lines of them")
+    return file_of([part(Element(), np.concatenate(points), np.concatenate(triangles))])
+
+
+def _points(block: Block, chosen: BoolArray) -> FloatArray:
+    """The vertices [n, 3] of a block."""
+    sizes = block.words[chosen]
+    if not len(sizes):
+        return np.empty((0, 3))
+    if sizes.min() < LEAST:
+        raise ValueError(f"a vertex has {sizes.min()} coordinates")
+    values = numbers(text_of(block, chosen), count=int(sizes.sum()))
+    found = np.empty((len(sizes), 3))
+    for places, rows in rows_of(values, sizes):
+        found[places] = rows[:, :3]
+    return found
+
+
+def _faces(block: Block, chosen: BoolArray) -> list[IntArray]:
+    """The triangles [m, 3] of the faces of a block: a number of corners, the corners, and perhaps a colour."""
+    sizes = block.words[chosen]
+    if not len(sizes):
+        return []
+    values = numbers(text_of(block, chosen), count=int(sizes.sum()))
+    found = []
+    for _, rows in rows_of(values, sizes):
+        for corners in np.unique(rows[:, 0]).tolist():
+            own = rows[rows[:, 0] == corners]
+            if corners != int(corners) or not 0 <= corners < rows.shape[1]:
+                raise ValueError(f"a face of {corners:g} corners has {rows.shape[1] - 1} numbers")
+            if corners >= LEAST:
+                found.append(fans(own[:, 1 : int(corners) + 1].astype(np.int64)))
+    return found

@@ -11,7 +11,8 @@ from assess.errors import GeometryError
 from assess.geometry.formats.elements import places_of
 from assess.geometry.formats.parts import Element, Part, Up
 from assess.geometry.formats.reading import meshed, read
-from assess.geometry.mesh import placed, solid_of, suspicious
+from assess.geometry.magnitude import suspicious
+from assess.geometry.mesh import placed, solid_of
 from assess.geometry.models import Model
 from assess.geometry.thickness import sizes, thin_direction
 

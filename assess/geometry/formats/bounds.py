@@ -59,8 +59,13 @@ def _refuse_large(unpacked: int, *, packed: int) -> None:
         raise ValueError(f"its {packed / 1e6:.3g} MB would unpack to {unpacked / 1e6:.4g} MB, which no mesh does")
 
 
-def refuse_gltf(file: Path) -> None:
-    """Raise ValueError where meshes of a glTF file are packed or announce more than the file can hold."""
+def nodes_of(file: Path) -> frozenset[str]:
+    """The names of the nodes of a glTF file.
+
+    Raises
+    ------
+    ValueError : its meshes are packed, or announce more than the file can hold
+    """
     header = _gltf_header(file)
     for extension, name in PACKED.items():
         if extension in header.get("extensionsUsed", ()):
@@ -74,6 +79,7 @@ def refuse_gltf(file: Path) -> None:
         there = SMALL if view is None else int(views[view]["byteLength"])
         if not 0 <= needed <= there:
             raise ValueError(f"it announces {accessor['count']} values where there are {there} bytes")
+    return frozenset(str(node.get("name", place)) for place, node in enumerate(header.get("nodes", [])))
 
 
 def _gltf_header(file: Path) -> Any:

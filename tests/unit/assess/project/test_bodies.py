@@ -103,11 +103,14 @@ def test_unit_up_and_element_of_a_mesh(tmp_path: Path) -> None:
         study(tmp_path, body("w", 'mesh = "wall.obj"\nmesh_up = "x"'))
 
 
-def test_a_wrong_unit_is_told_with_the_likely_one(tmp_path: Path) -> None:
+def test_a_wrong_unit_is_refused_with_the_likely_one_and_inches_are_suspected(tmp_path: Path) -> None:
     (tmp_path / "wall.obj").write_text(obj(wall(thickness=600.0, length=4000.0, height=4500.0)))
+    with pytest.raises(GeometryError, match=r'measures 4500 m .* With mesh_unit = "mm" it would measure 4.5 m'):
+        study(tmp_path, body("w", 'mesh = "wall.obj"'))
+    (tmp_path / "wall.obj").write_text(obj(wall(thickness=15.0, length=80.0, height=120.0)))
     (notice,) = of_bodies(study(tmp_path, body("w", 'mesh = "wall.obj"')))
     assert (notice.key, notice.where) == ("size", "bodies.w")
-    assert 'With mesh_unit = "mm" it would measure 4.5 m' in notice.text
+    assert 'about 15 m thick; is its unit right? With mesh_unit = "in" it would measure 3.048 m' in notice.text
 
 
 def test_several_bodies_of_several_densities(tmp_path: Path) -> None:

@@ -69,7 +69,7 @@ def read(path: Path, stated: Stated) -> tuple[Record, ...]:
         raise RecordError(str(error)) from None
     seconds, si, words = _units(columns, stated.unit, path=path)
     dt = _step(seconds * columns.values[:, 0], path=path)
-    known = said(decode(path.read_bytes(), where=str(path)).splitlines())
+    known = said(columns.comments)
     _refuse_cut(known.get("samples", ""), len(columns.values), path=path)
     before = (f"before that: {known['trail']}",) if known.get("trail") else ()
     trail = (f"read from {NAME}, {words}", *before)

@@ -8,13 +8,14 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple, TypeVar
 
 from records.errors import RecordError
 
 UNIFORM = 0.99  # of the lines, from which on a format is one
+BATCH = 20_000  # lines that are looked at at once
 FEW = 3  # lines or numbers that show a format
 SHAPE = str.maketrans("123456789eDd\t", "000000000EEE ")
 FIELD = re.compile(r"[-+]?\d*(\.\d*)?(E[-+]?\d+)?")
@@ -35,7 +36,7 @@ def check_layout(lines: Sequence[str], *, first: int, path: Path) -> str:
 
     Nothing is said of files that no one format printed. `first` is the number of the first line in the file.
     """
-    counts = Counter(map(_shape, lines))
+    counts = Counter(_shapes(lines))
     forms = {shape: _form(shape) for shape in counts}
     usual = _most(
         ((printed, number) for shape, number in counts.items() for printed in forms[shape].printed),
@@ -53,9 +54,10 @@ def check_layout(lines: Sequence[str], *, first: int, path: Path) -> str:
     return "" if at is None else f"the columns of line {first + at} are not those of the others; characters may be lost"
 
 
-def _shape(line: str) -> str:
-    """The line with 0 for every digit and E for every mark of an exponent."""
-    return line.rstrip().translate(SHAPE)
+def _shapes(lines: Sequence[str]) -> Iterator[str]:
+    """Each line with 0 for every digit and E for every mark of an exponent."""
+    for i in range(0, len(lines), BATCH):
+        yield from "\n".join(lines[i : i + BATCH]).translate(SHAPE).split("\n")
 
 
 def _form(shape: str) -> Form:
@@ -68,12 +70,12 @@ def _form(shape: str) -> Form:
 
 def _uneven(lines: Sequence[str], counts: Mapping[str, int], forms: Mapping[str, Form]) -> int | None:
     """Index of the first line whose numbers end in other columns than the others'; the last may be shorter."""
-    held = sum(number for shape, number in counts.items() if shape)
-    ends = _most(((forms[shape].ends, number) for shape, number in counts.items() if shape), of=held - 1)
+    held = sum(number for shape, number in counts.items() if forms[shape].ends)
+    ends = _most(((forms[shape].ends, number) for shape, number in counts.items() if forms[shape].ends), of=held - 1)
     if ends is None:
         return None
-    odd = {shape for shape, form in forms.items() if shape and form.ends != ends[: len(form.ends)]}
-    short = {shape for shape, form in forms.items() if shape and form.ends != ends} - odd
+    odd = {shape for shape, form in forms.items() if form.ends != ends[: len(form.ends)]}
+    short = {shape for shape, form in forms.items() if form.ends and form.ends != ends} - odd
     last = next(i for i in range(len(lines) - 1, -1, -1) if lines[i].strip())
     found = _line_of(lines, odd)
     return _line_of(lines[:last], short) if found is None else found
@@ -81,7 +83,7 @@ def _uneven(lines: Sequence[str], counts: Mapping[str, int], forms: Mapping[str,
 
 def _line_of(lines: Sequence[str], shapes: set[str]) -> int | None:
     """Index of the first line of one of the `shapes`."""
-    return next((i for i, line in enumerate(lines) if _shape(line) in shapes), None) if shapes else None
+    return next((i for i, shape in enumerate(_shapes(lines)) if shape in shapes), None) if shapes else None
 
 
 def _most(counted: Iterable[tuple[T, int]], *, of: int) -> T | None:
@@ -94,7 +96,7 @@ def _most(counted: Iterable[tuple[T, int]], *, of: int) -> T | None:
 
 def _odd_field(line: str, forms: Mapping[str, Form], usual: Printed) -> str:
     """The number of a line that is not printed as usual."""
-    form = forms[_shape(line)]
+    form = forms[line.translate(SHAPE)]
     end = next(end for end, printed in zip(form.ends, form.printed, strict=True) if printed != usual)
     return line[:end].split()[-1][:30]
 

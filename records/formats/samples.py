@@ -16,6 +16,7 @@ from spectra.columns import ACCELERATION_UNITS, ColumnError, factor_of
 FloatArray = NDArray[np.float64]
 
 TOUCHING = re.compile(r"(?<=[0-9.])(?=[-+])")
+BATCH = 20_000  # lines that are turned into numbers at once
 NUMERIC = re.compile(r"[\s0-9.eEdD+-]+")
 
 
@@ -29,13 +30,21 @@ def numbers(lines: Sequence[str], *, first: int, path: Path) -> FloatArray:
 
     `first` is the number of the first of these lines in the file, from 1. RecordError names the line of what is none.
     """
-    text = "\n".join(lines)
-    for separated in (text, TOUCHING.sub(" ", text)):
+    parts = [_parsed("\n".join(lines[i : i + BATCH])) for i in range(0, len(lines), BATCH)]
+    held = [part for part in parts if part is not None]
+    if len(held) < len(parts):
+        raise RecordError(f"{path}: {_first_bad(lines, first=first)}")
+    return np.concatenate([np.empty(0), *held])
+
+
+def _parsed(text: str) -> FloatArray | None:
+    """All numbers in a text; None where one is none."""
+    for separated in (text.split(), TOUCHING.sub(" ", text).split()):
         try:
-            return np.array(separated.split(), dtype=np.float64)
+            return np.array(separated, dtype=np.float64)
         except ValueError:
             continue
-    raise RecordError(f"{path}: {_first_bad(lines, first=first)}")
+    return None
 
 
 def formatted_numbers(lines: Sequence[str], *, first: int, path: Path) -> tuple[FloatArray, str]:

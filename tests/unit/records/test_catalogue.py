@@ -374,3 +374,15 @@ def test_peaks_are_in_si(folder: Path) -> None:
     with opened(None) as catalogue:
         index(folder, catalogue)
         assert 0.1 * g < candidates(catalogue)[0].measures["pga"] < 0.5 * g
+
+
+def test_a_row_of_another_number_than_the_file_s_name_does_not_describe_it(folder: Path, tmp_path: Path) -> None:
+    table = tmp_path / "flat.csv"
+    rows = "157,Quake,1971,6.6,RSN57_X_0.AT2\n58,Other,1972,5.5,RSN58_X_1.AT2\n"
+    table.write_text(f"RSN,Earthquake Name,YEAR,Magnitude,File Name (Horizontal 1)\n{rows}")
+    with opened(None) as catalogue:
+        index(folder, catalogue)
+        take(catalogue, read_flatfile(table).recordings)
+        found = {one.path: one for one in candidates(catalogue)}
+    assert (found["RSN57_X_0.AT2"].nga, found["RSN57_X_0.AT2"].magnitude) == (57, None)
+    assert (found["RSN58_X_1.AT2"].nga, found["RSN58_X_1.AT2"].magnitude) == (58, 5.5)

@@ -297,6 +297,22 @@ def test_what_else_is_known(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
+    ("printed", "place"),
+    [
+        # CTZ, Chatham Island: -43.73549, -176.61719 by GeoNet (https://github.com/GeoNet/delta, network/stations.csv)
+        ("43 44 08S  176 37 02W", (-43.73549, -176.61719)),
+        # its mirror image
+        ("43 44 08N  176 37 02E", (43.73549, 176.61719)),
+    ],
+)
+def test_south_and_west_of_geonet_are_negative(tmp_path: Path, printed: str, place: tuple[float, float]) -> None:
+    path = tmp_path / "a.V2A"
+    path.write_text(v2a().replace("42 37 10S  173 03 13E", printed))
+    site = read(path)[0].site
+    assert (site.latitude, site.longitude) == pytest.approx(place, abs=0.5 / 3600.0)
+
+
+@pytest.mark.parametrize(
     ("name", "old", "new", "words"),
     [
         ("k-net", "2000(gal)/2000000", "2000(stone)/2000000", 'line 14: unit "stone" is not known'),

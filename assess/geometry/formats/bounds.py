@@ -7,6 +7,7 @@ import struct
 import zlib
 from pathlib import Path
 from typing import Any
+from urllib.parse import unquote
 from zipfile import BadZipFile, ZipFile, ZipInfo
 
 RATIO = 100  # times its own size that an archive may unpack to; text of meshes packs to a tenth, at most a thirtieth
@@ -70,6 +71,10 @@ def nodes_of(file: Path) -> tuple[str, ...]:
     for extension, name in PACKED.items():
         if extension in header.get("extensionsUsed", ()):
             raise ValueError(f"its meshes are packed by {name}; export it without compression")
+    for buffer in header.get("buffers", []):
+        beside = unquote(str(buffer.get("uri", "data:")))
+        if not beside.startswith("data:") and not (file.parent / beside).is_file():
+            raise ValueError(f'the file "{beside[:40]}" that it names is not beside it')
     views = header.get("bufferViews", [])
     for accessor in header.get("accessors", []):
         if "sparse" in accessor:

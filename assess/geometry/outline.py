@@ -37,6 +37,7 @@ def outline(points: FloatArray, triangles: IntArray) -> Outline:
     closed rings of (x, z) [m], anticlockwise from the leftmost point, the first point repeated at the end, rings from
     left to right; holes are not listed; straight lines have no intermediate points
     """
+    points = np.asfortranarray(points)  # x of all, then z: extremes of short rows are slow
     middle = (points.min(axis=0) + points.max(axis=0)) / 2.0
     size = float(np.ptp(points, axis=0).max())
     placed = points - middle
@@ -56,7 +57,7 @@ def distance(rings: Outline, point: Point) -> float:
 def _facing(points: FloatArray, triangles: IntArray, *, smallest: float) -> IntArray:
     """The triangles [k, 3] that run anticlockwise and have more than the smallest area [m2]."""
     a, b, c = triangles.T
-    x, z = np.ascontiguousarray(points.T)
+    x, z = points.T
     (ax, az), (bx, bz) = ((x[other] - x[a], z[other] - z[a]) for other in (b, c))
     return np.asarray(triangles[ax * bz - az * bx > 2.0 * smallest], dtype=np.int64)
 

@@ -59,8 +59,8 @@ def _refuse_large(unpacked: int, *, packed: int) -> None:
         raise ValueError(f"its {packed / 1e6:.3g} MB would unpack to {unpacked / 1e6:.4g} MB, which no mesh does")
 
 
-def nodes_of(file: Path) -> frozenset[str]:
-    """The names of the nodes of a glTF file.
+def nodes_of(file: Path) -> tuple[str, ...]:
+    """The names of the nodes of a glTF file; the number of one without.
 
     Raises
     ------
@@ -79,7 +79,7 @@ def nodes_of(file: Path) -> frozenset[str]:
         there = SMALL if view is None else int(views[view]["byteLength"])
         if not 0 <= needed <= there:
             raise ValueError(f"it announces {accessor['count']} values where there are {there} bytes")
-    return frozenset(str(node.get("name", place)) for place, node in enumerate(header.get("nodes", [])))
+    return tuple(str(node.get("name", place)) for place, node in enumerate(header.get("nodes", [])))
 
 
 def _gltf_header(file: Path) -> Any:

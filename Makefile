@@ -2,9 +2,12 @@
 PYTHON ?= python3
 BIN := .venv/bin
 DEMO := build/demo
+SECONDS ?= 60
+SEED ?= 1
+CLASS ?=
 NO_BROWSER := chromium and chromium-driver do not install here; tests that open the HTML report in them will be skipped
 
-.PHONY: demo test check bench figures catalogue lock
+.PHONY: demo test check bench fuzz figures catalogue lock
 
 demo: .venv/installed      ## the main job on the shipped example; the last line printed is the path of the report
 	rm -rf $(DEMO)
@@ -28,6 +31,9 @@ bench: .venv/installed     ## speed, as ratios measured in one run
 	$(BIN)/python tests/benchmarks/bench_mesh.py
 	$(BIN)/python tests/benchmarks/bench_records.py
 	$(BIN)/python tests/benchmarks/bench_report.py
+
+fuzz: .venv/installed      ## mutated inputs for SECONDS by SEED, of CLASS if given: docs/robustness.md
+	$(BIN)/python -m tests.fuzz --seconds $(SECONDS) --seed $(SEED) $(if $(CLASS),--class $(CLASS))
 
 figures: .venv/installed   ## figures of the thesis drawn again, into build/figures
 	$(BIN)/python tests/validation/thesis/draw_chapter_7.py

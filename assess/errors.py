@@ -8,7 +8,9 @@ AssessError                what a user can mend; the command line prints its one
 │   └── FallingError       one that already falls by itself
 ├── InterfaceError         a contact that cannot carry its load: pulled, crushed at rest, without stiffness
 ├── ProcedureError         a code procedure asked outside its range
-└── ResultsError           a results file that cannot be read
+├── ResultsError           a results file that cannot be read
+└── OutputError            a folder that cannot be written: files of others, or changed since they were written
+    └── HeldError          another command is writing there
 
 `records.errors.RecordError` and `spectra.errors.SpectrumError` stand beside them, because imports run one way.
 Anything else that reaches the command line is a bug (exit code 70).
@@ -49,3 +51,11 @@ class ProcedureError(AssessError):
 
 class ResultsError(AssessError):
     """A results file cannot be read."""
+
+
+class OutputError(AssessError):
+    """A place cannot be written: files that are not ours, or that were changed since they were written."""
+
+
+class HeldError(OutputError):
+    """Another command is writing there."""

@@ -79,6 +79,11 @@ def message(
     return Message(str(key), severity, where, TEXTS[str(key)].format(**given), given)
 
 
+def text_of(said: Message | str) -> str:
+    """The English sentence of a message; a text as it is."""
+    return said if isinstance(said, str) else said.text
+
+
 def count(number: int) -> Quantity:
     """A whole number as a value."""
     return Quantity(float(number), "ratio", 12)

@@ -350,7 +350,7 @@ class AmplificationResult:
     method: str
     factors: tuple[Factor, ...]
     height_m: float | None = None
-    said: tuple[str, ...] = ()
+    said: tuple[Message | str, ...] = ()
     motion: CarriedMotion | None = None
 
 
@@ -697,7 +697,11 @@ class Resolved:
 
 @dataclass(frozen=True)
 class Results:
-    """One run, whole. `project` maps each key, written with dots, to its resolved value."""
+    """One run, whole.
+
+    project : maps each key, written with dots, to its resolved value
+    stamp : of the inputs and the program, the same in every output made of these results; "" of earlier programs
+    """
 
     schema_version: int
     program: Program
@@ -713,3 +717,4 @@ class Results:
     verdict: Verdict | None = None
     ground_motion: GroundMotionResult | None = None
     sensitivity: tuple[SensitivityResult, ...] = ()
+    stamp: str = ""

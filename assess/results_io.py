@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import json
 import math
+import stat
 from collections.abc import Iterator, Mapping
 from functools import cache
 from pathlib import Path
@@ -24,9 +25,13 @@ from assess.results import (
     Results,
     SpectrumResult,
 )
+from assess.results_shape import faults
 
 NAMES = ("results.json", "envelopes.json")
 """Files of results, as `assess run` and `assess envelope` write them."""
+
+LARGEST = 500_000_000
+"""Bytes of a file of results; one of eight mechanisms and seven records has some three million."""
 
 _REMEDY = "give a results.json that `assess run` wrote"
 
@@ -66,7 +71,10 @@ def dumps_envelopes(results: Results) -> str:
 
 def loads(text: str, *, source: str = "results") -> Results:
     """Results from the text of results.json. Raises ResultsError that names the `source` and the first thing wrong."""
-    return _at_once(text) or _step_by_step(text, source)
+    found = _at_once(text) or _step_by_step(text, source)
+    if wrong := next(faults(found), None):
+        raise ResultsError(f"{source}: {wrong}; {_REMEDY}")
+    return found
 
 
 def _at_once(text: str) -> Results | None:
@@ -92,15 +100,23 @@ def _step_by_step(text: str, source: str) -> Results:
         )
     try:
         return _results_type().validate_python(data)
+    except RecursionError:
+        raise ResultsError(f"{source}: nested too deeply; {_REMEDY}") from None
     except ValidationError as error:
-        first = error.errors(include_url=False)[0]
+        first = error.errors(include_url=False, include_input=False)[0]
         where = ".".join(str(step) for step in first["loc"])
         raise ResultsError(f"{source}: {where}: {first['msg'][:1].lower()}{first['msg'][1:]}; {_REMEDY}") from None
 
 
 def read(path: Path) -> Results:
-    """Results from the file `path`. Raises ResultsError for a file that is missing or is none."""
+    """Results from the file `path`. Raises ResultsError for a file that is missing, is none, or cannot be so large."""
     try:
+        status = path.stat()
+        if not stat.S_ISREG(status.st_mode):
+            raise ResultsError(f"{path}: {'is a directory' if path.is_dir() else 'not a regular file'}; {_REMEDY}")
+        if status.st_size > LARGEST:
+            size = f"{status.st_size / 1e6:.0f} MB are more than the {LARGEST / 1e6:.0f} MB"
+            raise ResultsError(f"{path}: {size} that results may have; {_REMEDY}")
         text = path.read_text(encoding="utf-8")
     except UnicodeDecodeError:
         raise ResultsError(f"{path}: not a text file; {_REMEDY}") from None
@@ -182,5 +198,9 @@ def _parsed(text: str, source: str) -> Any:
         return json.loads(text, parse_constant=refuse)
     except json.JSONDecodeError as error:
         raise ResultsError(f"{source}: line {error.lineno}: not JSON ({error.msg.lower()}); {_REMEDY}") from None
+    except ResultsError:
+        raise
+    except ValueError as error:  # a number of thousands of digits
+        raise ResultsError(f"{source}: {str(error).partition(';')[0].lower()}; {_REMEDY}") from None
     except RecursionError:
         raise ResultsError(f"{source}: nested too deeply; {_REMEDY}") from None

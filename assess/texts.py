@@ -37,6 +37,12 @@ TEXTS: Mapping[str, str] = {
     "premise-coursed": "a pass holds for coursed masonry, not for rubble: say which it is by "
     "procedures.asce41-13.masonry",
     "premise-no-floors": "a pass holds for an element that carries no floor: gable, parapet, chimney",
+    # of folders of results
+    "writing-finished": "a command was stopped while it put its files there; the rest of them is in place now",
+    "writing-taken-back": "a command was stopped while it put its files there, and they do not fit what is there now: "
+    "what was there stays, what it had made is in {place}",
+    "results-changed": "these results were changed since the program wrote them: nothing vouches for their numbers; "
+    "run the project again",
     # of directions
     "direction-weaker": "towards {direction} it is clearly weaker than towards the direction given: multiplier "
     "{weaker} and d0* {weaker_d0}, against {given} and {given_d0}; check `direction`",
@@ -47,6 +53,10 @@ TEXTS: Mapping[str, str] = {
     "direction-into": "the direction given, {direction}, leads into {bodies}, which touches it there: check it",
     "direction-left-out": "towards {direction} it cannot rock as described and was left out: {why}",
     "sides-by-contact": "it rocks to one side only: {bodies} touches it behind; write `sides` to say otherwise",
+    # of amplification
+    "by-floor-factor": "every record and pulse times {factor} at h = {height} of H = {building} by {clause}",
+    "by-first-mode": "first mode of {frequency} ({frequency_from}), h_e = {effective} ({effective_from}), damping "
+    "{damping}, linear shape: at h = {height} participation times shape h/h_e = {shape}",
     # of suites of records
     "suite-empty": "there are no records: {remedy}",
     "suite-not-named": "artificial records decide only where [verdict] procedures names {procedure}: {remedy}",

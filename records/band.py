@@ -14,6 +14,7 @@ from records.errors import RecordError
 FloatArray = NDArray[np.float64]
 
 ROUNDING = 1e-9
+STEP = float(np.log(PERIODS[1] / PERIODS[0]))
 
 
 @dataclass(frozen=True)
@@ -54,6 +55,7 @@ def interpolated(period: FloatArray, nodes: FloatArray, logarithm: FloatArray) -
 def band(shortest: float, longest: float, *, weights: Sequence[tuple[float, float]] = ()) -> Band:
     """The range from `shortest` to `longest` [s]: its ends, and the catalogue's periods between.
 
+    Those nearer than half a step to an end, which stands for them, are left out: so that all can count alike.
     weights : (period [s], weight) at rising periods; between them linear in the logarithm of the period, as the PEER
     web application does, and constant beyond; equal if absent.
 
@@ -65,14 +67,17 @@ def band(shortest: float, longest: float, *, weights: Sequence[tuple[float, floa
         raise RecordError(
             f"periods {shortest:.4g} s to {longest:.4g} s: they must rise, and lie between {low:g} s and {high:g} s"
         )
-    inside = np.flatnonzero((shortest * (1 - ROUNDING) <= PERIODS) & (longest * (1 + ROUNDING) >= PERIODS))
-    if not inside.size:
+    if not np.any((shortest * (1 - ROUNDING) <= PERIODS) & (longest * (1 + ROUNDING) >= PERIODS)):
         raise RecordError(f"periods {shortest:.6g} s to {longest:.6g} s: too narrow; widen them by six percent")
-    first, last = int(inside[0]), int(inside[-1])
-    below = [shortest] if shortest < PERIODS[first] * (1 - ROUNDING) else []
-    above = [longest] if longest > PERIODS[last] * (1 + ROUNDING) else []
-    period = np.array([*below, *PERIODS[inside], *above])
-    return Band(period, _weight(period, weights), PERIODS[first - len(below) : last + 1 + len(above)])
+    ends = np.array([shortest, longest])
+    place = np.interp(np.log(ends), np.log(PERIODS), np.arange(PERIODS.size))
+    place = np.where(np.abs(place - np.round(place)) < ROUNDING / STEP, np.round(place), place)
+    first, last = int(np.floor(place[0])), int(np.ceil(place[1]))
+    at = np.arange(first, last + 1)
+    between = PERIODS[at[(at > place[0] + 0.5) & (at < place[1] - 0.5)]]
+    ends = np.where(place == np.round(place), PERIODS[np.round(place).astype(np.int64)], ends)
+    period = np.unique([ends[0], *between, ends[1]])
+    return Band(period, _weight(period, weights), PERIODS[first : last + 1])
 
 
 def up_to(band: Band, longest: float) -> Band:

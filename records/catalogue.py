@@ -1,7 +1,8 @@
 """A catalogue of a folder of records: an SQLite file with metadata, measures and 5 % spectra, made by `indexing`.
 
 Names and texts in it come from files of others: they are bound as parameters and never become part of a statement, and
-no path is followed that leads out of the folder.
+no path is followed that leads out of the folder. Every row has a seal, a hash of what it says: one that was changed
+since, by a disk or by hand, is not believed, and its file is read again.
 """
 
 from __future__ import annotations
@@ -15,51 +16,67 @@ from typing import Any
 
 import numpy as np
 
-from records.candidates import PERIODS, Candidate
+from records.candidates import Candidate
 from records.errors import RecordError
 from records.flatfile import Recording, described_by
 from records.formats.stated import Stated
 from records.intensity import Measures
+from records.seal import seal, sealed
 
 NAME = ".assess-records.sqlite"
 APPLICATION = 0x41535345  # marks the file as ours
-VERSION = 2
+VERSION = 3
 MEASURES = tuple(field.name for field in fields(Measures))
 
 TABLES = f"""
-CREATE TABLE files (path TEXT PRIMARY KEY, size INTEGER, mtime INTEGER, sha256 TEXT, asked TEXT, problem TEXT);
+CREATE TABLE files (path TEXT PRIMARY KEY, size INTEGER, mtime INTEGER, sha256 TEXT, asked TEXT, problem TEXT,
+    records INTEGER, seal TEXT);
 CREATE TABLE records (
     path TEXT REFERENCES files(path) ON DELETE CASCADE, position INTEGER,
     id TEXT, event TEXT, station TEXT, component TEXT, date TEXT,
     magnitude REAL, distance REAL, vs30 REAL, place TEXT, nga INTEGER,
-    dt REAL, npts INTEGER, {", ".join(f"{name} REAL" for name in MEASURES)}, spectrum BLOB,
+    dt REAL, npts INTEGER, spectrum BLOB, {", ".join(f"{name} REAL" for name in MEASURES)}, seal TEXT,
     PRIMARY KEY (path, position)
 );
-CREATE TABLE stated (unit TEXT, step REAL, response TEXT);
+CREATE TABLE stated (unit TEXT, step REAL, response TEXT, seal TEXT);
 CREATE TABLE recordings (nga INTEGER PRIMARY KEY, event TEXT, year TEXT, station TEXT,
-    magnitude REAL, distance REAL, vs30 REAL, files TEXT);
+    magnitude REAL, distance REAL, vs30 REAL, files TEXT, seal TEXT);
 """
 COLUMNS = (
     "path, position, id, event, station, component, date, magnitude, distance, vs30, place, nga, dt, npts, spectrum"
 )
 TOLD = tuple(COLUMNS.split(", "))[:-1]
-ROWS = f"SELECT {COLUMNS}, {', '.join(MEASURES)} FROM records ORDER BY path, position"
+ROWS = f"SELECT {COLUMNS}, {', '.join(MEASURES)}, seal FROM records ORDER BY path, position"
+FILES = "SELECT path, size, mtime, sha256, asked, problem, records, seal FROM files"
+FLATFILE = ("nga", "event", "year", "station", "magnitude", "distance", "vs30", "files")
+
+
+class Catalogue(sqlite3.Connection):
+    """An open catalogue; file: where it is; older: whether it was of an older version, and is empty now."""
+
+    file: Path | None = None
+    older: bool = False
 
 
 @contextmanager
-def opened(file: Path | None) -> Iterator[sqlite3.Connection]:
+def opened(file: Path | None) -> Iterator[Catalogue]:
     """The catalogue in `file`, made if it does not exist; in memory alone if None. Closed at the end.
 
-    Raises RecordError for a file that cannot be written, is damaged, or is not a catalogue.
+    Raises RecordError for a file that cannot be written, is damaged, is of a newer version, or is not a catalogue.
     """
-    if file is not None and file.is_symlink():
-        raise RecordError(f"{file}: is a link; a catalogue must be a file of its own: remove the link")
+    if file is not None and (file.is_symlink() or file.is_dir()):
+        what = "a link" if file.is_symlink() else "a folder"
+        raise RecordError(
+            f"{file}: is {what}; a catalogue must be a file of its own: move it away, or give another place"
+        )
     try:
-        connection = sqlite3.connect(":memory:" if file is None else file, timeout=30.0)
+        connection = sqlite3.connect(":memory:" if file is None else file, timeout=30.0, factory=Catalogue)
     except sqlite3.Error as error:
         raise RecordError(f"{file}: the catalogue cannot be opened ({error}); give another place for it") from None
+    connection.file = file
+    connection.text_factory = lambda text: text.decode("utf-8", "surrogateescape")  # its seal tells what is wrong
     try:
-        _prepare(connection, file)
+        _prepare(connection)
         yield connection
     except sqlite3.Error as error:
         raise RecordError(
@@ -70,43 +87,111 @@ def opened(file: Path | None) -> Iterator[sqlite3.Connection]:
         connection.close()
 
 
-def _prepare(connection: sqlite3.Connection, file: Path | None) -> None:
-    """Tables in an empty file or one of another version of ours; refuses one that is not ours."""
+def _prepare(connection: Catalogue) -> None:
+    """Tables in an empty file or one of an older version of ours; refuses one that is not ours, newer, or damaged."""
     connection.execute("PRAGMA foreign_keys = ON")
     application, version = (
         int(connection.execute(f"PRAGMA {key}").fetchone()[0]) for key in ("application_id", "user_version")
     )
-    holds = [str(name) for (name,) in connection.execute("SELECT name FROM sqlite_master WHERE type = 'table'")]
+    holds = connection.execute("SELECT COUNT(*) FROM sqlite_master WHERE type = 'table'").fetchone()[0] > 0
     if holds and application != APPLICATION:
-        raise RecordError(f"{file}: a database that is not a catalogue of records; move it away, or give another place")
+        raise RecordError(
+            f"{connection.file}: a database that is not a catalogue of records; move it away, or give another place"
+        )
+    if holds and version > VERSION:
+        raise RecordError(
+            f"{connection.file}: a catalogue of version {version}, made by a newer program; this one knows up to "
+            f"{VERSION}: use the newer program, or give another place with --catalogue"
+        )
     if holds and version == VERSION:
+        found = connection.execute("PRAGMA integrity_check(1)").fetchone()[0]
+        if found != "ok":
+            raise _damaged(connection, str(found))
         return
+    connection.older = holds
+    _make(connection)
+
+
+def _make(connection: Catalogue) -> None:
+    """Empty tables, but for what an older version was told: what is stated of files, and the flatfile."""
+    told = _rows(connection, "SELECT unit, step, response FROM stated")
+    flatfile = _rows(connection, f"SELECT {', '.join(FLATFILE)} FROM recordings")
     connection.executescript(
         "BEGIN;"
         + "".join(f"DROP TABLE IF EXISTS {name};" for name in ("recordings", "stated", "records", "files"))
         + TABLES
         + f"PRAGMA application_id = {APPLICATION}; PRAGMA user_version = {VERSION}; COMMIT;"
     )
+    with connection:
+        connection.executemany("INSERT INTO stated VALUES (?, ?, ?, ?)", [sealed(row) for row in told[:1]])
+        marks = ", ".join("?" * (len(FLATFILE) + 1))
+        connection.executemany(f"INSERT INTO recordings VALUES ({marks})", [sealed(row) for row in flatfile])
+
+
+def _rows(connection: sqlite3.Connection, query: str) -> list[tuple[Any, ...]]:
+    """What an older version has, nothing where it has no such table or text that is none."""
+    try:
+        rows: list[tuple[Any, ...]] = connection.execute(query).fetchall()
+        "".join(value for row in rows for value in row if isinstance(value, str)).encode()
+    except (sqlite3.Error, UnicodeEncodeError):
+        return []
+    return rows
+
+
+def _damaged(connection: sqlite3.Connection, what: str) -> RecordError:
+    file = connection.file if isinstance(connection, Catalogue) and connection.file is not None else "catalogue"
+    return RecordError(f"{file}: the catalogue is damaged: {_shown(what)}; delete it and index again")
+
+
+def _shown(text: str) -> str:
+    return text.encode("utf-8", "replace").decode()[:120]
+
+
+def mend(connection: sqlite3.Connection) -> tuple[str, ...]:
+    """Take out the files of which a row was changed since it was written; their paths, as far as they can be read."""
+    rows: dict[str, list[bool]] = {}
+    for row in connection.execute(ROWS):
+        rows.setdefault(str(row[0]), []).append(_whole(row))
+    wrong = []
+    for number, *row in connection.execute(FILES.replace("SELECT ", "SELECT rowid, ")).fetchall():
+        of_file = rows.get(str(row[0]), [])
+        if not (_whole(row) and all(of_file) and len(of_file) == row[6]):
+            wrong.append((number, _shown(str(row[0]))))
+    with connection:
+        connection.executemany("DELETE FROM files WHERE rowid = ?", [(number,) for number, _ in wrong])
+        connection.execute("DELETE FROM records WHERE path NOT IN (SELECT path FROM files)")
+    return tuple(path for _, path in wrong)
+
+
+def _whole(row: Sequence[Any]) -> bool:
+    """Whether a row says what it was sealed with, its last value."""
+    return bool(row[-1] == seal(row[:-1]))
 
 
 def candidates(connection: sqlite3.Connection) -> tuple[Candidate, ...]:
     """Every record of the catalogue, by path, with what a flatfile taken in says of it."""
     said = stated(connection)
-    found = [_candidate(row, said) for row in connection.execute(ROWS)]
+    rows = connection.execute(ROWS).fetchall()
+    for row in rows:
+        if not _whole(row):
+            raise _damaged(connection, f"record {row[1]} of {row[0]}")
+    found = [_candidate(row, said) for row in rows]
     return described_by(found, recordings(connection))
 
 
 def _candidate(row: Sequence[Any], said: Stated) -> Candidate:
     spectrum = np.frombuffer(row[14], dtype="<f8")
-    if spectrum.size != PERIODS.size:
-        raise RecordError(f'catalogue: record "{row[0]}" has {spectrum.size} ordinates; delete it and index again')
-    measures = dict(zip(MEASURES, row[15:], strict=True))
+    measures = dict(zip(MEASURES, row[15:-1], strict=True))
     return Candidate(**dict(zip(TOLD, row, strict=False)), measures=measures, spectrum=spectrum, stated=said)
 
 
 def stated(connection: sqlite3.Connection) -> Stated:
     """What was stated of the files that do not say it themselves."""
-    row = connection.execute("SELECT unit, step, response FROM stated").fetchone() or (None, None, None)
+    row = connection.execute("SELECT unit, step, response, seal FROM stated").fetchone()
+    if row is None:
+        return Stated()
+    if not _whole(row):
+        raise _damaged(connection, "what was stated of its files (unit, step, response)")
     return Stated(row[0], row[1], None if row[2] is None else Path(row[2]))
 
 
@@ -115,22 +200,26 @@ def keep(connection: sqlite3.Connection, said: Stated) -> None:
     response = None if said.response is None else str(said.response)
     with connection:
         connection.execute("DELETE FROM stated")
-        connection.execute("INSERT INTO stated VALUES (?, ?, ?)", (said.unit, said.step, response))
+        connection.execute("INSERT INTO stated VALUES (?, ?, ?, ?)", sealed((said.unit, said.step, response)))
 
 
 def take(connection: sqlite3.Connection, flatfile: Sequence[Recording]) -> None:
     """Take a flatfile into the catalogue, in place of an earlier one."""
-    rows = [(*astuple(one)[:-1], "\n".join(one.files)) for one in flatfile]
+    rows = [sealed((*astuple(one)[:-1], "\n".join(one.files))) for one in flatfile]
     with connection:
         connection.execute("DELETE FROM recordings")
-        connection.executemany("INSERT OR REPLACE INTO recordings VALUES (?, ?, ?, ?, ?, ?, ?, ?)", rows)
+        connection.executemany("INSERT OR REPLACE INTO recordings VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)", rows)
 
 
 def recordings(connection: sqlite3.Connection) -> tuple[Recording, ...]:
     """The flatfile that was taken in."""
-    names = [field.name for field in fields(Recording)]
-    rows = (dict(zip(names, row, strict=True)) for row in connection.execute("SELECT * FROM recordings ORDER BY nga"))
-    return tuple(Recording(**{**row, "files": tuple(row["files"].split("\n"))}) for row in rows)
+    found = []
+    for row in connection.execute(f"SELECT {', '.join(FLATFILE)}, seal FROM recordings ORDER BY nga"):
+        if not _whole(row):
+            raise _damaged(connection, f"recording {row[0]} of the flatfile taken in")
+        texts = dict(zip(FLATFILE, row[:-1], strict=True))
+        found.append(Recording(**{**texts, "files": tuple(texts["files"].split("\n"))}))
+    return tuple(found)
 
 
 def problems(connection: sqlite3.Connection) -> tuple[tuple[str, str], ...]:

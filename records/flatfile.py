@@ -197,7 +197,11 @@ def _found(candidates: Sequence[Candidate], recordings: Sequence[Recording]) -> 
     for one in recordings:
         for file in one.files:
             by_file[file] = one if by_file.get(file, one) == one else None
-    return [by_number.get(one.nga or 0) or by_file.get(_file(one.path)) for one in candidates]
+    named = ((one, by_file.get(_file(one.path))) for one in candidates)
+    return [
+        by_number.get(one.nga or 0) or (by if by is not None and one.nga in (None, by.nga) else None)
+        for one, by in named
+    ]
 
 
 def _reason(candidates: Sequence[Candidate], recordings: Sequence[Recording]) -> str:

@@ -22,7 +22,7 @@ import numpy as np
 
 from records import catalogue
 from records.candidates import DAMPING, NOTHING, PERIODS, Candidate, sequence_number
-from records.catalogue import MEASURES, problems
+from records.catalogue import MEASURES, Catalogue, problems
 from records.errors import RecordError
 from records.formats import FORMATS
 from records.formats.stated import Stated, check
@@ -30,6 +30,7 @@ from records.intensity import measures
 from records.reading import read
 from records.record import Record
 from records.response import response_spectrum
+from records.seal import seal, sealed
 
 BATCH = 50  # files to a commit
 FEW = 24  # files that are read here rather than by an executor, whose workers take seconds to start
@@ -41,13 +42,19 @@ R = TypeVar("R")
 
 @dataclass(frozen=True)
 class Indexed:
-    """What an index did: files read and unchanged, those that are gone, records in all, (path, reason) of the rest."""
+    """What an index did: files read and unchanged, those that are gone, records in all, (path, reason) of the rest.
+
+    damaged : files whose rows were changed since they were written, and that were read again
+    older : whether the catalogue was of an older version, so that all was read again
+    """
 
     read: int
     unchanged: int
     gone: int
     records: int
     problems: tuple[tuple[str, str], ...]
+    damaged: tuple[str, ...] = ()
+    older: bool = False
 
 
 @dataclass(frozen=True)
@@ -89,6 +96,7 @@ def index(
     stated = stated.beside(catalogue.stated(connection))
     asked = f"{stated} {' '.join(FORMATS)}"
     on_disk = {found.path: found for found in files_below(folder)}
+    damaged = catalogue.mend(connection)
     known = {
         row[0]: row[1:] for row in connection.execute("SELECT path, size, mtime, sha256, asked, problem FROM files")
     }
@@ -103,7 +111,9 @@ def index(
         connection.executemany("DELETE FROM files WHERE path = ?", [(path,) for path in gone])
     _read(folder, changed, connection, stated=stated, asked=asked, executor=executor, progress=progress)
     number = int(connection.execute("SELECT COUNT(*) FROM records").fetchone()[0])
-    return Indexed(len(changed), len(on_disk) - len(changed), len(gone), number, problems(connection))
+    older = isinstance(connection, Catalogue) and connection.older
+    counts = (len(changed), len(on_disk) - len(changed), len(gone), number)
+    return Indexed(*counts, problems(connection), tuple(path for path in damaged if path in on_disk), older)
 
 
 def files_below(folder: Path) -> Iterator[Found]:
@@ -251,14 +261,15 @@ def _store(connection: sqlite3.Connection, batch: list[Described], asked: str) -
     with connection:
         for one in batch:
             found = one.found
+            count = 0 if one.candidates is None else len(one.candidates)
+            row = (found.path, found.size, found.mtime, one.sha256, asked, one.problem)
             if one.candidates is None:
-                connection.execute(
-                    "UPDATE files SET size = ?, mtime = ? WHERE path = ?", (found.size, found.mtime, found.path)
-                )
+                count = connection.execute("SELECT COUNT(*) FROM records WHERE path = ?", (found.path,)).fetchone()[0]
+                values = (found.size, found.mtime, seal((*row, count)), found.path)
+                connection.execute("UPDATE files SET size = ?, mtime = ?, seal = ? WHERE path = ?", values)
                 continue
             connection.execute("DELETE FROM files WHERE path = ?", (found.path,))
-            row = (found.path, found.size, found.mtime, one.sha256, asked, one.problem)
-            connection.execute("INSERT INTO files VALUES (?, ?, ?, ?, ?, ?)", row)
+            connection.execute("INSERT INTO files VALUES (?, ?, ?, ?, ?, ?, ?, ?)", sealed((*row, count)))
             rows = [_row(each) for each in one.candidates]
             if rows:
                 marks = ", ".join("?" * len(rows[0]))
@@ -269,7 +280,8 @@ def _row(one: Candidate) -> tuple[object, ...]:
     texts = (_text(one.id), _text(one.event), _text(one.station), _text(one.component), _text(one.date))
     known = (one.magnitude, one.distance, one.vs30, _text(one.place), one.nga)
     spectrum = np.asarray(one.spectrum, dtype="<f8").tobytes()
-    return (one.path, one.position, *texts, *known, one.dt, one.npts, *(one.measures[m] for m in MEASURES), spectrum)
+    of = (one.measures[name] for name in MEASURES)
+    return sealed((one.path, one.position, *texts, *known, one.dt, one.npts, spectrum, *of))
 
 
 def _text(text: str) -> str:

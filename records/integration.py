@@ -25,6 +25,25 @@ def displacement(record: Record) -> FloatArray:
     return _summed(h * v[:-1] + h**2 / 6.0 * (2.0 * a[:-1] + a[1:]))
 
 
+def largest_velocity(record: Record) -> float:
+    """Largest |velocity| [m/s], at the samples or between two where the acceleration passes through zero."""
+    a, b, v = record.acceleration[:-1], record.acceleration[1:], velocity(record)
+    passes = a * b < 0.0
+    until = record.dt * a[passes] / (a - b)[passes]
+    return float(max(np.max(np.abs(v)), np.max(np.abs(v[:-1][passes] + 0.5 * a[passes] * until), initial=0.0)))
+
+
+def largest_displacement(record: Record) -> float:
+    """Largest |displacement| [m], at the samples or between two where the velocity v + a t + j t^2 / 2 is zero."""
+    a, v, d = record.acceleration[:-1], velocity(record)[:-1], displacement(record)
+    j = np.diff(record.acceleration) / record.dt
+    with np.errstate(divide="ignore", invalid="ignore"):
+        q = -(a + np.copysign(np.sqrt(a**2 - 2.0 * j * v), a))  # nan where the velocity is nowhere zero
+        roots = np.array([q / j, 2.0 * v / q])
+    t = np.where((roots > 0.0) & (roots < record.dt), roots, 0.0)
+    return float(max(np.abs(d[-1]), np.max(np.abs(d[:-1] + t * (v + t * (a / 2.0 + t * j / 6.0))))))
+
+
 def squared(record: Record) -> FloatArray:
     """Integral of the squared acceleration up to each sample [n] [m2/s3]."""
     a, b = record.acceleration[:-1], record.acceleration[1:]

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.constants import g
 
-from records.integration import absolute, displacement, squared, velocity
+from records.integration import absolute, largest_displacement, largest_velocity, squared
 from records.record import Record
 from records.response import response_spectrum
 
@@ -55,13 +55,13 @@ def measures(record: Record) -> Measures:
 
 
 def pgv(record: Record) -> float:
-    """Peak ground velocity [m/s], at the samples."""
-    return float(np.max(np.abs(velocity(record))))
+    """Peak ground velocity [m/s], of acceleration that is linear between samples."""
+    return largest_velocity(record)
 
 
 def pgd(record: Record) -> float:
-    """Peak ground displacement [m], at the samples."""
-    return float(np.max(np.abs(displacement(record))))
+    """Peak ground displacement [m], of acceleration that is linear between samples."""
+    return largest_displacement(record)
 
 
 def arias(record: Record) -> float:

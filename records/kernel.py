@@ -17,13 +17,12 @@ from numpy.typing import NDArray
 from records.compilation.kernel import cache_on_disk
 
 FloatArray = NDArray[np.float64]
-IntArray = NDArray[np.int64]
 
 FUSED = {"contract", "nnan"}
 """a * b + c in one rounding; no nan comes in, as records hold none."""
-STEPS_PER_PERIOD = 20.0
 VISIT = 2  # steps of one oscillator in a row while its numbers are at hand
 BLOCK = 16  # steps whose maximum is looked for together, a multiple of VISIT
+NEAR = 1e-5  # [rad] from a maximum, where a parabola is off by its third power
 
 
 @njit(nogil=True)
@@ -43,24 +42,15 @@ def advance(
 
 
 @njit(nogil=True)
-def divisions(period: FloatArray, dt: float) -> IntArray:
-    """Equal parts of a step [k] that are at most a twentieth of each period."""
-    parts = np.empty(period.size, dtype=np.int64)
-    for k in range(period.size):
-        parts[k] = max(1, math.ceil(dt * STEPS_PER_PERIOD / period[k] - 1e-9))
-    return parts
-
-
-@njit(nogil=True)
-def recurrence(period: FloatArray, damping: float, h: FloatArray) -> FloatArray:
-    """What displacement and velocity become over h [k] [s]: of themselves, of the acceleration and its slope [8, k]."""
+def recurrence(period: FloatArray, damping: float, h: float) -> FloatArray:
+    """What displacement and velocity become over h [s]: of themselves, of the acceleration and its slope [8, k]."""
     found = np.empty((8, period.size))
     for k in range(period.size):
         omega = 2.0 * math.pi / period[k]
-        found[0, k], found[4, k] = advance(1.0, 0.0, 0.0, 0.0, h[k], omega, damping)
-        found[1, k], found[5, k] = advance(0.0, 1.0, 0.0, 0.0, h[k], omega, damping)
-        found[2, k], found[6, k] = advance(0.0, 0.0, 1.0, 0.0, h[k], omega, damping)
-        found[3, k], found[7, k] = advance(0.0, 0.0, 0.0, 1.0, h[k], omega, damping)
+        found[0, k], found[4, k] = advance(1.0, 0.0, 0.0, 0.0, h, omega, damping)
+        found[1, k], found[5, k] = advance(0.0, 1.0, 0.0, 0.0, h, omega, damping)
+        found[2, k], found[6, k] = advance(0.0, 0.0, 1.0, 0.0, h, omega, damping)
+        found[3, k], found[7, k] = advance(0.0, 0.0, 0.0, 1.0, h, omega, damping)
     return found
 
 
@@ -107,28 +97,96 @@ def sweep(start: FloatArray, slope: FloatArray, of: FloatArray, free: FloatArray
 
 
 @njit(nogil=True)
-def largest_in(start: FloatArray, slope: FloatArray, h: float, parts: int, of: FloatArray, u: float, v: float) -> float:
-    """Largest |u| [m] of one oscillator at `parts` points h [s] apart in each of some steps; of : recurrence over h."""
-    largest = 0.0
-    for i in range(start.size):
-        for part in range(parts):
-            a = start[i] + slope[i] * (part * h)
-            u, v = (
-                (of[0] * u + of[1] * v) + (of[2] * a + of[3] * slope[i]),
-                (of[4] * u + of[5] * v) + (of[6] * a + of[7] * slope[i]),
-            )
-            largest = max(largest, abs(u))
+def extremum(
+    u: float, v: float, a: float, slope: float, low: float, high: float, fraction: float, omega: float, damping: float
+) -> float:
+    """|u| [m] where u' is zero from `low` to `high` [s], between which it is monotone and changes its sign.
+
+    By Newton's method, first at a `fraction` of the way, kept within ends that close in; otherwise as `advance`.
+    """
+    falls = advance(u, v, a, slope, low, omega, damping)[1] > 0.0
+    t = low + fraction * (high - low)
+    for _ in range(100):
+        x, y = advance(u, v, a, slope, t, omega, damping)
+        bend = -(a + slope * t) - 2.0 * damping * omega * y - omega * omega * x
+        step = -y / bend if bend != 0.0 else high - low
+        if abs(step) * omega <= NEAR:
+            break
+        if (y > 0.0) == falls:
+            low = t
+        else:
+            high = t
+        t += step
+        if not low < t < high:
+            t, step = 0.5 * (low + high), 0.0
+    return abs(x + 0.5 * y * step)
+
+
+@njit(nogil=True)
+def largest_within(u: float, v: float, a: float, slope: float, time: float, omega: float, damping: float) -> float:
+    """Largest |u| [m] during `time` [s], ends included; otherwise as `advance`.
+
+    u'' is a free vibration, as what the ground adds to u is a line. Its zeros are half a turn apart, and from one to
+    the next u' is monotone: u has one extremum there if the sign of u' changes, or none.
+    """
+    omega_d = omega * math.sqrt(1.0 - damping * damping)
+    bend = -a - 2.0 * damping * omega * v - omega * omega * u
+    change = -slope - 2.0 * damping * omega * bend - omega * omega * v
+    turn = math.atan2(-bend, (change + damping * omega * bend) / omega_d)
+    if turn <= 0.0:
+        turn += math.pi
+    largest, begin, before = abs(u), 0.0, v
+    while begin < time:
+        end = min(turn / omega_d, time)
+        x, y = advance(u, v, a, slope, end, omega, damping)
+        largest = max(largest, abs(x))
+        if before * y < 0.0:
+            fraction = before / (before - y)
+            largest = max(largest, extremum(u, v, a, slope, begin, end, fraction, omega, damping))
+        begin, before, turn = end, y, turn + math.pi
     return largest
 
 
 @njit(nogil=True)
-def largest_after(time: float, h: float, of: FloatArray, u: float, v: float) -> float:
-    """Largest |u| [m] at points h [s] apart during `time` [s] of free vibration; of : recurrence over h."""
-    largest = 0.0
-    for _ in range(math.ceil(time / h)):
-        u, v = of[0] * u + of[1] * v, of[4] * u + of[5] * v
-        largest = max(largest, abs(u))
-    return largest
+def turns(v: float, y: float, time: float, omega: float, F: float) -> bool:
+    """Whether u' may be zero during `time` [s], from v to y at its ends: it leaves the chord by an arc, as u does."""
+    return v * y <= 0.0 or min(abs(v), abs(y)) <= (omega * time) ** 2 / 8.0 * omega * F
+
+
+@njit(nogil=True)
+def largest_in(start: FloatArray, slope: FloatArray, dt: float, of: FloatArray, free: FloatArray, u: float, v: float,
+               omega: float, damping: float, most: float, held: FloatArray) -> float:  # fmt: skip
+    """The larger of `most` and |u| [m] of one oscillator within some steps of dt [s]; at their ends it is no larger.
+
+    of, free : `recurrence` over a step and `free_part` of the oscillator
+    held : the step that may hold more between its ends and is not looked into yet, as a later one mostly exceeds it:
+    the bound of |u| in it, u and v at its beginning, acceleration and slope there [5]; changed
+    """
+    arc = (omega * dt) ** 2 / 8.0
+    for i in range(start.size):
+        a, rise = start[i], slope[i]
+        x = (of[0] * u + of[1] * v) + (of[2] * a + of[3] * rise)
+        y = (of[4] * u + of[5] * v) + (of[6] * a + of[7] * rise)
+        line = free[0] * a + free[1] * rise
+        f = u + line
+        quarter = free[2] * f + free[3] * (v + free[0] * rise)
+        F = math.sqrt(f * f + quarter * quarter)
+        if turns(v, y, dt, omega, F):
+            static = max(abs(line), abs(line + free[0] * rise * dt))
+            bound = min(max(abs(u), abs(x)) + arc * F, static + F)
+            if bound > most:
+                most = looked_into(held, dt, omega, damping, most)
+                held[0], held[1], held[2], held[3], held[4] = bound, u, v, a, rise
+        u, v = x, y
+    return most
+
+
+@njit(nogil=True)
+def looked_into(held: FloatArray, dt: float, omega: float, damping: float, most: float) -> float:
+    """The larger of `most` and |u| [m] in the step that is `held`, where its bound is larger."""
+    if held[0] > most:
+        return max(most, largest_within(held[1], held[2], held[3], held[4], dt, omega, damping))
+    return most
 
 
 @cache_on_disk
@@ -139,34 +197,38 @@ def peak_displacements(acceleration: FloatArray, dt: float, period: FloatArray, 
     acceleration : of the ground, linear between samples, zero after the last [n] [m/s2]
     dt : step [s]; period [k] [s], positive; damping [-], below 1
 
-    Maxima are taken at the samples, each step divided into equal parts where it exceeds a twentieth of the period.
-    A block of steps is divided only where its parts could hold the maximum. Within a step u is a line, the static
-    displacement under the ground's acceleration and slope, and a free vibration f of amplitude F at its beginning;
-    |f| <= F and |f''| <= omega^2 F. So |u| exceeds neither the line's largest by more than F, nor the larger of the
-    samples beside it by more than (omega dt)^2 / 8 F, the rise of an arc above its chord.
+    Maxima are those of the closed solution, at samples or between them, and looked for only in steps that could hold
+    one. Within a step u is a line, the static displacement under the ground's acceleration and slope, and a free
+    vibration f of amplitude F at its beginning; |f| <= F and |f''| <= omega^2 F. So |u| exceeds neither the line's
+    largest by more than F, nor the larger of the samples beside it by more than (omega dt)^2 / 8 F, the rise of an arc
+    above its chord.
     """
-    parts = divisions(period, dt)
-    h, arc = dt / parts, (2.0 * math.pi * dt / period) ** 2 / 8.0
-    of, finer = recurrence(period, damping, np.full(period.size, dt)), recurrence(period, damping, h)
-    free = free_part(period, damping)
+    omega = 2.0 * math.pi / period
+    arc = (omega * dt) ** 2 / 8.0
+    of, free = recurrence(period, damping, dt), free_part(period, damping)
     still = -(acceleration.size - 1) % BLOCK  # steps of rest before the first, so that blocks are whole
     start, slope = np.zeros(still + acceleration.size - 1), np.zeros(still + acceleration.size - 1)
     start[still:], slope[still:] = acceleration[:-1], (acceleration[1:] - acceleration[:-1]) / dt
     u, v, peak = np.zeros(period.size), np.zeros(period.size), np.zeros(period.size)
     u0, v0, largest, swing = np.empty_like(u), np.empty_like(u), np.empty_like(u), np.empty_like(u)
+    held = np.zeros((period.size, 5))
     for i in range(0, start.size, BLOCK):
         a, rise = start[i : i + BLOCK], slope[i : i + BLOCK]
         u0[:], v0[:], largest[:], swing[:] = u, v, np.abs(u), 0.0
         sweep(a, rise, of, free, u, v, largest, swing)
         a_most, rise_most = max(np.max(np.abs(a)), np.max(np.abs(a + rise * dt))), np.max(np.abs(rise))
         for k in range(period.size):
+            peak[k] = max(peak[k], largest[k])
             F = math.sqrt(swing[k])
             line = free[0, k] * a_most - free[1, k] * rise_most
-            if min(largest[k] + arc[k] * F, line + F) > peak[k]:
-                within = largest_in(a, rise, h[k], parts[k], finer[:, k], u0[k], v0[k])
-                peak[k] = max(peak[k], within)
-    for k in range(period.size):  # one period of free vibration holds its largest swing
-        peak[k] = max(peak[k], largest_after(period[k], h[k], finer[:, k], u[k], v[k]))
+            if turns(v0[k], v[k], BLOCK * dt, omega[k], F) and min(largest[k] + arc[k] * F, line + F) > peak[k]:
+                peak[k] = largest_in(
+                    a, rise, dt, of[:, k], free[:, k], u0[k], v0[k], omega[k], damping, peak[k], held[k]
+                )
+    for k in range(period.size):  # its largest swing is the first, in the half turn that follows
+        half = math.pi / (omega[k] * math.sqrt(1.0 - damping * damping))
+        peak[k] = looked_into(held[k], dt, omega[k], damping, peak[k])
+        peak[k] = max(peak[k], largest_within(u[k], v[k], 0.0, 0.0, half, omega[k], damping))
     return peak
 
 

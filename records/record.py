@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -71,6 +72,8 @@ class Record:
     trail : what was done to it, in order, in words ("read from PEER AT2, g", "scaled by 1.23")
     stationary : of an artificial record, how long its envelope is level [s]; None of recorded ones
     longest_period : up to which the processing of its source left the motion usable [s]; None where it does not say
+    start : time of the first sample, as `earthquake.time`, "" unknown
+    doubts : what in its file is odd, in words
     """
 
     id: str
@@ -87,6 +90,8 @@ class Record:
     site: Site = NO_SITE
     stationary: float | None = None
     longest_period: float | None = None
+    start: str = ""
+    doubts: tuple[str, ...] = ()
 
     @property
     def artificial(self) -> bool:
@@ -124,8 +129,10 @@ def make_record(
     earthquake: Earthquake = NO_EARTHQUAKE,
     site: Site = NO_SITE,
     longest_period: float | None = None,
+    start: str = "",
+    doubts: Sequence[str] = (),
 ) -> Record:
-    """A checked record with a read-only copy of `acceleration` [n] [m/s2] at step `dt` [s].
+    """A checked record with a read-only copy of `acceleration` [n] [m/s2] at step `dt` [s], without empty `doubts`.
 
     Raises RecordError for fewer than two samples, values not finite or beyond any ground motion, or a step
     that is not positive.
@@ -162,6 +169,8 @@ def make_record(
         earthquake,
         site,
         longest_period=longest_period,
+        start=start,
+        doubts=tuple(doubt for doubt in doubts if doubt),
     )
 
 

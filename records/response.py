@@ -18,9 +18,8 @@ def response_spectrum(record: Record, period: ArrayLike, *, damping: float = 0.0
     """Pseudo-acceleration (2 pi / T)^2 S_d [m/s2] at each `period` [s] (same shape), for a `damping` ratio [-].
 
     At T = 0 it is the record's peak ground acceleration. The response is exact for ground acceleration that is
-    linear between samples, free vibration after the end included. Its maximum is taken at the samples, as in the
-    PEER database, and at equal parts of a step that is longer than T / 20: at most 1 - cos(pi / 20) = 1.2 % below
-    the maximum between them.
+    linear between samples, free vibration after the end included, and so is its maximum, between samples too. Maxima
+    at samples, as in the PEER database, are lower: up to 1 - cos(pi dt / T), 1.2 % where a period has 20 samples.
 
     Raises RecordError for a period that is negative or not finite, or shorter than 1/1000 of the record's step,
     and for a damping outside 0 <= damping < 1.

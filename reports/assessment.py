@@ -82,6 +82,7 @@ def assessment(results: Results) -> Document:
         language=project(results, "report.language") or ENGLISH,
         verbatim=verbatim(results),
         units=_units(results),
+        stamp=results.stamp,
     )
 
 

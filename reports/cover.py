@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from hashlib import sha256
 
-from assess.codes.verdict import Decision, Verdict
+from assess.codes.verdict import Decision, Missing, Verdict
 from assess.codes.verdict_text import (
     action_text,
     bearing,
@@ -19,6 +19,7 @@ from assess.results import Results
 from reports import heights, mechanism_verdicts
 from reports.document import Banner, Block, Code, Column, Items, Section, Table, Text, filled
 from reports.lettering import shortened
+from reports.told import said
 
 MANY = 12  # points of a list
 LOCAL = "Local mechanisms only: the index of the building is at most the least of theirs."
@@ -33,7 +34,7 @@ def section(results: Results) -> Section:
     blocks: list[Block] = [
         Banner(found.outcome.value, headline(found), found.at_the_limit and found.outcome != Decision.INCOMPLETE),
         question(found),
-        *_listed("The verdict holds on these conditions:", [each.text for each in found.conditions]),
+        *_listed("The verdict holds on these conditions:", [said(each) for each in found.conditions]),
         *_missing(found, results),
         *_listed("Warnings that bear on it:", list(_bearing(results))),
         mechanism_verdicts.table(results),
@@ -76,7 +77,7 @@ def _missing(found: Verdict, results: Results) -> list[Block]:
     """What would complete the verdict, as lines to paste, and what it would be with the safe values."""
     if found.outcome != Decision.INCOMPLETE or not found.missing:
         return []
-    blocks = _listed("Missing:", [f"{each.key}: {each.text}." for each in found.missing])
+    blocks = _listed("Missing:", [f"{each.key}: {_why(each)}." for each in found.missing])
     if found.provisional in (Decision.PASS, Decision.FAIL):
         blocks.append(Text((f"{SAFE}{outcome_text(found.provisional, near=False)}.",)))
     given = [key for key, each in results.project.items() if each.given]
@@ -87,12 +88,20 @@ def _missing(found: Verdict, results: Results) -> list[Block]:
     ]
 
 
+def _why(missing: Missing) -> str:
+    """Why an input is needed, with the numbers of its reasons whole."""
+    text = missing.text
+    for reason in missing.reasons:
+        text = text.replace(reason.text, said(reason))
+    return text
+
+
 def _bearing(results: Results) -> Iterator[str]:
     """The warnings of the run, and the remarks of the checks that decide, each once."""
     for each in bearing(results.warnings):
-        yield f"{each.where}: {each.text}" if each.where else each.text
+        yield f"{each.where}: {said(each)}" if each.where else said(each)
     for mechanism in results.mechanisms:
-        remarks = (each.text for check in mechanism.checks if check.role == "deciding" for each in check.remarks)
+        remarks = (said(each) for check in mechanism.checks if check.role == "deciding" for each in check.remarks)
         yield from (f"{mechanism.name}: {text}" for text in dict.fromkeys(remarks))
 
 

@@ -7,7 +7,7 @@ import io
 from collections.abc import Iterable
 from pathlib import Path
 
-from reports.document import Cell, Document, Table
+from reports.document import STAMP, Cell, Document, Table
 from reports.lettering import visible
 from reports.sheets import as_table
 from reports.worded import worded
@@ -15,9 +15,12 @@ from spectra.formulas import harmless
 
 
 def write_csv(document: Document, folder: Path) -> tuple[Path, ...]:
-    """Write every table and calculation sheet into `folder` as name.csv (UTF-8); the paths written."""
+    """Write every table and calculation sheet into `folder` as name.csv (UTF-8); the paths written.
+
+    The last column is the stamp of the results: a row that is copied elsewhere takes it along.
+    """
     everything = (*document.tables, *(as_table(sheet, said=document.said) for sheet in document.sheets))
-    return tuple(_write(worded(table, document.said), folder) for table in everything)
+    return tuple(_write(worded(table, document.said), folder, stamp=document.stamp) for table in everything)
 
 
 def field(cell: Cell) -> str:
@@ -38,8 +41,10 @@ def csv_lines(rows: Iterable[Iterable[Cell]]) -> str:
     return stream.getvalue()
 
 
-def _write(table: Table, folder: Path) -> Path:
+def _write(table: Table, folder: Path, *, stamp: str) -> Path:
     path = folder / f"{table.name}.csv"
-    text = csv_lines([[column.heading for column in table.columns], *table.rows])
-    path.write_text(text, encoding="utf-8", newline="")
+    head, rows = [column.heading for column in table.columns], table.rows
+    if stamp:
+        head, rows = [*head, STAMP], tuple((*row, stamp) for row in rows)
+    path.write_text(csv_lines([head, *rows]), encoding="utf-8", newline="")
     return path

@@ -121,6 +121,7 @@ class Line:
     """One step of a calculation: what, where it stands, the formula, the numbers put in, what came out.
 
     value : a number, or in words where that is all that is known: "≥ 2475"
+    beside : the value in another unit, and that unit
     """
 
     symbol: str
@@ -130,6 +131,7 @@ class Line:
     substituted: str
     value: float | str | None
     unit: str
+    beside: tuple[float, str] | None = None
 
 
 @dataclass(frozen=True)
@@ -182,6 +184,9 @@ class Section:
     starts_page: bool = False
 
 
+STAMP = "stamp"
+
+
 @dataclass(frozen=True)
 class Document:
     """A report.
@@ -189,7 +194,7 @@ class Document:
     facts : (label, text) pairs of the title block
     sections : in order; the contents stand after the opening section
     data : tables too long to print, for the spreadsheet and the CSV files only
-    program : name and version of the program that made it
+    program : name and version of the program that made it; stamp : of the results that it tells, "" for none
     paper : "A4" or "letter"
     language : of its sentences, as BCP 47 has it: "en", "it"
     verbatim : texts of the user, which are never translated: titles, names, notes, paths
@@ -209,6 +214,12 @@ class Document:
     verbatim: frozenset[str] = frozenset()
     units: Literal["SI", "US"] = "SI"
     words: Mapping[str, str] = field(default_factory=dict)
+    stamp: str = ""
+
+    @property
+    def origin(self) -> str:
+        """Where it comes from: the program, and the stamp of the results."""
+        return f"{self.program}, {STAMP} {self.stamp}" if self.stamp else self.program
 
     def said(self, text: str) -> str:
         """A word of a renderer in the language of the document."""

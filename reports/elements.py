@@ -147,9 +147,10 @@ def _kind(column: Column) -> str:
 def _step(line: Line) -> str:
     clause = f'<span class="clause">{markup(line.clause)}</span>' if line.clause else ""
     numbers = f'<span class="numbers">= {_formula(line.substituted)}</span>' if line.substituted else ""
+    value = markup(outcome(line.value, line.unit, line.beside))
     return (
         f'<tr><th scope="row">{_formula(line.symbol)}</th><td>{_formula(line.description)}{clause}</td>'
-        f"<td>{_formula(line.formula)}{numbers}</td><td>{markup(outcome(line.value, line.unit))}</td></tr>\n"
+        f"<td>{_formula(line.formula)}{numbers}</td><td>{value}</td></tr>\n"
     )
 
 

@@ -11,6 +11,7 @@ from reports import tables
 from reports.document import Block, Cell, Column, Figure, Section, Table, Text
 from reports.figures import envelope as figure
 from reports.numerals import numeral
+from reports.told import said as said_of
 
 PULSES = {
     "sine": "one full sine",
@@ -121,7 +122,11 @@ def chapter(mechanism: MechanismResult, records: Sequence[RecordResult], name: s
     )
     draw = partial(figure.draw, one, records)
     raised = mechanism.amplification
-    said = (f"Amplification ({raised.method}): {'; '.join(raised.said)}.",) if level == 0 and raised.said else ()
+    said = (
+        (f"Amplification ({raised.method}): {'; '.join(map(said_of, raised.said))}.",)
+        if level == 0 and raised.said
+        else ()
+    )
     return [Section(title, level, (Text((findings(one), *said)), Figure(f"{name}-envelope", caption, draw)))]
 
 

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from tempfile import TemporaryDirectory
 
 from matplotlib.figure import Figure
 
+from assess.outputs.single import written
 from reports.png import write_png
 from reports.style import styled
 from reports.svg import picture, write_svg
@@ -33,11 +32,6 @@ WRITERS: Mapping[str, Callable[[Figure, Path, str], None]] = {".svg": _svg, ".pd
 
 def write_figure(figure: Figure, path: Path, *, creator: str) -> Path:
     """Write `figure` to `path`, whole or not at all, in the form its ending names (a key of WRITERS); the path."""
-    try:
-        with TemporaryDirectory(prefix=".assess-partial-", dir=path.parent) as folder:
-            made = Path(folder) / path.name
-            WRITERS[path.suffix.lower()](figure, made, creator)
-            os.replace(made, path)
-    except OSError as error:
-        raise OSError(error.errno, error.strerror, str(path)) from None
+    with written(path, command="a command that draws a figure") as made:
+        WRITERS[path.suffix.lower()](figure, made, creator)
     return path

@@ -112,7 +112,7 @@ def _step(line: Line, rooms: list[float]) -> list[Set]:
     what, how = [_formula(line.description)], [_formula(line.formula)]
     what += [_written(line.clause, "muted")] if line.clause else []
     how += [_formula(f"= {line.substituted}")] if line.substituted else []
-    columns = ([_formula(line.symbol)], what, how, [_written(outcome(line.value, line.unit), "cell")])
+    columns = ([_formula(line.symbol)], what, how, [_written(outcome(line.value, line.unit, line.beside), "cell")])
     return [cell(column, "cell", width=room) for column, room in zip(columns, rooms, strict=True)]
 
 

@@ -44,7 +44,7 @@ def write_html(document: Document, path: Path, *, pictures: Mapping[str, Picture
         language=markup(document.language),
         **{name: markup(document.said(text)) for name, text in FRAME.items()},
         policy=policy(style=style, script=script),
-        program=markup(document.program),
+        program=markup(document.origin),
         title=markup(shortened(document.title, _LONGEST_TITLE)),
         subject=markup(document.subject),
         style=style,

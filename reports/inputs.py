@@ -7,6 +7,7 @@ from dataclasses import replace
 from assess.results import Results
 from reports.document import Column, Table
 from reports.numerals import entries
+from reports.told import said
 
 
 def inputs(results: Results) -> Table:
@@ -36,6 +37,6 @@ def values_set(results: Results) -> Table:
 
 def warnings(results: Results) -> Table:
     """What the engineer should know."""
-    rows = tuple((each.key, each.severity.value, each.where, each.text) for each in results.warnings)
+    rows = tuple((each.key, each.severity.value, each.where, said(each)) for each in results.warnings)
     columns = (Column("Code", kind="given"), Column("Severity"), Column("Where", kind="given"), Column("What"))
     return Table("warnings", "Warnings and notes of this run.", columns, rows)

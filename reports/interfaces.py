@@ -10,6 +10,7 @@ from assess.results import MechanismResult
 from reports import governing, joints
 from reports.document import Block, Cell, Column, Figure, Table, Text
 from reports.figures import contact, moment_rotation
+from reports.measures import measure
 from reports.numerals import numeral
 
 RIGID, UNLIMITED, NEVER = "rigid", "unlimited", "never"
@@ -103,11 +104,15 @@ def _pressed(interface: dict[str, Any], rotation: float) -> str:
     """Stress, resultant, open and crushed parts of one joint at a rotation of the mechanism [rad]."""
     stress, resultant, opened, crushed = joints.values_at(interface, rotation)
     strength = interface["strength_pa"]
-    limit = "" if strength is None else f" (strength {numeral(strength / 1e6, digits=3)} MPa)"
+    limit = "" if strength is None else f" (strength {_aligned(strength / 1e6, 'MPa')})"
     return (
-        f"joint {interface['hinge']} presses with up to {numeral(stress / 1e6, digits=3)} MPa{limit}, resultant "
-        f"{numeral(resultant, digits=3)} m from the edge, {_percent(opened)} of it open and {_percent(crushed)} crushed"
+        f"joint {interface['hinge']} presses with up to {_aligned(stress / 1e6, 'MPa')}{limit}, resultant "
+        f"{_aligned(resultant, 'm')} from the edge, {_percent(opened)} of it open and {_percent(crushed)} crushed"
     )
+
+
+def _aligned(value: float, unit: str) -> str:
+    return measure(value, unit, figures=3, style="aligned")
 
 
 def _percent(share: float) -> str:

@@ -9,6 +9,7 @@ from assess.codes.verdict_text import holds_text, index_text, outcome_text
 from assess.results import Results
 from reports.document import Cell, Column, Table
 from reports.tables import name_of
+from reports.told import said
 
 ANSWER = Column("Answer", kind="verdict")
 COLUMNS = (
@@ -53,5 +54,5 @@ def _rows(one: MechanismVerdict, found: Verdict, names: Mapping[str, str]) -> It
 def _why(answer: Answer, one: MechanismVerdict) -> str:
     """Why it ends so, and which input is missing where that alone stands in the way of its answer."""
     if answer.outcome == one.outcome or not one.missing:
-        return answer.reason.text
-    return f"{answer.reason.text}; missing: {', '.join(each.key for each in one.missing)}"
+        return said(answer.reason)
+    return f"{said(answer.reason)}; missing: {', '.join(each.key for each in one.missing)}"

@@ -43,12 +43,13 @@ def bounded(value: float | None, bound: str) -> float | str | None:
     return value if value is None or not bound else f"{SIGNS[bound]} {given(value)}"
 
 
-def outcome(value: float | str | None, unit: str) -> str:
-    """What a step of a calculation came to, with its unit; a dash where there is no value."""
+def outcome(value: float | str | None, unit: str, beside: tuple[float, str] | None = None) -> str:
+    """What a step of a calculation came to, with its unit, 1.234 m (4.049 ft); a dash where there is no value."""
     if value is None:
         return "—"
     number = value if isinstance(value, str) else _result(value)
-    return number if unit == "-" else f"{number} {unit}"
+    other = "" if beside is None else f" ({numeral(beside[0])} {beside[1]})"
+    return number if unit == "-" else f"{number} {unit}{other}"
 
 
 def _result(value: float) -> str:

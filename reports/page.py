@@ -87,7 +87,7 @@ class Pages(BaseDocTemplate):
             title=shortened(printable(document.title), 200),
             author=shortened(printable(document.author), 200),
             subject=document.subject,
-            creator=document.program,
+            creator=document.origin,
             producer=document.program,
             invariant=1,
             lang=document.language,
@@ -113,7 +113,7 @@ class Pages(BaseDocTemplate):
         canvas.drawString(left, head, shortened(printable(self.document.title), 70))
         canvas.drawRightString(right, head, shortened(printable(_reference(self.document)), 40))
         canvas.line(left, head - 4, right, head - 4)
-        canvas.drawString(left, 12 * mm, self.document.program)
+        canvas.drawString(left, 12 * mm, self.document.origin)
         page = self.page
         canvas.later(f"number-{page}", lambda canvas: self._number(canvas, page))
         canvas.restoreState()

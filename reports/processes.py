@@ -10,6 +10,8 @@ from contextlib import contextmanager
 from multiprocessing import get_context
 from typing import Any
 
+from assess.workers import become_worker, ended_on_error
+
 
 class _Here(Executor):
     """Does what is asked at once, in this process."""
@@ -31,7 +33,7 @@ class _Copies(ProcessPoolExecutor):
     """
 
     def __init__(self, jobs: int, subject: object) -> None:
-        super().__init__(jobs, mp_context=get_context("fork"), initializer=_keep, initargs=(subject,))
+        super().__init__(jobs, mp_context=get_context("fork"), initializer=become_worker, initargs=(_keep, subject))
 
     def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
         with warnings.catch_warnings():
@@ -57,13 +59,11 @@ def processes(jobs: int, subject: object) -> Iterator[Pool]:
     """What does work on `jobs` processes besides this one; at 1, and where a process cannot be copied, in this one.
 
     A function that is submitted gets the `subject` before its arguments: that need not be sent, however large it is.
-    An error ends the rest: what has not begun is not done.
+    An error ends the rest at once.
     """
-    copies = jobs > 1 and sys.platform == "linux"
-    pool: Pool = _Copies(jobs, subject) if copies else _Here(subject)
-    try:
+    if jobs == 1 or sys.platform != "linux":
+        yield _Here(subject)
+        return
+    pool = _Copies(jobs, subject)
+    with ended_on_error(pool):
         yield pool
-    except BaseException:
-        pool.shutdown(cancel_futures=True)
-        raise
-    pool.shutdown()

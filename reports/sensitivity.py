@@ -12,7 +12,8 @@ from assess.results import Results, SensitivityResult
 from reports.document import Block, Cell, Column, Figure, Section, Table, Text
 from reports.figures import tornado
 from reports.lettering import shortened
-from reports.numerals import given, numeral
+from reports.measures import number, unit_word
+from reports.numerals import numeral
 from reports.tables import OVERTURNED
 from reports.varied import SIDES, At, Side, Varied, fails, flips, is_still, span, value, varied, verdict
 
@@ -184,7 +185,8 @@ def measured(row: SensitivityResult, value: float | None) -> tuple[str, str]:
         return "not known", ""
     size = abs(row.base or value)
     unit = next((name for least, name in LARGE.get(row.unit, ()) if size >= least), row.unit)
-    return given(float(f"{value / SIZES.get(unit, 1.0):.4g}")), "" if unit == "-" else unit
+    shown = number(value / SIZES.get(unit, 1.0), unit, figures=4, style="round")
+    return shown, "" if unit == "-" else unit_word(unit)
 
 
 def name_of(row: SensitivityResult) -> str:

@@ -9,7 +9,9 @@ from assess.results import MechanismResult, Results, View
 from assess.texts import TEXTS
 from reports import interfaces
 from reports.lettering import shortened
+from reports.measures import measure, measures
 from reports.tables import name_of
+from reports.told import said
 
 SLIDING = "sliding"
 GROUND_AT_HEIGHT = "ground-motion"  # key of a remark
@@ -43,11 +45,12 @@ def amplification(mechanism: MechanismResult) -> tuple[str, ...]:
     found = mechanism.amplification
     factors = [each.factor for each in found.factors]
     span = "" if not factors else f" Peak accelerations at the base are {_span(factors)} times those at the ground."
+    height = measure(found.height_m or 0.0, "m", figures=3)
     return (
-        f"The time histories act at the base of the mechanism, {found.height_m:.3g} m above the ground, not at the "
-        f"ground (method {found.method}).{span} The code procedures that ask for a spectrum have their own floor "
-        "clause or floor spectrum, so their input is another one.",
-        f"How it was found: {'; '.join(found.said)}.",
+        f"The time histories act at the base of the mechanism, {height} above the ground, not at the ground (method "
+        f"{found.method}).{span} The code procedures that ask for a spectrum have their own floor clause or floor "
+        "spectrum, so their input is another one.",
+        f"How it was found: {'; '.join(map(said, found.said))}.",
     )
 
 
@@ -221,12 +224,12 @@ def sketch(mechanism: MechanismResult) -> str:
 
 def view(seen: View) -> str:
     """What the picture of the bodies shows."""
-    wide, long, high = (f"{length:.3g}" for length in seen.size)
+    size = measures(seen.size, "m", figures=3, between=" × ")
     stays = " Grey masonry does not move." if -1 in seen.block_of else ""
     cut = " Thin dashes: the section where it parts." if seen.sections else ""
     light = "" if len(seen.triangles) == seen.given else f" Simplified for drawing from {seen.given} triangles."
     return (
-        f"The bodies in space, {wide} × {long} × {high} m along x, y and z: axis of rotation (red), of the negative "
+        f"The bodies in space, {size} along x, y and z: axis of rotation (red), of the negative "
         f"branch (blue, dashed), and direction of motion (arrow).{stays}{cut}{light}"
     )
 

@@ -13,7 +13,7 @@ from xlsxwriter import Workbook
 from xlsxwriter.format import Format
 from xlsxwriter.worksheet import Worksheet
 
-from reports.document import Cell, Column, Document, Table
+from reports.document import STAMP, Cell, Column, Document, Table
 from reports.lettering import shortened, visible
 from reports.numerals import FIGURES, decimals, numeral
 from reports.sheets import as_table
@@ -103,6 +103,7 @@ def number_format(value: float) -> str:
 
 def _describe(book: Workbook, document: Document) -> None:
     texts = {"title": document.title, "subject": document.subject, "author": document.program}
+    texts["keywords"] = f"{STAMP} {document.stamp}" if document.stamp else ""
     described = {key: shortened(visible(text), _LONGEST_PROPERTY) for key, text in texts.items()}
     book.set_properties({**described, "created": _CREATED})
 
@@ -110,7 +111,7 @@ def _describe(book: Workbook, document: Document) -> None:
 def _contents(sheet: Worksheet, document: Document, names: list[str], starts: list[int], *, book: _Book) -> None:
     titles = document.titles
     _write(sheet, 0, 0, document.title, book.format(_TITLE))
-    _write(sheet, 1, 0, f"{document.subject}; {document.program}", book.format(_GREY))
+    _write(sheet, 1, 0, f"{document.subject}; {document.origin}", book.format(_GREY))
     _head(sheet, 3, [Column(document.said(text)) for text in ("Sheet", "In the report", "What it holds")], book=book)
     lines = [
         (name, f"'{name}'!A1", titles.get(("Table", table.name), "—"), table.caption)
@@ -142,7 +143,7 @@ def _alone(sheet: Worksheet, table: Table, *, said: Callable[[str], str], book: 
 def _sheets(sheet: Worksheet, document: Document, starts: list[int], *, book: _Book) -> None:
     for start, each in zip(starts, document.sheets, strict=True):
         _table(sheet, as_table(each, said=document.said), start=start, said=document.said, book=book)
-    _widths(sheet, (14, 50, 34, 40, 50, 14, 12))
+    _widths(sheet, (14, 50, 34, 40, 50, 14, 12, 14, 12))
     _paper(sheet, head=None)
 
 

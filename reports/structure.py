@@ -9,6 +9,7 @@ from assess.results import MechanismResult, Resolved, Results
 from reports import joints, tables
 from reports.document import Block, Cell, Column, Figure, Section, Table, filled
 from reports.figures import overview
+from reports.measures import typed, unit_word
 from reports.numerals import as_cell
 from reports.tables import name_of
 
@@ -19,7 +20,7 @@ _MATERIAL = (
     ("tensile_strength", "Tensile strength, f_mt", "Pa"),
     ("friction", "Friction, μ", "-"),
 )
-_GEOMETRY = {"mesh": "", "box": " m", "profile": " m", "mass": " kg"}  # with their units
+_GEOMETRY = {"mesh": "", "box": "m", "profile": "m", "mass": "kg"}  # with their units
 Tables = dict[str, dict[str, Resolved]]
 
 
@@ -62,7 +63,7 @@ def bodies(results: Results) -> Table:
     rows = tuple(
         (name, _value(found, "material"), _geometry(found)) for name, found in tables_of(results, "bodies").items()
     )
-    return Table("bodies", "Bodies.", (Column("Body"), Column("Material"), Column("Geometry (SI)")), rows)
+    return Table("bodies", "Bodies.", (Column("Body"), Column("Material"), Column("Geometry")), rows)
 
 
 def tables_of(results: Results, table: str) -> Tables:
@@ -85,8 +86,12 @@ def _geometry(found: Mapping[str, Resolved]) -> str:
         inside = {name: each.value for name, each in found.items() if name == key or name.startswith(f"{key}.")}
         given = {name: value for name, value in inside.items() if value is not None}
         if given:
-            return "; ".join(f"{name.replace('.', ' ')} {as_cell(value)}{unit}" for name, value in given.items())
+            return "; ".join(f"{name.replace('.', ' ')} {_sized(value, unit)}" for name, value in given.items())
     return ""
+
+
+def _sized(value: object, unit: str) -> Cell:
+    return f"{typed(value, unit)} {unit_word(unit)}" if unit else as_cell(value)
 
 
 def mechanisms(results: Results) -> Table:

@@ -6,7 +6,7 @@ import re
 
 from assess.codes.check import Check, Outcome, Reason
 from assess.results import MechanismResult, Results
-from reports import governing
+from reports import governing, told
 from reports.document import Cell, Column, Table
 from reports.numerals import bounded
 
@@ -152,8 +152,8 @@ def _curved(checks: tuple[Check, ...]) -> tuple[Check, ...]:
 
 def said(check: Check) -> tuple[Cell, ...]:
     """What a check says besides its numbers: outcome, role, reading, where its input acts, why, what bears on it."""
-    beside = "; ".join(dict.fromkeys(each.text for each in (*check.conditions, *check.remarks)))
-    return (check.verdict.value, check.role, check.reading, check.input_at, check.reason.text, beside)
+    beside = "; ".join(dict.fromkeys(told.said(each) for each in (*check.conditions, *check.remarks)))
+    return (check.verdict.value, check.role, check.reading, check.input_at, told.said(check.reason), beside)
 
 
 def numbers(check: Check, among: tuple[Check, ...]) -> tuple[Cell, Cell, Cell, Cell, Cell]:

@@ -7,12 +7,11 @@ from dataclasses import replace
 
 from reports.customary import Customary, customary
 from reports.document import Block, Cell, Column, Document, Line, Section, Sheet, Table, Text
-from reports.numerals import numeral
 
 WORKED_IN_SI = (
     "Calculation sheets are worked in SI units, as the constants of the clauses are printed; the result of each step "
     "stands beside it in US customary units, accelerations in g = 32.174 ft/s². Values of the project file are listed "
-    "in SI units."
+    "in SI units, and so are remarks on meshes, loads and records."
 )
 UNIT, QUANTITY = "Unit", "Quantity, unit"
 ROWS: Mapping[str, tuple[str, ...]] = {
@@ -25,7 +24,7 @@ ROWS: Mapping[str, tuple[str, ...]] = {
 def in_us_units(document: Document) -> Document:
     """The document with every number of its tables in US units, to full precision; sheets in both systems.
 
-    Captions, sentences and figures: `reports.us_words`, `reports.us_axes`. Headings of tables are taken to be English.
+    Captions, sentences and figures: `reports.measures`, `reports.us_axes`. Headings of tables are taken to be English.
     """
     sections = [
         replace(section, blocks=tuple(_block(block) for block in section.blocks)) for section in document.sections
@@ -50,11 +49,11 @@ def _noted(sections: list[Section]) -> tuple[Section, ...]:
 
 
 def _line(line: Line) -> Line:
-    """A step with its result in both systems: 1.234 m (4.049 ft)."""
+    """A step with its result in both systems."""
     found = customary(line.unit)
     if found is None or not isinstance(line.value, float | int):
         return line
-    return replace(line, unit=f"{line.unit} ({numeral(line.value * found.factor)} {found.unit})")
+    return replace(line, beside=(line.value * found.factor, found.unit))
 
 
 def table(one: Table) -> Table:

@@ -19,7 +19,7 @@ _KEPT = 8  # characters by which a shortened text is known
 def verbatim(results: Results) -> frozenset[str]:
     """Every text that the user, a file or a record gave: names, labels, titles, notes, paths, sources."""
     program = f"{results.program.name} {results.program.version}"
-    found = {program, *_of_project(results), *_of_records(results), *_of_mechanisms(results)}
+    found = {program, results.stamp, *_of_project(results), *_of_records(results), *_of_mechanisms(results)}
     return frozenset(text.strip() for text in found if text and text.strip())
 
 

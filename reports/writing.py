@@ -65,7 +65,7 @@ def write_document(
         say("report")
         path = write_pdf(document, folder / name, drawings=drawings)
         pictures = {figure: picture(drawing) for figure, drawing in drawings.items()}
-        _write_figures(drawings, pictures, folder / "figures", forms=figures, creator=document.program)
+        _write_figures(drawings, pictures, folder / "figures", forms=figures, creator=document.origin)
         write_html(document, path.with_suffix(".html"), pictures=pictures)
         say("tables")
         tables.result()

@@ -7,8 +7,9 @@ lines and lines that begin with # are skipped. Spectrum tables and record files 
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import chain, islice, takewhile
 from pathlib import Path
 
 import numpy as np
@@ -23,6 +24,8 @@ ACCELERATION_UNITS: Mapping[str, float] = {"m/s2": 1.0, "g": g, "cm/s2": 0.01, "
 SEPARATORS = (";", "\t", ",")
 BRACKETS = re.compile(r"\[([^\]]*)\]|\(([^)]*)\)")
 DECIMAL_COMMA = re.compile(r"\d,\d")
+PART = 1_000_000  # characters
+BATCH = 50_000  # lines that are turned into numbers at once
 CONTROL = re.compile(r"[\x00-\x08\x0e-\x1f\x7f]")
 
 
@@ -36,10 +39,12 @@ class Columns:
 
     header : label of each column as written, "" where the file has no header
     values : one row for each line of numbers, as written [n, 2]
+    comments : the lines with # above both
     """
 
     header: tuple[str, str]
     values: FloatArray
+    comments: tuple[str, ...] = ()
 
     @property
     def units(self) -> tuple[str | None, str | None]:
@@ -52,16 +57,20 @@ def read_columns(path: Path) -> Columns:
 
     Raises ColumnError for a file that is empty, is not text, has a line that is not two numbers, or no numbers.
     """
-    lines = _lines(decode(path.read_bytes(), where=str(path)))
-    if not lines:
+    text = decode(path.read_bytes(), where=str(path))
+    lines = _lines(text)
+    top = next(lines, None)
+    if top is None:
         raise ColumnError(f"{path}: the file is empty; two columns of numbers are expected")
-    separator = separator_of(lines[0][1])
-    first = split(lines[0][1], separator)
-    header = ("", "") if is_row(first) else _header(first, where=f"{path}: line {lines[0][0]}")
-    rows = lines if is_row(first) else lines[1:]
-    if not rows:
+    separator = separator_of(top[1])
+    first = split(top[1], separator)
+    header = ("", "") if is_row(first) else _header(first, where=f"{path}: line {top[0]}")
+    rows = chain([top], lines) if is_row(first) else lines
+    values = [_numbers(batch, separator, path=path) for batch in iter(lambda: list(islice(rows, BATCH)), [])]
+    if not values:
         raise ColumnError(f"{path}: no numbers below the header; the file is cut short")
-    return Columns(header, _numbers(rows, separator, path=path))
+    comments = takewhile(lambda line: not line.strip() or line.lstrip().startswith("#"), _each(text))
+    return Columns(header, np.concatenate(values), tuple(comments))
 
 
 def decode(data: bytes, *, where: str) -> str:
@@ -114,10 +123,19 @@ def factor_of(unit: str, *, known: Mapping[str, float]) -> float:
     return known[name]
 
 
-def _lines(text: str) -> list[tuple[int, str]]:
+def _each(text: str) -> Iterator[str]:
+    """The lines of a text, a part of it at a time, for a long file has millions of them."""
+    start = 0
+    while start < len(text):
+        end = text.find("\n", start + PART) + 1 or len(text)
+        yield from text[start:end].splitlines()
+        start = end
+
+
+def _lines(text: str) -> Iterator[tuple[int, str]]:
     """Line number and content of every line that is neither blank nor a comment."""
-    lines = enumerate(text.splitlines(), start=1)
-    return [(number, line) for number, line in lines if line.strip() and not line.lstrip().startswith("#")]
+    lines = enumerate(_each(text), start=1)
+    return ((number, line) for number, line in lines if line.strip() and not line.lstrip().startswith("#"))
 
 
 def _header(fields: list[str], *, where: str) -> tuple[str, str]:

@@ -1,22 +1,23 @@
 """The command line: one file per command, no logic. `main` is the entry point and turns every failure into one line.
 
-Exit codes: 0 done, no check fails; 1 done, some check fails; 2 the input is wrong; 70 a bug in the program.
+Exit codes: 0 done, no check fails; 1 done, some check fails; 2 the input is wrong; 70 a bug in the program;
+128 and the number of the signal that ended it.
 """
 
 from __future__ import annotations
 
 import gc
+import signal
 import sys
-from collections.abc import Iterator
-from contextlib import contextmanager
 from typing import NoReturn
 
 from assess.errors import AssessError
+from assess.signals import Terminated, orderly
 from records.errors import RecordError
 from spectra.errors import SpectrumError
 
 INPUT_IS_WRONG = 2
-INTERRUPTED = 130
+BY_SIGNAL = 128
 BUG = 70
 MADE_BETWEEN_COLLECTIONS = 2_000_000  # objects: looking for unreachable ones oftener takes a twentieth of a run
 
@@ -25,7 +26,7 @@ def main(arguments: list[str] | None = None) -> NoReturn:
     """Run one command with `arguments`, those of the process if None, and end the process."""
     gc.set_threshold(MADE_BETWEEN_COLLECTIONS)
     try:
-        with _interrupted_when_terminated():
+        with orderly():
             from assess.cli.app import app
 
             code = app(args=arguments, prog_name="assess", standalone_mode=False)
@@ -33,8 +34,10 @@ def main(arguments: list[str] | None = None) -> NoReturn:
         _end(f"error: {error}", INPUT_IS_WRONG)
     except OSError as error:
         _end(f"error: {_file_trouble(error)}", INPUT_IS_WRONG)
+    except Terminated as signalled:
+        _end("terminated", BY_SIGNAL + signalled.number)
     except KeyboardInterrupt:
-        _end("interrupted", INTERRUPTED)
+        _end("interrupted", BY_SIGNAL + signal.SIGINT)
     except Exception as error:
         from assess.cli.usage import usage
 
@@ -68,19 +71,3 @@ def _log() -> str:
     except OSError as error:
         return f"not written, {error.strerror}"
     return log.name
-
-
-@contextmanager
-def _interrupted_when_terminated() -> Iterator[None]:
-    """A polite kill stops the run like Ctrl-C does, so that no half-written output is left."""
-    import signal
-    import threading
-
-    if threading.current_thread() is not threading.main_thread():
-        yield
-        return
-    before = signal.signal(signal.SIGTERM, signal.default_int_handler)
-    try:
-        yield
-    finally:
-        signal.signal(signal.SIGTERM, before)

@@ -8,7 +8,7 @@ from typing import Any
 
 from assess.cli.parameter_table import table_text, weakest_text
 from assess.mechanisms.chain import metres
-from assess.message import Message
+from assess.message import Message, text_of
 from assess.project.messages import printable
 from assess.project.schema import Project
 from assess.project.study import Sweep, Unvaried, Variable
@@ -87,7 +87,7 @@ def _amplification(m: MechanismResult) -> list[str]:
     found = m.amplification
     if found.height_m is None:
         return []
-    lines = [f"{found.method}, base {found.height_m:.4g} m above the ground", *map(printable, found.said)]
+    lines = [f"{found.method}, base {found.height_m:.4g} m above the ground", *map(printable, map(text_of, found.said))]
     return [f"  {'motion' if i == 0 else '':<11} {line}" for i, line in enumerate(lines)]
 
 

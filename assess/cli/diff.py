@@ -32,11 +32,12 @@ def diff(
     if as_json and as_csv:
         raise typer.BadParameter("--json and --csv exclude each other")
     from assess.cli.diff_table import changes_text, csv_text, json_text
+    from assess.cli.reading import results_at
     from assess.comparing import changes
-    from assess.results_io import located, read
 
-    first, second = (read(located(path)) for path in (before, after))
-    found = changes(first, second, tolerance=tolerance)
-    text = json_text if as_json else csv_text if as_csv else changes_text
-    print(text(found), end="")
+    first, second = results_at(before), results_at(after)
+    with first.believed(), second.believed():
+        found = changes(first.results, second.results, tolerance=tolerance)
+        text = (json_text if as_json else csv_text if as_csv else changes_text)(found)
+    print(text, end="")
     raise typer.Exit(1 if exit_code and found else 0)

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-import os
 import sys
+from contextlib import nullcontext
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
-from assess.cli.arguments import ProjectPath
+from assess.cli.arguments import Jobs, ProjectPath
 
 
 def envelope(
@@ -27,9 +27,7 @@ def envelope(
         bool, typer.Option("--json", help="Print mechanisms' envelopes and the critical ones as in results.json.")
     ] = False,
     as_csv: Annotated[bool, typer.Option("--csv", help="Print the lower bounds as CSV, at full precision.")] = False,
-    jobs: Annotated[
-        int | None, typer.Option("--jobs", metavar="N", min=1, help="Processor cores to use; all if absent.")
-    ] = None,
+    jobs: Jobs = None,
 ) -> None:
     """Find which pulses of the ground overturn each mechanism, and which mechanism is critical at each frequency.
 
@@ -43,24 +41,31 @@ def envelope(
     loaded = load(project)
     from assess.cli.description import warned
     from assess.cli.envelope_table import csv_text, json_text, table_text
-    from assess.cli.outputs import ENVELOPES, staged
-    from assess.cli.processes import processes
+    from assess.cli.processes import cores, processes
     from assess.cli.progress import progress
+    from assess.cli.warning import tell
+    from assess.outputs.folder import staged
+    from assess.outputs.manifest import ENVELOPES
     from assess.project.build import build
     from assess.project.run import envelope as of_study
     from assess.results_io import dumps
 
-    with processes(jobs) as executor:
-        study = build(loaded, executor=executor)
-    with progress() as said:
-        results = of_study(study, jobs=jobs or os.cpu_count() or 1, progress=said.count)
-        if output is not None:
+    wanted = (ENVELOPES, "envelopes.pdf", "envelopes.html", "tables.xlsx")
+    place = (
+        nullcontext()
+        if output is None
+        else staged(output, command="assess envelope", owner=ENVELOPES, wanted=wanted, tell=tell)
+    )
+    with place as stage, progress() as said:
+        with processes(jobs) as executor:
+            study = build(loaded, executor=executor)
+        results = of_study(study, jobs=jobs or cores(), progress=said.count)
+        if stage is not None:
             from reports.assessment import of_envelopes
             from reports.writing import write_document
 
-            with staged(output, results=ENVELOPES) as stage:
-                (stage / ENVELOPES).write_bytes(dumps(results).encode())
-                write_document(of_envelopes(results), stage, name="envelopes.pdf", jobs=jobs or 0, progress=said.step)
+            (stage / ENVELOPES).write_bytes(dumps(results).encode())
+            write_document(of_envelopes(results), stage, name="envelopes.pdf", jobs=jobs or 0, progress=said.step)
     if as_json or as_csv:  # the table ends with them
         print(warned(results.warnings), end="", file=sys.stderr)
     print((json_text if as_json else csv_text if as_csv else table_text)(results), end="")

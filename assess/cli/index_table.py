@@ -19,6 +19,8 @@ def table_text(found: Indexed, place: Path, *, described: int, merged: Merged | 
     counts = f"{found.read} files read, {found.unchanged} unchanged, {found.gone} gone"
     lines = [
         f"{counts}; {found.records} records, {described} of known magnitude; {len(found.problems)} files not readable",
+        *(["the catalogue was of an older version: every file was read again"] if found.older else []),
+        *(f"{path}: its rows in the catalogue were damaged; it was read again" for path in found.damaged),
         *([] if merged is None else _flatfile(merged)),
         *(f"{path}: {why}" for path, why in found.problems),
         str(place),

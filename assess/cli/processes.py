@@ -6,11 +6,12 @@ import os
 from collections.abc import Iterator
 from concurrent.futures import Executor
 from contextlib import contextmanager
-from typing import Annotated
 
-import typer
 
-Jobs = Annotated[int | None, typer.Option("--jobs", metavar="N", min=1, help="Processor cores to use; all if absent.")]
+def cores() -> int:
+    """The processor cores that this process may use."""
+    allowed = getattr(os, "sched_getaffinity", None)
+    return len(allowed(0)) if allowed is not None else os.cpu_count() or 1
 
 
 @contextmanager
@@ -19,12 +20,12 @@ def processes(jobs: int | None) -> Iterator[Executor | None]:
 
     Its workers start only when it is given something to do.
     """
-    number = jobs or os.cpu_count() or 1
+    number = jobs or cores()
     if number == 1:
         yield None
         return
-    from concurrent.futures import ProcessPoolExecutor
-    from multiprocessing import get_context
+    from assess.workers import SpawnedPool, ended_on_error
 
-    with ProcessPoolExecutor(number, mp_context=get_context("spawn")) as executor:
-        yield executor
+    pool = SpawnedPool(number)
+    with ended_on_error(pool):
+        yield pool

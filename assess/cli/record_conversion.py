@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import os
-import tempfile
 from collections.abc import Sequence
 from dataclasses import dataclass
 from math import isfinite, radians
 from pathlib import Path
 
 from assess.errors import AssessError
+from assess.outputs.single import written
 from records.orientation import is_vertical
 from records.processing import baseline_corrected, butterworth, resampled, trimmed
 from records.record import Record, scaled
@@ -105,17 +104,5 @@ def write(text: str, path: Path, *, inputs: Sequence[Path]) -> None:
     """The text in the file at `path`, whole or not at all."""
     if path.is_dir() or any(path.exists() and path.samefile(each) for each in inputs):
         raise AssessError(f"{path}: is a folder or a file that is read; give another name with -o")
-    if not path.parent.is_dir():
-        raise AssessError(f"{path}: there is no folder {path.parent}; make it first")
-    try:
-        handle, partial = tempfile.mkstemp(prefix=".assess-partial-", dir=path.parent)
-    except OSError as error:
-        raise AssessError(f"{path}: cannot be written: {error.strerror}; give another place") from None
-    try:
-        with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as file:
-            file.write(text)
-        os.chmod(partial, 0o644)
-        os.replace(partial, path)
-    except BaseException:
-        Path(partial).unlink(missing_ok=True)
-        raise
+    with written(path, command="assess records convert") as made:
+        made.write_text(text, encoding="utf-8", newline="\n")

@@ -54,11 +54,11 @@ def list_records(
         raise typer.BadParameter("--json and --csv exclude each other")
     from assess.cli.record_table import csv_text, json_text, table_text
     from assess.cli.warning import warn
-    from records.plausibility import doubt_of
+    from records.plausibility import doubt_of, doubts_among
     from records.reading import read
 
     found = [record for file in files for record in read(file, unit=unit, step=step, response=response)]
-    warn([doubt_of(record) for record in found])
+    warn([*map(doubt_of, found), *doubts_among(found)])
     text = json_text if as_json else csv_text if as_csv else table_text
     print(text(found), end="")
 
@@ -97,13 +97,13 @@ def convert(
         raise typer.BadParameter("--azimuth and --rotd exclude each other")
     from assess.cli.record_conversion import Processing, chosen, processed, text_of, write
     from assess.cli.warning import warn
-    from records.plausibility import doubt_of
+    from records.plausibility import doubt_of, doubts_among
     from records.reading import read
 
     found = [record for file in files for record in read(file, unit=unit, step=step, response=response)]
     wanted = Processing(azimuth, rotd, baseline, low_cut, high_cut, order, trim, resample, scale)
     used = chosen(found, component=component, turned=wanted.turns)
-    warn([doubt_of(record) for record in used])
+    warn([*map(doubt_of, used), *doubts_among(used)])
     record = processed(used, wanted)
     write(text_of(record, output, unit=to_unit), output, inputs=files)
     print(f"{output}: {record.npts} samples at {record.dt:.6g} s; {'; '.join(record.trail)}")

@@ -7,7 +7,8 @@ from typing import Annotated
 
 import typer
 
-from assess.cli.processes import Jobs, processes
+from assess.cli.arguments import Jobs
+from assess.cli.processes import processes
 from assess.cli.records import Response, Step, Unit
 
 Folder = Annotated[Path, typer.Argument(metavar="FOLDER", help="Folder of record files, with all below it.")]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import nullcontext
 from pathlib import Path
 from typing import Annotated
 
@@ -37,18 +38,24 @@ def scale(
         raise typer.BadParameter("--json and --csv exclude each other")
     if at is not None and to != "spectrum":
         raise typer.BadParameter("--at and --to exclude each other")
-    from assess.cli.outputs import staged
     from assess.cli.suite_table import csv_text, json_text, table_text
+    from assess.cli.warning import tell
+    from assess.outputs.folder import staged
+    from assess.outputs.manifest import RECORDS
     from assess.project.choosing import scaled_files
     from records.formats.stated import Stated
     from records.record import scaled
     from records.writing import csv_text as record_text
 
-    motions, suite = scaled_files(target, files, to=to, at=at, periods=periods, stated=Stated(unit, step, response))
-    if output is not None:
-        with staged(output) as stage:
-            for place, motion in enumerate(motions, start=1):
+    stated = Stated(unit, step, response)
+    place = (
+        nullcontext() if output is None else staged(output, command="assess records scale", owner=RECORDS, tell=tell)
+    )
+    with place as stage:
+        motions, suite = scaled_files(target, files, to=to, at=at, periods=periods, stated=stated)
+        for number, motion in enumerate(motions, start=1):
+            if stage is not None:
                 text = record_text(scaled(motion.record, motion.scaling.factor))
                 name = "".join(c if c.isascii() and (c.isalnum() or c in "-._") else "-" for c in motion.record.id)
-                (stage / f"{place:02d}-{name[:60]}.csv").write_text(text, encoding="utf-8")
+                (stage / f"{number:02d}-{name[:60]}.csv").write_text(text, encoding="utf-8")
     print((json_text if as_json else csv_text if as_csv else table_text)(suite), end="")

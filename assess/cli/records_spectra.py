@@ -7,9 +7,10 @@ from typing import Annotated
 
 import typer
 
+from assess.cli.arguments import Jobs
 from assess.cli.checked import damping_ratio
 from assess.cli.figures import FigurePath, refuse_figure
-from assess.cli.processes import Jobs, processes
+from assess.cli.processes import processes
 from assess.cli.records import Response, Step, Unit
 from assess.cli.records_index import Catalogue
 

@@ -30,27 +30,36 @@ def report(
     ] = None,
 ) -> None:
     """Write the report again from results.json, or from the envelopes.json of `assess envelope`, without analysis."""
-    from assess.results_io import read
+    from assess.cli.reading import results_at
 
-    found = read(results)
-    from assess.cli.outputs import ENVELOPES, RESULTS, staged
+    read = results_at(results)
+    found = read.results
     from assess.cli.progress import progress
+    from assess.cli.warning import tell
+    from assess.outputs.folder import staged
+    from assess.outputs.manifest import ENVELOPES, RESULTS
     from reports.assessment import of_envelopes, project
     from reports.writing import Form, write_all, write_document
 
-    wanted = language or _known(project(found, "report.language"), source=results)
-    folder = output or results.parent
+    spoken = language or _known(project(found, "report.language"), source=results)
+    folder = output or read.path.parent
     alone = found.critical is not None and not any(mechanism.checks for mechanism in found.mechanisms)
-    name = ENVELOPES if alone else RESULTS
+    name, stem = (ENVELOPES, "envelopes") if alone else (RESULTS, "report")
+    copied = (name,) if folder.resolve() != read.path.parent.resolve() else ()
+    wanted = (f"{stem}.pdf", f"{stem}.html", "tables.xlsx", *copied)
     figures: tuple[Form, ...] = ("svg", "png") if png else ("svg",)
-    with staged(folder, results=name) as stage, progress() as said:
+    with (
+        staged(folder, command="assess report", owner=name, wanted=wanted, tell=tell) as stage,
+        progress() as said,
+        read.believed(),
+    ):
         if alone:
-            envelopes = replace(of_envelopes(found), language=wanted)
+            envelopes = replace(of_envelopes(found), language=spoken)
             pdf = write_document(envelopes, stage, name="envelopes.pdf", figures=figures, progress=said.step)
         else:
-            pdf = write_all(found, stage, language=wanted, figures=figures, progress=said.step)
-        if not _same_folder(folder, results.parent):
-            (stage / name).write_bytes(results.read_bytes())
+            pdf = write_all(found, stage, language=spoken, figures=figures, progress=said.step)
+        for copy in copied:
+            (stage / copy).write_bytes(read.path.read_bytes())
     print(folder / pdf.relative_to(stage))
 
 
@@ -65,7 +74,3 @@ def _known(language: str, *, source: Path) -> str:
     raise ResultsError(
         f"{source}: project.report.language: {said}: no such language; write {known}, or give --language"
     )
-
-
-def _same_folder(one: Path, other: Path) -> bool:
-    return one.resolve() == other.resolve()

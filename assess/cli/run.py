@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
-import os
 from contextlib import nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from assess.cli.arguments import ProjectPath
+from assess.cli.arguments import Jobs, ProjectPath
 from assess.cli.writer import Begin, writer
 
 if TYPE_CHECKING:
     from assess.results import Results
+
+WRITTEN = ("report.pdf", "report.html", "tables.xlsx")
+"""What the report is, beside its tables and figures."""
 
 
 def run(
@@ -27,9 +29,7 @@ def run(
             help="Where to write; NAME-results beside the project file NAME.toml if absent.",
         ),
     ] = None,
-    jobs: Annotated[
-        int | None, typer.Option("--jobs", metavar="N", min=1, help="Processor cores to use; all if absent.")
-    ] = None,
+    jobs: Jobs = None,
     no_report: Annotated[bool, typer.Option("--no-report", help="Write results.json only.")] = False,
 ) -> None:
     """Assess every mechanism and write the report.
@@ -52,18 +52,21 @@ def _assessed(project: Path, output: Path | None, jobs: int | None, report: Begi
     from assess.project.schema import load
 
     loaded = load(project)  # before the physics is imported, which takes seconds: a slip of the pen is told at once
-    from assess.cli.outputs import RESULTS, staged
-    from assess.cli.processes import processes
+    from assess.cli.processes import cores, processes
     from assess.cli.progress import progress
+    from assess.cli.warning import tell
+    from assess.outputs.folder import staged
+    from assess.outputs.manifest import RESULTS
     from assess.project.build import build
     from assess.project.run import run as run_study
     from assess.results_io import dumps
 
     folder = output or loaded.folder / f"{loaded.path.stem}-results"
-    with staged(folder) as stage, progress() as said:
+    wanted = (RESULTS, *(WRITTEN if report else ()))
+    with staged(folder, command="assess run", wanted=wanted, tell=tell) as stage, progress() as said:
         with processes(jobs) as executor:
             study = build(loaded, executor=executor)
-        results = run_study(study, jobs=jobs or os.cpu_count() or 1, progress=said.count)
+        results = run_study(study, jobs=jobs or cores(), progress=said.count)
         written = report(results, stage, said.step) if report else None
         main_file = stage / RESULTS
         main_file.write_bytes(dumps(results).encode())

@@ -5,7 +5,6 @@ What draws pages takes a second to import, and in most of that time the analysis
 
 from __future__ import annotations
 
-import os
 import signal
 import sys
 import traceback
@@ -16,6 +15,10 @@ from multiprocessing import get_context
 from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import TYPE_CHECKING
+
+from assess.cli.processes import cores
+from assess.signals import TERMINATING
+from assess.workers import end_with_parent
 
 if TYPE_CHECKING:
     from assess.results import Results
@@ -28,7 +31,7 @@ Begin = Callable[["Results", Path, Say], Callable[[], Path]]
 @contextmanager
 def writer(jobs: int | None) -> Iterator[Begin]:
     """What writes a report by `jobs` processes, of all cores if None."""
-    number = jobs or os.cpu_count() or 1
+    number = jobs or cores()
     if number == 1 or sys.platform != "linux":
         yield lambda results, folder, say: lambda: _write(results, folder, say, jobs=number)
         return
@@ -93,7 +96,8 @@ class _Process:
 def _serve(connection: Connection, other_end: Connection, jobs: int) -> None:
     """Get ready, write what comes, tell the stages, and last the path or what went wrong."""
     other_end.close()
-    for number in (signal.SIGINT, signal.SIGTERM):
+    end_with_parent()
+    for number in (signal.SIGINT, *TERMINATING):
         if signal.getsignal(number) is not signal.SIG_IGN:  # as Ctrl-C is in the background: the analysis goes on too
             signal.signal(number, _interrupt)
     try:
@@ -111,7 +115,7 @@ def _serve(connection: Connection, other_end: Connection, jobs: int) -> None:
 
 def _interrupt(*_: object) -> None:
     """End once, however often it is asked for."""
-    for number in (signal.SIGINT, signal.SIGTERM):
+    for number in (signal.SIGINT, *TERMINATING):
         signal.signal(number, signal.SIG_IGN)
     raise KeyboardInterrupt
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import shutil
-import tempfile
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from difflib import get_close_matches
@@ -12,6 +11,7 @@ from pathlib import Path
 from assess.errors import ProjectError
 from assess.examples import casa_grande, nepal_monuments, san_leonardo_spire
 from assess.examples.surface import Surface, ply
+from assess.outputs.stage import MADE, clear, stage
 
 Meshes = Callable[[], Mapping[str, Surface]]
 
@@ -76,12 +76,13 @@ def source(name: str) -> Path:
 def _write(name: str, folder: Path) -> None:
     folder = folder.absolute()
     folder.parent.mkdir(parents=True, exist_ok=True)
-    with tempfile.TemporaryDirectory(prefix=".assess-partial-", dir=folder.parent) as stage:
-        made = Path(stage) / "made"
-        shutil.copytree(source(name), made)
+    clear(folder.parent)
+    with stage(folder.parent, command="assess new") as place:
+        made = place / MADE
+        shutil.copytree(source(name), made, dirs_exist_ok=True)
         for path, surface in EXAMPLES[name].meshes().items():
             (made / path).parent.mkdir(exist_ok=True)
             (made / path).write_bytes(ply(surface))
-        folder.mkdir(exist_ok=True)
-        for child in made.iterdir():
-            child.rename(folder / child.name)
+        if folder.exists():
+            folder.rmdir()  # it is empty
+        made.rename(folder)

@@ -11,7 +11,8 @@ from assess.errors import GeometryError
 from assess.geometry.formats.elements import places_of
 from assess.geometry.formats.parts import Element, Part, Up
 from assess.geometry.formats.reading import meshed, read
-from assess.geometry.mesh import placed, solid_of, suspicious
+from assess.geometry.magnitude import suspicious
+from assess.geometry.mesh import placed, solid_of
 from assess.geometry.models import Model
 from assess.geometry.thickness import sizes, thin_direction
 
@@ -68,7 +69,15 @@ def inventory(
     if not places:
         raise GeometryError(f"{file}: there are no meshes in it, and no solids or surfaces to mesh")
     parts = meshed(content, places, file=file, where=str(file))
-    return tuple(_entry(Model(file, (part,), content.unit, content.up), part, scale=scale, up=up) for part in parts)
+    return tuple(
+        _entry(
+            Model(file, (part,), content.unit, content.up, (part.doubt,) if part.doubt else ()),
+            part,
+            scale=scale,
+            up=up,
+        )
+        for part in parts
+    )
 
 
 def _entry(model: Model, part: Part, *, scale: float | None, up: Up | None) -> Entry:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -12,6 +13,7 @@ from numpy.typing import NDArray
 from assess.errors import GeometryError
 from assess.geometry.formats.elements import shown
 from assess.geometry.formats.parts import Part, Up, together
+from assess.geometry.magnitude import refuse_implausible
 from assess.geometry.models import Model, read_models
 from assess.geometry.repair import mended
 from assess.geometry.solid import Solid, polyhedron
@@ -21,13 +23,10 @@ from assess.geometry.surface import Surface, merged
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
 
-LARGEST = 500.0  # m: no masonry body is longer
-SMALLEST = 0.01  # m: none is shorter
 FARTHEST = 1e12  # of any unit: no coordinate of a map in any unit is larger
-USUAL = 5.0  # m: a body's usual length
-COARSE = 1e-4  # of the body's size: rounding of coordinates that moves results
+SINGLE = (".glb", ".gltf", ".3dm")  # formats of single precision, beside binary STL and some PLY
+HEAD = 2000  # bytes of a file that say which numbers follow
 SAME_UNIT = 1e-6  # of a unit: units that differ by less are one
-UNITS = {"mm": 1e-3, "cm": 1e-2, "in": 0.0254, "ft": 0.3048, "m": 1.0}  # m
 
 
 def load(
@@ -93,6 +92,8 @@ def _solid(
         raise GeometryError(f"{where}: all its triangles have shrunk to lines or points; export it with more digits")
     surface, told = mended(surface, where=where)
     solid = polyhedron(*surface, density=density, name=name)
+    unit = scale or model.unit or 1.0
+    refuse_implausible(solid, unit=unit, given=scale is not None, single=_single(model.file), where=where)
     trail = (*model.told, *doubts, *_turned(model, given=up), *told, *doubts_of(surface, where=where))
     return replace(solid, trail=trail)
 
@@ -106,7 +107,8 @@ def placed(model: Model, parts: Sequence[Part], *, scale: float | None, up: Up |
     """
     unit, _ = _unit(model, scale, where=where)
     vertices, triangles = together(parts)
-    return _upright(_sound(vertices, triangles, where=where) * unit, up=up or model.up or "z"), triangles
+    sound = _sound(vertices, triangles, where=where)
+    return _upright(sound if unit == 1.0 else sound * unit, up=up or model.up or "z"), triangles
 
 
 def _blamed(
@@ -123,30 +125,14 @@ def _blamed(
     return wrong[0] if 0 < len(wrong) < len(model.parts) else None
 
 
-def suspicious(solid: Solid, *, unit: float | None = None) -> str | None:
-    """A sentence for the warnings where size or coordinates of a mesh suggest a slip; None where nothing does.
-
-    unit : length that the mesh was read in [m]; None for a body that is no mesh
-    """
-    size = float(np.ptp(solid.vertices, axis=0).max())
-    if not SMALLEST <= size <= LARGEST:
-        hint = "" if unit is None else _likely_unit(size / unit)
-        return f'body "{solid.name}" measures {size:.4g} m at its longest; is its unit right?{hint}'
-    farthest = float(np.abs(solid.vertices).max())
-    rounding = farthest * float(np.finfo(np.float32).eps)
-    if rounding > COARSE * size and np.array_equal(solid.vertices, solid.vertices.astype(np.float32)):
-        return (
-            f'body "{solid.name}" lies {farthest:.4g} m from the origin in single precision, which there resolves '
-            f"{rounding:.2g} m; move the mesh near the origin before exporting it"
-        )
-    return None
-
-
-def _likely_unit(length: float) -> str:
-    """A hint which unit gives a length in the file's unit the size of a body; empty where none does."""
-    likely = min(UNITS, key=lambda name: abs(np.log(length * UNITS[name] / USUAL)))
-    size = length * UNITS[likely]
-    return f' With mesh_unit = "{likely}" it would measure {size:.4g} m' if SMALLEST <= size <= LARGEST else ""
+def _single(file: Path) -> bool:
+    """Whether a file holds its coordinates in single precision."""
+    with file.open("rb") as content:
+        head = content.read(HEAD)
+    ending = file.suffix.lower()
+    if ending == ".stl":
+        return b"\0" in head  # text has none
+    return ending in SINGLE or (ending == ".ply" and re.search(rb"property\s+float(32)?\s+x\s", head) is not None)
 
 
 def _upright(vertices: FloatArray, *, up: Up) -> FloatArray:
@@ -180,8 +166,11 @@ def _sound(vertices: FloatArray, triangles: IntArray, *, where: str) -> FloatArr
     if triangles.min() < 0 or triangles.max() >= len(vertices):
         wrong = int(triangles[(triangles < 0) | (triangles >= len(vertices))][0])
         raise GeometryError(f"{where}: a triangle uses vertex {wrong} of {len(vertices)}; export the mesh again")
-    stands = np.all(np.abs(vertices) < FARTHEST, axis=1)
-    bad = np.setdiff1d(np.unique(triangles), np.flatnonzero(stands))
+    if vertices.min() > -FARTHEST and vertices.max() < FARTHEST:
+        return vertices
+    used = np.zeros(len(vertices), dtype=np.bool_)
+    used[triangles] = True
+    bad = np.flatnonzero(used & ~np.all(np.abs(vertices) < FARTHEST, axis=1))
     if len(bad):
         at = ", ".join(f"{value:g}" for value in vertices[bad[0]])
         raise GeometryError(

@@ -65,7 +65,9 @@ def _of_one(elements: Mapping[str, str | None], file: Path) -> Models:
     for name, element in elements.items():
         taken = tuple(parts[place] for place in places[name])
         _refuse_unmeshed(taken, where=places_named[name])
-        found[file, element] = Model(file, taken, content.unit, content.up, () if element is None else _joined(taken))
+        found[file, element] = Model(
+            file, taken, content.unit, content.up, (*(() if element is None else _joined(taken)), *_doubts(taken))
+        )
     return found
 
 
@@ -74,6 +76,11 @@ def _joined(parts: Sequence[Part]) -> tuple[str, ...]:
     if len(parts) < 2:
         return ()
     return (f"{len(parts)} elements joined: {listed([each.element.shown for each in parts])}",)
+
+
+def _doubts(parts: Sequence[Part]) -> tuple[str, ...]:
+    """What may be missing of elements."""
+    return tuple(f'element "{shown(each.element.shown)}": {each.doubt}' for each in parts if each.doubt)
 
 
 def _refuse_unmeshed(parts: Sequence[Part], *, where: str) -> None:

@@ -6,6 +6,8 @@ import numpy as np
 import shapely
 from numpy.typing import NDArray
 
+from assess.geometry.surface import changes
+
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
 BoolArray = NDArray[np.bool_]
@@ -14,7 +16,9 @@ Outline = tuple[tuple[Point, ...], ...]
 
 FLAT = 1e-12  # of the body's size squared: triangles smaller than this in projection are seen edge-on
 STRAIGHT = 1e-9  # of the body's size: corners flatter than this are no corners
-FEW = 1500  # edges of the contour that are made to cross one another
+FEW = 1500  # edges of the contour that are made to cross one another however they lie
+MANY = 20_000  # edges that are so where they seldom meet:
+MEETINGS = 4  # of one edge with others; its neighbours are two
 AT_ONCE = 1000  # triangles united at least, before others are looked up in their union
 SQUARES = 64  # of the coarse grid, along the body
 PER_CELL = 4  # triangles in a cell of the grid that finds the rim
@@ -33,12 +37,13 @@ def outline(points: FloatArray, triangles: IntArray) -> Outline:
     closed rings of (x, z) [m], anticlockwise from the leftmost point, the first point repeated at the end, rings from
     left to right; holes are not listed; straight lines have no intermediate points
     """
+    points = np.asfortranarray(points)  # x of all, then z: extremes of short rows are slow
     middle = (points.min(axis=0) + points.max(axis=0)) / 2.0
     size = float(np.ptp(points, axis=0).max())
     placed = points - middle
     facing = _facing(placed, triangles, smallest=FLAT * size**2)
-    edges = _contour(facing, len(points))
-    whole = _enclosed(placed[edges]) if len(edges) <= FEW else _united(placed[facing], size=size)
+    edges = placed[_contour(facing, len(points))]
+    whole = _enclosed(edges) if _seldom_cross(edges) else _united(placed[facing], size=size)
     rings = [_ring(part, straight=STRAIGHT * size) + middle for part in shapely.get_parts(whole)]
     return tuple(sorted(tuple((float(x), float(z)) for x, z in ring) for ring in rings))
 
@@ -51,8 +56,9 @@ def distance(rings: Outline, point: Point) -> float:
 
 def _facing(points: FloatArray, triangles: IntArray, *, smallest: float) -> IntArray:
     """The triangles [k, 3] that run anticlockwise and have more than the smallest area [m2]."""
-    corners = points[triangles]
-    (ax, az), (bx, bz) = (corners[:, 1] - corners[:, 0]).T, (corners[:, 2] - corners[:, 0]).T
+    a, b, c = triangles.T
+    x, z = points.T
+    (ax, az), (bx, bz) = ((x[other] - x[a], z[other] - z[a]) for other in (b, c))
     return np.asarray(triangles[ax * bz - az * bx > 2.0 * smallest], dtype=np.int64)
 
 
@@ -61,9 +67,27 @@ def _contour(facing: IntArray, count: int) -> IntArray:
 
     All else is inside: where facing triangles lie on both sides of an edge, the border of their union does not run.
     """
-    edges = facing[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2)
-    there, back = edges @ [count, 1], edges @ [1, count]
-    return np.asarray(edges[~np.isin(there, back)], dtype=np.int64)
+    start, end = facing.ravel(), facing[:, [1, 2, 0]].ravel()
+    key = np.minimum(start, end)
+    key *= count
+    key += np.maximum(start, end)
+    key *= 2
+    key += start < end
+    key.sort()
+    key = key[changes(key)]
+    both = np.flatnonzero(key[1:] - key[:-1] == 1)
+    both = both[key[both] % 2 == 0]  # one edge, either way
+    alone = np.ones(len(key), dtype=np.bool_)
+    alone[both] = alone[both + 1] = False
+    return np.column_stack(np.divmod(key[alone] // 2, count))
+
+
+def _seldom_cross(edges: FloatArray) -> bool:
+    """Whether the edges [k, 2, 2] are few, or not many and lie apart but for neighbours, by their boxes."""
+    if not FEW < len(edges) <= MANY:
+        return len(edges) <= FEW
+    lines = np.asarray(shapely.linestrings(edges), dtype=np.object_)
+    return len(shapely.STRtree(lines).query(lines)[0]) <= (MEETINGS + 1) * len(edges)
 
 
 def _enclosed(edges: FloatArray) -> shapely.Geometry:

@@ -18,6 +18,7 @@ from assess.geometry.surface import (
     linked,
     moved_by,
     neighbours,
+    neighbours_across,
     place,
     volume,
     without_lines,
@@ -46,12 +47,13 @@ def mended(surface: Surface, *, where: str) -> tuple[Surface, Told]:
     GeometryError : the surface cannot be closed
     """
     told: Told = ()
-    if not edges_of(surface[1]).plain:
+    across = neighbours_across(surface[1])
+    if across is None:
         for step in (_wound_alike, _single, _welded, _split, _wound_alike, _filled):
             surface, more = step(surface)
             told = (*told, *more)
         _refuse_open(surface, where=where)
-    surface, more = counted_once(surface, where=where)
+    surface, more = counted_once(surface, across, where=where)
     return surface, (*told, *more)
 
 

@@ -62,9 +62,10 @@ def _seams(one: FloatArray, other: FloatArray, *, shortest: float) -> tuple[Floa
     low_a, high_a = _clip(line, D, A, n)
     low_b, high_b = _clip(line, D, B, m)
     low, high = np.maximum(low_a, low_b), np.minimum(high_a, high_b)
-    meet = high - low > shortest
+    meet = high > low + shortest  # infinite where a line is beside a triangle
     frame = np.stack([n, np.cross(D, n)], axis=1)
-    return (line + ((low + high) / 2.0)[:, None] * D)[meet], frame[meet], (high - low)[meet]
+    low, high = low[meet], high[meet]
+    return line[meet] + ((low + high) / 2.0)[:, None] * D[meet], frame[meet], high - low
 
 
 def _candidates(one: FloatArray, other: FloatArray) -> tuple[IntArray, IntArray]:

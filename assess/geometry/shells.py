@@ -7,6 +7,7 @@ inside the material of another counts what they share twice: two overlapping clo
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
 from assess.geometry.boolean import united
 from assess.geometry.seams import OVERLAP, beside_seams
@@ -19,6 +20,7 @@ from assess.geometry.surface import (
     area_vectors,
     edges_of,
     linked,
+    linked_across,
     merged,
     moved_by,
     neighbours,
@@ -31,23 +33,30 @@ from assess.plural import counted
 ASKED = 64  # triangles of a shell beside which the others are looked up
 
 
-def counted_once(surface: Surface, *, where: str) -> tuple[Surface, tuple[str, ...]]:
+def counted_once(
+    surface: Surface, across: NDArray[np.int32] | None = None, *, where: str
+) -> tuple[Surface, tuple[str, ...]]:
     """The closed surface with its material counted once, and what was done to it; a good one comes back as it is.
 
     A shell without volume is left out. A shell that faces inwards is a cavity where it lies in material, else it is
     turned. Shells that overlap, or lie inside the material of another, are united.
+
+    Parameters
+    ----------
+    across : its `neighbours_across`, where they are known
+    where : what an error names
 
     Raises
     ------
     GeometryError : shells cannot be united
     """
     told: tuple[str, ...] = ()
-    if volume(*surface) < 0.0:
+    if volume(*surface) < -THINNEST * float(np.prod(np.ptp(surface[0], axis=0))):  # two shells may be opposite
         surface, told = (
             (surface[0], surface[1][:, ::-1]),
             ("its triangles faced inwards and were turned (volume +0 %)",),
         )
-    shells = separated(surface)
+    shells = separated(surface, across)
     if len(shells) == 1:
         return surface, told
     for step in (_without_flat, _turned, _overlaps_united):
@@ -56,21 +65,25 @@ def counted_once(surface: Surface, *, where: str) -> tuple[Surface, tuple[str, .
     return (_together(shells) if told else surface), told
 
 
-def separated(surface: Surface) -> list[Surface]:
-    """The closed shells of a closed surface.
+def separated(surface: Surface, across: NDArray[np.int32] | None = None) -> list[Surface]:
+    """The closed shells of a closed surface; across : its `neighbours_across`, where they are known.
 
     Triangles that alone share an edge share a shell. At an edge of more triangles those shells stay together that are
     not closed there by themselves: boxes that touch along an edge are two.
     """
     vertices, triangles = surface
-    edges = edges_of(triangles)
-    group = linked(neighbours(edges)[0], count=len(triangles))
-    if not edges.plain:
-        group = _rejoined(group, edges)
+    group = linked_across(across) if across is not None else _linked_at_edges(triangles)
     if group.max() == 0:
         return [surface]
     ends = np.cumsum(np.bincount(group))[:-1]
     return [(vertices, part) for part in np.split(triangles[np.argsort(group, kind="stable")], ends)]
+
+
+def _linked_at_edges(triangles: IntArray) -> IntArray:
+    """The shell [m] of each triangle of any closed surface."""
+    edges = edges_of(triangles)
+    group = linked(neighbours(edges)[0], count=len(triangles))
+    return group if edges.plain else _rejoined(group, edges)
 
 
 def _rejoined(group: IntArray, edges: Edges) -> IntArray:

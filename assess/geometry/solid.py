@@ -14,6 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import combinations_with_replacement
 
 import numpy as np
 import shapely
@@ -21,6 +22,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from assess.errors import GeometryError
 from assess.geometry.crossing import crossing, without_repeats
+from assess.geometry.surface import tetrahedra
 
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
@@ -129,7 +131,7 @@ def polyhedron(vertices: ArrayLike, triangles: ArrayLike, *, density: float, nam
     at, faces = np.asarray(vertices, dtype=np.float64), np.asarray(triangles, dtype=np.int64)
     low, high = at.min(axis=0), at.max(axis=0)
     middle = (low + high) / 2.0
-    volume, first, second = _tetrahedra((at - middle)[faces])
+    volume, first, second = _moments(at, faces, origin=middle)
     size = float(np.linalg.norm(high - low))
     rounding = THINNEST * size**3 + 4.0 * np.finfo(np.float64).eps * float(np.abs(at).max()) * size**2
     _refuse_volume(volume, rounding=rounding, name=name)
@@ -237,14 +239,18 @@ def _triangulated(corners: FloatArray) -> IntArray:
     return np.array([[index[x, z] for x, z in ring] for ring in rings], dtype=np.int64)
 
 
-def _tetrahedra(corners: FloatArray) -> tuple[float, FloatArray, FloatArray]:
-    """Volume [m3], first moment [3] [m4], second moment [3, 3] [m5] inside triangles [m, 3, 3] about the origin."""
-    a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
-    D = np.einsum("mi,mi->m", a, np.cross(b, c))
-    s = a + b + c
-    each = corners.reshape(-1, 3)
-    second = (each * np.repeat(D, 3)[:, None]).T @ each + (s * D[:, None]).T @ s
-    return float(D.sum()) / 6.0, (D @ s) / 24.0, second / 120.0
+def _moments(points: FloatArray, faces: IntArray, *, origin: FloatArray) -> tuple[float, FloatArray, FloatArray]:
+    """Volume [m3], first moment [3] [m4], second moment [3, 3] [m5] inside a surface, about a point [3]."""
+    volume, first, second = 0.0, np.zeros(3), np.zeros((3, 3))
+    for corners, D in tetrahedra(points, faces, origin):
+        a, b, c = corners.swapaxes(0, 1)
+        s = a + b + c
+        volume += float(D.sum())
+        first += s @ D
+        for i, j in combinations_with_replacement(range(3), 2):
+            second[i, j] += D @ (a[i] * a[j] + b[i] * b[j] + c[i] * c[j] + s[i] * s[j])
+    second += np.triu(second, 1).T
+    return volume / 6.0, first / 24.0, second / 120.0
 
 
 def _refuse_volume(volume: float, *, rounding: float, name: str) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from assess.errors import GeometryError
 from assess.geometry.surface import FloatArray, IntArray, Surface, place
@@ -55,7 +56,8 @@ def sounded(surface: Surface) -> Sounding:
     """
     vertices, triangles = surface
     middle = (vertices.min(axis=0) + vertices.max(axis=0)) / 2.0
-    flat = (vertices - middle) @ SHEAR
+    x, y, z = (vertices - middle).T
+    flat = np.stack([x + SHEAR[2, 0] * z, y + SHEAR[2, 1] * z, z]).T  # by SHEAR: products of many rows are slow
     line, at, step = _crossings(flat, triangles)
     whole = np.bincount(line, weights=step, minlength=LINES**2)[line] == 0.0  # else a line ran through an edge
     order = np.flatnonzero(whole)[np.lexsort((at[whole, 2], line[whole]))]
@@ -93,13 +95,20 @@ def _lines_over(flat: FloatArray, triangles: IntArray) -> tuple[IntArray, IntArr
     """
     corner, pitch = flat[:, :2].min(axis=0), np.ptp(flat[:, :2], axis=0) / LINES
     scaled = (flat[:, :2] - corner) / pitch - OFF
-    corners = [scaled[triangles[:, i]] for i in range(3)]
-    low = np.ceil(np.minimum(np.minimum(corners[0], corners[1]), corners[2])).astype(np.int64).clip(0)
-    high = np.floor(np.maximum(np.maximum(corners[0], corners[1]), corners[2])).astype(np.int64).clip(None, LINES - 1)
-    wide = (high - low + 1).clip(0)
-    count = wide[:, 0] * wide[:, 1]
-    some = np.flatnonzero(count)
-    face = np.repeat(some, count[some])
-    k = np.arange(len(face)) - np.repeat(np.cumsum(count[some]) - count[some], count[some])
-    cell = low[face] + np.column_stack([k // wide[face, 1], k % wide[face, 1]])
+    low = _extreme(np.ceil(scaled), triangles, np.minimum).clip(0)
+    high = _extreme(np.floor(scaled), triangles, np.maximum).clip(None, LINES - 1)
+    some = np.flatnonzero((high[0] >= low[0]) & (high[1] >= low[1]))
+    low, wide = low[:, some].astype(np.int64), (high - low + 1)[:, some].astype(np.int64)
+    count = wide[0] * wide[1]
+    each = np.repeat(np.arange(len(some)), count)
+    k = np.arange(len(each)) - np.repeat(np.cumsum(count) - count, count)
+    face, (i, j), width = some[each], low[:, each], wide[1, each]
+    cell = np.column_stack([i + k // width, j + k % width])
     return cell[:, 0] * LINES + cell[:, 1], face, corner + (cell + OFF) * pitch
+
+
+def _extreme(cells: FloatArray, triangles: IntArray, of: np.ufunc) -> NDArray[np.int16]:
+    """The least or the largest cell of the three corners of each triangle, each way [2, m]."""
+    corners = [triangles[:, i] for i in range(3)]
+    ways = [way.astype(np.int16) for way in cells.T]  # -1 to LINES
+    return np.stack([of(of(*(way[at] for at in corners[:2])), way[corners[2]]) for way in ways])

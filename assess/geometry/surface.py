@@ -5,17 +5,20 @@ Then the volume integrals mean what they say, if besides no part of space is enc
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.sparse import coo_array
+from scipy.sparse import coo_array, csr_array
 from scipy.sparse.csgraph import connected_components
 
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
 BoolArray = NDArray[np.bool_]
 MIX = (1.6180339887, 2.7182818284)  # weights that keep different points apart
+SPREAD = np.uint64(0x9E3779B97F4A7C15)  # 2^64 / golden ratio: times it, a number's lower bits reach its upper ones
+AT_ONCE = 1 << 13  # triangles: what is computed of them then stays in the processor's cache
 Surface = tuple[FloatArray, IntArray]  # vertices [n, 3] [m], triangles as indices into them [m, 3]
 
 
@@ -50,7 +53,7 @@ class Edges:
 def merged(vertices: FloatArray, triangles: IntArray) -> Surface:
     """The same surface with each position once, no unused vertices, no triangle that uses one position twice.
 
-    Positions are one when their coordinates are equal; nothing is moved.
+    Positions are one when their coordinates are equal; nothing is moved. They are numbered by z, then y, then x.
 
     Parameters
     ----------
@@ -59,42 +62,111 @@ def merged(vertices: FloatArray, triangles: IntArray) -> Surface:
     """
     used = np.zeros(len(vertices), dtype=np.bool_)
     used[triangles] = True
-    columns = [values + 0.0 for values in vertices[used].T]  # -0.0 becomes 0.0
-    order, new = _alike_together(columns)
+    if not used.all():
+        vertices, triangles = vertices[used], (np.cumsum(used) - 1)[triangles]
+    columns = [np.ascontiguousarray(vertices[:, axis]) for axis in range(3)]
+    first, group = _alike(columns)
+    kept = [values[first] + 0.0 for values in columns]  # -0.0 becomes 0.0
+    by_place = _by_place(kept)
+    rank = np.empty(len(first), dtype=np.int64)
+    rank[by_place] = np.arange(len(first))
+    return np.stack([values[by_place] for values in kept]).T, without_lines(rank[group[triangles]])
+
+
+def _alike(columns: list[FloatArray]) -> tuple[IntArray, IntArray]:
+    """The first of each set of equal points x, y, z [n]: its number [k], and for every point which of these it is [n].
+
+    Points are brought together by one number mixed from the three. Those that share it with another point and differ
+    from it are brought together again among themselves.
+    """
+    first, group = _by_mixture(columns)
+    kept = [values[first] for values in columns]
+    (x, y, z), (u, v, w) = columns, (values[group] for values in kept)
+    other = np.flatnonzero((x != u) | (y != v) | (z != w))
+    if not len(other):
+        return first, group
+    second, again = _alike([values[other] for values in columns])
+    group[other] = len(first) + again
+    return np.concatenate([first, other[second]]), group
+
+
+def _by_mixture(columns: list[FloatArray]) -> tuple[IntArray, IntArray]:
+    """As `_alike`, of points with equal mixtures: their number is packed into its lower bits, and all are sorted."""
+    x, y, z = columns
+    bits = np.uint64(len(x).bit_length())
+    lower = (np.uint64(1) << bits) - np.uint64(1)
+    key = (y * MIX[0] + x + z * MIX[1] + 0.0).view(np.uint64)
+    key *= SPREAD
+    key &= ~lower
+    key |= np.arange(len(x), dtype=np.uint64)
+    key.sort()
+    order = (key & lower).astype(np.int64)
+    new = changes(key >> bits)
     group = np.empty(len(order), dtype=np.int64)
     group[order] = np.cumsum(new) - 1
-    kept = np.column_stack([values[order[new]] for values in columns])
-    by_place = np.lexsort(kept.T)
-    rank = np.empty(len(kept), dtype=np.int64)
-    rank[by_place] = np.arange(len(kept))
-    return kept[by_place], without_lines(rank[group[(np.cumsum(used) - 1)[triangles]]])
+    return order[new], group
 
 
-def _alike_together(columns: list[FloatArray]) -> tuple[IntArray, BoolArray]:
-    """An order [n] of points x, y, z [n] in which equal ones stand together, and where one differs from the last [n].
-
-    By one number mixed from the three, which is quicker; by all three where it is the same for different points.
-    """
+def _by_place(columns: list[FloatArray]) -> IntArray:
+    """The order [n] of different points x, y, z [n] by z, then y, then x: what lexsort gives, which sorts slower."""
     x, y, z = columns
-    mixed = x + MIX[0] * y + MIX[1] * z
-    order = np.argsort(mixed)
-    new = _changes(columns, order)
-    if np.any(new[1:] & (np.diff(mixed[order]) == 0.0)):
-        order = np.lexsort(columns)
-        new = _changes(columns, order)
-    return np.asarray(order, dtype=np.int64), new
+    upper = _ranks(_ranks(z) * len(z) + _ranks(y))
+    return np.asarray(np.argsort(upper * len(x) + _ranks(x)), dtype=np.int64)
 
 
-def _changes(columns: list[FloatArray], order: NDArray[np.intp]) -> BoolArray:
-    """Which points [n], in an order, differ from the one before; the first does."""
-    steps = [np.diff(values[order]) != 0.0 for values in columns]
-    return np.concatenate([[True], steps[0] | steps[1] | steps[2]])
+def _ranks(values: NDArray[np.float64] | IntArray) -> IntArray:
+    """The place [n] of each value among the different values, from 0."""
+    order = np.argsort(values)
+    rank = np.empty(len(order), dtype=np.int64)
+    rank[order] = np.cumsum(changes(values[order])) - 1
+    return rank
+
+
+def changes(values: NDArray[np.generic]) -> BoolArray:
+    """Which values [n] differ from the one before; the first does."""
+    new = np.ones(len(values), dtype=np.bool_)
+    np.not_equal(values[1:], values[:-1], out=new[1:])
+    return new
 
 
 def without_lines(triangles: IntArray) -> IntArray:
     """The triangles that use three different vertices."""
     a, b, c = triangles.T
-    return np.asarray(triangles[(a != b) & (b != c) & (c != a)], dtype=np.int64)
+    real = (a != b) & (b != c) & (c != a)
+    return triangles if real.all() else np.asarray(triangles[real], dtype=np.int64)
+
+
+def neighbours_across(triangles: IntArray) -> NDArray[np.int32] | None:
+    """The triangle across each edge [m, 3] where all edges belong to two triangles that run along them oppositely.
+
+    None of any other surface. Edges are sorted by a number that packs lower vertex, higher vertex, sense and edge.
+    """
+    start, end = triangles.ravel(), triangles[:, [1, 2, 0]].ravel()
+    count = int(triangles.max()) + 1
+    key = np.minimum(start, end)
+    key *= count
+    key += np.maximum(start, end)
+    key *= 2
+    key += start < end
+    edge, order = _sorted(key, bits=2 * count.bit_length() + 1)
+    down, up = edge[:-1:2], edge[1::2]
+    if len(key) % 2 or (down & 1).any() or (up - down != 1).any() or (down[1:] == down[:-1]).any():
+        return None
+    triangle = (order // 3).astype(np.int32)
+    across = np.empty(len(key), dtype=np.int32)
+    across[order[::2]], across[order[1::2]] = triangle[1::2], triangle[::2]
+    return across.reshape(-1, 3)
+
+
+def _sorted(key: IntArray, *, bits: int) -> tuple[IntArray, IntArray]:
+    """Whole numbers [n] of so many bits in rising order, and their order; sorted with their places packed in."""
+    places = len(key).bit_length()
+    if bits + places > 63:
+        order = np.argsort(key)
+        return key[order], order
+    key = (key << places) | np.arange(len(key))
+    key.sort()
+    return key >> places, key & ((1 << places) - 1)
 
 
 def edges_of(triangles: IntArray) -> Edges:
@@ -103,7 +175,7 @@ def edges_of(triangles: IntArray) -> Edges:
     start, end = directed.T
     key = np.minimum(start, end) * (triangles.max() + 1) + np.maximum(start, end)
     order = np.argsort(key, kind="stable")
-    first = np.flatnonzero(np.concatenate([[True], np.diff(key[order]) != 0]))
+    first = np.flatnonzero(changes(key[order]))
     count = np.diff(np.append(first, len(order)))
     way = np.where(start < end, 1, -1)
     return Edges(directed, order, first, count, np.add.reduceat(way[order], first))
@@ -128,20 +200,52 @@ def linked(pairs: IntArray, *, count: int) -> IntArray:
     return np.asarray(connected_components(links, directed=False)[1], dtype=np.int64)
 
 
+def linked_across(across: NDArray[np.int32]) -> IntArray:
+    """Number, from 0, of the group [m] to which each triangle belongs, by their neighbours [m, 3]."""
+    m = len(across)
+    starts = np.arange(0, 3 * m + 1, 3, dtype=np.int32)
+    links = csr_array((np.ones(3 * m), across.ravel(), starts), shape=(m, m))
+    return np.asarray(connected_components(links, directed=False)[1], dtype=np.int64)
+
+
 def volume(vertices: FloatArray, triangles: IntArray) -> float:
     """Signed volume inside a closed surface [m3]; of an open one, closed by cones to the middle of its box."""
-    x, y, z = (_centred(vertices[:, axis][triangles]) for axis in range(3))
-    turn = (
-        y[:, 1] * z[:, 2] - z[:, 1] * y[:, 2],
-        z[:, 1] * x[:, 2] - x[:, 1] * z[:, 2],
-        x[:, 1] * y[:, 2] - y[:, 1] * x[:, 2],
-    )
-    return float(x[:, 0] @ turn[0] + y[:, 0] @ turn[1] + z[:, 0] @ turn[2]) / 6.0
+    middle = _middle(vertices, triangles)
+    return sum((float(D.sum()) for _, D in tetrahedra(vertices, triangles, middle)), start=0.0) / 6.0
 
 
-def _centred(values: FloatArray) -> FloatArray:
-    """The values about the middle of their range."""
-    return np.asarray(values - (values.min() + values.max()) / 2.0, dtype=np.float64)
+def tetrahedra(
+    vertices: FloatArray, triangles: IntArray, origin: FloatArray
+) -> Iterator[tuple[FloatArray, FloatArray]]:
+    """Corners and six times the signed volume of the tetrahedra from a point to each triangle, some at a time.
+
+    Parameters
+    ----------
+    vertices : [n, 3] [m]; triangles : indices into vertices [m, 3]; origin : the point [3] [m]
+
+    Yields
+    ------
+    corners : seen from the point: axis, corner, triangle [3, 3, k] [m]
+    D : a . (b x c) [k] [m3]
+    """
+    for start in range(0, len(triangles), AT_ONCE):
+        at = triangles[start : start + AT_ONCE].T
+        x, y, z = corners = np.stack([vertices[:, axis][at] - origin[axis] for axis in range(3)])
+        turn = (y[1] * z[2] - z[1] * y[2], z[1] * x[2] - x[1] * z[2], x[1] * y[2] - y[1] * x[2])
+        yield corners, x[0] * turn[0] + y[0] * turn[1] + z[0] * turn[2]
+
+
+def _middle(vertices: FloatArray, triangles: IntArray) -> FloatArray:
+    """The middle of the box around triangles [3] [m]; the origin where there are none."""
+    if not len(triangles):
+        return np.zeros(3)
+    if len(vertices) > len(triangles):  # one shell of many
+        values = vertices[triangles.ravel()]
+    else:
+        used = np.zeros(len(vertices), dtype=np.bool_)
+        used[triangles] = True
+        values = vertices if used.all() else vertices[used]
+    return np.array([(each.min() + each.max()) / 2.0 for each in values.T])
 
 
 def area(vertices: FloatArray, triangles: IntArray) -> float:

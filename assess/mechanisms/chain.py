@@ -17,6 +17,7 @@ Point = tuple[float, float]
 HINGES = {1: 1, 2: 3, 3: 4}  # of a chain by its number of blocks; what lies beyond the last block is in motion.py
 ROUNDING = 1e-9  # m: coordinates are no better than this
 STRAIGHT = 1e-6  # sine of an angle: three hinges this near one line are a dead point
+APART = 1e4  # ratio of the largest distance between hinges to the least; beyond, rounding moves the corners of the loop
 
 
 @dataclass(frozen=True)
@@ -89,6 +90,11 @@ def require_movable(chain: Chain, *, name: str) -> None:
     for (first, a), (second, b) in pairwise(zip(hinge_names(chain), chain.hinges, strict=True)):
         if hypot(b[0] - a[0], b[1] - a[1]) <= STRAIGHT * size:
             raise MechanismError(f'mechanism "{name}": hinges {first} and {second} coincide at {written(a)}; move one')
+        if hypot(b[0] - a[0], b[1] - a[1]) * APART < size:
+            raise MechanismError(
+                f'mechanism "{name}": hinges {first} and {second} lie {hypot(b[0] - a[0], b[1] - a[1]):.4g} m apart, '
+                f"others {size:.4g} m; is one of them in another unit?"
+            )
     if count == 2 and abs(_rise(chain.hinges[1], chain.hinges[2])) <= STRAIGHT:
         raise MechanismError(
             f'mechanism "{name}": hinges B {written(chain.hinges[1])} and C {written(chain.hinges[2])} lie at one '

@@ -148,7 +148,9 @@ def shares(turned: ComplexArray, load: ComplexArray) -> FloatArray:
 def _slide(arms: ComplexArray, chord: ComplexArray) -> ComplexArray:
     """The second arm [1, n] of a chain on a slider, whose horizontal part is that of the chord [n]."""
     level = chord.real
-    return np.asarray(level + 1j * np.sign(arms[1].imag) * np.sqrt(np.abs(arms[1]) ** 2 - level**2))[None, :]
+    return np.asarray(level + 1j * np.sign(arms[1].imag) * np.sqrt(np.maximum(np.abs(arms[1]) ** 2 - level**2, 0.0)))[
+        None, :
+    ]
 
 
 def _close(arms: ComplexArray, chord: ComplexArray) -> ComplexArray:
@@ -157,7 +159,7 @@ def _close(arms: ComplexArray, chord: ComplexArray) -> ComplexArray:
     length = np.abs(chord)
     along = (length**2 + b**2 - c**2) / (2 * length)
     side = np.sign((arms[1] * np.conj(arms[1] + arms[2])).imag)
-    second = chord / length * (along + 1j * side * np.sqrt(b**2 - along**2))
+    second = chord / length * (along + 1j * side * np.sqrt(np.maximum(b**2 - along**2, 0.0)))
     return np.array([second, chord - second])
 
 

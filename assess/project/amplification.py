@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from assess.amplification import FirstMode, FloorFactor, ModalFilter, Srss, SrssRelative, Unamplified, first_mode
 from assess.errors import GeometryError, ProjectError
 from assess.mechanisms.lasting import rise_of
+from assess.message import Quantity, note
 from assess.natural_frequency import ASSUMPTIONS, SLICES, Rayleigh, cantilever, rayleigh
 from assess.project import sections
 from assess.project.bodies import Solids
@@ -110,7 +111,14 @@ def by_floor_factor(
             factor = rule(height, building_height=building.height)
     except SpectrumError as error:
         raise ProjectError(f"{standing.where}.height: {error}") from None
-    said = f"every record and pulse times {factor:.4g} at h = {height:.4g} m of H = {building.height:.4g} m by {clause}"
+    said = note(
+        "by-floor-factor",
+        standing.where,
+        factor=Quantity(factor),
+        height=Quantity(height, "length"),
+        building=Quantity(building.height, "length"),
+        clause=clause,
+    )
     return Amplified(
         asked.method, height, FloorFactor(factor, clause), (said, "not checked against the printed standard")
     )
@@ -128,10 +136,16 @@ def by_first_mode(asked: sections.FirstModeAmplification, standing: Standing, *,
         assumed = (f"{RAYLEIGH} on {SLICES} slices of its bodies: {ASSUMPTIONS}",)
     damping = DAMPING if building is None else building.damping
     mode = first_mode(frequency=frequency[0], effective_height=effective[0], damping=damping)
-    said = (
-        f"first mode of {frequency[0]:.4g} Hz ({frequency[1]}), h_e = {effective[0]:.4g} m ({effective[1]}), "
-        f"damping {damping:.3g}, linear shape: at h = {height:.4g} m participation times shape h/h_e = "
-        f"{mode.shape(height):.4g}"
+    said = note(
+        "by-first-mode",
+        standing.where,
+        frequency=Quantity(frequency[0], "frequency"),
+        frequency_from=frequency[1],
+        effective=Quantity(effective[0], "length"),
+        effective_from=effective[1],
+        damping=Quantity(damping, "ratio", 3),
+        height=Quantity(height, "length"),
+        shape=Quantity(mode.shape(height)),
     )
     make, how = FIRST_MODES[asked.method]
     return Amplified(asked.method, height, make(mode, height), (how, said), assumed, by_stiffness=bool(assumed))

@@ -25,7 +25,7 @@ from records.errors import RecordError
 from records.flatfile import BadCell, Merged, described_by, merged, read_flatfile
 from records.formats.stated import Stated
 from records.indexing import candidates_of, index, read_stated
-from records.plausibility import doubt_of
+from records.plausibility import doubt_of, doubts_among
 from records.record import Record
 from records.scaling import SCALING_PERIODS
 from records.selection import Criteria, Filters, Selection, select
@@ -199,8 +199,8 @@ def cell_text(cell: BadCell) -> str:
 
 
 def doubts_of(records: Sequence[Record]) -> Iterator[Message]:
-    """Which records have peaks that ground hardly has."""
-    doubts = [doubt for record in records if (doubt := doubt_of(record))]
+    """Which records have peaks or steps that ground hardly has, or files that contradict themselves."""
+    doubts = [*(doubt for record in records if (doubt := doubt_of(record))), *doubts_among(records)]
     if doubts:
         yield warning("implausible-record", "records.unit", text=_first(doubts))
 

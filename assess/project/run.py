@@ -26,6 +26,7 @@ from assess.project.suite_faults import suite_faults
 from assess.project.survey import tolerances
 from assess.project.sweeping import Swept, case_notices, case_text, controlling_cases, sweep_results, swept
 from assess.results import SCHEMA_VERSION, MechanismResult, Program, Results
+from assess.stamp import stamp
 from spectra.spectrum import Spectrum
 
 NAME = "rocking-assess"
@@ -55,9 +56,10 @@ def run(study: Study, *, jobs: int = 0, progress: Progress = lambda stage, done,
     mapped = mapped_pulses(rockers, study.pulses, jobs=jobs, progress=progress)
     numbers = dict(study.fitting.nga)
     records = tuple(record_result(motion, spectrum, nga=numbers.get(motion.record.id)) for motion in motions)
+    program = Program(NAME, version(NAME))
     return Results(
         schema_version=SCHEMA_VERSION,
-        program=Program(NAME, version(NAME)),
+        program=program,
         inputs=study.inputs,
         warnings=(*notices_of(study, standing), *suite_notices(study, motions), *coarse_notices(rockers, motions)),
         project=study.resolved,
@@ -70,6 +72,7 @@ def run(study: Study, *, jobs: int = 0, progress: Progress = lambda stage, done,
         verdict=found,
         ground_motion=ground_motion(study, spectrum, motions),
         sensitivity=sensitivities(study, spectrum, motions, mechanisms, jobs=jobs, progress=progress),
+        stamp=stamp("run", program, study.inputs),
     )
 
 
@@ -92,9 +95,10 @@ def envelope(study: Study, *, jobs: int = 0, progress: Progress = lambda stage, 
     progress("primary pulses", 0, 1)
     motions = () if study.spectrum is None else motions_of(replace(study, artificial=None), study.spectrum)
     records = () if study.spectrum is None else tuple(record_result(motion, study.spectrum) for motion in motions)
+    program = Program(NAME, version(NAME))
     return Results(
         schema_version=SCHEMA_VERSION,
-        program=Program(NAME, version(NAME)),
+        program=program,
         inputs=study.inputs,
         warnings=envelope_notices(study),
         project=study.resolved,
@@ -104,6 +108,7 @@ def envelope(study: Study, *, jobs: int = 0, progress: Progress = lambda stage, 
         critical=critical_result(mapped),
         comparison=(),
         sweeps=(),
+        stamp=stamp("envelope", program, study.inputs),
     )
 
 

@@ -67,14 +67,14 @@ class Amplified:
     """How the ground's motion reaches the base of a mechanism.
 
     method : as the project names it; height : of the base above the ground [m], None where nothing is amplified
-    said : sentences: what is done, with which numbers, and where they come from
+    said : what is done, with which numbers, and where they come from
     assumed : sentences: what nobody gave; by_stiffness : whether it follows from the stiffness of the bodies
     """
 
     method: str
     height: float | None
     amplification: Amplification
-    said: tuple[str, ...]
+    said: tuple[Message | str, ...]
     assumed: tuple[str, ...] = ()
     by_stiffness: bool = False
 

@@ -13,13 +13,12 @@ import re
 from pathlib import Path
 
 from records.errors import RecordError
+from records.formats.agreement import check_count, check_peak
 from records.formats.samples import (
     FloatArray,
     acceleration_factor,
-    check_count,
-    check_peak,
+    formatted_numbers,
     number,
-    numbers,
     positive,
     text_lines,
 )
@@ -58,17 +57,22 @@ def read(path: Path, stated: Stated) -> tuple[Record, ...]:
         raise RecordError(f"{path}: the header of {NAME} has no {(*absent, 'columns')[0]}; it is cut short or damaged")
     unit, peaks = _peaks(text, path=path)
     dt = positive(text["SAMPLING INTERVAL (sec)"], name="SAMPLING INTERVAL", line=after, path=path)
-    columns = _columns(lines, after, path=path)
+    columns, uneven = _columns(lines, after, path=path)
     check_count(text["NUMBER OF DATA"], len(columns), path=path, name="NUMBER OF DATA")
-    for name, column in zip(names, columns.T, strict=True):
-        check_peak(peaks.get(name), column, unit=unit, digits=1e-2, path=path)
+    told = [
+        (uneven, check_peak(peaks.get(name), column, unit=unit, digits=1e-6, path=path))
+        for name, column in zip(names, columns.T, strict=True)
+    ]
     factor = acceleration_factor(unit, line=after, path=path)
     return tuple(
-        _record(text, name, factor * column, dt, unit, path=path) for name, column in zip(names, columns.T, strict=True)
+        _record(text, name, factor * column, dt, unit, doubts, path=path)
+        for name, column, doubts in zip(names, columns.T, told, strict=True)
     )
 
 
-def _record(text: dict[str, str], name: str, samples: FloatArray, dt: float, unit: str, *, path: Path) -> Record:
+def _record(
+    text: dict[str, str], name: str, samples: FloatArray, dt: float, unit: str, doubts: tuple[str, ...], *, path: Path
+) -> Record:
     """The component `name` of the header's station."""
     return make_record(
         f"{path.stem} {name}",
@@ -81,6 +85,8 @@ def _record(text: dict[str, str], name: str, samples: FloatArray, dt: float, uni
         azimuth=azimuth_of(name),
         earthquake=_earthquake(text),
         site=_site(text),
+        start=iso_of(text.get("RECORD TIME", "")),
+        doubts=doubts,
     )
 
 
@@ -93,16 +99,16 @@ def _columns_named(lines: list[str]) -> tuple[int, tuple[str, ...]]:
     return 0, ()
 
 
-def _columns(lines: list[str], after: int, *, path: Path) -> FloatArray:
-    """Every row of three numbers [n, 3]."""
+def _columns(lines: list[str], after: int, *, path: Path) -> tuple[FloatArray, str]:
+    """Every row of three numbers [n, 3], and a doubt about how they stand."""
     uneven = next((i for i, line in enumerate(lines[after:]) if line.strip() and len(line.split()) != 3), None)
     if uneven is not None:
         line = after + 1 + uneven
         raise RecordError(f'{path}: line {line}: "{lines[line - 1].strip()[:40]}" is not three numbers')
-    values = numbers(lines[after:], first=after + 1, path=path)
+    values, doubt = formatted_numbers(lines[after:], first=after + 1, path=path)
     if values.size % 3:
         raise RecordError(f"{path}: {values.size} numbers below the header; they are not three in every line")
-    return values.reshape(-1, 3)
+    return values.reshape(-1, 3), doubt
 
 
 def _header(lines: list[str]) -> dict[str, str]:

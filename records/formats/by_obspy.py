@@ -7,6 +7,7 @@ is read.
 
 from __future__ import annotations
 
+import re
 import struct
 import sys
 import warnings
@@ -30,6 +31,8 @@ SAC_HEADER = 632  # bytes
 SAC_VERSION, SAC_POINTS, SAC_FORM, SAC_EVEN = 76, 79, 85, 105  # words of the header
 SAC_UNKNOWN = (-12345.0,)
 NOT_ACCELERATION = {6: "displacement", 7: "velocity"}  # SAC idep
+DAMAGE = re.compile(r"integrity check|[Ss]kip")  # in what libmseed warns of
+SINGLE = 1e-4  # how well a header in single precision fits, of the largest sample or of the time
 WATER_LEVEL = 60.0  # dB below the largest response; obspy's default
 
 
@@ -75,13 +78,14 @@ def _read(path: Path, stated: Stated, *, form: str, name: str) -> tuple[Record, 
         )
     import obspy
 
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # what obspy warns of is checked below: gaps, counts, values
+    with warnings.catch_warnings(record=True) as doubts:
+        warnings.simplefilter("always")
         try:
             with _raised():
                 traces = list(obspy.read(str(path), format=form, check_compression=False))
         except Exception as error:
             raise RecordError(f"{path}: obspy cannot read it as {name}: {_one_line(error)}") from None
+        _check_damage([str(doubt.message) for doubt in doubts], path=path)
         _check(traces, path=path)
         response = None if stated.response is None else _response(obspy, stated.response)
         return tuple(_record(trace, stated, response, name=name, path=path) for trace in traces)
@@ -100,6 +104,34 @@ def _raised() -> Iterator[None]:
         raise ValueError(str(found[0].exc_value))
 
 
+def _check_damage(doubts: list[str], *, path: Path) -> None:
+    """Refuses what libmseed only warns of: samples that do not end where their block says, bytes that are no block."""
+    damage = next((doubt for doubt in doubts if DAMAGE.search(doubt)), None)
+    if damage is not None:
+        told = " ".join(damage.replace("Warning:", "").split())
+        raise RecordError(f"{path}: damaged: {told[:120]}; get the file again")
+
+
+def _check_ends(trace: Any, *, path: Path) -> None:
+    """Refuses a SAC file whose extremes, mean or end, where its header knows them, are not those of its samples."""
+    span = (trace.stats.npts - 1) * float(trace.stats.delta)
+    data = np.asarray(trace.data, dtype=np.float64)
+    least, most = (float(data.min()), float(data.max())) if data.size else (0.0, 0.0)
+    begin, scale = _number(trace, "b"), max(abs(least), abs(most))
+    for key, found, size in (
+        ("depmin", least, scale),
+        ("depmax", most, scale),
+        ("depmen", float(data.mean()) if data.size else 0.0, scale),
+        ("e", None if begin is None else begin + span, max(span, abs(begin or 0.0))),
+    ):
+        known = _number(trace, key)
+        if known is not None and found is not None and abs(known - found) > SINGLE * size:
+            raise RecordError(
+                f"{path}: {key.upper()} of the header is {known:.7g}, its samples give {found:.7g}; get the file "
+                "again, or have SAC write it again if it was changed by a program that leaves its header"
+            )
+
+
 def _check(traces: list[Any], *, path: Path) -> None:
     """Refuses no samples, channels in several pieces, a file cut short, and velocities or displacements."""
     if not traces:
@@ -112,6 +144,7 @@ def _check(traces: list[Any], *, path: Path) -> None:
     if path.stat().st_size % length:
         raise RecordError(f"{path}: not a whole number of MiniSEED records of {length} bytes; the file is cut short")
     for trace in traces:
+        _check_ends(trace, path=path)
         kind = NOT_ACCELERATION.get(int(trace.stats.get("sac", {}).get("idep", 0)))
         if kind:
             raise RecordError(f"{path}: the file says it holds {kind}; give the file of the acceleration")

@@ -33,6 +33,7 @@ KNOWN: Mapping[str, Callable[[Record], str | float | None]] = {
     "place": lambda record: record.site.place,
     "component": lambda record: record.component,
     "azimuth [deg]": lambda record: None if record.azimuth is None else degrees(record.azimuth),
+    "samples": lambda record: float(record.npts),
     "trail": lambda record: "; ".join(record.trail),
 }
 """What is written, in this order, where it is known."""

@@ -15,11 +15,11 @@ import re
 from pathlib import Path
 
 from records.errors import RecordError
+from records.formats.agreement import check_count, check_peak
+from records.formats.cosmos_header import check_header
 from records.formats.samples import (
     FloatArray,
     acceleration_factor,
-    check_count,
-    check_peak,
     formatted_numbers,
     numbers,
     numeric_end,
@@ -87,10 +87,11 @@ def _channel(lines: list[str], start: int, end: int, *, path: Path) -> Record | 
         return None
     integers, reals = _block(lines, start, at, "Integer", path=path), _block(lines, start, at, "Real", path=path)
     factor = acceleration_factor(series[4], line=at + 1, path=path)
-    samples = formatted_numbers(lines[at + 1 : numeric_end(lines, at + 1)], first=at + 2, path=path)
+    samples, uneven = formatted_numbers(lines[at + 1 : numeric_end(lines, at + 1)], first=at + 2, path=path)
     check_count(series[1], samples.size, path=path, name=f"line {at + 1}")
-    check_peak(_known(reals, PEAK), samples, unit=series[4], digits=1e-3, path=path)
+    odd = check_peak(_known(reals, PEAK), samples, unit=series[4], digits=1e-3, path=path)
     dt = _step(reals, samples.size, float(series[3]), path=path)
+    doubts = check_header(lines[start:at], integers, reals, samples, dt, path=path, line=start + 1)
     station, component = _names(lines[start:at])
     degrees = _known(integers, AZIMUTH)
     return make_record(
@@ -106,6 +107,7 @@ def _channel(lines: list[str], start: int, end: int, *, path: Path) -> Record | 
         distance=_metres(_known(reals, DISTANCE)),
         earthquake=_earthquake(lines[start:at], reals),
         site=Site(_known(reals, STATION), _known(reals, STATION + 1), _known(reals, STATION + 2)),
+        doubts=(uneven, odd, *doubts),
     )
 
 

@@ -12,13 +12,17 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+import numpy as np
+
 from records.errors import RecordError
+from records.formats.agreement import check_count, check_integral, check_peak
+from records.formats.csmip_header import check_header
 from records.formats.samples import (
+    FloatArray,
     acceleration_factor,
-    check_count,
-    check_peak,
     formatted_numbers,
     number,
+    numbers,
     numeric_end,
     positive,
     text_lines,
@@ -38,6 +42,7 @@ VOLUME_2 = re.compile(
     r"(?:\(units:\s*(?P<unit>[^)]+)\)|in\s+(?P<in>\S+?)\.?(?:\s|$))",
     re.IGNORECASE,
 )
+VELOCITY = re.compile(r"\s*\d+\s+points of veloc\S* data .*\bcm/s", re.IGNORECASE)
 UNCORRECTED = re.compile(r"\s*uncorrected accelerogram data\b", re.IGNORECASE)  # first line of volume 1
 CHANNEL = re.compile(r"\s*Chan\s+(\d+)\s*:\s*(.*?)\s*", re.IGNORECASE)
 STATION = re.compile(r"\s*Station No\.\s*(\S+)\s+([\d.]+)\s*([NS]),\s*([\d.]+)\s*([EW])", re.IGNORECASE)
@@ -86,19 +91,26 @@ def _channel(header: list[str], found: re.Match[str], lines: list[str], at: int,
     """The channel whose line of points is at index `at`."""
     first = found.re is VOLUME_1
     parts = found.groupdict()
-    unit = (parts["unit"] or parts.get("in") or "").strip()
+    unit = (parts["unit"] or parts.get("in") or "").strip().rstrip(".")
     factor = acceleration_factor(unit, line=at + 1, path=path)
-    samples = formatted_numbers(lines[at + 1 : numeric_end(lines, at + 1)], first=at + 2, path=path)
+    end = numeric_end(lines, at + 1)
+    samples, uneven = formatted_numbers(lines[at + 1 : end], first=at + 2, path=path)
     check_count(parts["n"], samples.size, path=path, name=f"line {at + 1}")
     peak = (PEAK_1 if first else PEAK_2).search("\n".join(header))
+    odd = ""
     if peak:
         own = acceleration_factor(peak[2], line=at + 1, path=path)  # printed beside the peak, apart from the unit
-        check_peak(number(peak[1]), samples * (factor / own), unit=peak[2], digits=1e-3, path=path)
+        odd = check_peak(number(peak[1]), samples * (factor / own), unit=peak[2], digits=6e-4, path=path)
     chan = _named(header, CHANNEL_1 if first else OF_CHANNEL, path=path, line=at + 1)
+    dt = _step(parts, line=at + 1, path=path)
+    doubts = check_header(header, chan[2], samples, dt, path=path, first=first)
+    integral = check_integral(
+        _velocity(lines, end, path=path), factor * samples, dt, path=path, name=f"channel {chan[1]}"
+    )
     return make_record(
         f"{path.stem} chan {chan[1]}",
         factor * samples,
-        _step(parts, line=at + 1, path=path),
+        dt,
         path=str(path),
         event=_column(header, NAME_OF_EVENT - first).removeprefix("Record of "),
         station=_station(header, NAME_OF_STATION - first),
@@ -107,7 +119,15 @@ def _channel(header: list[str], found: re.Match[str], lines: list[str], at: int,
         azimuth=azimuth_of(chan[2]),
         earthquake=_earthquake(header),
         site=_site(header),
+        doubts=(uneven, odd, *doubts, integral),
     )
+
+
+def _velocity(lines: list[str], at: int, *, path: Path) -> FloatArray:
+    """The velocities [m/s] of the block that begins at index `at`; none where it is another."""
+    if at >= len(lines) or not VELOCITY.match(lines[at]):
+        return np.empty(0)
+    return 0.01 * numbers(lines[at + 1 : numeric_end(lines, at + 1)], first=at + 2, path=path)
 
 
 def _step(parts: dict[str, str], *, line: int, path: Path) -> float:

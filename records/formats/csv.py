@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from records.errors import RecordError
 from records.formats.comments import described, said
+from records.formats.samples import number
 from records.formats.stated import GIVE_UNIT, Stated
 from records.record import Record, make_record
 from spectra.columns import (
@@ -68,10 +69,20 @@ def read(path: Path, stated: Stated) -> tuple[Record, ...]:
         raise RecordError(str(error)) from None
     seconds, si, words = _units(columns, stated.unit, path=path)
     dt = _step(seconds * columns.values[:, 0], path=path)
-    known = said(decode(path.read_bytes(), where=str(path)).splitlines())
+    known = said(columns.comments)
+    _refuse_cut(known.get("samples", ""), len(columns.values), path=path)
     before = (f"before that: {known['trail']}",) if known.get("trail") else ()
     trail = (f"read from {NAME}, {words}", *before)
     return (make_record(path.stem, si * columns.values[:, 1], dt, path=str(path), trail=trail, **described(known)),)
+
+
+def _refuse_cut(stated: str, found: int, *, path: Path) -> None:
+    """Refuse a file with fewer or more rows than its comment `# samples:` says, which files written here have."""
+    if stated and number(stated) != found:
+        raise RecordError(
+            f"{path}: {found} rows, and {stated[:20]} by its comment `# samples`; get the whole file, or take the "
+            "comment out where rows were changed on purpose"
+        )
 
 
 def _units(columns: Columns, unit: str | None, *, path: Path) -> tuple[float, float, str]:

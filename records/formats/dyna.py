@@ -13,10 +13,16 @@ import re
 from pathlib import Path
 
 from records.errors import RecordError
+from records.formats.agreement import (
+    check_count,
+    check_duration,
+    check_peak,
+    check_time_of_peak,
+    unlike,
+)
+from records.formats.corners import doubt_of_filter
 from records.formats.samples import (
     acceleration_factor,
-    check_count,
-    check_peak,
     formatted_numbers,
     number,
     positive,
@@ -31,6 +37,7 @@ NAME = "ESM/ITACA DYNA"
 
 KEY = re.compile(r"\s*([A-Z][A-Z0-9_/^]*)\s*:\s*(.*)")
 NEEDED = ("SAMPLING_INTERVAL_S", "NDATA", "UNITS")
+NAMED = re.compile(r"\w+\.\w+\.\w*\.([A-Z][A-Z][A-Z0-9])\.")
 
 
 def looks_like(head: bytes) -> bool:
@@ -52,10 +59,14 @@ def read(path: Path, stated: Stated) -> tuple[Record, ...]:
     unit = text["UNITS"]
     factor = acceleration_factor(unit, line=at["UNITS"], path=path)
     dt = positive(text["SAMPLING_INTERVAL_S"], name="SAMPLING_INTERVAL_S", line=at["SAMPLING_INTERVAL_S"], path=path)
-    samples = formatted_numbers(lines[after:], first=after + 1, path=path)
+    samples, uneven = formatted_numbers(lines[after:], first=after + 1, path=path)
     check_count(text["NDATA"], samples.size, path=path, name="NDATA")
     peak = number(text.get("PGA_CM/S^2", ""))
-    check_peak(peak, samples * (factor / 0.01), unit="cm/s2", digits=1e-3, path=path)
+    odd = check_peak(peak, samples * (factor / 0.01), unit="cm/s2", digits=1e-6, path=path)
+    low, high = (number(text.get(f"{side}_CUT_FREQUENCY_HZ", "")) for side in ("LOW", "HIGH"))
+    duration, when = number(text.get("DURATION_S", "")), number(text.get("TIME_PGA_S", ""))
+    check_duration("DURATION_S", duration, size=samples.size, dt=dt, slack=0.006, path=path)
+    check_time_of_peak(when, samples, dt, slack=0.006, path=path)
     return (
         make_record(
             path.stem,
@@ -66,11 +77,18 @@ def read(path: Path, stated: Stated) -> tuple[Record, ...]:
             station=_station(text),
             component=text.get("STREAM", ""),
             trail=(f"read from {NAME}, unit {unit}", *_processing(text)),
-            longest_period=usable_period(number(text.get("LOW_CUT_FREQUENCY_HZ", ""))),
+            longest_period=usable_period(low),
             azimuth=azimuth_of(text.get("STREAM", "")),
             distance=_metres(text.get("EPICENTRAL_DISTANCE_KM", "")),
             earthquake=_earthquake(text),
             site=_site(text),
+            start=iso_of(text.get("DATE_TIME_FIRST_SAMPLE_YYYYMMDD_HHMMSS", "")),
+            doubts=(
+                uneven,
+                odd,
+                doubt_of_filter(samples, dt, low=low, high=high),
+                _misnamed(text, path),
+            ),
         ),
     )
 
@@ -113,6 +131,12 @@ def _processing(text: dict[str, str]) -> tuple[str, ...]:
     if low is None and high is None:
         return ()
     return (f"filtered by the source: {low or 0:.6g} to {'-' if high is None else f'{high:.6g}'} Hz",)
+
+
+def _misnamed(text: dict[str, str], path: Path) -> str:
+    """A doubt where the name of the file, network.station.location.stream.…, has another stream."""
+    stream, named = text.get("STREAM", ""), NAMED.match(path.name)
+    return unlike("STREAM", stream, "file's name", named[1]) if stream and named and named[1] != stream else ""
 
 
 def _metres(kilometres: str) -> float | None:

@@ -16,14 +16,15 @@ from datetime import datetime
 from pathlib import Path
 
 from records.errors import RecordError
+from records.formats.agreement import check_count, check_integral
+from records.formats.geonet_header import COLUMNS, NUMBER_LINES, TEXT_LINES, UNIT, check_header, coordinates
 from records.formats.samples import (
     FloatArray,
     acceleration_factor,
-    check_count,
-    check_peak,
     count,
     formatted_numbers,
     number,
+    numbers,
     numeric_end,
     positive,
     text_lines,
@@ -34,15 +35,12 @@ from records.orientation import azimuth_of
 from records.record import Earthquake, Record, Site, make_record
 
 NAME = "GeoNet V2A"
-UNIT = "mm/s/s"
-TEXT_LINES, NUMBER_LINES, COLUMNS = 16, 10, 10
 
 POINTS = re.compile(r"\s*Number of points\s+(\S+)")
 INTERVAL = re.compile(r"\s*Instrument corrected data at\s+(\S+)\s+sec")
 UNCORRECTED = re.compile(r"\s*Raw readings in units of")  # where a V2A has its interval
 COMPONENT = re.compile(r"\s*Component\s+(\S+)")
 PEAK = re.compile(r"\s*Acceleration:\s+peak\s+(\S+)\s+(\S+)\s+at")
-DEGREES = re.compile(r"(\d+)\s+(\d+)\s+(\d+)\s*([NS])\s+(\d+)\s+(\d+)\s+(\d+)\s*([EW])")
 DATE = re.compile(r"\s*(\d{4})\s+([A-Z][a-z]+)\s+(\d+)\s+(\d+):(\d+):([\d.]+)\s+UT")
 
 
@@ -80,12 +78,14 @@ def _component(lines: list[str], start: int, *, path: Path) -> Record:
     peak = _found(PEAK, lines, start + 13, path=path)
     if peak[2] != UNIT:
         raise RecordError(f'{path}: line {start + 14}: unit "{peak[2][:20]}"; {NAME} is in {UNIT}, the file is damaged')
-    samples = _samples(lines, start, path=path)
-    check_peak(number(peak[1]), samples, unit=UNIT, digits=0.1, path=path)
+    dt = positive(interval, name="interval", line=start + 11, path=path)
+    samples, velocity, uneven = _samples(lines, start, path=path)
+    header = lines[start : start + TEXT_LINES + NUMBER_LINES]
+    doubts = check_header(header, name, samples, dt, path=path, line=start + 1)
     return make_record(
         f"{path.stem} {name}",
         acceleration_factor(UNIT, line=start + 14, path=path) * samples,
-        positive(interval, name="interval", line=start + 11, path=path),
+        dt,
         path=str(path),
         event=_place(lines[start + 6]),
         station=_station(lines[start + 1]),
@@ -94,12 +94,13 @@ def _component(lines: list[str], start: int, *, path: Path) -> Record:
         azimuth=azimuth_of(name),
         distance=_kilometres(lines[start + 8], "Dist"),
         earthquake=_earthquake(lines[start + 7], lines[start + 8]),
-        site=Site(*_degrees(lines[start + 1])),
+        site=Site(*coordinates(lines[start + 1])),
+        doubts=(uneven, *doubts, check_integral(velocity, samples, dt, path=path, name=name)),
     )
 
 
-def _samples(lines: list[str], start: int, *, path: Path) -> FloatArray:
-    """The first of the three blocks of the component at index `start`, as printed; all three must be whole."""
+def _samples(lines: list[str], start: int, *, path: Path) -> tuple[FloatArray, FloatArray, str]:
+    """Accelerations and velocities of the component at index `start`, as printed, and a doubt; all must be whole."""
     points = _found(POINTS, lines, start + 9, path=path)[1]
     size = count(points, name="Number of points", line=start + 10, path=path)
     first = start + TEXT_LINES + NUMBER_LINES
@@ -110,9 +111,10 @@ def _samples(lines: list[str], start: int, *, path: Path) -> FloatArray:
             f"{path}: line {first + 1}: {held} lines of numbers, {size} points three times are {3 * height}; "
             f"the file is {'cut short' if held < 3 * height else 'damaged'}"
         )
-    samples = formatted_numbers(lines[first : first + height], first=first + 1, path=path)
+    samples, uneven = formatted_numbers(lines[first : first + height], first=first + 1, path=path)
     check_count(str(size), samples.size, path=path, name="Number of points")
-    return samples
+    velocity = numbers(lines[first + height : first + 2 * height], first=first + height + 1, path=path)
+    return samples, velocity, uneven
 
 
 def _found(pattern: re.Pattern[str], lines: list[str], at: int, *, path: Path) -> re.Match[str]:
@@ -144,7 +146,7 @@ def _kilometres(line: str, key: str) -> float | None:
 
 def _earthquake(date: str, place: str) -> Earthquake:
     at, size = DATE.match(date), re.search(r"\b(M[A-Za-z]*)\s+([\d.]+)\s*$", place)
-    latitude, longitude = _degrees(place)
+    latitude, longitude = coordinates(place)
     return Earthquake(
         time=iso(at[1], _month(at[2]), at[3], at[4], at[5], at[6]) if at else "",
         magnitude=number(size[2]) if size else None,
@@ -160,12 +162,3 @@ def _month(name: str) -> str:
         return str(datetime.strptime(name, "%B").month)
     except ValueError:
         return ""
-
-
-def _degrees(line: str) -> tuple[float | None, float | None]:
-    """Latitude and longitude of "42 37 10S  173 03 13E"."""
-    found = DEGREES.search(line)
-    if found is None:
-        return None, None
-    north, east = (int(found[i]) + int(found[i + 1]) / 60 + int(found[i + 2]) / 3600 for i in (1, 5))
-    return north if found[4] == "N" else -north, east if found[8] == "E" else -east

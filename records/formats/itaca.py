@@ -14,10 +14,10 @@ import re
 from pathlib import Path
 
 from records.errors import RecordError
+from records.formats.agreement import check_count, check_peak
+from records.formats.corners import doubt_of_filter
 from records.formats.samples import (
     acceleration_factor,
-    check_count,
-    check_peak,
     formatted_numbers,
     number,
     positive,
@@ -54,11 +54,12 @@ def read(path: Path, stated: Stated) -> tuple[Record, ...]:
         raise RecordError(f"{path}: the header of {NAME} has no {(*absent, 'unit')[0]}; it is cut short or damaged")
     factor = acceleration_factor(found[1], line=after, path=path)
     dt = positive(text["Time Increment (s)"], name="Time Increment", line=after, path=path)
-    samples = formatted_numbers(lines[after:], first=after + 1, path=path)
+    samples, uneven = formatted_numbers(lines[after:], first=after + 1, path=path)
     check_count(text["Number of Data"], samples.size, path=path, name="Number of Data")
-    check_peak(number(text.get("PGA (m/s/s)", "")), factor * samples, unit="m/s2", digits=1e-9, path=path)
+    peak = check_peak(number(text.get("PGA (m/s/s)", "")), factor * samples, unit="m/s2", digits=1e-9, path=path)
     component = text.get("Orientation", "")
     cut = text.get("Filter Cut-off Frequency (Hz)", "")
+    low, _, high = cut.partition(" - ")
     return (
         make_record(
             path.stem,
@@ -71,7 +72,8 @@ def read(path: Path, stated: Stated) -> tuple[Record, ...]:
             azimuth=azimuth_of(component),
             earthquake=Earthquake(time=iso_of(text.get("Event Date & Time", ""))),
             site=Site(),
-            longest_period=usable_period(number(cut.partition(" - ")[0])),
+            longest_period=usable_period(number(low)),
+            doubts=(uneven, peak, doubt_of_filter(samples, dt, low=number(low), high=number(high))),
         ),
     )
 

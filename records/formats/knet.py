@@ -16,7 +16,9 @@ from pathlib import Path
 import numpy as np
 
 from records.errors import RecordError
-from records.formats.samples import acceleration_factor, check_count, check_peak, number, numbers, positive, text_lines
+from records.formats.agreement import check_count, check_peak
+from records.formats.layout import check_layout
+from records.formats.samples import acceleration_factor, number, numbers, positive, text_lines
 from records.formats.stated import Stated
 from records.formats.times import iso_of
 from records.orientation import azimuth_of
@@ -27,6 +29,7 @@ HEADER_LINES = 17
 KEY_WIDTH = 18
 AHEAD = 9.0  # hours of Japan Standard Time before UTC
 NUMBERED = {"1": "NS1", "2": "EW1", "3": "UD1", "4": "NS2", "5": "EW2", "6": "UD2"}
+NAMED = {"NS": "N-S", "EW": "E-W", "UD": "U-D"}  # endings of the files of K-NET; those of KiK-net are NUMBERED
 
 SCALE = re.compile(r"([0-9.eE+-]+)\s*\(([^()]+)\)\s*/\s*([0-9.eE+-]+)")
 
@@ -53,8 +56,8 @@ def read(path: Path, stated: Stated) -> tuple[Record, ...]:
         raise RecordError(f"{path}: no samples below the header, or some that are not finite; the file is damaged")
     offset = float(np.mean(counts))
     printed = scale * (counts - offset)
-    check_peak(number(header["Max. Acc. (gal)"]), printed, unit=unit, digits=1e-3, path=path)
-    component = NUMBERED.get(header["Dir."], header["Dir."])
+    peak = check_peak(number(header["Max. Acc. (gal)"]), printed, unit=unit, digits=6e-4, path=path)
+    component = _component(header["Dir."], path=path)
     return (
         make_record(
             path.name,
@@ -67,6 +70,7 @@ def read(path: Path, stated: Stated) -> tuple[Record, ...]:
             azimuth=azimuth_of(component),
             earthquake=_earthquake(header),
             site=_site(header, component),
+            doubts=(peak, check_layout(lines[HEADER_LINES:], first=HEADER_LINES + 1, path=path)),
         ),
     )
 
@@ -79,6 +83,20 @@ def _header(lines: list[str], *, path: Path) -> dict[str, str]:
     if absent:
         raise RecordError(f'{path}: the header of {NAME} has no "{absent[0]}"; it is cut short or damaged')
     return header
+
+
+def _component(direction: str, *, path: Path) -> str:
+    """The component by the header, which must be that of the file's name where it ends as NIED's do."""
+    component = NUMBERED.get(direction, direction)
+    if component not in (*NUMBERED.values(), *NAMED.values()):
+        raise RecordError(f'{path}: line 13: Dir. = "{direction[:20]}"; it must be N-S, E-W, U-D or 1 to 6')
+    ending = path.suffix[1:].upper()
+    named = NAMED.get(ending, ending if ending in NUMBERED.values() else component)
+    if named != component:
+        raise RecordError(
+            f'{path}: line 13: Dir. = "{direction}" is {component}, the file is named as {named}; correct what is wrong'
+        )
+    return component
 
 
 def _scale(text: str, *, path: Path) -> tuple[str, float]:

@@ -19,7 +19,9 @@ from pathlib import Path
 import numpy as np
 
 from records.errors import RecordError
-from records.formats.samples import acceleration_factor, check_count, formatted_numbers, text_lines
+from records.formats.agreement import check_count, check_same, unlike
+from records.formats.corners import doubt_of_filter
+from records.formats.samples import acceleration_factor, formatted_numbers, number, text_lines
 from records.formats.stated import Stated
 from records.formats.times import iso
 from records.orientation import azimuth_of
@@ -35,6 +37,9 @@ STEPS = (
     re.compile(rf"^\s*{NUMBER}[\s,]+{NUMBER}[\s,]+NPTS\s*,\s*DT", re.IGNORECASE),
 )
 DATE = re.compile(r"[\s,]*\b(\d{1,2}/\d{1,2}/\d{2,4})\b(?:[ \t]+\d{4}(?=\s*,)|[\s,]+\d{1,2}:\d{2}(?=\s*,))?[\s,]*")
+CORNERS = re.compile(r"([-+]?\d+)\s*POLE\s*@\s*([\d.]+)", re.IGNORECASE)
+NAMED = re.compile(r"RSN\d+_.*?(\d{3})", re.IGNORECASE)
+BESIDE = (".VT2", ".DT2", ".vt2", ".dt2")  # velocities and displacements of the same motion
 AGENCY = re.compile(r"\s*\([^()]*\)\s*$")
 
 
@@ -66,14 +71,16 @@ def read(path: Path, stated: Stated) -> tuple[Record, ...]:
         raise RecordError(f"{path}: the header is cut short; PEER AT2 has four lines before the accelerations")
     npts, dt = _steps(lines[3].strip(), path=path)
     factor = acceleration_factor(found[1], line=3, path=path)
-    samples = factor * formatted_numbers(lines[HEADER_LINES:], first=HEADER_LINES + 1, path=path)
+    samples, uneven = formatted_numbers(lines[HEADER_LINES:], first=HEADER_LINES + 1, path=path)
     check_count(npts, samples.size, path=path)
+    _check_beside(dt, path=path)
+    low, high = _corners(lines[3])
     title = parse_title(lines[1].strip())
     trail = (f"read from {NAME}, unit {found[1].lower()}" + (f", event of {title.date}" if title.date else ""),)
     return (
         make_record(
             path.stem,
-            samples,
+            factor * samples,
             dt,
             path=str(path),
             event=title.event,
@@ -82,6 +89,7 @@ def read(path: Path, stated: Stated) -> tuple[Record, ...]:
             trail=trail,
             azimuth=azimuth_of(title.component),
             earthquake=Earthquake(time=_iso(title.date)),
+            doubts=(uneven, doubt_of_filter(samples, dt, low=low, high=high), _misnamed(title.component, path)),
         ),
     )
 
@@ -96,6 +104,33 @@ def parse_title(line: str) -> Title:
     station, _, component = rest.rpartition(",")
     event = re.sub(r"\s+EQ$", "", event.strip(" ,\t"))
     return Title(event, date[1] if date else "", station.strip(" ,\t"), AGENCY.sub("", component).strip())
+
+
+def _corners(line: str) -> tuple[float | None, float | None]:
+    """Corners [Hz] of the filters in line 4: the low one has a negative number of poles; None where there is none."""
+    corners = {poles.startswith("-"): number(corner, unknown=(0.0,)) for poles, corner in CORNERS.findall(line)}
+    return corners.get(True), corners.get(False)
+
+
+def _misnamed(component: str, path: Path) -> str:
+    """A doubt where the name of the file, as PEER gives it, has another direction than the header."""
+    named = NAMED.fullmatch(path.stem)
+    if named is None or not component.isdigit() or int(component) % 360 == int(named[1]) % 360:
+        return ""
+    return unlike("component", component, "file's name", named[1])
+
+
+def _check_beside(dt: float, *, path: Path) -> None:
+    """Refuse a step [s] other than that of the velocities or displacements of the same name in the same folder."""
+    for other in (path.with_suffix(ending) for ending in BESIDE):
+        try:
+            with other.open(encoding="latin-1") as file:
+                header = [file.readline() for _ in range(HEADER_LINES)]
+        except OSError:
+            continue
+        found = next((match for match in (pattern.search(header[3].strip()) for pattern in STEPS) if match), None)
+        if found:
+            check_same("line 4: DT", dt, f"that of {other.name}", number(found[2]), slack=0.01 * dt, path=path)
 
 
 def _iso(date: str) -> str:

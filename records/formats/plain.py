@@ -18,7 +18,8 @@ import numpy as np
 
 from records.errors import RecordError
 from records.formats import peer_at2
-from records.formats.samples import FloatArray, acceleration_factor, check_count, numbers, positive, text_lines
+from records.formats.agreement import check_count, check_same
+from records.formats.samples import FloatArray, acceleration_factor, formatted_numbers, number, positive, text_lines
 from records.formats.stated import GIVE_STEP, GIVE_UNIT, Stated
 from records.record import Record, make_record
 from spectra.columns import CONTROL
@@ -29,6 +30,7 @@ WIDEST_TABLE = 4  # columns; three components, and time
 
 STEPS = re.compile(r"\s*NPTS\s*=\s*(\d+)\s*,?\s*DT\s*=\s*([\d.eE+-]+)", re.IGNORECASE)
 COUNT_AND_STEP = re.compile(r"\s*(\d+)\s+(\d*\.\d+(?:[eE][-+]?\d+)?)\s*")
+AGAIN = re.compile(r"\s*(\d+)\s+points at equal spacing of\s+([\d.]+)\s+sec", re.IGNORECASE)
 UNITS = re.compile(r"\bunits?\s+(?:are|is|of|:|=)\s*\(?\s*([^\s(),;]+)", re.IGNORECASE)
 VALUE = re.compile(r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eEdD][-+]?\d+)?")
 END = re.compile(r"[\s*]*(?:end of data|end data|end)?[\s*]*", re.IGNORECASE)
@@ -71,11 +73,16 @@ def read(path: Path, stated: Stated) -> tuple[Record, ...]:
     body = lines[header.length :]
     while body and END.fullmatch(body[-1]):
         body = body[:-1]
-    samples = numbers(body, first=header.length + 1, path=path)
+    samples, uneven = formatted_numbers(body, first=header.length + 1, path=path)
     if header.count:
         check_count(header.count, samples.size, path=path)
     else:
         _refuse_tables(body, samples, path=path)
+    for line, found in enumerate(map(AGAIN.match, lines[: header.length]), start=1):
+        if found and header.count:
+            told = (float(found[1]), number(found[2]))
+            check_same("the header's count", float(header.count), f"that of line {line}", told[0], slack=0.0, path=path)
+            check_same("the header's step", number(header.step), f"that of line {line}", told[1], slack=1e-6, path=path)
     unit = header.unit or stated.unit
     if unit is None:
         raise RecordError(f"{path}: the file does not state the unit of its accelerations; {GIVE_UNIT}")
@@ -88,6 +95,7 @@ def read(path: Path, stated: Stated) -> tuple[Record, ...]:
             dt,
             path=str(path),
             trail=(f"read from {NAME} numbers, {said}",),
+            doubts=(uneven,),
         ),
     )
 

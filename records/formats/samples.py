@@ -1,4 +1,4 @@
-"""The numbers of a text file: parsed with the line of what is wrong, counted, and held against the stated peak."""
+"""The numbers of a text file, parsed with the line of what is wrong."""
 
 from __future__ import annotations
 
@@ -10,13 +10,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from records.errors import RecordError
+from records.formats.layout import check_layout
 from spectra.columns import ACCELERATION_UNITS, ColumnError, factor_of
 
 FloatArray = NDArray[np.float64]
 
 TOUCHING = re.compile(r"(?<=[0-9.])(?=[-+])")
+BATCH = 20_000  # lines that are turned into numbers at once
 NUMERIC = re.compile(r"[\s0-9.eEdD+-]+")
-PEAK_AGREES = 0.02  # between the peak that a header states and that of its samples; a wrong unit is 2 % off or more
 
 
 def text_lines(path: Path) -> list[str]:
@@ -29,23 +30,34 @@ def numbers(lines: Sequence[str], *, first: int, path: Path) -> FloatArray:
 
     `first` is the number of the first of these lines in the file, from 1. RecordError names the line of what is none.
     """
-    text = "\n".join(lines)
-    for separated in (text, TOUCHING.sub(" ", text)):
+    parts = [_parsed("\n".join(lines[i : i + BATCH])) for i in range(0, len(lines), BATCH)]
+    held = [part for part in parts if part is not None]
+    if len(held) < len(parts):
+        raise RecordError(f"{path}: {_first_bad(lines, first=first)}")
+    return np.concatenate([np.empty(0), *held])
+
+
+def _parsed(text: str) -> FloatArray | None:
+    """All numbers in a text; None where one is none."""
+    for separated in (text.split(), TOUCHING.sub(" ", text).split()):
         try:
-            return np.array(separated.split(), dtype=np.float64)
+            return np.array(separated, dtype=np.float64)
         except ValueError:
             continue
-    raise RecordError(f"{path}: {_first_bad(lines, first=first)}")
+    return None
 
 
-def formatted_numbers(lines: Sequence[str], *, first: int, path: Path) -> FloatArray:
-    """The same of numbers printed alike: a last one of fewer places (`6.7E-0` of `6.7E-05`) is cut short."""
+def formatted_numbers(lines: Sequence[str], *, first: int, path: Path) -> tuple[FloatArray, str]:
+    """The same of numbers printed alike, and a doubt about columns that are not.
+
+    A last one of fewer places (`6.7E-0` of `6.7E-05`) is cut short; any other printed otherwise has lost characters.
+    """
     values = numbers(lines, first=first, path=path)
     last = [line for line in lines[-3:] if line.strip()][-2:]
     fields = TOUCHING.sub(" ", "\n".join(last)).split()
     if len(fields) > 1 and len(fields[-1].partition(".")[2]) < len(fields[-2].partition(".")[2]):
         raise RecordError(f'{path}: the last number, "{fields[-1][:20]}", is cut short; get the file again')
-    return values
+    return values, check_layout(lines, first=first, path=path)
 
 
 def numeric_end(lines: Sequence[str], start: int) -> int:
@@ -85,31 +97,6 @@ def acceleration_factor(unit: str, *, line: int, path: Path) -> float:
         return factor_of(unit, known=ACCELERATION_UNITS)
     except ColumnError as error:
         raise RecordError(f"{path}: line {line}: {error}") from None
-
-
-def check_count(stated: str, held: int, *, path: Path, name: str = "NPTS") -> None:
-    """Refuses samples that are not as many as the header, as printed, says; however long a number that is."""
-    said = stated.lstrip("0") or "0"
-    if said == str(held):
-        return
-    short = (len(said), said) > (len(str(held)), str(held))
-    remedy = "the file is cut short" if short else "the header or the data are wrong"
-    raise RecordError(f"{path}: {name} says {stated[:20]} samples, the file holds {held}; {remedy}")
-
-
-def check_peak(stated: float | None, samples: FloatArray, *, unit: str, digits: float, path: Path) -> None:
-    """Refuses samples whose peak is not the one `stated` in the header, both in `unit`, rounded to `digits`.
-
-    Nothing is known where the header states none or zero.
-    """
-    if not stated or not samples.size:
-        return
-    found = float(np.max(np.abs(samples)))
-    if not abs(found - abs(stated)) <= PEAK_AGREES * abs(stated) + digits:
-        raise RecordError(
-            f"{path}: the header states a peak of {abs(stated):.6g} {unit}, the samples have {found:.6g}; "
-            "the unit or the data are damaged, get the file again"
-        )
 
 
 def _first_bad(lines: Sequence[str], *, first: int) -> str:

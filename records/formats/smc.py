@@ -9,10 +9,14 @@ Report 92-296A; the format's page at https://escweb.wr.usgs.gov/nsmp-data/smcfmt
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 from pathlib import Path
 
+import numpy as np
+
 from records.errors import RecordError
-from records.formats.samples import FloatArray, check_count, check_peak, formatted_numbers, number, numbers, text_lines
+from records.formats.agreement import check_count, check_peak, check_same, check_time_of_peak, doubt_same
+from records.formats.samples import FloatArray, formatted_numbers, number, numbers, text_lines
 from records.formats.stated import Stated
 from records.formats.times import iso
 from records.orientation import azimuth_of
@@ -22,11 +26,13 @@ NAME = "SMC"
 UNIT, FACTOR = "cm/s2", 0.01
 TEXT_LINES, INTEGER_LINES, REAL_LINES = 11, 6, 10
 INTEGERS, REALS = 48, 50
-POINTS, RATE, PEAKS = 16, 1, (29, 31)  # indices of header values, from 0
+POINTS, YEAR, VERTICAL, AZIMUTH = 16, 1, 12, 13  # indices of integers of the header, from 0
+RATE, PEAKS, DISTANCE = 1, (29, 31), 16  # of reals; the time of each peak stands before it
 MAGNITUDES = {5: "Mw", 7: "ML", 6: "Ms"}
 UNKNOWN = (1.7e38, -32768.0)
 
 ACCELERATION = re.compile(r"\s*[12*]?\s*(?:UN)?CORRECTED ACCELEROGRAM", re.IGNORECASE)
+TEXT_PEAK = re.compile(r"epicentral dist\s*=\s*([\d.]*)\s*pk\s*=\s*([-+\d.]*)")
 STATION = re.compile(r"\s*station\s*=\s*(.*?)\s*component\s*=\s*(.*?)\s*", re.IGNORECASE)
 EVENT = re.compile(r"\s*(\d{4})\s+(\d{1,2})\s+(\d{1,2})\s+(\d\d)(\d\d)\s+(.*?)\s*")
 
@@ -51,7 +57,8 @@ def read(path: Path, stated: Stated) -> tuple[Record, ...]:
     rate = _known(reals, RATE) or 0.0
     if not 0.0 < rate < float("inf"):
         raise RecordError(f"{path}: line 18: rate of {rate:.6g} samples a second; it must be positive")
-    samples = _samples(lines, integers, reals, path=path)
+    dt = float(f"{1.0 / rate:.10g}")
+    samples, doubts = _samples(lines, integers, reals, dt, path=path)
     station = STATION.fullmatch(lines[5])
     event = EVENT.fullmatch(lines[3])
     component = station[2] if station else ""
@@ -59,7 +66,7 @@ def read(path: Path, stated: Stated) -> tuple[Record, ...]:
         make_record(
             path.stem,
             FACTOR * samples,
-            float(f"{1.0 / rate:.10g}"),
+            dt,
             path=str(path),
             event=event[6] if event else "",
             station=station[1] if station else "",
@@ -69,19 +76,53 @@ def read(path: Path, stated: Stated) -> tuple[Record, ...]:
             distance=_metres(_known(reals, 16)),
             earthquake=_earthquake(event, reals),
             site=Site(latitude=_known(reals, 10), longitude=_known(reals, 11), elevation=_known(reals, 12)),
+            doubts=(*doubts, *_doubts(lines, event, component, integers, reals, path=path)),
         ),
     )
 
 
-def _samples(lines: list[str], integers: FloatArray, reals: FloatArray, *, path: Path) -> FloatArray:
-    """What stands below the comments, as printed, held against count and peaks of the header."""
+def _samples(
+    lines: list[str], integers: FloatArray, reals: FloatArray, dt: float, *, path: Path
+) -> tuple[FloatArray, tuple[str, ...]]:
+    """What stands below the comments, as printed, held against count, peaks and their times; and doubts."""
     after = TEXT_LINES + INTEGER_LINES + REAL_LINES
     after = next((i for i in range(after, len(lines)) if not lines[i].startswith("|")), len(lines))
-    samples = formatted_numbers(lines[after:], first=after + 1, path=path)
+    samples, uneven = formatted_numbers(lines[after:], first=after + 1, path=path)
     check_count(f"{integers[POINTS]:.0f}", samples.size, path=path, name="integer 17 of the header")
     peak = max((abs(value) for i in PEAKS if (value := _known(reals, i)) is not None), default=None)
-    check_peak(peak, samples, unit=UNIT, digits=1e-3, path=path)
-    return samples
+    doubts = [uneven, check_peak(peak, samples, unit=UNIT, digits=1e-3, path=path)]
+    for i, side in zip(PEAKS, (1.0, -1.0), strict=True):
+        value = _known(reals, i)
+        if value is not None and side * value > 0.0:
+            one_sided = np.maximum(side * samples, 0.0)
+            check_time_of_peak(_known(reals, i - 1), one_sided, dt, slack=0.5 * dt, path=path)
+            doubts.append(check_peak(value, one_sided, unit=UNIT, digits=1e-3, path=path))
+    return samples, tuple(doubts)
+
+
+def _doubts(
+    lines: list[str],
+    event: re.Match[str] | None,
+    component: str,
+    integers: FloatArray,
+    reals: FloatArray,
+    *,
+    path: Path,
+) -> Iterator[str]:
+    """Refuse a direction that is another in the integers; doubts about what the text says again."""
+    azimuth = number(component)
+    known = _known(integers, AZIMUTH) if _known(integers, VERTICAL) == 90.0 else None
+    if azimuth is not None and known is not None:
+        check_same(
+            "line 6: component", azimuth % 360.0, "integer 14 of the header", known % 360.0, slack=1.0, path=path
+        )
+    text = TEXT_PEAK.match(lines[6])
+    if text:
+        peak = max((value for i in PEAKS if (value := _known(reals, i)) is not None), key=abs, default=None)
+        yield doubt_same("distance", number(text[1]), "number in the header", _known(reals, DISTANCE), slack=0.06)
+        yield doubt_same("peak", number(text[2]), "number in the header", peak, slack=0.06)
+    if event:
+        yield doubt_same("year", number(event[1]), "number in the header", _known(integers, YEAR), slack=0.0)
 
 
 def _values(lines: list[str], start: int, height: int, size: int, *, path: Path) -> FloatArray:

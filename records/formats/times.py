@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from datetime import UTC, datetime, timedelta
 
+DAY_FIRST = re.compile(r"\s*\d{1,2}/\d{1,2}/\d{4}\b")
 NUMBERS = re.compile(r"\d+(?:\.\d+)?")
 
 
@@ -25,7 +26,12 @@ def iso(year: str, month: str, day: str, *clock: str, ahead: float = 0.0) -> str
 
 
 def iso_of(text: str, *, ahead: float = 0.0) -> str:
-    """The same from text in the order year, month, day, hour, minute, second, whatever stands between the numbers."""
+    """The same from text in the order year, month, day, hour, minute, second, whatever stands between the numbers.
+
+    "20/07/2017 22:30:59", with the year in third place, has the day first.
+    """
     compact = re.fullmatch(r"(\d{4})(\d\d)(\d\d)[ _T]*(?:(\d\d)(\d\d)(\d\d(?:\.\d+)?))?", text.strip())
     parts = [part for part in compact.groups() if part] if compact else NUMBERS.findall(text)
+    if DAY_FIRST.match(text):
+        parts[:3] = parts[2::-1]
     return iso(*parts[:6], ahead=ahead) if len(parts) >= 3 else ""

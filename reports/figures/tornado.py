@@ -56,7 +56,7 @@ def draw(panels: Sequence[Panel]) -> Figure:
         beside = figure.subplots(1, len(panels), squeeze=False, sharey=True)[0]
         for axes, panel in zip(beside, panels, strict=True):
             _panel(axes, panel)
-        names = ["\n".join(label(line, LONGEST) for line in bar.lines) for bar in rows]
+        names = [f"{label(bar.lines[0], LONGEST)}\n{bar.lines[1]}" for bar in rows]
         beside[0].set_yticks(range(len(rows)), names)
         beside[0].set_ylim(len(rows) - 0.5, -0.5)
         _legend(figure, beside[0])

@@ -26,7 +26,8 @@ ROOT = Path(__file__).parents[2]
 FILLED = "7"
 MAKERS = ("message", "warning", "note")
 SOURCES: Mapping[str, tuple[str, ...]] = {
-    "assess/geometry/mesh.py": ("_likely_unit", "_turned", "_unit", "suspicious"),
+    "assess/geometry/magnitude.py": ("_likely_unit", "suspicious"),
+    "assess/geometry/mesh.py": ("_turned", "_unit"),
     "assess/geometry/repair.py": ("_filled", "_single", "_split", "_welded", "_wound_alike"),
     "assess/geometry/shells.py": ("_overlaps_united", "_turned", "_without_flat", "counted_once"),
     "assess/geometry/sounding.py": ("doubts_of",),
@@ -49,7 +50,11 @@ SOURCES: Mapping[str, tuple[str, ...]] = {
     "assess/project/sampling.py": ("longest_step",),
     "assess/project/walls.py": ("by_formula", "by_search"),
     "records/flatfile.py": ("_reason",),
-    "records/plausibility.py": ("_doubt", "_likely"),
+    "records/arrival.py": ("doubt_of_arrival",),
+    "records/formats/agreement.py": ("check_integral", "unlike"),
+    "records/formats/corners.py": ("beyond_nyquist", "doubt_of_filter"),
+    "records/formats/layout.py": ("check_layout",),
+    "records/plausibility.py": ("_doubt", "_likely", "_of_frequencies", "_of_step", "_of_steps"),
     "spectra/asce7.py": ("STUDIES_2016", "mapped_spectrum"),
     "spectra/nzs1170_5.py": ("_capped",),
     "spectra/spectrum.py": ("implausible",),
@@ -57,6 +62,7 @@ SOURCES: Mapping[str, tuple[str, ...]] = {
 """Files with the functions and constants in which texts are written that messages take as they are."""
 
 _LONGEST = 'body "7" measures 7 m at its longest; is its unit right?'
+_THICK = 'body "7" measures 7 m at its longest and is about 7 m thick; is its unit right?'
 _ALONE, _BESIDE = (
     "nothing else in the project carries it",
     "the hinge lies 7 m 7 the edge of its contact, which is 7 m deep",
@@ -66,7 +72,10 @@ _CRACK = "crack at z = 7 m, 7 of the height, where the uplift multiplier is leas
 _HELD = " with the mortar's tension before it opens"
 COMPOSED: Mapping[str, tuple[str, ...]] = {
     f"{_LONGEST}7": (_LONGEST,),
-    ' With mesh_unit = "7" it would measure 7 m': (f'{_LONGEST} With mesh_unit = "7" it would measure 7 m',),
+    f"{_THICK}7": (_THICK,),
+    ' With mesh_unit = "7" it would measure 7 m': tuple(
+        f'{measured} With mesh_unit = "7" it would measure 7 m' for measured in (_LONGEST, _THICK)
+    ),
     f"7; {_HALF}": (f"{_ALONE}; {_HALF}",),
     "7, so its whole weight is on the block: else give share": (
         f"{_ALONE}, so its whole weight is on the block: else give share",

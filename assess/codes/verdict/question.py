@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
 
@@ -17,11 +17,15 @@ Works = Literal["none", "repair", "improvement", "upgrading"]
 
 @dataclass(frozen=True)
 class Missing:
-    """An input without which there is no answer: its key in the project file, why, and a line of TOML to begin with."""
+    """An input without which there is no answer: its key in the project file, why, and a line of TOML to begin with.
+
+    reasons : those whose texts are part of why
+    """
 
     key: str
     text: str
     toml: str = ""
+    reasons: tuple[Message, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -84,9 +88,18 @@ def once(missing: Sequence[Missing]) -> tuple[Missing, ...]:
     for each in missing:
         groups.setdefault(each.key, []).append(each)
     return tuple(
-        replace(group[0], text="; ".join(dict.fromkeys(each.text for each in group)), toml=_line_of(group))
+        replace(
+            group[0],
+            text="; ".join(dict.fromkeys(each.text for each in group)),
+            toml=_line_of(group),
+            reasons=_once(reason for each in group for reason in each.reasons),
+        )
         for group in groups.values()
     )
+
+
+def _once(reasons: Iterable[Message]) -> tuple[Message, ...]:
+    return tuple({reason.text: reason for reason in reasons}.values())
 
 
 def _line_of(group: Sequence[Missing]) -> str:

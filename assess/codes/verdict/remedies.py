@@ -58,11 +58,11 @@ def _by_reason(mechanism: str, check: Check, reason: Message) -> tuple[Missing, 
     text = f"{mechanism}: {check.procedure}: {reason.text}"
     if reason.where:  # of the whole project, as a suite of records is, said once for all mechanisms
         own = reason.where.startswith("mechanisms.")
-        return (Missing(reason.where, text if own else reason.text, str(reason.values.get("toml", ""))),)
+        return (Missing(reason.where, text if own else reason.text, str(reason.values.get("toml", "")), (reason,)),)
     lines = _lines(check, reason)
     if not lines:
-        return (Missing(f"mechanisms.{mechanism}", text),)
-    return tuple(Missing(key.format(mechanism), text, toml) for key, toml in lines)
+        return (Missing(f"mechanisms.{mechanism}", text, reasons=(reason,)),)
+    return tuple(Missing(key.format(mechanism), text, toml, (reason,)) for key, toml in lines)
 
 
 def _reasons(check: Check) -> tuple[Message, ...]:

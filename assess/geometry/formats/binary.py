@@ -37,8 +37,11 @@ def stl(data: bytes) -> MeshFile | None:
     count = int.from_bytes(data[TITLE:start], "little")
     if not count or len(data) != start + count * FACET.itemsize:
         return None
-    corners = np.frombuffer(data, FACET, offset=start)["corners"].reshape(-1, 3)
-    return _of_one(corners, np.arange(len(corners)).reshape(-1, 3))
+    corners = np.frombuffer(data, FACET, offset=start)["corners"]
+    columns = np.empty((3, count, 3))  # x of all corners, then y, then z: they are worked through so
+    for axis in range(3):
+        columns[axis] = corners[:, :, axis]
+    return _of_one(columns.reshape(3, -1).T, np.arange(3 * count).reshape(-1, 3))
 
 
 def _of_one(vertices: ArrayLike, triangles: ArrayLike) -> MeshFile:

@@ -1,4 +1,4 @@
-"""glTF and 3MF files. The only door to trimesh, which reads them; it is not asked to mend anything.
+"""glTF files. The only door to trimesh, which reads them; it is not asked to mend anything.
 
 The format readers are called themselves, because trimesh's own objects merge and drop.
 """
@@ -6,31 +6,24 @@ The format readers are called themselves, because trimesh's own objects merge an
 from __future__ import annotations
 
 import io
-from collections.abc import Mapping
-from dataclasses import replace
+from collections.abc import Collection, Mapping
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from assess.geometry.formats.parts import Element, FloatArray, MeshFile, Part, file_of, moved, part
+from assess.geometry.formats.bounds import INSTANCES, TRIANGLES, nodes_of
+from assess.geometry.formats.parts import Element, FloatArray, MeshFile, Part, file_of, moved, part, together
 
-UNITS_3MF = {  # 3MF Core Specification 1.3, 3.4: the attribute unit of <model> [m]
-    "micron": 1e-6,
-    "millimeter": 1e-3,
-    "millimeters": 1e-3,  # trimesh's word where the file has none
-    "centimeter": 1e-2,
-    "inch": 0.0254,
-    "foot": 0.3048,
-    "meter": 1.0,
-}
+MADE = 7  # letters that trimesh adds to the name of a node for a primitive of its mesh
 
 
 def read_glb(file: Path) -> MeshFile:
     """glTF 2.0 in one binary file: in metres, y up, whose +z is forward (glTF 2.0, 3.4)."""
     from trimesh.exchange.gltf import load_glb
 
-    return file_of(_placed(load_glb(_content(file), skip_materials=True)), unit=1.0, up="y")
+    own = nodes_of(file)
+    return file_of(_placed(load_glb(_content(file), skip_materials=True), own), unit=1.0, up="y")
 
 
 def read_gltf(file: Path) -> MeshFile:
@@ -38,19 +31,9 @@ def read_gltf(file: Path) -> MeshFile:
     from trimesh.exchange.gltf import load_gltf
     from trimesh.resolvers import FilePathResolver
 
+    own = nodes_of(file)
     loaded = load_gltf(_content(file), resolver=FilePathResolver(str(file)), skip_materials=True)
-    return file_of(_placed(loaded), unit=1.0, up="y")
-
-
-def read_3mf(file: Path) -> MeshFile:
-    """3D Manufacturing Format: z up, in the unit it states, millimetres where it states none."""
-    from trimesh.exchange.threemf import load_3MF
-
-    loaded = load_3MF(_content(file), postprocess=False)
-    unit = str(loaded["metadata"]["units"]).lower()
-    if unit not in UNITS_3MF:
-        raise ValueError(f"its unit {unit!r:.30} is none of {', '.join(UNITS_3MF)}")
-    return file_of(_placed(loaded), unit=UNITS_3MF[unit], up="z")
+    return file_of(_placed(loaded, own), unit=1.0, up="y")
 
 
 def _content(file: Path) -> io.BytesIO:
@@ -66,17 +49,28 @@ def _meshes(meshes: Mapping[str, Mapping[str, Any]]) -> dict[str, Part]:
     }
 
 
-def _placed(loaded: Mapping[str, Any]) -> tuple[Part, ...]:
-    """Every instance of every mesh of a scene in its place; it bears the names of its node and its mesh."""
+def _placed(loaded: Mapping[str, Any], own: Collection[str]) -> tuple[Part, ...]:
+    """Every node's mesh in its place, of all its primitives; it bears the name of the node, and is within its mesh."""
     meshes = _meshes(loaded["geometry"])
     edges = {edge["frame_to"]: edge for edge in loaded["graph"]}
-    found = []
+    used = [meshes[name] for edge in edges.values() if (name := edge.get("geometry", "")) in meshes]
+    if len(used) > INSTANCES or sum(len(each.triangles) for each in used) > TRIANGLES:
+        raise ValueError(f"its scene has more than {INSTANCES} instances or {TRIANGLES} triangles")
+    found: dict[str, list[Part]] = {}
     for node, edge in edges.items():
         mesh = meshes.get(edge.get("geometry", ""))
         if mesh is not None:
             placed = moved(mesh, _place(node, edges, base=loaded["base_frame"]))
-            found.append(replace(placed, element=Element((str(node),), within=mesh.element.names)))
-    return tuple(found)
+            found.setdefault(str(node) if node in own else _owner(node, edge), []).append(placed)
+    return tuple(
+        Part(Element((node,), within=parts[0].element.names), *together(parts)) for node, parts in found.items()
+    )
+
+
+def _owner(node: str, edge: Mapping[str, Any]) -> str:
+    """The node of the file behind one that is not: trimesh makes one, of a random name, for each of many primitives."""
+    owner = str(edge["frame_from"])
+    return owner if len(node) == len(owner) + MADE and node.startswith(f"{owner}_") else str(node)
 
 
 def _place(node: str, edges: Mapping[str, Mapping[str, Any]], *, base: str) -> FloatArray:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from functools import cache, partial
 from pathlib import Path
 from typing import Any
@@ -15,6 +17,12 @@ from assess.geometry.formats.parts import Element, MeshFile, Part, part, without
 ANGULAR = 0.05  # rad: largest turn between neighbouring facets; a circle's area is then 0.04 % small
 NOT_BUILT = ("IfcSpace", "IfcOpeningElement", "IfcVirtualElement", "IfcAnnotation", "IfcGrid")
 NO_BODIES = ("Curve2D", "Curve3D", "Curve", "Point", "PointCloud", "Annotation2D", "GeometricCurveSet", "BoundingBox")
+WHOLE_BODIES = (
+    "IfcSolidModel", "IfcBooleanResult", "IfcFaceBasedSurfaceModel", "IfcShellBasedSurfaceModel",
+    "IfcTessellatedItem", "IfcCsgPrimitive3D", "IfcMappedItem",
+)  # fmt: skip
+FAILED = re.compile(r"^\[error\].*Failed to convert:\s*#(\d+)=", re.MULTILINE)
+PARTLY = "not all of it could be built from what the file says, volume and mass may be wrong: {lost}"
 NOT_MEASURED = ("Axis", "FootPrint", "Box", "Annotation", "Profile", "Reference", "Clearance", "CoG", "Lighting")
 UNMESHED = "its body could not be built from what the file says of it; repair or export this element again"
 
@@ -89,11 +97,28 @@ def _meshed(
     model: Any, products: Sequence[Any], elements: Sequence[Element], places: Sequence[int]
 ) -> tuple[Part, ...]:
     """The meshes of the elements asked for; one that has none is said to have none."""
+    import ifcopenshell
+
     wanted = [products[i] for i in places]
+    ifcopenshell.get_log()  # empties it
     shapes = _shapes(model, wanted) if wanted else {}
+    failed = {int(number) for number in FAILED.findall(ifcopenshell.get_log())}
     nothing = without_mesh(Element(), UNMESHED)
-    found = [(elements[i], shapes.get(product.id(), nothing)) for i, product in zip(places, wanted, strict=True)]
-    return tuple(Part(element, shape.vertices, shape.triangles, shape.fault) for element, shape in found)
+    found = []
+    for place, product in zip(places, wanted, strict=True):
+        shape = replace(shapes.get(product.id(), nothing), element=elements[place])
+        lost = [] if shape.fault or not failed else _lost(model, product, failed)
+        found.append(replace(shape, doubt=PARTLY.format(lost=", ".join(lost)) if lost else ""))
+    return tuple(found)
+
+
+def _lost(model: Any, product: Any, failed: set[int]) -> list[str]:
+    """The bodies of an element and of its openings that could not be built; single faces are not told."""
+    openings = [link.RelatedOpeningElement for link in _links(product, "HasOpenings")]
+    owned = [item for each in (product, *openings) for item in model.traverse(each.Representation)]
+    return sorted(
+        f"{item.is_a()} #{item.id()}" for item in owned if item.id() in failed and any(map(item.is_a, WHOLE_BODIES))
+    )
 
 
 def _shapes(model: Any, products: Sequence[Any]) -> Mapping[int, Part]:

@@ -20,6 +20,7 @@ BoolArray = NDArray[np.bool_]
 Number = TypeVar("Number", np.float64, np.int64)
 
 BLOCK = 1 << 22  # bytes read at a time
+COMMENT = re.compile(rb"#[^\n]*")
 SPACE, NEWLINE = 32, 10  # bytes up to the space part words
 
 
@@ -40,19 +41,31 @@ class Block:
     second: NDArray[np.uint8]
 
 
-def blocks(file: Path, *, skip: int = 0) -> Iterator[Block]:
-    """The lines of a file; a backslash at the end of one joins the next to it."""
+def blocks(file: Path, *, skip: int = 0, comments: bool = False) -> Iterator[Block]:
+    """The lines of a file; a backslash at the end of one joins the next to it.
+
+    Parameters
+    ----------
+    skip : bytes before the first line
+    comments : whether what stands behind a # is left out
+
+    Raises
+    ------
+    ValueError : it is no text of one byte to a letter
+    """
     with file.open("rb") as content:
         content.seek(skip)
         rest = b""
         while read := content.read(BLOCK):
+            if b"\0" in read:
+                raise ValueError("it is no plain text; if it is UTF-16, save it as UTF-8")
             text = (rest + read).replace(b"\r\n", b"\n").replace(b"\r", b"\n").replace(b"\\\n", b"  ")
             whole = text.rfind(b"\n") + 1
             rest = text[whole:]
             if whole:
-                yield _block(text[:whole])
+                yield _block(COMMENT.sub(b"", text[:whole]) if comments else text[:whole])
         if rest.strip():
-            yield _block(rest.rstrip(b"\\") + b"\n")
+            yield _block((COMMENT.sub(b"", rest) if comments else rest).rstrip(b"\\") + b"\n")
 
 
 def _block(text: bytes) -> Block:

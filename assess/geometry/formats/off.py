@@ -11,11 +11,10 @@ from assess.geometry.formats.lines import Block, BoolArray, FloatArray, IntArray
 from assess.geometry.formats.parts import Element, MeshFile, fans, file_of, part
 
 HEADER = re.compile(
-    rb"\A(?:\xef\xbb\xbf)?(?:\s|#[^\n]*\n)*(?:ST)?C?N?OFF\b(?:\s|#[^\n]*\n)*"
+    rb"\A(?:\xef\xbb\xbf)?(?:\s|#[^\n]*\n)*(?:ST)?C?N?OFF(?![A-Za-z])(?:\s|#[^\n]*\n)*"
     rb"(\d{1,12})\s+(\d{1,12})(?:[ \t]+\d+)?[^\n]*\n"
 )
 LONGEST = 1 << 16  # bytes before the first vertex
-COMMENT = ord("#")
 LEAST = 3  # corners of a face, coordinates of a vertex
 
 
@@ -34,8 +33,8 @@ def read_off(file: Path) -> MeshFile:
     vertices, faces = int(header[1]), int(header[2])
     points, triangles = [np.empty((0, 3))], [np.empty((0, 3), dtype=np.int64)]
     lines = 0
-    for block in blocks(file, skip=header.end()):
-        content_lines = (block.words > 0) & (block.first != COMMENT)
+    for block in blocks(file, skip=header.end(), comments=True):
+        content_lines = block.words > 0
         place = lines + np.cumsum(content_lines) - 1
         points.append(_points(block, content_lines & (place < vertices)))
         triangles += _faces(block, content_lines & (place >= vertices) & (place < vertices + faces))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
 Up = Literal["y", "z"]
+CLOUD = "it holds {count} points and no faces; make a closed surface of the points first"
 
 
 @dataclass(frozen=True)
@@ -44,12 +45,14 @@ class Part:
     vertices : [n, 3] in the file's unit
     triangles : indices into vertices [m, 3]
     fault : why there is no mesh, a sentence; empty where there is one
+    doubt : why the mesh may not be all that the file says, a sentence; empty where it is
     """
 
     element: Element
     vertices: FloatArray
     triangles: IntArray
     fault: str = ""
+    doubt: str = ""
 
 
 @dataclass(frozen=True)
@@ -102,7 +105,7 @@ def moved(shape: Part, matrix: ArrayLike) -> Part:
     """The part after a transformation [4, 4] of homogeneous coordinates; a reflection turns its triangles."""
     A = np.asarray(matrix, dtype=np.float64)
     triangles = shape.triangles if np.linalg.det(A[:3, :3]) >= 0.0 else shape.triangles[:, ::-1]
-    return Part(shape.element, shape.vertices @ A[:3, :3].T + A[:3, 3], triangles, shape.fault)
+    return replace(shape, vertices=shape.vertices @ A[:3, :3].T + A[:3, 3], triangles=triangles)
 
 
 def together(parts: Sequence[Part]) -> tuple[FloatArray, IntArray]:

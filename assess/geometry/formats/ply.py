@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from assess.geometry.formats.lines import BoolArray, FloatArray, IntArray, rows_of, words_as_numbers
-from assess.geometry.formats.parts import Element, MeshFile, fans, file_of, part
+from assess.geometry.formats.parts import CLOUD, Element, MeshFile, fans, file_of, part
 
 SHORT = {"char": "i1", "uchar": "u1", "short": "i2", "ushort": "u2", "int": "i4", "uint": "u4"}
 SIZED = {"int8": "i1", "uint8": "u1", "int16": "i2", "uint16": "u2", "int32": "i4", "uint32": "u4"}
@@ -77,6 +77,8 @@ def read_ply(file: Path) -> MeshFile:
         raise ValueError("it goes on behind what its header announces")
     vertices = _vertices(found.get("vertex", {}))
     triangles = [*_faces(found.get("face", {})), *_strips(found.get("tristrips", {}))]
+    if len(vertices) and not any(len(each) for each in triangles):
+        raise ValueError(CLOUD.format(count=len(vertices)))
     nothing = np.empty((0, 3), dtype=np.int64)
     return file_of([part(Element(), vertices, np.concatenate([nothing, *triangles]))])
 

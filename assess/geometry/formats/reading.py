@@ -15,6 +15,7 @@ from assess.geometry.formats.ply import read_ply
 from assess.geometry.formats.quiet import unheard
 from assess.geometry.formats.rhino import read_3dm
 from assess.geometry.formats.step import read_step
+from assess.geometry.formats.threemf import read_3mf
 from assess.geometry.formats.wavefront import read_obj
 
 Reader = Callable[[Path], MeshFile]
@@ -26,7 +27,7 @@ READERS: Mapping[str, Reader] = {
     ".off": read_off,
     ".glb": by_trimesh.read_glb,
     ".gltf": by_trimesh.read_gltf,
-    ".3mf": by_trimesh.read_3mf,
+    ".3mf": read_3mf,
     ".step": read_step,
     ".stp": read_step,
     ".3dm": read_3dm,

@@ -9,8 +9,10 @@ from typing import Any
 
 import numpy as np
 
+from assess.geometry.formats.apart import run_apart
 from assess.geometry.formats.parts import Element, FloatArray, MeshFile, Part, file_of, moved, part, without_mesh
 
+READ = "import sys, rhino3dm; rhino3dm.File3dm.FromByteArray(open(sys.argv[1], 'rb').read())"
 UNITS = {  # rhino3dm.UnitSystem [m]
     "Microns": 1e-6,
     "Millimeters": 1e-3,
@@ -38,6 +40,7 @@ def read_3dm(file: Path) -> MeshFile:
     """
     import rhino3dm
 
+    run_apart(READ, file, name="openNURBS")
     model = rhino3dm.File3dm.FromByteArray(file.read_bytes())
     if model is None:
         raise ValueError("not a Rhino file")

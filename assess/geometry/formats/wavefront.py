@@ -21,7 +21,7 @@ from assess.geometry.formats.lines import (
     text_of,
     words_of,
 )
-from assess.geometry.formats.parts import Element, MeshFile, Part, fans, file_of
+from assess.geometry.formats.parts import CLOUD, Element, MeshFile, Part, fans, file_of
 
 VERTEX, FACE, OBJECT, GROUP = b"vfog"
 BLANK = 32
@@ -99,6 +99,8 @@ def _faces(block: Block, chosen: BoolArray, known: IntArray, in_force: Sequence[
 
 def _parts(vertices: FloatArray, faces: Sequence[Faces], objects: list[str], groups: list[str]) -> list[Part]:
     """A part for each name that has faces, in the order in which they come."""
+    if not faces and len(vertices):
+        raise ValueError(CLOUD.format(count=len(vertices)))
     if not faces:
         return []
     if not len(vertices):

@@ -128,3 +128,29 @@ def test_other_files_do_not_look_like_them() -> None:
     for head in (b"", b"000001 text", b"\0" * 700, b"MS", b"PEER NGA STRONG MOTION\n" * 40):
         assert not looks_like_miniseed(head)
         assert not looks_like_sac(head)
+
+
+def flipped(path: Path, at: int, bit: int = 0) -> Path:
+    data = bytearray(path.read_bytes())
+    data[at] ^= 1 << bit
+    path.write_bytes(data)
+    return path
+
+
+@pytest.mark.parametrize("at", [100, 200, 1001, 3000, 4300, 5000])
+def test_miniseed_whose_samples_do_not_end_as_its_blocks_say_is_refused(tmp_path: Path, at: int) -> None:
+    with pytest.raises(RecordError, match=r"quake\.mseed: (damaged: .*(integrity|skip).*; get the file again|obspy)"):
+        read(flipped(miniseed(tmp_path, trace()), at), unit="mm/s2")
+
+
+@pytest.mark.parametrize(
+    ("at", "bit", "said"), [(1, 7, "E"), (6, 6, "DEPMIN"), (10, 6, "DEPMAX"), (226, 6, "DEPMEN"), (26, 6, "E")]
+)
+def test_sac_whose_header_contradicts_its_samples_is_refused(tmp_path: Path, at: int, bit: int, said: str) -> None:
+    path = tmp_path / "quake.sac"
+    made = trace()
+    made.data = np.append(MOTION, 2.0 * MOTION.min()).astype(np.float32)
+    made.write(str(path), format="SAC")
+    assert len(read(path, unit="m/s2")) == 1
+    with pytest.raises(RecordError, match=rf"quake\.sac: {said} of the header is .*, its samples give"):
+        read(flipped(path, at, bit), unit="m/s2")

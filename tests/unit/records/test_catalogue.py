@@ -238,12 +238,118 @@ def test_a_damaged_catalogue_is_told(folder: Path) -> None:
         brought_up(folder)
 
 
-def test_another_version_is_made_anew(folder: Path) -> None:
+def test_an_older_version_is_read_again_and_keeps_what_it_was_told(folder: Path) -> None:
+    table = folder.parent / "flat.csv"
+    table.write_text(FLATFILE, encoding="utf-8")
+    with opened(folder / NAME) as catalogue:
+        take(catalogue, read_flatfile(table).recordings)
+        index(folder, catalogue, stated=Stated("g", None, None))
+        before = candidates(catalogue)
+        catalogue.execute("PRAGMA user_version = 2")
+    with opened(folder / NAME) as catalogue:
+        found = index(folder, catalogue)
+        assert (found.read, found.older) == (5, True)
+        assert [each.magnitude for each in candidates(catalogue)] == [each.magnitude for each in before]
+        assert candidates(catalogue)[0].stated == Stated("g", None, None)
+    with opened(folder / NAME) as catalogue:
+        assert not index(folder, catalogue).older
+
+
+def test_a_newer_version_is_refused_and_left_alone(folder: Path) -> None:
     with opened(folder / NAME) as catalogue:
         index(folder, catalogue)
         catalogue.execute("PRAGMA user_version = 999")
+    before = (folder / NAME).read_bytes()
+    words = f"{folder / NAME}: a catalogue of version 999, made by a newer program.*use the newer program"
+    with pytest.raises(RecordError, match=words):
+        brought_up(folder)
+    assert (folder / NAME).read_bytes() == before
+
+
+CHANGES = {
+    "number": "UPDATE records SET pga = pga * 1.0000001 WHERE path LIKE 'RSN57%'",
+    "sign": "UPDATE records SET pgv = -pgv WHERE path LIKE 'RSN57%'",
+    "kind": "UPDATE records SET pga = 'x' WHERE path LIKE 'RSN57%'",
+    "null": "UPDATE records SET dt = NULL WHERE path LIKE 'RSN57%'",
+    "ordinates": "UPDATE records SET spectrum = zeroblob(968) WHERE path LIKE 'RSN57%'",
+    "ordinates of another kind": "UPDATE records SET spectrum = 'x' WHERE path LIKE 'RSN57%'",
+    "not UTF-8": "UPDATE records SET event = CAST(x'ff41' AS TEXT) WHERE path LIKE 'RSN57%'",
+    "path of a record": "UPDATE records SET path = 'RSN58_X_1.AT2', position = 7 WHERE path LIKE 'RSN57%'",
+    "lost record": "DELETE FROM records WHERE path LIKE 'RSN57%'",
+    "lost file": "DELETE FROM files WHERE path LIKE 'RSN57%'",
+    "hash of a file": "UPDATE files SET sha256 = 'x' WHERE path LIKE 'RSN57%'",
+    "path of a file": "UPDATE files SET path = CAST(x'ff' AS TEXT) WHERE path LIKE 'RSN57%'",
+    "seal": "UPDATE records SET seal = NULL WHERE path LIKE 'RSN57%'",
+}
+
+
+@pytest.mark.parametrize("change", CHANGES)
+def test_a_row_that_was_changed_is_not_believed(folder: Path, change: str) -> None:
+    before = brought_up(folder)
+    with sqlite3.connect(folder / NAME) as raw:
+        raw.execute(CHANGES[change])
+    raw.close()
     with opened(folder / NAME) as catalogue:
-        assert index(folder, catalogue).read == 5
+        found = index(folder, catalogue)
+        after = candidates(catalogue)
+    assert found.read >= 1
+    if "path" not in change and "lost file" not in change:
+        assert found.damaged == ("RSN57_X_0.AT2",)
+    assert [replace(each, spectrum=PERIODS) for each in after] == [replace(each, spectrum=PERIODS) for each in before]
+    assert all((one.spectrum == other.spectrum).all() for one, other in zip(after, before, strict=True))
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ("INSERT INTO stated VALUES ('g', 1.0, NULL, 'x')", "what was stated of its files .*delete it and index again"),
+        ("INSERT INTO stated VALUES (7, 'x', x'00', NULL)", "what was stated of its files .*delete it and index again"),
+        ("INSERT INTO recordings VALUES (57, 'a', 'b', 'c', 'd', 1, 2, NULL, 'x')", "recording 57 of the flatfile"),
+    ],
+)
+def test_what_cannot_be_read_again_is_refused(folder: Path, change: str, words: str) -> None:
+    brought_up(folder)
+    with sqlite3.connect(folder / NAME) as raw:
+        raw.execute("DELETE FROM stated")
+        raw.execute(change)
+    raw.close()
+    with pytest.raises(RecordError, match=words):
+        brought_up(folder)
+
+
+def test_flipped_bits_are_mended_or_refused_and_never_believed(folder: Path) -> None:
+    before = {each.path: each for each in brought_up(folder)}
+    whole = (folder / NAME).read_bytes()
+    generator, refused = np.random.default_rng(7), 0
+    for place in generator.integers(0, len(whole), 60):
+        data = bytearray(whole)
+        data[place] ^= 1 << int(generator.integers(8))
+        (folder / NAME).write_bytes(data)
+        try:
+            after = {each.path: each for each in brought_up(folder)}
+        except RecordError:
+            refused += 1
+            continue
+        assert after.keys() == before.keys()
+        assert all(after[path].measures == before[path].measures for path in before)
+        assert all((after[path].spectrum == before[path].spectrum).all() for path in before)
+    assert 0 < refused < 60
+
+
+@pytest.mark.parametrize("beside", ["-journal", "-wal", "-shm"])
+def test_junk_beside_a_catalogue_does_no_harm(folder: Path, beside: str) -> None:
+    before = [each.measures for each in brought_up(folder)]
+    (folder / f"{NAME}{beside}").write_bytes(os.urandom(5000))
+    assert [each.measures for each in brought_up(folder)] == before
+
+
+def test_an_empty_file_is_a_new_catalogue_and_a_folder_is_none(folder: Path) -> None:
+    (folder / NAME).write_bytes(b"")
+    assert len(brought_up(folder)) == 4
+    (folder / NAME).unlink()
+    (folder / NAME).mkdir()
+    with pytest.raises(RecordError, match="is a folder; a catalogue must be a file of its own"):
+        brought_up(folder)
 
 
 def test_a_fault_of_a_reader_stops_one_file_only(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -268,3 +374,15 @@ def test_peaks_are_in_si(folder: Path) -> None:
     with opened(None) as catalogue:
         index(folder, catalogue)
         assert 0.1 * g < candidates(catalogue)[0].measures["pga"] < 0.5 * g
+
+
+def test_a_row_of_another_number_than_the_file_s_name_does_not_describe_it(folder: Path, tmp_path: Path) -> None:
+    table = tmp_path / "flat.csv"
+    rows = "157,Quake,1971,6.6,RSN57_X_0.AT2\n58,Other,1972,5.5,RSN58_X_1.AT2\n"
+    table.write_text(f"RSN,Earthquake Name,YEAR,Magnitude,File Name (Horizontal 1)\n{rows}")
+    with opened(None) as catalogue:
+        index(folder, catalogue)
+        take(catalogue, read_flatfile(table).recordings)
+        found = {one.path: one for one in candidates(catalogue)}
+    assert (found["RSN57_X_0.AT2"].nga, found["RSN57_X_0.AT2"].magnitude) == (57, None)
+    assert (found["RSN58_X_1.AT2"].nga, found["RSN58_X_1.AT2"].magnitude) == (58, 5.5)

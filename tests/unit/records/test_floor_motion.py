@@ -26,7 +26,7 @@ def test_it_is_ground_and_mode_added_in_time(frequency: float, shape: float) -> 
     system = ([[0, 1], [-(omega**2), -0.1 * omega]], [[0], [-1]], [[-(omega**2), -0.1 * omega]], [[-1]])
     _, relative, _ = lsim(system, ground, time)  # first-order hold: exact for lines between samples
     np.testing.assert_allclose(at.acceleration[: time.size], ground + shape * relative, atol=1e-9)
-    assert at.dt * frequency <= 1 / 40 + 1e-12
+    assert at.dt * frequency <= 1 / 100 + 1e-12
 
 
 def test_it_goes_on_until_the_free_vibration_has_faded() -> None:
@@ -49,6 +49,18 @@ def test_at_the_effective_height_its_peak_is_the_spectral_acceleration() -> None
     record = noise(1500)
     at = floor_motion(record, frequency=2.0, shape=1.0, damping=0.01)
     assert at.pga == pytest.approx(float(response_spectrum(record, 0.5, damping=0.01)), rel=5e-3)
+
+
+@pytest.mark.parametrize("frequency", [0.7, 2.5, 7.7])
+def test_its_peak_is_that_of_the_motion_between_its_samples(frequency: float) -> None:
+    """Against a step thirty times finer: its lines cut off no more than 1 - cos(pi / 100) of a sine."""
+    record, omega = noise(), 2 * np.pi * frequency
+    at = floor_motion(record, frequency=frequency, shape=1.4)
+    time = np.linspace(0.0, record.time[-1], (record.npts - 1) * 30 * round(record.dt / at.dt) + 1)
+    ground = np.interp(time, record.time, record.acceleration)
+    system = ([[0, 1], [-(omega**2), -0.1 * omega]], [[0], [-1]], [[-(omega**2), -0.1 * omega]], [[-1]])
+    _, relative, _ = lsim(system, ground, time)
+    assert 1 - 5e-4 <= at.pga / np.abs(ground + 1.4 * relative).max() <= 1 + 1e-9
 
 
 def test_what_was_done_stands_in_the_trail() -> None:

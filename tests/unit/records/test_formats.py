@@ -21,6 +21,8 @@ from records.record import Earthquake, Record, make_record
 N = 40
 VALUES = np.round(np.random.default_rng(7).normal(size=N) * 20.0, 2)  # in the unit of the file
 PEAK = float(VALUES[np.argmax(np.abs(VALUES))])
+AT = int(np.argmax(np.abs(VALUES)))  # the sample that it is
+RMS = float(np.sqrt(np.mean(VALUES**2)))
 SCALES = (1.0, -0.5, 0.25)  # of the components in one file
 
 
@@ -135,7 +137,7 @@ def csmip_channel(number: int, direction: str, scale: float) -> str:
     header[3] = "MAY 2, 1983 16:42 PDT                   (ORIGIN(BRK): 05/02/83, 23:42:38.5 UTC)"
     header[5] = "STATION NO. 36456   35.908N, 120.458W     SMA-1  S/N 4384"
     header[7] = f"CHAN  {number}: {direction}"
-    header[17] = f"PEAK ACCELERATION =  {PEAK * scale:.3f}    CM/SEC/SEC  AT   10.940   SEC."
+    header[17] = f"PEAK ACCELERATION =  {PEAK * scale:.3f}    CM/SEC/SEC  AT   {0.02 * AT:.3f}   SEC."
     blocks = [
         f"{N} POINTS OF {kind} DATA EQUALLY SPACED AT  .020 SEC.  (UNITS: {unit})\n" + rows(VALUES * scale, 8, "10.3f")
         for kind, unit in (("ACCEL", "CM/SEC/SEC"), ("VELOC", "CM/SEC"), ("DISPL", "CM"))
@@ -155,7 +157,7 @@ def csmip_2() -> str:
 def csmip_1() -> str:
     header = ["Uncorrected Accelerogram Data", *["text"] * 12]
     header[5], header[6] = "Some School                               CGS", "Chan  1: 360 Deg"
-    header[11] = f"Units of uncor data are sec and g .        Max  =  {PEAK:.3f} g , at  30.590 sec."
+    header[11] = f"Units of uncor data are sec and g .        Max  =  {PEAK:.3f} g , at  {0.005 * AT:.3f} sec."
     points = f" {N} Accelerogram points at 200 pts/sec in units of g .      Format: (8f9.6)"
     end = "/&  ----------  End of Data for Channel  1  ----------\n"
     return "\n".join([*header, points]) + "\n" + rows(VALUES, 8, "9.3f") + end
@@ -172,7 +174,8 @@ def v2a() -> str:
         header[9] = f"Number of points  {N}    Duration   0.78 sec"
         header[10] = "Instrument corrected data at 0.020 sec intervals"
         header[12] = f"Component {name}  Some Axis"
-        header[13] = f"Acceleration:  peak  {PEAK * scale:.1f} mm/s/s at  44.88 sec     rms    719.0 mm/s/s"
+        when, rms = 0.02 * AT, RMS * abs(scale)
+        header[13] = f"Acceleration:  peak  {PEAK * scale:.1f} mm/s/s at  {when:.2f} sec     rms    {rms:.1f} mm/s/s"
         numbers = rows(np.zeros(100), 10, "8.1f") + 3 * rows(VALUES * scale, 10, "8.3f")
         parts.append("\n".join(header) + "\n" + numbers)
     return "".join(parts)
@@ -180,7 +183,8 @@ def v2a() -> str:
 
 def smc() -> str:
     integers, reals = np.full(48, -32768), np.full(50, 1.7e38)
-    integers[[15, 16]], reals[[1, 5, 16, 29]] = [1, N], [200.0, 7.1, 89.0, abs(PEAK)]
+    integers[[15, 16]], reals[[1, 5, 16]] = [1, N], [200.0, 7.1, 89.0]
+    reals[28:32] = [0.005 * VALUES.argmax(), VALUES.max(), 0.005 * VALUES.argmin(), VALUES.min()]
     text = [
         "2 CORRECTED ACCELEROGRAM",
         "*",
@@ -188,7 +192,7 @@ def smc() -> str:
         "     1989  10  18    0004 Somewhere, CA",
         "Moment Mag=      7.1 Ms=      7.1 Ml=      7.0",
         "station = Some School, F                 component=    360",
-        "epicentral dist =     89.0       pk     =    104.4",
+        f"epicentral dist =     89.0       pk     = {PEAK:8.1f}",
         *["*"] * 4,
     ]
     data = rows(VALUES, 8, "10.3E").replace("E+0", "E+").replace("E-0", "E-")
@@ -290,6 +294,22 @@ def test_what_else_is_known(tmp_path: Path) -> None:
     assert first(tmp_path, "smc").earthquake.magnitude == 7.1
     assert first(tmp_path, "smc").site.elevation is None
     assert first(tmp_path, "at2").earthquake.time == "1952-07-21"
+
+
+@pytest.mark.parametrize(
+    ("printed", "place"),
+    [
+        # CTZ, Chatham Island: -43.73549, -176.61719 by GeoNet (https://github.com/GeoNet/delta, network/stations.csv)
+        ("43 44 08S  176 37 02W", (-43.73549, -176.61719)),
+        # its mirror image
+        ("43 44 08N  176 37 02E", (43.73549, 176.61719)),
+    ],
+)
+def test_south_and_west_of_geonet_are_negative(tmp_path: Path, printed: str, place: tuple[float, float]) -> None:
+    path = tmp_path / "a.V2A"
+    path.write_text(v2a().replace("42 37 10S  173 03 13E", printed))
+    site = read(path)[0].site
+    assert (site.latitude, site.longitude) == pytest.approx(place, abs=0.5 / 3600.0)
 
 
 @pytest.mark.parametrize(

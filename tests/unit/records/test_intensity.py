@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
+from records.integration import displacement, velocity
 from records.intensity import (
     HOUSNER_PERIODS,
     arias,
@@ -32,6 +33,25 @@ def rectangle() -> Record:
     """A for 1 s, -A for 1 s, zero for 1 s; the jumps are one step of 1e-4 s long."""
     time = 1e-4 * np.arange(30_001)
     return make_record("rectangle", np.where(time < 1.0, A, np.where(time < 2.0, -A, 0.0)), 1e-4)
+
+
+@pytest.mark.parametrize("seed", range(5))
+@pytest.mark.parametrize("npts", [2, 3, 40])
+def test_peaks_between_samples_count(npts: int, seed: int) -> None:
+    """Against a thousand points to a step, on which the record has the same lines."""
+    a = np.random.default_rng(seed).normal(size=npts)
+    fine = np.interp(np.arange(1000 * (npts - 1) + 1) / 1000.0, np.arange(npts), a)
+    coarse, dense = make_record("coarse", a, 1.0), make_record("dense", fine, 1e-3)
+    assert pgv(coarse) == pytest.approx(np.abs(velocity(dense)).max(), rel=2e-6)
+    assert pgd(coarse) == pytest.approx(np.abs(displacement(dense)).max(), rel=2e-6)
+
+
+def test_peaks_of_a_triangle_lie_between_its_samples() -> None:
+    """From 1 to -1 m/s2 in 1 s: the velocity is largest in the middle, 1/4 m/s; the displacement at the end, 1/6 m."""
+    record = make_record("line", [1.0, -1.0], 1.0)
+    assert pgv(record) == pytest.approx(0.25, rel=1e-14)
+    assert pgd(record) == pytest.approx(1 / 6, rel=1e-14)
+    assert pgv(make_record("still", [0.0, 0.0], 1.0)) == pgd(make_record("still", [0.0, 0.0], 1.0)) == 0.0
 
 
 def test_a_harmonic_motion() -> None:

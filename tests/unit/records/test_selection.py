@@ -12,6 +12,7 @@ from records.candidates import PERIODS, Candidate, sequence_number
 from records.errors import RecordError
 from records.selection import Criteria, Filters, Pool, best_suite, exchanged, exhaustive, greedy, passes, select
 from spectra.asce7 import design_spectrum
+from spectra.table import table_spectrum
 
 TARGET = design_spectrum(s_ds=5.0, s_d1=2.0, t_l=6.0)
 BAND = band(0.2, 2.0)
@@ -182,15 +183,33 @@ def test_weights_that_are_none_are_refused(weights: list[tuple[float, float]]) -
         band(0.2, 2.0, weights=weights)
 
 
-def test_the_band_reaches_from_end_to_end() -> None:
-    """Between them the catalogue's periods; all count alike, as PEER's mean squared error has them."""
-    found = band(0.15, 1.7)
-    assert found.ends == (0.15, 1.7)
-    np.testing.assert_array_equal(found.period[1:-1], PERIODS[(PERIODS > 0.15) & (PERIODS < 1.7)])
+@pytest.mark.parametrize(
+    ("low", "high"), [(0.15, 1.7), (0.2, 2.0), (0.0101, 9.9), (0.01, 10.0), (0.49, 0.52), (0.1, 0.1)]
+)
+def test_the_band_reaches_from_end_to_end(low: float, high: float) -> None:
+    """Between them, half a step and more away, the catalogue's periods; all count alike, as PEER's error has them."""
+    found, step = band(low, high), np.log(PERIODS[1] / PERIODS[0])
+    assert found.ends == pytest.approx((low, high), rel=1e-12)
+    assert set(found.period[1:-1]) <= set(PERIODS)
+    gaps = np.diff(np.log(found.period)) / step
+    assert np.all((gaps >= 0.5) & (gaps <= 1.5))
     np.testing.assert_array_equal(found.weight, 1.0)
+    assert found.nodes[0] <= low * (1 + 1e-12)
+    assert found.nodes[-1] >= high * (1 - 1e-12)
+
+
+def test_between_periods_of_the_catalogue_a_band_has_those_alone() -> None:
     on = band(float(PERIODS[40]), float(PERIODS[80]))
     np.testing.assert_array_equal(on.period, PERIODS[40:81])
     np.testing.assert_array_equal(on.nodes, on.period)
+
+
+@pytest.mark.parametrize("high", [1.69, 1.7, 1.72, 1.75, 1.77])
+def test_a_factor_over_any_band_is_centred_in_it(high: float) -> None:
+    """A tilted spectrum against a flat target: by the mean of ln T over the band; to half a step at each end of 44."""
+    flat = table_spectrum(np.array([0.0, 10.0]), np.array([1.0, 1.0]))
+    (choice,) = select([replace(candidate(0), spectrum=PERIODS)], flat, Criteria(1, band(0.15, high))).choices
+    assert choice.factor == pytest.approx(1 / np.sqrt(0.15 * high), rel=0.015)
 
 
 @pytest.mark.parametrize(("end", "step"), [(0.15, -1), (1.75, 1)])

@@ -46,6 +46,7 @@ from assess.results import (
     Trace,
     View,
 )
+from reports.asked import as_asked
 from reports.assessment import assessment
 from reports.document import Document
 from reports.html import write_html
@@ -511,7 +512,7 @@ def judged_at() -> Callable[[Results, float], Results]:
 
 @pytest.fixture(scope="session")
 def document(results: Results) -> Document:
-    return assessment(results)
+    return as_asked(assessment(results))
 
 
 @pytest.fixture(scope="session")

@@ -17,6 +17,7 @@ from reports import interfaces, joints, sentences, siblings
 from reports.assessment import assessment
 from reports.document import Figure, Table, Text
 from reports.figures import capacity, contact, moment_rotation
+from reports.measures import written
 from reports.parameters import parameters as table_of_parameters
 
 PROJECT = """
@@ -84,7 +85,7 @@ def test_the_contact_at_the_peak_is_that_of_the_closed_form(mechanisms, rotation
     assert resultant == pytest.approx(a / 3, rel=1e-3)
     assert opened == pytest.approx(1 - a / B, rel=1e-3)
     assert crushed == 0.0
-    told = interfaces.at_peak(mechanism)
+    told = written(interfaces.at_peak(mechanism), units="SI")
     assert f"joint {'A' if rotation > 0 else chr(65) + chr(39)} presses with up to {stress / 1e6:.3g}" in told
     assert "(strength 1.50 MPa)" in told
     assert f"{100 * opened:.0f} % of it open and none crushed" in told

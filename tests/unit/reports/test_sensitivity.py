@@ -13,8 +13,9 @@ from assess.codes.check import Outcome
 from assess.results import Results, SensitivityResult
 from reports import sensitivity
 from reports.assessment import assessment
-from reports.document import Figure, Table, Text
+from reports.document import Document, Figure, Table, Text
 from reports.figures import tornado
+from reports.measures import in_units, written
 from reports.varied import varied
 
 UNITS = {"density": ("materials.caliche.density", "kg/m^3", 2240.0), "thickness": ("thickness of wall", "m", 0.6)}
@@ -59,7 +60,8 @@ def found() -> tuple[SensitivityResult, ...]:
 
 def chapter(results: Results, found: tuple[SensitivityResult, ...]) -> tuple[Any, ...]:
     (section,) = sensitivity.chapter(replace(results, sensitivity=found), "wall-6", called="Wall 6", name="n")
-    return section.blocks
+    made = in_units(Document("", "", "", "", "A4", (), (section,), ()), "SI")
+    return made.blocks
 
 
 def test_what_moves_the_answer_most_stands_first(found: tuple[SensitivityResult, ...]) -> None:
@@ -162,12 +164,21 @@ def test_what_decides_stands_before_what_is_for_comparison() -> None:
     assert sensitivity.words_of(index) == "index D/C"
 
 
+def ranges(row: SensitivityResult) -> str:
+    return written(sensitivity.ranges(row), units="SI")
+
+
 def test_units_suit_the_number() -> None:
     row = replace(rows("p", 0.1, 0.2)[0], unit="Pa/m", base=1e10, low=5e9, high=1.5e10)
-    assert sensitivity.ranges(row) == "5 to 15 GPa/m"
-    assert sensitivity.ranges(replace(row, unit="Pa", base=1e6, low=7e5, high=1.3e6)) == "0.7 to 1.3 MPa"
-    assert sensitivity.ranges(replace(row, unit="N", base=20e3, low=16e3, high=24e3)) == "16 to 24 kN"
-    assert sensitivity.ranges(replace(row, unit="-", base=0.5, low=0.4, high=0.6)) == "0.4 to 0.6"
+    assert ranges(row) == "5 to 15 GPa/m"
+    assert (
+        written(sensitivity.ranges(replace(row, unit="Pa", base=1e6, low=7e5, high=1.3e6)), units="SI")
+        == "0.7 to 1.3 MPa"
+    )
+    assert (
+        written(sensitivity.ranges(replace(row, unit="N", base=20e3, low=16e3, high=24e3)), units="SI") == "16 to 24 kN"
+    )
+    assert ranges(replace(row, unit="-", base=0.5, low=0.4, high=0.6)) == "0.4 to 0.6"
 
 
 def test_names_tell_entries_and_joints() -> None:

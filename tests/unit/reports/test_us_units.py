@@ -13,6 +13,7 @@ from reports import tables
 from reports.assessment import assessment
 from reports.document import Cell, Column, Document, Line, Section, Sheet, Table, Text
 from reports.numerals import outcome
+from reports.sheets import as_table
 from reports.us_units import WORKED_IN_SI, in_us_units, table
 
 REGISTRY = pint.UnitRegistry()
@@ -115,12 +116,10 @@ def test_sheets_stay_in_si_with_the_result_in_both(both: tuple[Document, Documen
     seen = 0
     for si, us in zip(both[0].sheets, both[1].sheets, strict=True):
         for line, other in zip(si.lines, us.lines, strict=True):
-            assert replace(other, unit=line.unit) == line
-            if line.unit in ("m", "m/s2") and line.value is not None:
-                number, unit = other.unit.removeprefix(f"{line.unit} (").removesuffix(")").split(" ")
+            assert replace(other, beside=None) == line
+            if line.unit in ("m", "m/s2") and isinstance(line.value, float):
                 one, name = {"m": (0.3048, "ft"), "m/s2": (9.80665, "g")}[line.unit]
-                assert float(number) == pytest.approx(line.value / one, rel=1e-3)  # shown to four figures
-                assert unit == name
+                assert other.beside == (pytest.approx(line.value / one, rel=1e-15), name)
                 seen += 1
     assert seen > 0
 
@@ -129,7 +128,12 @@ def test_an_acceleration_of_a_sheet_stands_in_g_beside_it(both: tuple[Document, 
     made = Sheet("s", "S.", (Line("a*", "", "", "", "", 0.2 * 9.80665, "m/s2"),))
     *_, shown = in_us_units(replace(both[0], sections=(Section("s", 0, (made,)),))).blocks
     assert isinstance(shown, Sheet)
-    assert outcome(shown.lines[0].value, shown.lines[0].unit) == "1.961 m/s2 (0.2000 g)"
+    line = shown.lines[0]
+    assert outcome(line.value, line.unit, line.beside) == "1.961 m/s2 (0.2000 g)"
+    in_full = as_table(shown)
+    assert [column.heading for column in in_full.columns[-4:]] == ["Value", "Unit", "Value, US", "Unit, US"]
+    assert in_full.rows[0][-4:] == (line.value, "m/s2", pytest.approx(0.2, rel=1e-15), "g")
+    assert len(as_table(made).columns) == 7
 
 
 def test_the_sheets_are_explained_once_before_the_first(both: tuple[Document, Document]) -> None:

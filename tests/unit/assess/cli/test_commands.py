@@ -12,12 +12,12 @@ import pytest
 from scipy.constants import g
 
 from assess.cli import main
-from assess.cli.outputs import LIST
 from assess.cli.summary import summary
 from assess.codes.bases import BASES
 from assess.codes.check import Check, Outcome, Reason, because
 from assess.codes.verdict import Action, Judged, Missing, Question, verdict
 from assess.message import Message, Severity
+from assess.outputs.manifest import MANIFEST
 from assess.project import run as running
 from assess.project.build import build
 from assess.project.schema import load
@@ -198,7 +198,7 @@ def test_run_ends_with_the_verdict(
     assert captured.out.splitlines()[-1] == str(folder / "report.pdf")
     assert captured.err == ""
     assert "thesis" not in captured.out
-    assert sorted(path.name for path in folder.iterdir()) == [LIST, "report.pdf", "results.json"]
+    assert sorted(path.name for path in folder.iterdir()) == [MANIFEST, "report.pdf", "results.json"]
 
 
 def test_run_without_report_takes_the_old_one_away(
@@ -209,7 +209,7 @@ def test_run_without_report_takes_the_old_one_away(
     assert ended("run", project, "-o", out, "--jobs", "1") == 0
     assert ended("run", project, "-o", out, "--no-report") == 0
     assert capsys.readouterr().out.splitlines()[-1] == str(out / "results.json")
-    assert sorted(path.name for path in out.iterdir()) == [LIST, "results.json"]
+    assert sorted(path.name for path in out.iterdir()) == [MANIFEST, "results.json"]
 
 
 def test_failing_report_leaves_old_outputs(

@@ -3,6 +3,7 @@
 import csv
 import io
 import json
+import re
 from pathlib import Path
 
 import numpy as np
@@ -229,6 +230,14 @@ def test_a_round_trip_keeps_all_that_is_known(tmp_path: Path, unit: str) -> None
     np.testing.assert_allclose(after.acceleration, before.acceleration, rtol=1e-14, atol=1e-17)
     assert f"acceleration [{unit}]" in (tmp_path / "b.csv").read_text(encoding="utf-8")
     assert "read; filtered" in after.trail[-1]
+
+
+def test_a_file_of_ours_that_was_cut_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    whole = csv_text(described())
+    for share in (0.5, 0.9, 0.999):
+        (tmp_path / "a.csv").write_text(whole[: int(share * len(whole))].rpartition("\n")[0], encoding="utf-8")
+        assert ended("list", tmp_path / "a.csv") == 2
+        assert re.search(r"a\.csv: \d+ rows, and 2000 by its comment `# samples`", capsys.readouterr().err)
 
 
 def test_spoilt_comments_are_text_or_not_known(tmp_path: Path) -> None:

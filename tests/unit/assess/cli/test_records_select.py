@@ -273,7 +273,8 @@ def test_many_files_are_read_by_processes(
             asked.append(self._max_workers)
             return super().map(*arguments, **options)
 
-    monkeypatch.setattr("concurrent.futures.ProcessPoolExecutor", lambda jobs, **_: Executor(jobs))
+    monkeypatch.setattr("assess.workers.SpawnedPool", Executor)
+    monkeypatch.setattr("assess.cli.arguments.cores", lambda: 8)
     monkeypatch.setattr(indexing, "FEW", 1)
     (folder.parent / "project.toml").write_text(
         '[site.spectrum]\ncode = "table"\nfile = "target.csv"\n'

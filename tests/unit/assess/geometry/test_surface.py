@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from assess.geometry.solid import box
-from assess.geometry.surface import MIX, area, border, edges_of, merged, volume
+from assess.geometry.surface import MIX, area, border, edges_of, merged, neighbours_across, volume
 
 CUBE = box(thickness=1.0, length=1.0, height=1.0, base=[0.0, 0.0, -0.5], density=1.0, name="cube")
 
@@ -52,3 +52,30 @@ def test_volume_and_area_of_a_moved_box() -> None:
     assert volume(wall.vertices, wall.triangles[:, ::-1]) == pytest.approx(-31.875, rel=1e-13)
     wanted = 2.0 * (1.25 * 3.0 + 3.0 * 8.5 + 8.5 * 1.25)
     assert area(wall.vertices, wall.triangles) == pytest.approx(wanted, rel=1e-13)
+
+
+def test_corners_are_numbered_by_z_then_y_then_x_as_lexsort_does() -> None:
+    """Thousands of points on few levels, many of them at one place."""
+    points = np.random.default_rng(5).integers(-4, 5, size=(3000, 3)) / 3.0
+    vertices, triangles = merged(points, np.arange(3000).reshape(-1, 3))
+    wanted = np.unique(points[:, ::-1], axis=0)[:, ::-1]
+    np.testing.assert_array_equal(vertices, wanted)
+    a, b, c = points.reshape(-1, 3, 3).transpose(1, 0, 2)
+    real = (a != b).any(axis=1) & (b != c).any(axis=1) & (c != a).any(axis=1)
+    np.testing.assert_array_equal(vertices[triangles], points.reshape(-1, 3, 3)[real])
+
+
+def test_neighbours_across_edges_are_those_that_share_them() -> None:
+    """Triangle i, its edge k, and the one found there have the edge's two corners in common; none of a surface that is
+    open, turned in part, or has edges of four."""
+    across = neighbours_across(CUBE.triangles)
+    assert across is not None
+    for i, others in enumerate(across.tolist()):
+        for k, other in enumerate(others):
+            edge = {int(CUBE.triangles[i, k]), int(CUBE.triangles[i, (k + 1) % 3])}
+            assert other != i
+            assert edge <= set(CUBE.triangles[other].tolist())
+    turned = CUBE.triangles.copy()
+    turned[0] = turned[0, ::-1]
+    for wrong in (CUBE.triangles[1:], CUBE.triangles[2:], turned, np.vstack([CUBE.triangles, CUBE.triangles])):
+        assert neighbours_across(wrong) is None

@@ -296,6 +296,7 @@ def test_one_block_turns_about_its_hinge():
     [
         (((0.4, 0.0), (0.4, 0.0), (0.4, 4.0)), r'"w": hinges A and B coincide at \(0.4, 0\) m'),
         (((0.4, 0.0), (0.0, 2.0), (1e-9, 2.0)), r"hinges B and C coincide at \(0, 2\) m"),
+        (((0.0, 0.0), (0.0, 4.0), (3.0, 4.0), (8e5, 0.0)), r"hinges A and B lie 4 m apart, others 8e\+05 m; is one"),
         (((0.0, 0.0), (0.0, 4.0), (3.0, 4.0), (3.0, 4.0)), r"hinges C and D coincide at \(3, 4\) m"),
         (((0.4, 0.0), (0.0, 2.0), (0.9, 2.0)), r"hinges B \(0, 2\) m and C \(0.9, 2\) m lie at one elevation"),
         (((0.0, 0.0), (0.0, 4.0), (1.0, 3.0), (4.0, 0.0)), r"B \(0, 4\) m, C \(1, 3\) m, D \(4, 0\) m lie on one line"),

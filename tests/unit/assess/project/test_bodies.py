@@ -103,11 +103,14 @@ def test_unit_up_and_element_of_a_mesh(tmp_path: Path) -> None:
         study(tmp_path, body("w", 'mesh = "wall.obj"\nmesh_up = "x"'))
 
 
-def test_a_wrong_unit_is_told_with_the_likely_one(tmp_path: Path) -> None:
+def test_a_wrong_unit_is_refused_with_the_likely_one_and_inches_are_suspected(tmp_path: Path) -> None:
     (tmp_path / "wall.obj").write_text(obj(wall(thickness=600.0, length=4000.0, height=4500.0)))
+    with pytest.raises(GeometryError, match=r'measures 4500 m .* With mesh_unit = "mm" it would measure 4.5 m'):
+        study(tmp_path, body("w", 'mesh = "wall.obj"'))
+    (tmp_path / "wall.obj").write_text(obj(wall(thickness=15.0, length=80.0, height=120.0)))
     (notice,) = of_bodies(study(tmp_path, body("w", 'mesh = "wall.obj"')))
     assert (notice.key, notice.where) == ("size", "bodies.w")
-    assert 'With mesh_unit = "mm" it would measure 4.5 m' in notice.text
+    assert 'about 15 m thick; is its unit right? With mesh_unit = "in" it would measure 3.048 m' in notice.text
 
 
 def test_several_bodies_of_several_densities(tmp_path: Path) -> None:
@@ -250,3 +253,34 @@ def test_a_bad_profile_is_told_at_its_key_in_our_words(tmp_path: Path, corners: 
 def test_a_profile_may_be_closed_and_have_a_corner_twice(tmp_path: Path) -> None:
     made = study(tmp_path, body("w", "profile = [[0, 0], [1, 0], [1, 0], [1, 4], [0, 4], [0, 0]]\nlength = 3"))
     assert made.mechanisms[0].positive.blocks[0].mass == pytest.approx(2400.0 * 12.0, rel=1e-12)
+
+
+def test_a_file_is_read_once_however_many_bodies_and_cases_of_a_sweep_name_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from assess.geometry import models
+    from assess.project.build import build
+    from assess.project.schema import load
+
+    corners = [(x, y, z) for z in (0, 4) for x, y in ((0, 0), (0.6, 0), (0.6, 3), (0, 3))]
+    faces = [(1, 4, 3, 2), (1, 2, 6, 5), (2, 3, 7, 6), (3, 4, 8, 7), (4, 1, 5, 8), (5, 6, 7, 8)]
+    text = ""
+    for number, name in enumerate(("left", "right")):
+        text += f"o {name}\n" + "".join(f"v {x + 9 * number} {y} {z}\n" for x, y, z in corners)
+        text += "".join("f " + " ".join(str(corner + 8 * number) for corner in face) + "\n" for face in faces)
+    (tmp_path / "house.obj").write_text(text)
+    bodies = "".join(
+        f'[bodies.{name}]\nmaterial = "brick"\nmesh = "house.obj"\nelement = "{name}"\n'
+        f'[mechanisms.{name}]\nkind = "single-block"\nblocks = ["{name}"]\ndirection = [1, 0, 0]\n'
+        for name in ("left", "right")
+    )
+    sweep = '[analysis.sweep]\nkey = "materials.brick.density"\nvalues = [1600, 1800, 2000]\n'
+    (tmp_path / "project.toml").write_text(f"[materials.brick]\ndensity = 1800\n{bodies}{sweep}")
+    files: list[Path] = []
+    really = models.read
+    monkeypatch.setattr(models, "read", lambda file, *, where: files.append(file) or really(file, where=where))
+    study = build(load(tmp_path))
+    assert [file.name for file in files] == ["house.obj"]
+    assert len(study.sweeps[0].cases) == 3
+    masses = [case.study.mechanisms[0].positive.mass for case in study.sweeps[0].cases]
+    assert masses == pytest.approx([7.2 * 1600, 7.2 * 1800, 7.2 * 2000], rel=1e-9)

@@ -213,18 +213,18 @@ def test_histories_that_decide_nothing_need_not_be_named(tmp_path: Path) -> None
 
 
 def test_the_band_reaches_the_slowest_mechanism_and_the_artificial_records_with_it(tmp_path: Path) -> None:
-    """A slender wall has a period of 2 pi / (p sqrt(3)) at half of its overturning rotation, one of 60 m 7.3 s."""
-    study = study_of(tmp_path, height=60.0, records='synthetic = { duration = "40 s" }')
+    """A slender wall has a period of 2 pi / (p sqrt(3)) at half of its overturning rotation, one of 50 m 6.7 s."""
+    study = study_of(tmp_path, height=50.0, records='synthetic = { duration = "40 s" }')
     assert study.spectrum is not None
-    slow = 2 * np.pi / np.sqrt(3) / np.sqrt(3 * g / 4 / np.hypot(0.3, 30.0))
+    slow = 2 * np.pi / np.sqrt(3) / np.sqrt(3 * g / 4 / np.hypot(0.3, 25.0))
     assert made_band(study, study.spectrum, duration=40.0) == pytest.approx((0.04, slow), rel=1e-3)
     for low in faults(study, moved(made(7))):
         assert f"{slow:.3g} s" in low.text
         assert low.where == "records.factor"
     assert faults(study, motions_of(study, study.spectrum)) == ()
-    short = study_of(tmp_path, height=60.0, records='synthetic = { duration = "16 s" }')
+    short = study_of(tmp_path, height=50.0, records='synthetic = { duration = "16 s" }')
     assert {one.values["toml"] for one in faults(short, motions_of(short, study.spectrum))} == {
-        'synthetic = { count = 7, seed = 1, duration = "22 s" }'
+        'synthetic = { count = 7, seed = 1, duration = "21 s" }'
     }
 
 

@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike
 from scipy.spatial.transform import Rotation
 
 from assess.errors import GeometryError
+from assess.geometry.formats.reading import read as read_file
 from assess.geometry.mesh import load
 from assess.geometry.solid import Solid, box
 
@@ -206,3 +207,24 @@ def test_numbers_that_are_not_finite_are_refused(tmp_path: Path, value: str) -> 
     content = GOOD["off"].replace(b"8.5", value.encode()).replace(b"10.5", value.encode())
     with pytest.raises(GeometryError, match=r"not finite|cannot be read"):
         read(tmp_path, "wall.off", content)
+
+
+def test_the_primitives_of_a_node_are_one_element_of_its_own_name(tmp_path: Path) -> None:
+    """Exporters part a mesh by materials; trimesh calls its pieces otherwise in each run."""
+    cube = box(thickness=1.0, length=1.0, height=1.0, base=(0.0, 0.0, 0.0), density=1.0, name="cube")
+    header, content = gltf(cube.vertices, cube.triangles, [{"mesh": 0, "name": "pier"}, {"mesh": 0, "name": "post"}])
+    header["nodes"][0]["children"] = [len(header["nodes"])]
+    header["nodes"] += [{"mesh": 0, "name": "pier_abcdef", "translation": [0.0, 0.0, 9.0]}]
+    header["scenes"][0]["nodes"] = [0, 1]
+    half = 4 * 3 * (len(cube.triangles) // 2)
+    view = header["bufferViews"][1]
+    header["bufferViews"] += [view | {"byteOffset": view["byteOffset"] + half, "byteLength": view["byteLength"] - half}]
+    view["byteLength"] = half
+    header["accessors"][1]["count"] = half // 4
+    header["accessors"] += [header["accessors"][1] | {"bufferView": 2, "count": cube.triangles.size - half // 4}]
+    header["meshes"][0]["primitives"] += [{"attributes": {"POSITION": 0}, "indices": 2}]
+    file = tmp_path / "scene.glb"
+    file.write_bytes(glb(header, content))
+    found = read_file(file, where="mesh").parts
+    assert sorted(part.element.names for part in found) == [("pier",), ("pier_abcdef",), ("post",)]
+    assert read(tmp_path, "scene.glb", glb(header, content), element="pier").mass == pytest.approx(DENSITY, rel=1e-6)

@@ -128,3 +128,17 @@ def test_elements_of_one_name_are_told_apart_by_their_identifiers(tmp_path: Path
         load(file, density=1.0, name="wall", element="south")
     assert all(each in str(caught.value) for each in identifiers.values())
     assert load(file, density=1.0, name="wall", element=identifiers["south"]).mass == pytest.approx(40.0, rel=1e-9)
+
+
+def test_a_body_or_an_opening_that_is_lost_is_told(tmp_path: Path) -> None:
+    file = tmp_path / "house.ifc"
+    building(file, prefix=None)
+    model = ifcopenshell.open(str(file))
+    (door,) = model.by_type("IfcOpeningElement")
+    door.Representation.Representations[0].Items[0].Depth = 0.0
+    model.write(str(file))
+    whole = load(file, density=1.0, name="wall", element="north")
+    assert whole.mass == pytest.approx(3.0 * 1.25 * 8.0, rel=1e-9)
+    assert 'element "north": not all of it could be built' in whole.trail[0]
+    assert "IfcExtrudedAreaSolid #" in whole.trail[0]
+    assert load(file, density=1.0, name="wall", element="south").trail == ()

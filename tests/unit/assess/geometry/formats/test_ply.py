@@ -104,6 +104,7 @@ def test_strips_of_triangles(
     [
         (b"", "no header"),
         (b"ply\nformat ascii 1.0\n", "no header"),
+        (BARE[: BARE.index(b"element face")] + b"end_header\n" + bytes(42 * 12), "it holds 42 points and no faces"),
         (BARE[:-1], 'it announces 80 of "face"'),
         (BARE + b"\1", "goes on behind"),
         (ASCII + b"3 0 1 2\n", "goes on behind"),

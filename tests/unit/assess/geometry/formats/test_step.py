@@ -94,3 +94,20 @@ def test_a_step_file_cut_short_is_refused(tmp_path: Path, part: float, capfd: py
     with pytest.raises(GeometryError, match=r"cannot be read as STEP .Open CASCADE finds no shape|no triangles"):
         load(tmp_path / "wall.step", density=1.0, name="wall")
     assert capfd.readouterr().out == ""
+
+
+def test_a_damaged_step_file_cannot_take_the_program_with_it(tmp_path: Path) -> None:
+    content = step(CUBE, prefix="$")
+    old, new = "POLY_LOOP('',(#16,#19,#18,#17))", "POLY_LOOP('',(#15,#19,#18,#17))"
+    assert old in content
+    (tmp_path / "wall.step").write_text(content.replace(old, new))
+    with pytest.raises(GeometryError, match=r"cannot be read as STEP \(Open CASCADE crashed on it"):
+        load(tmp_path / "wall.step", density=1.0, name="wall")
+
+
+def test_a_step_file_that_is_never_meshed_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("assess.geometry.formats.step.MESH", "import time; time.sleep(60)  # {} {}")
+    monkeypatch.setattr("assess.geometry.formats.apart.LEAST", 0.1)
+    (tmp_path / "wall.step").write_text(step(CUBE, prefix="$"))
+    with pytest.raises(GeometryError, match=r"has not read it after \d s; is it damaged"):
+        load(tmp_path / "wall.step", density=1.0, name="wall")

@@ -59,8 +59,10 @@ def test_groups_are_the_parts_where_there_are_no_objects(tmp_path: Path) -> None
     assert (len(one.triangles), len(two.triangles)) == (2, 1)
 
 
-def test_points_without_faces_have_no_parts(tmp_path: Path) -> None:
-    assert read_obj(kept(tmp_path, "v 0 0 0\nv 1 0 0\n")).parts == ()
+def test_points_without_faces_are_told_as_such(tmp_path: Path) -> None:
+    with pytest.raises(ValueError, match="it holds 2 points and no faces; make a closed surface of the points first"):
+        read_obj(kept(tmp_path, "v 0 0 0\nv 1 0 0\n"))
+    assert read_obj(kept(tmp_path, "# nothing\n")).parts == ()
 
 
 @pytest.mark.parametrize(
@@ -86,9 +88,9 @@ SQUARE = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]
     "text",
     [
         "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n",
-        "# made here\nOFF 4 2 5 # edges\n\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n# faces\n3 0 1 2 255 0 0\n3 0 2 3\n",
+        "# made here\nOFF 4 2 5 # edges\n\n0 0 0\n1 0 0\n1 1 0 # third\n0 1 0\n# faces\n3 0 1 2 255 0 0\n3 0 2 3\n",
         "COFF\r\n4 1 0\r\n0 0 0 1 1 1 1\r\n1 0 0 1 1 1 1\r\n1 1 0 1 1 1 1\r\n0 1 0 1 1 1 1\r\n4 0 1 2 3\r\n",
-        "OFF\n4 2\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n2 0 1\n",
+        " OFF4 2\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n2 0 1\n",
     ],
 )
 def test_off_with_comments_colours_and_faces_of_more_corners(tmp_path: Path, text: str) -> None:

@@ -1,0 +1,165 @@
+"""3MF packages (3MF Core Specification 1.3, and the paths of its Production Extension): every instance of every mesh.
+
+Read with the parser of Python itself, because trimesh loses some of the instances of components within components.
+"""
+
+from __future__ import annotations
+
+from array import array
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from xml.parsers import expat
+
+import numpy as np
+
+from assess.geometry.formats.bounds import INSTANCES, TRIANGLES, unpacked_3mf
+from assess.geometry.formats.parts import Element, FloatArray, IntArray, MeshFile, Part, file_of, moved
+
+UNITS = {  # 3MF Core Specification 1.3, 3.4: the attribute unit of <model> [m]
+    "micron": 1e-6,
+    "millimeter": 1e-3,
+    "centimeter": 1e-2,
+    "inch": 0.0254,
+    "foot": 0.3048,
+    "meter": 1.0,
+}
+ROOT = "3d/3dmodel.model"  # where the model is, if the package does not say otherwise
+Key = tuple[str, str]  # the part of the package in which an object stands, and its id
+
+
+@dataclass(frozen=True)
+class Use:
+    """An object in its place: an item of the build, or a component of another object."""
+
+    key: Key
+    matrix: FloatArray
+
+
+@dataclass
+class Found:
+    """An object as it is read."""
+
+    name: str
+    corners: array[float] = field(default_factory=lambda: array("d"))
+    triangles: array[int] = field(default_factory=lambda: array("q"))
+    components: list[Use] = field(default_factory=list)
+
+    @property
+    def vertices(self) -> FloatArray:
+        return np.frombuffer(self.corners, dtype=np.float64).reshape(-1, 3) if self.corners else np.empty((0, 3))
+
+    @property
+    def faces(self) -> IntArray:
+        nothing = np.empty((0, 3), dtype=np.int64)
+        return np.frombuffer(self.triangles, dtype=np.int64).reshape(-1, 3) if self.triangles else nothing
+
+
+@dataclass
+class Model:
+    """A model part of a package as it is read."""
+
+    unit: str = "millimeter"
+    objects: dict[Key, Found] = field(default_factory=dict)
+    items: list[Use] = field(default_factory=list)
+
+
+def read_3mf(file: Path) -> MeshFile:
+    """The items of a package's build, z up, in the unit it states, millimetres where it states none."""
+    models = {name.lstrip("/").lower(): _model(name, data) for name, data in unpacked_3mf(file).items()}
+    root = models.get(ROOT) or next(iter(models.values()), None)
+    if root is None:
+        raise ValueError("it holds no 3D model")
+    if root.unit not in UNITS:
+        raise ValueError(f"its unit {root.unit!r:.30} is none of {', '.join(UNITS)}")
+    objects = {key: each for model in models.values() for key, each in model.objects.items()}
+    _refuse_many(root.items, objects)
+    found = [part for item in root.items for part in _instances(item, objects, within=())]
+    return file_of(tuple(_numbered(found)), unit=UNITS[root.unit], up="z")
+
+
+def _refuse_many(items: Sequence[Use], objects: Mapping[Key, Found]) -> None:
+    """Raise where components within components make too much, or one holds itself or what is not there."""
+    known: dict[Key, tuple[int, int]] = {}
+
+    def made(key: Key, within: tuple[Key, ...]) -> tuple[int, int]:
+        """Instances and triangles that an object makes."""
+        if key in within:
+            raise ValueError(f"its object {key[1][:20]} is a component of itself")
+        if key not in objects:
+            raise ValueError(f"it uses the object {key[1][:20]}, which is not in it")
+        if key not in known:
+            one = objects[key]
+            below = [made(each.key, (*within, key)) for each in one.components]
+            known[key] = 1 + sum(n for n, _ in below), len(one.triangles) // 3 + sum(m for _, m in below)
+        return known[key]
+
+    instances, triangles = np.sum([(0, 0), *(made(item.key, ()) for item in items)], axis=0, dtype=object)
+    if instances > INSTANCES or triangles > TRIANGLES:
+        raise ValueError(f"its components make more than {INSTANCES} instances or {TRIANGLES} triangles")
+
+
+def _instances(use: Use, objects: Mapping[Key, Found], *, within: tuple[Key, ...]) -> Iterator[Part]:
+    """The meshes of an object where it is used, and of its components."""
+    one = objects[use.key]
+    if one.triangles:
+        owners = tuple(objects[key].name for key in within)
+        yield moved(Part(Element((one.name,), within=owners), one.vertices, one.faces), use.matrix)
+    for component in one.components:
+        placed = Use(component.key, use.matrix @ component.matrix)
+        yield from _instances(placed, objects, within=(*within, use.key))
+
+
+def _numbered(parts: list[Part]) -> Iterator[Part]:
+    """The parts, those of one name numbered; the name itself then means all of them."""
+    names = [part.element.names[0] for part in parts]
+    many = {name for name in names if names.count(name) > 1} if len(set(names)) < len(names) else set()
+    count: dict[str, int] = {}
+    for name, part in zip(names, parts, strict=True):
+        count[name] = count.get(name, 0) + 1
+        within = (*part.element.within, name)
+        own = Element((f"{name}_{count[name]}",), within=within) if name in many else part.element
+        yield replace(part, element=own)
+
+
+def _model(path: str, data: bytes) -> Model:
+    """The objects and the build of one model part."""
+    model = Model()
+    own = path.lstrip("/").lower()
+    current = Found("")
+
+    def begin(tag: str, given: dict[str, str]) -> None:
+        nonlocal current
+        match tag.rsplit(":", 1)[-1]:
+            case "vertex":
+                current.corners.extend((float(given["x"]), float(given["y"]), float(given["z"])))
+            case "triangle":
+                current.triangles.extend((int(given["v1"]), int(given["v2"]), int(given["v3"])))
+            case "object":
+                current = Found(given.get("name") or given["id"])
+                model.objects[own, given["id"]] = current
+            case "component":
+                current.components.append(_use(given, own))
+            case "item":
+                model.items.append(_use(given, own))
+            case "model":
+                model.unit = given.get("unit", model.unit).lower()
+
+    parser = expat.ParserCreate()
+    parser.StartElementHandler = begin
+    try:
+        parser.Parse(data, True)
+    except KeyError as missing:
+        raise ValueError(f"its model lacks the attribute {missing}") from None
+    return model
+
+
+def _use(given: Mapping[str, str], own: str) -> Use:
+    """An item or component; its part of the package is its own unless it says another (Production Extension)."""
+    path = next((value for name, value in given.items() if name.rsplit(":", 1)[-1] == "path"), own)
+    numbers = [float(word) for word in given.get("transform", "1 0 0 0 1 0 0 0 1 0 0 0").split()]
+    if len(numbers) != 12:
+        raise ValueError(f"a transformation has {len(numbers)} numbers, not 12")
+    matrix = np.eye(4)
+    matrix[:3, :] = np.array(numbers).reshape(4, 3).T
+    return Use((path.lstrip("/").lower(), given["objectid"]), matrix)

@@ -1,0 +1,131 @@
+"""Writing a set of files into a folder: whole or not at all, alone, and nothing that is not ours touched."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager, suppress
+from pathlib import Path
+
+from assess.errors import OutputError
+from assess.message import Message
+from assess.outputs import journal
+from assess.outputs.digest import digest
+from assess.outputs.journal import Move
+from assess.outputs.lock import locked
+from assess.outputs.manifest import MANIFEST, RESULTS, Manifest, read, state
+from assess.outputs.settling import Tell, kept_beside, settle
+from assess.outputs.stage import MADE, files_in, flush, stage
+from assess.signals import deferred
+
+_TOLD = 5  # names of files in a line
+
+
+def _silent(_: Message) -> None:
+    pass
+
+
+@contextmanager
+def staged(
+    folder: Path, *, command: str, owner: str = RESULTS, wanted: Sequence[str] = (), tell: Tell = _silent
+) -> Iterator[Path]:
+    """A temporary folder; what the block leaves in it stands in `folder` afterwards, if the block raised nothing.
+
+    command : what writes there, for others to be told while it does
+    owner : the set that the files make up, of `assess.outputs.manifest`; those of the set that are not made again are
+    removed, but for the results after which it is called
+    wanted : files that are known to come
+    tell : is told what was made good there
+    Raises OutputError at once where the folder cannot be written or holds files that may not be replaced.
+    """
+    if folder.exists() and not folder.is_dir():
+        raise OutputError(f"{folder}: is a file; give a folder for the output")
+    with _made(folder), locked(folder, command=command):
+        settle(folder, tell=tell)
+        manifest = read(folder)
+        _refuse(folder, _in_the_way(folder, manifest, owner, wanted))
+        with stage(folder, command=command) as place:
+            yield place / MADE
+            _commit(place, folder, manifest, owner)
+
+
+@contextmanager
+def _made(folder: Path) -> Iterator[None]:
+    """The folder, made with those above it where there is none; such as nothing came into are removed again."""
+    absent = [place for place in (folder, *folder.parents) if not place.exists()]
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise OutputError(f"{folder}: cannot be made ({error.strerror}); give another folder") from None
+    try:
+        yield
+    finally:
+        with suppress(OSError):
+            for place in absent:
+                place.rmdir()
+
+
+def _in_the_way(folder: Path, manifest: Manifest, owner: str, wanted: Sequence[str]) -> dict[str, str]:
+    """Why files in the folder cannot be replaced or removed, by their names.
+
+    wanted : files to be written; those of the set that are not among them go, but for its results
+    """
+    ours = manifest.of(owner)
+    found = {}
+    for name in [*wanted, *(name for name in ours if name not in wanted and name != owner)]:
+        path = folder / name
+        if path.is_dir():
+            found[name] = "is a folder where a file is to be written"
+        elif name not in ours and (path.exists() or path.is_symlink()):
+            found[name] = "was not written by assess, or by another of its commands"
+        elif name in ours and state(path, ours[name]) == "changed":
+            found[name] = "was changed since assess wrote it"
+    return found
+
+
+def _refuse(folder: Path, wrong: Mapping[str, str], *, kept: str = "") -> None:
+    if not wrong:
+        return
+    why = next(iter(wrong.values()))
+    names = [str(folder / name) for name, each in wrong.items() if each == why]
+    more = f" and {len(names) - _TOLD} more" if len(names) > _TOLD else ""
+    raise OutputError(f"{', '.join(names[:_TOLD])}{more}: {why}; move it away, or give another folder with -o{kept}")
+
+
+def _commit(place: Path, folder: Path, manifest: Manifest, owner: str) -> None:
+    """Move what was made into the folder; what cannot go there is left beside it."""
+    made = place / MADE
+    files = {name: digest(made / name) for name in files_in(made)}
+    kept = {name: old for name, old in manifest.of(owner).items() if name == owner and name not in files}
+    listed = Manifest({**manifest.sets, owner: {**files, **kept}})
+    wrong = _in_the_way(folder, manifest, owner, list(files))
+    _write(listed if not wrong else Manifest({owner: files}), made / MANIFEST)
+    if wrong:
+        left = kept_beside(place, folder)
+        _refuse(folder, wrong, kept=f"; nothing there was touched, and what was made is in {left}")
+    gone = [name for name in manifest.of(owner) if name not in files and name != owner]
+    _move([*files, *gone, *manifest.earlier, MANIFEST], place, folder)
+
+
+def _write(manifest: Manifest, path: Path) -> None:
+    path.write_text(manifest.text(), encoding="utf-8", newline="\n")
+
+
+def _move(names: Sequence[str], place: Path, folder: Path) -> None:
+    made = place / MADE
+    for path in (made / name for name in names):
+        if path.exists():
+            flush(path)
+    moves = [Move(name, digest(made / name), digest(folder / name)) for name in names]
+    moves = [move for move in moves if move.new != move.old or move.new is not None]
+    with deferred():  # from here on it is all or nothing
+        journal.begin(place, moves)
+        try:
+            journal.finish(place, folder, moves)
+        except OSError as error:
+            journal.take_back(place, folder, moves)
+            left = kept_beside(place, folder)
+            where = error.filename2 or error.filename or folder
+            raise OutputError(
+                f"{where}: cannot be written ({error.strerror}); nothing in {folder} was changed, and what was made is "
+                f"in {left}: close what holds the files there, make room, or give another folder with -o"
+            ) from None

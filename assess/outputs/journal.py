@@ -1,0 +1,140 @@
+"""Moving finished files from their stage into a folder, so that a stop at any moment can be made good.
+
+The stage holds the new files in `made`. A journal written there lists every move with the SHA-256 of what comes and of
+what goes; only then are files moved, those that go into `old`. Every step can be done again: whoever finds a stage with
+a journal goes on with it, or takes it back where the folder was changed meanwhile. Without its journal, a stage is
+something that was never finished, or that is done with.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Sequence
+from contextlib import suppress
+from dataclasses import asdict, dataclass
+from pathlib import Path
+
+from assess.outputs.digest import digest
+from assess.outputs.manifest import stays_inside
+from assess.outputs.stage import MADE, OLD, files_in, flush
+
+JOURNAL = "journal.json"
+
+
+@dataclass(frozen=True)
+class Move:
+    """What becomes of one file: `name` below the folder, SHA-256 of what comes and of what is there, None for none."""
+
+    name: str
+    new: str | None
+    old: str | None
+
+
+def begin(stage: Path, moves: Sequence[Move]) -> None:
+    """Write the journal, once all that it speaks of is on the disk."""
+    for folder in [stage / MADE, *(path for path in (stage / MADE).rglob("*") if path.is_dir())]:
+        flush(folder)
+    draft = stage / f"{JOURNAL}.draft"
+    with draft.open("w", encoding="utf-8") as file:
+        json.dump({"format": 1, "moves": [asdict(move) for move in moves]}, file)
+        file.flush()
+        os.fsync(file.fileno())
+    os.replace(draft, stage / JOURNAL)
+    flush(stage)
+
+
+def finish(stage: Path, folder: Path, moves: Sequence[Move]) -> None:
+    """Carry out what is left of the moves."""
+    for move in moves:
+        made, saved, target = _places(stage, folder, move)
+        if made.exists() or move.new is None:
+            _save(target, saved)
+        if made.exists():
+            target.parent.mkdir(parents=True, exist_ok=True)
+            os.replace(made, target)
+        elif move.new is None:
+            target.unlink(missing_ok=True)
+    _remove_empty(folder, [move.name for move in moves if move.new is None])
+    _close(stage, folder, moves)
+
+
+def take_back(stage: Path, folder: Path, moves: Sequence[Move]) -> None:
+    """Undo what was done of the moves; what has no place any more stays in the stage."""
+    for move in reversed(moves):
+        made, saved, target = _places(stage, folder, move)
+        now = digest(target)
+        if now is not None and now == move.new and not made.exists():
+            made.parent.mkdir(parents=True, exist_ok=True)
+            os.replace(target, made)
+            now = None
+        if saved.exists() and now is None:
+            target.parent.mkdir(parents=True, exist_ok=True)
+            os.replace(saved, target)
+        elif saved.exists() and now == move.old:
+            saved.unlink()
+    _remove_empty(folder, [move.name for move in moves if move.old is None])
+    _close(stage, folder, moves)
+
+
+def found(stage: Path) -> list[Move] | None:
+    """The moves of the journal of a stage; None where it cannot be read."""
+    try:
+        content = json.loads((stage / JOURNAL).read_text(encoding="utf-8"))
+        moves = [Move(str(each["name"]), each["new"], each["old"]) for each in content["moves"]]
+    except (OSError, ValueError, TypeError, KeyError):
+        return None
+    return moves if content.get("format") == 1 and all(stays_inside(move.name) for move in moves) else None
+
+
+def can_finish(stage: Path, folder: Path, moves: Sequence[Move]) -> bool:
+    """Whether all that is to come is whole, and nothing stands in its place that nobody knew of."""
+    for move in moves:
+        made, _, target = _places(stage, folder, move)
+        now = digest(target)
+        if now not in (None, move.new, move.old):
+            return False
+        if move.new is not None and move.new not in (digest(made), now):
+            return False
+    return True
+
+
+def guessed(stage: Path, folder: Path) -> list[Move]:
+    """What was done, as the files tell it where the journal is damaged: what is in `old` stood in the folder."""
+    moves = []
+    for name in files_in(stage / OLD) if (stage / OLD).is_dir() else []:
+        was = digest(stage / OLD / name)
+        now = digest(folder / name)
+        moves.append(Move(name, None if now == was else now, was))
+    return moves
+
+
+def _places(stage: Path, folder: Path, move: Move) -> tuple[Path, Path, Path]:
+    return stage / MADE / move.name, stage / OLD / move.name, folder / move.name
+
+
+def _save(target: Path, saved: Path) -> None:
+    """Keep what stands in the folder; it stays there too where the disk can, so that readers never miss it."""
+    if saved.exists() or not target.exists():
+        return
+    saved.parent.mkdir(parents=True, exist_ok=True)
+    try:
+        os.link(target, saved)
+    except OSError:
+        os.replace(target, saved)
+
+
+def _close(stage: Path, folder: Path, moves: Sequence[Move]) -> None:
+    """Flush the folders and take the journal away: from now on the stage is done with."""
+    for place in sorted({(folder / move.name).parent for move in moves} | {folder}):
+        if place.is_dir():
+            flush(place)
+    (stage / JOURNAL).unlink(missing_ok=True)
+    flush(stage)
+
+
+def _remove_empty(folder: Path, names: Sequence[str]) -> None:
+    """Remove the folders below `folder` that held or were to hold `names` and are empty."""
+    for parent in sorted({(folder / name).parent for name in names} - {folder}, reverse=True):
+        with suppress(OSError):
+            parent.rmdir()

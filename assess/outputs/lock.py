@@ -1,0 +1,183 @@
+"""A lock on a folder that names its holder, held as long as a command writes there.
+
+The kernel lets go of it when its holder has ended, however that was: a lock file left behind holds nobody up, and it
+does not matter that numbers of processes come again. Kernels do not see each other's locks on every network folder, so
+a lock file signed on another machine is believed; and so is one on a disk without locks, as long as its process lives.
+"""
+
+from __future__ import annotations
+
+import errno
+import json
+import os
+import socket
+import sys
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from dataclasses import asdict, dataclass
+from datetime import datetime
+from pathlib import Path
+
+from assess.errors import HeldError
+
+LOCK = ".assess-lock"
+PATIENCE = 10.0  # s, in which the children of a command that was killed end
+_PAUSE = 0.02  # s
+_BOOT = Path("/proc/sys/kernel/random/boot_id")
+_BYTE = 1 << 30  # Windows hides what is locked from others: a byte far behind the text
+_REFUSED = (errno.EWOULDBLOCK, errno.EACCES, errno.EDEADLK)
+_OPENED = os.O_RDWR | os.O_CREAT | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_BINARY", 0)
+
+
+@dataclass(frozen=True)
+class Holder:
+    """The process that holds a lock; boot: what names the running kernel, "" where nothing does."""
+
+    pid: int
+    host: str
+    boot: str
+    command: str
+    since: str
+
+    def __str__(self) -> str:
+        return f"{self.command} (process {self.pid} on {self.host}, since {self.since})"
+
+    @property
+    def elsewhere(self) -> bool:
+        """Whether it is on a machine whose locks this kernel may not see."""
+        return self.host != socket.gethostname() and (self.boot == "" or self.boot != _boot())
+
+    @property
+    def ended(self) -> bool:
+        """Whether it is known to have ended."""
+        return self.host == socket.gethostname() and (self.boot != _boot() or not _runs(self.pid))
+
+
+@contextmanager
+def locked(folder: Path, *, command: str, patient: bool = False) -> Iterator[None]:
+    """Hold the lock of `folder` while the block runs.
+
+    command : what holds it, for others to be told; patient : wait a while for a holder that lives
+    Raises HeldError that names the holder.
+    """
+    file = folder / LOCK
+    handle = _acquired(file, patient=patient)
+    try:
+        _sign(handle, command)
+        yield
+    finally:
+        _release(handle, file)
+
+
+def abandoned(file: Path) -> bool:
+    """Whether nobody holds the lock `file`, which exists."""
+    handle = os.open(file, _OPENED)
+    try:
+        granted = _granted(handle)
+        holder = _holder(handle)
+        return granted or (granted is None and (holder is None or holder.ended))
+    finally:
+        os.close(handle)
+
+
+def _acquired(file: Path, *, patient: bool) -> int:
+    """The open lock file, locked."""
+    deadline = time.monotonic() + PATIENCE
+    while True:
+        handle = os.open(file, _OPENED, 0o644)
+        granted, holder = _granted(handle), _holder(handle)
+        if granted and not _is(handle, file):  # its last holder has just removed it
+            os.close(handle)
+            continue
+        if granted and (holder is None or not holder.elsewhere):
+            return handle
+        if granted is None and (holder is None or holder.ended):
+            return handle
+        os.close(handle)
+        waits = patient or holder is None or holder.ended
+        if granted or not waits or time.monotonic() > deadline:
+            raise HeldError(_told(file, holder, certain=granted is False))
+        time.sleep(_PAUSE)
+
+
+def _told(file: Path, holder: Holder | None, *, certain: bool) -> str:
+    who = "another command" if holder is None else str(holder)
+    unless = "" if certain else f"; if it is certain that it has ended, delete {file.name} in that folder"
+    return f"{file.parent}: is being written by {who}; wait until that has ended, or give another folder{unless}"
+
+
+def _granted(handle: int) -> bool | None:
+    """Whether the kernel gives the lock; None where the disk has none."""
+    try:
+        if sys.platform == "win32":
+            import msvcrt
+
+            os.lseek(handle, _BYTE, os.SEEK_SET)
+            msvcrt.locking(handle, msvcrt.LK_NBLCK, 1)
+        else:
+            import fcntl
+
+            fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError as error:
+        return False if error.errno in _REFUSED else None
+    return True
+
+
+def _is(handle: int, file: Path) -> bool:
+    """Whether the file that is open stands at its path."""
+    try:
+        return os.path.samestat(os.fstat(handle), file.stat())
+    except OSError:
+        return False
+
+
+def _sign(handle: int, command: str) -> None:
+    since = datetime.now().astimezone().isoformat(" ", "seconds")
+    mine = Holder(os.getpid(), socket.gethostname(), _boot(), command, since)
+    os.ftruncate(handle, 0)
+    os.lseek(handle, 0, os.SEEK_SET)
+    os.write(handle, json.dumps(asdict(mine)).encode())
+
+
+def _holder(handle: int) -> Holder | None:
+    """Who signed the lock; None where nobody has yet."""
+    try:
+        os.lseek(handle, 0, os.SEEK_SET)
+        found = json.loads(os.read(handle, 10_000))
+        return Holder(int(found["pid"]), *(str(found[key]) for key in ("host", "boot", "command", "since")))
+    except (OSError, ValueError, TypeError, KeyError):
+        return None
+
+
+def _release(handle: int, file: Path) -> None:
+    """Remove the lock file, while it is held where that can be done."""
+    if sys.platform == "win32":
+        os.close(handle)
+        with suppress(OSError):
+            file.unlink()
+        return
+    with suppress(OSError):
+        if _is(handle, file):
+            file.unlink()
+    os.close(handle)
+
+
+def _boot() -> str:
+    try:
+        return _BOOT.read_text(encoding="ascii").strip()
+    except (OSError, UnicodeDecodeError):
+        return ""
+
+
+def _runs(pid: int) -> bool:
+    """Whether a process of this number runs on this machine, as far as can be told."""
+    if sys.platform == "win32":  # where signal 0 would end it
+        return True
+    try:
+        os.kill(pid, 0)
+    except ProcessLookupError:
+        return False
+    except (OSError, OverflowError):
+        return True
+    return True

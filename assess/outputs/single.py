@@ -1,0 +1,49 @@
+"""Writing one file that the user names: whole or not at all, and never over another."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from assess.errors import OutputError
+from assess.outputs.digest import digest
+from assess.outputs.stage import MADE, clear, flush, stage
+
+
+@contextmanager
+def written(path: Path, *, command: str) -> Iterator[Path]:
+    """A path to write to; what stands there after the block stands at `path`, if the block raised nothing.
+
+    A file that is there already stays; that is right where it holds the same. Raises OutputError where it does not.
+    """
+    if not path.parent.is_dir():
+        raise OutputError(f"{path}: there is no folder {path.parent}; make it first")
+    if path.is_dir():
+        raise OutputError(f"{path}: is a folder; give the name of a file")
+    clear(path.parent)
+    with stage(path.parent, command=command) as place:
+        made = place / MADE / path.name
+        yield made
+        flush(made)
+        _put(made, path)
+
+
+def _put(made: Path, path: Path) -> None:
+    """Give a finished file its name, unless another has it."""
+    try:
+        os.link(made, path)  # fails where a file is there, even one that came a moment ago
+    except FileExistsError:
+        _refuse_another(made, path)
+    except OSError:  # a disk without links
+        if path.exists() or path.is_symlink():
+            _refuse_another(made, path)
+        else:
+            os.replace(made, path)
+    flush(path.parent)
+
+
+def _refuse_another(made: Path, path: Path) -> None:
+    if digest(path) != digest(made):
+        raise OutputError(f"{path}: is there already and holds something else; move it away, or give another name")

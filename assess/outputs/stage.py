@@ -1,0 +1,111 @@
+"""Folders in which outputs are made before they are moved into place, on the same disk."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from pathlib import Path
+from secrets import token_hex
+
+from assess.errors import OutputError
+from assess.outputs.lock import LOCK, abandoned, locked
+from assess.signals import deferred
+
+PREFIX = ".assess-partial-"
+MADE, OLD = "made", "old"
+_DAY = 86400.0  # s
+
+
+@contextmanager
+def stage(place: Path, *, command: str) -> Iterator[Path]:
+    """A new hidden folder in `place`, with an empty folder `made`; removed at the end.
+
+    Its own lock tells other commands that it is in use. Raises OutputError where nothing can be written.
+    """
+    folder = place / f"{PREFIX}{token_hex(6)}"
+    try:
+        _make(folder)
+        with locked(folder, command=command):
+            try:
+                (folder / MADE).mkdir()
+                yield folder
+            finally:
+                with deferred():
+                    _empty(folder)
+    finally:
+        with deferred():
+            remove(folder)
+
+
+def _make(folder: Path) -> None:
+    try:
+        folder.mkdir(mode=0o700)
+    except OSError as error:
+        raise OutputError(
+            f"{folder.parent}: nothing can be written there ({error.strerror}); give another place"
+        ) from None
+
+
+def _empty(folder: Path) -> None:
+    """Remove all of a stage but what says that it is in use, which goes last."""
+    for each in folder.iterdir():
+        if each.name != LOCK:
+            remove(each)
+
+
+def left_behind(place: Path, *, alone: bool = False) -> list[Path]:
+    """The stages in `place` that no command uses any more; alone: no other command may begin one there now."""
+    try:
+        found = sorted(place.glob(f"{PREFIX}*"))
+    except OSError:
+        return []
+    return [each for each in found if _left(each, alone=alone)]
+
+
+def _left(found: Path, *, alone: bool) -> bool:
+    """Whether a stage is abandoned. One without a lock may just be beginning, or be of a version without locks."""
+    lock = found / LOCK
+    try:
+        if lock.is_file():
+            return abandoned(lock)
+        return alone or time.time() - found.lstat().st_mtime > _DAY
+    except OSError:
+        return False
+
+
+def clear(place: Path) -> None:
+    """Remove the stages in `place` that hold nothing but what was never finished and nobody uses any more."""
+    for each in left_behind(place):
+        if not (each / OLD).exists():
+            remove(each)
+
+
+def remove(found: Path) -> None:
+    """Remove a stage; a link is removed and not followed."""
+    if found.is_dir() and not found.is_symlink():
+        shutil.rmtree(found, ignore_errors=True)
+        return
+    with suppress(OSError):
+        found.unlink()
+
+
+def files_in(folder: Path) -> list[str]:
+    """Every file below `folder`, by its path with slashes, in a fixed order."""
+    return sorted(path.relative_to(folder).as_posix() for path in folder.rglob("*") if not path.is_dir())
+
+
+def flush(path: Path) -> None:
+    """Bring a file, or the names in a folder, from the system's memory to the disk."""
+    if os.name == "nt" and path.is_dir():
+        return  # Windows opens no folders
+    handle = os.open(path, os.O_RDONLY if path.is_dir() else os.O_RDWR)
+    try:
+        os.fsync(handle)
+    except OSError:
+        if not path.is_dir():  # some network disks flush files only
+            raise
+    finally:
+        os.close(handle)

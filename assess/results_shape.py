@@ -1,0 +1,90 @@
+"""What the types of results do not say: numbers are finite, columns of one table are of one length, places exist.
+
+Results are written so; a file that was changed since may not be, and would be drawn or added up wrongly.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import fields, is_dataclass
+from math import isfinite
+from typing import Any
+
+from assess import results as r
+from assess.codes.check import PgaCurve
+
+_PLAIN = {float, int, bool, str, type(None)}
+
+Groups = tuple[tuple[str, ...], ...]
+OF_ONE_LENGTH: Mapping[type, Groups] = {
+    PgaCurve: (("rotation_ratio", "pga_g"),),
+    r.SpectrumResult: (("period_s", "acceleration_g"),),
+    r.RecordSpectrum: (("period_s", "acceleration_g"),),
+    r.GroundMotionResult: (("period_s", "target_g", "mean_g", "geometric_mean_g"),),
+    r.Displaced: (("blocks", "block_of"),),
+    r.Drawing: (("blocks", "block_of"),),
+    r.View: (("triangles", "block_of"),),
+    r.BranchCurve: (tuple(field.name for field in fields(r.BranchCurve)),),
+    r.CarriedMotion: (
+        ("time_s", "ground_acceleration_g", "base_acceleration_g"),
+        ("period_s", "ground_spectrum_g", "base_spectrum_g"),
+    ),
+    r.Trace: (("time_s", "rotation_rad", "ground_acceleration_g", "base_acceleration_g"),),
+    r.DirectionSweep: (("angle_deg", "uplift_multiplier", "p_eq_per_s", "overturning_rad"),),
+    r.BranchMoment: (("rotation_rad", "restoring_n_m"),),
+    r.EnvelopeResult: (
+        ("frequency_hz", "overturned", "lower_bound_g", "polarity", "islands", "uplift_g", "factor", "omega",
+         "lower_bound_ratio"),
+    ),
+    r.CriticalResult: (("frequency_hz", "mechanism", "lower_bound_g", "runner_up", "margin", "near"),),
+    r.SweepResult: (
+        ("value", "p_eq_per_s", "uplift_multiplier", "overturning_rad", "overturning_flexible_rad",
+         "elastic_frequency_hz", "restitution", "demand_capacity", "overturned", "capacity_pga_g", "outcome"),
+    ),
+}  # fmt: skip
+"""The fields of each type that are columns of one table; one that is None is none."""
+
+
+def faults(value: Any, where: str = "") -> Iterator[str]:
+    """What is wrong with results or a part of them, each with its place, as long as it is asked for."""
+    if isinstance(value, float):
+        if not isfinite(value):
+            yield f"{where}: {value} is not a finite number"
+    elif is_dataclass(value):
+        yield from _of_fields(value, where)
+    elif isinstance(value, Mapping):
+        for key, each in value.items():
+            yield from faults(each, f"{where}.{key}".lstrip("."))
+    elif isinstance(value, tuple | list):
+        yield from _of_items(value, where)
+
+
+def _of_fields(value: Any, where: str) -> Iterator[str]:
+    for names in OF_ONE_LENGTH.get(type(value), ()):
+        lengths = {name: len(column) for name in names if (column := getattr(value, name)) is not None}
+        if len(set(lengths.values())) > 1:
+            counted = ", ".join(f"{number} of {name}" for name, number in lengths.items())
+            yield f"{where}: columns of unequal length: {counted}"
+    yield from _of_places(value, where)
+    for field in fields(value):
+        yield from faults(getattr(value, field.name), f"{where}.{field.name}".lstrip("."))
+
+
+def _of_items(items: tuple[Any, ...] | list[Any], where: str) -> Iterator[str]:
+    kinds = set(map(type, items))
+    if kinds <= _PLAIN and (float not in kinds or all(isfinite(each) for each in items if type(each) is float)):
+        return  # the most of them, at once
+    for place, each in enumerate(items):
+        yield from faults(each, f"{where}[{place}]")
+
+
+def _of_places(value: Any, where: str) -> Iterator[str]:
+    """Numbers that count places in another list."""
+    if isinstance(value, r.View):
+        if any(not 0 <= corner < len(value.vertices) for triangle in value.triangles for corner in triangle):
+            yield f"{where}.triangles: a corner that is none of the vertices"
+    elif isinstance(value, r.EnvelopeResult):
+        if any(len(row) != len(value.amplitude_g) for row in value.overturned):
+            yield f"{where}.overturned: a row that has not one value for each amplitude_g"
+    elif isinstance(value, r.SweepResult) and not 0 <= value.controlling < len(value.value):
+        yield f"{where}.controlling: {value.controlling} is none of the {len(value.value)} cases"

@@ -1,0 +1,36 @@
+"""What a filter of the source says of the step: nothing is left of a motion far beyond the filter's corners."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from records.formats.samples import FloatArray
+
+ABOVE, BELOW = 1.3, 0.6  # times the corners, beyond which hardly anything is left
+HIGH_SHARE = 5e-3  # of the power of accelerations; 7e-4 at most in fifteen filtered records of ESM, ITACA and PEER
+LOW_SHARE = 0.25  # of the power of displacements; 0.06 at most in the same
+
+
+def doubt_of_filter(samples: FloatArray, dt: float, *, low: float | None, high: float | None) -> str:
+    """One line where a motion [n] at a step [s] goes on beyond the corners [Hz] of its filter; else "".
+
+    With another step a motion has other frequencies. None is a corner that is not known.
+    """
+    odd = beyond_nyquist(high, dt)
+    if odd or not (low or high) or samples.size < 2:
+        return odd
+    size = 2 * samples.size  # with zeros behind it
+    f, power = np.fft.rfftfreq(size, dt), np.abs(np.fft.rfft(samples - np.mean(samples), size)) ** 2
+    if high and float(np.sum(power[f > ABOVE * high])) > HIGH_SHARE * float(np.sum(power)):
+        return f"its filter ends at {high:.6g} Hz, but its motion does not with a step of {dt:.6g} s; check the step"
+    moved = power[1:] / f[1:] ** 4
+    if low and float(np.sum(moved[f[1:] < BELOW * low])) > LOW_SHARE * float(np.sum(moved)):
+        return f"its filter begins at {low:.6g} Hz, its motion below that with a step of {dt:.6g} s; check the step"
+    return ""
+
+
+def beyond_nyquist(corner: float | None, dt: float) -> str:
+    """Return a doubt about a filter's upper corner [Hz] that a step [s] cannot hold."""
+    if corner is None or corner <= 1.02 * 0.5 / dt:
+        return ""
+    return f"its filter ends at {corner:.6g} Hz, its step of {dt:.6g} s holds {0.5 / dt:.6g} Hz at most; check the step"

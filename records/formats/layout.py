@@ -1,0 +1,106 @@
+"""How the numbers of a file are printed: alike in every line, unless characters were lost.
+
+Programs print accelerations with one format, so that every number has the same decimals and every line the same
+columns. A number that is printed otherwise has lost characters, and so has a line whose columns stand elsewhere.
+"""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import NamedTuple, TypeVar
+
+from records.errors import RecordError
+
+UNIFORM = 0.99  # of the lines, from which on a format is one
+BATCH = 20_000  # lines that are looked at at once
+FEW = 3  # lines or numbers that show a format
+SHAPE = str.maketrans("123456789eDd\t", "000000000EEE ")
+FIELD = re.compile(r"[-+]?\d*(\.\d*)?(E[-+]?\d+)?")
+
+T = TypeVar("T")
+Printed = tuple[int, int]  # decimals and digits of the exponent, -1 without a point or exponent
+
+
+class Form(NamedTuple):
+    """How a line is printed: the column in which each number ends, and its decimals and digits of the exponent."""
+
+    ends: tuple[int, ...]
+    printed: tuple[Printed, ...]
+
+
+def check_layout(lines: Sequence[str], *, first: int, path: Path) -> str:
+    """Refuse a number that is printed otherwise than all the others; return a doubt about columns that are uneven.
+
+    Nothing is said of files that no one format printed. `first` is the number of the first line in the file.
+    """
+    counts = Counter(_shapes(lines))
+    forms = {shape: _form(shape) for shape in counts}
+    usual = _most(
+        ((printed, number) for shape, number in counts.items() for printed in forms[shape].printed),
+        of=sum(number * len(forms[shape].printed) for shape, number in counts.items()),
+    )
+    if usual is None:
+        return ""
+    at = _line_of(lines, {shape for shape, form in forms.items() if any(each != usual for each in form.printed)})
+    if at is not None:
+        raise RecordError(
+            f'{path}: line {first + at}: "{_odd_field(lines[at], forms, usual)}" is not printed like the others, with '
+            f"{_words(usual)}; characters are lost, get the file again"
+        )
+    at = _uneven(lines, counts, forms)
+    return "" if at is None else f"the columns of line {first + at} are not those of the others; characters may be lost"
+
+
+def _shapes(lines: Sequence[str]) -> Iterator[str]:
+    """Each line with 0 for every digit and E for every mark of an exponent."""
+    for i in range(0, len(lines), BATCH):
+        yield from "\n".join(lines[i : i + BATCH]).translate(SHAPE).split("\n")
+
+
+def _form(shape: str) -> Form:
+    found = [each for each in FIELD.finditer(shape) if each[0]]
+    return Form(
+        tuple(each.end() for each in found),
+        tuple((len(each[1] or "") - 1, len(each[2].lstrip("E+-")) if each[2] else -1) for each in found),
+    )
+
+
+def _uneven(lines: Sequence[str], counts: Mapping[str, int], forms: Mapping[str, Form]) -> int | None:
+    """Index of the first line whose numbers end in other columns than the others'; the last may be shorter."""
+    held = sum(number for shape, number in counts.items() if forms[shape].ends)
+    ends = _most(((forms[shape].ends, number) for shape, number in counts.items() if forms[shape].ends), of=held - 1)
+    if ends is None:
+        return None
+    odd = {shape for shape, form in forms.items() if form.ends != ends[: len(form.ends)]}
+    short = {shape for shape, form in forms.items() if form.ends and form.ends != ends} - odd
+    last = next(i for i in range(len(lines) - 1, -1, -1) if lines[i].strip())
+    found = _line_of(lines, odd)
+    return _line_of(lines[:last], short) if found is None else found
+
+
+def _line_of(lines: Sequence[str], shapes: set[str]) -> int | None:
+    """Index of the first line of one of the `shapes`."""
+    return next((i for i, shape in enumerate(_shapes(lines)) if shape in shapes), None) if shapes else None
+
+
+def _most(counted: Iterable[tuple[T, int]], *, of: int) -> T | None:
+    """What makes up nearly all `of` them, or all but one where they are few."""
+    sums: Counter[T] = Counter()
+    for thing, number in counted:
+        sums[thing] += number
+    return next((thing for thing, number in sums.most_common(1) if number >= max(min(UNIFORM * of, of - 1), FEW)), None)
+
+
+def _odd_field(line: str, forms: Mapping[str, Form], usual: Printed) -> str:
+    """The number of a line that is not printed as usual."""
+    form = forms[line.translate(SHAPE)]
+    end = next(end for end, printed in zip(form.ends, form.printed, strict=True) if printed != usual)
+    return line[:end].split()[-1][:30]
+
+
+def _words(usual: Printed) -> str:
+    decimals, exponent = usual
+    return f"{max(decimals, 0)} decimals" + ("" if exponent < 0 else f" and {exponent} digits of the exponent")

@@ -1,0 +1,1 @@
+"""Mutated inputs through the real entry point, each compared with what the unmutated one gives: docs/robustness.md."""

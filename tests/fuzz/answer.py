@@ -1,0 +1,84 @@
+"""One case run in this process through the real entry point, and what came back."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import os
+import shutil
+import sys
+import tempfile
+import traceback
+import unittest.mock
+import warnings
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+import typer
+
+from assess.cli import main
+from tests.fuzz.case import Case
+
+LONGEST = 2_000_000  # characters of what is printed that are kept
+
+
+@dataclass(frozen=True)
+class Answer:
+    """How a command ended; code None where it was killed, and `told` then says why.
+
+    told : the last lines of a traceback, for a bug; out, err : what was printed, the folder's name taken out
+    """
+
+    code: int | None
+    out: str = ""
+    err: str = ""
+    told: str = ""
+
+
+def answer(case: Case) -> Answer:
+    """Run `case` in a folder of its own."""
+    folder = Path(tempfile.mkdtemp(prefix="case-"))
+    before, started = os.environ.get("TMPDIR"), Path.cwd()
+    try:
+        for name, data in case.files.items():
+            (folder / "in" / name).parent.mkdir(parents=True, exist_ok=True)
+            (folder / "in" / name).write_bytes(data)
+        (folder / "tmp").mkdir()
+        tempfile.tempdir = str(folder / "tmp")
+        os.chdir(folder / "in")
+        return _run([part.replace("{}", str(folder / "in")) for part in case.arguments], folder)
+    finally:
+        tempfile.tempdir = before
+        os.chdir(started)
+        shutil.rmtree(folder, ignore_errors=True)
+
+
+def _run(arguments: list[str], folder: Path) -> Answer:
+    out, err = (io.TextIOWrapper(io.BytesIO(), encoding="utf-8", errors=how) for how in ("strict", "backslashreplace"))
+    code, told = 0, ""
+    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err), warnings.catch_warnings():
+        warnings.simplefilter("default")
+        sys.modules.pop("__warningregistry__", None)
+        try:
+            with unittest.mock.patch("typer.main.get_command", _command):
+                main(arguments)
+        except SystemExit as end:
+            code = end.code if isinstance(end.code, int) else 0
+        except BaseException:
+            code, told = -1, traceback.format_exc()
+    printed, said = (_text(stream, folder) for stream in (out, err))
+    logs = sorted((folder / "tmp").glob("assess-*.log"))
+    told = told or (logs[-1].read_text(encoding="utf-8", errors="replace") if logs else "")
+    return Answer(code, printed, said, told[-4000:])
+
+
+_command = cache(typer.main.get_command)
+"""The commands, made once: typer makes them anew for each call, which takes longer than most inputs."""
+
+
+def _text(stream: io.TextIOWrapper, folder: Path) -> str:
+    stream.flush()
+    data = stream.buffer.getvalue()  # type: ignore[attr-defined]
+    text: str = data[:LONGEST].decode("utf-8", "replace")
+    return text.replace(str(folder / "in"), "{}").replace(str(folder), "{folder}")

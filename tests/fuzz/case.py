@@ -1,0 +1,77 @@
+"""What is run: the files and the command of a seed, and what was changed in one of its files."""
+
+from __future__ import annotations
+
+import base64
+import json
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass, replace
+from pathlib import Path
+
+
+@dataclass(frozen=True)
+class Edit:
+    """`removed` bytes at `offset` become `inserted`; where: a label of the place; what: old -> new, for a reader."""
+
+    offset: int
+    removed: int
+    inserted: bytes
+    where: str
+    what: str
+
+
+@dataclass(frozen=True)
+class Case:
+    """A command on files in an empty folder.
+
+    group : the class of inputs; files : content by relative path; target : the one that is mutated, "" for none;
+    arguments : of `assess`, "{}" standing for the folder; edits : what was changed
+    """
+
+    group: str
+    name: str
+    files: dict[str, bytes]
+    target: str
+    arguments: tuple[str, ...]
+    edits: tuple[Edit, ...] = ()
+
+    @property
+    def data(self) -> bytes:
+        """The content of the target."""
+        return self.files[self.target]
+
+    def edited(self, edits: Sequence[Edit]) -> Case:
+        """The same after `edits` of its target, the last in the file first, so that offsets stay true."""
+        data = self.data
+        for edit in sorted(edits, key=lambda each: -each.offset):
+            data = data[: edit.offset] + edit.inserted + data[edit.offset + edit.removed :]
+        return replace(self, files=self.files | {self.target: data}, edits=tuple(edits))
+
+
+def rewritten(case: Case, data: bytes, *, where: str, what: str) -> tuple[Edit, ...]:
+    """The edit that makes the target `data`: the smallest stretch that differs."""
+    old = case.data
+    start = next((i for i, (a, b) in enumerate(zip(old, data, strict=False)) if a != b), min(len(old), len(data)))
+    end = 0
+    while end < min(len(old), len(data)) - start and old[len(old) - 1 - end] == data[len(data) - 1 - end]:
+        end += 1
+    return (Edit(start, len(old) - start - end, data[start : len(data) - end], where, what),)
+
+
+def saved(case: Case, path: Path, **more: object) -> Path:
+    """The case, whole, as a file of JSON, and beside it what is told of it."""
+    plain = asdict(case)
+    plain["files"] = {name: base64.b64encode(data).decode() for name, data in case.files.items()}
+    for edit in plain["edits"]:
+        edit["inserted"] = base64.b64encode(edit["inserted"]).decode()
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(json.dumps(plain | more, indent=1), encoding="utf-8")
+    return path
+
+
+def reopened(path: Path) -> Case:
+    """The case that `saved` wrote."""
+    plain = json.loads(path.read_text(encoding="utf-8"))
+    edits = tuple(Edit(**(each | {"inserted": base64.b64decode(each["inserted"])})) for each in plain["edits"])
+    files = {name: base64.b64decode(data) for name, data in plain["files"].items()}
+    return Case(plain["group"], plain["name"], files, plain["target"], tuple(plain["arguments"]), edits)

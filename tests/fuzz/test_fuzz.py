@@ -1,0 +1,102 @@
+"""A slice of the fuzzer in every run of the tests, and that it sees what it is for."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from itertools import islice
+from pathlib import Path
+
+import pytest
+
+from tests.fuzz.__main__ import fuzz, report, reproduce
+from tests.fuzz.answer import Answer, answer
+from tests.fuzz.case import Case, reopened, saved
+from tests.fuzz.findings import Findings
+from tests.fuzz.judgement import BUG, HANG, MEMORY, NOISE, REFUSED, SAME, SILENT, TRACEBACK, WARNED, judged
+from tests.fuzz.mutations import mutations
+from tests.fuzz.seeds import SHARES, seeds
+
+QUICK = [group for group, share in SHARES.items() if share > 1]
+IN_C = ("wall.step", "wall.ifc", "wall.3dm")  # readers that can take the process with them
+USUAL = Answer(0, '{"p": 1.6, "warnings": ["a"]}')
+
+
+def test_a_slice_ends_with_results_and_refusals_alone(tmp_path: Path) -> None:
+    found = Findings(tmp_path)
+    fuzz(found, answer, groups=QUICK, seed=20, inputs=220, without=IN_C)
+    assert not found.broken, found.listed(silent=False)
+    assert sum(found.counts.values()) == 220
+    assert {outcome for _, outcome in found.counts} >= {SAME, REFUSED, SILENT}
+
+
+@pytest.mark.parametrize("group", QUICK)
+def test_the_same_seed_gives_the_same_inputs(group: str) -> None:
+    first, second, other = (list(islice(mutations(seeds(group), seed=seed), 30)) for seed in (1, 1, 2))
+    assert first == second
+    assert first != other
+    assert all(case != whole for whole, case in first)
+
+
+@pytest.mark.parametrize("group", QUICK)
+def test_the_unmutated_inputs_are_accepted(group: str) -> None:
+    for case in seeds(group):
+        got = answer(case)
+        assert got.code == 0, (case.name, got.err)
+        assert judged(got, got).outcome == SAME
+
+
+@pytest.mark.parametrize(
+    ("found", "outcome"),
+    [
+        (Answer(0, '{"p": 1.6000000001, "warnings": ["a"]}'), SAME),
+        (Answer(0, '{"p": 1.60000001, "warnings": ["a"]}'), SILENT),
+        (Answer(0, '{"p": null, "warnings": ["a"]}'), SILENT),
+        (Answer(0, '{"p": 3.2, "warnings": ["a", "b"]}'), WARNED),
+        (Answer(0, '{"p": 3.2, "warnings": ["a"]}', "assess: warning: b\n"), WARNED),
+        (Answer(0, USUAL.out, "x.py:1: RuntimeWarning: overflow\n"), NOISE),
+        (Answer(0, USUAL.out, "Traceback (most recent call last):\n"), TRACEBACK),
+        (Answer(2, "", "assess: error: a.toml: p: no\n"), REFUSED),
+        (Answer(2, "", "assess: error: a.toml\nassess: error: p\n"), BUG),
+        (Answer(2, "", ""), BUG),
+        (Answer(70, "", "assess: internal error: x\n", "KeyError: 1"), BUG),
+        (Answer(70, "", "assess: internal error: x\n", "MemoryError"), MEMORY),
+        (Answer(-1, "", "", "ValueError"), BUG),
+        (Answer(None, told=HANG), HANG),
+        (Answer(None, told="killed, code -11"), BUG),
+    ],
+)
+def test_outcomes(found: Answer, outcome: str) -> None:
+    assert judged(found, USUAL).outcome == outcome
+
+
+def planted(fault: Callable[[Case], Answer]) -> Callable[[Case], Answer]:
+    """A program that answers USUAL but for mutated inputs, which meet the fault."""
+    return lambda case: fault(case) if case.edits else USUAL
+
+
+def test_a_planted_fault_is_counted_saved_and_fails(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    found = Findings(tmp_path)
+    crash = Answer(70, "", "assess: internal error\n", 'File "/x/assess/a.py", line 1, in f\nKeyError: 1')
+    fuzz(found, planted(lambda case: crash), groups=["project"], seed=1, inputs=20)
+    assert report(found, 1.0) == 1
+    assert capsys.readouterr().out.startswith("project | bug | KeyError in assess/a.py:f | 20\n")
+    (path,) = tmp_path.glob("project-bug-*.json")
+    case = reopened(path)
+    assert case.edits
+    assert json.loads(path.read_text())["signature"] == "KeyError in assess/a.py:f"
+    assert reproduce(path) == 0  # the program itself does not have the fault
+
+
+def test_a_finding_is_the_least_of_its_edits(tmp_path: Path) -> None:
+    wrong = Answer(0, '{"p": 3.2, "warnings": ["a"]}')
+    found = Findings(tmp_path)
+    fuzz(found, planted(lambda case: wrong), groups=["record"], seed=3, inputs=60)
+    assert found.counts["record", SILENT] == 60
+    assert all(len(reopened(path).edits) == 1 for path in tmp_path.glob("*.json"))
+
+
+def test_a_case_is_saved_and_reopened_whole(tmp_path: Path) -> None:
+    (whole, case), *_ = islice(mutations(seeds("mesh"), seed=1), 1)
+    assert whole.edited(case.edits) == case
+    assert reopened(saved(case, tmp_path / "a" / "case.json")) == case

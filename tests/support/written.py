@@ -1,0 +1,32 @@
+"""Small sets of files in place of what a command writes, for tests of how outputs are written."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+from assess.outputs.folder import staged
+from assess.outputs.lock import LOCK
+from assess.outputs.manifest import MANIFEST, RESULTS
+from assess.outputs.settling import Tell
+
+
+def content(folder: Path) -> dict[str, str]:
+    """The text of every file below `folder` but what the program keeps there for itself."""
+    own = (LOCK, MANIFEST)
+    return {
+        p.relative_to(folder).as_posix(): p.read_text() for p in folder.rglob("*") if p.is_file() and p.name not in own
+    }
+
+
+def write(folder: Path, files: Mapping[str, str]) -> None:
+    """Write the files below `folder`."""
+    for name, text in files.items():
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_text(text)
+
+
+def run(folder: Path, files: Mapping[str, str], *, owner: str = RESULTS, tell: Tell = lambda _: None) -> None:
+    """Write the files into `folder` as a command does that is known to write them all."""
+    with staged(folder, command="a test", owner=owner, wanted=[*files], tell=tell) as stage:
+        write(stage, files)

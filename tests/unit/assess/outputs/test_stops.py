@@ -1,0 +1,166 @@
+"""A command is stopped before each of its steps on the disk: the folder has all of the old files, or all of the new."""
+
+import os
+import signal
+import sys
+from pathlib import Path
+
+import pytest
+from aim import aim
+from written import content, run, write
+
+from assess.errors import OutputError
+from assess.message import Message
+from assess.outputs import journal
+from assess.outputs.lock import LOCK
+from assess.outputs.manifest import MANIFEST
+from assess.outputs.settling import settled
+from assess.signals import orderly
+
+pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="processes are copied, and ended by signals")
+
+FIRST = {"results.json": "1", "report.pdf": "1", "tables/old.csv": "1", "figures/a.svg": "same"}
+SECOND = {"results.json": "2", "report.pdf": "2", "tables/new.csv": "2", "figures/a.svg": "same"}
+MINE = {"mine.txt": "mine", "tables/mine.csv": "mine"}
+STEPS = 60  # more than there are
+
+
+def stopped(folder: Path, files: dict[str, str], *, at: int, number: int) -> int:
+    """Write the files in a copy of this process that is sent a signal at a step; how it ended, as wait tells it."""
+    if (child := os.fork()) == 0:
+        try:
+            os.dup2(os.open(os.devnull, os.O_WRONLY), 2)
+            with orderly():
+                aim(folder, at=at, number=number)
+                run(folder, files)
+            os._exit(0)
+        except KeyboardInterrupt:
+            os._exit(3)
+        finally:
+            os._exit(70)
+    return os.waitpid(child, 0)[1]
+
+
+def hidden(folder: Path) -> list[str]:
+    return [path.name for path in folder.iterdir() if path.name.startswith(".assess") and path.name != MANIFEST]
+
+
+@pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGTERM, signal.SIGINT], ids=["KILL", "TERM", "INT"])
+def test_a_stop_at_any_step_loses_nothing(tmp_path: Path, number: int) -> None:
+    ends = set()
+    for at in range(1, STEPS):
+        out = tmp_path / f"{at}"
+        write(out, MINE)
+        run(out, FIRST)
+        status = stopped(out, SECOND, at=at, number=number)
+        if number != signal.SIGKILL:  # it cleans up behind itself
+            assert set(hidden(out)) <= {LOCK}
+        told: list[Message] = []
+        settled(out, tell=told.append)  # a command that reads
+        found = {name: text for name, text in content(out).items() if "partial" not in name}
+        assert found in ({**FIRST, **MINE}, {**SECOND, **MINE}), f"step {at}"
+        assert len(told) <= 1
+        ends.add(found["results.json"])
+        run(out, SECOND)  # one that writes
+        assert content(out) == {**SECOND, **MINE}
+        assert hidden(out) == []
+        if status == 0:
+            break
+    else:
+        pytest.fail("there are more steps")
+    assert at > 20
+    assert ends == {"1", "2"}
+    assert len(list(tmp_path.iterdir())) == at  # nothing was left beside
+
+
+def test_a_new_folder_of_a_run_that_was_killed_is_used_again(tmp_path: Path) -> None:
+    for at in range(1, STEPS):
+        out = tmp_path / f"{at}" / "out"
+        status = stopped(out, FIRST, at=at, number=signal.SIGKILL)
+        run(out, SECOND)
+        assert content(out) == SECOND
+        assert hidden(out) == []
+        if status == 0:
+            break
+
+
+def test_making_good_may_be_stopped_too(tmp_path: Path) -> None:
+    for at in range(1, STEPS, 3):
+        out = tmp_path / f"{at}"
+        run(out, FIRST)
+        stopped(out, SECOND, at=at, number=signal.SIGKILL)
+        for again in (2, 5, 8):
+            stopped(out, SECOND, at=again, number=signal.SIGKILL)
+        settled(out, tell=lambda _: None)
+        found = {name: text for name, text in content(out).items() if "partial" not in name}
+        assert found in (FIRST, SECOND)
+        run(out, FIRST)
+        assert content(out) == FIRST
+
+
+def left_half_way(folder: Path) -> Path:
+    """A folder in which a run was killed after two of its files were in place; its stage."""
+    run(folder, FIRST)
+    for at in range(1, STEPS):
+        if stopped(folder, SECOND, at=at, number=signal.SIGKILL) == 0:
+            pytest.fail("it was never half-way")
+        texts = {(folder / name).read_text() for name in ("results.json", "report.pdf")}
+        if texts == {"1", "2"}:
+            (stage,) = folder.glob(".assess-partial-*")
+            return stage
+        run(folder, FIRST)
+    raise AssertionError
+
+
+def test_what_came_since_into_the_place_of_a_file_stays_and_nothing_is_lost(tmp_path: Path) -> None:
+    out, told = tmp_path / "out", list[Message]()
+    left_half_way(out)
+    (out / "report.pdf").write_text("signed meanwhile")
+    settled(out, tell=told.append)
+    assert [each.key for each in told] == ["writing-taken-back"]
+    assert content(out) == {**FIRST, "report.pdf": "signed meanwhile"}
+    beside = content(tmp_path / "out-new-1")
+    assert beside.pop("old/report.pdf", "1") == "1"
+    assert beside.items() <= {**SECOND, "report.pdf": "2"}.items()
+    assert hidden(out) == []
+
+
+@pytest.mark.parametrize(
+    "damage", ["", "{", '{"format": 2, "moves": []}', '{"format": 1, "moves": [{"name": "../x"}]}']
+)
+def test_a_damaged_journal_is_undone(tmp_path: Path, damage: str) -> None:
+    out, told = tmp_path / "out", list[Message]()
+    stage = left_half_way(out)
+    (stage / journal.JOURNAL).write_text(damage)
+    settled(out, tell=told.append)
+    assert [each.key for each in told] == ["writing-taken-back"]
+    assert content(out) == FIRST
+    run(out, SECOND)
+    assert content(out) == SECOND
+
+
+def test_a_new_file_that_is_damaged_in_its_stage_is_not_put_in_place(tmp_path: Path) -> None:
+    out = tmp_path / "out"
+    stage = left_half_way(out)
+    (stage / "made" / "tables" / "new.csv").write_text("flipped")
+    settled(out, tell=lambda _: None)
+    assert content(out) == FIRST
+    assert content(tmp_path / "out-new-1")["tables/new.csv"] == "flipped"
+
+
+def test_a_journal_cannot_lead_out_of_its_folder(tmp_path: Path) -> None:
+    out = tmp_path / "out"
+    move = '{"name": "../precious", "new": null, "old": null}'
+    write(tmp_path, {"precious": "x", "out/.assess-partial-x/journal.json": f'{{"format": 1, "moves": [{move}]}}'})
+    settled(out, tell=lambda _: None)
+    assert content(tmp_path) == {"precious": "x"}
+
+
+def test_a_folder_that_is_read_is_not_written_where_nobody_was_stopped(tmp_path: Path) -> None:
+    write(tmp_path, {".assess-partial-x/made/half": "x"})
+    before = sorted(tmp_path.rglob("*"))
+    settled(tmp_path, tell=lambda _: pytest.fail("told"))
+    settled(tmp_path / "absent", tell=lambda _: pytest.fail("told"))
+    assert sorted(tmp_path.rglob("*")) == before
+    with pytest.raises(OutputError):
+        run(tmp_path / ".assess-partial-x" / "made" / "half", FIRST)

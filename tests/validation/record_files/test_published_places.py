@@ -1,0 +1,68 @@
+"""Times, azimuths and places of real GeoNet and COSMOS files against what their publishers say of them elsewhere.
+
+Stations and directions: GeoNet's metadata, https://github.com/GeoNet/delta, network/stations.csv and
+install/recorders.csv (revision 2faad417). A recorder's azimuth is that of its second axis; the first is 90 degrees on.
+Earthquakes: https://www.geonet.org.nz/earthquake/2016p858000 and https://earthquake.usgs.gov/earthquakes/eventpage of
+us1000hyfh and ci14155260. The files are not part of the project.
+"""
+
+from dataclasses import dataclass
+from math import degrees
+from pathlib import Path
+
+import pytest
+
+from records.reading import read
+
+FOLDER = Path(__file__).resolve().parents[4] / "shared" / "records"
+
+pytestmark = pytest.mark.skipif(
+    not (FOLDER / "INDEX.csv").exists(), reason="third-party records (../shared/records) are not here"
+)
+
+
+@dataclass(frozen=True)
+class Published:
+    """What the publisher says: origin, epicentre and station [deg, north and east], azimuth of each component [deg]."""
+
+    origin: str
+    epicentre: tuple[float, float]
+    station: tuple[float, float] | None
+    azimuths: tuple[float | None, ...]
+
+
+PUBLISHED = {
+    # recorder CUSP3C 10462 from 2016-10-11 to 2017-06-26: azimuth 242
+    "geonet_v2a/20161113_110259_WTMC_20.V2A": Published(
+        "2016-11-13T11:02:56Z", (-42.69, 173.02), (-42.619455, 173.053596), (332.0, 242.0, None)
+    ),
+    # recorder BASALT 2413 from 2014-11-28 on: azimuth 106
+    "geonet_v2a/20180212_211557_WPWS_20.V2A": Published(
+        "2018-02-12T21:15:54Z", (-40.06, 176.55), (-39.943862, 176.584322), (196.0, 106.0, None)
+    ),
+    "cosmos/us1000hyfh_akbmrp_AKBMR--n.1000hyfh.BNZ.--.acc.V2c": Published(
+        "2018-11-30T17:29:29Z", (61.346, -149.955), None, (None,)
+    ),
+    # a made-up header on data of this earthquake; its channel points to 340 degrees
+    "cosmos/Cosmos12TimeSeriesTest.v1": Published("2005-06-16T20:53:26.1Z", (34.058, -117.0113), None, (340.0,)),
+}
+
+
+@pytest.mark.parametrize("name", PUBLISHED)
+def test_a_file_says_what_its_publisher_says(name: str) -> None:
+    published = PUBLISHED[name]
+    found = read(FOLDER / name)
+    for record, azimuth in zip(found, published.azimuths, strict=True):
+        assert record.earthquake.time == published.origin
+        assert (record.earthquake.latitude, record.earthquake.longitude) == pytest.approx(published.epicentre, abs=6e-3)
+        assert (None if record.azimuth is None else degrees(record.azimuth)) == pytest.approx(azimuth, abs=0.5)
+        if published.station is not None:
+            place = (record.site.latitude, record.site.longitude)
+            assert place == pytest.approx(published.station, abs=1.0 / 3600.0)
+
+
+def test_western_longitudes_are_negative() -> None:
+    """The Alaska network's BMR, Bremner River: 60.9677 N, 144.6051 W by the file's text and its numbers alike."""
+    (record,) = read(FOLDER / "cosmos" / "us1000hyfh_akbmrp_AKBMR--n.1000hyfh.BNZ.--.acc.V2c")
+    assert (record.site.latitude, record.site.longitude) == pytest.approx((60.9677, -144.6051), abs=1e-4)
+    assert record.doubts == ()

@@ -165,7 +165,7 @@ def told(file: Path) -> str:
     [
         ("p = 2e12", "mechanisms.k.p: 2000000000000.0: 2e+12 1/s is outside 0.001 to 1000 1/s"),
         ("p = 500", "mechanisms.k.p: 500: with a radius of 2.84 m the inertia about the hinge is 1.38e-05 M R^2"),
-        ("p = 0.002", "give 0.0588 to 8.31 1/s (a slender block has sqrt(3 g / (4 R)) = 1.61 1/s), or another radius"),
+        ("p = 0.002", "give 0.0186 to 186 1/s (a slender block has sqrt(3 g / (4 R)) = 1.61 1/s), or another radius"),
     ],
 )
 def test_an_equivalent_block_of_no_body_is_refused_with_the_range(tmp_path: Path, line: str, said: str) -> None:
@@ -196,3 +196,10 @@ def test_what_stands_only_by_a_tie_that_ends_is_not_answered(tmp_path: Path) -> 
     (result,) = run(build(load(tmp_path))).mechanisms
     assert {check.verdict for check in result.checks} == {"not-answered"}
     assert all(check.demand is None and check.capacity is None for check in result.checks)
+
+
+def test_a_plate_that_hums_on_its_joint_is_refused_before_its_histories(tmp_path: Path) -> None:
+    text = f"{SITE}[mechanisms.k]\n{MECHANISMS['on a joint']}".replace("height = 4", "height = 1e-9")
+    (tmp_path / "project.toml").write_text(text)
+    with pytest.raises(AssessError, match=r"moves on its joints at .* Hz, beyond the 1e\+05 Hz histories can follow"):
+        run(build(load(tmp_path)))

@@ -45,7 +45,7 @@ from assess.project.units import KINDS, key_value
 MECHANISMS = ("single-block", "two-block", "four-hinge", "equivalent-block")
 CRACKS = ("sorrentino", "minimum")
 MOST_VOUSSOIRS = 80  # of an arch: all choices of four of its joints are looked at, which takes seconds
-INERTIA_RATIOS = (0.05, 1000.0)  # I_O / (M R^2) = g / (p^2 R): 4/3 of a slender block, less of a wall that spans
+INERTIA_RATIOS = (1e-4, 1e4)  # I_O / (M R^2) = g / (p^2 R): 4/3 of a slender block, less of a wall that spans
 ALONG_X = (1.0, 0.0, 0.0)
 RESTITUTIONS = ("thesis", "housner", "sorrentino", "momentum")
 

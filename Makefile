@@ -2,12 +2,13 @@
 PYTHON ?= python3
 BIN := .venv/bin
 DEMO := build/demo
+KILLS ?= 120
 SECONDS ?= 60
 SEED ?= 1
 CLASS ?=
 NO_BROWSER := chromium and chromium-driver do not install here; tests that open the HTML report in them will be skipped
 
-.PHONY: demo test check bench fuzz figures catalogue lock
+.PHONY: demo test check bench fuzz kill figures catalogue lock
 
 demo: .venv/installed      ## the main job on the shipped example; the last line printed is the path of the report
 	rm -rf $(DEMO)
@@ -34,6 +35,9 @@ bench: .venv/installed     ## speed, as ratios measured in one run
 
 fuzz: .venv/installed      ## mutated inputs for SECONDS by SEED, of CLASS if given: docs/robustness.md
 	$(BIN)/python -m tests.fuzz --seconds $(SECONDS) --seed $(SEED) $(if $(CLASS),--class $(CLASS))
+
+kill: .venv/installed      ## KILLS runs and indexes killed at random and at aimed moments: nothing may be lost
+	$(BIN)/python tests/kill/study.py $(KILLS)
 
 figures: .venv/installed   ## figures of the thesis drawn again, into build/figures
 	$(BIN)/python tests/validation/thesis/draw_chapter_7.py

@@ -7,12 +7,15 @@ import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 
-TERMINATING = tuple(getattr(signal, name) for name in ("SIGTERM", "SIGHUP") if hasattr(signal, name))
-"""What ends a program politely beside Ctrl-C: `kill`, and a terminal that is closed."""
+ENDING = tuple(getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name))
+"""What ends a program politely: Ctrl-C, `kill`, and a terminal that is closed."""
 
 
-class Terminated(KeyboardInterrupt):
-    """A signal asked the program to end; `number`: which."""
+class Terminated(BaseException):
+    """A signal asked the program to end; `number`: which.
+
+    It is no KeyboardInterrupt: typer ends that one with 130 and says nothing.
+    """
 
     def __init__(self, number: int) -> None:
         super().__init__(signal.Signals(number).name)
@@ -25,11 +28,11 @@ def _terminate(number: int, _: object) -> None:
 
 @contextmanager
 def orderly() -> Iterator[None]:
-    """Let signals that ask for the end raise Terminated while the block runs, as Ctrl-C raises KeyboardInterrupt."""
+    """Let signals that ask for the end raise Terminated while the block runs."""
     if threading.current_thread() is not threading.main_thread():
         yield
         return
-    heard = [number for number in TERMINATING if signal.getsignal(number) is not signal.SIG_IGN]  # nohup ignores one
+    heard = [number for number in ENDING if signal.getsignal(number) is not signal.SIG_IGN]  # as nohup has it
     before = {number: signal.signal(number, _terminate) for number in heard}
     try:
         yield
@@ -45,7 +48,7 @@ def deferred() -> Iterator[None]:
         yield
         return
     came: list[int] = []
-    ending = [number for number in (signal.SIGINT, *TERMINATING) if callable(signal.getsignal(number))]
+    ending = [number for number in ENDING if callable(signal.getsignal(number))]
     before = {number: signal.signal(number, lambda number, _: came.append(number)) for number in ending}
     try:
         yield

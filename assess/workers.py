@@ -7,10 +7,13 @@ import signal
 import sys
 import threading
 from collections.abc import Callable, Iterator
-from concurrent.futures import ProcessPoolExecutor
+from concurrent.futures import InvalidStateError, ProcessPoolExecutor
 from contextlib import contextmanager
 from multiprocessing import active_children, get_context, parent_process
+from multiprocessing.resource_tracker import ensure_running
 from typing import Any
+
+from assess.signals import ENDING
 
 
 def end_with_parent() -> None:
@@ -26,9 +29,9 @@ def _wait_for_parent() -> None:
 
 def become_worker(keep: Callable[..., None] | None = None, *arguments: Any) -> None:
     """Begin as a worker: signals are the parent's to hear, which ends its workers; `keep` is called with the rest."""
-    for name, handler in (("SIGINT", signal.SIG_IGN), ("SIGTERM", signal.SIG_DFL), ("SIGHUP", signal.SIG_DFL)):
-        if hasattr(signal, name):
-            signal.signal(getattr(signal, name), handler)
+    for number in ENDING:
+        signal.signal(number, signal.SIG_IGN if number == signal.SIGINT else signal.SIG_DFL)
+    hear_signals()
     end_with_parent()
     if keep is not None:
         keep(*arguments)
@@ -41,7 +44,7 @@ class SpawnedPool(ProcessPoolExecutor):
         super().__init__(number, mp_context=get_context("spawn"), initializer=become_worker)
 
     def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Any:
-        with _interrupts_held_back():
+        with signals_held_back():
             return super().submit(fn, *args, **kwargs)
 
 
@@ -51,25 +54,43 @@ def ended_on_error(pool: ProcessPoolExecutor) -> Iterator[None]:
     try:
         yield
     except BaseException:
-        pool.shutdown(wait=False, cancel_futures=True)
-        for child in active_children():
-            child.terminate()
-        pool.shutdown()
+        with _broken_pools_kept_quiet():
+            for child in active_children():
+                child.terminate()
+            pool.shutdown(cancel_futures=True)
         raise
     pool.shutdown()
 
 
 @contextmanager
-def _interrupts_held_back() -> Iterator[None]:
-    """Start processes with Ctrl-C held back, which they stay deaf to; here it is heard after the block."""
+def _broken_pools_kept_quiet() -> Iterator[None]:
+    """Let a pool whose workers are ended say nothing of futures that were cancelled a moment before."""
+    before = threading.excepthook
+    threading.excepthook = lambda seen: None if seen.exc_type is InvalidStateError else before(seen)
+    try:
+        yield
+    finally:
+        threading.excepthook = before
+
+
+@contextmanager
+def signals_held_back() -> Iterator[None]:
+    """Start processes in the block, which are deaf to signals until they call `hear_signals`; here they come after it.
+
+    A process that is just beginning would tell of them in its own way.
+    """
     if sys.platform == "win32" or threading.current_thread() is not threading.main_thread():
         yield
         return
-    from multiprocessing.resource_tracker import ensure_running
-
     ensure_running()  # which would let them through again
-    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, ENDING)
     try:
         yield
     finally:
         signal.pthread_sigmask(signal.SIG_SETMASK, before)
+
+
+def hear_signals() -> None:
+    """Let signals through to a process that was started while they were held back."""
+    if sys.platform != "win32":
+        signal.pthread_sigmask(signal.SIG_UNBLOCK, ENDING)

@@ -35,7 +35,7 @@ def main(arguments: list[str] | None = None) -> NoReturn:
     except OSError as error:
         _end(f"error: {_file_trouble(error)}", INPUT_IS_WRONG)
     except Terminated as signalled:
-        _end("terminated", BY_SIGNAL + signalled.number)
+        _end("interrupted" if signalled.number == signal.SIGINT else "terminated", BY_SIGNAL + signalled.number)
     except KeyboardInterrupt:
         _end("interrupted", BY_SIGNAL + signal.SIGINT)
     except Exception as error:

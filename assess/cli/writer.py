@@ -17,8 +17,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from assess.cli.processes import cores
-from assess.signals import TERMINATING
-from assess.workers import end_with_parent
+from assess.signals import ENDING
+from assess.workers import end_with_parent, hear_signals, signals_held_back
 
 if TYPE_CHECKING:
     from assess.results import Results
@@ -49,7 +49,8 @@ class _Process:
         context = get_context("fork")
         self._connection, theirs = context.Pipe()
         self._process = context.Process(target=_serve, args=(theirs, self._connection, jobs))
-        self._process.start()
+        with signals_held_back():
+            self._process.start()
         theirs.close()
         self._asked = self._answered = False
 
@@ -97,10 +98,11 @@ def _serve(connection: Connection, other_end: Connection, jobs: int) -> None:
     """Get ready, write what comes, tell the stages, and last the path or what went wrong."""
     other_end.close()
     end_with_parent()
-    for number in (signal.SIGINT, *TERMINATING):
+    for number in ENDING:
         if signal.getsignal(number) is not signal.SIG_IGN:  # as Ctrl-C is in the background: the analysis goes on too
             signal.signal(number, _interrupt)
     try:
+        hear_signals()
         with suppress(Exception):  # what goes wrong here goes wrong again when it is to write, and is told then
             import reports.writing  # noqa: F401 - while the analysis runs
         results, folder = connection.recv()
@@ -115,8 +117,8 @@ def _serve(connection: Connection, other_end: Connection, jobs: int) -> None:
 
 def _interrupt(*_: object) -> None:
     """End once, however often it is asked for."""
-    for number in (signal.SIGINT, *TERMINATING):
-        signal.signal(number, signal.SIG_IGN)
+    for number in ENDING:
+        signal.signal(number, lambda *_: None)  # SIG_IGN says so of one that has come already
     raise KeyboardInterrupt
 
 

@@ -8,14 +8,18 @@ from __future__ import annotations
 
 import os
 import sys
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 STEPS = ("open", "os.rename", "os.link", "os.remove", "os.mkdir", "os.rmdir", "os.truncate")
 
 
-def aim(folder: Path, *, at: int, number: int) -> None:
-    """Send this process the signal `number` before step `at` below `folder`, counted from 1; children are spared."""
+def aim(folder: Path, *, at: int, number: int) -> Callable[[], int]:
+    """Send this process the signal `number` before step `at` below `folder`, counted from 1; children are spared.
+
+    Returns what tells how many steps there were so far.
+    """
     inside, itself, count = str(folder), os.getpid(), 0
 
     def step(event: str, arguments: tuple[Any, ...]) -> None:
@@ -29,6 +33,7 @@ def aim(folder: Path, *, at: int, number: int) -> None:
             os.kill(itself, number)
 
     sys.addaudithook(step)
+    return lambda: count
 
 
 def _below(argument: Any, folder: str) -> bool:

@@ -15,7 +15,7 @@ from assess.outputs import journal
 from assess.outputs.lock import LOCK
 from assess.outputs.manifest import MANIFEST
 from assess.outputs.settling import settled
-from assess.signals import orderly
+from assess.signals import Terminated, orderly
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="processes are copied, and ended by signals")
 
@@ -34,7 +34,7 @@ def stopped(folder: Path, files: dict[str, str], *, at: int, number: int) -> int
                 aim(folder, at=at, number=number)
                 run(folder, files)
             os._exit(0)
-        except KeyboardInterrupt:
+        except Terminated:
             os._exit(3)
         finally:
             os._exit(70)

@@ -1,0 +1,94 @@
+"""Processes that work for another end with it, however it ends, and quietly."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+pytestmark = pytest.mark.skipif(not Path("/proc/self/stat").exists(), reason="processes are counted in /proc")
+
+SPAWNED = """
+import os, sys, time
+from assess.signals import Terminated, orderly
+from assess.cli.processes import processes
+if __name__ == "__main__":
+    try:
+        with orderly(), processes(2) as pool:
+            list(pool.map(print, ["ready", "ready"])); sys.stdout.flush()
+            list(pool.map(time.sleep, [60.0] * 9))
+    except Terminated as ended:
+        sys.exit(128 + ended.number)
+"""
+COPIED = """
+import sys, time
+from assess.signals import Terminated, orderly
+from reports.processes import processes
+def rest(_, seconds):
+    time.sleep(seconds)
+try:
+    with orderly(), processes(2, None) as pool:
+        made = [pool.submit(rest, seconds) for seconds in (0.0, *[60.0] * 9)]
+        made[0].result()
+        print("ready", flush=True)
+        made[1].result()
+except Terminated as ended:
+    sys.exit(128 + ended.number)
+"""
+WRITER = """
+import sys, time
+import reports.writing
+from assess.cli.writer import writer
+from assess.signals import Terminated, orderly
+reports.writing.write_all = lambda *_, **__: time.sleep(60.0)
+try:
+    with orderly(), writer(2) as begin:
+        wait = begin("walls", None, print)
+        print("ready", flush=True)
+        wait()
+except Terminated as ended:
+    sys.exit(128 + ended.number)
+"""
+
+
+def members(session: int) -> list[int]:
+    found = []
+    for stat in Path("/proc").glob("[0-9]*/stat"):
+        try:
+            words = stat.read_text().rpartition(")")[2].split()
+        except OSError:
+            continue
+        if int(words[3]) == session and words[0] != "Z":
+            found.append(int(stat.parent.name))
+    return found
+
+
+@pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGTERM, signal.SIGINT], ids=["KILL", "TERM", "INT"])
+@pytest.mark.parametrize("program", [SPAWNED, COPIED, WRITER], ids=["spawned", "copied", "writer"])
+def test_no_worker_outlives_its_parent(program: str, number: int, tmp_path: Path) -> None:
+    script = tmp_path / "program.py"
+    script.write_text(program)
+    with subprocess.Popen(
+        [sys.executable, str(script)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True
+    ) as process:
+        assert process.stdout is not None
+        assert "ready" in process.stdout.readline()
+        at_work = len(members(process.pid))
+        if number == signal.SIGINT:  # as a terminal does, to all of them
+            os.killpg(process.pid, number)
+        else:
+            process.send_signal(number)
+        _, told = process.communicate(timeout=30)
+        assert process.returncode == (-number if number == signal.SIGKILL else 128 + number), told
+    deadline = time.monotonic() + 10.0
+    while members(process.pid) and time.monotonic() < deadline:
+        time.sleep(0.02)
+    assert at_work >= 2
+    assert members(process.pid) == []
+    assert "Traceback" not in told, told
+    assert "Error" not in told

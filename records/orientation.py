@@ -11,6 +11,7 @@ VERTICAL = {"UP", "U", "V", "Z", "UD", "DU", "VERT", "VERTICAL", "DOWN", "DWN", 
 
 QUADRANT = re.compile(r"([NS])(\d{1,2})([EW])")
 DEGREES = re.compile(r"(\d{1,3})(?:DEG)?")
+SIGNED = re.compile(r"-\s*[\d-]")  # a hyphen before a digit or another is a sign, or damage
 CHANNEL = re.compile(r"[A-Z][A-Z]([NEZ])")  # SEED: band, instrument, orientation
 NUMBERED = re.compile(r"([A-Z-]+)[12]")  # KiK-net: 1 in the borehole, 2 at the surface
 
@@ -21,11 +22,11 @@ def azimuth_of(component: str) -> float | None:
     Understood are degrees ("360", "90 DEG"), quadrants ("N28W"), letters ("E", "EW", "E-W", "EW2": each positive
     towards north or east) and SEED channels ("HNE"; SEED manual 2.4, appendix A).
     """
-    if component.lstrip().startswith("-"):
+    if component.lstrip().startswith("-") or SIGNED.search(component):
         return None
     name = _plain(component)
     quadrant, degrees = QUADRANT.fullmatch(name), DEGREES.fullmatch(name)
-    if quadrant:
+    if quadrant and float(quadrant[2]) <= 90.0:
         return radians(_from_quadrant(quadrant[1], float(quadrant[2]), quadrant[3]))
     if degrees:
         return radians(float(degrees[1]) % 360.0) if float(degrees[1]) <= 360.0 else None
@@ -46,6 +47,6 @@ def _plain(component: str) -> str:
 
 
 def _from_quadrant(start: str, angle: float, towards: str) -> float:
-    """Azimuth [deg] of "N28W": `angle` from north or south `towards` east or west."""
+    """Azimuth [deg] of "N28W": `angle`, at most 90, from north or south `towards` east or west."""
     clockwise = (start == "N") == (towards == "E")
     return (COMPASS[start] + (angle if clockwise else -angle)) % 360.0

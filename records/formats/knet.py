@@ -27,6 +27,7 @@ from records.record import Earthquake, Record, Site, make_record
 NAME = "K-NET/KiK-net"
 HEADER_LINES = 17
 KEY_WIDTH = 18
+GAL = 0.01  # m/s2
 AHEAD = 9.0  # hours of Japan Standard Time before UTC
 NUMBERED = {"1": "NS1", "2": "EW1", "3": "UD1", "4": "NS2", "5": "EW2", "6": "UD2"}
 NAMED = {"NS": "N-S", "EW": "E-W", "UD": "U-D"}  # endings of the files of K-NET; those of KiK-net are NUMBERED
@@ -55,13 +56,14 @@ def read(path: Path, stated: Stated) -> tuple[Record, ...]:
     if not counts.size or not np.all(np.isfinite(counts)):
         raise RecordError(f"{path}: no samples below the header, or some that are not finite; the file is damaged")
     offset = float(np.mean(counts))
-    printed = scale * (counts - offset)
-    peak = check_peak(number(header["Max. Acc. (gal)"]), printed, unit=unit, digits=6e-4, path=path)
+    factor = acceleration_factor(unit, line=14, path=path)
+    samples = factor * scale * (counts - offset)
+    peak = check_peak(number(header["Max. Acc. (gal)"]), samples / GAL, unit="gal", digits=6e-4, path=path)
     component = _component(header["Dir."], path=path)
     return (
         make_record(
             path.name,
-            printed * acceleration_factor(unit, line=14, path=path),
+            samples,
             1.0 / rate,
             path=str(path),
             station=header["Station Code"],

@@ -319,6 +319,7 @@ def test_south_and_west_of_geonet_are_negative(tmp_path: Path, printed: str, pla
         ("k-net", "2000(gal)/2000000", "2000(gal)/0", "Scale Factor = .0.; it must be a number above zero"),
         ("k-net", "2000(gal)/2000000", "2000", "scale factor .2000.; it must be like"),
         ("k-net", "2000(gal)/2000000", "4000(gal)/2000000", "states a peak of .* gal, the samples have"),
+        ("k-net", "2000(gal)/2000000", "2000(g)/2000000", "states a peak of .* gal, the samples have"),
         ("k-net", "100Hz", "nan", "line 11: Sampling Freq"),
         ("k-net", "Duration Time(s)  0.4", "Duration Time(s)  300", "cut short"),
         ("dyna", "UNITS: cm/s^2", "UNITS: counts", 'line 14: unit "counts" is not known'),

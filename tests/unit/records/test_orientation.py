@@ -28,7 +28,7 @@ def test_vertical_components_have_none(name: str) -> None:
     assert azimuth_of(name) is None
 
 
-@pytest.mark.parametrize("name", ["", "L", "T", "H1", "361", "chan 1", "N28", "-90", "9e9"])
+@pytest.mark.parametrize("name", ["", "L", "T", "H1", "361", "chan 1", "N28", "-90", "9e9", "N--1W", "N-28W", "N98W"])
 def test_what_a_name_does_not_tell_stays_unknown(name: str) -> None:
     assert azimuth_of(name) is None
     assert not is_vertical(name)

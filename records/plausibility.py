@@ -24,15 +24,28 @@ SLOW, FAST = 2.5, 22.0  # Hz; no real record has 95 % of its power below SLOW at
 BY_SAMPLE = "read from CSV"  # a time with every sample: nothing is to be doubted
 BY_NETWORKS = ("read from ITACA", "read from ESM", "read from AFAD")  # whose instruments sample at most at 1000 Hz
 FINE = 0.0009  # s
+BOUNDS = (
+    ("earthquake", "latitude", "the latitude of the epicentre", -90.0, 90.0, " degrees"),
+    ("earthquake", "longitude", "the longitude of the epicentre", -180.0, 360.0, " degrees"),
+    ("earthquake", "magnitude", "the magnitude", -3.0, 10.0, ""),
+    ("earthquake", "depth", "the depth of the earthquake", -10e3, 800e3, " m"),
+    ("site", "latitude", "the latitude of the station", -90.0, 90.0, " degrees"),
+    ("site", "longitude", "the longitude of the station", -180.0, 360.0, " degrees"),
+    ("site", "elevation", "the elevation of the station", -12e3, 9e3, " m"),
+    ("site", "vs30", "vs30", 1.0, 10e3, " m/s"),
+)
+"""What a header says of the earthquake and of the site, its name, the least and the most that it can be, its unit."""
+FARTHEST = 20_100e3  # m, half of the earth's girth
 
 
 def doubt_of(record: Record) -> str:
     """One line about what is odd in the record, "" where nothing is.
 
     What its file contradicts; a peak above 3 g or below 1e-5 g, with the unit that is likely meant; a step at which its
-    motion is slower or faster than earthquakes are; a peak that comes before or long after waves can.
+    motion is slower or faster than earthquakes are; a peak that comes before or long after waves can; places,
+    magnitudes and the like that cannot be.
     """
-    told = [*record.doubts, _of_peak(record), _of_step(record), doubt_of_arrival(record)]
+    told = [*record.doubts, _of_peak(record), _of_step(record), doubt_of_arrival(record), *_of_origin(record)]
     text = "; ".join(doubt for doubt in told if doubt)
     return f"{record.id}: {text}" if text else ""
 
@@ -96,6 +109,18 @@ def _of_frequencies(dt: float, half: float, most: float) -> str:
     if half > FAST:
         return f"with a step of {dt:.6g} s half of it is above {half:.3g} Hz, faster than earthquakes; check the step"
     return ""
+
+
+def _of_origin(record: Record) -> Iterator[str]:
+    """A doubt for each number about the earthquake and the site that cannot be."""
+    known = [(what, getattr(getattr(record, of), key), *limits) for of, key, what, *limits in BOUNDS]
+    for what, value, least, most, unit in (*known, ("the distance", record.distance, 0.0, FARTHEST, " m")):
+        if value is not None and not least <= value <= most:
+            yield _impossible(what, f"{value:.6g}{unit}")
+
+
+def _impossible(what: str, value: str) -> str:
+    return f"{what} is {value} in its header, which cannot be; the header is damaged"
 
 
 def _doubt(pga: float) -> str:

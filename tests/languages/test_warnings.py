@@ -54,7 +54,7 @@ SOURCES: Mapping[str, tuple[str, ...]] = {
     "records/formats/agreement.py": ("check_integral", "unlike"),
     "records/formats/corners.py": ("beyond_nyquist", "doubt_of_filter"),
     "records/formats/layout.py": ("check_layout",),
-    "records/plausibility.py": ("_doubt", "_likely", "_of_frequencies", "_of_step", "_of_steps"),
+    "records/plausibility.py": ("_doubt", "_impossible", "_likely", "_of_frequencies", "_of_step", "_of_steps"),
     "spectra/asce7.py": ("STUDIES_2016", "mapped_spectrum"),
     "spectra/nzs1170_5.py": ("_capped",),
     "spectra/spectrum.py": ("implausible",),

@@ -3,6 +3,7 @@
 import re
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -13,7 +14,7 @@ from records.formats.corners import doubt_of_filter
 from records.formats.layout import check_layout
 from records.plausibility import doubt_of, doubts_among
 from records.reading import read
-from records.record import Earthquake, Record, make_record
+from records.record import Earthquake, Record, Site, make_record
 
 PATH = Path("a.rec")
 RANDOM = np.random.default_rng(3)
@@ -235,3 +236,21 @@ def test_a_name_of_peer_with_another_direction_is_doubted(tmp_path: Path) -> Non
     assert same.doubts == ()
     assert other.doubts == ("its component is 21, but its file's name is 111; one of them may be damaged",)
     assert read(at2(tmp_path, name="kobe111.AT2"))[0].doubts == ()  # a user's name
+
+
+@pytest.mark.parametrize(
+    ("words", "damaged"),
+    [
+        ("the longitude of the epicentre is 639.2 degrees", {"earthquake": Earthquake(longitude=639.2)}),
+        ("the latitude of the epicentre is -91 degrees", {"earthquake": Earthquake(latitude=-91.0)}),
+        ("the magnitude is 72 in its header", {"earthquake": Earthquake(magnitude=72.0)}),
+        ("the depth of the earthquake is 3e\\+06 m", {"earthquake": Earthquake(depth=3e6)}),
+        ("the longitude of the station is -1e\\+300 degrees", {"site": Site(longitude=-1e300)}),
+        ("vs30 is 0.3 m/s in its header, which cannot be", {"site": Site(vs30=0.3)}),
+        ("the distance is -3000 m", {"distance": -3000.0}),
+        ("", {"earthquake": Earthquake(latitude=-90.0, longitude=181.0, magnitude=-1.0, depth=-300.0)}),
+    ],
+)
+def test_places_and_sizes_that_cannot_be_are_doubted(words: str, damaged: dict[str, Any]) -> None:
+    found = doubt_of(make_record("a", 0.1 * NOISE, 0.01, **damaged))
+    assert re.search(words, found) if words else not found

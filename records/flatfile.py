@@ -1,7 +1,8 @@
 """PEER flatfiles: what a CSV table of the NGA database says of each recording, columns found by their names.
 
 Understood are the NGA-West flatfiles and the table that the PEER web site gives with a search; the header may stand
-some lines below the top. Numbers of -999 and below, and words like N/A, mean that a value is not known.
+some lines below the top. Numbers of -999 and below, and words like N/A, mean that a value is not known. A row of more
+or fewer columns than the header, as decimal commas or a lost one make them, is passed over.
 """
 
 from __future__ import annotations
@@ -106,11 +107,21 @@ def read_flatfile(path: Path) -> Flatfile:
         )
     columns = _columns([plain(cell) for cell in rows[at]])
     below = [(number, row) for number, row in enumerate(rows[at + 1 :], start=at + 2) if any(map(str.strip, row))]
-    found = tuple(one for _, row in below if (one := _recording(row, columns)) is not None)
+    width = _width(rows[at])
+    fits = [row for _, row in below if _width(row) <= width <= len(row)]
+    found = tuple(one for row in fits if (one := _recording(row, columns)) is not None)
     if not found:
-        raise RecordError(f"{path}: no recording below the header in line {at + 1}; the table is cut short")
+        raise RecordError(
+            f"{path}: no recording as wide as the header in line {at + 1}, {width} columns, below it; the table is "
+            "cut short, or commas separate more than columns"
+        )
     bad = (cell for number, row in below for cell in _bad(row, columns, labels=rows[at], number=number))
     return Flatfile(found, tuple(bad))
+
+
+def _width(row: Sequence[str]) -> int:
+    """How many columns there are up to the last that holds something."""
+    return max(i for i, cell in enumerate(row, start=1) if cell.strip())
 
 
 def plain(label: str) -> str:
@@ -157,10 +168,14 @@ def _number(row: Sequence[str], columns: Sequence[int], limits: tuple[float, flo
 def _bad(
     row: Sequence[str], columns: Mapping[str, Sequence[int]], *, labels: Sequence[str], number: int
 ) -> Iterator[BadCell]:
-    """The cells of a row that are neither unknown nor what their column can hold."""
+    """The cells of a row that are neither unknown nor what their column can hold; its width where that is wrong."""
     nga = columns["nga"][0]
     if nga < len(row) and not _unknown(row[nga]) and not re.fullmatch(r"\d{1,9}", row[nga].strip()):
         yield BadCell(number, labels[nga].strip(), row[nga].strip())
+        return
+    if not _width(row) <= _width(labels) <= len(row):
+        if re.fullmatch(r"\d{1,9}", _word(row, [nga])):
+            yield BadCell(number, "columns", f"{max(_width(row), len(row))} of {_width(labels)}")
         return
     for key, limits in LIMITS.items():
         for i in columns[key]:

@@ -93,7 +93,7 @@ def _prepare(connection: Catalogue) -> None:
     application, version = (
         int(connection.execute(f"PRAGMA {key}").fetchone()[0]) for key in ("application_id", "user_version")
     )
-    holds = connection.execute("SELECT COUNT(*) FROM sqlite_master WHERE type = 'table'").fetchone()[0] > 0
+    holds = _tables(connection) > 0
     if holds and application != APPLICATION:
         raise RecordError(
             f"{connection.file}: a database that is not a catalogue of records; move it away, or give another place"
@@ -110,6 +110,14 @@ def _prepare(connection: Catalogue) -> None:
         return
     connection.older = holds
     _make(connection)
+
+
+def _tables(connection: Catalogue) -> int:
+    """How many tables there are; the error for a damaged statement of one quotes it, and may be no text."""
+    try:
+        return int(connection.execute("SELECT COUNT(*) FROM sqlite_master WHERE type = 'table'").fetchone()[0])
+    except UnicodeDecodeError:
+        raise _damaged(connection, "the names of its tables are no text") from None
 
 
 def _make(connection: Catalogue) -> None:

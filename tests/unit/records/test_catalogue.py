@@ -174,6 +174,23 @@ def test_a_table_that_is_no_flatfile_is_refused_in_one_line(tmp_path: Path, text
     assert "\n" not in str(caught.value)
 
 
+@pytest.mark.parametrize(
+    ("row", "told"),
+    [
+        ("101,Quake B,1981,There,7,0,40,300,b.AT2", "9 of 8"),  # decimal commas: the distance would be 0 km
+        ("101,Quake B,1981,There,7.040,300,b.AT2", "7 of 8"),  # a comma lost: magnitude 7.04, distance 300 km
+        ("101,Quake B,1981,There,7.0,40,300,b.AT2,,", ""),
+    ],
+)
+def test_a_row_of_another_width_than_the_header_is_passed_over_and_told(tmp_path: Path, row: str, told: str) -> None:
+    table = tmp_path / "flat.csv"
+    header = "RSN,Earthquake Name,YEAR,Station Name,Magnitude,ClstD (km),Vs30 (m/s),File Name (Horizontal 1)"
+    table.write_text(f"{header}\n{row}\n100,Quake A,1980,Here,6.5,20,400,a.AT2\n")
+    found = read_flatfile(table)
+    assert [one.nga for one in found.recordings] == ([100] if told else [101, 100])
+    assert [(bad.row, bad.column, bad.value) for bad in found.bad] == ([(2, "columns", told)] if told else [])
+
+
 def test_hostile_names_are_names(folder: Path) -> None:
     name = "'); DROP TABLE records; --.AT2"
     at2(folder / name, title='\'; DELETE FROM files; --, 1/1/1990, "st", %s ? :x')
@@ -235,6 +252,15 @@ def test_a_damaged_catalogue_is_told(folder: Path) -> None:
     data[4096:] = os.urandom(len(data) - 4096)
     (folder / NAME).write_bytes(data)
     with pytest.raises(RecordError, match="index again"):
+        brought_up(folder)
+
+
+def test_tables_whose_names_are_no_text_are_told(folder: Path) -> None:
+    with opened(folder / NAME) as catalogue:
+        index(folder, catalogue)
+    data = (folder / NAME).read_bytes()
+    (folder / NAME).write_bytes(data.replace(b"CREATE TABLE files", b"CREATE\xff\xff\xff\xffE files"))
+    with pytest.raises(RecordError, match=r"the catalogue is damaged: .* no text; delete it and index again"):
         brought_up(folder)
 
 

@@ -28,6 +28,7 @@ HEADINGS: Mapping[Kind, str] = {
     "input": "files",
     "warning": "warnings",
     "program": "program",
+    "number": "other numbers",
 }
 WORDS = {
     "fail": "FAIL",

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from assess.geometry.formats.part21 import refuse_cut_short
+from assess.geometry.formats.part21 import refuse_damaged
 from assess.geometry.formats.parts import Element, MeshFile, Part, part, without_mesh
 
 ANGULAR = 0.05  # rad: largest turn between neighbouring facets; a circle's area is then 0.04 % small
@@ -34,7 +34,7 @@ def read_ifc(file: Path) -> MeshFile:
     """
     import ifcopenshell
 
-    refuse_cut_short(file)
+    refuse_damaged(file)
     model = ifcopenshell.open(str(file))
     products = [each for each in model.by_type("IfcProduct") if _has_body(each)]
     above = cache(partial(_classes, model.schema_identifier))

@@ -2,20 +2,27 @@
 
 from __future__ import annotations
 
+import re
+from collections import Counter
 from pathlib import Path
 
 END = b"END-ISO-10303-21;"
+NUMBERED = re.compile(rb"^[ \t]*#(\d+)\s*=", re.MULTILINE)
 
 
-def refuse_cut_short(file: Path) -> None:
-    """Raise where an exchange file does not end as it must, because readers take what is there for the whole.
+def refuse_damaged(file: Path) -> None:
+    """Raise where an exchange file does not end as it must, or numbers two of its entities alike.
+
+    Readers take what is there for the whole, and one of two entities at random.
 
     Raises
     ------
-    ValueError : its last word is missing
+    ValueError : its last word is missing, or a number stands twice
     """
-    with file.open("rb") as content:
-        content.seek(0, 2)
-        content.seek(max(0, content.tell() - 1000))
-        if END not in content.read().replace(b" ", b""):
-            raise ValueError("it does not end as it must, is it whole?")
+    content = file.read_bytes()
+    if END not in content[-1000:].replace(b" ", b""):
+        raise ValueError("it does not end as it must, is it whole?")
+    numbers = NUMBERED.findall(content)
+    if len(set(numbers)) < len(numbers):
+        number = Counter(numbers).most_common(1)[0][0].decode()
+        raise ValueError(f"#{number} is defined twice in it; it is damaged, export it again")

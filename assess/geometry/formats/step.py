@@ -8,7 +8,7 @@ from pathlib import Path
 
 from assess.geometry.formats.apart import run_apart
 from assess.geometry.formats.by_trimesh import read_glb
-from assess.geometry.formats.part21 import refuse_cut_short
+from assess.geometry.formats.part21 import refuse_damaged
 from assess.geometry.formats.parts import MeshFile
 
 ANGULAR = 0.05  # rad: largest turn between neighbouring facets; a circle's area is then 0.04 % small
@@ -20,7 +20,7 @@ def read_step(file: Path) -> MeshFile:
     """The solids of a STEP file as meshes, in metres whatever the file's unit; single precision, by way of glTF."""
     import cascadio  # noqa: F401  # absent: told by the caller; it runs in a process of its own
 
-    refuse_cut_short(file)
+    refuse_damaged(file)
     with tempfile.TemporaryDirectory() as folder:
         glb = Path(folder) / "meshed.glb"
         failed = run_apart(MESH.format(LINEAR, ANGULAR), file, str(glb), name="Open CASCADE")

@@ -1,5 +1,6 @@
 """IFC files made with ifcopenshell."""
 
+import re
 from pathlib import Path
 from typing import Any
 
@@ -71,6 +72,17 @@ def test_an_ifc_file_cut_short_is_refused(tmp_path: Path, part: float) -> None:
     (tmp_path / "short.ifc").write_bytes(content[: int(part * len(content))])
     with pytest.raises(GeometryError, match=r'body "wall": mesh short.ifc: it cannot be read as IFC .it does not end'):
         load(tmp_path / "short.ifc", density=1.0, name="wall")
+
+
+def test_a_number_that_stands_twice_is_refused(tmp_path: Path) -> None:
+    """The same entity under the number of one that it is made of has crashed ifcopenshell."""
+    file = tmp_path / "house.ifc"
+    building(file, prefix=None)
+    text = file.read_text()
+    first, second = re.findall(r"^#(\d+)=IFCINDEXEDPOLYCURVE", text, re.MULTILINE)[:2]
+    file.write_text(text.replace(f"#{first}=", f"#{second}=", 1))
+    with pytest.raises(GeometryError, match=f"#{second} is defined twice"):
+        load(file, density=1.0, name="wall")
 
 
 def test_text_that_only_ends_like_one_is_refused(tmp_path: Path) -> None:

@@ -12,8 +12,9 @@ from pathlib import Path
 from tests.fuzz.answer import Answer, answer
 from tests.fuzz.case import Case, reopened
 from tests.fuzz.findings import Findings, keep
-from tests.fuzz.judgement import BROKEN, SAME, SILENT, WARNED, Judged, judged, shown
+from tests.fuzz.judgement import BROKEN, RIGHT, SAME, SILENT, WARNED, Judged, judged, shown
 from tests.fuzz.mutations import mutations
+from tests.fuzz.rightly import rightly
 from tests.fuzz.seeds import GROUPS, SHARES, seeds
 
 FOLDER = Path("build/fuzz")
@@ -65,8 +66,9 @@ def fuzz(
         got = ask(case)
         result = judged(got, usual[whole.group, whole.name])
         if case.group == "results" and result.outcome in (SAME, WARNED, SILENT):
-            return shown(got, *(each.data.decode("utf-8", "replace") for each in (whole, case)))
-        return result
+            result = shown(got, *(each.data.decode("utf-8", "replace") for each in (whole, case)))
+        right = result.outcome == SILENT and rightly(case, got, usual[whole.group, whole.name])
+        return Judged(RIGHT, detail=result.detail) if right else result
 
     for case, whole in islice(_in_turn(groups, seed=seed, without=without), inputs):
         if time.monotonic() > until:

@@ -11,15 +11,20 @@ import tempfile
 import traceback
 import unittest.mock
 import warnings
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
+from itertools import pairwise
 from pathlib import Path
 
+import numpy as np
 import typer
+from numpy.typing import NDArray
 
 from assess.cli import main
 from tests.fuzz.case import Case
 
+Samples = tuple[float, NDArray[np.float64]]
+"""Step [s] and accelerations [n] [m/s2] of a record."""
 LONGEST = 2_000_000  # characters of what is printed that are kept
 
 
@@ -27,13 +32,15 @@ LONGEST = 2_000_000  # characters of what is printed that are kept
 class Answer:
     """How a command ended; code None where it was killed, and `told` then says why.
 
-    told : the last lines of a traceback, for a bug; out, err : what was printed, the folder's name taken out
+    told : the last lines of a traceback, for a bug; out, err : what was printed, the folder's name taken out;
+    samples : of the records that were listed
     """
 
     code: int | None
     out: str = ""
     err: str = ""
     told: str = ""
+    samples: tuple[Samples, ...] = ()
 
 
 def answer(case: Case) -> Answer:
@@ -47,7 +54,9 @@ def answer(case: Case) -> Answer:
         (folder / "tmp").mkdir()
         tempfile.tempdir = str(folder / "tmp")
         os.chdir(folder / "in")
-        return _run([part.replace("{}", str(folder / "in")) for part in case.arguments], folder)
+        arguments = [part.replace("{}", str(folder / "in")) for part in case.arguments]
+        got = _run(arguments, folder)
+        return replace(got, samples=_samples(arguments)) if case.group == "record" and got.code == 0 else got
     finally:
         tempfile.tempdir = before
         os.chdir(started)
@@ -71,6 +80,16 @@ def _run(arguments: list[str], folder: Path) -> Answer:
     logs = sorted((folder / "tmp").glob("assess-*.log"))
     told = told or (logs[-1].read_text(encoding="utf-8", errors="replace") if logs else "")
     return Answer(code, printed, said, told[-4000:])
+
+
+def _samples(arguments: list[str]) -> tuple[Samples, ...]:
+    """What the reader finds in the file that was listed."""
+    from records.reading import read
+
+    stated = dict(pairwise(arguments))
+    step = stated.get("--step")
+    found = read(Path(arguments[2]), unit=stated.get("--unit"), step=None if step is None else float(step))
+    return tuple((record.dt, np.array(record.acceleration)) for record in found)
 
 
 _command = cache(typer.main.get_command)

@@ -11,13 +11,14 @@ from pathlib import Path
 
 @dataclass(frozen=True)
 class Edit:
-    """`removed` bytes at `offset` become `inserted`; where: a label of the place; what: old -> new, for a reader."""
+    """`removed` bytes at `offset`, `lost`, become `inserted`; where: a label; what: old -> new, for a reader."""
 
     offset: int
     removed: int
     inserted: bytes
     where: str
     what: str
+    lost: bytes = b""
 
 
 @dataclass(frozen=True)
@@ -43,6 +44,7 @@ class Case:
     def edited(self, edits: Sequence[Edit]) -> Case:
         """The same after `edits` of its target, the last in the file first, so that offsets stay true."""
         data = self.data
+        edits = [replace(each, lost=self.data[each.offset : each.offset + each.removed]) for each in edits]
         for edit in sorted(edits, key=lambda each: -each.offset):
             data = data[: edit.offset] + edit.inserted + data[edit.offset + edit.removed :]
         return replace(self, files=self.files | {self.target: data}, edits=tuple(edits))
@@ -63,7 +65,7 @@ def saved(case: Case, path: Path, **more: object) -> Path:
     plain = asdict(case)
     plain["files"] = {name: base64.b64encode(data).decode() for name, data in case.files.items()}
     for edit in plain["edits"]:
-        edit["inserted"] = base64.b64encode(edit["inserted"]).decode()
+        edit |= {key: base64.b64encode(edit[key]).decode() for key in ("inserted", "lost")}
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(json.dumps(plain | more, indent=1), encoding="utf-8")
     return path
@@ -72,6 +74,8 @@ def saved(case: Case, path: Path, **more: object) -> Path:
 def reopened(path: Path) -> Case:
     """The case that `saved` wrote."""
     plain = json.loads(path.read_text(encoding="utf-8"))
-    edits = tuple(Edit(**(each | {"inserted": base64.b64decode(each["inserted"])})) for each in plain["edits"])
+    edits = tuple(
+        Edit(**(each | {key: base64.b64decode(each[key]) for key in ("inserted", "lost")})) for each in plain["edits"]
+    )
     files = {name: base64.b64decode(data) for name, data in plain["files"].items()}
     return Case(plain["group"], plain["name"], files, plain["target"], tuple(plain["arguments"]), edits)

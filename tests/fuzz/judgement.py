@@ -11,9 +11,9 @@ from typing import Any
 
 from tests.fuzz.answer import Answer
 
-SAME, WARNED, SILENT, REFUSED = "same", "other, warned", "other, silent", "refused"
+SAME, WARNED, RIGHT, SILENT, REFUSED = "same", "other, warned", "other, by right", "other, silent", "refused"
 BUG, TRACEBACK, HANG, MEMORY, NOISE = "bug", "traceback", "hang", "memory", "noise"
-OUTCOMES = (SAME, WARNED, SILENT, REFUSED, BUG, TRACEBACK, HANG, MEMORY, NOISE)
+OUTCOMES = (SAME, WARNED, RIGHT, SILENT, REFUSED, BUG, TRACEBACK, HANG, MEMORY, NOISE)
 BROKEN = {BUG, TRACEBACK, HANG, MEMORY, NOISE}
 TOLERANCE = 1e-9
 REFUSAL = re.compile(r"assess: error: [^\n]+\n")
@@ -80,9 +80,8 @@ def _accepted(found: Answer, usual: Answer) -> Judged:
     change = difference(usual.out, found.out)
     if change is None and found.code == usual.code:
         return Judged(SAME)
-    new = said(found) - said(usual)
     told = change or f"code {usual.code} -> {found.code}"
-    return Judged(WARNED if new else SILENT, detail=told)
+    return Judged(WARNED if said(found) - said(usual) or found.code != usual.code else SILENT, detail=told)
 
 
 def said(found: Answer) -> set[str]:
@@ -100,6 +99,12 @@ def _told(tree: Any, inside: bool = False) -> Iterator[str]:
             yield from _told(value, inside)
     elif inside and isinstance(tree, str):
         yield tree
+
+
+def apart(before: str, after: str) -> list[str]:
+    """The places at which two outputs have different numbers, or one of them has none."""
+    old, new = (dict(_numbers(_parsed(text))) for text in (before, after))
+    return [key for key in {**old, **new} if key not in old or key not in new or not _close(old[key], new[key])]
 
 
 def difference(before: str, after: str) -> str | None:

@@ -37,7 +37,7 @@ def _batch(random: Random, case: Case, *, start: int) -> Iterator[Case]:
             if random.random() < AS_BYTES:
                 yield case.edited(byte_edits.edits(random, case))
     else:
-        for _ in range(4 if case.group in ("record", "mesh") else BATCH):
+        for _ in range(4 if case.group in ("record", "mesh", "geometry") else BATCH):
             edits = _of_bytes(random, case)
             if edits:
                 yield case.edited(edits)

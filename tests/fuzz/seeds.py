@@ -65,6 +65,11 @@ def _meshes() -> Iterator[Case]:
         yield Case("mesh", name, {PROJECT: project, name: data}, name, ("parameters", "{}", "--json"))
 
 
+def _geometries() -> Iterator[Case]:
+    for name, data in _mesh_files().items():
+        yield Case("geometry", name, {name: data}, name, ("geometry", f"{{}}/{name}", "--json"))
+
+
 @cache
 def _module(path: str) -> Any:
     """A test module, for its writers; None where what it needs is not installed."""
@@ -253,6 +258,7 @@ def _options() -> Iterator[Case]:
 GROUPS: Mapping[str, Callable[[], Iterator[Case]]] = {
     "project": _projects,
     "mesh": _meshes,
+    "geometry": _geometries,
     "record": _records,
     "flatfile": _flatfiles,
     "results": _results,
@@ -262,7 +268,7 @@ GROUPS: Mapping[str, Callable[[], Iterator[Case]]] = {
     "report": _reports,
 }
 SHARES: Mapping[str, int] = {
-    "project": 25, "mesh": 20, "record": 30, "flatfile": 6, "results": 8, "catalogue": 8, "options": 8, "run": 1,
-    "report": 0,
+    "project": 25, "mesh": 20, "geometry": 5, "record": 30, "flatfile": 6, "results": 8, "catalogue": 8, "options": 8,
+    "run": 1, "report": 0,
 }  # fmt: skip
 """How many of a hundred or so inputs each class has; none of a class that is run only where it is named."""

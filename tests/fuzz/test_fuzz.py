@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
+from dataclasses import replace
 from itertools import islice
 from pathlib import Path
 
@@ -11,10 +12,11 @@ import pytest
 
 from tests.fuzz.__main__ import fuzz, report, reproduce
 from tests.fuzz.answer import Answer, answer
-from tests.fuzz.case import Case, reopened, saved
+from tests.fuzz.case import Case, Edit, reopened, saved
 from tests.fuzz.findings import Findings
-from tests.fuzz.judgement import BUG, HANG, MEMORY, NOISE, REFUSED, SAME, SILENT, TRACEBACK, WARNED, judged
+from tests.fuzz.judgement import BUG, HANG, MEMORY, NOISE, REFUSED, RIGHT, SAME, SILENT, TRACEBACK, WARNED, judged
 from tests.fuzz.mutations import mutations
+from tests.fuzz.rightly import rightly
 from tests.fuzz.seeds import SHARES, seeds
 
 QUICK = [group for group, share in SHARES.items() if share > 1]
@@ -27,7 +29,7 @@ def test_a_slice_ends_with_results_and_refusals_alone(tmp_path: Path) -> None:
     fuzz(found, answer, groups=QUICK, seed=20, inputs=220, without=IN_C)
     assert not found.broken, found.listed(silent=False)
     assert sum(found.counts.values()) == 220
-    assert {outcome for _, outcome in found.counts} >= {SAME, REFUSED, SILENT}
+    assert {outcome for _, outcome in found.counts} >= {SAME, REFUSED, RIGHT, SILENT}
 
 
 @pytest.mark.parametrize("group", QUICK)
@@ -94,6 +96,44 @@ def test_a_finding_is_the_least_of_its_edits(tmp_path: Path) -> None:
     fuzz(found, planted(lambda case: wrong), groups=["record"], seed=3, inputs=60)
     assert found.counts["record", SILENT] == 60
     assert all(len(reopened(path).edits) == 1 for path in tmp_path.glob("*.json"))
+
+
+def edited(name: str, old: bytes, new: bytes) -> tuple[Case, Case]:
+    """A record and the same with one word replaced, as the tests' own writers make it."""
+    whole = next(case for case in seeds("record") if case.name == name)
+    assert whole.data.count(old) == 1
+    return whole, whole.edited((Edit(whole.data.index(old), len(old), new, "", ""),))
+
+
+@pytest.mark.parametrize(
+    ("name", "old", "new", "right"),
+    [
+        ("k-net.dat", b"Depth. (km)       30", b"Depth. (km)       31", True),  # said once
+        ("k-net.dat", b"2000(gal)/2000000", b"2000(gal)/2000040", False),  # every sample
+        ("csv.dat", b"\n0.05,-19.83", b"\n0.05,-19.38", True),  # one sample
+        ("csv.dat", b"\n0.05,", b"\n0.056,", None),  # refused: an uneven step
+        ("smc.dat", b"component=    360", b"component=    353", False),  # of two directions
+    ],
+)
+def test_what_an_edit_says_itself_is_right(name: str, old: bytes, new: bytes, right: bool | None) -> None:
+    whole, case = edited(name, old, new)
+    got, usual = answer(case), answer(whole)
+    if right is None:
+        assert judged(got, usual).outcome == REFUSED
+        return
+    assert judged(got, usual).outcome == SILENT
+    assert rightly(case, got, usual) is right
+
+
+def test_one_sample_is_right_and_two_for_one_are_not() -> None:
+    whole, case = edited("k-net.dat", b"Depth. (km)       30", b"Depth. (km)       31")
+    usual = answer(whole)
+    ((step, samples),) = usual.samples
+    for many, right in ((1, True), (2, True), (3, False)):
+        other = samples.copy()
+        other[5 : 5 + many] += 1.0
+        assert rightly(case, replace(usual, samples=((step, other),)), usual) is right
+    assert not rightly(case, replace(usual, samples=((2.0 * step, samples),)), usual)
 
 
 def test_a_case_is_saved_and_reopened_whole(tmp_path: Path) -> None:

@@ -11,6 +11,7 @@ from assess.geometry.surface import area_vectors
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
 
+ROUNDING = 1e-6  # of single precision, in a direction
 ALIKE = 0.05  # by how much the two sides of a plan must differ for one to be the thin one
 
 
@@ -51,5 +52,6 @@ def _shorter_side(vertices: FloatArray) -> FloatArray:
 
 def _forwards(axis: FloatArray) -> FloatArray:
     """The axis without rounding, towards +x, or +y where it lies along y."""
-    clean = np.round(axis, 12) + 0.0
+    clean = np.where(np.abs(axis) < ROUNDING, 0.0, axis)
+    clean = clean / np.hypot(*clean)
     return np.asarray(clean if tuple(clean) > (0.0, 0.0) else -clean + 0.0, dtype=np.float64)

@@ -6,7 +6,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-LEAST, SPEED = 15.0, 20e3  # s that any file may take, and bytes to a further second
+LEAST, SPEED = 60.0, 4e3  # s that any file may take, bytes to a further second: good files take up to 1 s for 20 kB
 
 
 def run_apart(code: str, file: Path, *more: str, name: str) -> int:

@@ -7,6 +7,7 @@ import struct
 import zlib
 from pathlib import Path
 from typing import Any
+from urllib.parse import unquote
 from zipfile import BadZipFile, ZipFile, ZipInfo
 
 RATIO = 100  # times its own size that an archive may unpack to; text of meshes packs to a tenth, at most a thirtieth
@@ -59,8 +60,8 @@ def _refuse_large(unpacked: int, *, packed: int) -> None:
         raise ValueError(f"its {packed / 1e6:.3g} MB would unpack to {unpacked / 1e6:.4g} MB, which no mesh does")
 
 
-def nodes_of(file: Path) -> frozenset[str]:
-    """The names of the nodes of a glTF file.
+def nodes_of(file: Path) -> tuple[str, ...]:
+    """The names of the nodes of a glTF file; the number of one without.
 
     Raises
     ------
@@ -70,6 +71,10 @@ def nodes_of(file: Path) -> frozenset[str]:
     for extension, name in PACKED.items():
         if extension in header.get("extensionsUsed", ()):
             raise ValueError(f"its meshes are packed by {name}; export it without compression")
+    for buffer in header.get("buffers", []):
+        beside = unquote(str(buffer.get("uri", "data:")))
+        if not beside.startswith("data:") and not (file.parent / beside).is_file():
+            raise ValueError(f'the file "{beside[:40]}" that it names is not beside it')
     views = header.get("bufferViews", [])
     for accessor in header.get("accessors", []):
         if "sparse" in accessor:
@@ -79,7 +84,7 @@ def nodes_of(file: Path) -> frozenset[str]:
         there = SMALL if view is None else int(views[view]["byteLength"])
         if not 0 <= needed <= there:
             raise ValueError(f"it announces {accessor['count']} values where there are {there} bytes")
-    return frozenset(str(node.get("name", place)) for place, node in enumerate(header.get("nodes", [])))
+    return tuple(str(node.get("name", place)) for place, node in enumerate(header.get("nodes", [])))
 
 
 def _gltf_header(file: Path) -> Any:

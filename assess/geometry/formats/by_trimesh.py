@@ -6,6 +6,7 @@ The format readers are called themselves, because trimesh's own objects merge an
 from __future__ import annotations
 
 import io
+from collections import Counter
 from collections.abc import Collection, Mapping
 from pathlib import Path
 from typing import Any
@@ -62,9 +63,16 @@ def _placed(loaded: Mapping[str, Any], own: Collection[str]) -> tuple[Part, ...]
         if mesh is not None:
             placed = moved(mesh, _place(node, edges, base=loaded["base_frame"]))
             found.setdefault(str(node) if node in own else _owner(node, edge), []).append(placed)
-    return tuple(
-        Part(Element((node,), within=parts[0].element.names), *together(parts)) for node, parts in found.items()
-    )
+    many = {name for name, count in Counter(own).items() if count > 1}
+    return tuple(Part(_called(node, parts[0].element.names, many), *together(parts)) for node, parts in found.items())
+
+
+def _called(node: str, mesh: tuple[str, ...], many: Collection[str]) -> Element:
+    """A node by its name, within its mesh; of many of one name trimesh numbers all but the first, and it means all."""
+    if node in many:
+        return Element((f"{node}_0",), within=(node, *mesh))
+    name = node.rpartition("_")[0]
+    return Element((node,), within=(name, *mesh) if name in many else mesh)
 
 
 def _owner(node: str, edge: Mapping[str, Any]) -> str:

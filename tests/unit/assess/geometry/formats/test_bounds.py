@@ -99,6 +99,11 @@ LAUGHS = "<!DOCTYPE m [" + '<!ENTITY a0 "ha">' + "".join(
         ("a.glb", glb(scene(bufferView=0) | {"extensionsUsed": ["KHR_draco_mesh_compression"]}), "packed by Draco"),
         ("a.glb", glb(scene(bufferView=0) | {"extensionsUsed": ["EXT_meshopt_compression"]}), "packed by meshopt"),
         ("a.glb", glb(scene(bufferView=0, sparse={"count": 1}), bytes(36)), "sparse accessors"),
+        (
+            "a.gltf",
+            json.dumps(scene(bufferView=0) | {"buffers": [{"byteLength": 36, "uri": "my%20wall.bin"}]}).encode(),
+            'the file "my wall.bin" that it names is not beside it',
+        ),
         ("a.stl", bytes(80) + b"\xff\xff\xff\x7f" + bytes(50), "announces 2147483647 facets"),
         (
             "a.ply",

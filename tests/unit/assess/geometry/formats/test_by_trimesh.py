@@ -228,3 +228,15 @@ def test_the_primitives_of_a_node_are_one_element_of_its_own_name(tmp_path: Path
     found = read_file(file, where="mesh").parts
     assert sorted(part.element.names for part in found) == [("pier",), ("pier_abcdef",), ("post",)]
     assert read(tmp_path, "scene.glb", glb(header, content), element="pier").mass == pytest.approx(DENSITY, rel=1e-6)
+
+
+def test_nodes_of_one_name_are_all_meant_by_it_and_numbered(tmp_path: Path) -> None:
+    cube = box(thickness=1.0, length=1.0, height=1.0, base=(0.0, 0.0, 0.0), density=1.0, name="cube")
+    nodes = [{"mesh": 0, "name": "pier", "translation": [3.0 * k, 0.0, 0.0]} for k in range(3)]
+    content = glb(*gltf(cube.vertices, cube.triangles, nodes))
+    whole = read(tmp_path, "scene.glb", content, element="pier")
+    assert whole.mass == pytest.approx(3.0 * DENSITY, rel=1e-6)
+    assert "3 elements joined" in whole.trail[0]
+    for name, x in (("pier_0", 0.0), ("pier_1", 3.0), ("pier_2", 6.0)):
+        one = read(tmp_path, "scene.glb", content, element=name)
+        np.testing.assert_allclose(one.centroid[0], x, rtol=0.0, atol=1e-6)

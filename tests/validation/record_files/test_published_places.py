@@ -23,7 +23,7 @@ pytestmark = pytest.mark.skipif(
 
 @dataclass(frozen=True)
 class Published:
-    """Origin and epicentre as printed, station [deg, north and east] and azimuth of each component [deg] as published."""
+    """Origin and epicentre as printed; station [deg, north, east] and azimuth of each component [deg] as published."""
 
     origin: str
     epicentre: tuple[float, float]

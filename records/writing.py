@@ -12,23 +12,28 @@ PER_LINE = 5
 LONGEST_LINE = 200
 
 
-def csv_text(record: Record, *, unit: str = "m/s2") -> str:
+def csv_text(record: Record, *, unit: str = "m/s2", stamp: str = "") -> str:
     """Times [s] and accelerations at full precision, below comments that the reader of CSV understands.
 
     unit : of the accelerations; ColumnError for one that is not known
+    stamp : of what the record was made from, a comment of its own
     """
     samples = record.acceleration / factor_of(unit, known=ACCELERATION_UNITS)
     printed = repr if unit == "m/s2" else "{:.15g}".format  # what was divided has no more digits
     rows = (f"{i * record.dt:.12g},{printed(a)}\n" for i, a in enumerate(samples.tolist()))
-    return "".join(comments(record)) + f"time [s],acceleration [{unit}]\n" + "".join(rows)
+    stamped = f"# stamp: {stamp}\n" if stamp else ""
+    return "".join(comments(record)) + stamped + f"time [s],acceleration [{unit}]\n" + "".join(rows)
 
 
-def at2_text(record: Record) -> str:
-    """PEER AT2: four lines of header, then accelerations in g, five to a line, of eight digits."""
+def at2_text(record: Record, *, stamp: str = "") -> str:
+    """PEER AT2: four lines of header, then accelerations in g, five to a line, of eight digits.
+
+    stamp : of what the record was made from, at the head of the first line
+    """
     values = [f"{a / g:15.7E}" for a in record.acceleration.tolist()]
     lines = ["".join(values[i : i + PER_LINE]) for i in range(0, len(values), PER_LINE)]
     header = [
-        _on_one_line("; ".join(record.trail)),
+        _on_one_line("; ".join([*([f"stamp {stamp}"] if stamp else []), *record.trail])),
         _on_one_line(_title(record)),
         "ACCELERATION TIME SERIES IN UNITS OF G",
         f"NPTS= {record.npts:6d}, DT= {record.dt:.10g} SEC",

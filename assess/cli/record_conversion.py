@@ -85,7 +85,7 @@ def _scaled(record: Record, factor: float) -> Record:
     return scaled(record, factor)
 
 
-def text_of(record: Record, path: Path, *, unit: str | None) -> str:
+def text_of(record: Record, path: Path, *, unit: str | None, stamp: str = "") -> str:
     """The record in the format that the ending of `path` names; CSV in `unit`, m/s2 if None. AT2 is always in g."""
     ending = path.suffix.lower()
     if ending not in ENDINGS:
@@ -93,9 +93,9 @@ def text_of(record: Record, path: Path, *, unit: str | None) -> str:
     if ending == ".at2":
         if unit not in (None, "g"):
             raise AssessError(f"--to-unit {unit}: PEER AT2 is in g by its format; leave --to-unit out, or write .csv")
-        return at2_text(record)
+        return at2_text(record, stamp=stamp)
     try:
-        return csv_text(record, unit=unit or "m/s2")
+        return csv_text(record, unit=unit or "m/s2", stamp=stamp)
     except ColumnError as error:
         raise AssessError(f"--to-unit: {error}") from None
 

@@ -97,6 +97,7 @@ def convert(
         raise typer.BadParameter("--azimuth and --rotd exclude each other")
     from assess.cli.record_conversion import Processing, chosen, processed, text_of, write
     from assess.cli.warning import warn
+    from assess.stamp import stamp_of_files
     from records.plausibility import doubt_of, doubts_among
     from records.reading import read
 
@@ -105,5 +106,6 @@ def convert(
     used = chosen(found, component=component, turned=wanted.turns)
     warn([*map(doubt_of, used), *doubts_among(used)])
     record = processed(used, wanted)
-    write(text_of(record, output, unit=to_unit), output, inputs=files)
+    stamp = stamp_of_files("records convert", files, wanted, component, unit, step, to_unit)
+    write(text_of(record, output, unit=to_unit, stamp=stamp), output, inputs=files)
     print(f"{output}: {record.npts} samples at {record.dt:.6g} s; {'; '.join(record.trail)}")

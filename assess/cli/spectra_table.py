@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass
-from importlib.metadata import version
 from pathlib import Path
 
 import numpy as np
@@ -15,7 +14,7 @@ from scipy.constants import g
 from assess.cli.text_table import text_table
 from assess.errors import AssessError
 from assess.project.record_set import offered
-from assess.project.run import NAME
+from assess.stamp import origin
 from records.candidates import DAMPING, PERIODS
 from records.formats.stated import Stated
 from records.indexing import read_stated
@@ -74,4 +73,4 @@ def csv_text(spectra: Spectra) -> str:
 def drawn(spectra: Spectra, path: Path) -> None:
     """The figure in the file at `path`."""
     figure = record_spectra.draw(spectra.names, PERIODS, spectra.ordinates / g)
-    write_figure(figure, path, creator=f"{NAME} {version(NAME)}")
+    write_figure(figure, path, creator=origin("records spectra", csv_text(spectra)))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import sys
-from importlib.metadata import version
 from pathlib import Path
 
 from scipy.constants import g
@@ -12,8 +11,8 @@ from assess.cli.description import warned
 from assess.cli.text_table import text_table
 from assess.message import Message, warning
 from assess.project.outcome import spectrum_result
-from assess.project.run import NAME
 from assess.results_io import dumps_spectrum
+from assess.stamp import origin
 from reports.csv import csv_lines
 from reports.spectrum_parameters import ACCELERATION, corners, named
 from spectra.spectrum import Spectrum
@@ -68,7 +67,9 @@ def draw(spectrum: Spectrum, path: Path) -> Path:
     from reports.figure_file import write_figure
     from reports.figures import design_spectrum
 
-    return write_figure(design_spectrum.draw(spectrum_result(spectrum)), path, creator=f"{NAME} {version(NAME)}")
+    return write_figure(
+        design_spectrum.draw(spectrum_result(spectrum)), path, creator=origin("spectrum", json_text(spectrum))
+    )
 
 
 def _shown(value: float | str, unit: str) -> tuple[str, str]:

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from importlib.metadata import version
 from pathlib import Path
 
 from assess.cli.description import warned
 from assess.cli.text_table import text_table
 from assess.project.choosing import Suite
-from assess.project.run import NAME
 from assess.results import RecordResult
 from assess.results_io import dumps_suite
+from assess.stamp import origin
 from reports.csv import csv_lines
 from reports.figure_file import write_figure
 from reports.figures import record_spectra
@@ -57,7 +56,11 @@ def json_text(suite: Suite) -> str:
 
 def drawn(suite: Suite, path: Path) -> None:
     """Target, records, means and limits in the file at `path`."""
-    write_figure(record_spectra.beside_target(suite.motion, suite.records), path, creator=f"{NAME} {version(NAME)}")
+    write_figure(
+        record_spectra.beside_target(suite.motion, suite.records),
+        path,
+        creator=origin("records select", json_text(suite)),
+    )
 
 
 def _row(record: RecordResult) -> list[str]:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 from functools import partial
-from importlib.metadata import version
 
 from assess.amplification import factor_over_frequency
 from assess.codes.verdict import Question
@@ -25,11 +24,9 @@ from assess.project.study import Study
 from assess.project.suite_faults import suite_faults
 from assess.project.survey import tolerances
 from assess.project.sweeping import Swept, case_notices, case_text, controlling_cases, sweep_results, swept
-from assess.results import SCHEMA_VERSION, MechanismResult, Program, Results
-from assess.stamp import stamp
+from assess.results import SCHEMA_VERSION, MechanismResult, Results
+from assess.stamp import stamp, this_program
 from spectra.spectrum import Spectrum
-
-NAME = "rocking-assess"
 
 
 def run(study: Study, *, jobs: int = 0, progress: Progress = lambda stage, done, total: None) -> Results:
@@ -56,7 +53,7 @@ def run(study: Study, *, jobs: int = 0, progress: Progress = lambda stage, done,
     mapped = mapped_pulses(rockers, study.pulses, jobs=jobs, progress=progress)
     numbers = dict(study.fitting.nga)
     records = tuple(record_result(motion, spectrum, nga=numbers.get(motion.record.id)) for motion in motions)
-    program = Program(NAME, version(NAME))
+    program = this_program()
     return Results(
         schema_version=SCHEMA_VERSION,
         program=program,
@@ -95,7 +92,7 @@ def envelope(study: Study, *, jobs: int = 0, progress: Progress = lambda stage, 
     progress("primary pulses", 0, 1)
     motions = () if study.spectrum is None else motions_of(replace(study, artificial=None), study.spectrum)
     records = () if study.spectrum is None else tuple(record_result(motion, study.spectrum) for motion in motions)
-    program = Program(NAME, version(NAME))
+    program = this_program()
     return Results(
         schema_version=SCHEMA_VERSION,
         program=program,

@@ -106,7 +106,8 @@ def test_the_filtered_motion_stands_beside_the_original(outputs, found):
     ground, base = (np.abs(motion[key]).max() for key in ("ground_acceleration_g", "base_acceleration_g"))
     assert base == pytest.approx(factor * ground, rel=1e-9)
     period, at_base = np.array(motion["period_s"]), np.array(motion["base_spectrum_g"])
-    (sentence,) = [text for text in found["filter"]["amplification"]["said"] if text.startswith("first mode of")]
+    texts = [each["text"] for each in found["filter"]["amplification"]["said"] if isinstance(each, dict)]
+    (sentence,) = [text for text in texts if text.startswith("first mode of")]
     frequency = float(sentence.split()[3])
     assert 0.7 < period[np.argmax(at_base)] * frequency < 1.4  # the floor's spectrum peaks at the building's period
     assert len(list((outputs / "figures").glob("*-amplification.svg"))) == 1

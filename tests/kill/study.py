@@ -211,6 +211,7 @@ def listed(catalogue: Path) -> dict[str, tuple[float, ...]]:
 
 def main(kills: int = 120, seed: int = 1) -> int:
     """Kill, print the counts, and say whether anything was lost."""
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # in the background it is ignored, by children too
     count, dice = Count(), random.Random(seed)
     with TemporaryDirectory(prefix="assess-kill-") as place:
         kill_runs(Path(place), kills - kills // 3, dice, count)

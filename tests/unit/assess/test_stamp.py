@@ -88,3 +88,22 @@ def test_a_change_of_an_input_shows_and_another_place_does_not(tmp_path: Path) -
         assert ended("run", tmp_path / name / "wall.toml", "--no-report", "--jobs", "1") in (0, 1, 3)
         found.append(json.loads((tmp_path / name / "wall-results" / "results.json").read_text())["stamp"])
     assert found[0] == found[1] != found[2]
+
+
+def stamped(path: Path) -> str:
+    found = re.search(r"stamp:? ([0-9a-f]{4}(?:-[0-9a-f]{4}){3})", path.read_text())
+    assert found is not None
+    return found[1]
+
+
+def test_files_of_their_own_are_stamped_too(tmp_path: Path) -> None:
+    rows = "".join(f"{i / 100},{(i % 7) / 10 - 0.3:.2f}\n" for i in range(60))
+    (tmp_path / "in.csv").write_text(f"time [s],acceleration [m/s2]\n{rows}")
+    for name, factor in (("a.csv", "2"), ("b.csv", "2"), ("c.csv", "3"), ("a.at2", "2")):
+        assert ended("records", "convert", tmp_path / "in.csv", "-o", tmp_path / name, "--scale", factor) == 0
+    assert stamped(tmp_path / "a.csv") == stamped(tmp_path / "b.csv") == stamped(tmp_path / "a.at2")
+    assert stamped(tmp_path / "a.csv") != stamped(tmp_path / "c.csv")
+    spectrum = ("spectrum", "--code", "asce7-16", "--s-ds", "0.5 g", "--s-d1", "0.2 g", "--t-l", "6 s")
+    for name, more in (("a.svg", ()), ("b.svg", ()), ("c.svg", ("--pga", "0.3 g"))):
+        assert ended(*spectrum, *more, "-o", tmp_path / name) == 0
+    assert stamped(tmp_path / "a.svg") == stamped(tmp_path / "b.svg") != stamped(tmp_path / "c.svg")

@@ -12,7 +12,8 @@ from dataclasses import replace
 
 import pytest
 from formula import NoFormulaError, evaluate
-from readings import LINES, Sheet
+from readings import LINES
+from sheet import Sheet
 from sheets import faults, faults_of
 from subjects import LEVELS, Subject, subjects
 

@@ -9,8 +9,9 @@ from collections.abc import Callable, Mapping
 from math import acosh, atan2, hypot, inf, pi, sqrt
 
 import numpy as np
-from readings import Sheet, floor_demands
+from readings import floor_demands
 from scipy.constants import g
+from sheet import Sheet
 from subjects import AMPLIFIED, FRICTION, S_X1, VERTICAL
 
 from assess.codes.governing import branch_named

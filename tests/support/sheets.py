@@ -7,7 +7,8 @@ from math import isclose
 
 from formula import NoFormulaError, evaluate
 from givens import given_value
-from readings import LINES, Sheet
+from readings import LINES
+from sheet import Sheet
 from subjects import Subject
 
 from assess.codes.check import Step

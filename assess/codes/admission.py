@@ -88,6 +88,8 @@ def admitted(
 ) -> tuple[Check, ...]:
     """The checks of a procedure, each as its admission lets it stand."""
     given = admission(procedure, oscillator, context)
+    if given.void:  # no number is kept, and what breaks may fall before the mechanism that stands in here
+        context = replace(context, starting=None, breaking=None, limits=())
     found = (
         _as_admitted(check, _with(given, lacking_of(procedure, check.limit_state, context)))
         for check in assess(oscillator, context)

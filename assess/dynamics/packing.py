@@ -14,12 +14,13 @@ from scipy.constants import g
 from assess.dynamics import kernel
 from assess.dynamics.canonical import Canonical, canonical, scaled
 from assess.errors import MechanismError
-from assess.oscillator import Branch, Oscillator, energy, linearise
+from assess.oscillator import Branch, Oscillator, elastic_frequency, energy, linearise
 
 FloatArray = NDArray[np.float64]
 IntArray = NDArray[np.int64]
 Equation = Literal["exact", "linearised"]
 T = TypeVar("T")
+FASTEST = 1e5  # Hz: faster motions on joints would take minutes a record; masonry's are below 1000 Hz
 
 
 @dataclass(frozen=True)
@@ -45,6 +46,7 @@ def _exact(oscillator: Oscillator) -> Packed:
     """By the tables; the end of a table means overturned."""
     for branch, following in zip(oscillator.branches, reversed(oscillator.branches), strict=True):
         _check_branch(branch, following=following)
+        _check_pace(branch)
     sides = _of_each(oscillator, canonical)
     rows = _rows(oscillator, sides)
     for row, branch, side in zip(rows, oscillator.branches, sides, strict=False):
@@ -115,6 +117,16 @@ def _check_branch(branch: Branch, *, following: Branch) -> None:
         raise MechanismError(
             f"the branches have restitutions {branch.restitution:.6g} and {following.restitution:.6g}, which together "
             "add energy; their product must be at most 1"
+        )
+
+
+def _check_pace(branch: Branch) -> None:
+    """A branch whose small motions can be followed from sample to sample."""
+    frequency = elastic_frequency(branch)
+    if frequency is not None and frequency > FASTEST:
+        raise MechanismError(
+            f"a branch moves on its joints at {frequency:.3g} Hz, beyond the {FASTEST:.0e} Hz histories can follow; "
+            'check sizes, density and stiffness, or write model = "rigid"'
         )
 
 

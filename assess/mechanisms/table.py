@@ -55,6 +55,7 @@ def staged_branch(stages: Stages, *, restitution: float, name: str) -> Branch:
     reach = limit(chain) * (1.0 - FLAT)
     scan, number = nodes(stages, reach, STATIONS)
     scanned = sums(stages, scan, number)
+    _require_numbers(scanned, reach, name=name)
 
     def at(phi: float, node: int) -> Work:
         return virtual_work(stages[number[node]].chain, np.array([0.0, phi]))  # rest first: it tells a slack tie
@@ -71,10 +72,20 @@ def staged_branch(stages: Stages, *, restitution: float, name: str) -> Branch:
     end = min(max(REACH * overturning, 1.05 * critical), 0.5 * (max(overturning, critical) + edge))
     rotation, number = nodes(stages, end, NODES)
     work = sums(stages, rotation, number)
+    _require_numbers(work, end, name=name)
     columns = (rotation, work.inertia, work.restoring, work.excitation, work.participation, work.lift)
     for column in columns:
         column.flags.writeable = False
     return Branch(*columns, restitution=restitution, overturning=overturning, critical=critical)
+
+
+def _require_numbers(work: Work, end: float, *, name: str) -> None:
+    """Raise MechanismError where a sum up to a rotation `end` [rad] is no number."""
+    if not (np.isfinite(end) and all(np.isfinite(getattr(work, each.name)).all() for each in fields(Work))):
+        raise MechanismError(
+            f'mechanism "{name}": its hinges, blocks and loads are so far apart, or of so unlike sizes, that nothing '
+            "can be worked out; check their coordinates and units"
+        )
 
 
 def nodes(stages: Stages, end: float, count: int) -> tuple[FloatArray, IntArray]:

@@ -19,14 +19,14 @@ from pydantic import (
     WithJsonSchema,
 )
 
-from assess.project.units import KINDS, SMALLEST, si_value
+from assess.project.units import KINDS, key_value, si_value
 from spectra.columns import ACCELERATION_UNITS, ColumnError, factor_of
 
 T = TypeVar("T")
 
 
 def _read(kind: str) -> BeforeValidator:
-    return BeforeValidator(lambda value: si_value(value, KINDS[kind]))
+    return BeforeValidator(lambda value: key_value(value, KINDS[kind]))
 
 
 def _described(kind: str) -> WithJsonSchema:
@@ -79,7 +79,7 @@ Uplift = Annotated[Ratio, Field(gt=0, lt=math.pi / 2)]
 def _or_infinite(kind: str) -> BeforeValidator:
     def read(value: Any) -> float:
         endless = value == math.inf or (isinstance(value, str) and value.strip().lower() in ("inf", "infinite"))
-        return math.inf if endless else si_value(value, KINDS[kind])
+        return math.inf if endless else key_value(value, KINDS[kind])
 
     return BeforeValidator(read)
 
@@ -90,9 +90,9 @@ JointStiffness = Annotated[float, Field(gt=0), _or_infinite("stiffness"), _descr
 
 def _coordinate(value: Any) -> float:
     """A length that may be no more than rounding about 0, as exported coordinates are."""
-    if isinstance(value, float) and abs(value) < SMALLEST:
+    if isinstance(value, float) and abs(value) < KINDS["length"].least:
         return 0.0
-    return si_value(value, KINDS["length"])
+    return key_value(value, KINDS["length"])
 
 
 Coordinate = Annotated[float, BeforeValidator(_coordinate), _described("length"), KINDS["length"]]

@@ -39,6 +39,7 @@ class Kind:
     never : units refused although their dimension is right
     weight : the unit of the weight of it, as pint reads it, which is divided by standard gravity; "" for none
     weighing : an example of that
+    least, most : the range of what keys may give beside 0, in SI: no structure or site lies beyond
     """
 
     name: str
@@ -49,26 +50,45 @@ class Kind:
     never: frozenset[str] = frozenset()
     weight: str = ""
     weighing: str = ""
+    least: float = 1e-12
+    most: float = 1e18
 
 
 KINDS: dict[str, Kind] = {
-    "length": Kind("length", "meter", "m", "1.25 m"),
-    "mass": Kind("mass", "kilogram", "kg", "1200 kg"),
-    "time": Kind("time", "second", "s", "6 s"),
-    "duration": Kind("duration", "year", "years", "50 years", only=frozenset({"year"})),  # of hazards and buildings
-    "speed": Kind("speed", "meter/second", "m/s", "400 m/s"),
-    "acceleration": Kind("acceleration", "meter/second**2", "m/s^2", "0.10 g"),
-    "force": Kind("force", "newton", "N", "10 kN"),
-    "stress": Kind("stress", "pascal", "Pa", "1.0 MPa"),
-    "stiffness": Kind("stiffness per area", "pascal/meter", "Pa/m", "10 GPa/m"),
+    "length": Kind("length", "meter", "m", "1.25 m", least=1e-9, most=1e8),
+    "mass": Kind("mass", "kilogram", "kg", "1200 kg", least=1e-6, most=1e12),
+    "time": Kind("time", "second", "s", "6 s", least=1e-6, most=1e6),
+    "duration": Kind(
+        "duration", "year", "years", "50 years", only=frozenset({"year"}), least=1e-3, most=1e7
+    ),  # of hazards and buildings
+    "speed": Kind("speed", "meter/second", "m/s", "400 m/s", least=1e-3, most=1e5),
+    "acceleration": Kind("acceleration", "meter/second**2", "m/s^2", "0.10 g", least=1e-9, most=1e4),
+    "force": Kind("force", "newton", "N", "10 kN", least=1e-6, most=1e13),
+    "stress": Kind("stress", "pascal", "Pa", "1.0 MPa", least=1e-3, most=1e13),
+    "stiffness": Kind("stiffness per area", "pascal/meter", "Pa/m", "10 GPa/m", least=1e-3, most=1e17),
     "density": Kind(
-        "density", "kilogram/meter**3", "kg/m^3", "2240 kg/m^3", weight="newton/meter**3", weighing="20 kN/m^3"
+        "density",
+        "kilogram/meter**3",
+        "kg/m^3",
+        "2240 kg/m^3",
+        weight="newton/meter**3",
+        weighing="20 kN/m^3",
+        least=1e-3,
+        most=1e5,
     ),
-    "mass per area": Kind("mass per area", "kilogram/meter**2", "kg/m^2", "80 kg/m^2"),
-    "inertia": Kind("moment of inertia", "kilogram*meter**2", "kg*m^2", "5200 kg*m^2"),
-    "angle": Kind("angle", "radian", "rad", "30 deg", only=_ANGLES),
-    "frequency": Kind("frequency", "1/second", "Hz", "2.5 Hz", never=_TURNS),
-    "rate": Kind("rate", "1/second", "1/s", "1.60 1/s", never=frozenset({"hertz", "turn", "revolution", "cycle"})),
+    "mass per area": Kind("mass per area", "kilogram/meter**2", "kg/m^2", "80 kg/m^2", least=1e-6, most=1e7),
+    "inertia": Kind("moment of inertia", "kilogram*meter**2", "kg*m^2", "5200 kg*m^2", least=1e-12, most=1e18),
+    "angle": Kind("angle", "radian", "rad", "30 deg", only=_ANGLES, least=1e-9, most=1e3),
+    "frequency": Kind("frequency", "1/second", "Hz", "2.5 Hz", never=_TURNS, least=1e-6, most=1e6),
+    "rate": Kind(
+        "rate",
+        "1/second",
+        "1/s",
+        "1.60 1/s",
+        never=frozenset({"hertz", "turn", "revolution", "cycle"}),
+        least=1e-3,
+        most=1e3,
+    ),
     "ratio": Kind("ratio", "dimensionless", "no unit", "0.05", only=frozenset({"percent", "permille"})),
 }
 
@@ -91,6 +111,17 @@ def si_value(value: Any, kind: Kind) -> float:
     if isinstance(value, bool) or not isinstance(value, int | float):
         raise QuantityError(f"not a number or a quantity; {_remedy(kind)}")
     return _finite(value, kind)
+
+
+def key_value(value: Any, kind: Kind) -> float:
+    """The same for a key of the project file, which lies within the range of its kind. Raises QuantityError."""
+    number = si_value(value, kind)
+    if number and not kind.least <= abs(number) <= kind.most:
+        what, unit = (
+            (f"{number:.3g}", "") if kind.name == "ratio" else (f"{number:.3g} {kind.symbol}", f" {kind.symbol}")
+        )
+        raise QuantityError(f"{what} is outside {kind.least:g} to {kind.most:g}{unit}; {_remedy(kind)}")
+    return number
 
 
 def _finite(value: int | float | Fraction, kind: Kind) -> float:

@@ -20,7 +20,7 @@ from assess.project.quantities import (
     Share,
 )
 from assess.project.section import Section, listed, wrong
-from assess.project.units import KINDS, si_value
+from assess.project.units import KINDS, key_value
 
 BlockIndex = Annotated[StrictInt, Field(ge=0, le=2)]
 
@@ -28,13 +28,13 @@ BlockIndex = Annotated[StrictInt, Field(ge=0, le=2)]
 def _force(value: Any) -> tuple[float, float] | float:
     """Two components, or the size of a force."""
     if not isinstance(value, list | tuple):
-        size = si_value(value, KINDS["force"])
+        size = key_value(value, KINDS["force"])
         if size <= 0:
             raise ValueError("must be greater than 0; turn its direction instead")
         return size
     if len(value) != 2:
         raise ValueError("not a force; write [along the direction, up], or a size with direction")
-    return si_value(value[0], KINDS["force"]), si_value(value[1], KINDS["force"])
+    return key_value(value[0], KINDS["force"]), key_value(value[1], KINDS["force"])
 
 
 GivenForce = Annotated[
@@ -49,7 +49,7 @@ def _until(value: Any) -> float | str:
     """A displacement, or the word for a load that is there up to collapse."""
     if isinstance(value, str) and value.strip() == "collapse":
         return "collapse"
-    moved = si_value(value, KINDS["length"])
+    moved = key_value(value, KINDS["length"])
     if moved <= 0.0:
         raise ValueError('must be greater than 0; write the displacement of its point at which it ends, or "collapse"')
     return moved

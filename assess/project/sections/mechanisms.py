@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from math import sqrt
 from typing import Annotated, Any, ClassVar, Literal, Self
 
 from pydantic import (
@@ -16,6 +17,7 @@ from pydantic import (
     WithJsonSchema,
     model_validator,
 )
+from scipy.constants import g
 
 from assess.mechanisms.chain import HINGES
 from assess.project.quantities import (
@@ -38,11 +40,12 @@ from assess.project.section import Section, listed, wrong
 from assess.project.sections.amplification import AmplificationSection, NoAmplification
 from assess.project.sections.interfaces import Interface, Letter
 from assess.project.sections.loads import LoadSection, OverburdenLoad
-from assess.project.units import KINDS, si_value
+from assess.project.units import KINDS, key_value
 
 MECHANISMS = ("single-block", "two-block", "four-hinge", "equivalent-block")
 CRACKS = ("sorrentino", "minimum")
 MOST_VOUSSOIRS = 80  # of an arch: all choices of four of its joints are looked at, which takes seconds
+INERTIA_RATIOS = (1e-4, 1e4)  # I_O / (M R^2) = g / (p^2 R): 4/3 of a slender block, less of a wall that spans
 ALONG_X = (1.0, 0.0, 0.0)
 RESTITUTIONS = ("thesis", "housner", "sorrentino", "momentum")
 
@@ -52,7 +55,7 @@ def _restitution(value: Any) -> float | str:
         if value not in RESTITUTIONS:
             raise ValueError(f"not a known restitution; write a number in [0, 1] or one of {listed(RESTITUTIONS)}")
         return value
-    number = si_value(value, KINDS["ratio"])
+    number = key_value(value, KINDS["ratio"])
     if not 0.0 <= number <= 1.0:
         raise ValueError("outside [0, 1]; restitution is velocity after over velocity before the impact")
     return number
@@ -147,7 +150,7 @@ def _crack(value: Any) -> float | str:
         return value
     if isinstance(value, str) and not any(letter.isdigit() for letter in value):
         raise ValueError(f"not a crack; write an elevation, or one of {listed(CRACKS)}")
-    return si_value(value, KINDS["length"])
+    return key_value(value, KINDS["length"])
 
 
 Crack = Annotated[
@@ -395,6 +398,20 @@ class EquivalentBlock(Section):
     """of the mechanism's base, in the coordinates of the bodies"""
     amplification: AmplificationSection = Field(default_factory=NoAmplification)
     """{ method = "srss" | "modal-filter" | "ec8" | "nzs1170.5" | …, height, … }: the motion's way up to its base"""
+
+    @model_validator(mode="after")
+    def _p_suits_the_radius(self) -> Self:
+        least, most = INERTIA_RATIOS
+        ratio = g / (self.p**2 * self.radius)
+        if not least <= ratio <= most:
+            low, high = (sqrt(g / (each * self.radius)) for each in (most, least))
+            raise wrong(
+                "p",
+                f"with a radius of {self.radius:.4g} m the inertia about the hinge is {ratio:.3g} M R^2, which no "
+                f"mechanism has; give {low:.3g} to {high:.3g} 1/s (a slender block has sqrt(3 g / (4 R)) = "
+                f"{sqrt(0.75 * g / self.radius):.3g} 1/s), or another radius",
+            )
+        return self
 
 
 Mechanism = SingleBlock | TwoBlock | FourHinge | EquivalentBlock

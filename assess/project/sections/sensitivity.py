@@ -10,7 +10,7 @@ from pydantic import BeforeValidator, Field, WithJsonSchema
 from assess.project.quantities import Ratio
 from assess.project.section import Section
 from assess.project.typed_quantity import QuantityError, number_and_unit
-from assess.project.units import KINDS, si_value
+from assess.project.units import KINDS, key_value
 
 SHARES: Mapping[str, float] = {
     "thickness": 0.05,
@@ -46,7 +46,7 @@ def _change(kind: str) -> Callable[[Any], Any]:
             return value or None
         try:
             absolute = isinstance(value, str) and number_and_unit(value)[1] not in _SHARES
-            found = Change(si_value(value, KINDS[kind]), KINDS[kind].symbol) if absolute else _share(value)
+            found = Change(key_value(value, KINDS[kind]), KINDS[kind].symbol) if absolute else _share(value)
         except QuantityError:
             raise ValueError(f'not a change; write a share like 0.05 or "5 %"{_or_amount(kind)}, or false') from None
         if found.by < 0:
@@ -57,7 +57,7 @@ def _change(kind: str) -> Callable[[Any], Any]:
 
 
 def _share(value: Any) -> Change:
-    share = si_value(value, KINDS["ratio"])
+    share = key_value(value, KINDS["ratio"])
     if share >= 1:
         raise ValueError("must be less than 1; a share of 1 leaves nothing of the number")
     return Change(share)

@@ -152,6 +152,21 @@ def test_rounding_is_hidden_and_zero_tolerance_shows_it(before: Results) -> None
     assert [c.what for c in changes(before, other, tolerance=0.0)] == ["p_eq_per_s, positive"]
 
 
+def test_blocks_that_are_not_compared_are_named_where_they_alone_differ(before: Results, after: Results) -> None:
+    wall, *rest = before.mechanisms
+    step = replace(wall.checks[0].steps[0], value=1e9)
+    check = replace(wall.checks[0], steps=(step, *wall.checks[0].steps[1:]))
+    edited = replace(
+        before, mechanisms=(replace(wall, checks=(check, *wall.checks[1:])), *rest), comparison=before.comparison[1:]
+    )
+    (change,) = changes(before, edited)
+    assert (change.kind, change.after) == ("other", f"comparison, checks of {wall.name}")
+    nearly = replace(check, steps=(replace(step, value=wall.checks[0].steps[0].value * (1 + 1e-9)), *check.steps[1:]))
+    rounded = replace(before, mechanisms=(replace(wall, checks=(nearly, *wall.checks[1:])), *rest))
+    assert not changes(before, rounded)
+    assert not [*of_kind(changes(before, after), "other")]  # there they follow from what is listed
+
+
 def test_values_are_one_item_by_item() -> None:
     assert same([1.0, {"a": 2.0}], [1.0 + 1e-9, {"a": 2.0}], tolerance=1e-6)
     assert not same([1.0], [1.0, 2.0], tolerance=1e-6)

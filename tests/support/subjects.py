@@ -1,0 +1,108 @@
+"""Mechanisms that every procedure is asked of, on the ground and in a building, for tests of calculation sheets."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+from scipy.constants import g
+
+from assess.codes.asce41_13.clauses import Options as Asce41Options
+from assess.codes.asce43_05.clauses import Options as Asce43Options
+from assess.codes.check import Check
+from assess.codes.context import Building, Context, Suite
+from assess.codes.governing import branch_named
+from assess.codes.registry import CodeOptions, procedure
+from assess.geometry.planar import planar
+from assess.geometry.solid import box
+from assess.loads import PointMass
+from assess.mechanisms.activation import hinge_forces
+from assess.mechanisms.face import Face
+from assess.mechanisms.mechanism import Mechanism
+from assess.mechanisms.oscillation import oscillator
+from assess.mechanisms.single_block import single_block
+from assess.mechanisms.two_block import two_block
+from assess.oscillator import Branch, Oscillator
+from assess.project.wall_size import SUPPORTS, wall_of
+from spectra.asce7 import design_spectrum
+from spectra.spectrum import Spectrum
+
+LEVELS = tuple(level * g for level in (0.05, 0.2, 0.6))
+SUITES = tuple(
+    Suite(level, (0.01, 0.02, share, 0.2, 0.3, 0.1, 0.15), "positive")
+    for level, share in zip(LEVELS, (0.1, 0.9, None), strict=True)
+)
+HOUSE = Building(height=8.0, storeys=2, period=0.24, damping=0.05)
+SPECTRUM = design_spectrum(s_ds=0.5 * g, s_d1=0.25 * g, t_l=6.0)
+VERTICAL, FRICTION, SLIDING, AMPLIFIED, S_X1 = 0.5, 0.3, 0.02, 1.5, 0.3
+OPTIONS = CodeOptions(
+    asce43_05=Asce43Options(allowable_sliding=SLIDING), asce41_13=Asce41Options(masonry="coursed", s_x1=S_X1)
+)
+
+
+@dataclass(frozen=True)
+class Subject:
+    """One answer, and all that it was made from."""
+
+    mechanism: Mechanism
+    context: Context
+    rocker: Oscillator
+    check: Check
+
+    @property
+    def branch(self) -> Branch:
+        """That of the answer."""
+        return branch_named(self.rocker, self.check.branch)
+
+
+def part(base: float, height: float, thickness: float):
+    body = box(thickness=thickness, length=1.0, height=height, base=(0, 0, base), density=1800.0, name="part")
+    return planar(body, direction=(1, 0, 0))
+
+
+def mechanisms() -> Iterator[Mechanism]:
+    """A wall between floors with a load on its top, a parapet, a slender one, and one that slides."""
+    load = PointMass("roof", mass=900.0, at=(0.02, 6.0), block=1, bearing=True)
+    yield two_block("spanning", part(2.0, 2.0, 0.28), part(4.0, 2.0, 0.28), loads=(load,))
+    yield single_block("parapet", part(8.0, 1.0, 0.3))
+    yield single_block("slender", part(0.0, 4.0, 0.45))
+    beside = PointMass("beside", mass=400.0, at=(0.0, 0.5), bearing=False)
+    yield single_block("squat", part(0.0, 1.0, 0.8), loads=(beside,))
+
+
+def contexts() -> Iterator[tuple[Mechanism, Context]]:
+    """Each mechanism on the ground's motion, and in a building whose floor has a spectrum of its own."""
+    floor = replace(SPECTRUM, factor=2.0, code="floor")
+    for mechanism in mechanisms():
+        count = len(mechanism.positive.hinges)
+        stands = replace(mechanism, faces=((Face(friction=FRICTION),) * count,) * 2)
+        for above in (None, floor):
+            yield stands, context_of(stands, above)
+
+
+def context_of(mechanism: Mechanism, floor: Spectrum | None) -> Context:
+    return Context(
+        SPECTRUM,
+        LEVELS,
+        VERTICAL,
+        mechanism.elevation,
+        HOUSE,
+        SUITES,
+        SUITES,
+        support=SUPPORTS[mechanism.kind],
+        wall=wall_of(mechanism),
+        rise=mechanism.rise,
+        hinges=hinge_forces(mechanism),
+        floor_spectrum=floor,
+        amplification=AMPLIFIED,
+        crushing=True,  # with LC3 the Italian FC is 1, so that the suites of the levels serve
+        knowledge={"dmi2008": "LC3", "ntc2018": "LC3"},
+    )
+
+
+def subjects(name: str) -> Iterator[Subject]:
+    """The answers of a procedure."""
+    for mechanism, context in contexts():
+        rocker = oscillator(mechanism)
+        for check in procedure(name, OPTIONS)(rocker, context):
+            yield Subject(mechanism, context, rocker, check)

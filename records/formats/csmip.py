@@ -89,7 +89,7 @@ def read(path: Path, stated: Stated) -> tuple[Record, ...]:
 
 def _channel(header: list[str], found: re.Match[str], lines: list[str], at: int, *, path: Path) -> Record:
     """The channel whose line of points is at index `at`."""
-    first = found.re is VOLUME_1
+    first = found.re is VOLUME_1 or (bool(header) and UNCORRECTED.match(header[0]) is not None)
     parts = found.groupdict()
     unit = (parts["unit"] or parts.get("in") or "").strip().rstrip(".")
     factor = acceleration_factor(unit, line=at + 1, path=path)

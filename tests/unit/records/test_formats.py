@@ -283,6 +283,18 @@ def test_event_station_and_component(
     assert record.azimuth == pytest.approx(np.radians(azimuth), abs=1e-12)
 
 
+def test_csmip_volume_1_with_its_points_as_in_volume_2(tmp_path: Path) -> None:
+    """So the files of the 1990s have it."""
+    lines = csmip_1().replace(" 200 pts/sec", "").splitlines()
+    at = next(i for i, line in enumerate(lines) if "Accelerogram points" in line)
+    lines[at] = f"{N} POINTS OF ACCEL DATA EQUALLY SPACED AT .005 SEC.  (UNITS: G)"
+    (tmp_path / "X.RAW").write_text("\n".join(lines) + "\n")
+    (found,), (same,) = read(tmp_path / "X.RAW"), read(written(tmp_path, "csmip-1"))
+    assert (found.dt, found.station, found.component) == (0.005, "Some School", "360 Deg")
+    assert "uncorrected" in found.trail
+    np.testing.assert_array_equal(found.acceleration, same.acceleration)
+
+
 def test_what_else_is_known(tmp_path: Path) -> None:
     knet_record, dyna_record = first(tmp_path, "k-net"), first(tmp_path, "dyna")
     assert knet_record.earthquake == Earthquake("2018-01-24T10:51:00Z", 6.2, "MJMA", 41.0, 142.5, 30e3)

@@ -2,14 +2,13 @@
 
 Things are told apart by their names: mechanisms, records, files and keys by their own, checks by mechanism, procedure,
 limit state and level. What one run alone has is a change too, with nothing on the other side. Curves and single
-histories follow from what is compared: they are told only of a mechanism that does not differ otherwise.
+histories follow from what is compared and are left out; where they alone differ, their names are one change.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, fields
-from functools import partial
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import asdict, dataclass, fields, is_dataclass
 from itertools import zip_longest
 from math import isclose
 from operator import attrgetter
@@ -24,18 +23,17 @@ from assess.results import (
     SensitivityResult,
     SweepResult,
 )
-from assess.unexplained import TABLES, Difference, of_mechanism, of_tables
 from assess.verdict_stated import stated_verdict
 
 K = TypeVar("K")
 V = TypeVar("V")
 Kind = Literal[
-    "verdict", "mechanism", "capacity", "ratio", "envelope", "history", "parameter", "sweep", "sensitivity", "site",
-    "project", "input", "warning", "program", "number",
+    "verdict", "mechanism", "capacity", "ratio", "envelope", "history", "parameter", "sweep", "sensitivity", "other",
+    "site", "project", "input", "warning", "program",
 ]  # fmt: skip
 TOLERANCE = 1e-6  # relative: differences of rounding
-OF_FILES = {"input", "program", "warning"}  # kinds of change from which no number follows
 ZERO = 1e-12  # numbers nearer to 0 are 0
+ELSEWHERE = {"schema_version", "program", "inputs", "warnings", "project", "mechanisms", "stamp"}
 KINDS: tuple[Kind, ...] = get_args(Kind)
 SUITE = {
     "overturned": "records that overturn",
@@ -74,31 +72,10 @@ class Change:
 def changes(before: Results, after: Results, *, tolerance: float = TOLERANCE) -> tuple[Change, ...]:
     """Every difference of more than the relative `tolerance`, those that matter most first."""
     found = (change for compare in COMPARED for change in compare(before, after))
-    different = tuple(c for c in found if not same(c.before, c.after, tolerance=tolerance))
-    more = unexplained(before, after, different, tolerance=tolerance)
-    return tuple(sorted((*different, *more), key=lambda change: KINDS.index(change.kind)))
-
-
-def unexplained(
-    before: Results, after: Results, told: Sequence[Change], *, tolerance: float = TOLERANCE
-) -> Iterator[Change]:
-    """What differs in mechanisms and tables of which nothing is `told`."""
-    alike = partial(same, tolerance=tolerance)
-    known = {change.where for change in told}
-    for one, other in shared(before, after):
-        if one.name not in known:
-            yield from (number(one.name, each) for each in of_mechanism(one, other, alike))
-    kinds = {change.kind for change in told}
-    follow = {"spectrum", "records"} if "site" in kinds else set()
-    follow |= {"warnings"} if "warning" in kinds else set()
-    follow |= set(TABLES) - {"spectrum", "records", "warnings"} if kinds - OF_FILES else set()
-    yield from (number("", each) for each in of_tables(before, after, alike, without=frozenset(follow)))
-
-
-def number(where: str, found: Difference) -> Change:
-    """The first number of a part that differs, and how many do."""
-    more = f" and {found.many - 1} more of {found.part}" if found.many > 1 else ""
-    return Change("number", where, f"{found.place}{more}", found.before, found.after)
+    different = [c for c in found if not same(c.before, c.after, tolerance=tolerance)]
+    if not any(KINDS.index(change.kind) < KINDS.index("other") for change in different):
+        different += others(before, after, tolerance=tolerance)
+    return tuple(sorted(different, key=lambda change: KINDS.index(change.kind)))
 
 
 def same(one: Any, other: Any, *, tolerance: float) -> bool:
@@ -111,6 +88,32 @@ def same(one: Any, other: Any, *, tolerance: float) -> bool:
     if is_number(one) and is_number(other):
         return isclose(one, other, rel_tol=tolerance, abs_tol=ZERO)
     return type(one) is type(other) and bool(one == other)
+
+
+def others(before: Results, after: Results, *, tolerance: float) -> Iterator[Change]:
+    """The blocks of results.json that differ in what is not compared one by one, in one change; none where none do."""
+    blocks = different_blocks(before, after, tolerance=tolerance)
+    for one, other in shared(before, after):
+        blocks += [f"{name} of {one.name}" for name in different_blocks(one, other, tolerance=tolerance)]
+    if blocks:
+        yield Change("other", "", "blocks that differ", None, ", ".join(blocks))
+
+
+def different_blocks(one: Any, other: Any, *, tolerance: float) -> list[str]:
+    """The fields of two dataclasses that differ, but for those that are compared elsewhere."""
+    pairs = ((each.name, getattr(one, each.name), getattr(other, each.name)) for each in fields(one))
+    return [
+        name
+        for name, *ends in pairs
+        if name not in ELSEWHERE and ends[0] != ends[1] and not same(*map(plain, ends), tolerance=tolerance)
+    ]
+
+
+def plain(value: Any) -> Any:
+    """A value with tables in place of dataclasses."""
+    if is_dataclass(value) and not isinstance(value, type):
+        return asdict(value)
+    return [plain(each) for each in value] if isinstance(value, list | tuple) else value
 
 
 def is_number(value: Any) -> bool:

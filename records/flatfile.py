@@ -29,6 +29,7 @@ COLUMNS: Mapping[str, Sequence[str]] = {
     "vs30": ("vs30msselectedforanalysis", "vs30msec", "vs30ms", "preferredvs30ms", "vs30"),
 }
 """Names of each column without blanks, capitals and punctuation, the preferred first; distances are in km."""
+DECIDING = ("event", "magnitude", "distance", "vs30")  # by what records are selected
 FILES = re.compile(r"(filename(horizontal\d|vertical)|(horizontal\d|vertical)accfilename)")
 UNKNOWN = -998.0
 UNKNOWN_WORDS = {"", "-", "--", "?", "na", "n/a", "nan", "none", "null", "unknown"}
@@ -69,17 +70,18 @@ class BadCell:
 
 @dataclass(frozen=True)
 class Flatfile:
-    """The recordings of a flatfile in order, and its cells that were passed over."""
+    """The recordings of a flatfile in order, its cells that were passed over, and deciding columns that it lacks."""
 
     recordings: tuple[Recording, ...]
     bad: tuple[BadCell, ...]
+    missing: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
 class Merged:
     """What became of a flatfile: rows matched and not, the records that they describe, bad cells.
 
-    doubt : why no row fits, in words, "" where some does
+    doubt : why no row fits, or which columns are missing, in words; "" where all is well
     """
 
     matched: int
@@ -116,7 +118,7 @@ def read_flatfile(path: Path) -> Flatfile:
             "cut short, or commas separate more than columns"
         )
     bad = (cell for number, row in below for cell in _bad(row, columns, labels=rows[at], number=number))
-    return Flatfile(found, tuple(bad))
+    return Flatfile(found, tuple(bad), tuple(key for key in DECIDING if not columns[key]))
 
 
 def _width(row: Sequence[str]) -> int:
@@ -201,7 +203,7 @@ def merged(candidates: Sequence[Candidate], flatfile: Flatfile) -> Merged:
     """How far the rows of a flatfile and the candidates found each other."""
     found = [by for by in _found(candidates, flatfile.recordings) if by is not None]
     matched = len({by.nga for by in found})
-    doubt = "" if found else _reason(candidates, flatfile.recordings)
+    doubt = _missing(flatfile.missing) if found else _reason(candidates, flatfile.recordings)
     return Merged(matched, len(flatfile.recordings) - matched, len(found), flatfile.bad, doubt)
 
 
@@ -217,6 +219,17 @@ def _found(candidates: Sequence[Candidate], recordings: Sequence[Recording]) -> 
         by_number.get(one.nga or 0) or (by if by is not None and one.nga in (None, by.nga) else None)
         for one, by in named
     ]
+
+
+def _missing(keys: Sequence[str]) -> str:
+    """Which columns were not found, in words."""
+    if not keys:
+        return ""
+    known = "; ".join(f"{key}: {' or '.join(COLUMNS[key])}" for key in keys)
+    return (
+        f"the flatfile has no column of {', '.join(keys)} under a name that is known, and the records' own files are "
+        f"believed there; is its header misspelt? Known are, however they are spaced: {known}"
+    )
 
 
 def _reason(candidates: Sequence[Candidate], recordings: Sequence[Recording]) -> str:

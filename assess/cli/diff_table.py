@@ -23,12 +23,12 @@ HEADINGS: Mapping[Kind, str] = {
     "parameter": "rocking parameters (SI)",
     "sweep": "parametric studies",
     "sensitivity": "sensitivity",
+    "other": "other blocks of results.json that differ",
     "site": "site and records",
     "project": "project (SI)",
     "input": "files",
     "warning": "warnings",
     "program": "program",
-    "number": "other numbers",
 }
 WORDS = {
     "fail": "FAIL",
@@ -81,7 +81,12 @@ def _lines(kind: Kind, changes: Sequence[Change]) -> str:
     return f"{HEADINGS[kind]}\n{''.join(lines)}"
 
 
-TEXTS: Mapping[Kind, Callable[[Kind, Sequence[Change]], str]] = {"warning": _lines}
+def _names(kind: Kind, changes: Sequence[Change]) -> str:
+    """Names alone, which have no two sides."""
+    return f"{HEADINGS[kind]}: {', '.join(printable(change.after) for change in changes)}\n"
+
+
+TEXTS: Mapping[Kind, Callable[[Kind, Sequence[Change]], str]] = {"warning": _lines, "other": _names}
 
 
 def _ends(change: Change) -> tuple[str, str]:

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from assess.errors import GeometryError
 from assess.geometry.formats.elements import shown
 from assess.geometry.formats.parts import Part, Up, together
+from assess.geometry.formats.reading import WITHOUT_UNIT
 from assess.geometry.magnitude import refuse_implausible
 from assess.geometry.models import Model, read_models
 from assess.geometry.repair import mended
@@ -150,6 +151,8 @@ def _unit(content: Model, given: float | None, *, where: str) -> tuple[float, tu
     """Length of the mesh's unit [m]: the one given, the file's own or the metre; and a sentence where they differ."""
     if given is not None and not (np.isfinite(given) and given > 0.0):
         raise GeometryError(f"{where}: its unit is {given:g} m; give a positive finite length")
+    if given is None and content.unit is None and content.file.suffix.lower() not in WITHOUT_UNIT:
+        raise GeometryError(f"{where}: the file states no unit; give mesh_unit, the unit of its coordinates")
     if given is None:
         return content.unit or 1.0, ()
     if content.unit is None or abs(content.unit / given - 1.0) < SAME_UNIT:

@@ -12,7 +12,7 @@ from assess.outputs import journal
 from assess.outputs.digest import digest
 from assess.outputs.journal import Move
 from assess.outputs.lock import locked
-from assess.outputs.manifest import MANIFEST, RESULTS, Manifest, read, state
+from assess.outputs.manifest import MANIFEST, RESULTS, Manifest, link_above, read, state
 from assess.outputs.settling import Tell, kept_beside, settle
 from assess.outputs.stage import MADE, files_in, flush, stage
 from assess.signals import deferred
@@ -75,6 +75,8 @@ def _in_the_way(folder: Path, manifest: Manifest, owner: str, wanted: Sequence[s
         path = folder / name
         if path.is_dir():
             found[name] = "is a folder where a file is to be written"
+        elif link_above(path, folder):
+            found[name] = "is to be written where a link leads out of the folder"
         elif name not in ours and (path.exists() or path.is_symlink()):
             found[name] = "was not written by assess, or by another of its commands"
         elif name in ours and state(path, ours[name]) == "changed":
@@ -96,7 +98,7 @@ def _commit(place: Path, folder: Path, manifest: Manifest, owner: str) -> None:
     made = place / MADE
     files = {name: digest(made / name) for name in files_in(made)}
     kept = {name: old for name, old in manifest.of(owner).items() if name == owner and name not in files}
-    listed = Manifest({**manifest.sets, owner: {**files, **kept}})
+    listed = Manifest({**manifest.sets, owner: {**files, **kept}}).known(folder)
     wrong = _in_the_way(folder, manifest, owner, list(files))
     _write(listed if not wrong else Manifest({owner: files}), made / MANIFEST)
     if wrong:
@@ -112,14 +114,14 @@ def _write(manifest: Manifest, path: Path) -> None:
 
 def _move(names: Sequence[str], place: Path, folder: Path) -> None:
     made = place / MADE
-    for path in (made / name for name in names):
-        if path.exists():
-            flush(path)
     moves = [Move(name, digest(made / name), digest(folder / name)) for name in names]
     moves = [move for move in moves if move.new != move.old or move.new is not None]
     with deferred():  # from here on it is all or nothing
-        journal.begin(place, moves)
         try:
+            for path in (made / name for name in names):
+                if path.exists():
+                    flush(path)
+            journal.begin(place, moves)
             journal.finish(place, folder, moves)
         except OSError as error:
             journal.take_back(place, folder, moves)

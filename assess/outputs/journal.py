@@ -15,11 +15,10 @@ from contextlib import suppress
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
+from assess.errors import OutputError
 from assess.outputs.digest import digest
-from assess.outputs.manifest import stays_inside
-from assess.outputs.stage import MADE, OLD, files_in, flush
-
-JOURNAL = "journal.json"
+from assess.outputs.manifest import link_above, stays_inside
+from assess.outputs.stage import JOURNAL, MADE, OLD, files_in, flush
 
 
 @dataclass(frozen=True)
@@ -82,7 +81,7 @@ def found(stage: Path) -> list[Move] | None:
     try:
         content = json.loads((stage / JOURNAL).read_text(encoding="utf-8"))
         moves = [Move(str(each["name"]), each["new"], each["old"]) for each in content["moves"]]
-    except (OSError, ValueError, TypeError, KeyError):
+    except (OSError, ValueError, TypeError, KeyError, RecursionError):
         return None
     return moves if content.get("format") == 1 and all(stays_inside(move.name) for move in moves) else None
 
@@ -110,7 +109,12 @@ def guessed(stage: Path, folder: Path) -> list[Move]:
 
 
 def _places(stage: Path, folder: Path, move: Move) -> tuple[Path, Path, Path]:
-    return stage / MADE / move.name, stage / OLD / move.name, folder / move.name
+    """Where a file is made, kept and wanted; raises OutputError where a link leads out of the folder."""
+    places = stage / MADE / move.name, stage / OLD / move.name, folder / move.name
+    for root, place in zip((stage, stage, folder), places, strict=True):
+        if link := link_above(place, root):
+            raise OutputError(f"{link}: is a link, which leads out of {root}; remove it")
+    return places
 
 
 def _save(target: Path, saved: Path) -> None:

@@ -70,13 +70,18 @@ def locked(folder: Path, *, command: str, patient: bool = False) -> Iterator[Non
         _release(handle, file)
 
 
-def abandoned(file: Path) -> bool:
-    """Whether nobody holds the lock `file`, which exists."""
-    handle = os.open(file, _OPENED)
+def abandoned(file: Path, *, unsigned: bool = True) -> bool:
+    """Whether nobody holds the lock `file`; raises OSError where there is none.
+
+    unsigned : what to say of one that nobody has signed and nobody holds, whose holder may be about to
+    """
+    handle = os.open(file, _OPENED & ~os.O_CREAT)
     try:
         granted = _granted(handle)
         holder = _holder(handle)
-        return granted or (granted is None and (holder is None or holder.ended))
+        if holder is None:
+            return unsigned and granted is not False
+        return granted or (granted is None and holder.ended)
     finally:
         os.close(handle)
 

@@ -35,6 +35,15 @@ class Manifest:
         """The files of one set."""
         return self.sets.get(owner, {})
 
+    def known(self, folder: Path) -> Manifest:
+        """The same, with the SHA-256 that files of an earlier list have now."""
+        return Manifest(
+            {
+                owner: {name: digest(folder / name) if old is None else old for name, old in files.items()}
+                for owner, files in self.sets.items()
+            }
+        )
+
     def text(self) -> str:
         """The manifest as it is written."""
         sets = {owner: dict(sorted(self.sets[owner].items())) for owner in sorted(self.sets) if self.sets[owner]}
@@ -46,9 +55,9 @@ def read(folder: Path) -> Manifest:
     try:
         content = json.loads((folder / MANIFEST).read_text(encoding="utf-8"))
         listed = {str(owner): dict(files) for owner, files in content["sets"].items()}
-    except (OSError, ValueError, TypeError, KeyError, AttributeError):
+    except (OSError, ValueError, TypeError, KeyError, AttributeError, RecursionError):
         return _earlier(folder)
-    return Manifest({owner: _inside(files) for owner, files in listed.items()})
+    return Manifest({owner: _inside({name: s or "" for name, s in files.items()}) for owner, files in listed.items()})
 
 
 def state(path: Path, sha256: str | None) -> str:
@@ -88,7 +97,13 @@ def _younger(path: Path, written: float) -> bool:
 def stays_inside(name: str) -> bool:
     """Whether a name cannot lead out of its folder, on any system."""
     paths = (PurePosixPath(name), PureWindowsPath(name))
-    return bool(name) and not any(path.anchor or ".." in path.parts for path in paths)
+    return bool(name) and "\0" not in name and not any(path.anchor or ".." in path.parts for path in paths)
+
+
+def link_above(path: Path, folder: Path) -> Path | None:
+    """The link, if any, that leads out of `folder` on the way to `path` in it."""
+    above = path.relative_to(folder).parents
+    return next((found for each in above if (found := folder / each) != folder and found.is_symlink()), None)
 
 
 def _inside(files: Mapping[str, Any]) -> dict[str, str | None]:

@@ -7,9 +7,8 @@ from pathlib import Path
 
 from assess.message import Message, note
 from assess.outputs import journal
-from assess.outputs.journal import JOURNAL
 from assess.outputs.lock import locked
-from assess.outputs.stage import MADE, OLD, files_in, left_behind, remove
+from assess.outputs.stage import JOURNAL, MADE, OLD, files_in, left_behind, remove
 from assess.signals import deferred
 
 Tell = Callable[[Message], None]
@@ -35,7 +34,12 @@ def settle(folder: Path, *, tell: Tell) -> None:
 
 
 def kept_beside(stage: Path, folder: Path) -> Path:
-    """Move what a stage holds into a new folder beside `folder`, in it where that cannot be; the new folder."""
+    """Move what a stage holds into a new folder beside `folder`, in it where that cannot be; the new folder.
+
+    Old files that have no place any more, since others stand there, go with it.
+    """
+    if (stage / OLD).is_dir() and files_in(stage / OLD):
+        (stage / OLD).rename(stage / MADE / OLD)
     beside = folder.absolute()
     for parent, name in ((beside.parent, f"{beside.name}-new"), (beside, "new")):
         number = next(n for n in range(1, 10_000) if not (parent / f"{name}-{n}").exists())
@@ -52,9 +56,8 @@ def _settle(stage: Path, folder: Path) -> Message:
         journal.finish(stage, folder, moves)
         return note("writing-finished", str(folder))
     journal.take_back(stage, folder, journal.guessed(stage, folder) if moves is None else moves)
-    if (stage / OLD).is_dir() and files_in(stage / OLD):  # replaced by another since: neither may be lost
-        (stage / OLD).rename(stage / MADE / OLD)
-    place = kept_beside(stage, folder) if files_in(stage / MADE) else folder
+    left = any((stage / each).is_dir() and files_in(stage / each) for each in (MADE, OLD))
+    place = kept_beside(stage, folder) if left else folder
     return note("writing-taken-back", str(folder), place=str(place))
 
 

@@ -15,13 +15,13 @@ from assess.outputs.lock import LOCK, abandoned, locked
 from assess.signals import deferred
 
 PREFIX = ".assess-partial-"
-MADE, OLD = "made", "old"
+MADE, OLD, JOURNAL = "made", "old", "journal.json"
 _DAY = 86400.0  # s
 
 
 @contextmanager
 def stage(place: Path, *, command: str) -> Iterator[Path]:
-    """A new hidden folder in `place`, with an empty folder `made`; removed at the end.
+    """A new hidden folder in `place`, with an empty folder `made`; removed at the end, unless its journal is open.
 
     Its own lock tells other commands that it is in use. Raises OutputError where nothing can be written.
     """
@@ -37,7 +37,8 @@ def stage(place: Path, *, command: str) -> Iterator[Path]:
                     _empty(folder)
     finally:
         with deferred():
-            remove(folder)
+            if not (folder / JOURNAL).exists():
+                remove(folder)
 
 
 def _make(folder: Path) -> None:
@@ -50,8 +51,8 @@ def _make(folder: Path) -> None:
 
 
 def _empty(folder: Path) -> None:
-    """Remove all of a stage but what says that it is in use, which goes last."""
-    for each in folder.iterdir():
+    """Remove all of a stage but what says that it is in use, which goes last; nothing where moves are unfinished."""
+    for each in () if (folder / JOURNAL).exists() else folder.iterdir():
         if each.name != LOCK:
             remove(each)
 
@@ -66,14 +67,18 @@ def left_behind(place: Path, *, alone: bool = False) -> list[Path]:
 
 
 def _left(found: Path, *, alone: bool) -> bool:
-    """Whether a stage is abandoned. One without a lock may just be beginning, or be of a version without locks."""
+    """Whether a stage is abandoned. One without a signed lock may just be beginning, or have ended as it did."""
     lock = found / LOCK
     try:
         if lock.is_file():
-            return abandoned(lock)
-        return alone or time.time() - found.lstat().st_mtime > _DAY
+            return abandoned(lock, unsigned=alone or _old(lock))
+        return alone or _old(found)
     except OSError:
         return False
+
+
+def _old(path: Path) -> bool:
+    return time.time() - path.lstat().st_mtime > _DAY
 
 
 def clear(place: Path) -> None:

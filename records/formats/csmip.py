@@ -70,13 +70,18 @@ def read(path: Path, stated: Stated) -> tuple[Record, ...]:
     """
     lines = text_lines(path)
     records: list[Record] = []
-    start = 0
+    start = ended = 0
     for at, line in enumerate(lines):
         found = VOLUME_1.match(line) or VOLUME_2.match(line)
         if found:
             records.append(_channel(lines[start:at], found, lines, at, path=path))
         if line.startswith("/&"):
-            start = at + 1
+            start, ended = at + 1, ended + 1
+            if records and len(records) < ended:
+                raise RecordError(
+                    f"{path}: channel {ended}, which ends in line {at + 1}, has no line of points, step and unit that "
+                    "can be read; it is damaged: get the file again"
+                )
     if not records:
         raise RecordError(
             f"{path}: no channel of points evenly spaced in time; the file is cut short, or of pairs of time and "
@@ -89,7 +94,7 @@ def read(path: Path, stated: Stated) -> tuple[Record, ...]:
 
 def _channel(header: list[str], found: re.Match[str], lines: list[str], at: int, *, path: Path) -> Record:
     """The channel whose line of points is at index `at`."""
-    first = found.re is VOLUME_1
+    first = found.re is VOLUME_1 or (bool(header) and UNCORRECTED.match(header[0]) is not None)
     parts = found.groupdict()
     unit = (parts["unit"] or parts.get("in") or "").strip().rstrip(".")
     factor = acceleration_factor(unit, line=at + 1, path=path)

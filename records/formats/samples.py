@@ -21,8 +21,12 @@ NUMERIC = re.compile(r"[\s0-9.eEdD+-]+")
 
 
 def text_lines(path: Path) -> list[str]:
-    """The lines of the file at `path`, Latin-1, without their ends; the marks by which DOS ends a text are left out."""
-    return [line.rstrip("\r") for line in path.read_bytes().rstrip(b"\x1a").decode("latin-1").split("\n")]
+    """The lines of the file at `path`, Latin-1, without their ends; the marks by which DOS ends a text are left out.
+
+    Lines end with a line feed, or with carriage returns where there is none, as on old Macintoshes.
+    """
+    text = path.read_bytes().rstrip(b"\x1a").decode("latin-1")
+    return [line.rstrip("\r") for line in text.split("\n" if "\n" in text else "\r")]
 
 
 def numbers(lines: Sequence[str], *, first: int, path: Path) -> FloatArray:

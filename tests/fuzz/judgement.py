@@ -85,8 +85,8 @@ def _accepted(found: Answer, usual: Answer) -> Judged:
 
 
 def said(found: Answer) -> set[str]:
-    """Warnings on stderr, and those in the JSON printed."""
-    lines = {line for line in found.err.splitlines() if TOLD.match(line)}
+    """Warnings on stderr, among the lines printed, and in the JSON printed."""
+    lines = {line for line in (found.err + found.out).splitlines() if TOLD.match(line)}
     return lines | set(_told(_parsed(found.out)))
 
 

@@ -14,7 +14,7 @@ from tests.fuzz.case import Case, Edit
 from tests.fuzz.judgement import apart
 
 FORMS = {"--csv", "--json", "--list", "--catalogue"}  # options that print something else, as asked
-ONCE = re.compile(r"\[\d+\]\.(site|earthquake|epicentral_distance|measures|spectrum|pga|npts)\b")
+ONCE = re.compile(r"\[\d+\]\.(site|earthquake|epicentral_distance_km|measures|spectrum|pga_g|npts)\b")
 """What of `records list --json` a file says once, or follows from its samples."""
 
 

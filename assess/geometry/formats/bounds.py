@@ -60,14 +60,14 @@ def _refuse_large(unpacked: int, *, packed: int) -> None:
         raise ValueError(f"its {packed / 1e6:.3g} MB would unpack to {unpacked / 1e6:.4g} MB, which no mesh does")
 
 
-def nodes_of(file: Path) -> tuple[str, ...]:
-    """The names of the nodes of a glTF file; the number of one without.
+def gltf_header(file: Path) -> Any:
+    """The JSON of a glTF file, binary or not.
 
     Raises
     ------
     ValueError : its meshes are packed, or announce more than the file can hold
     """
-    header = _gltf_header(file)
+    header = _json_of(file)
     for extension, name in PACKED.items():
         if extension in header.get("extensionsUsed", ()):
             raise ValueError(f"its meshes are packed by {name}; export it without compression")
@@ -84,11 +84,10 @@ def nodes_of(file: Path) -> tuple[str, ...]:
         there = SMALL if view is None else int(views[view]["byteLength"])
         if not 0 <= needed <= there:
             raise ValueError(f"it announces {accessor['count']} values where there are {there} bytes")
-    return tuple(str(node.get("name", place)) for place, node in enumerate(header.get("nodes", [])))
+    return header
 
 
-def _gltf_header(file: Path) -> Any:
-    """The JSON of a glTF file, binary or not."""
+def _json_of(file: Path) -> Any:
     with file.open("rb") as content:
         start = content.read(20)
         if start[:4] != b"glTF":

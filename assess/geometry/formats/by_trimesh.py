@@ -13,9 +13,10 @@ from typing import Any
 
 import numpy as np
 
-from assess.geometry.formats.bounds import INSTANCES, TRIANGLES, nodes_of
+from assess.geometry.formats.bounds import INSTANCES, TRIANGLES, gltf_header
 from assess.geometry.formats.parts import Element, FloatArray, MeshFile, Part, file_of, moved, part, together
 
+EXTENTS = 1e-4  # of the largest coordinate, by which the extents in the header may be rounded
 MADE = 7  # letters that trimesh adds to the name of a node for a primitive of its mesh
 
 
@@ -23,8 +24,8 @@ def read_glb(file: Path) -> MeshFile:
     """glTF 2.0 in one binary file: in metres, y up, whose +z is forward (glTF 2.0, 3.4)."""
     from trimesh.exchange.gltf import load_glb
 
-    own = nodes_of(file)
-    return file_of(_placed(load_glb(_content(file), skip_materials=True), own), unit=1.0, up="y")
+    header = gltf_header(file)
+    return file_of(_placed(load_glb(_content(file), skip_materials=True), header), unit=1.0, up="y")
 
 
 def read_gltf(file: Path) -> MeshFile:
@@ -32,9 +33,9 @@ def read_gltf(file: Path) -> MeshFile:
     from trimesh.exchange.gltf import load_gltf
     from trimesh.resolvers import FilePathResolver
 
-    own = nodes_of(file)
+    header = gltf_header(file)
     loaded = load_gltf(_content(file), resolver=FilePathResolver(str(file)), skip_materials=True)
-    return file_of(_placed(loaded, own), unit=1.0, up="y")
+    return file_of(_placed(loaded, header), unit=1.0, up="y")
 
 
 def _content(file: Path) -> io.BytesIO:
@@ -50,9 +51,30 @@ def _meshes(meshes: Mapping[str, Mapping[str, Any]]) -> dict[str, Part]:
     }
 
 
-def _placed(loaded: Mapping[str, Any], own: Collection[str]) -> tuple[Part, ...]:
+def _refuse_other_extents(meshes: Mapping[str, Part], header: Mapping[str, Any]) -> None:
+    """Raise ValueError where vertices do not reach as far as their accessor says (glTF 2.0, 3.6.2.5: they must).
+
+    The readers keep no link from a mesh to its accessor, so it must agree with one of them.
+    """
+    accessors = header.get("accessors", [])
+    used = {each["attributes"].get("POSITION") for mesh in header.get("meshes", []) for each in mesh["primitives"]}
+    said = [[accessors[i].get("min"), accessors[i].get("max")] for i in used if i is not None]
+    if any(None in each for each in said):
+        return
+    announced = np.asarray(said, dtype=np.float64).reshape(-1, 2, 3)
+    for name, mesh in meshes.items():
+        found = np.array([mesh.vertices.min(axis=0), mesh.vertices.max(axis=0)])
+        wrong = np.abs(announced - found).max(axis=(1, 2)) > EXTENTS * np.abs(found).max()
+        if wrong.all():
+            low, high = (", ".join(f"{x:.4g}" for x in corner) for corner in found)
+            raise ValueError(f'"{name:.30}" reaches from ({low}) to ({high}), and no accessor\'s min and max say so')
+
+
+def _placed(loaded: Mapping[str, Any], header: Mapping[str, Any]) -> tuple[Part, ...]:
     """Every node's mesh in its place, of all its primitives; it bears the name of the node, and is within its mesh."""
     meshes = _meshes(loaded["geometry"])
+    _refuse_other_extents(meshes, header)
+    own = Counter(str(node.get("name", place)) for place, node in enumerate(header.get("nodes", [])))
     edges = {edge["frame_to"]: edge for edge in loaded["graph"]}
     used = [meshes[name] for edge in edges.values() if (name := edge.get("geometry", "")) in meshes]
     if len(used) > INSTANCES or sum(len(each.triangles) for each in used) > TRIANGLES:
@@ -63,7 +85,7 @@ def _placed(loaded: Mapping[str, Any], own: Collection[str]) -> tuple[Part, ...]
         if mesh is not None:
             placed = moved(mesh, _place(node, edges, base=loaded["base_frame"]))
             found.setdefault(str(node) if node in own else _owner(node, edge), []).append(placed)
-    many = {name for name, count in Counter(own).items() if count > 1}
+    many = {name for name, count in own.items() if count > 1}
     return tuple(Part(_called(node, parts[0].element.names, many), *together(parts)) for node, parts in found.items())
 
 

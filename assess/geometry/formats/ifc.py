@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from assess.geometry.formats.ifc_numbers import refuse_commas
 from assess.geometry.formats.part21 import refuse_damaged
 from assess.geometry.formats.parts import Element, MeshFile, Part, part, without_mesh
 
@@ -36,6 +37,7 @@ def read_ifc(file: Path) -> MeshFile:
 
     refuse_damaged(file)
     model = ifcopenshell.open(str(file))
+    refuse_commas(file, cache(partial(_attributes, model.schema_identifier)))
     products = [each for each in model.by_type("IfcProduct") if _has_body(each)]
     above = cache(partial(_classes, model.schema_identifier))
     elements = tuple(_element(each, above) for each in products)
@@ -91,6 +93,16 @@ def _classes(schema: str, name: str) -> tuple[str, ...]:
         found.append(declaration.name())
         declaration = declaration.supertype()
     return tuple(found)
+
+
+def _attributes(schema: str, name: str) -> int | None:
+    """How many attributes a class has; None where the schema has no such class."""
+    from ifcopenshell import ifcopenshell_wrapper
+
+    try:
+        return int(ifcopenshell_wrapper.schema_by_name(schema).declaration_by_name(name).as_entity().attribute_count())
+    except (RuntimeError, AttributeError):
+        return None
 
 
 def _meshed(

@@ -32,15 +32,20 @@ def read_off(file: Path) -> MeshFile:
         raise ValueError("it does not begin as text of the Object File Format: OFF, then numbers of vertices and faces")
     vertices, faces = int(header[1]), int(header[2])
     points, triangles = [np.empty((0, 3))], [np.empty((0, 3), dtype=np.int64)]
+    widths: set[int] = set()
     lines = 0
     for block in blocks(file, skip=header.end(), comments=True):
         content_lines = block.words > 0
         place = lines + np.cumsum(content_lines) - 1
-        points.append(_points(block, content_lines & (place < vertices)))
+        positions = content_lines & (place < vertices)
+        widths |= set(block.words[positions].tolist())
+        points.append(_points(block, positions))
         triangles += _faces(block, content_lines & (place >= vertices) & (place < vertices + faces))
         lines += int(np.count_nonzero(content_lines))
     if lines < vertices + faces:
         raise ValueError(f"it announces {vertices} vertices and {faces} faces and has {lines} lines of them")
+    if len(widths) > 1:
+        raise ValueError(f"some vertices have {min(widths)} numbers, others {max(widths)}; is a decimal lost?")
     return file_of([part(Element(), np.concatenate(points), np.concatenate(triangles))])
 
 

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import tempfile
+from collections.abc import Sequence
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 from assess.geometry.formats.apart import run_apart
 from assess.geometry.formats.by_trimesh import read_glb
 from assess.geometry.formats.part21 import refuse_damaged
-from assess.geometry.formats.parts import MeshFile
+from assess.geometry.formats.parts import MeshFile, Part
+from assess.geometry.formats.step_units import states_unit
 
 ANGULAR = 0.05  # rad: largest turn between neighbouring facets; a circle's area is then 0.04 % small
 LINEAR = 0.01  # of an edge's length: largest distance of a facet from its surface
@@ -17,7 +20,10 @@ MESH = "import sys, cascadio; sys.exit(cascadio.step_to_glb(sys.argv[1], sys.arg
 
 
 def read_step(file: Path) -> MeshFile:
-    """The solids of a STEP file as meshes, in metres whatever the file's unit; single precision, by way of glTF."""
+    """The solids of a STEP file as meshes, in metres, or in the file's unit if it does not state which that is.
+
+    Single precision, by way of glTF.
+    """
     import cascadio  # noqa: F401  # absent: told by the caller; it runs in a process of its own
 
     refuse_damaged(file)
@@ -26,4 +32,10 @@ def read_step(file: Path) -> MeshFile:
         failed = run_apart(MESH.format(LINEAR, ANGULAR), file, str(glb), name="Open CASCADE")
         if failed or not glb.is_file():
             raise ValueError("Open CASCADE finds no shape in it")
-        return replace(read_glb(glb), up="z")
+        found = replace(read_glb(glb), up="z")
+    return found if states_unit(file) else replace(found, meshed=partial(_in_own_unit, found), unit=None)
+
+
+def _in_own_unit(found: MeshFile, places: Sequence[int]) -> tuple[Part, ...]:
+    """The parts in the numbers of the file, which were taken for millimetres and became metres."""
+    return tuple(replace(each, vertices=each.vertices * 1000.0) for each in found.meshed(places))

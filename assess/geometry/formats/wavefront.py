@@ -26,7 +26,9 @@ from assess.geometry.formats.parts import CLOUD, Element, MeshFile, Part, fans, 
 VERTEX, FACE, OBJECT, GROUP = b"vfog"
 BLANK = 32
 AFTER_SLASH = re.compile(rb"/[^\s]*")
-LEAST = 3  # corners of a face, coordinates of a vertex
+LEAST = 3  # corners of a face
+VERTICES = (3, 4, 6, 7)  # numbers of a vertex: x y z, with a weight, or a colour of three or four numbers
+WEIGHTED = 4
 
 
 @dataclass(frozen=True)
@@ -60,12 +62,14 @@ def _positions(block: Block, chosen: BoolArray) -> FloatArray:
     sizes = block.words[chosen] - 1
     if not len(sizes):
         return np.empty((0, 3))
-    if sizes.min() < LEAST:
-        raise ValueError(f"a vertex has {sizes.min()} coordinates")
+    if odd := set(sizes.tolist()) - set(VERTICES):
+        raise ValueError(f"a vertex has {min(odd)} numbers; read are x y z, with a weight or a colour behind")
     values = numbers(text_of(block, chosen).replace(b"v", b" "), count=int(sizes.sum()))
     found = np.empty((len(sizes), 3))
     for places, rows in rows_of(values, sizes):
         found[places] = rows[:, :3]
+        if rows.shape[1] == WEIGHTED and (rows[:, 3] != 1.0).any():
+            raise ValueError("a vertex has a fourth number that is not 1, as a weight of a mesh is; is a decimal lost?")
     return found
 
 

@@ -144,35 +144,27 @@ def test_what_one_run_alone_has_is_a_change(before: Results) -> None:
     ]
 
 
-def test_a_number_that_nothing_else_compares_is_told(before: Results) -> None:
-    wall, parapet = before.mechanisms
-    curve = replace(wall.curve.positive, restoring_n_m=(*wall.curve.positive.restoring_n_m[:-1], 7.0))
-    step = replace(wall.checks[0], steps=())
-    bent = replace(wall, curve=replace(wall.curve, positive=curve), checks=(step, *wall.checks[1:]))
-    spectrum = before.spectrum
-    assert spectrum is not None
-    raised = replace(spectrum, acceleration_g=tuple(2.0 * each for each in spectrum.acceleration_g))
-    found = changes(before, replace(before, mechanisms=(bent, parapet), spectrum=raised))
-    size = len(wall.curve.positive.restoring_n_m)
-    assert [(c.kind, c.where, c.what, c.after) for c in found] == [
-        ("number", "wall", f"curve.positive.restoring_n_m[{size}]", 7.0),
-        ("number", "wall", "checks[1].steps: entries", 0),
-        (
-            "number", "", f"spectrum.acceleration_g[1] and {len(raised.acceleration_g) - 1} more of spectrum",
-            raised.acceleration_g[0],
-        ),
-    ]  # fmt: skip
-    heavier = replace(bent, oscillator=replace(bent.oscillator, mass_kg=1.0))
-    told = changes(before, replace(before, mechanisms=(heavier, parapet)))
-    assert [c.what for c in told] == ["mass_kg, positive"]  # the curve follows from what has changed
-
-
 def test_rounding_is_hidden_and_zero_tolerance_shows_it(before: Results) -> None:
     wall = before.mechanisms[0]
     nudged = replace(wall, oscillator=replace(wall.oscillator, p_eq_per_s=wall.oscillator.p_eq_per_s * (1 + 1e-8)))
     other = replace(before, mechanisms=(nudged, *before.mechanisms[1:]))
     assert changes(before, other) == ()
     assert [c.what for c in changes(before, other, tolerance=0.0)] == ["p_eq_per_s, positive"]
+
+
+def test_blocks_that_are_not_compared_are_named_where_they_alone_differ(before: Results, after: Results) -> None:
+    wall, *rest = before.mechanisms
+    step = replace(wall.checks[0].steps[0], value=1e9)
+    check = replace(wall.checks[0], steps=(step, *wall.checks[0].steps[1:]))
+    edited = replace(
+        before, mechanisms=(replace(wall, checks=(check, *wall.checks[1:])), *rest), comparison=before.comparison[1:]
+    )
+    (change,) = changes(before, edited)
+    assert (change.kind, change.after) == ("other", f"comparison, checks of {wall.name}")
+    nearly = replace(check, steps=(replace(step, value=wall.checks[0].steps[0].value * (1 + 1e-9)), *check.steps[1:]))
+    rounded = replace(before, mechanisms=(replace(wall, checks=(nearly, *wall.checks[1:])), *rest))
+    assert not changes(before, rounded)
+    assert not [*of_kind(changes(before, after), "other")]  # there they follow from what is listed
 
 
 def test_values_are_one_item_by_item() -> None:

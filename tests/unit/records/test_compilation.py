@@ -259,8 +259,8 @@ def test_all_that_is_compiled_is_in_the_key() -> None:
 
 def test_looking_at_the_sources_takes_no_time_to_speak_of() -> None:
     def taken() -> float:
-        start = time.perf_counter()
+        start = time.process_time()
         assert key(())
-        return time.perf_counter() - start
+        return time.process_time() - start
 
     assert min(taken() for _ in range(20)) < 5e-3  # 0.7 ms where nothing else runs

@@ -283,6 +283,18 @@ def test_event_station_and_component(
     assert record.azimuth == pytest.approx(np.radians(azimuth), abs=1e-12)
 
 
+def test_csmip_volume_1_with_its_points_as_in_volume_2(tmp_path: Path) -> None:
+    """So the files of the 1990s have it."""
+    lines = csmip_1().replace(" 200 pts/sec", "").splitlines()
+    at = next(i for i, line in enumerate(lines) if "Accelerogram points" in line)
+    lines[at] = f"{N} POINTS OF ACCEL DATA EQUALLY SPACED AT .005 SEC.  (UNITS: G)"
+    (tmp_path / "X.RAW").write_text("\n".join(lines) + "\n")
+    (found,), (same,) = read(tmp_path / "X.RAW"), read(written(tmp_path, "csmip-1"))
+    assert (found.dt, found.station, found.component) == (0.005, "Some School", "360 Deg")
+    assert "uncorrected" in found.trail
+    np.testing.assert_array_equal(found.acceleration, same.acceleration)
+
+
 def test_what_else_is_known(tmp_path: Path) -> None:
     knet_record, dyna_record = first(tmp_path, "k-net"), first(tmp_path, "dyna")
     assert knet_record.earthquake == Earthquake("2018-01-24T10:51:00Z", 6.2, "MJMA", 41.0, 142.5, 30e3)
@@ -384,6 +396,30 @@ def test_damage_is_one_line_with_file_and_value(tmp_path: Path, name: str, old: 
     assert str(caught.value).startswith(str(path))
     assert "\n" not in str(caught.value)
     assert len(str(caught.value)) < 400 + len(str(path))
+
+
+@pytest.mark.parametrize("lost", [0, 1, 2])
+def test_a_channel_of_csmip_whose_points_are_not_found_is_refused(tmp_path: Path, lost: int) -> None:
+    path = written(tmp_path, "csmip-2")
+    lines = path.read_text().split("\n")
+    at = [i for i, line in enumerate(lines) if "points of accel" in line.lower()][lost]
+    path.write_text("\n".join(lines[:at] + lines[at + 1 :]))
+    with pytest.raises(RecordError, match=r"channel|no line of"):
+        read(path)
+
+
+@pytest.mark.parametrize("name", MADE)
+def test_lines_that_end_with_carriage_returns_are_read_or_refused(tmp_path: Path, name: str) -> None:
+    path = written(tmp_path, name)
+    whole = read(path)
+    path.write_bytes(path.read_bytes().replace(b"\n", b"\r"))
+    try:
+        found = read(path)
+    except RecordError:
+        assert name not in ("v2a", "at2", "smc")
+        return
+    for one, other in zip(found, whole, strict=True):
+        np.testing.assert_array_equal(one.acceleration, other.acceleration)
 
 
 @pytest.mark.parametrize("name", sorted(MADE.keys() - {"csmip-2", "v2a"}))  # whose last numbers are displacements

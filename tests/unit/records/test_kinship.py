@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 from pathlib import Path
-from time import perf_counter
+from time import process_time
 
 import numpy as np
 import pytest
@@ -55,9 +55,9 @@ def test_any_component_of_a_recording_tells() -> None:
 def test_none_and_many() -> None:
     assert families([], one_per_event=True).size == 0
     many = [(candidate(i),) for i in range(5000)]
-    start = perf_counter()
+    start = process_time()
     assert len(set(families([*many, *many[:100]], one_per_event=False).tolist())) == 5000
-    assert perf_counter() - start < 2.0
+    assert process_time() - start < 2.0
 
 
 @pytest.mark.skipif(not RECORDS.is_dir(), reason="the records are not here")

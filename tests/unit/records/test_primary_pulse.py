@@ -178,9 +178,9 @@ def test_the_best_are_the_first_of_all(one: Shape, count: int) -> None:
 
 def test_speed() -> None:
     record = make_record("long", np.random.default_rng(1).normal(size=10_000), 0.005)
-    started = time.perf_counter()
+    started = time.process_time()
     primary_pulses(record)
-    assert time.perf_counter() - started < 2.0  # about 0.1 s; loose, since machines are shared
+    assert time.process_time() - started < 2.0  # about 0.1 s; loose, since machines are shared
 
 
 def found_in(name: str, one: str) -> tuple[Record, PrimaryPulse]:

@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 from itertools import combinations
-from time import perf_counter
+from time import process_time
 
 import numpy as np
 import pytest
@@ -165,9 +165,9 @@ def test_the_order_of_the_catalogue_does_not_matter() -> None:
 
 def test_seven_of_ten_thousand_rows_in_under_a_second() -> None:
     many = [candidate(number) for number in range(10_000)]
-    start = perf_counter()
+    start = process_time()
     found = select(many, TARGET, Criteria(7, BAND))
-    assert perf_counter() - start < 3.0  # under 1 s where nothing else runs; here others may
+    assert process_time() - start < 3.0  # under 1 s where nothing else runs; here others may
     assert found.misfit < 1e-3
 
 

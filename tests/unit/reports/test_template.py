@@ -59,6 +59,6 @@ def test_words_leave_out_symbols_and_indices() -> None:
 
 def test_a_long_hostile_text_takes_no_long_time() -> None:
     made = template("{0} of {1} of {2} of {3} of {4} of {5} checks.", "{0}{1}{2}{3}{4}{5}")
-    start = time.perf_counter()
+    start = time.process_time()
     assert made.match(" of" * 30_000) is None
-    assert time.perf_counter() - start < 0.1
+    assert time.process_time() - start < 0.1

@@ -54,6 +54,11 @@ def runs(tmp_path: Path) -> tuple[Path, Path]:
     return made[0], made[1]
 
 
+def test_blocks_without_two_sides_are_one_line() -> None:
+    found = changes_text([Change("other", "", "blocks that differ", None, "critical, checks of wall")])
+    assert found == "other blocks of results.json that differ: critical, checks of wall\n\n1 difference\n"
+
+
 def test_files_their_folders_and_folders_of_projects_are_one(
     runs: tuple[Path, Path], capsys: pytest.CaptureFixture[str]
 ) -> None:

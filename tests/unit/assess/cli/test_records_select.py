@@ -214,6 +214,16 @@ def test_what_an_index_was_told_is_kept(folder: Path, capsys: pytest.CaptureFixt
     assert "8 files read" in capsys.readouterr().out
 
 
+def test_a_misspelt_header_of_a_flatfile_is_told(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    flat = folder.parent / "flat.csv"
+    flat.write_text(FLATFILE.replace("Magnitude", "MagnittD", 1))
+    assert "Magnitude" in FLATFILE
+    assert ended("records", "index", folder, "--flatfile", flat, "--json") == 0
+    told = json.loads(capsys.readouterr().out)["flatfile"]["warning"]
+    assert told.startswith("the flatfile has no column of magnitude under a name that is known")
+    assert "mw" in told
+
+
 def test_an_index_tells_what_became_of_a_flatfile(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     flat = folder.parent / "flat.csv"
     flat.write_text(FLATFILE + '103,Q,1982,67,"12,5",n/a\nlast,Q,1982,6,1,300\n\n999,None,2000,7.0,40,300\n')

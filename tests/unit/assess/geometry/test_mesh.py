@@ -489,10 +489,10 @@ def test_two_hundred_thousand_triangles_in_seconds(tmp_path: Path) -> None:
     triangles = np.concatenate([np.column_stack([a, b, a + n]), np.column_stack([b, b + n, a + n]), foot, head])
     path = tmp_path / "drum.stl"
     path.write_bytes(stl_binary(vertices, triangles))
-    start = time.perf_counter()
+    start = time.process_time()
     drum = load(path, density=DENSITY, name="drum")
     body = planar(drum, direction=[0.8, 0.6, 0.0])
-    seconds = time.perf_counter() - start
+    seconds = time.process_time() - start
     assert len(drum.triangles) == 2 * n * m > 199_000
     assert drum.mass == pytest.approx(DENSITY * np.pi * 1.5**2 * 8.0, rel=1e-3)  # 400 sides, rough skin
     assert len(body.outline) == 1
@@ -515,11 +515,11 @@ def test_a_mesh_is_analysed_in_less_time_than_trimesh_opens_it(tmp_path: Path) -
     path.write_bytes(stl_binary(vertices, triangles))
     ours, theirs = [], []
     for _ in range(3):
-        start = time.perf_counter()
+        start = time.process_time()
         found = load(path, density=DENSITY, name="wall")
-        ours.append(time.perf_counter() - start)
+        ours.append(time.process_time() - start)
         trimesh.load(path)
-        theirs.append(time.perf_counter() - start - ours[-1])
+        theirs.append(time.process_time() - start - ours[-1])
     assert len(found.triangles) == 12 * 4**7 == 196_608
     same(found, WALL, rtol=1e-12)
     assert min(ours) < min(theirs)

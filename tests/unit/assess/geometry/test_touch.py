@@ -165,7 +165,7 @@ def test_any_two_footprints_meet_in_their_intersection():
 def test_a_large_mesh_touches_quickly():
     wall, floor = refined(WALL, 6), refined(CASES["against the face"][0], 5)
     assert len(wall.triangles) + len(floor.triangles) > 6e4
-    started = time.perf_counter()
+    started = time.process_time()
     contact = touch(wall, floor)
-    assert time.perf_counter() - started < 5.0  # about 0.5 s; loose, since machines are shared
+    assert time.process_time() - started < 5.0  # about 0.5 s; loose, since machines are shared
     assert contact.area == pytest.approx(0.4, rel=1e-6)

@@ -48,10 +48,12 @@ def test_stages_in_use_and_young_ones_without_a_lock_are_left_alone(tmp_path: Pa
     (tmp_path / f"{PREFIX}young").mkdir()
     (tmp_path / f"{PREFIX}old").mkdir()
     os.utime(tmp_path / f"{PREFIX}old", (1e9, 1e9))
-    (tmp_path / f"{PREFIX}dead").mkdir()
-    (tmp_path / f"{PREFIX}dead" / ".assess-lock").write_text("")
+    for name in ("dead", "begun"):  # a lock that is not signed may be a moment old
+        (tmp_path / f"{PREFIX}{name}").mkdir()
+        (tmp_path / f"{PREFIX}{name}" / ".assess-lock").write_text("")
+    os.utime(tmp_path / f"{PREFIX}dead" / ".assess-lock", (1e9, 1e9))
     with written(tmp_path / "a", command="a test") as first:
         first.write_text("a")
         put(tmp_path / "b", "b")
         assert first.exists()
-    assert sorted(path.name for path in tmp_path.iterdir()) == [f"{PREFIX}young", "a", "b"]
+    assert sorted(path.name for path in tmp_path.iterdir()) == [f"{PREFIX}begun", f"{PREFIX}young", "a", "b"]

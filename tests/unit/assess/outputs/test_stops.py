@@ -1,5 +1,6 @@
 """A command is stopped before each of its steps on the disk: the folder has all of the old files, or all of the new."""
 
+import json
 import os
 import signal
 import sys
@@ -164,3 +165,18 @@ def test_a_folder_that_is_read_is_not_written_where_nobody_was_stopped(tmp_path:
     assert sorted(tmp_path.rglob("*")) == before
     with pytest.raises(OutputError):
         run(tmp_path / ".assess-partial-x" / "made" / "half", FIRST)
+
+
+def test_a_journal_does_not_reach_through_links(tmp_path: Path) -> None:
+    """As in a folder that came from elsewhere."""
+    out, home = tmp_path / "out", tmp_path / "home"
+    stage = out / ".assess-partial-1"
+    write(stage, {"old/tables/key": "theirs"})
+    (stage / "made").mkdir()
+    home.mkdir()
+    (out / "tables").symlink_to(home)
+    for moves in ([{"name": "tables/key", "new": None, "old": "x"}], "damaged"):
+        (stage / "journal.json").write_text(json.dumps({"format": 1, "moves": moves}))
+        with pytest.raises(OutputError, match="tables: is a link, which leads out of"):
+            settled(out, tell=lambda _: None)
+    assert not list(home.iterdir())

@@ -158,9 +158,9 @@ def test_fifty_quantities_load_quickly(tmp_path: Path) -> None:
         f'[mechanisms.w{i}]\nkind = "equivalent-block"\np = "{i + 1} 1/s"\nuplift = "0.1"\nradius = "{i + 1} m"\n'
         for i in range(25)
     )
-    started = time.perf_counter()
+    started = time.process_time()
     assert len(load(written(tmp_path, PROJECT + walls)).content.mechanisms) == 27
-    assert time.perf_counter() - started < 1.5
+    assert time.process_time() - started < 1.5
 
 
 WRONG: dict[str, tuple[str | bytes, str]] = {

@@ -106,6 +106,21 @@ def test_gltf_that_has_z_up_against_its_standard(tmp_path: Path) -> None:
     same(read(tmp_path, "wall.glb", content, up="z"), WALL)
 
 
+def test_gltf_vertices_reach_as_far_as_their_accessor_says(tmp_path: Path) -> None:
+    """A header that rounds is believed; one byte of a vertex, or of the header, is not."""
+    places = WALL.vertices @ TO_Y_UP.T
+    header, content = gltf(places, WALL.triangles, [{"mesh": 0, "name": "wall"}])
+    low, high = places.min(axis=0).tolist(), places.max(axis=0).tolist()
+    header["accessors"][0] |= {"min": [float(f"{x:.6g}") for x in low], "max": [float(f"{x:.6g}") for x in high]}
+    same(read(tmp_path, "wall.glb", glb(header, content)), WALL)
+    flipped = bytearray(content)
+    flipped[0:4] = struct.pack("<f", struct.unpack("<f", content[0:4])[0] - 0.25)
+    for other in (bytes(flipped), content):
+        with pytest.raises(GeometryError, match="and no accessor's min and max say so"):
+            read(tmp_path, "wall.glb", glb(header, other))
+        header["accessors"][0]["max"] = [high[0] + 0.25, *high[1:]]
+
+
 def test_instances_of_a_scene_stand_in_their_places(tmp_path: Path) -> None:
     """A unit cube four times: moved; scaled in a moved and turned parent; mirrored."""
     cube = box(thickness=1.0, length=1.0, height=1.0, base=[0.0, 0.0, -0.5], density=DENSITY, name="cube")

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from assess.errors import GeometryError
+from assess.geometry.formats.ifc_numbers import refuse_commas
 from assess.geometry.mesh import load
 
 ifcopenshell: Any = pytest.importorskip("ifcopenshell", reason="the extra 'ifc' is not installed")
@@ -63,6 +64,34 @@ def test_elements_are_chosen_by_name_or_identifier_in_metres(tmp_path: Path, pre
     assert load(file, density=1.0, name="wall", element="south").vertices[:, 1].min() == pytest.approx(20.0, rel=1e-9)
     with pytest.raises(GeometryError, match='it has no element "hall"; known: north, south'):
         load(file, density=1.0, name="wall", element="hall")
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "told"),
+    [
+        ("(0.,1.25),(3.,1.25)", "(0.,1,25),(3.,1.25)", "a point has 3 values where it has 2; decimals take a point"),
+        ("IFCCARTESIANPOINT((0.,20.,0.))", "IFCCARTESIANPOINT((0.,20,5,0.))", "a point has 4 values where it has 3"),
+        ("IFCCARTESIANPOINT((0.,20.,0.))", "IFCCARTESIANPOINT((0.,20,,0.))", "a point has 4 values where it has 3"),
+        (",8.);", ",8,5);", "an IFCEXTRUDEDAREASOLID has 5 values where it has 4"),
+    ],
+)
+def test_decimal_commas_in_an_ifc_file_are_told(tmp_path: Path, old: str, new: str, told: str) -> None:
+    building(tmp_path / "house.ifc", prefix=None)
+    content = (tmp_path / "house.ifc").read_text()
+    assert old in content
+    (tmp_path / "comma.ifc").write_text(content.replace(old, new, 1))
+    with pytest.raises(GeometryError, match=told):
+        load(tmp_path / "comma.ifc", density=1.0, name="wall")
+
+
+def test_a_single_point_without_decimal_point_is_refused_and_a_habit_is_not(tmp_path: Path) -> None:
+    file = tmp_path / "points.ifc"
+    good, cut, whole = (f"#1=IFCCARTESIANPOINT(({each}));\n" for each in ("1.25,0.,3.E-1", "1,25,0.", "0,0.,1.5"))
+    file.write_text(good * 200 + cut)
+    with pytest.raises(ValueError, match=r"of the point \(1,25,0.\) a number has no decimal point, as all others have"):
+        refuse_commas(file, lambda _: None)
+    file.write_text(good * 20 + whole * 10 + "#2=IFCPERSON('a,b(;','IFCCARTESIANPOINT((1,2,3,4))');\n")
+    refuse_commas(file, lambda _: None)
 
 
 @pytest.mark.parametrize("part", [0.0, 0.3, 0.6, 0.99])

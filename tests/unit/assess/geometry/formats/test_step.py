@@ -84,6 +84,39 @@ def test_a_step_solid_comes_in_metres_with_z_up(tmp_path: Path, prefix: str, uni
     assert found.trail == ()
 
 
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("REPRESENTATION_CONTEXT('','')", "REPRESENTATIOM_CONTEXT('','')"),
+        ("\nGLOBAL_UNIT_ASSIGNED_CONTEXT((#9,#10,#11))", "\n"),
+        ("((#9,#10,#11))", "((#8,#10,#11))"),
+        ("LENGTH_UNIT()", "LENGTHxUNIT()"),
+        (",#15),#13)", ",#15),#12)"),
+    ],
+)
+def test_a_step_file_that_lost_its_unit_is_not_taken_for_millimetres(tmp_path: Path, old: str, new: str) -> None:
+    content = step((CUBE * SIZES + CORNER) * 100.0, prefix=".CENTI.")
+    assert content.count(old) == 1
+    file = tmp_path / "wall.step"
+    file.write_text(content.replace(old, new))
+    with pytest.raises(GeometryError, match=r'body "wall": mesh wall.step: the file states no unit; give mesh_unit'):
+        load(file, density=1.0, name="wall")
+    assert load(file, density=1.0, name="wall", scale=0.01).mass == pytest.approx(float(np.prod(SIZES)), rel=1e-6)
+
+
+def test_a_damaged_unit_of_a_step_file_is_refused(tmp_path: Path) -> None:
+    (tmp_path / "wall.step").write_text(step(CUBE * 100.0, prefix=".CENTX."))
+    with pytest.raises(GeometryError, match="its unit of length is no metre with a prefix"):
+        load(tmp_path / "wall.step", density=1.0, name="wall", scale=0.01)
+
+
+def test_strings_and_comments_of_a_step_file_hide_no_unit(tmp_path: Path) -> None:
+    content = step((CUBE * SIZES + CORNER) * 1000.0, prefix=".MILLI.")
+    content = content.replace("REPRESENTATION_CONTEXT('','')", "REPRESENTATION_CONTEXT ('it''s; one)','') /* ; */")
+    (tmp_path / "wall.step").write_text(content)
+    assert load(tmp_path / "wall.step", density=1.0, name="wall").mass == pytest.approx(float(np.prod(SIZES)), rel=1e-6)
+
+
 @pytest.mark.parametrize("part", [0.0, 0.5, 0.98])
 def test_a_step_file_cut_short_is_refused(tmp_path: Path, part: float, capfd: pytest.CaptureFixture[str]) -> None:
     content = step(CUBE, prefix="$")

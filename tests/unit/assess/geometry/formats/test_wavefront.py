@@ -69,7 +69,9 @@ def test_points_without_faces_are_told_as_such(tmp_path: Path) -> None:
     ("text", "told"),
     [
         ("v 0 0 0\nv 1,5 0 0\nv 0 1 0\nf 1 2 3\n", '"1,5" is no number; decimals take a point'),
-        ("v 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "a vertex has 2 coordinates"),
+        ("v 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "a vertex has 2 numbers; read are x y z"),
+        ("v 0 0 0\nv 1 0 0 .5\nv 0 1 0\nf 1 2 3\n", "a fourth number that is not 1"),
+        ("v 0 0 0\nv 1 .5 0 .5 1\nv 0 1 0\nf 1 2 3\n", "a vertex has 5 numbers"),
         ("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n", "no whole number from 1"),
         ("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 2.5\n", "no whole number from 1"),
         ("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 three\n", '"three" is no number'),
@@ -108,6 +110,7 @@ def test_off_with_comments_colours_and_faces_of_more_corners(tmp_path: Path, tex
         ),
         ("OFF\n999999999999 3 0\n0 0 0\n", "has 1 lines"),
         ("OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n9 0 1 2\n", "a face of 9 corners has 3 numbers"),
+        ("OFF\n3 1 0\n0 0 0\n1 0 0 .5\n0 1 0\n3 0 1 2\n", "some vertices have 3 numbers, others 4; is a decimal lost"),
         ("OFF BINARY\n", "does not begin"),
         ("", "does not begin"),
     ],

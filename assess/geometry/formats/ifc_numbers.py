@@ -1,0 +1,64 @@
+"""Numbers of an IFC file that lost their decimal point: ifcopenshell reads what is left of them without a word."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from pathlib import Path
+
+COMMAS = "{what} has {found} values where it has {wanted}; decimals take a point, not a comma"
+SIZED = re.compile(
+    rb"=\s*(IFC(?:\w+PROFILEDEF|\w+SOLID|\w+SOLIDTAPERED|CIRCLE|ELLIPSE|VECTOR|BLOCK|SPHERE|RECTANGULARPYRAMID|"
+    rb"RIGHTCIRCULARCYLINDER|RIGHTCIRCULARCONE|SIUNIT|MEASUREWITHUNIT))\s*\(([^;]*)\)\s*;"
+)
+LIST = re.compile(rb"IFCCARTESIANPOINTLIST([23])D\s*\(\s*\(([^;]*?\))\s*\)[^;]*;")
+POINT = re.compile(rb"IFC(?:CARTESIANPOINT|DIRECTION)\s*\(\s*\(([^()]*)\)\s*\)")
+REAL = re.compile(rb"\s*[-+]?\d+\.\d*(?:E[-+]?\d+)?\s*", re.IGNORECASE)
+WHOLE = re.compile(rb"\s*[-+]?\d+\s*")
+HABIT = 0.01  # of the points: if more have whole numbers without a point, the program that wrote them leaves it out
+
+
+def refuse_commas(file: Path, attributes: Callable[[str], int | None]) -> None:
+    """Raise where points, profiles, solids or units have more or fewer values than they can.
+
+    Parameters
+    ----------
+    attributes : how many a class of the file's schema has; None where it has no such class
+
+    Raises
+    ------
+    ValueError : they have
+    """
+    text = re.sub(rb"/\*.*?\*/|'[^']*'", b"''", file.read_bytes(), flags=re.DOTALL)
+    _points(POINT.findall(text))
+    for dimensions, rows in LIST.findall(text):
+        for row in re.findall(rb"\(([^()]*)\)", rows):
+            _coordinates(row.split(b","), {int(dimensions)})
+    for name, arguments in SIZED.findall(text):
+        wanted, found = attributes(name.decode("latin-1")), _arguments(arguments)
+        if wanted not in (None, found):
+            raise ValueError(COMMAS.format(what=f"an {name.decode('latin-1')}", found=found, wanted=wanted))
+
+
+def _points(points: list[bytes]) -> None:
+    rows = [point.split(b",") for point in points]
+    for row in rows:
+        _coordinates(row, {1, 2, 3})
+    whole = [row for row in rows if any(map(WHOLE.fullmatch, row)) and any(map(REAL.fullmatch, row))]
+    if whole and len(whole) <= HABIT * len(rows):
+        shown = b",".join(whole[0]).decode("latin-1")
+        raise ValueError(f"of the point ({shown:.40}) a number has no decimal point, as all others have")
+
+
+def _coordinates(row: list[bytes], wanted: set[int]) -> None:
+    found = sum(1 for value in row if value.strip())
+    if found != len(row) or found not in wanted:
+        raise ValueError(COMMAS.format(what="a point", found=len(row), wanted=max(wanted)))
+
+
+def _arguments(text: bytes) -> int:
+    """How many arguments an instance has, lists counting as one."""
+    inner = None
+    while inner != text:
+        inner, text = text, re.sub(rb"\([^()]*\)", b"", text)
+    return text.count(b",") + 1

@@ -1,0 +1,243 @@
+"""What the formulas of calculation sheets begin with: inputs that no line has come to, by symbol and dimension.
+
+The lists are closed, and found as `readings` finds the lines that are read.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from math import acosh, atan2, hypot, inf, pi, sqrt
+
+import numpy as np
+from readings import floor_demands
+from scipy.constants import g
+from sheet import Sheet
+from subjects import AMPLIFIED, FRICTION, S_X1, VERTICAL
+
+from assess.codes.governing import branch_named
+from assess.oscillator import Branch, interpolant
+
+
+def period_factor(sheet: Sheet) -> float:
+    """4 arcosh(1 / (1 − r)), r = 0.36 for a wall that spans and 0.24 for one that stands free (NZSEE C8.8.5)."""
+    return 4 * acosh(1 / (1 - (0.36 if sheet.subject.context.support == "spanning" else 0.24)))
+
+
+def gravity(sheet: Sheet, name: str) -> float:
+    return float(getattr(sheet.subject.context.wall.gravity[sheet.subject.check.branch], name))
+
+
+def secant(sheet: Sheet) -> float:
+    """The multiplier where the secant is drawn, or just after an action ends."""
+    side = breaking(sheet)
+    if sheet.step.symbol == "λ / λ_max":
+        end = next(each.rotation for each in sheet.subject.context.limits if each.kind == "break") * (1 + 1e-6)
+    else:
+        symbol = next(key for key in ("d_s*", "d_SLV", "d_SLC") if key in sheet.known)
+        end = sheet.rotation_of(sheet.known[symbol]) * (1 - 1e-9)
+    moment, B = (interpolant(side.rotation, each) for each in (side.restoring, side.excitation))
+    return float(moment(end) / B(end) / g)
+
+
+def breaking(sheet: Sheet) -> Branch:
+    """The branch with actions until they end."""
+    rocker = sheet.subject.context.breaking or sheet.subject.rocker
+    return branch_named(rocker, sheet.subject.check.branch)
+
+
+def largest(sheet: Sheet) -> float:
+    side = breaking(sheet)
+    return float((side.restoring / side.excitation).max() / g)
+
+
+def linearised(sheet: Sheet, symbol: str) -> float:
+    """The straight line that touches the moment where it falls to zero, without given forces, and B there."""
+    critical = sheet.instability()
+    slope, B = -float(sheet.spline("restoring")(critical, 1)), float(sheet.spline("excitation")(critical))
+    return {"K": slope, "φ_cr": critical, "M": 0.0, "B": B}[symbol]
+
+
+def softened(sheet: Sheet) -> float:
+    """T1' over T1 from 1.5 to 2.0: of the largest acceleration, the first of equals, or of the largest displacement."""
+    T1, T0 = sheet.house.period, sheet.known.get("T0")
+    ratios = np.linspace(1.5, 2.0, 51)
+    if sheet.step.symbol != "T1'_a":
+        return max(floor_demands(sheet, 0.10), key=lambda each: each[0])[1] / T1
+    if T0 is None:
+        return float(ratios[np.argmax([sheet.ordinate(each * T1, 0.10) for each in ratios])])
+    own = next(each.value for each in sheet.step.inputs if each.symbol == "k")
+    found = [at_the_floor(sheet, each * T1, T0) for each in (*ratios, own)]
+    return own if np.isclose(own, ratios, rtol=1e-9).any() and found[-1] >= max(found) * (1 - 1e-9) else inf
+
+
+def at_the_floor(sheet: Sheet, first: float, period: float) -> float:
+    """S_eZ at 5 % under a first mode of 10 % (C7.2.5 to C7.2.8)."""
+    peak = sheet.ordinate(first, 0.10) * sheet.known["γψ"] * sqrt(1 + 0.2**2)
+    A = 1.1 / sqrt(0.10)
+    low, high = 1 - period / (0.8 * first), period / (1.1 * first) - 1
+    fall = 1 + (A - 1) * (max(low, 0.0) ** 1.6 + max(high, 0.0) ** 1.2)
+    return max(A * peak / fall, sheet.ordinate(period) if first < period else 0.0)
+
+
+def hinge_value(sheet: Sheet, name: str) -> float:
+    hinge = sheet.hinge()
+    return {
+        "H": hinge.horizontal,
+        "V": hinge.vertical,
+        "n_x": hinge.face[0],
+        "n_z": hinge.face[1],
+        "T": hinge.starting.shear,
+        "N": hinge.starting.normal,
+        "N_0": hinge.resting.normal if hinge.single else hinge.starting.normal,
+        "T_0": hinge.resting.shear if hinge.single else 0.0,
+        "H_0": 0.0,
+        "λ": hinge.acceleration / g,
+    }[name]
+
+
+def record(number: int) -> Callable[[Sheet], float]:
+    def ratio(sheet: Sheet) -> float:
+        share = sheet.suite[number]
+        return inf if share is None else share * sheet.subject.branch.overturning / sheet.instability()
+
+    return ratio
+
+
+def demand(sheet: Sheet) -> float:
+    return sheet.subject.check.demand
+
+
+def normal(sheet: Sheet) -> float:
+    """What presses on the base: all that bears."""
+    chain = sheet.subject.mechanism.positive
+    return g * (sum(b.mass for b in chain.blocks) + sum(load.mass for load in chain.loads if load.bearing))
+
+
+def elastic(sheet: Sheet) -> float:
+    """Frequency of small motions on the joint [Hz]."""
+    return float(sqrt(sheet.spline("restoring")(0.0, 1) / sheet.rest("inertia")) / (2 * pi))
+
+
+def resonance_damping(sheet: Sheet) -> float:
+    """eta at 5 % for the accelerations, and for the displacements, which come after, at that of the limit state."""
+    displaced = any(key.startswith("d_SL") for key in sheet.known)
+    return sqrt(10.0 / (5.0 + 100.0 * (sheet.subject.check.damping if displaced else 0.05)))
+
+
+def largest_acceleration(sheet: Sheet) -> float:
+    """Of ground and floor, at T0 where the element has a period before it lifts off."""
+    free = "S_e(T0)" in sheet.known
+    names = ("S_e(T0)", "S_eZ(T0)") if free else ("a_Z",)
+    found = [value for key, value in sheet.known.items() if key.startswith(names) and value is not None]
+    return max(found, default=0.0) if free else max([sheet.pga, *found])
+
+
+def pga_in_line(sheet: Sheet) -> float:
+    """The site's own where the PGA of a limit state is found, else that."""
+    return sheet.subject.context.spectrum.pga if sheet.step.symbol.startswith("PGA_S") else sheet.pga
+
+
+Reading = Callable[[Sheet], float]
+COMMON: Mapping[tuple[str, str], Reading] = {
+    ("B0", "first moment"): lambda s: s.rest("excitation"),
+    ("M", "mass"): lambda s: s.mass,
+    ("V'(0) − M", "moment"): lambda s: s.rest("restoring"),
+    ("R0", "moment"): lambda s: s.rest("restoring"),
+    ("I_O", "inertia"): lambda s: s.rest("inertia"),
+    ("Σ m δx", "first moment"): lambda s: s.rest("excitation"),
+    ("Σ m δx²", "inertia"): lambda s: s.rest("participation"),
+    ("∫ B dφ", "first moment"): lambda s: s.moved(s.instability()),
+    ("e*", "ratio"): lambda s: s.e,
+    ("S_aV/S_aH", "ratio"): lambda s: VERTICAL,
+    ("C_R", "ratio"): lambda s: s.subject.branch.restitution,
+    ("φ_ov", "rotation"): lambda s: s.instability(),
+    ("E", "energy"): lambda s: float(s.spline("restoring").integrate(0.0, s.known["θ"])),
+    ("R", "length"): lambda s: hypot(s.rest("restoring") / g, s.rest("excitation")) / s.mass,
+    ("α", "rotation"): lambda s: atan2(s.rest("restoring") / g, s.rest("excitation")),
+    ("level", "acceleration"): lambda s: s.level,
+    ("PGA", "acceleration"): pga_in_line,
+    ("PGA", "ground acceleration"): lambda s: (s.pga if s.step.symbol == "ζ_E" else s.level) / g,
+    ("C(0)", "ground acceleration"): lambda s: s.level / g,
+    ("PGA_C", "ground acceleration"): lambda s: s.subject.check.capacity_pga_g,
+    ("q", "ratio"): lambda s: 2.0,
+    ("demand", "acceleration"): demand,
+    ("demand", "length"): demand,
+    ("T1", "time"): lambda s: s.house.period,
+    ("S_e(T1)", "acceleration"): lambda s: s.ordinate(s.house.period),
+    ("S_De(T1)", "length"): lambda s: s.ordinate(s.house.period) * (s.house.period / (2 * pi)) ** 2,
+    ("ψ", "ratio"): lambda s: min(s.subject.context.support_height / s.house.height, 1.0),
+    ("γ", "ratio"): lambda s: 3.0 * 2 / (2 * 2 + 1),
+    ("N", "ratio"): lambda s: 2.0,
+    ("Z", "length"): lambda s: min(s.subject.context.support_height, s.house.height),
+    ("z", "length"): lambda s: s.subject.context.support_height,
+    ("H", "length"): lambda s: s.house.height,
+    ("ξ1", "ratio"): lambda s: s.mode_damping("T1" if "(T1)" in s.step.symbol else "T1'"),
+    ("η", "ratio"): resonance_damping,
+    ("b", "ratio"): lambda s: 1.1,
+    ("a", "ratio"): lambda s: 0.8,
+    ("a_max", "acceleration"): largest_acceleration,
+    ("k", "ratio"): lambda s: 0.4 if s.subject.check.procedure.startswith("dmi") else softened(s),
+    ("λ", "ratio"): secant,
+    ("λ_max", "ratio"): largest,
+    ("S_e(T_SLV)", "acceleration"): lambda s: s.ordinate(s.known["T_SLV"], s.subject.check.damping),
+    ("S_eZ(T1')", "acceleration"): lambda s: s.known["A"] * s.known["a_Z(T1')"],
+    ("T_1", "time"): lambda s: s.house.period,
+    ("T_a", "time"): lambda s: 1 / elastic(s) if s.subject.mechanism.flexible else 0.0,
+    ("α S", "ratio"): lambda s: s.level / g,
+    ("S_a(1 s)/PGA", "ratio"): lambda s: s.over_pga(1.0, 0.05) if S_X1 is None else S_X1 / (s.spectrum.pga / g),
+    ("s", "ratio"): lambda s: 1.0 if s.step.symbol == "PGA_u" else (0.6 if spans(s) else 0.3),
+    ("c", "ratio"): period_factor,
+    ("h_i", "length"): lambda s: s.subject.context.support_height,
+    ("h_n", "length"): lambda s: s.house.height,
+    ("R_p", "ratio"): lambda s: 1.0,
+    ("h", "length"): lambda s: s.subject.context.wall.height,
+    ("C_i(0)", "ratio"): lambda s: 2.0,
+    ("P/W", "ratio"): lambda s: gravity(s, "overburden_ratio"),
+    ("b_W", "moment"): lambda s: gravity(s, "own_moment"),
+    ("b_P", "moment"): lambda s: gravity(s, "moment"),
+    ("a_W", "rotational stiffness"): lambda s: gravity(s, "own_slope"),
+    ("J_W", "inertia"): lambda s: gravity(s, "own_inertia"),
+    ("J_P", "inertia"): lambda s: gravity(s, "inertia"),
+    ("B_W", "first moment"): lambda s: gravity(s, "own_excitation"),
+    ("f", "ratio"): lambda s: AMPLIFIED,
+    ("f", "frequency"): elastic,
+    **{
+        (f"S a_g,{state}", "acceleration"): (lambda s, state=state: s.subject.context.hazard.spectra[state].pga)
+        for state in ("SLD", "SLV", "SLC")
+    },
+    **{(f"r_{number}", "ratio"): record(number - 1) for number in range(1, 8)},
+}
+OWN: Mapping[str, Mapping[tuple[str, str], Reading]] = {
+    "dmi2008-nonlinear-thesis": {
+        ("K", "rotational stiffness"): lambda s: linearised(s, "K"),
+        ("φ_cr", "rotation"): lambda s: linearised(s, "φ_cr"),
+        ("M", "moment"): lambda s: linearised(s, "M"),
+        ("B", "first moment"): lambda s: linearised(s, "B"),
+    },
+    "asce43-05-sliding": {
+        ("μ", "ratio"): lambda s: FRICTION,
+        ("N", "force"): normal,
+    },
+    "nzsee2017-face-loaded": {
+        ("λ", "ratio"): lambda s: s.known["b"] / (g * s.known["B"]),
+    },
+    "sliding": {
+        **{
+            (name, kind): (lambda s, name=name: hinge_value(s, name))
+            for name, kind in (("H", "force"), ("V", "force"), ("n_x", "ratio"), ("n_z", "ratio"), ("T", "force"),
+                               ("N", "force"), ("N_0", "force"), ("T_0", "force"), ("H_0", "force"), ("λ", "ratio"))
+        },
+    },
+}  # fmt: skip
+"""By procedure, where a symbol means another thing."""
+
+
+def spans(sheet: Sheet) -> bool:
+    return sheet.subject.context.support == "spanning"
+
+
+def given_value(sheet: Sheet, symbol: str, dimension: str) -> float | None:
+    """What an input should be that no line has come to; None where the symbol is not known."""
+    own = OWN.get(sheet.subject.check.procedure, {})
+    reading = own.get((symbol, dimension)) or COMMON.get((symbol, dimension))
+    return None if reading is None else reading(sheet)

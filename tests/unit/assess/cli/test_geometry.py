@@ -102,6 +102,13 @@ def test_files_of_which_none_can_be_listed_end_with_2(tmp_path: Path, capsys: py
     assert len(capsys.readouterr().out.splitlines()) == 3
 
 
+def test_a_missing_file_is_named_once(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert ended("geometry", tmp_path / "no.stl") == 2
+    assert (
+        capsys.readouterr().err == f"assess: error: {tmp_path / 'no.stl'}: No such file or directory; check the path\n"
+    )
+
+
 def test_units_axes_and_elements_as_in_the_project_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     file = obj(tmp_path, **{"wall-1": ((600, 3000, 4000), (0, 0, 0), 0.0), "pier": ((1, 1, 1), (9, 9, 9), 0.0)})
     (row,) = listed(capsys, file, "--unit", "mm", "--up", "y", "--element", "wall-?")

@@ -9,10 +9,13 @@ from collections.abc import Callable, Mapping
 from math import acosh, atan2, hypot, inf, pi, sqrt
 
 import numpy as np
-from readings import Sheet, floor_demands
+from readings import floor_demands
 from scipy.constants import g
-from scipy.integrate import quad
-from subjects import AMPLIFIED, FRICTION, HOUSE, S_X1, SPECTRUM, VERTICAL
+from sheet import Sheet
+from subjects import AMPLIFIED, FRICTION, S_X1, VERTICAL
+
+from assess.codes.governing import branch_named
+from assess.oscillator import Branch, interpolant
 
 
 def period_factor(sheet: Sheet) -> float:
@@ -25,9 +28,26 @@ def gravity(sheet: Sheet, name: str) -> float:
 
 
 def secant(sheet: Sheet) -> float:
-    """The multiplier where the secant is drawn."""
-    symbol = next(key for key in ("d_s*", "d_SLV") if key in sheet.known)
-    return sheet.multiplier(sheet.rotation_of(sheet.known[symbol]))
+    """The multiplier where the secant is drawn, or just after an action ends."""
+    side = breaking(sheet)
+    if sheet.step.symbol == "λ / λ_max":
+        end = next(each.rotation for each in sheet.subject.context.limits if each.kind == "break") * (1 + 1e-6)
+    else:
+        symbol = next(key for key in ("d_s*", "d_SLV", "d_SLC") if key in sheet.known)
+        end = sheet.rotation_of(sheet.known[symbol]) * (1 - 1e-9)
+    moment, B = (interpolant(side.rotation, each) for each in (side.restoring, side.excitation))
+    return float(moment(end) / B(end) / g)
+
+
+def breaking(sheet: Sheet) -> Branch:
+    """The branch with actions until they end."""
+    rocker = sheet.subject.context.breaking or sheet.subject.rocker
+    return branch_named(rocker, sheet.subject.check.branch)
+
+
+def largest(sheet: Sheet) -> float:
+    side = breaking(sheet)
+    return float((side.restoring / side.excitation).max() / g)
 
 
 def linearised(sheet: Sheet, symbol: str) -> float:
@@ -39,10 +59,24 @@ def linearised(sheet: Sheet, symbol: str) -> float:
 
 def softened(sheet: Sheet) -> float:
     """T1' over T1 from 1.5 to 2.0: of the largest acceleration, the first of equals, or of the largest displacement."""
+    T1, T0 = sheet.house.period, sheet.known.get("T0")
     ratios = np.linspace(1.5, 2.0, 51)
-    if sheet.step.symbol == "T1'_a":
-        return float(ratios[np.argmax([sheet.ordinate(each * HOUSE.period, 0.10) for each in ratios])])
-    return max(floor_demands(sheet, 0.10))[1] / HOUSE.period
+    if sheet.step.symbol != "T1'_a":
+        return max(floor_demands(sheet, 0.10), key=lambda each: each[0])[1] / T1
+    if T0 is None:
+        return float(ratios[np.argmax([sheet.ordinate(each * T1, 0.10) for each in ratios])])
+    own = next(each.value for each in sheet.step.inputs if each.symbol == "k")
+    found = [at_the_floor(sheet, each * T1, T0) for each in (*ratios, own)]
+    return own if np.isclose(own, ratios, rtol=1e-9).any() and found[-1] >= max(found) * (1 - 1e-9) else inf
+
+
+def at_the_floor(sheet: Sheet, first: float, period: float) -> float:
+    """S_eZ at 5 % under a first mode of 10 % (C7.2.5 to C7.2.8)."""
+    peak = sheet.ordinate(first, 0.10) * sheet.known["γψ"] * sqrt(1 + 0.2**2)
+    A = 1.1 / sqrt(0.10)
+    low, high = 1 - period / (0.8 * first), period / (1.1 * first) - 1
+    fall = 1 + (A - 1) * (max(low, 0.0) ** 1.6 + max(high, 0.0) ** 1.2)
+    return max(A * peak / fall, sheet.ordinate(period) if first < period else 0.0)
 
 
 def hinge_value(sheet: Sheet, name: str) -> float:
@@ -79,6 +113,30 @@ def normal(sheet: Sheet) -> float:
     return g * (sum(b.mass for b in chain.blocks) + sum(load.mass for load in chain.loads if load.bearing))
 
 
+def elastic(sheet: Sheet) -> float:
+    """Frequency of small motions on the joint [Hz]."""
+    return float(sqrt(sheet.spline("restoring")(0.0, 1) / sheet.rest("inertia")) / (2 * pi))
+
+
+def resonance_damping(sheet: Sheet) -> float:
+    """eta at 5 % for the accelerations, and for the displacements, which come after, at that of the limit state."""
+    displaced = any(key.startswith("d_SL") for key in sheet.known)
+    return sqrt(10.0 / (5.0 + 100.0 * (sheet.subject.check.damping if displaced else 0.05)))
+
+
+def largest_acceleration(sheet: Sheet) -> float:
+    """Of ground and floor, at T0 where the element has a period before it lifts off."""
+    free = "S_e(T0)" in sheet.known
+    names = ("S_e(T0)", "S_eZ(T0)") if free else ("a_Z",)
+    found = [value for key, value in sheet.known.items() if key.startswith(names) and value is not None]
+    return max(found, default=0.0) if free else max([sheet.pga, *found])
+
+
+def pga_in_line(sheet: Sheet) -> float:
+    """The site's own where the PGA of a limit state is found, else that."""
+    return sheet.subject.context.spectrum.pga if sheet.step.symbol.startswith("PGA_S") else sheet.pga
+
+
 Reading = Callable[[Sheet], float]
 COMMON: Mapping[tuple[str, str], Reading] = {
     ("B0", "first moment"): lambda s: s.rest("excitation"),
@@ -93,47 +151,44 @@ COMMON: Mapping[tuple[str, str], Reading] = {
     ("S_aV/S_aH", "ratio"): lambda s: VERTICAL,
     ("C_R", "ratio"): lambda s: s.subject.branch.restitution,
     ("φ_ov", "rotation"): lambda s: s.instability(),
-    ("E", "energy"): lambda s: float(quad(s.spline("restoring"), 0.0, s.known["θ"], epsrel=1e-11)[0]),
+    ("E", "energy"): lambda s: float(s.spline("restoring").integrate(0.0, s.known["θ"])),
     ("R", "length"): lambda s: hypot(s.rest("restoring") / g, s.rest("excitation")) / s.mass,
     ("α", "rotation"): lambda s: atan2(s.rest("restoring") / g, s.rest("excitation")),
     ("level", "acceleration"): lambda s: s.level,
-    ("PGA", "acceleration"): lambda s: s.level,
-    ("PGA", "ground acceleration"): lambda s: s.level / g,
+    ("PGA", "acceleration"): pga_in_line,
+    ("PGA", "ground acceleration"): lambda s: (s.pga if s.step.symbol == "ζ_E" else s.level) / g,
     ("C(0)", "ground acceleration"): lambda s: s.level / g,
     ("PGA_C", "ground acceleration"): lambda s: s.subject.check.capacity_pga_g,
     ("q", "ratio"): lambda s: 2.0,
     ("demand", "acceleration"): demand,
     ("demand", "length"): demand,
-    ("T1", "time"): lambda s: HOUSE.period,
-    ("S_e(T1)", "acceleration"): lambda s: s.ordinate(HOUSE.period),
-    ("S_De(T1)", "length"): lambda s: s.ordinate(HOUSE.period) * (HOUSE.period / (2 * pi)) ** 2,
-    ("ψ", "ratio"): lambda s: min(s.subject.context.support_height / HOUSE.height, 1.0),
+    ("T1", "time"): lambda s: s.house.period,
+    ("S_e(T1)", "acceleration"): lambda s: s.ordinate(s.house.period),
+    ("S_De(T1)", "length"): lambda s: s.ordinate(s.house.period) * (s.house.period / (2 * pi)) ** 2,
+    ("ψ", "ratio"): lambda s: min(s.subject.context.support_height / s.house.height, 1.0),
     ("γ", "ratio"): lambda s: 3.0 * 2 / (2 * 2 + 1),
     ("N", "ratio"): lambda s: 2.0,
-    ("Z", "length"): lambda s: min(s.subject.context.support_height, HOUSE.height),
+    ("Z", "length"): lambda s: min(s.subject.context.support_height, s.house.height),
     ("z", "length"): lambda s: s.subject.context.support_height,
-    ("H", "length"): lambda s: HOUSE.height,
-    ("ξ1", "ratio"): lambda s: (
-        0.05 if s.subject.check.procedure == "ntc2018-linear" or "(T1)" in s.step.symbol else 0.10
-    ),
-    ("η", "ratio"): lambda s: sqrt(10.0 / (5.0 + 100.0 * s.subject.check.damping)),
+    ("H", "length"): lambda s: s.house.height,
+    ("ξ1", "ratio"): lambda s: s.mode_damping("T1" if "(T1)" in s.step.symbol else "T1'"),
+    ("η", "ratio"): resonance_damping,
     ("b", "ratio"): lambda s: 1.1,
     ("a", "ratio"): lambda s: 0.8,
-    ("a_max", "acceleration"): lambda s: max(
-        s.level, *(v for key, v in s.known.items() if key.startswith(("a_Z", "S_eZ")) and v is not None), 0.0
-    ),
+    ("a_max", "acceleration"): largest_acceleration,
     ("k", "ratio"): lambda s: 0.4 if s.subject.check.procedure.startswith("dmi") else softened(s),
     ("λ", "ratio"): secant,
+    ("λ_max", "ratio"): largest,
     ("S_e(T_SLV)", "acceleration"): lambda s: s.ordinate(s.known["T_SLV"], s.subject.check.damping),
     ("S_eZ(T1')", "acceleration"): lambda s: s.known["A"] * s.known["a_Z(T1')"],
-    ("T_1", "time"): lambda s: HOUSE.period,
-    ("T_a", "time"): lambda s: 0.0,
+    ("T_1", "time"): lambda s: s.house.period,
+    ("T_a", "time"): lambda s: 1 / elastic(s) if s.subject.mechanism.flexible else 0.0,
     ("α S", "ratio"): lambda s: s.level / g,
-    ("S_a(1 s)/PGA", "ratio"): lambda s: s.over_pga(1.0, 0.05) if S_X1 is None else S_X1 / (SPECTRUM.pga / g),
+    ("S_a(1 s)/PGA", "ratio"): lambda s: s.over_pga(1.0, 0.05) if S_X1 is None else S_X1 / (s.spectrum.pga / g),
     ("s", "ratio"): lambda s: 1.0 if s.step.symbol == "PGA_u" else (0.6 if spans(s) else 0.3),
     ("c", "ratio"): period_factor,
     ("h_i", "length"): lambda s: s.subject.context.support_height,
-    ("h_n", "length"): lambda s: HOUSE.height,
+    ("h_n", "length"): lambda s: s.house.height,
     ("R_p", "ratio"): lambda s: 1.0,
     ("h", "length"): lambda s: s.subject.context.wall.height,
     ("C_i(0)", "ratio"): lambda s: 2.0,
@@ -145,6 +200,11 @@ COMMON: Mapping[tuple[str, str], Reading] = {
     ("J_P", "inertia"): lambda s: gravity(s, "inertia"),
     ("B_W", "first moment"): lambda s: gravity(s, "own_excitation"),
     ("f", "ratio"): lambda s: AMPLIFIED,
+    ("f", "frequency"): elastic,
+    **{
+        (f"S a_g,{state}", "acceleration"): (lambda s, state=state: s.subject.context.hazard.spectra[state].pga)
+        for state in ("SLD", "SLV", "SLC")
+    },
     **{(f"r_{number}", "ratio"): record(number - 1) for number in range(1, 8)},
 }
 OWN: Mapping[str, Mapping[tuple[str, str], Reading]] = {

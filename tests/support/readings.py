@@ -7,102 +7,14 @@ lines. LINES is closed: a line without inputs has its formula there.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
 from math import inf, isclose, pi, sqrt
 
 import numpy as np
 from scipy.constants import g
-from scipy.integrate import quad
-from scipy.interpolate import CubicSpline
-from scipy.optimize import brentq
-from subjects import AMPLIFIED, FRICTION, HOUSE, LEVELS, SLIDING, SPECTRUM, SUITES, Subject
-
-from assess.codes.check import Step
-from assess.hinge_forces import HingeForces
+from sheet import Sheet
+from subjects import AMPLIFIED, FRICTION, SLIDING
 
 PERMISSIBLE = {"other": (20.0, 16.0, 13.0), "first": (20.0, 18.0, 15.0), "top": (14.0, 14.0, 9.0)}  # Table 11-5
-
-
-@dataclass
-class Sheet:
-    """One answer as its lines are read, with what those before have come to."""
-
-    subject: Subject
-    known: dict[str, float | None] = field(default_factory=dict)
-    step: Step | None = None
-
-    @property
-    def level(self) -> float:
-        """PGA [m/s2]."""
-        return self.subject.check.level_pga_g * g
-
-    @property
-    def scale(self) -> float:
-        """The level over the spectrum's own PGA."""
-        return self.level / SPECTRUM.pga
-
-    @property
-    def mass(self) -> float:
-        return self.subject.rocker.mass
-
-    def rest(self, column: str) -> float:
-        """A column of the branch at rest."""
-        return float(getattr(self.subject.branch, column)[0])
-
-    def spline(self, column: str) -> CubicSpline:
-        branch = self.subject.branch
-        return CubicSpline(branch.rotation, getattr(branch, column))
-
-    def instability(self) -> float:
-        """Where the restoring moment falls to zero [rad]."""
-        branch = self.subject.branch
-        last = int(np.flatnonzero(branch.restoring > 0.0)[-1])
-        return float(brentq(self.spline("restoring"), branch.rotation[last], branch.rotation[last + 1], xtol=1e-15))
-
-    def moved(self, rotation: float) -> float:
-        """The integral of B up to a rotation [kg m]."""
-        return float(quad(self.spline("excitation"), 0.0, rotation, epsrel=1e-11)[0])
-
-    def rotation_of(self, moved: float) -> float:
-        """Where d* is so large [rad]."""
-        top = self.subject.branch.rotation[-1]
-        return float(brentq(lambda phi: self.moved(phi) / self.mass / self.e - moved, 0.0, top, xtol=1e-14))
-
-    @property
-    def e(self) -> float:
-        """e* [-]."""
-        return self.rest("excitation") ** 2 / self.rest("participation") / self.mass
-
-    def multiplier(self, rotation: float) -> float:
-        return float(self.spline("restoring")(rotation) / self.spline("excitation")(rotation) / g)
-
-    def ordinate(self, period: float, damping: float = 0.05) -> float:
-        """Of the site's spectrum at the level [m/s2]."""
-        return float(SPECTRUM.acceleration(period, damping=damping)) * self.scale
-
-    def over_pga(self, period: float, damping: float) -> float:
-        """The ordinate of the motion at the base over the PGA of the ground."""
-        floor = self.subject.context.floor_spectrum if self.subject.context.above_ground else None
-        own = self.subject.check.procedure == "asce43-05-spectrum" and floor is not None
-        return float((floor if own else SPECTRUM).acceleration(period, damping=damping)) / SPECTRUM.pga
-
-    def curve(self, rotation: float) -> float:
-        """PGA over rotation of the answer [g]."""
-        curve = self.subject.check.pga_curve
-        over = rotation / self.subject.branch.overturning
-        return float(np.interp(over, curve.rotation_ratio, curve.pga_g))
-
-    @property
-    def suite(self) -> tuple[float | None, ...]:
-        """Largest rotations over the overturning rotation at the level."""
-        return SUITES[int(np.argmin(np.abs(np.array(LEVELS) - self.level)))].ratio
-
-    def hinge(self) -> HingeForces:
-        """That whose letter the line bears, else that whose V the sheet has."""
-        names = {each.hinge: each for each in self.subject.context.hinges}
-        own = self.step.symbol.partition("_")[2]
-        main = next(each.symbol[2:] for each in self.subject.check.steps if each.symbol.startswith("V_"))
-        return names.get(own) or names[main]
 
 
 # ------------------------------------------------------------------------------------------------ lines without inputs
@@ -157,8 +69,8 @@ def mean(sheet: Sheet) -> float | None:
     return None if None in found else float(np.mean(found))
 
 
-def farthest(sheet: Sheet) -> float:
-    return max(each for each in shares(sheet, sheet.known["d0*"]) if each is not None)
+def farthest(sheet: Sheet) -> float | None:
+    return max((each for each in shares(sheet, sheet.known["d0*"]) if each is not None), default=None)
 
 
 def permissible(sheet: Sheet) -> float:
@@ -175,7 +87,8 @@ def stated(sheet: Sheet) -> float:
 def spectral(sheet: Sheet) -> float:
     """S_e(X): at the period X of a line before, with the damping of the building's first mode or of the limit state."""
     symbol = sheet.step.symbol[4:-1]
-    damping = 0.05 if symbol == "T1" else 0.10 if symbol.startswith("T1'") else sheet.subject.check.damping
+    first = symbol.startswith("T1")
+    damping = sheet.mode_damping(symbol) if first else 0.05 if symbol == "T0" else sheet.subject.check.damping
     return sheet.ordinate(sheet.known[symbol], damping)
 
 
@@ -183,8 +96,11 @@ def floor_demands(sheet: Sheet, xi: float) -> list[tuple[float, float]]:
     """Displacement that the floor asks at T_SLV, and T1' from 1.5 to 2.0 T1, with damping xi (C7.2.5 to C8.7.1.12)."""
     T, damping, share = sheet.known["T_SLV"], sheet.subject.check.damping, sheet.known["γψ"]
     found = []
-    for first in np.unique([*np.linspace(1.5, 2.0, 501), T / 0.8 / 0.24, T / 1.1 / 0.24]) * HOUSE.period:
-        if not 1.5 * HOUSE.period <= first <= 2.0 * HOUSE.period:
+    for first in (
+        np.unique([*np.linspace(1.5, 2.0, 501), T / 0.8 / sheet.house.period, T / 1.1 / sheet.house.period])
+        * sheet.house.period
+    ):
+        if not 1.5 * sheet.house.period <= first <= 2.0 * sheet.house.period:
             continue
         peak = sheet.ordinate(first, xi) * share * sqrt(1 + (2 * xi) ** 2)
         A = max(1.1 * sqrt(10 / (5 + 100 * damping)) / sqrt(xi), 1.0)
@@ -201,11 +117,59 @@ def shown(sheet: Sheet) -> float:
     return max(floor_demands(sheet, 0.2))[0]
 
 
+def farthest_moved(sheet: Sheet) -> float:
+    """The longest period of the largest displacement of the ground, from T_0 on; most spectra's never fall [s]."""
+    end = sheet.known["T_SLV"]
+    period = np.linspace(min(sheet.known.get("T0") or 1e-3, end), end, 20001)
+    moved = sheet.spectrum.displacement(period, damping=sheet.subject.check.damping)
+    longest = float(period[np.flatnonzero(moved >= moved.max() * (1 - 1e-9))[-1]])
+    own = sheet.step.value or inf
+    if not 0.99 * longest <= own <= end:
+        return longest
+    least = moved.max() * (1 - 1e-6)  # found over fewer periods
+    return own if sheet.spectrum.displacement(own, damping=sheet.subject.check.damping) >= least else longest
+
+
+def stated_mode(sheet: Sheet) -> float:
+    return sheet.house.limit_states[sheet.subject.check.limit_state].period
+
+
+def years(sheet: Sheet) -> float:
+    """Return period of the capacity: log T_R over log PGA by the rows, the first or last row beyond them."""
+    rows = sheet.subject.context.hazard
+    at = np.interp(np.log(sheet.subject.check.capacity_pga_g * g), np.log(rows.pga), np.log(rows.return_period))
+    return float(np.exp(at))
+
+
+def local_end(sheet: Sheet) -> float:
+    """d* at the rotation where a tie ends, or a seat is lost, by the number that the line bears."""
+    here = [each for each in sheet.subject.context.limits if each.branch == sheet.subject.check.branch]
+    kind = sheet.step.symbol[2:].rstrip("0123456789")
+    rotation = next(each.rotation for each in here if each.kind == kind)
+    return sheet.moved(rotation) / sheet.mass / sheet.e
+
+
+def largest_multiplier(sheet: Sheet) -> float:
+    branch = sheet.subject.branch
+    return float((branch.restoring / branch.excitation).max() / g)
+
+
+def at_worst(sheet: Sheet) -> float:
+    return 1.0 if sheet.subject.mechanism.flexible else 0.0
+
+
+def beyond(sheet: Sheet) -> float:
+    """Displacement of the ground where the spectrum gives it itself [m]."""
+    symbol = sheet.step.symbol[5:-1]
+    own = sheet.spectrum.displacement(sheet.known[symbol], damping=sheet.subject.check.damping)
+    return float(own) * sheet.scale
+
+
 def sliding_frequency(sheet: Sheet) -> float | None:
     """The lowest frequency at which the spectrum of 10 % reaches c_s; None where the plateau is below it."""
     c_s = sheet.known["c_s"]
     period = np.geomspace(0.02, 40.0, 20001)
-    above = period[SPECTRUM.acceleration(period, damping=0.10) * sheet.scale >= c_s]
+    above = period[sheet.spectrum.acceleration(period, damping=0.10) * sheet.scale >= c_s]
     return 1 / float(above[-1]) if above.size else None
 
 
@@ -237,7 +201,7 @@ LINES: Mapping[str, Callable[[Sheet], float | None]] = {
     "5 %": lambda s: 0.05,
     "of the level of knowledge": lambda s: 1.0,  # LC3
     "given": stated,
-    "[building] period": lambda s: HOUSE.period,
+    "[building] period": lambda s: s.house.period,
     "geometry": lambda s: getattr(s.subject.context.wall, {"h": "height", "t": "thickness"}[s.step.symbol]),
     "row of the wall, column of S_X1": permissible,
     "1.5 in high seismicity, 2.5 in moderate": lambda s: 1.5,
@@ -261,7 +225,7 @@ LINES: Mapping[str, Callable[[Sheet], float | None]] = {
     "S_e(T, 5 %)": lambda s: s.ordinate(s.known["T_s"]),
     "S_e(T, ξ1)": spectral,
     "S_e(T, ξ)": spectral,
-    "T0 ≤ T ≤ T_SLV": lambda s: s.known["T_SLV"],  # displacements of ASCE 7 never fall with the period
+    "T0 ≤ T ≤ T_SLV": farthest_moved,
     "as above, with ξ1 = 0.2": shown,
     "S_A(f_es, 10 %) = c_s": sliding_frequency,
     "c_s / (2π f_es)²": lambda s: 0.0 if s.known["f_es"] is None else inf,
@@ -276,5 +240,21 @@ LINES: Mapping[str, Callable[[Sheet], float | None]] = {
     "|T| / N": lambda s: None if s.hinge().starting.normal <= 0.0 else inf,
     # no answer
     "-": nothing,
+    "2 E(φ_i) / φ_i: the line with the work of the curve": lambda s: (
+        2 * float(s.spline("restoring").integrate(0.0, s.instability())) / s.instability()
+    ),
+    "max |φ(t)| / φ_u": lambda s: None if all(each is None for each in s.suite) else inf,
+    "C_p(0) R_p = λ": lambda s: None if s.subject.mechanism.flexible else inf,
+    # what few sheets have
+    "1": lambda s: 1.0 if s.subject.branch.restitution == 0.0 else inf,
+    "1 at worst, 0 for what is rigid": at_worst,
+    "0: the building is not known": lambda s: 0.0,
+    "largest λ of the curve": largest_multiplier,
+    "largest (V' − M) / (g B)": largest_multiplier,
+    "log T_R linear in log PGA between rows of the hazard, S a_g": years,
+    "∫ B dφ / (M · e*)": local_end,
+    "κ λ L √(w / (E g))": lambda s: s.subject.context.free_period.value,
+    "as stated": stated_mode,
+    "displacement spectrum, T > T_E": beyond,
     "h / t": nothing,
 }

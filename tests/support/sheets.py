@@ -7,7 +7,8 @@ from math import isclose
 
 from formula import NoFormulaError, evaluate
 from givens import given_value
-from readings import LINES, Sheet
+from readings import LINES
+from sheet import Sheet
 from subjects import Subject
 
 from assess.codes.check import Step
@@ -34,10 +35,9 @@ def faults(step: Step, sheet: Sheet) -> Iterator[str]:
         yield from of_reading(step, sheet)
         return
     for each in step.inputs:
-        stands = (
-            sheet.known[each.symbol] if each.symbol in sheet.known else given_value(sheet, each.symbol, each.dimension)
-        )
-        if stands is None or not isclose(each.value, stands, rel_tol=ALIKE, abs_tol=1e-9):
+        known = each.symbol in sheet.known
+        stands = (sheet.known[each.symbol] or 0.0) if known else given_value(sheet, each.symbol, each.dimension)
+        if stands is None or not isclose(each.value, stands, rel_tol=ALIKE, abs_tol=1e-7):
             yield f"its input {each.symbol} is {each.value}, and should be {stands}"
     yield from of_formula(step)
 

@@ -4,20 +4,26 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from math import inf
 
+import numpy as np
 from scipy.constants import g
 
 from assess.codes.asce41_13.clauses import Options as Asce41Options
 from assess.codes.asce43_05.clauses import Options as Asce43Options
 from assess.codes.check import Check
-from assess.codes.context import Building, Context, Suite
+from assess.codes.context import Building, Context, FirstMode, FreePeriod, Hazard, LocalLimit, Suite
 from assess.codes.governing import branch_named
 from assess.codes.registry import CodeOptions, procedure
 from assess.geometry.planar import planar
 from assess.geometry.solid import box
+from assess.interfaces.law import Law
+from assess.interfaces.shapes import rectangle
 from assess.loads import PointMass
 from assess.mechanisms.activation import hinge_forces
+from assess.mechanisms.assembly import on_joints
 from assess.mechanisms.face import Face
+from assess.mechanisms.joint import Joint
 from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block
@@ -25,6 +31,7 @@ from assess.mechanisms.two_block import two_block
 from assess.oscillator import Branch, Oscillator
 from assess.project.wall_size import SUPPORTS, wall_of
 from spectra.asce7 import design_spectrum
+from spectra.ec8 import elastic_spectrum as ec8_spectrum
 from spectra.spectrum import Spectrum
 
 LEVELS = tuple(level * g for level in (0.05, 0.2, 0.6))
@@ -70,12 +77,70 @@ def mechanisms() -> Iterator[Mechanism]:
     yield single_block("squat", part(0.0, 1.0, 0.8), loads=(beside,))
 
 
+def on_a_joint(base: float) -> Mechanism:
+    """A wall on a flexible joint: it has no threshold, and a period before it rocks."""
+    rigid = single_block("on a joint", part(base, 3.0, 0.5))
+    joint = (Joint((-1.0, 0.0), rectangle(0.5, 1.0), Law(1e9, inf), "flexible"),)
+    return on_joints(rigid, joint, joint, restitution=(0.9, 0.9))
+
+
+def special() -> Iterator[tuple[Mechanism, Context]]:
+    """What few sheets have: joints, no building, no rebound, hazards, ends of actions, seats, given periods."""
+    slender = facing(single_block("slender", part(0.0, 4.0, 0.45)))
+    high = facing(single_block("high", part(4.0, 4.0, 0.3), restitution=(0.0, 0.0)))
+    tall = facing(single_block("tall", part(0.0, 200.0, 7.5)))
+    fallen = tuple(replace(suite, ratio=(None,) * 7) for suite in SUITES)
+    bare = replace(context_of(slender, None), building=None, suites=fallen, incremental=())
+    yield slender, bare
+    yield slender, replace(bare, elevation=0.2, hinges=tuple(replace(each, friction=None) for each in bare.hinges))
+    for base in (0.0, 6.0):
+        jointed = facing(on_a_joint(base))
+        yield jointed, context_of(jointed, None)
+    stated = {"SLV": FirstMode(0.5, 0.08, "by a model"), "SLC": FirstMode(0.55, 0.09, "by a model")}
+    spectra = {state: replace(SPECTRUM, factor=share) for state, share in (("SLD", 0.4), ("SLV", 1.0), ("SLC", 1.3))}
+    hazard = Hazard(spectra, (50.0, 475.0, 975.0), tuple(each.pga for each in spectra.values()))
+    given = FreePeriod(0.45, "κ λ L √(w / (E g))", "6.2 · 13 · 4 √(…)")
+    for period, first in ((0.45, 0.24), (3.0, 0.24), (0.9, 0.5)):
+        soft = replace(HOUSE, period=first)
+        yield high, replace(context_of(high, None), building=soft, free_period=replace(given, value=period))
+    yield (
+        high,
+        replace(
+            context_of(high, None),
+            building=replace(HOUSE, limit_states=stated),
+            hazard=hazard,
+            limits=(LocalLimit("break", "tie 1", "positive", 0.03), LocalLimit("seat", "floor", "negative", 0.02)),
+            breaking=ending(oscillator(high)),
+            free_period=given,
+        ),
+    )
+    far = ec8_spectrum(a_g=0.25 * g, ground_type="C", spectrum_type=1)
+    yield tall, replace(context_of(tall, None), spectrum=far)
+
+
+def ending(rocker: Oscillator) -> Oscillator:
+    """The same with three times the moment up to a tie's end at 0.03 rad."""
+    sides = []
+    for side in rocker.branches:
+        held = np.where(side.rotation <= 0.03, 3.0, 1.0) * side.restoring
+        at = int(np.searchsorted(side.rotation, 0.03, side="right"))
+        columns = {name: np.insert(getattr(side, name), at, getattr(side, name)[at - 1])
+                   for name in ("rotation", "inertia", "excitation", "participation", "lift")}  # fmt: skip
+        sides.append(replace(side, **columns, restoring=np.insert(held, at, side.restoring[at - 1])))
+    return replace(rocker, positive=sides[0], negative=sides[1])
+
+
+def facing(mechanism: Mechanism) -> Mechanism:
+    """With friction at all its hinges."""
+    count = len(mechanism.positive.hinges)
+    return replace(mechanism, faces=((Face(friction=FRICTION),) * count,) * 2)
+
+
 def contexts() -> Iterator[tuple[Mechanism, Context]]:
     """Each mechanism on the ground's motion, and in a building whose floor has a spectrum of its own."""
     floor = replace(SPECTRUM, factor=2.0, code="floor")
     for mechanism in mechanisms():
-        count = len(mechanism.positive.hinges)
-        stands = replace(mechanism, faces=((Face(friction=FRICTION),) * count,) * 2)
+        stands = facing(mechanism)
         for above in (None, floor):
             yield stands, context_of(stands, above)
 
@@ -101,8 +166,8 @@ def context_of(mechanism: Mechanism, floor: Spectrum | None) -> Context:
 
 
 def subjects(name: str) -> Iterator[Subject]:
-    """The answers of a procedure."""
-    for mechanism, context in contexts():
+    """The answers of a procedure; the thesis' readings put a plain block in the place of what is on joints."""
+    for mechanism, context in (*contexts(), *(special() if not name.endswith("-thesis") else ())):
         rocker = oscillator(mechanism)
         for check in procedure(name, OPTIONS)(rocker, context):
             yield Subject(mechanism, context, rocker, check)

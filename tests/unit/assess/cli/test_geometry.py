@@ -8,17 +8,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-
-from assess.cli import main
+from command import ended
 
 CUBE = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]], dtype=float)
 QUADS = [(1, 4, 3, 2), (5, 6, 7, 8), (1, 2, 6, 5), (2, 3, 7, 6), (3, 4, 8, 7), (4, 1, 5, 8)]
-
-
-def ended(*arguments: str | Path) -> int:
-    with pytest.raises(SystemExit) as caught:
-        main([str(argument) for argument in arguments])
-    return int(caught.value.code or 0)
 
 
 def obj(folder: Path, **boxes: tuple[tuple[float, float, float], tuple[float, float, float], float]) -> Path:

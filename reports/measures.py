@@ -31,7 +31,8 @@ _IN_SI: Mapping[str, Callable[[float, int], str]] = {
     "round": lambda value, figures: given(float(f"{value:.{figures}g}")),
     "typed": lambda value, figures: json.dumps(int(value) if value.is_integer() and abs(value) < 1e15 else value),
 }
-"""How a number is written in SI, by style: 4.77, 4.770, 4770, and to its last digit; in US units it is aligned."""
+"""How a number is written in SI, by style: 4.77, 4.770, 4770, and to its last digit; in US units it is aligned, or
+typed without zeros at its end."""
 
 
 def measure(value: float, unit: str, *, figures: int, style: Style = "plain") -> str:
@@ -88,4 +89,6 @@ def _written(found: re.Match[str], *, units: Units) -> str:
     (value,) = struct.unpack(">d", bytes.fromhex(packed))
     if other is None:
         return _IN_SI[style](value, int(figures))
+    if style == "typed":
+        return given(float(f"{value * other.factor:.{figures}g}"))
     return numeral(value * other.factor, digits=int(figures))

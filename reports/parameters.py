@@ -67,7 +67,14 @@ def loads(mechanism: MechanismResult, *, name: str) -> Table:
         Column("Found"),
     )
     rows = tuple(
-        (load.name, *load.at, load.mass_kg, load.bearing, *(load.force_n or (None, None)), load.source)
+        (
+            load.name,
+            *(round(each, 9) + 0.0 for each in load.at),
+            load.mass_kg,
+            load.bearing,
+            *(load.force_n or (None, None)),
+            load.source,
+        )
         for load in mechanism.loads
     )
     caption = (

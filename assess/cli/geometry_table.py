@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from assess.cli.text_table import text_table
+from assess.geometry.formats.elements import listed, one_line
 from assess.geometry.formats.parts import Element
 from assess.geometry.inventory import Entry
 from assess.project.messages import printable
@@ -40,9 +41,20 @@ def _of_file(file: Path, found: Sequence[Entry] | Exception) -> str:
     rows = [_short(each) for each in found]
     kept = [i for i, head in enumerate(_SHORT) if any(row[i] for row in rows) or head == "part"]
     table = text_table([_SHORT[i] for i in kept], [[row[i] for i in kept] for row in rows])
-    said = [(each.element.shown, text) for each in found for text in ((each.why_not,) if each.why_not else each.told)]
-    lines = "".join(f"{printable(name)}: {printable(text)}\n" for name, text in said)
-    return f"{printable(str(file))}\n{table}{lines}"
+    return f"{printable(str(file))}\n{table}{_said(found)}"
+
+
+def _said(found: Sequence[Entry]) -> str:
+    """A line for each remark, with the parts that it is of."""
+    parts: dict[str, list[str]] = {}
+    for each in found:
+        for text in (each.why_not,) if each.why_not else each.told:
+            parts.setdefault(text, []).append(each.element.shown)
+    return "".join(f"{_whose(names)}: {printable(text)}\n" for text, names in parts.items())
+
+
+def _whose(names: Sequence[str]) -> str:
+    return one_line(names[0]) if len(names) == 1 else f"{len(names)} parts ({listed(names)})"
 
 
 def _short(entry: Entry) -> list[str]:

@@ -2,11 +2,22 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 from typer import BadParameter
 
 WRONG_USAGE: Any = BadParameter.__mro__[1]  # typer does not export this parent, of unknown commands and options too
+PLAIN = (
+    (r"Value error, ", ""),
+    (r"Input should be a valid integer.*", '"{value}" is not a whole number'),
+    (r"Input should be a valid number.*", '"{value}" is not a number'),
+    (r"Input should be greater than or equal to (\S+)", r"{value}: must be at least \1"),
+    (r"Input should be less than or equal to (\S+)", r"{value}: must be at most \1"),
+    (r"\. Did you mean (.*)\?$", r"; did you mean \1?"),
+    (r" \(Possible options: (.*)\)", r"; did you mean \1?"),
+)
+"""What the libraries say, and how it reads here."""
 
 
 def usage(error: Any) -> str | None:
@@ -14,4 +25,23 @@ def usage(error: Any) -> str | None:
     if not isinstance(error, WRONG_USAGE):
         return None
     command = "assess" if error.ctx is None else error.ctx.command_path
-    return f"{error.format_message().rstrip('.?')}; see `{command} --help`"
+    text = _plain(error)
+    return f"{text} See `{command} --help`" if text.endswith("?") else f"{text}; see `{command} --help`"
+
+
+def _plain(error: Any) -> str:
+    """What is wrong, with the value where the library leaves it out."""
+    text: str = error.format_message().rstrip(".")
+    for theirs, ours in PLAIN:
+        text = re.sub(theirs, ours, text)
+    return text.replace("{value}", _value(error))
+
+
+def _value(error: Any) -> str:
+    """The value that was typed, as the library that checked it kept it."""
+    from assess.project.messages import printable
+
+    for cause in (error.__cause__, error.__context__):
+        if hasattr(cause, "errors"):
+            return printable(str(cause.errors()[0]["input"]))
+    return "this"

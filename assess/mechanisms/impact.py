@@ -229,8 +229,8 @@ def beside(rule: Named, kept: Restitution, *, ending: Chain, starting: Chain, ki
 def _stopped(kept: Restitution) -> Restitution:
     """The coefficient of a mechanism that an impact brings to rest: the law would throw it back."""
     notice = (
-        f"restitution by {kept.source} is {kept.value:.3g}: a mechanism this squat stops at its first impact; 0 is "
-        "taken, and histories are not answered: for those give restitution as a number in [0, 1]"
+        f"restitution {kept.value:.3g} ({kept.source}): a mechanism this squat stops at its first impact; 0 is taken, "
+        "and histories are not answered: for those give restitution as a number in [0, 1]"
     )
     return replace(kept, value=0.0, notice=notice, stopped=kept.value)
 
@@ -275,6 +275,6 @@ def _gains(kept: Restitution, *, ending: Chain, starting: Chain) -> bool:
 def _refuse_gain(kept: Restitution, *, ending: Chain, starting: Chain, name: str) -> None:
     if _gains(kept, ending=ending, starting=starting):
         raise MechanismError(
-            f'mechanism "{name}": restitution by {kept.source} is {kept.value:.3g}, which would add energy at the '
+            f'mechanism "{name}": restitution {kept.value:.3g} ({kept.source}) would add energy at the '
             'impact, for the two hinges differ; use "momentum" or a number'
         )

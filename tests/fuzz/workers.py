@@ -15,7 +15,7 @@ from tests.fuzz.case import Case
 from tests.fuzz.judgement import HANG, MEMORY
 
 CONTEXT = get_context("spawn")
-HANGS_AFTER = 30.0  # s: readers in processes of their own have 15
+HANGS_AFTER = 90.0  # s: readers in processes of their own have 60
 STARTS_WITHIN = 120.0  # s, of the first case of a process, which imports everything
 ROOM = 2 * 1024**3  # bytes of address space beyond those of the process when it starts
 

@@ -12,6 +12,7 @@ from assess.geometry.formats.parts import Element
 LONGEST = 40  # letters of a name that came with a file
 LISTED = 8  # names that a sentence lists
 WILD = "*?["  # letters that make a pattern
+PREFIX = "ifc"  # of the names of classes
 
 
 def places_of(elements: Sequence[Element], wanted: str | None, *, where: str) -> tuple[int, ...]:
@@ -26,11 +27,12 @@ def places_of(elements: Sequence[Element], wanted: str | None, *, where: str) ->
     """
     if wanted is None:
         return tuple(range(len(elements)))
-    named = _those(elements, [wanted in each.names for each in elements])
+    wanted = one_line(wanted)
+    named = _those(elements, [wanted in map(one_line, each.names) for each in elements])
     for found in (
         _those(elements, [wanted == each.identifier for each in elements]),
         _only(elements, named, wanted, where=where),
-        _those(elements, [wanted in (*each.within, *each.kinds) for each in elements]),
+        _those(elements, [wanted in map(one_line, (*each.within, *each.kinds)) for each in elements]),
         _those(elements, [_fits(each, wanted) for each in elements]),
     ):
         if found:
@@ -38,9 +40,15 @@ def places_of(elements: Sequence[Element], wanted: str | None, *, where: str) ->
     raise GeometryError(f'{where}: it has no element "{shown(wanted)}"; {_known(elements, wanted)}')
 
 
+def one_line(name: str) -> str:
+    """A name as tables show it and as it may be typed: line breaks and other runs of blanks are one space."""
+    return " ".join("".join(letter if letter.isprintable() else " " for letter in name).split())
+
+
 def shown(name: str) -> str:
-    """A name that came with a file, fit for one line."""
-    return "".join(letter for letter in name if letter.isprintable())[:LONGEST]
+    """A name that came with a file, fit for a sentence: one line, cut where it is long."""
+    line = one_line(name)
+    return line if len(line) <= LONGEST else f"{line[: LONGEST - 1]}…"
 
 
 def listed(names: Sequence[str]) -> str:
@@ -55,7 +63,7 @@ def _those(elements: Sequence[Element], fit: Sequence[bool]) -> tuple[int, ...]:
 
 def _fits(element: Element, wanted: str) -> bool:
     """Whether a pattern fits a name of the element, or of what it is a part of."""
-    names = (*element.names, *element.within)
+    names = map(one_line, (*element.names, *element.within))
     return any(letter in wanted for letter in WILD) and any(fnmatchcase(name, wanted) for name in names)
 
 
@@ -75,6 +83,16 @@ def _known(elements: Sequence[Element], wanted: str) -> str:
     known = list(dict.fromkeys(each.shown for each in elements if each.names or each.within or each.identifier))
     if not known:
         return "its parts have no names; remove the key"
-    words = dict.fromkeys(word for each in elements for word in (*each.names, *each.within, *each.kinds))
+    if any(each.kinds for each in elements) and wanted.lower().startswith(PREFIX):
+        return _known_classes(elements, wanted)
+    words = dict.fromkeys(word for each in elements for word in (*each.names, *each.within))
     near = get_close_matches(wanted, words, n=LISTED)
     return f"did you mean {listed(near)}?" if near else f"known: {listed(known)}"
+
+
+def _known_classes(elements: Sequence[Element], wanted: str) -> str:
+    """The classes to choose from, those spelt like the one asked for before the others."""
+    short = {kind[len(PREFIX) :].lower(): kind for each in elements for kind in each.kinds}
+    near = get_close_matches(wanted[len(PREFIX) :].lower(), short, n=LISTED, cutoff=0.75)
+    classes = sorted({each.kinds[0] for each in elements if each.kinds})
+    return f"did you mean {listed([short[word] for word in near])}?" if near else f"its classes are {listed(classes)}"

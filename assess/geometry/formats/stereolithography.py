@@ -33,7 +33,9 @@ def read_text_stl(file: Path) -> MeshFile:
         facets += int(np.count_nonzero(kind == FACET))
         ends += int(np.count_nonzero(kind == END))
         count += len(corners[-1])
-    if count != 3 * facets or not count:
+    if not facets:
+        raise ValueError("it has no facets")
+    if count != 3 * facets:
         raise ValueError(f"it has {facets} facets and {count} corners, not three for each")
     if ends <= 2 * facets:
         raise ValueError("its last solid has no end, is it whole?")

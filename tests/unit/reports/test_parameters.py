@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from assess.results import Results
+from dataclasses import replace
+
+from assess.results import LoadResult, Results
 from reports import parameters
 
 
@@ -25,3 +27,10 @@ def test_forces_at_the_hinges_say_what_friction_holds(results: Results) -> None:
         (1.3, "not given", None, "held at the top, by friction or an anchorage"),
     ]
     assert not parameters.hinge_forces(results.mechanisms[1], name="f").rows
+
+
+def test_a_load_in_the_middle_stands_at_zero_whatever_its_rounding(results: Results) -> None:
+    load = LoadResult("floor", "mass", 0, (6e-17, -6e-17), 4000.0, True, None, "given")
+    (row,) = parameters.loads(replace(results.mechanisms[0], loads=(load,)), name="l").rows
+    assert row[1:3] == (0.0, 0.0)
+    assert not any(str(cell).startswith("-") for cell in row[1:3])

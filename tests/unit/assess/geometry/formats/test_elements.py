@@ -58,6 +58,8 @@ def test_one_name_of_several_that_nothing_tells_apart_means_all() -> None:
     [
         ("Wand-11", "did you mean Wand-1"),
         ("IfcWal", "did you mean IfcWall"),
+        ("ifcslab", "did you mean IfcSlab?"),
+        ("IfcDoor", "its classes are IfcBeam, IfcBuildingElementPart, IfcSlab, IfcWall, IfcWallStandardCase"),
         ("Q*", "known: Wand-1, Wand-2, Wand-"),
     ],
 )
@@ -65,6 +67,19 @@ def test_what_fits_nothing_is_refused_with_what_is_near(wanted: str, told: str) 
     with pytest.raises(GeometryError) as caught:
         places_of(HOUSE, wanted, where="mesh")
     assert f'mesh: it has no element "{wanted}"; {told}' in str(caught.value)
+
+
+def test_a_name_is_typed_as_tables_show_it() -> None:
+    broken = [Element(("Mauer\r\n  Ost",), "id-1"), Element(("Mauer West",), "id-2")]
+    for wanted in ("Mauer Ost", "Mauer\r\n  Ost", "*r Ost"):
+        assert places_of(broken, wanted, where="mesh") == (0,)
+    with pytest.raises(GeometryError, match="did you mean Mauer Ost"):
+        places_of(broken, "Mauer Osten", where="mesh")
+
+
+def test_a_long_name_is_cut_where_one_sees_it() -> None:
+    with pytest.raises(GeometryError, match=f"known: {'n' * 39}…"):
+        places_of([Element(("n" * 50,))], "wall", where="mesh")
 
 
 def test_a_file_without_names_says_so() -> None:

@@ -1,0 +1,30 @@
+"""What a command says that was typed wrongly: one line of plain English, with the value."""
+
+import pytest
+
+from assess.cli.app import app
+from assess.cli.usage import WRONG_USAGE, usage
+
+
+@pytest.mark.parametrize(
+    ("typed", "told"),
+    [
+        ("run x --jobs two", "Invalid value for '--jobs': \"two\" is not a whole number; see `assess run"),
+        ("run x --jobs 0", "Invalid value for '--jobs': 0: must be at least 1; see `assess run"),
+        (
+            "geometry x --up q",
+            "Invalid value for '--up' / '--mesh-up': 'q' is not one of 'y', 'z'; see `assess geometry",
+        ),
+        (
+            "records spectra f --damping a\nb",
+            "Invalid value for '--damping': \"a\\nb\" is not a number; see `assess records",
+        ),
+        ("run x --jbs", "No such option: --jbs; did you mean --jobs? See `assess run"),
+        ("records slect", "No such command 'slect'; did you mean 'select', 'spectra', 'scale'? See `assess records"),
+        ("run", "Missing argument 'PROJECT'; see `assess run"),
+    ],
+)
+def test_a_wrong_command_is_told_in_plain_words(typed: str, told: str) -> None:
+    with pytest.raises(WRONG_USAGE) as caught:
+        app(typed.split(" "), standalone_mode=False, prog_name="assess")
+    assert str(usage(caught.value)).startswith(told)

@@ -5,6 +5,7 @@ Results are written so; a file that was changed since may not be, and would be d
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterator, Mapping
 from dataclasses import fields, is_dataclass
 from math import isfinite
@@ -86,5 +87,25 @@ def _of_places(value: Any, where: str) -> Iterator[str]:
     elif isinstance(value, r.EnvelopeResult):
         if any(len(row) != len(value.amplitude_g) for row in value.overturned):
             yield f"{where}.overturned: a row that has not one value for each amplitude_g"
+    elif isinstance(value, r.Results):
+        yield from _of_names(value)
     elif isinstance(value, r.SweepResult) and not 0 <= value.controlling < len(value.value):
         yield f"{where}.controlling: {value.controlling} is none of the {len(value.value)} cases"
+
+
+def _of_names(results: r.Results) -> Iterator[str]:
+    """Names of mechanisms: no two alike, and none elsewhere that is not among them."""
+    names = [each.name for each in results.mechanisms]
+    for place, name in enumerate(names):
+        if name in names[:place]:
+            yield f"mechanisms[{place}].name: {json.dumps(name)} a second time"
+    told = {
+        "comparison": [row.mechanism for row in results.comparison],
+        "verdict.mechanisms": [] if results.verdict is None else [row.mechanism for row in results.verdict.mechanisms],
+        "sweeps": [row.mechanism for row in results.sweeps],
+        "sensitivity": [row.mechanism for row in results.sensitivity],
+    }
+    for where, used in told.items():
+        for place, name in enumerate(used):
+            if name not in names:
+                yield f"{where}[{place}].mechanism: {json.dumps(name)} is none of the mechanisms"

@@ -21,7 +21,7 @@ from assess.project.typed_quantity import QuantityError, number_and_unit
 from assess.project.usual_units import AMBIGUOUS, DEFINED, USUAL, WEIGHTS, G
 
 _POWER = r"(?:(?:\^|\*\*)?-?[1-9]|[⁻]?[¹²³⁴])?"
-_FACTOR = rf"(?:1|[^\W\d_]+(?:_[^\W\d_]+)*|[%‰°'\"]){_POWER}"
+_FACTOR = rf"(?:1(?=\s*/)|[^\W\d_]+(?:_[^\W\d_]+)*|[%‰°'\"]){_POWER}"
 _UNIT = re.compile(rf"{_FACTOR}(?:\s*[*/·]\s*{_FACTOR}|\s+{_FACTOR})*")
 SMALLEST, LARGEST = 1e-12, 1e18  # in SI: no size, mass, force or stress of a structure lies beyond
 _TURNS = frozenset(

@@ -18,6 +18,7 @@ UNIFORM = 0.99  # of the lines, from which on a format is one
 BATCH = 20_000  # lines that are looked at at once
 FEW = 3  # lines or numbers that show a format
 SHAPE = str.maketrans("123456789eDd\t", "000000000EEE ")
+ZERO = re.compile(r"[-+]?(0+\.?0*|\.0+)([EeDd][-+]?\d+)?")
 FIELD = re.compile(r"[-+]?\d*(\.\d*)?(E[-+]?\d+)?")
 
 T = TypeVar("T")
@@ -34,7 +35,8 @@ class Form(NamedTuple):
 def check_layout(lines: Sequence[str], *, first: int, path: Path) -> str:
     """Refuse a number that is printed otherwise than all the others; return a doubt about columns that are uneven.
 
-    Nothing is said of files that no one format printed. `first` is the number of the first line in the file.
+    Nothing is said of files that no one format printed, and a 0 may be printed as programs please, unless it is the
+    last number. `first` is the number of the first line in the file.
     """
     counts = Counter(_shapes(lines))
     forms = {shape: _form(shape) for shape in counts}
@@ -44,12 +46,12 @@ def check_layout(lines: Sequence[str], *, first: int, path: Path) -> str:
     )
     if usual is None:
         return ""
-    at = _line_of(lines, {shape for shape, form in forms.items() if any(each != usual for each in form.printed)})
-    if at is not None:
-        raise RecordError(
-            f'{path}: line {first + at}: "{_odd_field(lines[at], forms, usual)}" is not printed like the others, with '
-            f"{_words(usual)}; characters are lost, get the file again"
-        )
+    for where, field in _odd_fields(lines, forms, usual):
+        if not ZERO.fullmatch(field) or not any(map(str.strip, lines[where + 1 :])):
+            raise RecordError(
+                f'{path}: line {first + where}: "{field[:30]}" is not printed like the others, with {_words(usual)}; '
+                "characters are lost, get the file again"
+            )
     at = _uneven(lines, counts, forms)
     return "" if at is None else f"the columns of line {first + at} are not those of the others; characters may be lost"
 
@@ -94,11 +96,15 @@ def _most(counted: Iterable[tuple[T, int]], *, of: int) -> T | None:
     return next((thing for thing, number in sums.most_common(1) if number >= max(min(UNIFORM * of, of - 1), FEW)), None)
 
 
-def _odd_field(line: str, forms: Mapping[str, Form], usual: Printed) -> str:
-    """The number of a line that is not printed as usual."""
-    form = forms[line.translate(SHAPE)]
-    end = next(end for end, printed in zip(form.ends, form.printed, strict=True) if printed != usual)
-    return line[:end].split()[-1][:30]
+def _odd_fields(lines: Sequence[str], forms: Mapping[str, Form], usual: Printed) -> Iterator[tuple[int, str]]:
+    """The numbers that are not printed as usual, with the index of their line."""
+    odd = {shape for shape, form in forms.items() if any(each != usual for each in form.printed)}
+    for at, shape in enumerate(_shapes(lines) if odd else ()):
+        if shape in odd:
+            starts = (0, *forms[shape].ends)
+            for start, end, printed in zip(starts, forms[shape].ends, forms[shape].printed, strict=False):
+                if printed != usual:
+                    yield at, lines[at][start:end].split()[-1]
 
 
 def _words(usual: Printed) -> str:

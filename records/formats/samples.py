@@ -52,15 +52,8 @@ def _parsed(text: str) -> FloatArray | None:
 
 
 def formatted_numbers(lines: Sequence[str], *, first: int, path: Path) -> tuple[FloatArray, str]:
-    """The same of numbers printed alike, and a doubt about columns that are not.
-
-    A last one of fewer places (`6.7E-0` of `6.7E-05`) is cut short; any other printed otherwise has lost characters.
-    """
+    """The same of numbers printed alike, and a doubt about columns that are not; one printed otherwise is refused."""
     values = numbers(lines, first=first, path=path)
-    last = [line for line in lines[-3:] if line.strip()][-2:]
-    fields = TOUCHING.sub(" ", "\n".join(last)).split()
-    if len(fields) > 1 and len(fields[-1].partition(".")[2]) < len(fields[-2].partition(".")[2]):
-        raise RecordError(f'{path}: the last number, "{fields[-1][:20]}", is cut short; get the file again')
     return values, check_layout(lines, first=first, path=path)
 
 

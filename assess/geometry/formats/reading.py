@@ -53,7 +53,8 @@ def read(file: Path, *, where: str) -> MeshFile:
         with file.open("rb"):
             pass
     except OSError as problem:
-        raise GeometryError(f"{where}: {problem.strerror or problem} ({file}); check the path") from None
+        place = "" if str(file) == where else f" ({file})"
+        raise GeometryError(f"{where}: {problem.strerror or problem}{place}; check the path") from None
     with _told(ending, where=where):
         return READERS[ending](file)
 

@@ -104,7 +104,7 @@ def results() -> Results:
             "asce7-05", {"s_ds": 1, "hazard": "design"}, 0.05, "", "", 0.067, (0.0, 1.0), (1 / 3, 1)
         ),
         records=(),
-        mechanisms=(mechanism(),),
+        mechanisms=(mechanism(), replace(mechanism(), name="v")),
         critical=None,
         comparison=(ComparisonRow("w", 0.1, "asce43-05-spectrum", None, 0.5, None),),
         verdict=decided(),
@@ -180,7 +180,7 @@ def test_whole_number_in_a_field_of_floats_becomes_a_float() -> None:
 
 
 def test_mechanisms_alone_are_the_block_of_the_results() -> None:
-    assert json.loads(dumps_mechanisms((mechanism(),))) == json.loads(dumps(results()))["mechanisms"]
+    assert json.loads(dumps_mechanisms((mechanism(),))) == json.loads(dumps(results()))["mechanisms"][:1]
 
 
 @pytest.mark.parametrize("bad", [math.nan, math.inf, -math.inf])
@@ -218,6 +218,26 @@ def test_wrong_value_is_named() -> None:
     data["mechanisms"][0]["sides"] = "three"
     with pytest.raises(ResultsError, match=r"mechanisms\.0\.sides"):
         loads(json.dumps(data))
+
+
+@pytest.mark.parametrize(
+    ("part", "told"),
+    [
+        ("mechanisms", 'mechanisms[1].name: "v" a second time'),
+        ("comparison", 'comparison[0].mechanism: "x" is none of the mechanisms'),
+        ("sweeps", 'sweeps[0].mechanism: "x" is none of the mechanisms'),
+        ("verdict", 'verdict.mechanisms[0].mechanism: "x" is none of the mechanisms'),
+    ],
+)
+def test_a_name_that_was_edited_in_one_place_is_refused(part: str, told: str) -> None:
+    data = json.loads(dumps(results()))
+    if part == "mechanisms":
+        data["mechanisms"][0]["name"] = "v"
+    else:
+        (data["verdict"]["mechanisms"] if part == "verdict" else data[part])[0]["mechanism"] = "x"
+    with pytest.raises(ResultsError) as caught:
+        loads(json.dumps(data))
+    assert told in str(caught.value)
 
 
 def test_missing_and_binary_files(tmp_path: Path) -> None:

@@ -9,9 +9,8 @@ from pathlib import Path
 
 import openpyxl
 import pypdf
-import pytest
+from command import ended
 
-from assess.cli import main
 from assess.results import Input, Program
 from assess.stamp import stamp
 
@@ -34,12 +33,6 @@ t_l = "6 s"
 procedures = ["asce43-05-spectrum"]
 """
 PROGRAM, FILES = Program("assess", "1"), (Input("a.toml", "00"), Input("b.csv", "11"))
-
-
-def ended(*arguments: str | Path) -> int:
-    with pytest.raises(SystemExit) as caught:
-        main([str(argument) for argument in arguments])
-    return int(caught.value.code or 0)
 
 
 def test_whatever_decides_the_results_changes_the_stamp() -> None:

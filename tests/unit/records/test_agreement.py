@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scipy.constants import g
 
 from records.errors import RecordError
 from records.formats.agreement import check_duration, check_integral, check_peak, check_time_of_peak
@@ -254,3 +255,16 @@ def test_a_name_of_peer_with_another_direction_is_doubted(tmp_path: Path) -> Non
 def test_places_and_sizes_that_cannot_be_are_doubted(words: str, damaged: dict[str, Any]) -> None:
     found = doubt_of(make_record("a", 0.1 * NOISE, 0.01, **damaged))
     assert re.search(words, found) if words else not found
+
+
+def test_numbers_that_no_format_printed_are_read_whatever_the_last_is(tmp_path: Path) -> None:
+    """As Python writes them, the last with fewer places; and a first zero without decimals."""
+    values = [0.0, *np.round(np.sin(0.1 * np.arange(400.0)), 4).tolist(), 0.0512, 0.05]
+    (tmp_path / "python.txt").write_text("".join(f"{value!r}\n" for value in values))
+    (tmp_path / "zero.txt").write_text("0\n" + "".join(f"{value:.6f}\n" for value in values[1:]))
+    for name in ("python.txt", "zero.txt"):
+        (found,) = read(tmp_path / name, unit="g", step=0.01)
+        np.testing.assert_allclose(found.acceleration / g, values, rtol=0.0, atol=1e-12)
+    (tmp_path / "last.txt").write_text("".join(f"{value:.6f}\n" for value in values[1:]) + "0\n")
+    with pytest.raises(RecordError, match='"0" is not printed like the others'):
+        read(tmp_path / "last.txt", unit="g", step=0.01)

@@ -9,9 +9,9 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from command import ended
 from scipy.constants import g
 
-from assess.cli import main
 from assess.cli.summary import summary
 from assess.codes.bases import BASES
 from assess.codes.check import Check, Outcome, Reason, because
@@ -50,12 +50,6 @@ def project(tmp_path: Path) -> Path:
     path = tmp_path / "walls.toml"
     path.write_text(PROJECT)
     return path
-
-
-def ended(*arguments: str | Path) -> int:
-    with pytest.raises(SystemExit) as caught:
-        main([str(argument) for argument in arguments])
-    return int(caught.value.code or 0)
 
 
 SPECTRUM, HISTORY = "asce43-05-spectrum", "asce43-05-history"

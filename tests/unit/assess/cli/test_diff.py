@@ -9,8 +9,8 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from command import ended
 
-from assess.cli import main
 from assess.cli.diff_table import changes_text
 from assess.comparing import Change
 from assess.message import Message, Severity
@@ -27,12 +27,6 @@ p = 2.4
 uplift = 0.2
 radius = 1.2
 """
-
-
-def ended(*arguments: str | Path) -> int:
-    with pytest.raises(SystemExit) as caught:
-        main([str(argument) for argument in arguments])
-    return int(caught.value.code or 0)
 
 
 @pytest.fixture

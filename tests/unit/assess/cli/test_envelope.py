@@ -6,9 +6,8 @@ import json
 from pathlib import Path
 
 import pytest
+from command import ended
 from scipy.constants import g
-
-from assess.cli import main
 
 PROJECT = """
 title = "<b>&"
@@ -45,12 +44,6 @@ def project(tmp_path: Path) -> Path:
     path = tmp_path / "walls.toml"
     path.write_text(PROJECT)
     return path
-
-
-def ended(*arguments: str | Path) -> int:
-    with pytest.raises(SystemExit) as caught:
-        main([str(argument) for argument in arguments])
-    return int(caught.value.code or 0)
 
 
 def test_json_is_the_envelope_of_results(project: Path, capsys: pytest.CaptureFixture[str]) -> None:

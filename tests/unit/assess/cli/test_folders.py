@@ -5,8 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from command import ended
 
-from assess.cli import main
 from assess.cli.processes import cores
 from assess.outputs.lock import locked
 
@@ -25,12 +25,6 @@ s_ds = "0.5 g"
 s_d1 = "0.2 g"
 t_l = "6 s"
 """
-
-
-def ended(*arguments: str | Path) -> int:
-    with pytest.raises(SystemExit) as caught:
-        main([str(argument) for argument in arguments])
-    return int(caught.value.code or 0)
 
 
 @pytest.fixture

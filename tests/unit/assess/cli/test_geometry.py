@@ -8,17 +8,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-
-from assess.cli import main
+from command import ended
 
 CUBE = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]], dtype=float)
 QUADS = [(1, 4, 3, 2), (5, 6, 7, 8), (1, 2, 6, 5), (2, 3, 7, 6), (3, 4, 8, 7), (4, 1, 5, 8)]
-
-
-def ended(*arguments: str | Path) -> int:
-    with pytest.raises(SystemExit) as caught:
-        main([str(argument) for argument in arguments])
-    return int(caught.value.code or 0)
 
 
 def obj(folder: Path, **boxes: tuple[tuple[float, float, float], tuple[float, float, float], float]) -> Path:
@@ -100,6 +93,13 @@ def test_files_of_which_none_can_be_listed_end_with_2(tmp_path: Path, capsys: py
     assert capsys.readouterr().err.startswith("assess: error: ")
     assert ended("geometry", tmp_path / "no.stl", tmp_path / "neither.ply", "--csv") == 2
     assert len(capsys.readouterr().out.splitlines()) == 3
+
+
+def test_a_missing_file_is_named_once(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert ended("geometry", tmp_path / "no.stl") == 2
+    assert (
+        capsys.readouterr().err == f"assess: error: {tmp_path / 'no.stl'}: No such file or directory; check the path\n"
+    )
 
 
 def test_units_axes_and_elements_as_in_the_project_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

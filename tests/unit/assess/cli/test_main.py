@@ -9,8 +9,8 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from command import ended
 
-from assess.cli import main
 from assess.errors import MechanismError
 from assess.examples import EXAMPLES, source
 from records.errors import RecordError
@@ -34,12 +34,6 @@ box = { thickness = 0.6, length = 3.0, height = "4 m" }
 kind = "single-block"
 blocks = ["wall"]
 """
-
-
-def ended(*arguments: str | Path) -> int:
-    with pytest.raises(SystemExit) as caught:
-        main([str(argument) for argument in arguments])
-    return int(caught.value.code or 0)
 
 
 def snapshot(folder: Path) -> dict[str, str]:

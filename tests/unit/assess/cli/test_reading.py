@@ -10,8 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-
-from assess.cli import main
+from command import ended
 
 PROJECT = """
 [materials.brick]
@@ -36,12 +35,6 @@ pulses = { shape = "sine", frequency = { from = "1 Hz", to = "4 Hz", count = 3 }
 key = "bodies.wall.box.height"
 values = [4.0, 5.0]
 """  # noqa: E501
-
-
-def ended(*arguments: str | Path) -> int:
-    with pytest.raises(SystemExit) as caught:
-        main([str(argument) for argument in arguments])
-    return int(caught.value.code or 0)
 
 
 @pytest.fixture(scope="module")

@@ -8,9 +8,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from command import ended
 from scipy.constants import g
 
-from assess.cli import main
 from records import indexing
 from records.catalogue import NAME
 from records.reading import read
@@ -39,12 +39,6 @@ def folder(tmp_path: Path) -> Path:
     (tmp_path / "target.csv").write_text(TARGET)
     (tmp_path / "flat.csv").write_text(FLATFILE)
     return place
-
-
-def ended(*arguments: str | Path | float) -> int:
-    with pytest.raises(SystemExit) as caught:
-        main([str(argument) for argument in arguments])
-    return int(caught.value.code or 0)
 
 
 def select(folder: Path, *more: str | Path | float) -> int:

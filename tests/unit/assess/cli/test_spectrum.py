@@ -5,9 +5,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from command import ended
 from scipy.constants import g
 
-from assess.cli import main
 from assess.project.build import build
 from assess.project.run import run
 from assess.project.schema import load
@@ -48,12 +48,6 @@ PGA = {  # by hand [g]: 0.4 x 2/3 x 1.2 x 1.5; 0.4 x 1.5 x 0.167; 0.25 x 1.6 x 1
     "nzs1170.5": 0.4368,
     "ntc2018": 1.2 * (1.7 - 0.6 * 2.4 * 2.5 / g) * 2.5 / g,
 }
-
-
-def ended(*arguments: str | Path) -> int:
-    with pytest.raises(SystemExit) as caught:
-        main([str(argument) for argument in arguments])
-    return int(caught.value.code or 0)
 
 
 @pytest.fixture

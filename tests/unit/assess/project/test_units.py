@@ -198,6 +198,13 @@ def test_what_is_read_as_a_number_is_one(number: str) -> None:
         assert to_si(f"{number} m", "length", key="k") == float(number)
 
 
+@pytest.mark.parametrize("value", ["0 1 m", "5 1 m", "3 m 1"])
+def test_a_second_number_is_no_unit(value: str) -> None:
+    assert to_si("3 1/s", "rate", key="k") == 3.0
+    with pytest.raises(ProjectError, match="; write "):
+        to_si(value, "length", key="k")
+
+
 def test_weights_are_told_from_masses() -> None:
     density = KINDS["density"]
     weights = ("20 kN/m^3", "20 kN/m³", "130 pcf", "130 lbf/ft^3", "2000 kgf/m^3")

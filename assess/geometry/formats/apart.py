@@ -2,11 +2,21 @@
 
 from __future__ import annotations
 
+import math
 import subprocess
 import sys
 from pathlib import Path
 
 LEAST, SPEED = 60.0, 4e3  # s that any file may take, bytes to a further second: good files take up to 1 s for 20 kB
+PATIENCE = 5.0  # a busy machine may give it a fifth of the clock's time
+OUT_OF_TIME = -24  # the code of a process that the kernel ended by SIGXCPU
+LIMITED = """
+try:
+    import resource
+    resource.setrlimit(resource.RLIMIT_CPU, ({seconds}, {seconds} + 1))  # the kernel's limit ends an orphan too
+except ImportError:
+    pass
+"""
 
 
 def run_apart(code: str, file: Path, *more: str, name: str) -> int:
@@ -16,14 +26,18 @@ def run_apart(code: str, file: Path, *more: str, name: str) -> int:
 
     Raises
     ------
-    ValueError : it crashed, or took longer than a file of this size may
+    ValueError : it crashed, or took more processor time than a file of this size may
     """
-    allowed = LEAST + file.stat().st_size / SPEED
-    command = [sys.executable, "-c", code, str(file.absolute()), *more]
+    allowed = math.ceil(LEAST + file.stat().st_size / SPEED)
+    command = [sys.executable, "-c", LIMITED.format(seconds=allowed) + code, str(file.absolute()), *more]
     try:
-        ended = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, timeout=allowed, check=False)
+        ended = subprocess.run(
+            command, stdin=subprocess.DEVNULL, capture_output=True, timeout=PATIENCE * allowed, check=False
+        ).returncode
     except subprocess.TimeoutExpired:
-        raise ValueError(f"{name} has not read it after {allowed:.0f} s; is it damaged? save it again") from None
-    if ended.returncode < 0:
+        ended = OUT_OF_TIME
+    if ended == OUT_OF_TIME:
+        raise ValueError(f"{name} has not read it after {allowed} s; is it damaged? save it again")
+    if ended < 0:
         raise ValueError(f"{name} crashed on it; it is damaged, save it again")
-    return ended.returncode
+    return ended

@@ -39,7 +39,7 @@ NAME = "GeoNet V2A"
 POINTS = re.compile(r"\s*Number of points\s+(\S+)")
 INTERVAL = re.compile(r"\s*Instrument corrected data at\s+(\S+)\s+sec")
 UNCORRECTED = re.compile(r"\s*Raw readings in units of")  # where a V2A has its interval
-COMPONENT = re.compile(r"\s*Component\s+(\S+)")
+COMPONENT = re.compile(r"\s*Component\s+([NS] ?\d{1,2}[EW]\b|\S+)")
 PEAK = re.compile(r"\s*Acceleration:\s+peak\s+(\S+)\s+(\S+)\s+at")
 DATE = re.compile(r"\s*(\d{4})\s+([A-Z][a-z]+)\s+(\d+)\s+(\d+):(\d+):([\d.]+)\s+UT")
 

@@ -19,7 +19,7 @@ TOLERANCE = 1e-9
 REFUSAL = re.compile(r"assess: error: [^\n]+\n")
 TOLD = re.compile(r"(assess: )?(warning|note)\b")  # lines on stderr
 DRAWN = ".view."  # corners and triangles of pictures, whose order says nothing
-TEXTS = {"warnings", "notices", "conditions", "missing", "mended", "problems", "unreadable"}
+TEXTS = {"warnings", "notices", "conditions", "missing", "mended", "problems", "unreadable", "why_not", "remarks"}
 """Keys of the JSON under which the program tells what it doubts."""
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence, Set
 from dataclasses import replace
 from functools import cache, partial
 from pathlib import Path
@@ -23,6 +23,7 @@ WHOLE_BODIES = (
     "IfcTessellatedItem", "IfcCsgPrimitive3D", "IfcMappedItem",
 )  # fmt: skip
 FAILED = re.compile(r"^\[error\].*Failed to convert:\s*#(\d+)=", re.MULTILINE)
+MISSING = re.compile(r"^\[error\].*Instance reference #\d+ used by instance #(\d+)\b.* not found", re.MULTILINE)
 PARTLY = "not all of it could be built from what the file says, volume and mass may be wrong: {lost}"
 NOT_MEASURED = ("Axis", "FootPrint", "Box", "Annotation", "Profile", "Reference", "Clearance", "CoG", "Lighting")
 UNMESHED = "its body could not be built from what the file says of it; repair or export this element again"
@@ -36,12 +37,14 @@ def read_ifc(file: Path) -> MeshFile:
     import ifcopenshell
 
     refuse_damaged(file)
+    ifcopenshell.get_log()  # empties it
     model = ifcopenshell.open(str(file))
+    missing = frozenset(map(int, MISSING.findall(ifcopenshell.get_log())))
     refuse_commas(file, cache(partial(_attributes, model.schema_identifier)))
     products = [each for each in model.by_type("IfcProduct") if _has_body(each)]
     above = cache(partial(_classes, model.schema_identifier))
     elements = tuple(_element(each, above) for each in products)
-    return MeshFile(elements, partial(_meshed, model, products, elements), unit=1.0, up="z")
+    return MeshFile(elements, partial(_meshed, model, products, elements, missing), unit=1.0, up="z")
 
 
 def _has_body(product: Any) -> bool:
@@ -106,9 +109,12 @@ def _attributes(schema: str, name: str) -> int | None:
 
 
 def _meshed(
-    model: Any, products: Sequence[Any], elements: Sequence[Element], places: Sequence[int]
+    model: Any, products: Sequence[Any], elements: Sequence[Element], missing: Set[int], places: Sequence[int]
 ) -> tuple[Part, ...]:
-    """The meshes of the elements asked for; one that has none is said to have none."""
+    """The meshes of the elements asked for; one that has none is said to have none.
+
+    missing : numbers of the entities that are made of others which the file does not have
+    """
     import ifcopenshell
 
     wanted = [products[i] for i in places]
@@ -119,17 +125,20 @@ def _meshed(
     found = []
     for place, product in zip(places, wanted, strict=True):
         shape = replace(shapes.get(product.id(), nothing), element=elements[place])
-        lost = [] if shape.fault or not failed else _lost(model, product, failed)
+        lost = [] if shape.fault or not failed | missing else _lost(model, product, failed, missing)
         found.append(replace(shape, doubt=PARTLY.format(lost=", ".join(lost)) if lost else ""))
     return tuple(found)
 
 
-def _lost(model: Any, product: Any, failed: set[int]) -> list[str]:
-    """The bodies of an element and of its openings that could not be built; single faces are not told."""
+def _lost(model: Any, product: Any, failed: Set[int], missing: Set[int]) -> list[str]:
+    """What of an element and of its openings is missing, and their bodies that failed; single faces are not told."""
     openings = [link.RelatedOpeningElement for link in _links(product, "HasOpenings")]
-    owned = [item for each in (product, *openings) for item in model.traverse(each.Representation)]
+    made_of = [part for each in (product, *openings) for part in (each.Representation, each.ObjectPlacement) if part]
+    owned = {item.id(): item for part in made_of for item in model.traverse(part)}.values()
     return sorted(
-        f"{item.is_a()} #{item.id()}" for item in owned if item.id() in failed and any(map(item.is_a, WHOLE_BODIES))
+        f"{item.is_a()} #{item.id()}"
+        for item in (product, *openings, *owned)
+        if item.id() in missing or (item.id() in failed and any(map(item.is_a, WHOLE_BODIES)))
     )
 
 

@@ -398,6 +398,13 @@ def test_damage_is_one_line_with_file_and_value(tmp_path: Path, name: str, old: 
     assert len(str(caught.value)) < 400 + len(str(path))
 
 
+def test_a_direction_of_geonet_with_a_blank_is_one(tmp_path: Path) -> None:
+    path = written(tmp_path, "v2a")
+    path.write_text(v2a().replace("Component S62W", "Component S 6W"))
+    azimuth = read(path)[1].azimuth
+    assert azimuth == pytest.approx(np.radians(186.0), rel=1e-12)  # S alone would be 180
+
+
 @pytest.mark.parametrize("lost", [0, 1, 2])
 def test_a_channel_of_csmip_whose_points_are_not_found_is_refused(tmp_path: Path, lost: int) -> None:
     path = written(tmp_path, "csmip-2")

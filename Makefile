@@ -16,8 +16,8 @@ demo: .venv/installed      ## the main job on the shipped example; the last line
 	$(BIN)/assess run $(DEMO) -o $(DEMO)/results || case $$? in 1|3) ;; *) exit 1 ;; esac
 	@echo $(DEMO)/results/report.pdf
 
-test: .venv/installed .venv/cad .venv/browser      ## every test but the benchmarks
-	$(BIN)/python -m pytest
+test: .venv/installed .venv/cad .venv/browser      ## every test but the benchmarks, in two processes
+	$(BIN)/python -m pytest -n 2 --dist loadfile
 
 check: .venv/installed     ## style, types, direction of imports
 	$(BIN)/ruff check .

@@ -8,7 +8,7 @@ SEED ?= 1
 CLASS ?=
 NO_BROWSER := chromium and chromium-driver do not install here; tests that open the HTML report in them will be skipped
 
-.PHONY: demo test check bench fuzz kill figures catalogue lock
+.PHONY: demo test check bench fuzz kill figures same catalogue lock
 
 demo: .venv/installed      ## the main job on the shipped example; the last line printed is the path of the report
 	rm -rf $(DEMO)
@@ -41,6 +41,9 @@ kill: .venv/installed      ## KILLS runs and indexes killed at random and at aim
 
 figures: .venv/installed   ## figures of the thesis drawn again, into build/figures
 	$(BIN)/python tests/validation/thesis/draw_chapter_7.py
+
+same: .venv/installed      ## BASE=<commit>: no number, name, outcome, order or key of results has changed since; texts that did are listed
+	$(BIN)/python -m tests.same $(BASE)
 
 catalogue: demo            ## sentences of the demo's report that have no Italian entry
 	$(BIN)/python tests/languages/list_untranslated.py it $(DEMO)/results/results.json

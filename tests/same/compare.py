@@ -1,0 +1,71 @@
+"""Compare every number, name, outcome, order and key of two sets of results; list the texts that changed.
+
+Numbers are compared by their bits.
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+TEXTS = frozenset({"text", "description", "remark", "label", "note", "source", "told", "title", "clause", "meaning"})
+"""Keys whose values are words for people; what they hold may change."""
+
+
+@dataclass(frozen=True)
+class Difference:
+    """Where two results differ, and whether only in words for people."""
+
+    place: str
+    before: Any
+    after: Any
+    words: bool
+
+
+def differences(before: Any, after: Any, place: str = "", key: str = "") -> Iterator[Difference]:
+    """Every leaf, key or length in which two trees of JSON differ; numbers are compared by their bits."""
+    if isinstance(before, dict) and isinstance(after, dict):
+        if list(before) != list(after):
+            yield Difference(f"{place} (keys)", list(before), list(after), words=False)
+        for name in before:
+            if name in after:
+                yield from differences(before[name], after[name], f"{place}.{name}", name)
+    elif isinstance(before, list) and isinstance(after, list):
+        if len(before) != len(after):
+            yield Difference(f"{place} (length)", before, after, words=_worded(before) and _worded(after))
+        for number, (old, new) in enumerate(zip(before, after, strict=False)):
+            yield from differences(old, new, f"{place}[{number}]", key)
+    elif type(before) is not type(after) or repr(before) != repr(after):
+        texts = isinstance(before, str) and isinstance(after, str)
+        yield Difference(place, before, after, words=texts and (key in TEXTS or " " in before))
+
+
+def _worded(values: list[Any]) -> bool:
+    return all(isinstance(value, str) for value in values)
+
+
+def compare(before: Path, after: Path) -> int:
+    """Print what differs; 1 where it is more than words."""
+    texts: Counter[tuple[str, str]] = Counter()
+    projects = sorted(path.name for path in before.glob("*.json"))
+    broken = 0
+    for name in projects:
+        if not (after / name).exists():
+            sys.stdout.write(f"{name}: was not run\n")
+            broken += 1
+            continue
+        for each in differences(json.loads((before / name).read_text()), json.loads((after / name).read_text())):
+            if each.words:
+                texts[str(each.before), str(each.after)] += 1
+            else:
+                broken += 1
+                sys.stdout.write(f"{name}{each.place}: {str(each.before)[:160]!r} became {str(each.after)[:160]!r}\n")
+    for (old, new), times in texts.most_common():
+        sys.stdout.write(f"{times:6d} x  - {old}\n          + {new}\n")
+    sys.stdout.write(f"{len(projects)} projects: {broken} differences, {len(texts)} texts changed\n")
+    return 1 if broken else 0

@@ -10,25 +10,12 @@ from pathlib import Path
 import openpyxl
 import pypdf
 from command import ended
+from wall_project import WALL
 
 from assess.results import Input, Program
 from assess.stamp import stamp
 
-PROJECT = """
-[materials.brick]
-density = 1800
-[bodies.wall]
-material = "brick"
-box = { thickness = 0.6, length = 3.0, height = 4.0 }
-[mechanisms.wall]
-kind = "single-block"
-blocks = ["wall"]
-restitution = 0.5
-[site.spectrum]
-code = "asce7-16"
-s_ds = "0.5 g"
-s_d1 = "0.2 g"
-t_l = "6 s"
+PROJECT = f"""{WALL}restitution = 0.5
 [analysis]
 procedures = ["asce43-05-spectrum"]
 """

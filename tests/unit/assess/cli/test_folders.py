@@ -6,31 +6,16 @@ from pathlib import Path
 
 import pytest
 from command import ended
+from wall_project import WALL
 
 from assess.cli.processes import cores
 from assess.outputs.lock import locked
-
-PROJECT = """
-[materials.brick]
-density = 1800
-[bodies.wall]
-material = "brick"
-box = { thickness = 0.6, length = 3.0, height = 4.0 }
-[mechanisms.wall]
-kind = "single-block"
-blocks = ["wall"]
-[site.spectrum]
-code = "asce7-16"
-s_ds = "0.5 g"
-s_d1 = "0.2 g"
-t_l = "6 s"
-"""
 
 
 @pytest.fixture
 def project(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A project of which no analysis may begin."""
-    (tmp_path / "wall.toml").write_text(PROJECT)
+    (tmp_path / "wall.toml").write_text(WALL)
     monkeypatch.setattr("assess.project.build.build", lambda *_, **__: pytest.fail("the analysis began"))
     return tmp_path / "wall.toml"
 
@@ -75,6 +60,6 @@ def test_a_number_of_processes_that_is_none_is_refused(
 
 
 def test_no_more_processes_are_begun_than_there_are_cores(tmp_path: Path) -> None:
-    (tmp_path / "wall.toml").write_text(PROJECT + '[analysis]\nprocedures = ["asce43-05-spectrum"]\n')
+    (tmp_path / "wall.toml").write_text(WALL + '[analysis]\nprocedures = ["asce43-05-spectrum"]\n')
     assert cores() >= 1
     assert ended("run", tmp_path / "wall.toml", "--no-report", "--jobs", "99999999999") in (0, 1, 3)

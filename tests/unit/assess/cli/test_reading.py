@@ -11,26 +11,13 @@ from typing import Any
 
 import pytest
 from command import ended
+from wall_project import WALL
 
-PROJECT = """
-[materials.brick]
-density = 1800
-[bodies.wall]
-material = "brick"
-box = { thickness = 0.6, length = 3.0, height = 4.0 }
-[mechanisms.wall]
-kind = "single-block"
-blocks = ["wall"]
-restitution = 0.5
-interface = { model = "flexible", stiffness = "1 GPa/m", strength = "2 MPa" }
-[site.spectrum]
-code = "asce7-16"
-s_ds = "0.5 g"
-s_d1 = "0.2 g"
-t_l = "6 s"
+PROJECT = f"""{WALL}restitution = 0.5
+interface = {{ model = "flexible", stiffness = "1 GPa/m", strength = "2 MPa" }}
 [analysis]
 procedures = ["asce43-05-spectrum"]
-pulses = { shape = "sine", frequency = { from = "1 Hz", to = "4 Hz", count = 3 }, amplitude = { from = "0 g", to = "2 g", count = 4 } }
+pulses = {{ shape = "sine", frequency = {{ from = "1 Hz", to = "4 Hz", count = 3 }}, amplitude = {{ from = "0 g", to = "2 g", count = 4 }} }}
 [analysis.sweep]
 key = "bodies.wall.box.height"
 values = [4.0, 5.0]

@@ -89,6 +89,7 @@ def test_a_number_of_a_process_that_came_again_does_not_matter(tmp_path: Path) -
     run(tmp_path, {"results.json": "1"})
     signed(tmp_path, boot="before the machine was started anew", pid=1)
     run(tmp_path, {"results.json": "2"})
+    assert content(tmp_path) == {"results.json": "2"}
 
 
 def test_on_a_disk_without_locks_the_process_counts(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

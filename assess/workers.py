@@ -13,7 +13,7 @@ from multiprocessing import active_children, get_context, parent_process
 from multiprocessing.resource_tracker import ensure_running
 from typing import Any
 
-from assess.signals import ENDING
+from assess.outputs.signals import ENDING
 
 
 def end_with_parent() -> None:

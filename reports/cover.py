@@ -14,7 +14,7 @@ from assess.codes.verdict_text import (
     target_text,
     toml_lines,
 )
-from assess.plural import counted
+from assess.messages.plural import counted
 from assess.results import Results
 from reports import heights, mechanism_verdicts
 from reports.document import Banner, Block, Code, Column, Items, Section, Table, Text, filled

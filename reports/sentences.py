@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from assess.codes.check import Check, Outcome
+from assess.messages.texts import TEXTS
 from assess.results import MechanismResult, Results, View
-from assess.texts import TEXTS
 from reports import interfaces
 from reports.lettering import shortened
 from reports.measures import measure, measures

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import partial
 
-from assess.plural import counted
+from assess.messages.plural import counted
 from assess.results import DirectionSweep, MechanismResult, SweepResult
 from reports.document import Block, Cell, Column, Figure, Section, Table, Text
 from reports.figures import directions as directions_figure

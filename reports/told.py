@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from assess.message import UNITS, Message, Quantity
-from assess.texts import TEXTS
+from assess.messages.message import UNITS, Message, Quantity
+from assess.messages.texts import TEXTS
 from reports.customary import customary
 from reports.measures import measure
 

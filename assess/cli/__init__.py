@@ -12,7 +12,7 @@ import sys
 from typing import NoReturn
 
 from assess.errors import AssessError
-from assess.signals import Terminated, orderly
+from assess.outputs.signals import Terminated, orderly
 from records.errors import RecordError
 from spectra.errors import SpectrumError
 

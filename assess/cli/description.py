@@ -8,11 +8,11 @@ from typing import Any
 
 from assess.cli.parameter_table import table_text, weakest_text
 from assess.mechanisms.chain import metres
-from assess.message import Message, text_of
+from assess.messages.message import Message, text_of
 from assess.project.messages import printable
 from assess.project.schema import Project
-from assess.project.study import Sweep, Unvaried, Variable
 from assess.results import DirectionCandidate, LoadResult, MechanismResult, NamedPoint
+from assess.study.study import Sweep, Unvaried, Variable
 
 MOST = 8  # candidates on a line
 

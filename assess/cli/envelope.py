@@ -47,8 +47,8 @@ def envelope(
     from assess.outputs.folder import staged
     from assess.outputs.manifest import ENVELOPES
     from assess.project.build import build
-    from assess.project.run import envelope as of_study
-    from assess.results_io import dumps
+    from assess.results.json import dumps
+    from assess.study.run import envelope as of_study
 
     wanted = (ENVELOPES, "envelopes.pdf", "envelopes.html", "tables.xlsx")
     place = (

@@ -5,7 +5,7 @@ from __future__ import annotations
 from assess.cli.description import warned
 from assess.cli.text_table import text_table
 from assess.results import CriticalResult, EnvelopeResult, Results
-from assess.results_io import dumps_envelopes
+from assess.results.json import dumps_envelopes
 from reports.csv import csv_lines
 from reports.document import Cell
 

@@ -9,11 +9,11 @@ from pathlib import Path
 
 from assess.cli.warning import tell
 from assess.errors import AssessError, ResultsError
-from assess.message import warning
+from assess.messages.message import warning
 from assess.outputs.manifest import changed
 from assess.outputs.settling import settled
 from assess.results import Results
-from assess.results_io import located, read
+from assess.results.json import located, read
 
 
 @dataclass(frozen=True)

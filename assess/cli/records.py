@@ -97,7 +97,7 @@ def convert(
         raise typer.BadParameter("--azimuth and --rotd exclude each other")
     from assess.cli.record_conversion import Processing, chosen, processed, text_of, write
     from assess.cli.warning import warn
-    from assess.stamp import stamp_of_files
+    from assess.results.stamp import stamp_of_files
     from records.plausibility import doubt_of, doubts_among
     from records.reading import read
 

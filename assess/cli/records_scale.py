@@ -43,7 +43,7 @@ def scale(
     from assess.outputs.folder import staged
     from assess.outputs.manifest import RECORDS
     from assess.project.choosing import scaled_files
-    from assess.stamp import stamp_of_files
+    from assess.results.stamp import stamp_of_files
     from records.formats.stated import Stated
     from records.record import scaled
     from records.writing import csv_text as record_text

@@ -58,8 +58,8 @@ def _assessed(project: Path, output: Path | None, jobs: int | None, report: Begi
     from assess.outputs.folder import staged
     from assess.outputs.manifest import RESULTS
     from assess.project.build import build
-    from assess.project.run import run as run_study
-    from assess.results_io import dumps
+    from assess.results.json import dumps
+    from assess.study.run import run as run_study
 
     folder = output or loaded.folder / f"{loaded.path.stem}-results"
     wanted = (RESULTS, *(WRITTEN if report else ()))

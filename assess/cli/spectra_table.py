@@ -14,7 +14,7 @@ from scipy.constants import g
 from assess.cli.text_table import text_table
 from assess.errors import AssessError
 from assess.project.record_set import offered
-from assess.stamp import origin
+from assess.results.stamp import origin
 from records.candidates import DAMPING, PERIODS
 from records.formats.stated import Stated
 from records.indexing import read_stated

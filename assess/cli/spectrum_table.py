@@ -9,10 +9,10 @@ from scipy.constants import g
 
 from assess.cli.description import warned
 from assess.cli.text_table import text_table
-from assess.message import Message, warning
-from assess.project.outcome import spectrum_result
-from assess.results_io import dumps_spectrum
-from assess.stamp import origin
+from assess.messages.message import Message, warning
+from assess.results.json import dumps_spectrum
+from assess.results.stamp import origin
+from assess.study.outcome import spectrum_result
 from reports.csv import csv_lines
 from reports.spectrum_parameters import ACCELERATION, corners, named
 from spectra.spectrum import Spectrum

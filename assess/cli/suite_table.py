@@ -8,8 +8,8 @@ from assess.cli.description import warned
 from assess.cli.text_table import text_table
 from assess.project.choosing import Suite
 from assess.results import RecordResult
-from assess.results_io import dumps_suite
-from assess.stamp import origin
+from assess.results.json import dumps_suite
+from assess.results.stamp import origin
 from reports.csv import csv_lines
 from reports.figure_file import write_figure
 from reports.figures import record_spectra

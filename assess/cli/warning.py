@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Sequence
 
-from assess.message import Message
+from assess.messages.message import Message
 from assess.project.messages import printable
 
 TOLD = 5  # lines

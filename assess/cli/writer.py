@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from assess.cli.processes import cores
-from assess.signals import ENDING
+from assess.outputs.signals import ENDING
 from assess.workers import end_with_parent, hear_signals, signals_held_back
 
 if TYPE_CHECKING:

@@ -19,7 +19,7 @@ from assess.codes.family import CODES, FAMILIES, READINGS
 from assess.codes.italian.floor import floor_of
 from assess.codes.italian.inputs import Lacking, lacking_of
 from assess.codes.sliding import sliding_pga
-from assess.message import Message, Quantity, Severity, message
+from assess.messages.message import Message, Quantity, Severity, message
 from assess.oscillator import Oscillator
 
 BY_IMPACTS = ("asce43-05-spectrum",)  # damping by the two impacts of a body that rocks both ways

@@ -7,7 +7,7 @@ from enum import StrEnum
 from typing import Literal
 
 from assess.codes.step import Bound, Input, Step, step
-from assess.message import Message, Severity, Value, message
+from assess.messages.message import Message, Severity, Value, message
 
 __all__ = [
     "Bound",
@@ -58,7 +58,7 @@ class Family(StrEnum):
 
 
 class Reason(StrEnum):
-    """Why a check ends as it does: the keys of `assess.texts.TEXTS` that a check may give."""
+    """Why a check ends as it does: the keys of `assess.messages.texts.TEXTS` that a check may give."""
 
     WITHIN = "within-capacity"
     BEYOND = "beyond-capacity"

@@ -8,7 +8,7 @@ from typing import Literal
 
 from assess.codes.check import BranchName, InputAt
 from assess.hinge_forces import HingeForces
-from assess.message import Message
+from assess.messages.message import Message
 from assess.oscillator import Oscillator
 from spectra.spectrum import Spectrum
 

@@ -9,7 +9,7 @@ from scipy.constants import g
 from assess.codes.check import PgaCurve
 from assess.codes.context import Suite
 from assess.codes.governing import least
-from assess.message import Message, Quantity, message
+from assess.messages.message import Message, Quantity, message
 from assess.oscillator import Oscillator, linearise, threshold
 
 

@@ -17,7 +17,7 @@ from assess.codes.check import Check, Outcome, Reason, Step, because, step
 from assess.codes.context import Context
 from assess.codes.governing import least
 from assess.hinge_forces import HingeForces
-from assess.message import Message, Quantity
+from assess.messages.message import Message, Quantity
 from assess.oscillator import Oscillator, threshold
 
 EDITION = "equilibrium; Coulomb"

@@ -9,7 +9,7 @@ from scipy.constants import g
 from assess.codes.check import Outcome, Reason, because
 from assess.codes.context import Context
 from assess.codes.relation import PgaRelation, capacity
-from assess.message import Message, Quantity
+from assess.messages.message import Message, Quantity
 
 
 @dataclass(frozen=True)

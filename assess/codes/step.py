@@ -10,7 +10,7 @@ from typing import Literal
 
 from scipy.constants import g
 
-from assess.message import DIMENSIONS
+from assess.messages.message import DIMENSIONS
 
 Bound = Literal["", "<=", ">="]
 CONSTANTS: Mapping[str, float] = {"g": g, "π": pi}
@@ -20,7 +20,7 @@ _BETWEEN = re.compile(r"(?<=[\d²³)π]) (?=[\d√(])")  # a product written sid
 
 @dataclass(frozen=True)
 class Input:
-    """A symbol of a formula with its value, in the unit of its dimension (`assess.message.UNITS`)."""
+    """A symbol of a formula with its value, in the unit of its dimension (`assess.messages.message.UNITS`)."""
 
     symbol: str
     value: float

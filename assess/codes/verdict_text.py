@@ -8,7 +8,7 @@ from collections.abc import Collection, Sequence
 
 from assess.codes.verdict import Action, Decision, Index, MechanismVerdict, Missing, Verdict
 from assess.codes.verdict.question import SOURCES
-from assess.message import Message, Severity
+from assess.messages.message import Message, Severity
 
 AT_THE_LIMIT = " at the limit"
 BEHIND = ("%NBS",)  # indices whose name stands behind their value

@@ -23,7 +23,7 @@ from assess.geometry.surface import (
     volume,
     without_lines,
 )
-from assess.plural import counted
+from assess.messages.plural import counted
 
 NEAR = 1e-4  # of the body's size: corners of an open border nearer than this are one
 

@@ -28,7 +28,7 @@ from assess.geometry.surface import (
     volume,
 )
 from assess.geometry.winding import layers
-from assess.plural import counted
+from assess.messages.plural import counted
 
 ASKED = 64  # triangles of a shell beside which the others are looked up
 

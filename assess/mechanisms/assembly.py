@@ -14,8 +14,8 @@ from assess.mechanisms.flexible import FlexibleChain, through_top
 from assess.mechanisms.impact import RestitutionChoice, impact
 from assess.mechanisms.joint import Joint
 from assess.mechanisms.mechanism import Mechanism
+from assess.mechanisms.restitution import Restitution
 from assess.mechanisms.virtual_work import require_stable, virtual_work
-from assess.restitution import Restitution
 
 Impacts = tuple[Restitution, Restitution]
 

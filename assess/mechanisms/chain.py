@@ -8,8 +8,8 @@ from itertools import pairwise
 from math import hypot
 
 from assess.errors import MechanismError
-from assess.loads import Load, PointMass
-from assess.loads import mirrored as mirrored_load
+from assess.loads.load import Load, PointMass
+from assess.loads.load import mirrored as mirrored_load
 from assess.mechanisms.joint import Joint
 
 Point = tuple[float, float]

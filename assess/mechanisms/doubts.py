@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 import shapely
 
 from assess.geometry.outline import Outline
-from assess.loads import Load
+from assess.loads.load import Load
 from assess.mechanisms.chain import Chain, Point, hinge_names, written
 from assess.mechanisms.statics import compressions
 

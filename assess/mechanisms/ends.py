@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import brentq
 
-from assess.loads import Action, PointMass, Tie, lasts
+from assess.loads.load import Action, PointMass, Tie, lasts
 from assess.mechanisms.chain import Chain
 from assess.mechanisms.motion import FLAT, Path, limit, move, place
 

@@ -27,7 +27,7 @@ from scipy.constants import g
 
 from assess.errors import MechanismError
 from assess.interfaces.contact import Contact, contact, semi_flexible_shift
-from assess.loads import Action, Force, Load, PointMass, Tie, pull_at_rest, upward
+from assess.loads.load import Action, Force, Load, PointMass, Tie, pull_at_rest, upward
 from assess.mechanisms.chain import Chain, hinge_names
 from assess.mechanisms.joint import PAIRS, Joint, Pair
 from assess.mechanisms.motion import closed, move, place, shares

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from assess.errors import MechanismError
 from assess.geometry.planar import PlanarBody
-from assess.loads import Load
+from assess.loads.load import Load
 from assess.mechanisms.assembly import assembled
 from assess.mechanisms.chain import Block, Chain, Point, mirrored_chain
 from assess.mechanisms.doubts import loose_hinges

@@ -15,11 +15,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from assess.errors import MechanismError
-from assess.loads import PointMass
+from assess.loads.load import PointMass
 from assess.mechanisms.chain import Chain
 from assess.mechanisms.motion import move, place
 from assess.mechanisms.rest import plain_block
-from assess.restitution import Restitution, housner, sorrentino
+from assess.mechanisms.restitution import Restitution, housner, sorrentino
 
 Named = Literal["thesis", "housner", "sorrentino", "momentum"]
 RestitutionChoice = float | Named | None

@@ -20,7 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from assess.errors import InterfaceError, MechanismError
-from assess.loads import Action, Force, PointMass, Tie, lasts
+from assess.loads.load import Action, Force, PointMass, Tie, lasts
 from assess.mechanisms.chain import Chain
 from assess.mechanisms.ends import end_of, unseating_rotation
 from assess.mechanisms.flexible_table import flexible_moments

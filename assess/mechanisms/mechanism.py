@@ -11,7 +11,7 @@ from assess.mechanisms.chain import Chain
 from assess.mechanisms.directions import Candidate, Directions, Vector
 from assess.mechanisms.face import Face
 from assess.mechanisms.joint import Joint
-from assess.message import Message
+from assess.messages.message import Message
 
 Sides = Literal["one", "two"]
 

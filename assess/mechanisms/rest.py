@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from math import atan2, hypot
 
-from assess.loads import PointMass
+from assess.loads.load import PointMass
 from assess.mechanisms.chain import Chain
 from assess.oscillator import SingleBlock
 

@@ -7,7 +7,7 @@ from typing import Literal
 
 from assess.errors import FallingError, MechanismError
 from assess.geometry.planar import PlanarBody
-from assess.loads import Load
+from assess.loads.load import Load
 from assess.mechanisms.assembly import assembled
 from assess.mechanisms.chain import Block, Chain, Point, mirrored_chain
 from assess.mechanisms.impact import RestitutionChoice

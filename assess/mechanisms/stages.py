@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import brentq
 
-from assess.loads import Action, Force, PointMass
+from assess.loads.load import Action, Force, PointMass
 from assess.mechanisms.chain import Chain
 from assess.mechanisms.ends import STATIONS
 from assess.mechanisms.flexible import through_top

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.constants import g
 
-from assess.loads import Force, PointMass, Tie, pull_at_rest
+from assess.loads.load import Force, PointMass, Tie, pull_at_rest
 from assess.mechanisms.chain import Chain, Point
 from assess.mechanisms.motion import move, place
 

@@ -15,7 +15,7 @@ from __future__ import annotations
 
 from assess.errors import MechanismError
 from assess.geometry.planar import PlanarBody, top
-from assess.loads import Load
+from assess.loads.load import Load
 from assess.mechanisms.assembly import assembled
 from assess.mechanisms.chain import Block, Chain, Point, mirrored_chain, written
 from assess.mechanisms.doubts import across_the_crack, loose_hinges

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from scipy.constants import g
 
 from assess.errors import FallingError, MechanismError
-from assess.loads import Force, PointMass, Tie, pull_at_rest
+from assess.loads.load import Force, PointMass, Tie, pull_at_rest
 from assess.mechanisms.chain import Chain
 from assess.mechanisms.motion import Path, move, place
 

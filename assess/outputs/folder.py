@@ -7,15 +7,15 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from assess.errors import OutputError
-from assess.message import Message
+from assess.messages.message import Message
 from assess.outputs import journal
 from assess.outputs.digest import digest
 from assess.outputs.journal import Move
 from assess.outputs.lock import locked
 from assess.outputs.manifest import MANIFEST, RESULTS, Manifest, link_above, read, state
 from assess.outputs.settling import Tell, kept_beside, settle
+from assess.outputs.signals import deferred
 from assess.outputs.stage import MADE, files_in, flush, stage
-from assess.signals import deferred
 
 _TOLD = 5  # names of files in a line
 

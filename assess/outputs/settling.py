@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
-from assess.message import Message, note
+from assess.messages.message import Message, note
 from assess.outputs import journal
 from assess.outputs.lock import locked
+from assess.outputs.signals import deferred
 from assess.outputs.stage import JOURNAL, MADE, OLD, files_in, left_behind, remove
-from assess.signals import deferred
 
 Tell = Callable[[Message], None]
 

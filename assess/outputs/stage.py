@@ -12,7 +12,7 @@ from secrets import token_hex
 
 from assess.errors import OutputError
 from assess.outputs.lock import LOCK, abandoned, locked
-from assess.signals import deferred
+from assess.outputs.signals import deferred
 
 PREFIX = ".assess-partial-"
 MADE, OLD, JOURNAL = "made", "old", "journal.json"

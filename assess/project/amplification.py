@@ -5,16 +5,24 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from assess.amplification import FirstMode, FloorFactor, ModalFilter, Srss, SrssRelative, Unamplified, first_mode
+from assess.amplification.floor_motion import (
+    FirstMode,
+    FloorFactor,
+    ModalFilter,
+    Srss,
+    SrssRelative,
+    Unamplified,
+    first_mode,
+)
+from assess.amplification.natural_frequency import ASSUMPTIONS, SLICES, Rayleigh, cantilever, rayleigh
 from assess.errors import GeometryError, ProjectError
 from assess.mechanisms.lasting import rise_of
-from assess.message import Quantity, note
-from assess.natural_frequency import ASSUMPTIONS, SLICES, Rayleigh, cantilever, rayleigh
+from assess.messages.message import Quantity, note
+from assess.model.assembly import Built
+from assess.model.pieces import Solids
 from assess.project import sections
-from assess.project.bodies import Solids
 from assess.project.grounding import base_above_ground, ground_of
-from assess.project.mechanisms import Built
-from assess.project.study import Amplified
+from assess.study.study import Amplified
 from spectra.errors import SpectrumError
 from spectra.floor import ec8, ec8_printed, ec8_resonance, nzs1170_5
 

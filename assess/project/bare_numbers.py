@@ -7,7 +7,7 @@ from typing import Any
 
 from scipy.constants import g
 
-from assess.message import Message, Quantity, warning
+from assess.messages.message import Message, Quantity, warning
 from assess.project.messages import Key, look_up, written
 from assess.project.usual_units import USUAL
 

@@ -15,11 +15,12 @@ from assess.codes.context import Building, FirstMode
 from assess.errors import ProjectError
 from assess.geometry.models import Models
 from assess.geometry.solid import Solid
-from assess.message import Message, warning
+from assess.messages.message import Message, warning
+from assess.model.pieces import models_of, solid_of
+from assess.model.weakest import directed
 from assess.project import record_set, sections
 from assess.project.amplification import Standing, amplified
 from assess.project.asking import as_asked, free_periods_of, knowledge_of, options_of, procedures_of
-from assess.project.bodies import models_of, solid_of
 from assess.project.components import horizontal, left_out
 from assess.project.deciding import facts_of, levels_with_site, question_of
 from assess.project.dependents import dependents
@@ -29,12 +30,11 @@ from assess.project.notices import notices_of
 from assess.project.record_set import RecordSet
 from assess.project.schema import Project, relative, resolved
 from assess.project.site_spectrum import hazard_over_periods, site_in, spectrum_of
-from assess.project.study import Artificial, Case, Equation, Fitting, PulseGrid, Study, Sweep
 from assess.project.survey import survey_of
 from assess.project.variables import variables_of
 from assess.project.variations import Variant, Variation
-from assess.project.weakest import directed
 from assess.results import Input
+from assess.study.study import Artificial, Case, Equation, Fitting, PulseGrid, Study, Sweep
 from records.pulses import shape as pulse_shape
 from records.record import Record
 from spectra.spectrum import Spectrum

@@ -12,18 +12,18 @@ from typing import Any, get_args
 from scipy.constants import g
 
 from assess.errors import AssessError
-from assess.message import Message
+from assess.messages.message import Message
 from assess.project import record_set
 from assess.project.build import build
 from assess.project.components import horizontal
-from assess.project.ground_motion import ground_motion, suite_result
-from assess.project.motions import Motion, motions_of, scaled_together
-from assess.project.outcome import record_result
-from assess.project.run import required_spectrum
 from assess.project.schema import load
 from assess.project.site_spectrum import site_of, spectrum_of
-from assess.project.study import Fitting
 from assess.results import GroundMotionResult, RecordResult
+from assess.study.ground_motion import ground_motion, suite_result
+from assess.study.motions import Motion, motions_of, scaled_together
+from assess.study.outcome import record_result
+from assess.study.run import required_spectrum
+from assess.study.study import Fitting
 from records.band import band, up_to
 from records.candidates import PERIODS
 from records.formats.stated import Stated

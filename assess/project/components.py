@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from assess.errors import ProjectError
-from assess.message import Message, note
+from assess.messages.message import Message, note
 from records.orientation import is_vertical
 from records.record import Record
 

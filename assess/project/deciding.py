@@ -25,11 +25,11 @@ from assess.codes.verdict import (
 )
 from assess.codes.verdict.question import SOURCES
 from assess.errors import ProjectError
-from assess.message import Message, Quantity, Severity, message
+from assess.messages.message import Message, Quantity, Severity, message
 from assess.project import sections
 from assess.project.sources import shown_by
-from assess.project.study import Study
 from assess.results import MechanismResult
+from assess.study.study import Study
 from spectra import ntc
 from spectra.spectrum import Spectrum
 

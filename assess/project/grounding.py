@@ -10,7 +10,7 @@ from assess.codes.context import counts_as_above
 from assess.geometry.solid import Solid
 from assess.mechanisms.lasting import rise_of
 from assess.mechanisms.mechanism import Mechanism
-from assess.message import Message, Quantity
+from assess.messages.message import Message, Quantity
 from assess.project import sections
 
 DOUBTFUL = 0.5  # m: a lowest body farther from elevation 0 does not tell where the ground is

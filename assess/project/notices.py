@@ -10,14 +10,14 @@ from assess.geometry.formats.reading import WITHOUT_UNIT
 from assess.geometry.magnitude import suspicious
 from assess.geometry.solid import Solid
 from assess.mechanisms.mechanism import Mechanism
-from assess.message import Message, Quantity, note, warning
+from assess.messages.message import Message, Quantity, note, warning
+from assess.model.gaps import gaps_of
+from assess.model.overlaps import overlaps_of
 from assess.project import sections
 from assess.project.asking import procedures_of
 from assess.project.deciding import by_motion
-from assess.project.enduring import left_out
-from assess.project.gaps import gaps_of
-from assess.project.overlaps import overlaps_of
-from assess.project.study import Amplified, Equation, Study
+from assess.study.endurance import left_out
+from assess.study.study import Amplified, Equation, Study
 
 CIRCULARS = {"dmi2008": "Circolare 617/2009", "ntc2018": "Circolare 7/2019"}
 SAME_MODE = 0.05  # by how much two first modes of one building may differ

@@ -12,12 +12,12 @@ import numpy as np
 
 from assess.errors import ProjectError
 from assess.mechanisms.mechanism import Mechanism
-from assess.message import Message, warning
-from assess.plural import counted
+from assess.messages.message import Message, warning
+from assess.messages.plural import counted
 from assess.project import sections
-from assess.project.periods import ABOVE, BELOW, ends, equivalent_periods
 from assess.project.schema import relative
-from assess.project.study import Fitting
+from assess.study.periods import ABOVE, BELOW, ends, equivalent_periods
+from assess.study.study import Fitting
 from records import catalogue
 from records.band import Band, band
 from records.candidates import NOTHING, PERIODS, Candidate

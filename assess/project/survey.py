@@ -20,10 +20,10 @@ from assess.project import sections
 from assess.project.keys import Key, with_value
 from assess.project.messages import written
 from assess.project.schema import Project
-from assess.project.sensitivity import checked
-from assess.project.study import Study, Variable
 from assess.project.variables import Alone, Subject, at_key, facing, of_loads, thickness
 from assess.results import MechanismResult
+from assess.study.sensitivity import checked
+from assess.study.study import Study, Variable
 from spectra.errors import SpectrumError
 from spectra.spectrum import Spectrum
 

@@ -11,7 +11,7 @@ from typing import Any
 from pydantic import ValidationError
 
 from assess.errors import ProjectError
-from assess.message import Message
+from assess.messages.message import Message
 from assess.project.bare_numbers import bare_numbers
 from assess.project.messages import one_line
 from assess.project.sections.site import Site

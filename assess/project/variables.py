@@ -16,15 +16,15 @@ from assess.geometry.solid import Solid
 from assess.geometry.stretch import stretched
 from assess.mechanisms.chain import hinge_names
 from assess.mechanisms.mechanism import Mechanism
+from assess.model.joints import material_name
+from assess.model.pieces import Solids, pieces_of
 from assess.project import sections
-from assess.project.bodies import Solids, pieces_of
 from assess.project.dependents import dependents
-from assess.project.interfaces import material_name
 from assess.project.keys import Key, value_at, with_value
 from assess.project.messages import written
 from assess.project.schema import Project
-from assess.project.study import Amplified, Study, Unvaried, Variable
 from assess.project.variations import read_case
+from assess.study.study import Amplified, Study, Unvaried, Variable
 
 Alone = Callable[[str, sections.Content, Mapping[str, Solid]], Study]
 FULL = "at most 1: more would add velocity at the impact"

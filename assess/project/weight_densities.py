@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from assess.message import Message, Quantity, note
+from assess.messages.message import Message, Quantity, note
 from assess.project.keys import places_of
 from assess.project.messages import look_up, written
 from assess.project.sections.content import Content

@@ -19,7 +19,7 @@ from scipy.constants import g
 from assess.dynamics.history import peaks, product
 from assess.interfaces.law import Law
 from assess.interfaces.shapes import rectangle
-from assess.loads import Force, PointMass, Tie
+from assess.loads.load import Force, PointMass, Tie
 from assess.mechanisms.chain import Block, Chain
 from assess.mechanisms.flexible_table import side_of, table
 from assess.mechanisms.joint import Joint

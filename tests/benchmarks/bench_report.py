@@ -57,8 +57,8 @@ def watched(project: Path, folder: Path) -> Stopwatch:
     loaded = load(project)
     watch.begin("geometry and mechanisms")
     from assess.project.build import build
-    from assess.project.run import run
-    from assess.results_io import dumps
+    from assess.results.json import dumps
+    from assess.study.run import run
 
     study = build(loaded)
     results = run(study, progress=lambda stage, done, total: watch.begin(stage if done < total else f"after {stage}"))

@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 from pypdf import PdfReader
 
-from assess import cli, results_io
+from assess import cli
+from assess.results import json as results_io
 from records.reading import read
 from records.response import response_spectrum
 

@@ -10,7 +10,8 @@ from pathlib import Path
 import pytest
 from pypdf import PdfReader
 
-from assess import cli, results_io
+from assess import cli
+from assess.results import json as results_io
 
 RECORDS = Path(__file__).parents[3] / "shared" / "records" / "peer_at2"
 FIVE = (

@@ -9,8 +9,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from assess import cli, results_io
+from assess import cli
 from assess.results import Results
+from assess.results import json as results_io
 
 RECORDS = Path(__file__).parents[3] / "shared" / "records"
 PUBLISHED = RECORDS / "reference_spectra" / "pyrotd_peer_nga_west2.json.gz"

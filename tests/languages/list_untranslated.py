@@ -8,7 +8,7 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
-from assess.results_io import read
+from assess.results.json import read
 from reports.untranslated import untranslated
 
 

@@ -1,4 +1,4 @@
-"""Every message is known in every language: those of `assess.texts` key by key, and the texts that stand within them.
+"""Every message is known in every language: those of `messages.texts` key by key, and the texts that stand within them.
 
 The latter are read out of the functions that make them. A text is a literal of the source with 7 in its gaps;
 `counted(n, "hole")` gives "1 hole" and "7 holes". Literals of what is raised, of `where` it would be, and those of one
@@ -18,7 +18,7 @@ import numpy as np
 import pytest
 
 from assess.geometry.mesh import load
-from assess.texts import TEXTS
+from assess.messages.texts import TEXTS
 from reports.catalogue import FOLDER, catalogue, languages
 from reports.translation import Speech
 
@@ -37,18 +37,18 @@ SOURCES: Mapping[str, tuple[str, ...]] = {
     "assess/mechanisms/equivalent_block.py": ("equivalent_block",),
     "assess/mechanisms/impact.py": ("_faster", "no_rebound", "rebound"),
     "assess/mechanisms/single_block.py": ("_off_base",),
-    "assess/natural_frequency.py": ("ASSUMPTIONS",),
+    "assess/amplification/natural_frequency.py": ("ASSUMPTIONS",),
     "assess/project/amplification.py": ("RAYLEIGH", "by_first_mode"),
-    "assess/project/arches.py": ("doubtful", "told"),
-    "assess/project/bodies.py": ("ASKEW", "doubts_of", "uneven"),
-    "assess/project/body_loads.py": ("alone", "beside_the_block", "body_loads", "part_of"),
-    "assess/project/directions.py": ("CORNER",),
-    "assess/project/interfaces.py": ("apart", "joint_at", "sideways"),
-    "assess/project/loaded_blocks.py": ("_left_out", "as_given"),
-    "assess/project/loading.py": ("in_the_air", "moving_anchors"),
+    "assess/model/arches.py": ("doubtful", "told"),
+    "assess/model/pieces.py": ("ASKEW", "doubts_of", "uneven"),
+    "assess/loads/body_loads.py": ("alone", "beside_the_block", "body_loads", "part_of"),
+    "assess/model/directions.py": ("CORNER",),
+    "assess/model/joints.py": ("apart", "joint_at", "sideways"),
+    "assess/loads/loaded_blocks.py": ("_left_out", "as_given"),
+    "assess/loads/loading.py": ("in_the_air", "moving_anchors"),
     "assess/project/record_set.py": ("_first", "cell_text"),
-    "assess/project/sampling.py": ("longest_step",),
-    "assess/project/walls.py": ("by_formula", "by_search"),
+    "assess/study/sampling.py": ("longest_step",),
+    "assess/model/walls.py": ("by_formula", "by_search"),
     "records/flatfile.py": ("_reason",),
     "records/arrival.py": ("doubt_of_arrival",),
     "records/formats/agreement.py": ("check_integral", "unlike"),

@@ -15,8 +15,8 @@ import pytest
 from assess.errors import AssessError
 from assess.project.build import build
 from assess.project.keys import Place, places_of, with_value
-from assess.project.run import parameters, run
 from assess.project.schema import load
+from assess.study.run import parameters, run
 from spectra.spectrum import SpectrumError
 
 SITE = """

@@ -6,7 +6,7 @@ import pytest
 from scipy.constants import g
 
 from assess.examples import copy_example
-from assess.mechanisms.activation import hinge_forces
+from assess.mechanisms.hinge_forces import hinge_forces
 from assess.mechanisms.mechanism import Mechanism
 from assess.project.build import build
 from assess.project.schema import load

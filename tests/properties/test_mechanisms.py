@@ -12,13 +12,13 @@ from scipy.integrate import quad
 
 from assess.dynamics.history import free_rocking
 from assess.geometry.planar import planar_direct, planar_joined
-from assess.loads import Force, PointMass, Tie, pull_at_rest
-from assess.loads import mirrored as mirrored_load
-from assess.mechanisms.activation import hinge_forces
+from assess.loads.load import Force, PointMass, Tie, pull_at_rest
+from assess.loads.load import mirrored as mirrored_load
 from assess.mechanisms.arch import hinged, weakest
 from assess.mechanisms.chain import Block, Chain, mirrored, mirrored_chain
 from assess.mechanisms.face import Face
 from assess.mechanisms.four_hinge import four_hinge
+from assess.mechanisms.hinge_forces import hinge_forces
 from assess.mechanisms.impact import impact
 from assess.mechanisms.motion import move, place
 from assess.mechanisms.oscillation import oscillator

@@ -17,10 +17,10 @@ from assess.codes.context import Building, Context, Suite, Wall
 from assess.codes.registry import PROCEDURES, CodeOptions, procedure
 from assess.errors import ProcedureError
 from assess.geometry.planar import planar_direct
-from assess.loads import Force
-from assess.mechanisms.activation import hinge_forces
+from assess.loads.load import Force
 from assess.mechanisms.equivalent_block import equivalent_block
 from assess.mechanisms.face import Face
+from assess.mechanisms.hinge_forces import hinge_forces
 from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block
 from spectra.asce7 import design_spectrum

@@ -12,7 +12,7 @@ from sheet import Sheet
 from subjects import Subject
 
 from assess.codes.check import Step
-from assess.message import DIMENSIONS
+from assess.messages.message import DIMENSIONS
 
 CLOSE, ALIKE = 1e-3, 1e-6  # relative: of what a curve or a formula comes to, and of an input to what it repeats
 

@@ -19,17 +19,17 @@ from assess.geometry.planar import planar
 from assess.geometry.solid import box
 from assess.interfaces.law import Law
 from assess.interfaces.shapes import rectangle
-from assess.loads import PointMass
-from assess.mechanisms.activation import hinge_forces
+from assess.loads.load import PointMass
 from assess.mechanisms.assembly import on_joints
 from assess.mechanisms.face import Face
+from assess.mechanisms.hinge_forces import hinge_forces
 from assess.mechanisms.joint import Joint
 from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.two_block import two_block
 from assess.oscillator import Branch, Oscillator
-from assess.project.wall_size import SUPPORTS, wall_of
+from assess.study.wall_size import SUPPORTS, wall_of
 from spectra.asce7 import design_spectrum
 from spectra.ec8 import elastic_spectrum as ec8_spectrum
 from spectra.spectrum import Spectrum

@@ -25,7 +25,7 @@ from assess.codes.check import BranchName, Check, Outcome, Reason, Step, because
 from assess.codes.context import Context, Wall
 from assess.codes.family import GIVEN, foreign
 from assess.codes.governing import governing
-from assess.message import Message, Quantity, Severity, message
+from assess.messages.message import Message, Quantity, Severity, message
 from assess.oscillator import Branch, Oscillator, threshold
 
 NAME = "asce41-13-ht"

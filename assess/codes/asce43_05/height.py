@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from assess.codes.check import Check, step
 from assess.codes.context import Context
-from assess.message import Severity, message
+from assess.messages.message import Severity, message
 
 
 def with_height(checks: tuple[Check, ...], *, context: Context) -> tuple[Check, ...]:

@@ -17,7 +17,7 @@ from assess.codes.check import Check, Outcome, PgaCurve, Reason, Step, because, 
 from assess.codes.context import Context, Suite
 from assess.codes.governing import branch_named
 from assess.codes.incremental import islands, pga_before_failure, pga_curve, uplift_multiplier
-from assess.message import Message, count
+from assess.messages.message import Message, count
 from assess.oscillator import Branch, Oscillator
 
 CLAUSE = "ASCE 43-05, response-history method"

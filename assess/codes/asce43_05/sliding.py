@@ -24,7 +24,7 @@ from assess.codes.context import Context
 from assess.codes.governing import least
 from assess.codes.sliding import sliding_pga
 from assess.hinge_forces import HingeForces
-from assess.message import Message, Severity, message
+from assess.messages.message import Message, Severity, message
 from assess.oscillator import Oscillator, threshold
 
 PROCEDURE = "asce43-05-sliding"

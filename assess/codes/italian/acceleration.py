@@ -8,7 +8,7 @@ from assess.codes.check import Check, Outcome, Reason, Step, because, step
 from assess.codes.italian.edition import Edition
 from assess.codes.italian.floor import Demands, floor_of, judged
 from assess.codes.italian.limit_state import Case
-from assess.message import Message, Quantity, Severity, message
+from assess.messages.message import Message, Quantity, Severity, message
 from assess.oscillator import resisted
 
 

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 
 from assess.codes.check import Check, Step, step
 from assess.codes.italian.edition import Edition, Options
-from assess.message import Quantity, message
+from assess.messages.message import Quantity, message
 
 LEVELS: Mapping[str, float] = {"LC1": 1.35, "LC2": 1.20, "LC3": 1.00}  # C8.5.4 (617/2009: C8A.1.1)
 LEAST_KNOWN = LEVELS["LC1"]

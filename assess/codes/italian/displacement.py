@@ -13,7 +13,7 @@ from assess.codes.italian.floor import Demands, judged
 from assess.codes.italian.kinematic import rotation_at
 from assess.codes.italian.limit_state import Case
 from assess.codes.relation import as_curve, relation
-from assess.message import Message, Quantity
+from assess.messages.message import Message, Quantity
 from assess.oscillator import FloatArray, displacement
 
 

@@ -28,7 +28,7 @@ from assess.codes.italian.limit_state import pga_step, share
 from assess.codes.italian.thresholds import Rule as Limit
 from assess.codes.italian.thresholds import Threshold, seat_conditions, threshold_of, threshold_steps
 from assess.codes.step import Given
-from assess.message import Message, count
+from assess.messages.message import Message, count
 from assess.oscillator import Oscillator, displacement, participation_ratio
 from spectra.spectrum import Spectrum
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from assess.codes.check import Reason
 from assess.codes.context import Context
 from assess.codes.family import ITALIAN
-from assess.message import Message, Value, message
+from assess.messages.message import Message, Value, message
 
 ORDER = ("SLO", "SLD", "SLV", "SLC")  # by rising action
 

@@ -20,7 +20,7 @@ from assess.codes.italian.kinematic import (
     displacement_at_collapse,
     multiplier_at,
 )
-from assess.message import Message, Quantity, Severity, Value, message
+from assess.messages.message import Message, Quantity, Severity, Value, message
 from assess.oscillator import Branch, multiplier
 
 LOSS = 0.5  # of the largest acceleration capacity

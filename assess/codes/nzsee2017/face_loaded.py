@@ -14,7 +14,7 @@ from assess.codes.nzsee2017.clauses import CAVEAT, CAVEAT_FREE, EDITION, USABLE,
 from assess.codes.nzsee2017.response import Response, overloaded, response
 from assess.codes.nzsee2017.sheet import CLAUSE, sheet
 from assess.codes.relation import as_curve, relation
-from assess.message import Message, Quantity, message
+from assess.messages.message import Message, Quantity, message
 from assess.oscillator import Branch, FloatArray, Oscillator
 
 NAME, SCORE = "nzsee2017-face-loaded", "%NBS"

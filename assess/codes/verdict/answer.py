@@ -13,7 +13,7 @@ from assess.codes.verdict.outcome import Decision, worst
 from assess.codes.verdict.question import Action, Judged, Missing, Question
 from assess.codes.verdict.remedies import remedies
 from assess.codes.verdict.target import whole
-from assess.message import Message, message
+from assess.messages.message import Message, message
 
 LEAST_WIDTH = 0.05  # of the threshold: answers nearer to it are "at the limit"
 GRADES = ((80.0, "A"), (67.0, "B"), (34.0, "C"), (20.0, "D"), (0.0, "E"))

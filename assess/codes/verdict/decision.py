@@ -16,7 +16,7 @@ from assess.codes.verdict.methods import deciding_states, methods_of
 from assess.codes.verdict.outcome import Decision, worst
 from assess.codes.verdict.question import Action, Judged, Missing, Question, once
 from assess.codes.verdict.target import target_of
-from assess.message import Message, Severity, message
+from assess.messages.message import Message, Severity, message
 
 
 @dataclass(frozen=True)

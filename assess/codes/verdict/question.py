@@ -8,7 +8,7 @@ from typing import Literal
 
 from assess.codes.basis import Basis
 from assess.codes.check import Check
-from assess.message import Message
+from assess.messages.message import Message
 
 SOURCES = "report.sources"
 """The key of a missing source; a table whose own keys are keys of the file."""

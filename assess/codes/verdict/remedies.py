@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from assess.codes.check import Check, Family, Outcome, Reason
 from assess.codes.family import FAMILIES
 from assess.codes.verdict.question import Missing
-from assess.message import Message
+from assess.messages.message import Message
 
 Line = tuple[str, str]
 """A key, with the mechanism's name for {}, and a line of TOML."""

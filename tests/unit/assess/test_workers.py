@@ -15,7 +15,7 @@ pytestmark = pytest.mark.skipif(not Path("/proc/self/stat").exists(), reason="pr
 
 SPAWNED = """
 import os, sys, time
-from assess.signals import Terminated, orderly
+from assess.outputs.signals import Terminated, orderly
 from assess.cli.processes import processes
 if __name__ == "__main__":
     try:
@@ -27,7 +27,7 @@ if __name__ == "__main__":
 """
 COPIED = """
 import sys, time
-from assess.signals import Terminated, orderly
+from assess.outputs.signals import Terminated, orderly
 from reports.processes import processes
 def rest(_, seconds):
     time.sleep(seconds)
@@ -44,7 +44,7 @@ WRITER = """
 import sys, time
 import reports.writing
 from assess.cli.writer import writer
-from assess.signals import Terminated, orderly
+from assess.outputs.signals import Terminated, orderly
 reports.writing.write_all = lambda *_, **__: time.sleep(60.0)
 try:
     with orderly(), writer(2) as begin:

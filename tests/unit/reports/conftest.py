@@ -13,7 +13,7 @@ from scipy.constants import g
 from assess.codes.bases import BASES
 from assess.codes.check import Check, Outcome, PgaCurve, Reason, Step, because
 from assess.codes.verdict import Action, Decision, Judged, Question, verdict, with_roles
-from assess.message import Message, Severity, count
+from assess.messages.message import Message, Severity, count
 from assess.results import (
     SCHEMA_VERSION,
     AmplificationResult,

@@ -8,7 +8,7 @@ from dataclasses import replace
 import pytest
 
 from assess.codes.verdict import Decision, Index, Missing
-from assess.message import Message, Severity
+from assess.messages.message import Message, Severity
 from assess.results import Results
 from reports import cover, mechanism_verdicts
 from reports.document import Banner, Code, Items, Section, Table, Text

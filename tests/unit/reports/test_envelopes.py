@@ -7,7 +7,7 @@ import pytest
 
 from assess.dynamics.envelope import envelope
 from assess.oscillator import Oscillator, SingleBlock, plain_branch
-from assess.project.envelopes import envelope_result
+from assess.study.envelopes import envelope_result
 from records.pulses import SHAPES
 from reports.envelopes import findings
 

@@ -10,9 +10,9 @@ import pytest
 from scipy.constants import g
 
 from assess.project.build import build
-from assess.project.run import parameters
 from assess.project.schema import load
 from assess.results import HistoryResult, MechanismResult, Resolved, Results, Trace
+from assess.study.run import parameters
 from reports import interfaces, joints, sentences, siblings
 from reports.assessment import assessment
 from reports.document import Figure, Table, Text

@@ -16,9 +16,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from matplotlib.figure import Figure as Drawn
 
-from assess.message import Message, Quantity, note, warning
+from assess.messages.message import Message, Quantity, note, warning
 from assess.results import AmplificationResult, Factor, Resolved, Results
-from assess.results_io import dumps
+from assess.results.json import dumps
 from reports.asked import as_asked
 from reports.assessment import assessment
 from reports.document import Document, Figure, Section, Text

@@ -45,9 +45,9 @@ DATA = {
     "assess.codes.family",
     "assess.codes.verdict",
     "assess.codes.verdict_text",
-    "assess.message",
-    "assess.plural",
-    "assess.texts",
+    "assess.messages.message",
+    "assess.messages.plural",
+    "assess.messages.texts",
 }
 
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import replace
 
 from assess.codes.check import Outcome
-from assess.message import message
+from assess.messages.message import message
+from assess.messages.texts import TEXTS
 from assess.results import Results
-from assess.texts import TEXTS
 from reports import sentences, tables
 
 

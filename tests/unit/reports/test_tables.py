@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import asdict, replace
 
 from assess.codes.check import Bound, Step
-from assess.message import message
+from assess.messages.message import message
 from assess.results import Results
 from reports import tables
 from reports.assessment import assessment

@@ -12,9 +12,9 @@ from pypdf import PdfReader
 
 import assess.examples
 from assess.project.build import build
-from assess.project.run import run
 from assess.project.schema import load
 from assess.results import Resolved, Results
+from assess.study.run import run
 from reports.assessment import assessment
 from reports.catalogue import catalogue, parsed
 from reports.document import Document, Figure, Sheet, Table, Text

@@ -22,7 +22,7 @@ from assess.codes.ntc2018.toothing import LEVER, toothed_friction
 from assess.errors import ProcedureError
 from assess.geometry.planar import planar
 from assess.geometry.solid import box
-from assess.loads import Force
+from assess.loads.load import Force
 from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block
 from assess.oscillator import multiplier

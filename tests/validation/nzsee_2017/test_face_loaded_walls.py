@@ -20,11 +20,11 @@ from assess.codes.nzsee2017.clauses import Options, floor_factor, nominal, perio
 from assess.codes.nzsee2017.face_loaded import NAME, assess
 from assess.geometry.planar import planar
 from assess.geometry.solid import box
-from assess.loads import Force, PointMass
+from assess.loads.load import Force, PointMass
 from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.two_block import two_block
-from assess.project.wall_size import wall_of
+from assess.study.wall_size import wall_of
 from spectra.nzs1170_5 import site_spectrum
 from spectra.table import table_spectrum
 

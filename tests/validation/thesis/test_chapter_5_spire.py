@@ -14,9 +14,9 @@ import trimesh
 from scipy.constants import g
 
 from assess.project.build import build
-from assess.project.run import case_parameters
 from assess.project.schema import load
 from assess.results import MechanismResult
+from assess.study.run import case_parameters
 
 RADIUS, HEIGHT, SIDES = 2.0, 9.0, 32
 PROJECT = """

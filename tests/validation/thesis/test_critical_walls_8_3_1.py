@@ -14,7 +14,14 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.amplification import Amplification, FirstMode, Srss, SrssRelative, Unamplified, factor_over_frequency
+from assess.amplification.floor_motion import (
+    Amplification,
+    FirstMode,
+    Srss,
+    SrssRelative,
+    Unamplified,
+    factor_over_frequency,
+)
 from assess.dynamics.envelope import envelope
 from assess.mechanisms.equivalent_block import equivalent_block
 from assess.mechanisms.oscillation import oscillator

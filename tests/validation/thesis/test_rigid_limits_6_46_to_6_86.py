@@ -17,7 +17,7 @@ from scipy.integrate import solve_ivp
 
 from assess.dynamics.history import free_rocking
 from assess.geometry.planar import planar_direct
-from assess.loads import Force
+from assess.loads.load import Force
 from assess.mechanisms.chain import Block, Chain, mirrored_chain
 from assess.mechanisms.four_hinge import four_hinge
 from assess.mechanisms.single_block import single_block

@@ -15,7 +15,7 @@ from scipy.constants import g
 from assess.geometry.planar import planar_direct
 from assess.interfaces.law import Law
 from assess.interfaces.shapes import rectangle
-from assess.loads import Force
+from assess.loads.load import Force
 from assess.mechanisms.assembly import on_joints
 from assess.mechanisms.chain import Block
 from assess.mechanisms.flexible import FlexibleChain

@@ -14,7 +14,7 @@ import pytest
 from scipy.constants import g
 
 from assess.geometry.planar import planar_direct
-from assess.loads import Force, PointMass
+from assess.loads.load import Force, PointMass
 from assess.mechanisms.chain import Block, Chain
 from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block

@@ -13,7 +13,7 @@ import pytest
 from scipy.constants import g
 from scipy.optimize import brentq
 
-from assess.loads import Force
+from assess.loads.load import Force
 from assess.mechanisms.chain import Block, Chain
 from assess.mechanisms.statics import verge
 

@@ -16,7 +16,7 @@ from scipy.constants import g
 from scipy.optimize import minimize_scalar
 
 from assess.errors import MechanismError
-from assess.loads import Force
+from assess.loads.load import Force
 from assess.mechanisms.chain import Block, Chain
 from assess.mechanisms.crack import crack_ratio
 from assess.mechanisms.oscillation import oscillator

@@ -16,13 +16,13 @@ from assess.cli.summary import summary
 from assess.codes.bases import BASES
 from assess.codes.check import Check, Outcome, Reason, because
 from assess.codes.verdict import Action, Judged, Missing, Question, verdict
-from assess.message import Message, Severity
+from assess.messages.message import Message, Severity
 from assess.outputs.manifest import MANIFEST
-from assess.project import run as running
 from assess.project.build import build
 from assess.project.schema import load
 from assess.results import Program, Resolved, Results
-from assess.results_io import dumps
+from assess.results.json import dumps
+from assess.study import run as running
 
 PROJECT = """
 title = "<b>&"
@@ -91,7 +91,7 @@ def faked(project: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[..., None]
             progress("histories", jobs, jobs)
             return results
 
-        monkeypatch.setattr("assess.project.run.run", run)
+        monkeypatch.setattr("assess.study.run.run", run)
         monkeypatch.setattr("reports.writing.write_all", small_report)
 
     return fake
@@ -249,7 +249,7 @@ def test_report_again_needs_no_analysis(
     out, other = tmp_path / "out", tmp_path / "other"
     assert ended("run", project, "-o", out) == 0
     before = {path.name: path.read_bytes() for path in out.iterdir()}
-    monkeypatch.delattr("assess.project.run.run")
+    monkeypatch.delattr("assess.study.run.run")
     assert ended("report", out / "results.json") == 0
     assert {path.name: path.read_bytes() for path in out.iterdir()} == before
     assert ended("report", out / "results.json", "-o", other) == 0

@@ -12,13 +12,13 @@ import pytest
 from command import ended
 
 from assess.cli.diff_table import changes_text
-from assess.comparing import Change
-from assess.message import Message, Severity
+from assess.messages.message import Message, Severity
 from assess.project.build import build
-from assess.project.run import parameters
 from assess.project.schema import load
 from assess.results import SCHEMA_VERSION, Input, Program, Resolved, Results
-from assess.results_io import dumps
+from assess.results.comparison import Change
+from assess.results.json import dumps
+from assess.study.run import parameters
 
 PROJECT = """
 [mechanisms.parapet]

@@ -9,10 +9,10 @@ from command import ended
 from scipy.constants import g
 
 from assess.project.build import build
-from assess.project.run import run
 from assess.project.schema import load
 from assess.project.sections.spectra import SPECTRA
-from assess.results_io import dumps
+from assess.results.json import dumps
+from assess.study.run import run
 from spectra.table import read_table
 
 PROJECT = """

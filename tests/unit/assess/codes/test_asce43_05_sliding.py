@@ -13,9 +13,9 @@ from assess.codes.asce43_05 import sliding
 from assess.codes.asce43_05.clauses import Options
 from assess.codes.check import Reason
 from assess.codes.context import Context
-from assess.mechanisms.activation import hinge_forces
 from assess.mechanisms.equivalent_block import equivalent_block
 from assess.mechanisms.face import Face
+from assess.mechanisms.hinge_forces import hinge_forces
 from assess.mechanisms.oscillation import oscillator
 from spectra.table import table_spectrum
 

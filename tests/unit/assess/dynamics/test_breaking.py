@@ -12,7 +12,7 @@ from scipy.integrate import solve_ivp
 from assess.dynamics.history import Jobs, free_rocking, peaks, trace
 from assess.geometry.planar import planar
 from assess.geometry.solid import box
-from assess.loads import Tie
+from assess.loads.load import Tie
 from assess.mechanisms.lasting import variants
 from assess.mechanisms.single_block import single_block
 from assess.oscillator import energy

@@ -18,7 +18,7 @@ from assess.errors import InterfaceError, MechanismError
 from assess.geometry.planar import planar_direct
 from assess.interfaces.law import Law
 from assess.interfaces.shapes import rectangle
-from assess.loads import Force, PointMass, Tie
+from assess.loads.load import Force, PointMass, Tie
 from assess.mechanisms.arch import hinged, weakest
 from assess.mechanisms.chain import Block, Chain
 from assess.mechanisms.flexible import FlexibleChain

@@ -15,8 +15,8 @@ from assess.errors import MechanismError
 from assess.geometry.planar import planar_direct
 from assess.interfaces.law import Law
 from assess.interfaces.shapes import rectangle
-from assess.loads import Force, PointMass
-from assess.loads import mirrored as mirrored_load
+from assess.loads.load import Force, PointMass
+from assess.loads.load import mirrored as mirrored_load
 from assess.mechanisms.assembly import on_joints
 from assess.mechanisms.chain import Block
 from assess.mechanisms.flexible import FlexibleChain

@@ -9,7 +9,7 @@ import pytest
 from assess.errors import MechanismError
 from assess.geometry.planar import planar
 from assess.geometry.solid import box
-from assess.loads import Force, PointMass
+from assess.loads.load import Force, PointMass
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.two_block import two_block
 

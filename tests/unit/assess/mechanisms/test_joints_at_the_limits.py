@@ -16,14 +16,14 @@ from assess.errors import MechanismError
 from assess.geometry.planar import planar_direct
 from assess.interfaces.law import Law
 from assess.interfaces.shapes import rectangle
-from assess.loads import Force, PointMass
+from assess.loads.load import Force, PointMass
 from assess.mechanisms.assembly import on_joints
 from assess.mechanisms.joint import Joint
 from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block
 from assess.oscillator import linearise, multiplier, resisted
-from assess.project.joint_results import interface_curves
-from assess.project.oscillator_results import rigid_branches
+from assess.study.joint_results import interface_curves
+from assess.study.oscillator_results import rigid_branches
 from records.record import Record
 
 B, H, L, RHO = 1.0, 6.0, 2.0, 1800.0

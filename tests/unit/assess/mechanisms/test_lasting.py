@@ -17,7 +17,7 @@ from assess.geometry.planar import planar
 from assess.geometry.solid import box
 from assess.interfaces.law import Law
 from assess.interfaces.shapes import rectangle
-from assess.loads import Force, PointMass, Tie, lasts, mirrored
+from assess.loads.load import Force, PointMass, Tie, lasts, mirrored
 from assess.mechanisms.assembly import on_joints
 from assess.mechanisms.joint import Joint
 from assess.mechanisms.lasting import collapse_branch, held_above, limits, variants

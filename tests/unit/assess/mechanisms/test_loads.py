@@ -11,7 +11,7 @@ from scipy.constants import g
 from assess.errors import MechanismError
 from assess.geometry.planar import planar, planar_direct, planar_joined
 from assess.geometry.solid import box
-from assess.loads import Force, PointMass, Tie, pull_at_rest
+from assess.loads.load import Force, PointMass, Tie, pull_at_rest
 from assess.mechanisms.chain import Block, Chain
 from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block

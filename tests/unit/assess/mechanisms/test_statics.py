@@ -6,7 +6,7 @@ import pytest
 from scipy.constants import g
 
 from assess.geometry.planar import planar_direct
-from assess.loads import Force
+from assess.loads.load import Force
 from assess.mechanisms.chain import Block, Chain
 from assess.mechanisms.four_hinge import four_hinge
 from assess.mechanisms.statics import compressions

@@ -11,12 +11,12 @@ from aim import aim
 from written import content, run, write
 
 from assess.errors import OutputError
-from assess.message import Message
+from assess.messages.message import Message
 from assess.outputs import journal
 from assess.outputs.lock import LOCK
 from assess.outputs.manifest import MANIFEST
 from assess.outputs.settling import settled
-from assess.signals import Terminated, orderly
+from assess.outputs.signals import Terminated, orderly
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="processes are copied, and ended by signals")
 

@@ -9,14 +9,14 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.amplification import FirstMode, FloorFactor, ModalFilter, Srss, factor_over_frequency
+from assess.amplification.floor_motion import FirstMode, FloorFactor, ModalFilter, Srss, factor_over_frequency
+from assess.amplification.natural_frequency import cantilever, rayleigh
 from assess.errors import ProjectError
 from assess.geometry.solid import box
-from assess.natural_frequency import cantilever, rayleigh
 from assess.project.build import build
-from assess.project.run import envelope, run
 from assess.project.schema import load
-from assess.project.study import Study
+from assess.study.run import envelope, run
+from assess.study.study import Study
 from records.floor_motion import floor_motion
 
 WALL = box(thickness=0.6, length=4.0, height=8.0, base=[0, 0, 0], density=2000.0, name="w")

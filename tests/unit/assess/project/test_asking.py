@@ -9,10 +9,10 @@ from scipy.constants import g
 
 from assess.errors import ProjectError
 from assess.project.build import build
-from assess.project.motions import motions_of
-from assess.project.run import run
 from assess.project.schema import load
-from assess.project.sensitivity import checked
+from assess.study.motions import motions_of
+from assess.study.run import run
+from assess.study.sensitivity import checked
 
 ROWS = """hazard = [
     { return_period = 30, a_g = "0.08 g", f_0 = 2.4, t_c_star = 0.27 },

@@ -10,9 +10,9 @@ from assess.cli.description import description
 from assess.codes.check import Outcome, Reason
 from assess.project.build import build
 from assess.project.grounding import BY_BODIES, BY_BUILDING, BY_MECHANISM, BY_TABLE, UNKNOWN, Grounded
-from assess.project.run import parameters, run
 from assess.project.schema import load
-from assess.project.study import Study
+from assess.study.run import parameters, run
+from assess.study.study import Study
 
 HEAD = """
 [site.spectrum]

@@ -9,7 +9,7 @@ import pytest
 
 from assess.project.build import build
 from assess.project.schema import load
-from assess.project.study import Study
+from assess.study.study import Study
 
 README = Path(__file__).resolve().parents[4] / "README.md"
 

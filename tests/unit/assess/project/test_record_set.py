@@ -8,12 +8,12 @@ from scipy.constants import g
 
 from assess.errors import AssessError, ProjectError
 from assess.project.build import build
-from assess.project.periods import equivalent_periods
-from assess.project.run import run
 from assess.project.schema import load
-from assess.project.study import Study
 from assess.results import Results
-from assess.results_io import dumps, loads
+from assess.results.json import dumps, loads
+from assess.study.periods import equivalent_periods
+from assess.study.run import run
+from assess.study.study import Study
 from records.catalogue import NAME
 from records.errors import RecordError
 from records.record import make_record

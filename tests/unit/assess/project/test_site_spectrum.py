@@ -8,9 +8,9 @@ from scipy.constants import g
 from assess.codes.context import FirstMode
 from assess.errors import ProjectError
 from assess.project.build import build
-from assess.project.outcome import spectrum_result
 from assess.project.schema import load, resolved
 from assess.project.site_spectrum import site_in, spectrum_of, vertical_of
+from assess.study.outcome import spectrum_result
 from spectra.errors import SpectrumError
 
 WALL = """

@@ -8,8 +8,8 @@ import pytest
 from scipy.constants import g
 
 from assess.project.build import build
-from assess.project.run import run
 from assess.project.schema import load
+from assess.study.run import run
 
 PROJECT = """
 [site.spectrum]

@@ -1,0 +1,295 @@
+"""What a floor, roof or vault puts on a block: its weight where they touch, and its thrust (thesis 3.2.2)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.constants import g
+
+from assess.errors import GeometryError
+from assess.geometry.covering import extent
+from assess.geometry.solid import Solid
+from assess.geometry.touch import touch
+from assess.loads.bearing import Support, carries, carrying, nearest, share_of, support
+from assess.loads.coverings import Arch, Thrust, arch_of, thrust_of, weight
+from assess.loads.load import Force, Load, Point, PointMass
+from assess.loads.plane import point_in_plane
+from assess.model.overlaps import OVERLAP, SAME_PLACE, shared_with
+from assess.project import sections
+
+FloatArray = NDArray[np.float64]
+
+BETWEEN = 1 / 8  # of the span: a contact this near its middle holds both feet of a roof or vault
+BELOW_THE_CUT = "it stands on what the cut leaves still, so it is no load of the mechanism; remove it from `loads`"
+BY_ITSELF = ("give `at` and `bearing`", "give it a mesh, box or profile, or write mass and force loads")
+
+
+@dataclass(frozen=True)
+class Surroundings:
+    """Where a load stands.
+
+    block : solids of the block that it touches, as cut; others : the project's other solids, as the mechanism cuts them
+    fixed : what cuts leave standing; along : unit vector of the motion [3]; where : what an error names
+    """
+
+    block: tuple[Solid, ...]
+    others: tuple[Solid, ...]
+    fixed: tuple[Solid, ...]
+    along: FloatArray
+    where: str
+
+
+@dataclass(frozen=True)
+class Brought:
+    """The loads that bodies bring, and sentences on what is doubtful of them.
+
+    follows : of each load, whether its block follows from where it is
+    """
+
+    loads: tuple[Load, ...]
+    doubts: tuple[str, ...]
+    follows: tuple[bool, ...] = ()
+
+
+@dataclass(frozen=True)
+class Case:
+    """A body as load: its entry, its solid (None for direct values), where it meets what, and its shape as an arch.
+
+    side : how far from the middle of its span a roof or vault meets the block, over the span, positive with the
+        motion [-]
+    """
+
+    load: sections.BodyLoad
+    body: Solid | None
+    found: Support | None
+    arch: Arch | None
+    side: float
+    where: str
+
+    @property
+    def one_foot(self) -> bool:
+        """Whether the block holds one foot of a roof or vault, and something else the other."""
+        return abs(self.side) > BETWEEN
+
+    @property
+    def springs(self) -> FloatArray | None:
+        """The axis along which a vault springs from upright faces too [3]; None for other bodies."""
+        return self.arch.axis if self.arch is not None and self.load.role == "vault" else None
+
+
+@dataclass(frozen=True)
+class Meeting:
+    """Where a body meets the block and others, None where the user says all of it; and what is doubtful."""
+
+    found: Support | None
+    doubts: tuple[str, ...] = ()
+
+
+Meet = Callable[[sections.BodyLoad, Solid | None, Surroundings], Meeting]
+
+
+@dataclass(frozen=True)
+class Part:
+    """The part of a body that the block carries, where that is from, and what is doubtful of it."""
+
+    share: float
+    source: str
+    doubts: tuple[str, ...] = ()
+
+
+def meeting(load: sections.BodyLoad, body: Solid | None, around: Surroundings) -> Meeting:
+    """Where a body meets the block and what else carries it, whichever way the motion goes; and what is doubtful.
+
+    Raises GeometryError where the body touches nothing of the block, or has no geometry where it needs one.
+    """
+    given = load.at is not None and load.bearing is not None
+    found = met(load, body, given=given, around=around)
+    if found is not None:
+        return beside_the_block(found, around=around)
+    if body is None or given:
+        return Meeting(None)
+    below = any(touch(solid, body, tolerance=load.tolerance) for solid in around.fixed)
+    why = BELOW_THE_CUT if below else nearest(body, block=around.block)
+    raise GeometryError(f'{around.where}: load "{load.body}" touches nothing of the block: {why}, or {BY_ITSELF[0]}')
+
+
+def body_loads(
+    load: sections.BodyLoad,
+    *,
+    block: int,
+    body: Solid | None,
+    mass: float,
+    around: Surroundings,
+    meet: Meet = meeting,
+) -> Brought:
+    """The point mass of a body, and the force of its thrust if it has one.
+
+    block : number of the one that it loads; body : None for direct values; mass : of the whole body by its table [kg]
+    meet : finds where it meets the block
+
+    Raises
+    ------
+    GeometryError : the body touches nothing of the block, has no geometry where it needs one, or would lift off
+    """
+    met_by = meet(load, body, around)
+    found = met_by.found
+    covering = body if load.role != "floor" else None
+    arch = None if covering is None else arch_of(load, covering, along=around.along)
+    at = place_of(load, found, along=around.along)
+    side = 0.0 if covering is None else side_of(covering, found, arch, at, along=around.along)
+    case = Case(load, body, found, arch, side, where=f'{around.where}: load "{load.body}"')
+    whole, of = weight(load, body, mass=mass)
+    bearing, how = bearing_of(case)
+    part = part_of(case, bearing=bearing)
+    source, pushed = [of, part.source, how, *placed(load, found, along=around.along)], list[Force]()
+    if covering is not None:
+        thrust = thrust_on(case, V=g * part.share * whole, along=around.along)
+        force = Force(f"{load.body} (thrust)", (thrust.size, 0.0), at, block, thrust.source)
+        pushed += [force] if thrust.size else []
+        source += [] if thrust.size else [thrust.source]
+    if load.seat is not None and not bearing:
+        raise GeometryError(f"{case.where}: it only pushes, so it has no seat; remove seat, or write bearing = true")
+    carried = PointMass(load.body, part.share * whole, at, bearing, block, "; ".join(source), load.seat)
+    return Brought((carried, *pushed), told_of(load, (*met_by.doubts, *part.doubts)))
+
+
+def told_of(load: sections.BodyLoad, doubts: Iterable[str]) -> tuple[str, ...]:
+    """Sentences with the name of the load that they are about."""
+    return tuple(f'load "{load.body}": {text}' for text in doubts)
+
+
+def met(load: sections.BodyLoad, body: Solid | None, *, given: bool, around: Surroundings) -> Support | None:
+    """Where the body meets the block and others; None where it does not, or where nothing can tell.
+
+    given : whether the user says all that follows from it
+
+    Raises GeometryError where nothing can tell, and the user does not either.
+    """
+    place, shape = BY_ITSELF
+    where = f'{around.where}: load "{load.body}"'
+    if body is None or not around.block:
+        whose = "it" if body is None else "the block"
+        if load.role != "floor":
+            raise GeometryError(f"{where}: {whose} has no geometry, from which a thrust could be found; {shape}")
+        if not given:
+            raise GeometryError(f"{where}: {whose} has no geometry, so it is not known where they touch; {place}")
+        return None
+    found = support(body, block=around.block, others=(*around.others, *around.fixed), tolerance=load.tolerance)
+    return None if found is None else apart(found, around.block, tolerance=load.tolerance)
+
+
+def apart(found: Support, block: tuple[Solid, ...], *, tolerance: float) -> Support:
+    """The same without contacts with what a cut parted from the block where both lie at one elevation.
+
+    There the face that the cut made is as near to the body as the face on which it stands.
+    """
+    own, height = {solid.name for solid in block}, float(found.contact.centroid[2])
+    kept = {
+        name: each
+        for name, each in found.others.items()
+        if name not in own or abs(float(each.centroid[2]) - height) > tolerance
+    }
+    return Support(found.contact, kept)
+
+
+def beside_the_block(found: Support, *, around: Surroundings) -> Meeting:
+    """The contacts without those with bodies that stand where the block does; a sentence for each that overlaps it."""
+    kept, doubts = dict(found.others), list[str]()
+    for other in (solid for solid in around.others if solid.name in found.others):
+        part, volume = shared_with(around.block, other)
+        if part > SAME_PLACE:
+            del kept[other.name]
+            doubts.append(f'body "{other.name}" stands where the block does; it is not taken to carry a part of this')
+        elif part > OVERLAP:
+            doubts.append(f'body "{other.name}", which it touches too, overlaps the block by {volume:.3g} m3')
+    return Meeting(Support(found.contact, kept), tuple(doubts))
+
+
+def bearing_of(case: Case) -> tuple[bool, str]:
+    """Whether the block carries the body or is only pushed, and where that is from."""
+    words = {True: "bears", False: "only pushes"}
+    given = case.load.bearing
+    if case.found is None:
+        return bool(given), f"{words[bool(given)]} (given)"
+    contact = case.found.contact
+    shown = carries(contact, axis=case.springs)
+    seen = f"{words[shown]} on {contact.area:.3g} m2"
+    return (shown, seen) if given is None else (given, f"{words[given]} (given; by its contact it {seen})")
+
+
+def part_of(case: Case, *, bearing: bool) -> Part:
+    """The part of the body that the block carries."""
+    carried = None if case.found is None else carrying(case.found, axis=case.springs)
+    statics = None
+    if case.body is not None and carried is not None and carried.others:
+        statics = share_of(carried, centroid=case.body.centroid)
+    if case.load.share is not None:
+        beside = "" if statics is None else f"; by statics {statics:.3g}"
+        return Part(case.load.share, f"share {case.load.share:.3g} (given{beside})")
+    if not bearing:
+        doubts = ("nothing in the project carries its weight",) if statics is None else ()
+        return Part(1.0, "all of it pushes, its weight is carried elsewhere (thesis 3.2.2)", doubts)
+    if statics is None or carried is None:
+        return alone(case)
+    if statics == 0.0:
+        raise GeometryError(f"{case.where}: by statics it lifts off the block; give share, or bearing = false")
+    names = ", ".join(f'"{name}"' for name in carried.others)
+    return Part(statics, f"share {statics:.3g} (statics; the rest on {names})")
+
+
+def alone(case: Case) -> Part:
+    """The part of a body that nothing else in the project carries: all, or half where it has another foot."""
+    nothing = "nothing else in the project carries it"
+    if case.arch is not None and case.one_foot:
+        doubt = f"{nothing}; half of it is taken, since its other foot must stand on something: else give share"
+        return Part(0.5, "share 0.5 (its other foot is not in the project)", (doubt,))
+    return Part(1.0, f"share 1 ({nothing})", (f"{nothing}, so its whole weight is on the block: else give share",))
+
+
+def place_of(load: sections.BodyLoad, found: Support | None, *, along: FloatArray) -> Point:
+    """Where the load acts, in the plane of motion [m]."""
+    at = load.at
+    if at is None:
+        assert found is not None  # `met` asks for one of the two
+        at = tuple(found.contact.centroid.tolist())
+    return point_in_plane(at, along.tolist())
+
+
+def placed(load: sections.BodyLoad, found: Support | None, *, along: FloatArray) -> list[str]:
+    """A clause where the user's own place stands for that of the contact."""
+    if load.at is None:
+        return []
+    if found is None:
+        return ["place given"]
+    x, z = point_in_plane(found.contact.centroid.tolist(), along.tolist())
+    return [f"place given (its contact is at x = {x:.4g} m, z = {z:.4g} m)"]
+
+
+def side_of(covering: Solid, found: Support | None, arch: Arch | None, at: Point, *, along: FloatArray) -> float:
+    """How far from the middle of its span a covering meets the block, over the span; positive with the motion."""
+    axis, place = along, at[0]
+    if found is not None and arch is not None:
+        axis, place = arch.axis, float(found.contact.centroid @ arch.axis)
+    low, high = extent(covering, axis=axis)
+    return (place - (low + high) / 2.0) / (high - low)
+
+
+def thrust_on(case: Case, *, V: float, along: FloatArray) -> Thrust:
+    """The thrust of a roof or vault on the block, outwards; V: what it stands on it with [N]."""
+    given = case.load.thrust is not None
+    if given and not case.one_foot:
+        raise GeometryError(
+            f"{case.where}: it meets the block about the middle of its span, so it is not clear which way is outwards; "
+            'write the thrust as a load of kind = "force"'
+        )
+    if not given and not bearing_of(case)[0]:
+        return Thrust(0.0, "no thrust: it does not stand on the block")
+    found = thrust_of(case.load, case.arch, along=along, V=V)
+    if not found.size:
+        return found
+    if not case.one_foot:
+        return Thrust(0.0, "no thrust: both its feet stand on the block, or none near its ends")
+    return Thrust(float(np.copysign(found.size, case.side)), f"{found.source}, outwards")

@@ -1,0 +1,122 @@
+"""Roofs and vaults of a project as arches of three hinges: their weight, and their thrust on a block."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from assess.geometry.covering import extent, height, lever, slope, underside
+from assess.geometry.solid import Solid
+from assess.loads.thrust import CONSTRUCTIONS, even_lever, thrust
+from assess.project import sections
+
+FloatArray = NDArray[np.float64]
+
+SINGLE = 0.5  # one-sidedness above which a roof has a single slope
+SQUARE = 0.02  # cosine: a covering that spans within a degree of square to the motion has no thrust along it
+
+
+@dataclass(frozen=True)
+class Arch:
+    """A roof or vault as an arch of three hinges, and where its measures are from.
+
+    axis : horizontal unit vector along which it thrusts, to the side of the motion [3]; span, rise : [m]
+    lever : mean distance of its weight from the nearer springing [m]
+    """
+
+    axis: FloatArray
+    span: float
+    rise: float
+    lever: float
+    source: str
+
+
+@dataclass(frozen=True)
+class Thrust:
+    """The thrust along the motion [N], positive with it, and how it was found; 0, and why there is none."""
+
+    size: float
+    source: str
+
+
+def arch_of(load: sections.BodyLoad, body: Solid, *, along: FloatArray) -> Arch | None:
+    """A roof or vault as an arch, None where it is flat or slopes one way only: a beam, without thrust.
+
+    A barrel vault or gable roof thrusts along its slope, a quadripartite vault or hipped roof along any motion.
+
+    along : unit vector of the motion [3]
+    """
+    falls = slope(body)
+    if falls.axis is None:
+        return None
+    every_way = falls.both_ways if load.vault is None else load.vault == "quadripartite"
+    if not every_way and falls.one_sided > SINGLE:
+        return None
+    axis = along if every_way else falls.axis if falls.axis @ along >= 0.0 else -falls.axis
+    low, high = extent(body, axis=axis)
+    span, rise = load.span or high - low, load.rise or height(body)
+    own = even_lever(span) if load.role == "roof" else _vault_lever(load, body, axis=axis, span=span)
+    measures = (("L", span, load.span), ("f", rise, load.rise))
+    source = ", ".join(f"{sign} = {value:.4g} m ({'given' if given else 'found'})" for sign, value, given in measures)
+    return Arch(axis, span, rise, own, source)
+
+
+def weight(load: sections.BodyLoad, body: Solid | None, *, mass: float) -> tuple[float, str]:
+    """The mass of the whole body [kg], and where it is from; mass: by its volume or direct values [kg]."""
+    if load.mass is not None:
+        return load.mass, f"{load.mass:.4g} kg (given; by its table {mass:.4g} kg)"
+    if body is None:
+        return mass, f"{mass:.4g} kg (direct values)"
+    shell, fill = _vault_masses(load, body)
+    area, plan = underside(body)
+    own = "its volume"
+    if load.construction is not None:
+        built = CONSTRUCTIONS[load.construction]
+        own = (
+            f"Ungewitter's case {load.construction}, {built.name}: {built.thickness:g} m x {built.density:g} kg/m3 "
+            f"(assumed) x intrados {area:.4g} m2"
+        )
+    own += "" if load.fill is None else f", and fill {load.fill:g} kg/m2 x plan {plan:.4g} m2"
+    return shell + fill, f"{shell + fill:.4g} kg ({own})"
+
+
+def thrust_of(load: sections.BodyLoad, arch: Arch | None, *, along: FloatArray, V: float) -> Thrust:
+    """The thrust along the motion of a covering that stands on the block with the vertical reaction V [N]."""
+    if load.thrust is not None:
+        return Thrust(load.thrust, "thrust (given)")
+    if load.tied:
+        return Thrust(0.0, "no thrust: tied (given)")
+    if arch is None:
+        return Thrust(0.0, "no thrust: it is flat or slopes one way only, like a beam")
+    cosine = float(arch.axis @ along)
+    if cosine < SQUARE:
+        return Thrust(0.0, "no thrust along the motion: its ridge runs that way, it spans across")
+    H = thrust(V, lever=arch.lever, rise=arch.rise)
+    words = f"H = V x / f = {V / 1e3:.4g} kN x {arch.lever:.4g} m / {arch.rise:.4g} m = {H / 1e3:.4g} kN"
+    words += f", {arch.source}, {_spread(load, arch, V=V)}"
+    return Thrust(H * cosine, words if cosine > 0.9999 else f"{words}; {H * cosine / 1e3:.4g} kN along the motion")
+
+
+def _spread(load: sections.BodyLoad, arch: Arch, *, V: float) -> str:
+    """How the weight lies on the span, and what it would thrust if it were spread evenly over the plan."""
+    if load.role == "roof":
+        return "rafters: x = L / 4"
+    even = thrust(V, lever=even_lever(arch.span), rise=arch.rise)
+    return f"x to the weight of half the vault from its springing (L / 4 would give {even / 1e3:.4g} kN)"
+
+
+def _vault_lever(load: sections.BodyLoad, body: Solid, *, axis: FloatArray, span: float) -> float:
+    """Distance of the weight of half a vault from its springing [m]: of the mesh, and of fill spread over the plan."""
+    low, high = extent(body, axis=axis)
+    own = lever(body, axis=axis) * span / (high - low)
+    shell, fill = _vault_masses(load, body)
+    return (shell * own + fill * even_lever(span)) / (shell + fill)
+
+
+def _vault_masses(load: sections.BodyLoad, body: Solid) -> tuple[float, float]:
+    """Mass of a vault itself, and of what lies on it [kg]."""
+    area, plan = underside(body)
+    shell = body.mass if load.construction is None else area * CONSTRUCTIONS[load.construction].mass_per_area
+    return shell, plan * (load.fill or 0.0)

@@ -1,0 +1,183 @@
+"""Which block of a mechanism a body loads: the one whose masonry, as cut, it stands on or pushes against."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass
+from math import inf
+
+import numpy as np
+from numpy.typing import NDArray
+
+from assess.errors import GeometryError
+from assess.geometry.boolean import gap
+from assess.geometry.outline import distance
+from assess.geometry.solid import Solid
+from assess.geometry.touch import Contact, together, touch
+from assess.loads.bearing import carries
+from assess.loads.coverings import arch_of
+from assess.loads.load import Point
+from assess.loads.plane import point_in_plane
+from assess.model.pieces import Piece
+from assess.project import sections
+
+FloatArray = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Blocks:
+    """The blocks of a mechanism as a body meets them.
+
+    pieces : base first; crack : elevation at which two of them part, where it tells them apart [m], else None
+    parted : whether that crack parts one body; along : unit vector of the motion [3]; where : what an error names
+    """
+
+    pieces: tuple[Piece, ...]
+    crack: float | None
+    parted: bool
+    along: FloatArray
+    where: str
+
+
+@dataclass(frozen=True)
+class Loaded:
+    """The block that a body loads, and the one whose contact with it tells place, share and bearing."""
+
+    block: int
+    contact: int
+
+
+Found = tuple[tuple[Loaded, ...], tuple[str, ...]]  # and sentences on what is doubtful
+
+
+def loaded_blocks(
+    load: sections.BodyLoad, body: Solid | None, *, among: Blocks, taken: Collection[int | None] = ()
+) -> Found:
+    """The blocks that a body loads: as `block` says, else all that it bears on, or the one that it pushes against.
+
+    taken : the blocks that `loads` puts it on
+
+    Raises GeometryError where neither the contact nor the entry tells, or they contradict each other.
+    """
+    if len(among.pieces) == 1:
+        return (Loaded(load.block or 0, 0),), ()
+    contacts = contacts_of(load, body, among.pieces)
+    if not contacts:
+        number = load.block if load.block is not None else nearest_block(load, body, among)
+        return (Loaded(number, number),), ()
+    axis = springing(load, body, along=among.along)
+    bears = [number for number, each in contacts.items() if carries(each, axis=axis)]
+    if load.block is not None:
+        left_out = [number for number in bears if number not in taken]
+        return as_given(load, load.block, contacts, [*bears, *contacts][0], left_out, among=among)
+    found = bears if bears and load.bearing is not False else list(contacts)
+    if len(found) > 1:
+        refuse_doubtful(load, found, contacts, bears, among=among)
+    return tuple(Loaded(number, number) for number in found), ()
+
+
+def contacts_of(load: sections.BodyLoad, body: Solid | None, pieces: Sequence[Piece]) -> dict[int, Contact]:
+    """Where a body meets each block that it touches, by the number of the block."""
+    if body is None:
+        return {}
+    met = {number: _met(piece.solids, body, load.tolerance) for number, piece in enumerate(pieces)}
+    return {number: each for number, each in met.items() if each is not None}
+
+
+def as_given(
+    load: sections.BodyLoad,
+    given: int,
+    contacts: Mapping[int, Contact],
+    touched: int,
+    left_out: Sequence[int],
+    *,
+    among: Blocks,
+) -> Found:
+    """The block that the user gives, held against the contact; raises GeometryError where it is another's.
+
+    touched : the block that the contact tells; left_out : those that it bears on, without a load
+    """
+    if given in contacts:
+        cracked = among.parted and at_one_place(contacts, tolerance=load.tolerance)
+        return (Loaded(given, given),), (_left_out(left_out[0]),) if left_out and not cracked else ()
+    if load.at is None:
+        raise GeometryError(
+            f'{among.where}: load "{load.body}": block = {given}, yet it touches block {touched}; remove block, or '
+            "give `at`, the place where it acts on the block given"
+        )
+    said = f"block {given} is given, yet it touches block {touched}; it moves with the one given: check `block`"
+    return (Loaded(given, touched),), (said,)
+
+
+def _left_out(number: int) -> str:
+    return (
+        f"it bears on block {number} too, and no load puts that part of it there: remove `block`, or add a load with "
+        f"block = {number}"
+    )
+
+
+def refuse_doubtful(
+    load: sections.BodyLoad,
+    found: Sequence[int],
+    contacts: Mapping[int, Contact],
+    bears: Sequence[int],
+    *,
+    among: Blocks,
+) -> None:
+    """Raise GeometryError for a body on several blocks whose parts the statics of its contacts cannot tell."""
+    which = f'{among.where}: load "{load.body}"'
+    numbers = " and ".join(str(number) for number in found)
+    if among.parted and at_one_place(contacts, tolerance=load.tolerance):
+        raise GeometryError(
+            f"{which}: the crack at z = {among.crack:.4g} m runs through its contact with the wall; give block, 0 "
+            "below the crack or 1 above it, or another crack"
+        )
+    if list(found) != list(bears):
+        raise GeometryError(f"{which}: it pushes against blocks {numbers}; give block, the one that it moves with")
+    single = [key for key in ("share", "at") if getattr(load, key) is not None]
+    if single:
+        raise GeometryError(
+            f"{which}: it bears on blocks {numbers}, and {single[0]} is of one; remove {single[0]}, or write a load "
+            "for each block, with block"
+        )
+
+
+def at_one_place(contacts: Mapping[int, Contact], *, tolerance: float) -> bool:
+    """Whether the contacts lie at one elevation, as where a crack parts what a body touches."""
+    heights = [float(each.centroid[2]) for each in contacts.values()]
+    return len(heights) > 1 and max(heights) - min(heights) <= tolerance
+
+
+def springing(load: sections.BodyLoad, body: Solid | None, *, along: FloatArray) -> FloatArray | None:
+    """The axis along which a vault springs from upright faces too [3]; None for other bodies."""
+    arch = arch_of(load, body, along=along) if body is not None and load.role == "vault" else None
+    return None if arch is None else arch.axis
+
+
+def nearest_block(load: sections.BodyLoad, body: Solid | None, among: Blocks) -> int:
+    """The block nearest to the place that is given, else to the body, where no contact tells.
+
+    Raises GeometryError where that is not known either.
+    """
+    if load.at is None:
+        away = [min((gap(solid, body) for solid in piece.solids), default=inf) for piece in among.pieces if body]
+        return away.index(min(away)) if away else 0  # `met` says what is missing
+    x, z = at = point_in_plane(load.at, among.along.tolist())
+    if among.crack is not None:
+        return int(z >= among.crack)
+    off = [_off(piece, at) for piece in among.pieces]
+    if off.count(min(off)) > 1 or not all(piece.body.outline for piece in among.pieces):
+        raise GeometryError(
+            f'{among.where}: load "{load.body}": it is not known which block it stands on at ({x:.4g}, {z:.4g}) m; '
+            "give block, counted from 0 at the base"
+        )
+    return off.index(min(off))
+
+
+def _off(piece: Piece, at: Point) -> float:
+    return distance(piece.body.outline, at) if piece.body.outline else 0.0
+
+
+def _met(solids: Sequence[Solid], body: Solid, tolerance: float) -> Contact | None:
+    met = (touch(solid, body, tolerance=tolerance) for solid in solids)
+    return together([each for each in met if each is not None])

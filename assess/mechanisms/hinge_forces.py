@@ -1,0 +1,91 @@
+"""The forces at the hinges of a mechanism when it starts to rock; only equilibrium of its blocks."""
+
+from __future__ import annotations
+
+from math import isclose
+
+from scipy.constants import g
+
+from assess.hinge_forces import HingeForces, Pressure, Vector
+from assess.loads.load import Load, upward
+from assess.mechanisms.chain import Chain, hinge_names
+from assess.mechanisms.face import Face
+from assess.mechanisms.flexible import FlexibleChain
+from assess.mechanisms.mechanism import Mechanism
+from assess.mechanisms.statics import Verge, standing, verge
+
+ON_TOP = 1e-6  # of a wall's height: a load this near its top stands on it
+
+
+def hinge_forces(mechanism: Mechanism) -> tuple[HingeForces, ...]:
+    """Every hinge of both branches; none where the blocks have no faces (an equivalent block)."""
+    chains = [chain for chain in (mechanism.positive, mechanism.negative) if chain is not None]
+    return tuple(
+        forces
+        for chain, faces, first in zip(chains, mechanism.faces, (True, False), strict=False)
+        for forces in of_chain(about(chain, name=mechanism.name), faces, positive=first)
+    )
+
+
+def about(chain: Chain, *, name: str) -> Chain:
+    """The chain about the hinges it starts on: on joints a_SF inside the edges, or at the edges if it cannot there."""
+    if not any(chain.joints):
+        return chain
+    fixed = FlexibleChain(chain, name).fixed
+    return fixed if verge(fixed).multiplier > 0.0 else chain
+
+
+def of_chain(chain: Chain, faces: tuple[Face, ...], *, positive: bool) -> list[HingeForces]:
+    """The hinges of one branch in its own sign."""
+    found, mark, single = verge(chain), "" if positive else "'", len(chain.blocks) == 1
+    made = []
+    for number, (letter, face) in enumerate(zip(hinge_names(chain), faces, strict=True)):
+        force = on_pressing(chain, found, number)
+        starting = pressure(force, face.normal)
+        resting = pressure(standing(chain), face.normal) if single else Pressure(starting.normal, 0.0)
+        made.append(
+            HingeForces(
+                hinge=f"{letter}{mark}",
+                branch="positive" if positive else "negative",
+                single=single,
+                horizontal=force[0],
+                vertical=force[1],
+                face=face.normal,
+                found=face.found,
+                starting=starting,
+                resting=resting,
+                acceleration=found.multiplier * g,
+                friction=face.friction,
+                remedy=face.remedy,
+                held=at_top(chain, number),
+            )
+        )
+    return made
+
+
+def on_pressing(chain: Chain, found: Verge, number: int) -> Vector:
+    """The force (x, z) [N] on the block that presses at a hinge.
+
+    At the top of a wall V is what stands there, for the support itself passes on nothing vertical.
+    """
+    x, z = found.forces[number].tolist()
+    if at_top(chain, number):
+        return (-x, min(sum(upward(load) for load in chain.loads if on_top(load, chain)), 0.0) + 0.0)
+    return (x, z) if number < 2 else (-x, -z)
+
+
+def at_top(chain: Chain, number: int) -> bool:
+    """Whether a hinge is the support at the top of a wall."""
+    return len(chain.blocks) == number == 2
+
+
+def on_top(load: Load, chain: Chain) -> bool:
+    """Whether a load stands on the top of a wall."""
+    top, height = chain.hinges[2][1], chain.hinges[2][1] - chain.hinges[0][1]
+    return load.block == 1 and isclose(load.at[1], top, rel_tol=0.0, abs_tol=ON_TOP * height)
+
+
+def pressure(force: Vector, normal: Vector) -> Pressure:
+    """A force (x, z) on the block that presses [N], square to the faces and along them."""
+    (x, z), (n_x, n_z) = force, normal
+    return Pressure(x * n_x + z * n_z, x * n_z - z * n_x)

@@ -1,0 +1,99 @@
+"""What is told to the engineer: a key, how serious it is, where, the values, and the English sentence made from them.
+
+Nothing is decided by reading the sentence: code compares keys.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from enum import StrEnum
+
+from assess.messages.texts import TEXTS
+
+UNITS: Mapping[str, str] = {
+    "ratio": "-",
+    "length": "m",
+    "time": "s",
+    "mass": "kg",
+    "density": "kg/m3",
+    "force": "N",
+    "moment": "N m",
+    "energy": "J",
+    "rotational stiffness": "N m/rad",
+    "rotation": "rad",
+    "acceleration": "m/s2",
+    "ground acceleration": "g",
+    "frequency": "Hz",
+    "inertia": "kg m2",
+    "first moment": "kg m",
+    "stress": "Pa",
+    "volume": "m3",
+    "percent": "%",
+    "return period": "years",
+}
+"""The unit in which values of each dimension are given: SI, but for peak ground accelerations, in g, and years."""
+DIMENSIONS: Mapping[str, str] = {unit: dimension for dimension, unit in UNITS.items()}
+
+
+class Severity(StrEnum):
+    """How serious a message is: an error makes an answer impossible, a warning bears on it, a note informs."""
+
+    ERROR = "error"
+    WARNING = "warning"
+    NOTE = "note"
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """A number with its dimension, in the unit of `UNITS`, and the significant figures to which it is shown."""
+
+    value: float
+    dimension: str = "ratio"
+    figures: int = 4
+
+    def __str__(self) -> str:
+        unit = UNITS[self.dimension]
+        return f"{self.value:.{self.figures}g}" + (f" {unit}" if unit != "-" else "")
+
+
+Value = Quantity | str
+
+
+@dataclass(frozen=True)
+class Message:
+    """Something the engineer should know. `text` is the English sentence, in SI."""
+
+    key: str
+    severity: Severity
+    where: str
+    text: str
+    values: dict[str, Value] = field(default_factory=dict)
+
+
+def message(
+    key: str, values: Mapping[str, Value] | None = None, *, severity: Severity = Severity.NOTE, where: str = ""
+) -> Message:
+    """Make the message of a key of `TEXTS`; raises KeyError for an unknown key or a missing value."""
+    given = dict(values or {})
+    return Message(str(key), severity, where, TEXTS[str(key)].format(**given), given)
+
+
+def text_of(said: Message | str) -> str:
+    """The English sentence of a message; a text as it is."""
+    return said if isinstance(said, str) else said.text
+
+
+def count(number: int) -> Quantity:
+    """A whole number as a value."""
+    return Quantity(float(number), "ratio", 12)
+
+
+def warning(key: str, where: str, **values: Value) -> Message:
+    """The warning of a key of `TEXTS`."""
+    return message(key, values, severity=Severity.WARNING, where=where)
+
+
+def note(key: str, where: str, **values: Value) -> Message:
+    """The note of a key of `TEXTS`: it informs and bears on no verdict."""
+    return message(key, values, where=where)

@@ -1,0 +1,189 @@
+"""Arches whose hinges are looked for: a body cut at its joints into voussoirs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from assess.errors import GeometryError, MechanismError
+from assess.geometry.cut import Parts, Plane, divide
+from assess.geometry.planar import PlanarBody, planar
+from assess.geometry.solid import Solid
+from assess.mechanisms.arch import Hinging, Joint, block_of, hinged, weakest
+from assess.mechanisms.assembly import assembled
+from assess.mechanisms.chain import Chain, Point, mirrored, mirrored_chain, written
+from assess.mechanisms.mechanism import Mechanism, Sides
+from assess.model.pieces import Piece, as_one
+from assess.project import sections
+
+FloatArray = NDArray[np.float64]
+Line = tuple[Point, Point]
+
+APART = 1e-6  # of the longest joint: points this near are one
+BEYOND = 0.1  # of the arch: more than this beyond its end joints is told
+SKEW = 0.35  # rad: a joint farther off square to the arch is told
+
+
+def hinged_arch(
+    name: str, section: sections.FourHinge, piece: Piece, *, sides: Sides, **common: Any
+) -> tuple[Mechanism, list[Piece]]:
+    """The four-hinge mechanism of one body that opens at the joints where it resists least, for each direction.
+
+    For negative rotation hinge A is at the far springing, so that both directions of a symmetric arch are alike. The
+    outlines, and the pieces beside the mechanism, are the voussoirs: each direction joins others of them to blocks.
+
+    Raises MechanismError or GeometryError where a joint misses the body, or no four joints make a mechanism.
+    """
+    pieces, joints = voussoirs_of(piece, lines_of(section), section.towards, where=f'mechanism "{name}"')
+    doubts = tuple(doubtful(pieces, joints))
+    try:
+        made = hinged_at(name, [each.body for each in pieces], joints, sides=sides, **common)
+    except MechanismError as error:
+        start = f'mechanism "{name}": '
+        raise MechanismError(start + "; ".join((*doubts, str(error).removeprefix(start)))) from None
+    return replace(made, notices=(*doubts, *made.notices)), pieces
+
+
+def hinged_at(
+    name: str, voussoirs: Sequence[PlanarBody], joints: Sequence[Joint], *, sides: Sides, **common: Any
+) -> Mechanism:
+    """The mechanism of an arch of voussoirs that opens at the weakest of its joints, for each direction."""
+    plain = [block_of(body) for body in voussoirs]
+    front = weakest(plain, joints, name=name)
+    _, positive = hinged(voussoirs, front)
+    negative, notices = None, [told(front, "positive", len(joints), flip=False)]
+    if sides == "two":
+        turned = [replace(block, centroid=mirrored(block.centroid)) for block in plain[::-1]]
+        back = weakest(turned, [(mirrored(a), mirrored(b)) for a, b in joints[::-1]], name=name)
+        a, b, c, d = (mirrored(hinge) for hinge in back.hinges)
+        negative = mirrored_back(hinged(voussoirs[::-1], replace(back, hinges=(a, b, c, d)))[1])
+        notices.append(told(back, "negative", len(joints), flip=True))
+    outlines = tuple(body.outline for body in voussoirs)
+    return assembled(name, "four-hinge", positive, negative, outlines=outlines, notices=notices, **common)
+
+
+def doubtful(pieces: Sequence[Piece], joints: Sequence[Joint]) -> Iterator[str]:
+    """Sentences where joints do not look like those of this arch: much of it beyond them, or not square to it."""
+    left, whole = (
+        sum(solid.mass for solid in solids)
+        for solids in (pieces[-1].fixed, [s for piece in pieces for s in (*piece.solids, *piece.fixed)])
+    )
+    if left > BEYOND * whole:
+        yield (
+            f"{100.0 * left / whole:.3g} % of the arch lies beyond its first and last joint and stands still: check "
+            "centre and angles of `joints` unless it is meant"
+        )
+    centres = [np.array(piece.body.centroid) for piece in pieces]
+    for number, ((a, b), (one, other)) in enumerate(zip(joints[1:-1], pairwise(centres), strict=True), start=2):
+        across, along = np.subtract(b, a), other - one
+        off = np.arcsin(min(1.0, abs(across @ along) / (np.hypot(*across) * np.hypot(*along))))
+        if off > SKEW:
+            yield f"joint {number} is {np.degrees(off):.3g} deg off square to the arch: check `joints`"
+            return
+
+
+def mirrored_back(chain: Chain) -> Chain:
+    """A chain that begins at the far springing, in the sign of the negative branch; parts in order from the near."""
+    parts = tuple((replace(part, centroid=mirrored(part.centroid)), number) for part, number in chain.parts[::-1])
+    return replace(mirrored_chain(chain.blocks, chain.hinges), parts=parts)
+
+
+def told(found: Hinging, rotation: str, joints: int, *, flip: bool) -> str:
+    """Which hinges were found, in the project's own axes."""
+    places = ", ".join(
+        f"{letter} {written(mirrored(at) if flip else at)}" for letter, at in zip("ABCD", found.hinges, strict=True)
+    )
+    return (
+        f"hinges of {rotation} rotation found as the least of all mechanisms over {joints} joints, uplift multiplier "
+        f"{found.multiplier:.4g}: {places}"
+    )
+
+
+def lines_of(section: sections.FourHinge) -> list[Line]:
+    """The joints in the plane of motion, from one springing to the other."""
+    joints = section.joints
+    if not isinstance(joints, sections.RadialJoints):
+        return list(joints or ())
+    x, z = joints.centre
+    angles = np.linspace(max(joints.first, joints.last), min(joints.first, joints.last), joints.count + 1)
+    return [((x, z), (x + float(np.cos(angle)), z + float(np.sin(angle)))) for angle in angles]
+
+
+def voussoirs_of(
+    piece: Piece, lines: Sequence[Line], direction: Sequence[float], *, where: str
+) -> tuple[list[Piece], list[Joint]]:
+    """The body between its joints, and the ends of each joint at the faces of the body.
+
+    The ends of the first joint are those of the first voussoir: the sheet through it may touch the far springing too.
+    """
+    if not piece.solids:
+        raise GeometryError(f"{where}: its body has no geometry to open at joints; give it a mesh, box or profile")
+    require_apart(lines, where=where)
+    along = np.append(np.array(direction[:2]) / np.linalg.norm(direction), 0.0)
+    normals = ahead(lines)
+    near = side(piece.solids, lines[0], normals[0], along, where=f"{where}: joint 1")
+    rest, joints, pieces = near.above, [], []
+    for number, (line, normal) in enumerate(zip(lines[1:], normals[1:], strict=True), start=2):
+        if not rest:
+            raise GeometryError(
+                f"{where}: joint {number} lies beyond the end of the body; remove it or mend the joints"
+            )
+        parts = side(rest, line, -normal, along, where=f"{where}: joint {number}")
+        pieces.append(Piece(as_voussoir(parts.above, direction, number - 1), parts.above, None))
+        joints.append(ends_of(parts.foot, line, along))
+        rest = parts.below
+    springing = side(pieces[0].solids, lines[0], normals[0], along, where=f"{where}: joint 1").foot
+    pieces[-1] = replace(pieces[-1], fixed=(*piece.fixed, *near.below, *rest))
+    return pieces, [ends_of(springing, lines[0], along), *joints]
+
+
+def require_apart(lines: Sequence[Line], *, where: str) -> None:
+    """Raise GeometryError for a joint without length, or two of them in one place."""
+    middles = [np.add(a, b) / 2.0 for a, b in lines]
+    size = max(float(np.hypot(*np.subtract(b, a))) for a, b in lines)
+    for number, (a, b) in enumerate(lines, start=1):
+        if np.hypot(*np.subtract(b, a)) <= APART * size:
+            raise GeometryError(f"{where}: joint {number} begins and ends at {written(a)}; give two points of its line")
+    for number, (one, other) in enumerate(pairwise(middles), start=1):
+        if np.hypot(*(other - one)) <= APART * size:
+            raise GeometryError(
+                f"{where}: joints {number} and {number + 1} have one middle, {written(tuple(one))}; move one"
+            )
+
+
+def side(solids: Sequence[Solid], line: Line, normal: FloatArray, along: FloatArray, *, where: str) -> Parts:
+    """The solids on the two sides of the upright sheet through a line of the plane of motion."""
+    point = line[0][0] * along + np.array([0.0, 0.0, line[0][1]])
+    return divide(solids, Plane(point, normal[0] * along + np.array([0.0, 0.0, normal[1]])), where=where)
+
+
+def ends_of(foot: FloatArray, line: Line, along: FloatArray) -> Joint:
+    """The two ends of a joint: the first where its line begins, so that first ends lie on one face."""
+    points = np.column_stack([foot @ along, foot[:, 2]])
+    way = np.subtract(line[1], line[0])
+    reach = points @ way
+    first, last = points[reach.argmin()], points[reach.argmax()]
+    return (float(first[0]), float(first[1])), (float(last[0]), float(last[1]))
+
+
+def ahead(lines: Sequence[Line]) -> list[FloatArray]:
+    """The unit normal of each joint towards the next one, of the last away from the one before."""
+    middles = [np.add(a, b) / 2.0 for a, b in lines]
+    normals = []
+    for number, (a, b) in enumerate(lines):
+        way = np.subtract(b, a)
+        normal = np.array([way[1], -way[0]]) / np.hypot(*way)
+        last = number + 1 == len(lines)
+        onward = middles[number] - middles[number - 1] if last else middles[number + 1] - middles[number]
+        normals.append(normal if normal @ onward > 0.0 else -normal)
+    return normals
+
+
+def as_voussoir(solids: Sequence[Solid], direction: Sequence[float], number: int) -> PlanarBody:
+    """What lies between two joints."""
+    return replace(as_one([planar(solid, direction=direction) for solid in solids]), name=f"voussoir {number}")

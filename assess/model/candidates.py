@@ -1,0 +1,217 @@
+"""The directions towards which a mechanism may topple, each with its multiplier and what stops it there.
+
+They are what the edges of the base face in plan, and the opposites: there the multiplier of a block is least. Of a wall
+held at base and top they are the two ways across its thickness.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from math import inf
+
+import numpy as np
+from scipy.constants import g
+
+from assess.errors import AssessError, FallingError
+from assess.geometry.footprint import edge_normals
+from assess.geometry.planar import FloatArray, lowest_corners
+from assess.loads.plane import point_in_plane
+from assess.mechanisms.chain import Chain
+from assess.mechanisms.directions import Candidate, Vector
+from assess.mechanisms.lasting import collapse_branch
+from assess.mechanisms.mechanism import Mechanism
+from assess.mechanisms.virtual_work import virtual_work
+from assess.model.assembly import on_rigid_hinges
+from assess.model.directions import S, block_towards, facing, normals_of, standing_block, standing_of
+from assess.model.obstacles import Obstacle, obstacles_of, stopping
+from assess.model.pieces import Solids
+from assess.oscillator import displacement
+from assess.project import sections
+from assess.project.sections.mechanisms import Restitution
+
+NEAR = 1.1  # multipliers up to this many times the least are compared by d0*
+HELD = 1.5  # of the least multiplier: free directions this much stronger do not stand for a weak axis held both ways
+ON_SIDE = (0.5, 1.1)  # of the half width of the base: a given hinge is on the side towards which it is as far out
+OTHER_SIDE = "the hinge that is given lies on another side"
+DIGITS = 6  # candidates that agree to so many are as weak
+
+Towards = Callable[[Vector], Mechanism]
+
+
+@dataclass(frozen=True)
+class Look:
+    """One mechanism as its directions are compared.
+
+    section : its table; foot : corners [k, 3] of what it stands on [m]; obstacles : the bodies beside it
+    ways : angles of the candidates [deg]
+    at : the mechanism towards a direction, of one side and on rigid hinges
+    """
+
+    name: str
+    section: sections.SingleBlock | sections.TwoBlock
+    content: sections.Content
+    solids: Solids
+    foot: FloatArray
+    obstacles: tuple[Obstacle, ...]
+    ways: tuple[float, ...]
+    at: Towards
+
+    @property
+    def where(self) -> str:
+        """The table, as messages name it."""
+        return f"mechanisms.{self.name}"
+
+
+def looking(
+    name: str, section: sections.SingleBlock | sections.TwoBlock, content: sections.Content, solids: Solids
+) -> Look:
+    """The candidates of a mechanism and what stands beside it."""
+    standing, bare = standing_of(name, section, solids), plain(section)
+    if isinstance(bare, sections.SingleBlock) and not isinstance(bare.cut, sections.CutAngle):
+        block = standing_block(name, bare, standing)
+        standing, foot, at = block.solids, block.foot, block_towards(name, bare, block, content, solids)
+    else:
+        foot = lowest_corners(standing)
+
+        def at(way: Vector) -> Mechanism:
+            return on_rigid_hinges(name, facing(bare, way), content, solids)[0]
+
+    ways = ways_of(section, foot, np.concatenate([solid.vertices for solid in standing]))
+    return Look(name, section, content, solids, foot, obstacles_of(section, standing, solids), ways, at)
+
+
+def ways_of(section: sections.Chained, foot: FloatArray, corners: FloatArray) -> tuple[float, ...]:
+    """The angles [deg] of the candidates, rising, from the corners of what a mechanism stands on, and of all of it."""
+    plan = edge_normals(corners)
+    if isinstance(section, sections.TwoBlock):
+        normals = across(corners[:, :2], plan)
+    else:
+        normals = plan if isinstance(section.cut, sections.CutAngle) else normals_of(foot)
+    normals = normals if normals.size else plan
+    return tuple(np.unique(np.round(np.concatenate([normals, normals + 180.0]), 9) % 360.0).tolist())
+
+
+def plain(section: S) -> S:
+    """The same table for one side, whatever its impacts keep, without what is measured along the direction."""
+    changes: dict[str, object] = {"sides": "one", "restitution": Restitution(positive=0.0, negative=0.0)}
+    if section.direction is None:
+        keys = set(section.turning())
+        flat = {key[1] for key in keys if key[0] == "loads"}
+        changes["loads"] = tuple(load for place, load in enumerate(section.loads) if place not in flat)
+        if any(key[0] == "hinges" for key in keys):
+            changes["hinges"] = None
+    return section.model_copy(update={**changes, "hinges_negative": None})
+
+
+def across(plan: FloatArray, normals: FloatArray) -> FloatArray:
+    """That of the normals [k] [deg] along which a plan [n, 2] is thinnest, the first of equals."""
+    at = np.radians(normals)
+    width = np.ptp(plan @ np.array([np.cos(at), np.sin(at)]), axis=0)
+    return normals[[int(np.argmin(np.round(width / width.max(), DIGITS)))]]
+
+
+def evaluated(look: Look) -> tuple[Candidate, ...]:
+    """Every candidate with its multiplier, or why it cannot rock that way, and what touches it there."""
+    return tuple(evaluate(angle, look) for angle in look.ways)
+
+
+def evaluate(angle: float, look: Look) -> Candidate:
+    """One candidate. Raises FallingError where it already falls and nobody said which way it moves."""
+    asked = Candidate(angle)
+    asked = replace(asked, touching=stopping(look.obstacles, asked.way))
+    if not on_side(look, asked.way):
+        return replace(asked, why=OTHER_SIDE)
+    try:
+        return replace(asked, multiplier=uplift(look.at(asked.way).positive))
+    except FallingError as error:
+        if look.section.direction is None and not asked.touching:
+            raise FallingError(
+                f"{error} (towards {vector_text(asked.way)}, looked at as `direction` is absent)"
+            ) from None
+        return replace(asked, why=str(error))
+    except AssessError as error:
+        return replace(asked, why=str(error))
+
+
+def on_side(look: Look, way: Vector) -> bool:
+    """Whether a hinge that is given in space lies on the side of the base towards `way`; true where none is given."""
+    hinges = look.section.hinges
+    if hinges is None or len(hinges.A) == 2:
+        return True
+    reach = look.foot @ np.array(way)
+    low, high = float(reach.min()), float(reach.max())
+    out = (point_in_plane(hinges.A, way)[0] - (low + high) / 2.0) / ((high - low) / 2.0)
+    return ON_SIDE[0] < out < ON_SIDE[1]
+
+
+def vector_text(way: Vector) -> str:
+    """A direction as the project file has it."""
+    return "[" + ", ".join(f"{round(part, 6) + 0.0:g}" for part in way) + "]"
+
+
+def uplift(chain: Chain) -> float:
+    """The uplift multiplier of a chain on rigid hinges [-]."""
+    work = virtual_work(chain, np.zeros(1))
+    return float(work.restoring[0] / (g * work.excitation[0]))
+
+
+def with_displacement(candidate: Candidate, look: Look) -> Candidate:
+    """The candidate with d0* of its control point."""
+    return replace(candidate, displacement=displacement_of(look.at(candidate.way).positive, name=look.name))
+
+
+def displacement_of(chain: Chain, *, name: str) -> float | None:
+    """d0* of a chain on rigid hinges, where its control point is when it overturns [m]; None where it never does.
+
+    With what is shown to last to collapse: 0 where it stands only by other ties and forces.
+    """
+    try:
+        side = collapse_branch(chain, name=name)
+    except FallingError:
+        return 0.0
+    except AssessError:
+        return None
+    return float(displacement(side, np.array(side.overturning), mass=chain.mass))
+
+
+def free_of(known: Sequence[Candidate]) -> tuple[list[Candidate], bool]:
+    """The candidates that nothing stops; all of them, and True, where bodies hold the weak axis both ways.
+
+    What holds a wall on both faces, as a floor and a buttress may, does not make its own plane its weak direction.
+    """
+    free = [each for each in known if not each.touching]
+    least = min(known, key=rank)
+    back = [each for each in known if abs((each.angle - least.angle) % 360.0 - 180.0) < 1e-6]
+    both = bool(least.touching) and all(each.touching for each in back)
+    if not free or (both and worth(min(free, key=rank)) > HELD * worth(least)):
+        return list(known), True
+    return free, False
+
+
+def worth(candidate: Candidate) -> float:
+    """The multiplier of a candidate that has one [-]."""
+    assert candidate.multiplier is not None
+    return candidate.multiplier
+
+
+def near_least(pool: Sequence[Candidate]) -> list[Candidate]:
+    """Those whose multiplier is near the least."""
+    least = min(map(worth, pool))
+    return [each for each in pool if worth(each) <= NEAR * max(least, 0.0) or worth(each) == least]
+
+
+def weakest_of(near: Sequence[Candidate]) -> Candidate:
+    """The candidate of least d0*, of equals that of the least multiplier, of equals the one nearest to +x, then +y."""
+    return min(near, key=lambda each: (figures(inf if each.displacement is None else each.displacement), *rank(each)))
+
+
+def rank(candidate: Candidate) -> tuple[float, float, float]:
+    """What sorts candidates: the multiplier, then towards +x, then towards +y."""
+    x, y, _ = candidate.way
+    return figures(worth(candidate)), -round(x, DIGITS), -round(y, DIGITS)
+
+
+def figures(value: float) -> float:
+    """To so many figures that rounding does not part equals."""
+    return float(f"{value:.{DIGITS}g}")

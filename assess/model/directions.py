@@ -1,0 +1,165 @@
+"""Mechanisms whose direction is sought on a whole circle: `direction = "sweep"`."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from typing import TypeVar
+
+import numpy as np
+
+from assess.errors import AssessError, MechanismError
+from assess.geometry.cut import divide
+from assess.geometry.footprint import edge_normals
+from assess.geometry.planar import FloatArray, base_of_section, lowest_corners, planar_unseen
+from assess.geometry.solid import Solid
+from assess.loads.body_loads import Meeting, Surroundings, meeting
+from assess.loads.loading import loads_of
+from assess.mechanisms.directions import Directions, Vector, towards
+from assess.mechanisms.mechanism import Mechanism
+from assess.mechanisms.table import branch
+from assess.model.assembly import Built, mechanism_of, of_one_block
+from assess.model.pieces import ASKEW, LEVEL, Piece, Solids, as_one, cut_of
+from assess.oscillator import linearise, multiplier
+from assess.project import sections
+
+Sought = sections.SingleBlock | sections.TwoBlock | sections.FourHinge
+S = TypeVar("S", bound=sections.Chained)
+
+CORNER = (
+    "the cut slopes, so in most directions the block turns about one corner of it and slides along the crack beyond: "
+    "check that the crack can be as smooth as that"
+)
+STEP = 5.0  # deg between directions, besides those that the edges of the base face
+BESIDE = 0.01  # deg: of the normal of an edge that rises
+SAME = 1e-6  # deg: directions this near are one
+TIE = 1e-9  # multipliers this near the least are as weak
+
+
+def swept_directions(name: str, section: Sought, content: sections.Content, solids: Solids) -> Built:
+    """The mechanism of one table [mechanisms.NAME] in the weakest of many directions."""
+    standing = standing_of(name, section, solids)
+    told: tuple[str, ...] = ()
+    if isinstance(section, sections.SingleBlock) and not isinstance(section.cut, sections.CutAngle):
+        block = standing_block(name, section, standing)
+        found = directions(block_towards(name, section, block, content, solids), angles(normals_of(block.foot)))
+        told = (CORNER,) if sloping(block.foot) else ()
+    else:  # the crack turns with the direction, and with it the blocks
+        plan = np.concatenate([solid.vertices for solid in standing])
+        found = directions(
+            lambda way: mechanism_of(name, facing(section, way), content, solids).mechanism,
+            angles(edge_normals(plan)),
+        )
+    built = mechanism_of(name, facing(section, towards(found.weakest)), content, solids)
+    kept = (text for text in built.mechanism.notices if text != ASKEW)  # every direction has been looked at
+    return replace(built, mechanism=replace(built.mechanism, directions=found, notices=(*kept, *told)))
+
+
+def standing_of(name: str, section: sections.Chained, solids: Solids) -> tuple[Solid, ...]:
+    """The solids of all blocks; raises MechanismError for a body of direct values, which has one plane only."""
+    found = []
+    for body in (body for block in section.blocks for body in block):
+        solid = solids[body]
+        if solid is None:
+            raise MechanismError(
+                f'mechanism "{name}": direction = "sweep", but body "{body}" has no geometry; give it a mesh, box or '
+                "profile, or give the direction"
+            )
+        found.append(solid)
+    return tuple(found)
+
+
+def angles(normals: FloatArray) -> tuple[float, ...]:
+    """Directions [deg] to look at: even steps, and those given [k], that the edges of what the body stands on face.
+
+    Where the multiplier of a block has a minimum, the hinge passes from one corner to the next: over an edge, or
+    in every direction of a round base.
+    """
+    even = np.arange(0.0, 360.0, STEP)
+    apart = np.abs((normals[:, None] - even[None, :] + 180.0) % 360.0 - 180.0).min(axis=1, initial=360.0) > SAME
+    return tuple(np.sort(np.concatenate([even, normals[apart]])).tolist())
+
+
+def sloping(foot: FloatArray) -> bool:
+    """Whether the corners [k, 3] of what a body stands on lie at different elevations."""
+    return float(np.ptp(foot[:, 2])) > LEVEL
+
+
+def normals_of(foot: FloatArray) -> FloatArray:
+    """What the edges between the corners [k, 3] face [deg]; on a slope also just beside, where one end is the hinge.
+
+    There the lower end has the larger height to the centroid over it, and so the least multiplier.
+    """
+    normals = edge_normals(foot)
+    beside = [normals + turn for turn in (-BESIDE, 0.0, BESIDE)]
+    return np.unique(np.concatenate(beside) % 360.0) if sloping(foot) else normals
+
+
+@dataclass(frozen=True)
+class Standing:
+    """A block as cut, before it is seen from a direction.
+
+    solids : what it is made of; foot : corners it stands on [k, 3] [m]; fixed : what lies below the cut and stays
+    """
+
+    solids: tuple[Solid, ...]
+    foot: FloatArray
+    fixed: tuple[Solid, ...] = ()
+
+
+def standing_block(name: str, section: sections.SingleBlock, solids: tuple[Solid, ...]) -> Standing:
+    """The block above its cut, which is the same in every direction."""
+    plane = cut_of(section, where=f'mechanism "{name}"')
+    if plane is None:
+        return Standing(solids, lowest_corners(solids))
+    parts = divide(solids, plane, where=f'mechanism "{name}"')
+    return Standing(parts.above, parts.foot, parts.below)
+
+
+def block_towards(
+    name: str, section: sections.SingleBlock, standing: Standing, content: sections.Content, solids: Solids
+) -> Callable[[Vector], Mechanism]:
+    """The single block towards any direction; cut once, met by its loads once, and not drawn."""
+    known: dict[str, Meeting] = {}
+
+    def meet(load: sections.BodyLoad, body: Solid | None, around: Surroundings) -> Meeting:
+        if load.body not in known:
+            known[load.body] = meeting(load, body, around)
+        return known[load.body]
+
+    def block(direction: Vector) -> Mechanism:
+        body = as_one([planar_unseen(solid, direction=direction) for solid in standing.solids])
+        body = replace(body, base=base_of_section(standing.foot, direction=direction))
+        pieces = [Piece(body, standing.solids, None, fixed=standing.fixed)]
+        faced = facing(section, direction)
+        brought = loads_of(name, faced, pieces, content, solids, meet=meet)
+        return of_one_block(name, faced, pieces, content, loads=brought.loads)[0]
+
+    return block
+
+
+def facing(section: S, direction: Vector) -> S:
+    """The same table with its direction given."""
+    return section.model_copy(update={"direction": direction})
+
+
+def directions(mechanism_towards: Callable[[Vector], Mechanism], around: Sequence[float]) -> Directions:
+    """The mechanism's resistance to positive rotation towards each of the angles `around` [n] [deg], rising.
+
+    The smallest angle of the least multiplier is the weakest; opposite angles are the two signs of one plane.
+
+    Raises
+    ------
+    AssessError : towards one of them it cannot rock as described; the angle is named
+    """
+    rows = []
+    for angle in around:
+        try:
+            mechanism = mechanism_towards(towards(angle))
+            leading = branch(mechanism.positive, restitution=mechanism.restitution[0], name=mechanism.name)
+        except AssessError as error:
+            raise type(error)(f'{error} (direction = "sweep", here {angle:.6g} deg from +x)') from None
+        rows.append((float(multiplier(leading)[0]), linearise(leading).p, leading.overturning))
+    multipliers, p, overturning = zip(*rows, strict=True)
+    weakest = next(a for a, value in zip(around, multipliers, strict=True) if value <= min(multipliers) + TIE)
+    return Directions(tuple(around), multipliers, p, overturning, weakest)

@@ -1,0 +1,217 @@
+"""Where the hinges of a mechanism press: the faces that meet there, found on the geometry."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+import shapely
+from numpy.typing import NDArray
+
+from assess.errors import GeometryError
+from assess.geometry.cut import Plane, divide, heading, in_plane
+from assess.geometry.solid import Solid
+from assess.geometry.surface import areas_and_normals
+from assess.mechanisms.chain import Point
+from assess.mechanisms.joint import PAIRS
+from assess.model.pieces import Piece, cut_of
+from assess.project import sections
+
+FloatArray = NDArray[np.float64]
+Vector = tuple[float, float]
+
+UP, DOWN = (0.0, 1.0), (0.0, -1.0)
+TOUCH = 0.01  # m: faces this near a plane lie in it; joints are as thick, and drawings no better
+ACROSS = 0.05  # part of a unit normal along the axis of rotation: a face turned aside by more is no joint
+ALIKE = 1e-3  # faces whose unit normals differ by less are one
+EDGE = 0.02  # of the depth of a contact: a hinge this near its edge is on it
+LYING = 0.26  # vertical part of a unit normal: a face within 15 degrees of upright carries nothing
+SLIVER = 1e-6  # m2: less is no contact
+
+
+@dataclass(frozen=True)
+class View:
+    """The plane of motion of one branch in space.
+
+    along : unit vector of its motion [3]; sign : -1 where that is against the direction
+    """
+
+    along: FloatArray
+    sign: float
+
+    @classmethod
+    def of(cls, direction: Sequence[float], *, sign: float) -> View:
+        """The plane of a direction, or of the one against it."""
+        return cls(sign * np.array(direction) / np.linalg.norm(direction), sign)
+
+    @property
+    def axis(self) -> FloatArray:
+        """Of rotation, level across the motion [3]."""
+        return np.array([-self.along[1], self.along[0], 0.0])
+
+    def world(self, vector: Vector) -> FloatArray:
+        """A vector or place (x, z) of the branch in space [3]."""
+        return np.asarray(vector[0] * self.along + vector[1] * np.array([0.0, 0.0, 1.0]))
+
+    def seen(self, vector: FloatArray) -> Vector:
+        """The unit vector (x, z) of a vector in space [3], as it is seen in the plane of motion."""
+        x, z = float(vector @ self.along), float(vector[2])
+        length = float(np.hypot(x, z))
+        return (x / length, z / length)
+
+
+@dataclass(frozen=True)
+class Bed:
+    """The plane of a joint, and where the faces touch there.
+
+    normal : from the held face to the pressing block, in the plane of motion; region : in coordinates of the plane
+    """
+
+    normal: Vector
+    plane: Plane
+    region: shapely.MultiPolygon
+
+    def beyond(self, hinge: FloatArray, out: FloatArray) -> float:
+        """How far the contact reaches beyond a hinge [3] in a direction of the plane [2] [m]."""
+        at = in_plane(self.plane, hinge - self.plane.point) @ out
+        return float((shapely.get_coordinates(self.region) @ out).max() - at)
+
+
+def bed_at(
+    number: int, hinge: Point, section: sections.Chained, pieces: Sequence[Piece], view: View, *, where: str
+) -> Bed:
+    """Where a hinge presses: on the ground or the cut, on the support at the top, or on the block beside it.
+
+    Raises GeometryError where no faces meet at the hinge.
+    """
+    blocks = section.moving
+    face, pressing = PAIRS[blocks][number]
+    ordered = pieces if view.sign > 0.0 or len(pieces) == blocks else pieces[::-1]
+    if not all(piece.solids for piece in ordered):
+        raise GeometryError(
+            f"{where}: its body has no geometry, so its contact is not known; give shape, like "
+            "{ rectangle = [thickness, length] }"
+        )
+    if face is not None:
+        return bed_between(number, hinge, ordered, blocks, view, where=where)
+    piece = ordered[-1 if pressing == blocks - 1 else 0]
+    if blocks == number == 2:
+        return bed_on_face(piece.solids, hinge, view, UP, where=where)
+    plane = cut_of(section, where=where) if piece.cut and len(pieces) == blocks else None
+    if plane is None:
+        return bed_on_face(piece.solids, hinge, view, DOWN, where=where)
+    return Bed(view.seen(plane.normal), plane, divide(piece.solids, plane, where=where).region)
+
+
+def normal_at(
+    number: int, hinge: Point, section: sections.Chained, pieces: Sequence[Piece], view: View, *, where: str
+) -> Vector:
+    """The normal of the bed at a hinge, from the held face to the pressing block; a cut is not made again for it.
+
+    Raises GeometryError where no faces meet at the hinge.
+    """
+    face, pressing = PAIRS[section.moving][number]
+    piece = pieces[min(pressing, len(pieces) - 1)]
+    if face is None and not (section.moving == number == 2) and piece.cut and len(pieces) == section.moving:
+        plane = cut_of(section, where=where)
+        if plane is not None:
+            return view.seen(plane.normal)
+    return bed_at(number, hinge, section, pieces, view, where=where).normal
+
+
+def bed_on_face(solids: Sequence[Solid], hinge: Point, view: View, side: Vector, *, where: str) -> Bed:
+    """The face of a block on the ground, or of a wall under the support at its top.
+
+    It is the one through the hinge that looks most to that side; the lowest (highest) one where none does.
+    """
+    at = view.world(hinge)
+    found = [normal for normal in normals_at(solids, at, view) if normal[2] * side[1] >= LYING]
+    if found:
+        outward = max(found, key=lambda normal: float(normal[2] * side[1]))
+        plane = Plane(at, outward)
+    else:
+        heights = np.concatenate([solid.vertices[:, 2] for solid in solids])
+        level = float(heights.max() if side == UP else heights.min())
+        plane = Plane(view.world((hinge[0], level)), np.array([0.0, 0.0, side[1]]))
+    region = as_multi(faces_in(solids, plane))
+    if region.area <= SLIVER:
+        raise GeometryError(
+            f"{where}: no face of its block lies at the hinge ({hinge[0]:.4g}, {hinge[1]:.4g}) m; give shape"
+        )
+    return Bed(view.seen(-plane.normal), plane, region)
+
+
+def bed_between(number: int, hinge: Point, pieces: Sequence[Piece], blocks: int, view: View, *, where: str) -> Bed:
+    """Where two blocks, or two voussoirs of an arch, touch with an edge of the contact at the hinge."""
+    at = view.world(hinge)
+    for over, under in _neighbours(number, pieces, blocks):
+        for outward in normals_at(over, at, view):
+            plane = Plane(at, outward)
+            facing = faces_in(under, Plane(at, -outward), seen_in=plane)
+            region = as_multi(shapely.intersection(faces_in(over, plane), facing))
+            if region.area <= SLIVER:
+                continue
+            bed = Bed(view.seen(-outward), plane, region)
+            way = heading(plane, view.world((outward[2], -float(outward @ view.along))), axis=view.axis)
+            ends = abs(bed.beyond(at, way)), abs(bed.beyond(at, -way))
+            if min(ends) <= max(EDGE * max(ends), TOUCH):
+                return bed
+    raise GeometryError(
+        f"{where}: no faces of its blocks touch with an edge at the hinge ({hinge[0]:.4g}, {hinge[1]:.4g}) m; mend the "
+        "hinge, or give shape"
+    )
+
+
+def _neighbours(
+    number: int, pieces: Sequence[Piece], blocks: int
+) -> Iterator[tuple[tuple[Solid, ...], tuple[Solid, ...]]]:
+    """The solids that press and those that hold the face at a hinge; of an arch all neighbours may."""
+    face, pressing = PAIRS[blocks][number]
+    assert face is not None
+    if len(pieces) == blocks:
+        yield pieces[pressing].solids, pieces[face].solids
+        return
+    for one, other in pairwise(pieces):
+        yield (other.solids, one.solids) if pressing > face else (one.solids, other.solids)
+
+
+def normals_at(solids: Sequence[Solid], at: FloatArray, view: View) -> list[FloatArray]:
+    """Outward unit normals of the faces that the axis through a place [3] lies in, largest face first."""
+    there: list[tuple[FloatArray, FloatArray]] = []
+    for corners, normal, area in map(_faces, solids):
+        off = np.abs(np.einsum("ij,ij->i", corners[:, 0] - at, normal))
+        lying = (off <= TOUCH) & (np.abs(normal @ view.axis) <= ACROSS)
+        there.append((normal[lying], area[lying]))
+    normals, areas = (np.concatenate(each) for each in zip(*there, strict=True))
+    found = []
+    while len(normals):
+        alike = np.abs(normals - normals[0]).max(axis=1) <= ALIKE
+        found.append((normals[0], areas[alike].sum()))
+        normals, areas = normals[~alike], areas[~alike]
+    return [normal for normal, _ in sorted(found, key=lambda each: -each[1])]
+
+
+def faces_in(solids: Sequence[Solid], plane: Plane, *, seen_in: Plane | None = None) -> shapely.Geometry:
+    """The faces of solids that lie in a plane and look to the side of its normal, in the coordinates of `seen_in`."""
+    shown, pieces = seen_in or plane, []
+    axes = np.column_stack([in_plane(shown, unit) for unit in np.eye(3)])
+    for corners, normal, _ in map(_faces, solids):
+        off = np.abs((corners - plane.point) @ plane.normal).max(axis=1)
+        lying = (normal @ plane.normal >= 1.0 - ALIKE) & (off <= TOUCH)
+        pieces += list(shapely.polygons((corners[lying] - shown.point) @ axes.T))
+    return shapely.union_all([piece for piece in pieces if piece.area > 0.0])
+
+
+def as_multi(region: shapely.Geometry) -> shapely.MultiPolygon:
+    """The parts of a region that have area."""
+    return shapely.MultiPolygon([part for part in shapely.get_parts(region) if part.area > SLIVER])
+
+
+def _faces(solid: Solid) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Corners [k, 3, 3] [m], outward unit normals [k, 3] and areas [k] [m2] of the triangles of a solid."""
+    corners = solid.vertices[solid.triangles]
+    area, normal = areas_and_normals(corners)
+    kept = area > 0.0
+    return corners[kept], normal[kept], area[kept]

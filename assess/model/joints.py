@@ -1,0 +1,195 @@
+"""The keys `interface` and `interfaces`: the joints that the hinges of a mechanism press on."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from math import inf
+
+import numpy as np
+import shapely
+
+from assess.errors import GeometryError, MechanismError
+from assess.geometry.cut import heading
+from assess.interfaces.contact import contact, sideways_doubt
+from assess.interfaces.law import Law
+from assess.interfaces.section import Section
+from assess.interfaces.shapes import annulus, circle, hollow_rectangle, polygon, rectangle
+from assess.loads.overburden import THROUGH_TOP, through_joint, through_of, under_loads
+from assess.mechanisms.assembly import on_joints
+from assess.mechanisms.chain import Chain, hinge_names
+from assess.mechanisms.flexible import FlexibleChain
+from assess.mechanisms.impact import RestitutionChoice
+from assess.mechanisms.joint import Joint
+from assess.mechanisms.mechanism import Mechanism
+from assess.model.joint_planes import DOWN, UP, Vector, View, bed_at
+from assess.model.pieces import Piece
+from assess.project import sections
+
+NEAR = 0.02  # of the depth of a contact: a hinge farther from its edge is told
+TURNED = 0.05  # rad: where the resultant of an unsymmetric contact is looked at
+
+
+def put_on_joints(
+    mechanism: Mechanism,
+    section: sections.Chained,
+    pieces: Sequence[Piece],
+    content: sections.Content,
+    *,
+    restitution: tuple[RestitutionChoice, RestitutionChoice],
+) -> Mechanism:
+    """The mechanism on the interfaces of its table; as it is where all of them are rigid and without limit of strength.
+
+    Raises GeometryError where a contact is not found, MechanismError or InterfaceError where one cannot carry its load.
+    """
+    chains = [chain for chain in (mechanism.positive, mechanism.negative) if chain is not None]
+    interfaces = [section.interface_at(letter) for letter in hinge_names(mechanism.positive)]
+    doubts: list[str] = []
+    joints = [
+        tuple(
+            joint_at(number, chain, mechanism.name, section, interface, pieces, content, sign=sign, doubts=doubts)
+            for number, interface in enumerate(interfaces)
+        )
+        for chain, sign in zip(chains, (1.0, -1.0), strict=False)
+    ]
+    through = through_of(section.loads)
+    moved = [through_joint(chain, side[-1], through) for chain, side in zip(chains, joints, strict=True)]
+    joints = [under_loads(chain, side, through) for chain, side in zip(moved, joints, strict=True)]
+    loaded = replace(mechanism, positive=moved[0], negative=moved[1] if len(moved) > 1 else None)
+    if not any(joint for side in joints for joint in side):
+        return loaded
+    if loaded.positive.loads != mechanism.positive.loads and "joint" not in through.values():
+        doubts.append(THROUGH_TOP)
+    doubts += apart(mechanism, joints)
+    found = on_joints(loaded, joints[0], joints[-1] if len(joints) > 1 else (), restitution=restitution)
+    notices = dict.fromkeys((*found.notices, *doubts, *sideways(found)))
+    return replace(found, notices=tuple(notices))
+
+
+def apart(mechanism: Mechanism, joints: Sequence[Sequence[Joint | None]]) -> Iterator[str]:
+    """A sentence where the contacts at the base do not lie in one place for both directions."""
+    if mechanism.negative is None or mechanism.kind == "four-hinge":
+        return
+    front, back = joints[0][0], joints[1][0]
+    if front is None or back is None:
+        return
+    ahead = mechanism.positive.hinges[0][0] + front.section.centroid * front.inward[0]
+    behind = mechanism.negative.hinges[0][0] + back.section.centroid * back.inward[0]
+    if abs(ahead + behind) > NEAR * front.section.depth:
+        yield (
+            f"interface A: its contact lies {abs(ahead + behind):.3g} m apart for the two directions, as it is "
+            f"{front.section.depth:.3g} m deep and begins at the hinge of each; give a shape as deep as they are apart"
+        )
+
+
+def joint_at(
+    number: int,
+    chain: Chain,
+    name: str,
+    section: sections.Chained,
+    interface: sections.Interface,
+    pieces: Sequence[Piece],
+    content: sections.Content,
+    *,
+    sign: float,
+    doubts: list[str],
+) -> Joint | None:
+    """The joint under one hinge of a chain in its own sign; None where it is rigid or carries nothing.
+
+    sign : -1 for the branch that is mirrored; doubts : sentences are added to it
+    """
+    letter = hinge_names(chain)[number]
+    what = f"interface {letter}" + "'" * (sign < 0)
+    where = f'mechanism "{name}", {what}'
+    law = law_of(interface, material_of(section, content), where=where)
+    if law is None:
+        return None
+    if interface.model != "rigid" and law.strength == inf and interface.strength is None:
+        doubts.append(f"interface {letter}: no strength is known, so its joint never crushes; give strength")
+    view = View.of(section.towards, sign=sign)
+    sense = float(FlexibleChain(chain, name).sense[number])
+    if isinstance(interface.shape, sections.Shape):
+        normal = DOWN if at_top(chain, number) else UP
+        try:
+            normal = bed_at(number, chain.hinges[number], section, pieces, view, where=where).normal
+        except GeometryError:
+            doubts.append(f"{what}: no faces meet at its hinge, so its joint is taken level")
+        return Joint(_inward(normal, sense), shaped(interface.shape, view), law, interface.model)
+    bed = bed_at(number, chain.hinges[number], section, pieces, view, where=where)
+    inward = _inward(bed.normal, sense)
+    out = heading(bed.plane, -view.world(inward), axis=view.axis)
+    found = polygon(bed.region, direction=out)
+    aside = bed.beyond(view.world(chain.hinges[number]), out)
+    if abs(aside) > NEAR * found.depth:
+        doubts.append(
+            f"{what}: the hinge lies {abs(aside):.3g} m {'inside' if aside > 0.0 else 'outside'} the edge of its "
+            f"contact, which is {found.depth:.3g} m deep; pressure is counted from the hinge on"
+        )
+    return Joint(inward, found, law, interface.model)
+
+
+def law_of(interface: sections.Interface, material: sections.Material | None, *, where: str) -> Law | None:
+    """Stiffness and strength, None for a rigid joint without limit of strength."""
+    strength = interface.strength
+    if interface.model == "rigid":
+        return None if strength in (None, inf) else Law(strength=strength or inf)
+    if strength is None:
+        strength = (material and material.compressive_strength) or inf
+    if interface.stiffness is not None:
+        return Law(interface.stiffness, strength)
+    if material is None or material.young_modulus is None:
+        raise MechanismError(
+            f"{where}: course_thickness needs young_modulus of the material; give it, or stiffness instead"
+        )
+    return Law(material.young_modulus / (interface.course_thickness or inf), strength)
+
+
+def material_of(section: sections.Chained, content: sections.Content) -> sections.Material | None:
+    """That of the first body of a mechanism that has one."""
+    name = material_name(section, content)
+    return None if name is None else content.materials[name]
+
+
+def material_name(section: sections.Chained, content: sections.Content) -> str | None:
+    """Its name."""
+    bodies = (content.bodies[name] for block in section.blocks for name in block)
+    return next((body.material for body in bodies if not isinstance(body, sections.DirectBody)), None)
+
+
+def at_top(chain: Chain, number: int) -> bool:
+    """Whether a hinge is the support at the top of a wall."""
+    return len(chain.blocks) == number == 2
+
+
+def shaped(shape: sections.Shape, view: View) -> Section:
+    """A contact of given sizes, seen in the direction of motion."""
+    if shape.rectangle is not None:
+        return rectangle(*shape.rectangle)
+    if shape.hollow_rectangle is not None:
+        thickness, length, *inner = shape.hollow_rectangle
+        return hollow_rectangle(thickness, length, inner=(inner[0], inner[1]))
+    if shape.circle is not None:
+        return circle(shape.circle)
+    if shape.annulus is not None:
+        return annulus(shape.annulus[0], inner=shape.annulus[1])
+    return polygon(shapely.Polygon(shape.polygon), direction=view.along[:2])
+
+
+def _inward(normal: Vector, sense: float) -> Vector:
+    """From a hinge to where its joint opens, by the normal of the held face and the sense of turning."""
+    return (-sense * normal[1] + 0.0, sense * normal[0] + 0.0)
+
+
+def sideways(mechanism: Mechanism) -> Iterator[str]:
+    """Sentences on contacts that are not symmetric about the plane of motion."""
+    for chain, mark in ((mechanism.positive, ""), (mechanism.negative, "'")):
+        if chain is None:
+            continue
+        forces = FlexibleChain(chain, mechanism.name).balance(np.zeros(1)).normal_force[:, 0]
+        for letter, joint, force in zip(hinge_names(chain), chain.joints, forces, strict=True):
+            if joint is None:
+                continue
+            found = contact(joint.section, joint.law, normal_force=float(force), rotation=[0.0, TURNED])
+            doubt = sideways_doubt(joint.section, found)
+            if doubt:
+                yield f"interface {letter}{mark}: {doubt}"

@@ -1,0 +1,270 @@
+"""Walls held at base and top: what presses on them, and where they crack."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from itertools import pairwise
+from math import inf
+
+import numpy as np
+from scipy.constants import g
+
+from assess.errors import CrackError
+from assess.geometry.cut import Parts, divide, level
+from assess.geometry.planar import base_of_section, planar, top
+from assess.geometry.solid import Solid
+from assess.geometry.touch import TOLERANCE
+from assess.loads.body_loads import Brought
+from assess.loads.load import Force, Load, PointMass
+from assess.loads.overburden import UPPER
+from assess.loads.plane import point_in_plane
+from assess.mechanisms.chain import Block, Chain, mirrored_chain
+from assess.mechanisms.crack import ARM, MARGIN, crack_ratio, least
+from assess.mechanisms.motion import move
+from assess.mechanisms.two_block import Hinges
+from assess.mechanisms.virtual_work import virtual_work
+from assess.model.pieces import Piece, as_one, standing_on
+from assess.project import sections
+
+
+@dataclass(frozen=True)
+class Crack:
+    """Where a wall of one body cracks: elevation [m], how it was found, and the loads that it was found with."""
+
+    elevation: float
+    notices: tuple[str, ...] = ()
+    loads: tuple[Load, ...] | None = None
+
+
+@dataclass(frozen=True)
+class Panel:
+    """The wall as eq. 3.27 sees it: the box around it [m], its weight [N], the mortar's tensile strength [Pa].
+
+    overburden : vertical load downwards [N]; place : of the load along the direction [m]; low, high : faces [m]
+    """
+
+    low: float
+    high: float
+    length: float
+    base: float
+    height: float
+    weight: float
+    strength: float
+    overburden: float
+    place: float
+
+    @property
+    def thickness(self) -> float:
+        """Size along the direction [m]."""
+        return self.high - self.low
+
+    @property
+    def tension(self) -> float:
+        """Tensile strength of the mortar times the area of the base [N]."""
+        return self.strength * self.thickness * self.length
+
+
+def crack_of(
+    section: sections.TwoBlock,
+    whole: Piece,
+    content: sections.Content,
+    loads: Callable[[], Brought],
+    *,
+    front: Hinges | None,
+) -> Crack:
+    """Where the wall of one body cracks; loads : finds those of the whole wall, before it cracks.
+
+    Raises CrackError where there is nothing to find the crack from.
+    """
+    if not whole.solids:
+        raise CrackError("its body has no geometry to crack; give it a mesh, box or profile, or two bodies")
+    crack = section.crack
+    if crack is None:
+        crack = front[1][1] if front is not None else "sorrentino"
+    if isinstance(crack, float):
+        return Crack(crack)
+    find = by_formula if crack == "sorrentino" else by_search
+    brought = loads()
+    strength = content.materials[material_of(section.blocks[0], content)].tensile_strength or 0.0
+    elevation, notice = find(section, whole, brought, strength=strength)
+    return Crack(elevation, (notice,), over(brought, elevation))
+
+
+def blocks_at(elevation: float, name: str, section: sections.TwoBlock, whole: Piece) -> tuple[Piece, Piece]:
+    """The two blocks of a wall that cracks at an elevation [m].
+
+    Raises CrackError where the crack does not lie in the wall.
+    """
+    parts = divide(whole.solids, level(elevation), where=f'mechanism "{name}", crack')
+    if not parts.below:
+        raise CrackError(f"the crack at z = {elevation:.4g} m is at the foot of the wall; give one above it")
+    return below(parts, whole, section.towards), standing_on(parts, section.towards)
+
+
+def over(brought: Brought, elevation: float) -> tuple[Load, ...]:
+    """The loads of a wall that cracks at an elevation [m]: what follows from its place is on the block there."""
+    return tuple(
+        replace(load, block=UPPER if load.at[1] >= elevation else 0) if follows else load
+        for load, follows in zip(brought.loads, brought.follows, strict=True)
+    )
+
+
+def require_as_found(crack: Crack | None, loads: Sequence[Load]) -> None:
+    """Raise CrackError where a crack was found with loads on other blocks than those on which they stand when cut."""
+    if crack is None or crack.loads is None:
+        return
+    before, after = ({(load.name, load.block) for load in each} for each in (crack.loads, loads))
+    for name, _ in sorted(before ^ after):
+        raise CrackError(
+            f'the crack at z = {crack.elevation:.4g} m is found with load "{name}" on one side of it, yet the load '
+            "stands on the other too; give a crack elevation"
+        )
+
+
+def material_of(block: Sequence[str], content: sections.Content) -> str:
+    """The material of the first body of a block that has geometry."""
+    bodies = (content.bodies[name] for name in block)
+    return next(body.material for body in bodies if not isinstance(body, sections.DirectBody))
+
+
+def panel_of(section: sections.TwoBlock, whole: Piece, loads: Sequence[Load], *, strength: float) -> Panel:
+    """The box around a wall and the load on it: forces and bearing masses of the upper block, as if at the top."""
+    points = np.concatenate([solid.vertices for solid in whole.solids])
+    along = np.array(section.towards) / np.linalg.norm(section.towards)
+    x, y = points @ along, points @ np.array([-along[1], along[0], 0.0])
+    upper = [load for load in loads if load.block == UPPER]
+    pressing = [(-load.force[1], load.at[0]) for load in upper if isinstance(load, Force)]
+    pressing += [(g * load.mass, load.at[0]) for load in upper if isinstance(load, PointMass) and load.bearing]
+    overburden = sum(force for force, _ in pressing)
+    moment = sum(force * at for force, at in pressing)
+    middle = float(x.min() + x.max()) / 2.0
+    return Panel(
+        low=float(x.min()),
+        high=float(x.max()),
+        length=float(np.ptp(y)),
+        base=float(points[:, 2].min()),
+        height=float(np.ptp(points[:, 2])),
+        weight=whole.body.mass * g,
+        strength=strength,
+        overburden=overburden,
+        place=moment / overburden if overburden > 0.0 else middle,
+    )
+
+
+def by_formula(section: sections.TwoBlock, whole: Piece, brought: Brought, *, strength: float) -> tuple[float, str]:
+    """The crack by 3.27 with the loads that stand above it: elevation [m] and how it was found.
+
+    The crack depends on what stands above it, and that on the crack: each set of loads is tried that a crack can leave
+    above it. Where more than one agrees with its own crack, the one of the least uplift multiplier counts.
+
+    Raises CrackError where none does, or where one puts the crack at the very top.
+    """
+    found = list(agreeing(section, whole, brought, strength=strength))
+    if not found:
+        raise CrackError(
+            'crack = "sorrentino": wherever the formula puts the crack, other loads stand above it than it was found '
+            "with; give a crack elevation"
+        )
+    _, elevation, notice = min(found)
+    return elevation, notice
+
+
+def agreeing(
+    section: sections.TwoBlock, whole: Piece, brought: Brought, *, strength: float
+) -> Iterator[tuple[float, float, str]]:
+    """The cracks by 3.27 above which the loads stand that they are found with: uplift multiplier, elevation, and how.
+
+    A load within MARGIN of the top stands on it.
+    """
+    heights = sorted({load.at[1] for load, follows in zip(brought.loads, brought.follows, strict=True) if follows})
+    for lowest, next_one in pairwise((-inf, *heights, inf)):
+        loads = over(brought, next_one)
+        panel = panel_of(section, whole, loads, strength=strength)
+        on_top = panel.base + (1.0 - MARGIN) * panel.height
+        if lowest > on_top:
+            return
+        try:
+            elevation, notice = of_panel(panel, sides="two" if section.two_sided else "one")
+        except CrackError:
+            if next_one < on_top:
+                continue
+            raise
+        if lowest < elevation <= next_one:
+            yield uplift(section, whole, panel, loads, elevation), elevation, notice
+
+
+def of_panel(panel: Panel, *, sides: str) -> tuple[float, str]:
+    """The crack by 3.27, or its general form where the load is off the middle: elevation [m] and how it was found.
+
+    Where the wall rocks to both sides the load is taken at the face that is worse.
+    """
+    n, t = panel.overburden / panel.weight, panel.tension / panel.weight
+    ahead = (panel.high - panel.place) / panel.thickness
+    place = max(ahead, 1.0 - ahead) if sides == "two" else ahead
+    try:
+        ratio = crack_ratio(load=n, tension=t, place=place)
+    except CrackError as error:
+        raise CrackError(
+            f'crack = "sorrentino": {error}; give an overburden load, the material\'s tensile_strength, a crack '
+            "elevation, or hinges"
+        ) from None
+    elevation = panel.base + ratio * panel.height
+    form = "thesis eq. 3.27"
+    if abs(place - 0.5) > 1e-9:
+        form = f"the general form of {form}, load at {place:.3g} of the thickness from the edge support"
+    return elevation, (
+        f"crack at z = {elevation:.4g} m, {ratio:.3f} of the height, by {form}: N / W = {n:.3g}, "
+        f"tension f_mt l b / W = {t:.3g}; the formula is for a plain rectangular wall"
+    )
+
+
+def by_search(section: sections.TwoBlock, whole: Piece, brought: Brought, *, strength: float) -> tuple[float, str]:
+    """The crack of least uplift multiplier: elevation [m] and how it was found.
+
+    The multiplier jumps where the crack passes a load, from one block to the other; there it is looked for on both
+    sides, out of reach of the contact.
+    """
+    panel = panel_of(section, whole, over(brought, -inf), strength=strength)
+
+    def multiplier(elevation: float) -> float:
+        return uplift(section, whole, panel, over(brought, elevation), elevation)
+
+    jumps = [load.at[1] for load, follows in zip(brought.loads, brought.follows, strict=True) if follows]
+    elevation = least(multiplier, low=panel.base, high=panel.base + panel.height, jumps=jumps, apart=2.0 * TOLERANCE)
+    ratio = (elevation - panel.base) / panel.height
+    held = " with the mortar's tension before it opens" if panel.tension else ""
+    return elevation, (
+        f"crack at z = {elevation:.4g} m, {ratio:.3f} of the height, where the uplift multiplier "
+        f"is least, {multiplier(elevation):.4g}{held}"
+    )
+
+
+def uplift(section: sections.TwoBlock, whole: Piece, panel: Panel, loads: tuple[Load, ...], elevation: float) -> float:
+    """The multiplier that opens a crack at `elevation` [m], the least of the sides that rock."""
+    parts = divide(whole.solids, level(elevation), where="crack")
+    blocks = (weight_of(parts.below, section.towards), weight_of(parts.above, section.towards))
+    base, joint, head = whole.body.base, base_of_section(parts.foot, direction=section.towards), top(whole.body)
+    assert base is not None  # a piece with solids has a base and a top
+    assert head is not None
+    found = []
+    for ahead in (True, False) if section.two_sided else (True,):
+        hinges = (base[ahead], joint[not ahead], head[ahead])
+        chain = Chain(blocks, hinges, loads) if ahead else mirrored_chain(blocks, hinges, loads)
+        work, turning = virtual_work(chain, np.zeros(1)), move(chain, np.zeros(1)).rate[:, 0]
+        held = panel.tension * ARM * panel.thickness * float(turning[0] - turning[1])
+        found.append(float((work.restoring[0] + held) / (g * work.excitation[0])))
+    return min(found)
+
+
+def weight_of(solids: Sequence[Solid], direction: Sequence[float]) -> Block:
+    """Solids that move as one, for statics: mass and centroid in the plane of motion."""
+    masses = np.array([solid.mass for solid in solids])
+    centre = masses @ np.array([solid.centroid for solid in solids]) / masses.sum()
+    return Block(float(masses.sum()), point_in_plane(centre.tolist(), direction), 0.0)
+
+
+def below(parts: Parts, whole: Piece, direction: Sequence[float]) -> Piece:
+    """The lower side of a crack as a block, on the base of the whole."""
+    body = as_one([planar(solid, direction=direction) for solid in parts.below])
+    return replace(whole, body=replace(body, base=whole.body.base), solids=parts.below)

@@ -1,0 +1,194 @@
+"""The direction of a mechanism: the weakest where none is given, and a given one beside those that are weaker.
+
+The least uplift multiplier, with all loads and the crack in place, is the first filter; of the candidates near it the
+one of least d0* stays.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from assess.errors import ProjectError
+from assess.mechanisms.directions import Candidate, Vector, angle_of
+from assess.mechanisms.mechanism import Mechanism
+from assess.messages.message import Message, Quantity, Severity, Value, message
+from assess.model.assembly import Built, mechanism_of
+from assess.model.candidates import (
+    OTHER_SIDE,
+    Look,
+    displacement_of,
+    evaluated,
+    free_of,
+    looking,
+    near_least,
+    rank,
+    uplift,
+    vector_text,
+    weakest_of,
+    with_displacement,
+    worth,
+)
+from assess.model.directions import S, facing, swept_directions
+from assess.model.obstacles import AHEAD, stopping
+from assess.model.pieces import Solids
+from assess.project import sections
+
+CLEARLY = 0.95  # of a given direction's multiplier: a candidate below it is clearly weaker
+LISTED = 4
+
+
+def directed(name: str, section: sections.Mechanism, content: sections.Content, solids: Solids) -> Built:
+    """The mechanism of one table [mechanisms.NAME], in its weakest direction where none is given."""
+    if isinstance(section, sections.EquivalentBlock | sections.FourHinge):
+        return swept_or_given(name, section, content, solids)
+    if section.direction == "sweep" or not drawn(section, solids):
+        return swept_or_given(name, section, content, solids)
+    look = looking(name, section, content, solids)
+    if section.direction is None:
+        return in_weakest(look)
+    return in_given(look)
+
+
+def swept_or_given(name: str, section: sections.Mechanism, content: sections.Content, solids: Solids) -> Built:
+    """The mechanism where no candidates are compared; a body of direct values has one plane only, taken as +x."""
+    if not isinstance(section, sections.EquivalentBlock) and section.direction == "sweep":
+        return swept_directions(name, section, content, solids)
+    return mechanism_of(name, section, content, solids)
+
+
+def drawn(section: sections.Chained, solids: Solids) -> bool:
+    """Whether all its bodies have geometry."""
+    return all(solids[body] is not None for block in section.blocks for body in block)
+
+
+def in_weakest(look: Look) -> Built:
+    """The mechanism in its weakest direction; raises ProjectError with the candidates where one must be given."""
+    candidates = evaluated(look)
+    known = [each for each in candidates if each.multiplier is not None]
+    if not known:  # nor can it be built towards any: say why
+        return mechanism_of(look.name, facing(look.section, candidates[0].way), look.content, look.solids)
+    reason = next(must_be_given(look.section), "")
+    if reason:
+        raise ProjectError(f"{look.where}.direction: missing; {reason}; the candidates are {listed(known)}")
+    pool, held = free_of(known)
+    found = weakest_of([with_displacement(each, look) for each in near_least(pool)])
+    candidates = tuple(found if each.angle == found.angle else each for each in candidates)
+    behind = () if held else stopping(look.obstacles, opposite(found.way))
+    section = sided(facing(look.section, found.way), behind)
+    built = mechanism_of(look.name, section, look.content, look.solids)
+    told = [*of_obstacles(candidates, found, held=held, where=look.where), *of_sides(behind, look)]
+    told += [cannot_rock(each, look.where) for each in candidates if each.why not in ("", OTHER_SIDE)]
+    return with_messages(built, candidates, told, look)
+
+
+def sided(section: S, behind: Sequence[str]) -> S:
+    """The same table with its sides: those given, else one where bodies stand behind."""
+    return section.model_copy(update={"sides": section.sides or ("one" if behind else "two")})
+
+
+def must_be_given(section: sections.SingleBlock | sections.TwoBlock) -> Iterator[str]:
+    """Why a direction cannot be found for the user."""
+    if section.sides == "one":
+        yield 'with sides = "one" it says which way the mechanism is free'
+    for key in section.turning():
+        yield f"{dotted(key)} is measured along it"
+
+
+def dotted(key: Sequence[str | int]) -> str:
+    """A key of a mechanism as the user writes it, entries of lists counted from 1."""
+    return "".join(f"[{step + 1}]" if isinstance(step, int) else f".{step}" for step in key).lstrip(".")
+
+
+def listed(known: Sequence[Candidate]) -> str:
+    """Directions with their multipliers, the weakest first."""
+    rising = sorted(known, key=rank)
+    texts = [f"{vector_text(each.way)} with a multiplier of {each.multiplier:.4g}" for each in rising[:LISTED]]
+    return ", ".join(texts) + (f" and {len(rising) - LISTED} stronger" if len(rising) > LISTED else "")
+
+
+def opposite(way: Vector) -> Vector:
+    """The direction back."""
+    return (-way[0], -way[1], 0.0)
+
+
+def in_given(look: Look) -> Built:
+    """The mechanism in the direction that is given, with a warning where another is clearly weaker."""
+    ahead = Candidate(angle_of(look.section.towards)).way
+    into = stopping(look.obstacles, ahead)
+    behind = () if into else stopping(look.obstacles, opposite(ahead))
+    built = mechanism_of(look.name, sided(look.section, behind), look.content, look.solids)
+    told = [*of_direction(into, ahead, look), *of_sides(behind, look)]
+    if look.section.hinges is not None or next(look.section.turning(), None) is not None:
+        return with_messages(built, (), told, look)
+    candidates = evaluated(look)
+    told += weaker_than(built.mechanism, candidates, look)
+    return with_messages(built, candidates, told, look)
+
+
+def of_direction(into: Sequence[str], ahead: Vector, look: Look) -> Iterator[Message]:
+    """That the direction given leads into a body."""
+    if into:
+        values = {"direction": vector_text(ahead), "bodies": ", ".join(into)}
+        yield message("direction-into", values, severity=Severity.WARNING, where=look.where)
+
+
+def weaker_than(given: Mechanism, candidates: Sequence[Candidate], look: Look) -> Iterator[Message]:
+    """A warning where a candidate that nothing stops is clearly weaker than the mechanism in its given direction."""
+    ahead = np.array(Candidate(angle_of(look.section.towards)).way)
+    open_ways = [each for each in candidates if each.multiplier is not None and not each.touching]
+    if given.sides == "one":  # what stops it stands behind
+        open_ways = [each for each in open_ways if np.array(each.way) @ ahead > -AHEAD]
+    if not open_ways:
+        return
+    weak = weakest_of([with_displacement(each, look) for each in near_least(open_ways)])
+    own = min((given.positive, *([given.negative] if given.negative else [])), key=uplift)
+    if worth(weak) >= CLEARLY * uplift(own):
+        return
+    values: dict[str, Value] = {
+        "direction": vector_text(weak.way),
+        "weaker": Quantity(worth(weak)),
+        "weaker_d0": length_text(weak.displacement),
+        "given": Quantity(uplift(own)),
+        "given_d0": length_text(displacement_of(own, name=look.name)),
+    }
+    yield message("direction-weaker", values, severity=Severity.WARNING, where=look.where)
+
+
+def length_text(length: float | None) -> Value:
+    """A displacement [m] as a value of a message."""
+    return "none, as it never overturns," if length is None else Quantity(length, "length")
+
+
+def of_obstacles(candidates: Sequence[Candidate], found: Candidate, *, held: bool, where: str) -> Iterator[Message]:
+    """The senses that bodies beside the mechanism stop."""
+    for each in candidates:
+        if each.multiplier is None or not each.touching:
+            continue
+        bodies, weaker = ", ".join(each.touching), Quantity(worth(each))
+        values: dict[str, Value] = {"direction": vector_text(each.way), "bodies": bodies, "weaker": weaker}
+        if not held:
+            yield message("direction-stopped", values, where=where)
+        elif each.angle == found.angle:
+            yield message("direction-held", values, severity=Severity.WARNING, where=where)
+
+
+def of_sides(behind: Sequence[str], look: Look) -> Iterator[Message]:
+    """That it rocks to one side for what stands behind it."""
+    if behind and look.section.sides is None:
+        yield message("sides-by-contact", {"bodies": ", ".join(behind)}, where=look.where)
+
+
+def cannot_rock(candidate: Candidate, where: str) -> Message:
+    """Why a direction was left out."""
+    values = {"direction": vector_text(candidate.way), "why": candidate.why}
+    return message("direction-left-out", values, severity=Severity.WARNING, where=where)
+
+
+def with_messages(built: Built, candidates: Sequence[Candidate], told: Sequence[Message], look: Look) -> Built:
+    """The mechanism with the candidates, the bodies beside it, and what is told of them."""
+    beside = tuple(obstacle.body for obstacle in look.obstacles)
+    found = replace(built.mechanism, candidates=tuple(candidates), beside=beside, messages=tuple(told))
+    return replace(built, mechanism=found)

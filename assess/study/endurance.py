@@ -1,0 +1,87 @@
+"""The loads of a mechanism as used, how long each is there, and what is told of those that are not shown to last."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from math import inf
+
+from assess.loads.load import Force, Load, PointMass, pull_at_rest
+from assess.mechanisms.ends import moved_at
+from assess.mechanisms.lasting import acting_of, variants
+from assess.mechanisms.mechanism import Mechanism
+from assess.mechanisms.stages import actions_of
+from assess.messages.message import Message, Severity, message
+from assess.results import Lasting, LoadResult
+
+
+def load_results(mechanism: Mechanism) -> tuple[LoadResult, ...]:
+    """Every load as used, and how it was found."""
+    number, found = 0, []
+    for load in mechanism.positive.loads:
+        one = load_result(load)
+        if not isinstance(load, PointMass):
+            one = enduring(mechanism, number, one)
+            number += 1
+        found.append(one)
+    return tuple(found)
+
+
+def load_result(load: Load) -> LoadResult:
+    """A load as used, and how it was found."""
+    source = load.source or "given"
+    if isinstance(load, PointMass):
+        seat = load.seat if load.bearing else None
+        return LoadResult(load.name, "mass", load.block, load.at, load.mass, load.bearing, None, source, seat_m=seat)
+    at, missing = load.at, load.missing
+    if isinstance(load, Force):
+        return LoadResult(load.name, "force", load.block, at, None, None, load.force, source, missing=missing)
+    return LoadResult(load.name, "tie", load.block, at, None, None, pull_at_rest(load), source, missing=missing)
+
+
+def enduring(mechanism: Mechanism, number: int, load: LoadResult) -> LoadResult:
+    """A force or tie, by its number, with how long it is there on the branch where it ends first."""
+    sides = list(zip(acting_of(mechanism), variants(mechanism).ends, strict=True))
+    resisting = [(one, kept[number]) for one, kept in sides if one.ever_resists(number)]
+    if not resisting:
+        return replace(load, missing=())
+    first = min((one for one, _ in resisting), key=lambda one: one.ends[number])
+    end, lasts = first.ends[number], all(kept > 0.0 for _, kept in resisting)
+    broken = 0.0 < end < inf
+    return replace(
+        load,
+        lasting=_lasting(lasts, broken),
+        missing=load.missing if end == 0.0 else (),
+        end_rad=end if broken else None,
+        end_m=moved_at(first.chain, first.actions[number], end) if broken else None,
+    )
+
+
+def _lasting(lasts: bool, broken: bool) -> Lasting:
+    if lasts:
+        return "to collapse"
+    return "to its end" if broken else "not shown"
+
+
+def left_out(mechanism: Mechanism) -> Iterator[Message]:
+    """A warning for each tie, and force that drives neither way, that is not shown to last; and where all stands by it.
+
+    A force that drives one way and resists the other is a thrust: there is nothing to give.
+    """
+    if not actions_of(mechanism.positive):
+        return
+    where = f"mechanisms.{mechanism.name}"
+    thrusts = {each.name for one in acting_of(mechanism) for each in one.thrusts}
+    for load in load_results(mechanism):
+        if load.lasting == "not shown" and load.name not in thrusts:
+            values = {"load": load.name, "missing": ", ".join(load.missing)}
+            yield message("not-lasting", values, severity=Severity.WARNING, where=where)
+    yield from unheld(mechanism, where=where)
+
+
+def unheld(mechanism: Mechanism, *, where: str = "") -> tuple[Message, ...]:
+    """Why no displacement can be asked: the mechanism stands only by what is not shown to last."""
+    loads = variants(mechanism).standing_by
+    if not loads:
+        return ()
+    return (message("unheld", {"loads": ", ".join(loads)}, severity=Severity.WARNING, where=where),)

@@ -1,0 +1,189 @@
+"""A project in the terms of the field: what `run` needs, with no trace of the file's schema."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from assess.amplification.floor_motion import Amplification
+from assess.codes.context import Building, FreePeriod, Hazard
+from assess.codes.registry import CodeOptions
+from assess.codes.verdict import Missing, Question
+from assess.geometry.scene import Scene
+from assess.mechanisms.mechanism import Mechanism
+from assess.messages.message import Message
+from assess.project.grounding import Grounded
+from assess.results import Input, Resolved
+from records.band import Band
+from records.pulses import Shape
+from records.record import Record
+from records.selection import Selection
+from spectra.spectrum import Spectrum
+
+FloatArray = NDArray[np.float64]
+Equation = Literal["exact", "linearised"]
+ScaleTo = Literal["spectrum", "pga", "none"]
+
+
+@dataclass(frozen=True)
+class Artificial:
+    """Artificial records to be made: how many, the seed, and their duration [s]."""
+
+    count: int
+    seed: int
+    duration: float
+
+
+@dataclass(frozen=True)
+class Fitting:
+    """How records are scaled to the target, and how they were chosen.
+
+    band : periods that the scaling looks at; together : ids of records that keep one factor
+    selection : how they were chosen, with its criteria; None where all that the project names are used
+    nga : (id, number in the NGA database) of those that have one
+    """
+
+    band: Band
+    together: tuple[tuple[str, ...], ...] = ()
+    selection: Selection | None = None
+    nga: tuple[tuple[str, int], ...] = ()
+
+
+@dataclass(frozen=True)
+class PulseGrid:
+    """The pulses of overturning envelopes: shape, frequencies [n] [Hz], peak ground accelerations [m] [m/s2]."""
+
+    shape: Shape
+    frequency: FloatArray
+    amplitude: FloatArray
+
+
+@dataclass(frozen=True)
+class Amplified:
+    """How the ground's motion reaches the base of a mechanism.
+
+    method : as the project names it; height : of the base above the ground [m], None where nothing is amplified
+    said : what is done, with which numbers, and where they come from
+    assumed : sentences: what nobody gave; by_stiffness : whether it follows from the stiffness of the bodies
+    """
+
+    method: str
+    height: float | None
+    amplification: Amplification
+    said: tuple[Message | str, ...]
+    assumed: tuple[str, ...] = ()
+    by_stiffness: bool = False
+
+
+@dataclass(frozen=True)
+class Study:
+    """Site, motions, mechanisms and questions of one assessment.
+
+    spectrum : the site's elastic spectrum at its own PGA; None where the project has no site
+    hazard : of an Italian site over return periods; None where the site has but one spectrum
+    free_periods : of the mechanisms that vibrate before they lift off, by name
+    knowledge : level of knowledge by mechanism and code, where one is given
+    limit_state : what a single spectrum of the site is declared for; None where nobody says
+    levels : PGA at which demands are compared, rising [m/s2]
+    offered : those of the procedures that nobody asked for; shown where they decide
+    equations : the equation of motion of each mechanism's histories, by name
+    amplified : how the motion of the histories reaches each mechanism, by name
+    fitting : how the records are scaled
+    scenes : the bodies in space of each mechanism that has geometry, by name
+    sweeps : parametric studies; a case has none
+    question : what decides
+    facts : what the pass of each mechanism needs and nobody gave, and what it rests on, by name
+    grounded : where each mechanism stands over the ground, by name
+    record_factor : a further factor on every record [-]
+    suite_faults : by code, the rules for suites that the records miss, known once the records are
+    survey : the numbers of a mechanism that the survey's tolerance bears on, by its name
+    variables : what the sensitivity of each mechanism varies
+    pulses : of the overturning envelopes; None where none are asked for
+    """
+
+    spectrum: Spectrum | None
+    vertical_ratio: float
+    building: Building | None
+    records: tuple[Record, ...]
+    fitting: Fitting
+    artificial: Artificial | None
+    scale_to: ScaleTo
+    levels: tuple[float, ...]
+    procedures: tuple[str, ...]
+    offered: tuple[str, ...]
+    options: CodeOptions
+    mechanisms: tuple[Mechanism, ...]
+    equations: dict[str, Equation]
+    amplified: dict[str, Amplified]
+    scenes: dict[str, Scene]
+    inputs: tuple[Input, ...]
+    resolved: dict[str, Resolved]
+    notices: tuple[Message, ...]
+    sweeps: tuple[Sweep, ...]
+    pulses: PulseGrid | None
+    hazard: Hazard | None
+    free_periods: Mapping[str, FreePeriod]
+    knowledge: Mapping[str, Mapping[str, str]]
+    limit_state: str | None
+    question: Question
+    facts: Mapping[str, tuple[tuple[Missing, ...], tuple[Message, ...]]]
+    grounded: Mapping[str, Grounded] = field(default_factory=dict)
+    record_factor: float = 1.0
+    suite_faults: Mapping[str, tuple[Message, ...]] = field(default_factory=dict)
+    survey: Callable[[str], tuple[Variable, ...]] = lambda name: ()
+    variables: tuple[Variable | Unvaried, ...] = ()
+
+
+@dataclass(frozen=True)
+class Case:
+    """One value of a sweep: in the sweep's unit, named by table, key and value, and the study of what it changes."""
+
+    value: float
+    name: str
+    study: Study
+
+
+@dataclass(frozen=True)
+class Sweep:
+    """Several values of one number of the project.
+
+    key : the number; unit : of its values, as the user wrote it, "-" for none
+    cases : one for each value, in the user's order, each with the mechanisms that depend on the key
+    """
+
+    key: str
+    unit: str
+    cases: tuple[Case, ...]
+
+
+@dataclass(frozen=True)
+class Variable:
+    """One number of a mechanism that its sensitivity varies.
+
+    parameter : in a word of the project file; key : where the number stands; unit : SI, "-" for none
+    base, low, high : [unit]; study_at : the study of the mechanism alone with another value of the number
+    remark : a sentence, empty where nothing is to be said
+    """
+
+    mechanism: str
+    parameter: str
+    key: str
+    unit: str
+    base: float
+    low: float
+    high: float
+    study_at: Callable[[float], Study]
+    remark: str = ""
+
+
+@dataclass(frozen=True)
+class Unvaried:
+    """A number of a mechanism that its sensitivity leaves as it is, and why."""
+
+    mechanism: str
+    parameter: str
+    why: str

@@ -1,0 +1,110 @@
+"""What the codes whose histories are asked for want of a suite: over which periods, beside which spectrum.
+
+One suite serves the whole building, so the range reaches the slowest of all its mechanisms.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Protocol
+
+from assess.codes.family import CODES, of_histories
+from assess.codes.ntc2018.clauses import ULTIMATE
+from assess.codes.verdict import methods_of
+from assess.mechanisms.mechanism import Mechanism
+from assess.project.deciding import states_of
+from assess.study.periods import ends, equivalent_periods, limit_state_periods
+from assess.study.study import Study
+from records.compliance import asce43_05, ntc2018
+from records.compliance.registry import Requirements
+from records.compliance.suite import FINE
+from records.synthetic import BAND
+from spectra.spectrum import Spectrum
+
+Range = tuple[float, float]
+
+HELD = 3.0  # artificial records hold periods up to their duration over this, well within what can be fitted
+
+
+class Fitted(Protocol):
+    """Range of periods over which artificial records have to fit the target [s]."""
+
+    def __call__(self, *, longest: float) -> Range:
+        """Return it for the longest period of the mechanisms [s]."""
+
+
+class PeriodsOf(Protocol):
+    """Periods at the limit state, which stand for T_1 in the clauses of a code [s]."""
+
+    def __call__(self, study: Study) -> Range:
+        """Return the shortest and the longest of all mechanisms."""
+
+
+@dataclass(frozen=True)
+class SuiteRules:
+    """One code's rules for suites: what it asks of them, over which periods, and those of the mechanisms by it."""
+
+    code: str
+    requirements: Requirements
+    fitted: Fitted
+    periods: PeriodsOf
+
+
+def at_allowable(study: Study) -> Range:
+    """Periods of equal work at half of the rotation that overturns [s], for ASCE 43-05."""
+    return ends(equivalent_periods(study.mechanisms))
+
+
+def at_limit_state(study: Study) -> Range:
+    """T_SLV or T_SLC, with the building's T_1 where a mechanism stands above the ground [s], for NTC 2018."""
+    state = deciding_state(study)
+    low, high = ends(limit_state_periods(study.mechanisms, state=state))
+    if study.building is None or not any(is_raised(each, study) for each in study.mechanisms):
+        return low, high
+    return min(low, study.building.period), max(high, study.building.period)
+
+
+def is_raised(mechanism: Mechanism, study: Study) -> bool:
+    """Whether a mechanism stands above the ground, be it on a plinth."""
+    return study.grounded[mechanism.name].base > 0.0
+
+
+def deciding_state(study: Study) -> str:
+    """The ultimate limit state that decides by the Italian code; SLV where another code decides."""
+    return next((state for state in states_of(study.question) if state in ULTIMATE), "SLV")
+
+
+RULES: Mapping[str, SuiteRules] = {
+    "asce43-05": SuiteRules(asce43_05.CODE, asce43_05.requirements, asce43_05.periods_fitted, at_allowable),
+    "ntc2018": SuiteRules(ntc2018.CODE, ntc2018.requirements, ntc2018.periods_fitted, at_limit_state),
+}
+"""By the code of a procedure, as `assess.codes.family.CODES` names it."""
+
+
+def codes_asked(study: Study) -> tuple[str, ...]:
+    """The codes whose histories are asked for."""
+    return tuple(dict.fromkeys(CODES[name] for name in study.procedures if of_histories(name)))
+
+
+def codes_that_decide(study: Study) -> tuple[str, ...]:
+    """The codes whose histories may decide; where none does, those asked for."""
+    deciding = [CODES[name] for name in methods_of(study.question) if of_histories(name)]
+    return tuple(dict.fromkeys(deciding)) or codes_asked(study)
+
+
+def spectrum_of_rules(code: str, study: Study, spectrum: Spectrum) -> Spectrum:
+    """The target of a suite: of the Italian code that of the limit state that decides, where the hazard has it."""
+    if code != "ntc2018" or study.hazard is None:
+        return spectrum
+    return study.hazard.spectra.get(deciding_state(study), spectrum)
+
+
+def made_band(study: Study, spectrum: Spectrum, *, duration: float) -> Range:
+    """Range of periods over which artificial records are made to fit: what the rules ask, as far as they can be [s].
+
+    A record holds periods up to a share of its duration; further than the target or 10 s nothing is compared.
+    """
+    ranges = [RULES[code].fitted(longest=RULES[code].periods(study)[1]) for code in codes_that_decide(study)]
+    longest = max([BAND[1], *(high for _, high in ranges)])
+    return BAND[0], min(longest, duration / HELD, float(FINE[-1]), spectrum.longest_period)

@@ -1,0 +1,103 @@
+"""The bodies of a mechanism in space, light enough to stand in the results and to be drawn."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import floor, log10
+
+import numpy as np
+from numpy.typing import NDArray
+
+from assess.geometry.scene import Scene
+from assess.geometry.simplify import simplified
+from assess.geometry.solid import Solid
+from assess.mechanisms.mechanism import Mechanism
+from assess.results import Axis, Place, View
+from assess.study.drawing import FIXED, hinges_of, owners
+
+FloatArray = NDArray[np.float64]
+IntArray = NDArray[np.int64]
+
+LIMIT = 4000  # triangles of a view
+FIGURES = 5  # of a coordinate, counted from the first of the bodies' size
+CORNERS = 300  # of a section's ring
+
+
+def view(mechanism: Mechanism, scene: Scene) -> View:
+    """The bodies with their axes of rotation, at rest."""
+    members = [*zip(scene.members, owners(mechanism.positive), strict=True), (scene.fixed, FIXED)]
+    surfaces = [(*surface(solids), owner) for solids, owner in members if solids]
+    corners = np.concatenate([vertices for vertices, _, _ in surfaces])
+    size = np.ptp(corners, axis=0)
+    decimals = FIGURES - 1 - floor(log10(float(size.max())))
+    drawn = lightened(surfaces)
+    starts = np.cumsum([0, *(len(vertices) for vertices, _, _ in drawn)])
+    return View(
+        vertices=places(np.concatenate([vertices for vertices, _, _ in drawn]), decimals),
+        triangles=tuple(
+            (a, b, c)
+            for start, (_, triangles, _) in zip(starts, drawn, strict=False)
+            for a, b, c in (triangles + start).tolist()
+        ),
+        block_of=tuple(owner for _, triangles, owner in drawn for _ in range(len(triangles))),
+        axes=axes(mechanism, scene, decimals),
+        sections=tuple(places(thinned(ring), decimals) for ring in scene.sections),
+        direction=as_place(scene.direction),
+        size=places(size[None], decimals)[0],
+        given=sum(len(triangles) for _, triangles, _ in surfaces),
+    )
+
+
+def surface(solids: Sequence[Solid]) -> tuple[FloatArray, IntArray]:
+    """The surfaces of several solids as one."""
+    starts = np.cumsum([0, *(len(solid.vertices) for solid in solids[:-1])])
+    triangles = [solid.triangles + start for solid, start in zip(solids, starts, strict=True)]
+    return np.concatenate([solid.vertices for solid in solids]), np.concatenate(triangles)
+
+
+def lightened(surfaces: Sequence[tuple[FloatArray, IntArray, int]]) -> list[tuple[FloatArray, IntArray, int]]:
+    """The surfaces with no more than LIMIT triangles in all, shared out by area."""
+    if sum(len(triangles) for _, triangles, _ in surfaces) <= LIMIT:
+        return list(surfaces)
+    areas = np.array([area(vertices[triangles]) for vertices, triangles, _ in surfaces])
+    shares = np.maximum(12, (LIMIT * areas / areas.sum()).astype(np.int64))
+    return [
+        (*simplified(vertices, triangles, limit=int(share)), owner)
+        for (vertices, triangles, owner), share in zip(surfaces, shares, strict=True)
+    ]
+
+
+def area(corners: FloatArray) -> float:
+    """The area of triangles [m, 3, 3] [m2]."""
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    return float(np.linalg.norm(normals, axis=1).sum()) / 2.0
+
+
+def axes(mechanism: Mechanism, scene: Scene, decimals: int) -> tuple[Axis, ...]:
+    """The axis of each hinge, across the direction, as long as what moves is wide there."""
+    along, up = scene.direction, np.array([0.0, 0.0, 1.0])
+    across = np.array([-along[1], along[0], 0.0])
+    reach = np.concatenate([solid.vertices for member in scene.members for solid in member]) @ across
+    made = []
+    for hinge in hinges_of(mechanism):
+        middle = hinge.at[0] * along + hinge.at[1] * up
+        first, last = places(np.array([middle + reach.min() * across, middle + reach.max() * across]), decimals)
+        made.append(Axis(hinge.name, (first, last)))
+    return tuple(made)
+
+
+def thinned(ring: FloatArray) -> FloatArray:
+    """A closed ring [k, 3] with no more than CORNERS corners, evenly left out."""
+    step = -(-(len(ring) - 1) // CORNERS)
+    return np.concatenate([ring[:-1:step], ring[:1]])
+
+
+def places(points: FloatArray, decimals: int) -> tuple[Place, ...]:
+    """Points [k, 3] as plain numbers, rounded."""
+    return tuple(as_place(point) for point in np.round(points, decimals) + 0.0)
+
+
+def as_place(point: FloatArray) -> Place:
+    """A point [3] as plain numbers."""
+    x, y, z = point.tolist()
+    return (x, y, z)

@@ -1,0 +1,381 @@
+"""Bodies as loads, from the project file to the oscillator, against hand calculation."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy.constants import g
+
+from assess.cli.description import description
+from assess.errors import GeometryError, MechanismError, ProjectError
+from assess.project.build import build
+from assess.project.schema import load
+from assess.study.run import parameters
+
+PROJECT = """
+[materials.stone]
+density = 2000
+[materials.heavy]
+density = 10000  # so that the walls stand whatever thrusts are put on them
+[materials.timber]
+density = 500
+[bodies.front]
+material = "heavy"
+box = {{ thickness = 0.6, length = 5, height = 6, base = [3, 0, 0] }}
+[bodies.rear]
+material = "heavy"
+box = {{ thickness = 0.6, length = 5, height = 6, base = [-3, 0, 0] }}
+{bodies}
+[mechanisms.m]
+kind = "single-block"
+direction = [1, 0, 0]
+blocks = ["front"]
+sides = "one"
+{mechanism}
+"""
+FRONT = 10000 * 0.6 * 5 * 6
+FLOOR = """[bodies.floor]
+material = "timber"
+box = { thickness = 5.8, length = 4, height = 0.2, base = [0, 0, 3] }
+"""  # from -2.9 to 2.9: built in by 0.2 m at both ends
+ROOF = """[bodies.roof]
+material = "timber"
+profile = [[-3.3, 6], [-3, 6], [0, 8.3], [3, 6], [3.3, 6], [0, 8.5]]
+length = 5
+"""
+
+
+FLAT = """[bodies.roof]
+material = "timber"
+profile = [[-3.3, 6], [3.3, 6], [3.3, 6.2], [-3.3, 6.2]]
+length = 5
+"""
+
+
+def study_of(folder: Path, bodies: str, *loads: str, mechanism: str = ""):
+    listed = ", ".join(f'{{ kind = "body", {each} }}' for each in loads)
+    text = PROJECT.format(bodies=bodies, mechanism=f"{mechanism}\nloads = [{listed}]")
+    if mechanism.startswith("direction"):
+        text = text.replace("direction = [1, 0, 0]\n", "", 1)
+    (folder / "project.toml").write_text(text, encoding="utf-8")
+    return build(load(folder))
+
+
+def loads_of(folder: Path, bodies: str, *loads: str, mechanism: str = ""):
+    (found,) = study_of(folder, bodies, *loads, mechanism=mechanism).mechanisms
+    return found.positive.loads
+
+
+def texts(study) -> str:
+    return "\n".join(notice.text for notice in study.notices if notice.key == "mechanism")
+
+
+def test_a_floor_built_into_two_walls_rests_with_half_its_weight_on_each(tmp_path):
+    study = study_of(tmp_path, FLOOR, 'body = "floor"')
+    (floor,) = study.mechanisms[0].positive.loads
+    mass = 500 * 5.8 * 4 * 0.2
+    assert (floor.name, floor.bearing) == ("floor", True)
+    assert floor.mass == pytest.approx(mass / 2, rel=1e-9)
+    np.testing.assert_allclose(floor.at, (2.8, 3.0), atol=1e-9)  # middle of the 0.2 m in the wall, its underside
+    (result,) = parameters(study)
+    resisting = FRONT * 0.3 + mass / 2 * 0.5
+    driving = FRONT * 3.0 + mass / 2 * 3.0
+    assert result.oscillator.uplift_multiplier == pytest.approx(resisting / driving, rel=1e-9)
+    assert result.loads[0].mass_kg == floor.mass
+    assert 'share 0.5 (statics; the rest on "rear")' in result.loads[0].source
+    assert "bears on 0.8 m2" in result.loads[0].source
+    assert not texts(study)
+
+
+def test_a_floor_that_spans_along_the_wall_only_pushes(tmp_path):
+    beside = FLOOR.replace("thickness = 5.8", "thickness = 5.4")
+    study = study_of(tmp_path, beside, 'body = "floor"')
+    (floor,) = study.mechanisms[0].positive.loads
+    assert not floor.bearing
+    assert floor.mass == pytest.approx(500 * 5.4 * 4 * 0.2, rel=1e-9)
+    np.testing.assert_allclose(floor.at, (2.7, 3.1), atol=1e-9)
+    assert 'load "floor": nothing in the project carries its weight' in texts(study)
+    ledges = """[bodies.ledge]
+material = "stone"
+box = { thickness = 5, length = 0.6, height = 3, base = [0, 1.8, 0] }
+"""
+    assert not texts(study_of(tmp_path, beside + ledges, 'body = "floor"'))
+
+
+def test_numbers_of_the_user_override_what_is_found_and_both_are_told(tmp_path):
+    own = 'body = "floor", share = 0.3, bearing = false, at = [2.5, 4.0], mass = "3 t"'
+    (floor,) = loads_of(tmp_path, FLOOR, own)
+    assert (floor.mass, floor.bearing, floor.at) == (pytest.approx(900.0), False, (2.5, 4.0))
+    assert "place given (its contact is at x = 2.8 m, z = 3 m)" in floor.source
+    assert "3000 kg (given; by its table 2320 kg)" in floor.source
+    assert "share 0.3 (given; by statics 0.5)" in floor.source
+    assert "only pushes (given; by its contact it bears on 0.8 m2)" in floor.source
+
+
+def test_a_floor_on_nothing_else_is_carried_whole_with_a_warning(tmp_path):
+    short = FLOOR.replace("thickness = 5.8", "thickness = 1.0").replace("[0, 0, 3]", "[2.4, 0, 3]")
+    study = study_of(tmp_path, short, 'body = "floor"')
+    assert study.mechanisms[0].positive.loads[0].mass == pytest.approx(500 * 1.0 * 4 * 0.2, rel=1e-9)
+    assert 'load "floor": nothing else in the project carries it, so its whole weight is on the block' in texts(study)
+
+
+def test_a_gable_roof_thrusts_by_W_L_over_8_f(tmp_path):
+    own = 'body = "roof", role = "roof", span = 6, rise = "2.3 m"'
+    mass, thrust = loads_of(tmp_path, ROOF, own)
+    W = 500 * 5 * 0.5 * 2.5 * 6.6 * g - 500 * 5 * 0.5 * 2.3 * 6.0 * g
+    assert (mass.bearing, mass.mass) == (True, pytest.approx(W / g / 2, rel=1e-9))
+    assert thrust.force == (pytest.approx(W * 6 / (8 * 2.3), rel=1e-9), 0.0)
+    assert thrust.at == mass.at == pytest.approx((3.15, 6.0), abs=1e-6)
+    assert "H = V x / f" in thrust.source
+    assert "L = 6 m (given), f = 2.3 m (given)" in thrust.source
+    found = loads_of(tmp_path, ROOF, 'body = "roof", role = "roof"')[1]
+    assert found.force[0] == pytest.approx(W * 6.6 / (8 * 2.5), rel=1e-9)
+    assert "L = 6.6 m (found), f = 2.5 m (found)" in found.source
+
+
+def test_a_roof_thrusts_outwards_whichever_way_the_motion_goes(tmp_path):
+    own = 'body = "roof", role = "roof"'
+    one = loads_of(tmp_path, ROOF, own)[1]
+    other = loads_of(tmp_path, ROOF, own, mechanism="direction = [-2, 0, 0]")[1]
+    assert other.force == (pytest.approx(-one.force[0], rel=1e-12), 0.0)
+    assert other.at == (pytest.approx(-one.at[0], rel=1e-12), one.at[1])
+    askew = loads_of(tmp_path, ROOF, own, mechanism="direction = [4, 3, 0]")[1]
+    assert askew.force[0] == pytest.approx(0.8 * one.force[0], rel=1e-9)
+    assert "kN along the motion" in askew.source
+
+
+@pytest.mark.parametrize(
+    ("keys", "bodies", "mechanism", "words"),
+    [
+        ("tied = true", ROOF, "", "tied (given)"),
+        ("bearing = false", ROOF, "", "does not stand on the block"),
+        ("", ROOF, "direction = [0, 1, 0]\nrestitution = 0.9", "its ridge runs that way"),
+        ("", FLAT, "", "it is flat or slopes one way only"),
+        ("", FLAT.replace("6.2]]", "7]]"), "", "it is flat or slopes one way only"),
+    ],
+)
+def test_why_a_roof_has_no_thrust_is_told(tmp_path, keys, bodies, mechanism, words):
+    loads = loads_of(
+        tmp_path, bodies, f'body = "roof", role = "roof"{", " + keys if keys else ""}', mechanism=mechanism
+    )
+    assert [load.name for load in loads] == ["roof"]
+    assert "no thrust" in loads[0].source
+    assert words in loads[0].source
+
+
+def test_a_thrust_of_the_user_stands_in_its_place(tmp_path):
+    mass, thrust = loads_of(tmp_path, ROOF, 'body = "roof", role = "roof", thrust = "41 kN", share = 0.25')
+    assert thrust.force == (41e3, 0.0)
+    assert "thrust (given)" in thrust.source
+    assert "share 0.25 (given; by statics 0.5)" in mass.source
+
+
+def test_a_roof_with_one_foot_in_the_project_stands_with_half_on_the_block(tmp_path):
+    moved = ROOF.replace("[[-3.3, 6], [-3, 6], [0, 8.3], [3, 6], [3.3, 6], [0, 8.5]]",
+                         "[[2.7, 6], [3, 6], [6, 8.3], [9, 6], [9.3, 6], [6, 8.5]]")  # fmt: skip
+    study = study_of(tmp_path, moved, 'body = "roof", role = "roof"')
+    mass, thrust = study.mechanisms[0].positive.loads
+    W = 500 * 5 * 0.5 * (2.5 * 6.6 - 2.3 * 6.0) * g
+    assert mass.mass == pytest.approx(W / g / 2, rel=1e-9)
+    assert thrust.force[0] == pytest.approx(-W * 6.6 / (8 * 2.5), rel=1e-9)  # the roof lies before the wall
+    assert "half of it is taken" in texts(study)
+
+
+def barrel(*, radius=2.85, thickness=0.3, springing=6.0, parts=120) -> str:
+    angle = np.linspace(-np.pi / 2, np.pi / 2, parts + 1)
+    inner, outer = (
+        np.column_stack([r * np.sin(angle), springing + r * np.cos(angle)])
+        for r in (radius - thickness / 2, radius + thickness / 2)
+    )
+    points = np.concatenate([inner, outer[::-1]]).round(12).tolist()
+    return f'[bodies.vault]\nmaterial = "stone"\nprofile = {points}\nlength = 5\n'
+
+
+def test_a_barrel_vault_by_equilibrium_of_its_half(tmp_path):
+    """Half a semicircular ring of radii a, b: weight W / 2, centroid 4/(3 pi) (b^3 - a^3)/(b^2 - a^2) off the crown."""
+    a, b = 2.7, 3.0
+    W = 2000 * g * 5 * np.pi / 2 * (b**2 - a**2)
+    lever = b - 4 / (3 * np.pi) * (b**3 - a**3) / (b**2 - a**2)
+    mass, thrust = loads_of(tmp_path, barrel(), 'body = "vault", role = "vault", tied = false')
+    assert mass.mass * g == pytest.approx(W / 2, rel=5e-4)  # 120 chords stand for the circle
+    assert mass.at == pytest.approx((2.85, 6.0), abs=1e-9)
+    assert thrust.force[0] == pytest.approx(W / 2 * lever / b, rel=1e-3)
+    (even,) = re.findall(r"L / 4 would give (\S+) kN", thrust.source)
+    assert float(even) == pytest.approx(W * 6.0 / (8 * 3.0) / 1e3, rel=1e-3)
+    along = loads_of(tmp_path, barrel(), 'body = "vault", role = "vault"', mechanism="direction = [0, 1, 0]")
+    assert [load.name for load in along] == ["vault"]
+
+
+@pytest.mark.parametrize(("case", "thickness", "density"), [(1, 0.125, 1300), (4, 0.25, 1800), (5, 0.3, 2200)])
+def test_a_vault_by_ungewitters_constructions_and_fill(tmp_path, case, thickness, density):
+    keys = f'body = "vault", role = "vault", construction = {case}, fill = "100 kg/m^2"'
+    mass, thrust = loads_of(tmp_path, barrel(), keys)
+    shell, fill = thickness * density * np.pi * 2.7 * 5, 100 * 5.4 * 5
+    assert mass.mass == pytest.approx((shell + fill) / 2, rel=1e-3)
+    assert f"Ungewitter's case {case}" in mass.source
+    ring = 3.0 - 4 / (3 * np.pi) * (3.0**3 - 2.7**3) / (3.0**2 - 2.7**2)
+    H = g / 2 * (shell * ring + fill * 6.0 / 4) / 3.0
+    assert thrust.force[0] == pytest.approx(H, rel=2e-3)
+
+
+def groined(folder: Path) -> str:
+    """Parabolic cross vault over the bay between the walls, from wall to wall, its edges upright."""
+    n, span, rise, t = 25, 5.4, 2.0, 0.15
+    edge = np.linspace(-span / 2, span / 2, n)
+    x, y = np.meshgrid(edge, edge, indexing="ij")
+    z = 3 + rise * (1 - (np.minimum(np.abs(x), np.abs(y)) * 2 / span) ** 2)
+    points = np.column_stack([np.tile(x.ravel(), 2), np.tile(y.ravel(), 2), np.concatenate([z.ravel(), z.ravel() + t])])
+    i = np.arange(n * n).reshape(n, n)
+    cells = np.stack([i[:-1, :-1], i[1:, :-1], i[1:, 1:], i[:-1, 1:]], axis=-1).reshape(-1, 4)
+    top = np.concatenate([cells[:, [0, 1, 2]], cells[:, [0, 2, 3]]]) + n * n
+    rim = np.concatenate([i[:-1, 0], i[-1, :-1], i[:0:-1, -1], i[0, :0:-1]])
+    after = np.roll(rim, -1)
+    sides = np.concatenate(
+        [np.column_stack([rim, after, after + n * n]), np.column_stack([rim, after + n * n, rim + n * n])]
+    )
+    faces = np.concatenate([top, top[:, ::-1] - n * n, sides]) + 1
+    lines = [f"v {a:.9f} {b:.9f} {c:.9f}" for a, b, c in points] + [f"f {a} {b} {c}" for a, b, c in faces]
+    (folder / "vault.obj").write_text("\n".join(lines))
+    return '[bodies.vault]\nmaterial = "stone"\nmesh = "vault.obj"\n'
+
+
+def test_a_quadripartite_vault_thrusts_along_either_motion_from_its_upright_edges(tmp_path):
+    vault = groined(tmp_path)
+    mass, thrust = loads_of(tmp_path, vault, 'body = "vault", role = "vault"')
+    W = 2000 * 5.4**2 * 0.15 * g  # its thickness is measured upright: spread evenly over the plan
+    assert mass.bearing
+    assert mass.mass * g == pytest.approx(W / 2, rel=1e-6)
+    assert thrust.force[0] == pytest.approx(W * 5.4 / (8 * 2.15), rel=1e-6)
+    barrel_like = loads_of(tmp_path, vault, 'body = "vault", role = "vault", vault = "barrel"')
+    assert barrel_like[0].mass == pytest.approx(mass.mass, rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("bodies", "loads", "words"),
+    [
+        (FLOOR.replace("5.8", "4.0"), ['body = "floor"'], r'mechanism "m": load "floor" touches nothing.* 0\.7 m away'),
+        (FLOOR.replace("[0, 0, 3]", "[0, 0, 6.3]"), ['body = "floor"'], r"0\.3 m away; move it, or raise `tolerance`"),
+        ("[bodies.d]\nmass = 9\ncentroid = [1, 2]\ninertia = 1\n", ['body = "d"'], "it has no geometry"),
+        ("[bodies.d]\nmass = 9\ncentroid = [1, 2]\ninertia = 1\n", ['body = "d", role = "roof"'], "no geometry, from"),
+        (
+            FLOOR
+            + '[bodies.lid]\nmaterial = "stone"\nbox = { thickness = 6.6, length = 5, height = 0.2, base = [0,0,6] }\n',
+            ['body = "lid", role = "roof", thrust = "1 kN", at = [0, 6.0]'],
+            "which way is outwards",
+        ),
+    ],
+)
+def test_what_cannot_load_the_block_is_an_error_by_name(tmp_path, bodies, loads, words):
+    with pytest.raises(GeometryError, match=words) as refused:
+        study_of(tmp_path, bodies, *loads)
+    assert "\n" not in str(refused.value)
+
+
+@pytest.mark.parametrize(
+    ("loads", "words"),
+    [
+        (['body = "front"'], r"m\.loads\[1\]\.body.*part of a block"),
+        (['body = "floor"', 'body = "floor"'], r"m\.loads\[2\]\.body.*already"),
+        (['body = "flor"'], "no such body; known"),
+        (['body = "floor", rise = 1'], r"rise: 1: only a roof or a vault"),
+        (['body = "floor", role = "roof", fill = 100'], "only of a vault"),
+        (['body = "floor", role = "vault", construction = 6'], "must be 5 or less"),
+        (['body = "floor", role = "vault", construction = 2, mass = 5'], "beside mass"),
+        (['body = "floor", role = "roof", tied = true, thrust = 5'], "beside thrust"),
+        (['body = "floor", share = 1.5'], "must be 1 or less"),
+        (['body = "floor", role = "dome"'], "not allowed"),
+    ],
+)
+def test_wrong_keys_are_refused_in_one_line(tmp_path, loads, words):
+    with pytest.raises(ProjectError, match=words):
+        study_of(tmp_path, FLOOR, *loads)
+
+
+def test_direct_values_and_floors_that_touch_nothing_can_be_placed_by_hand(tmp_path):
+    direct = "[bodies.d]\nmass = 900\ncentroid = [1, 2]\ninertia = 1\n"
+    (mass,) = loads_of(tmp_path, direct, 'body = "d", at = [3, 0, 5], bearing = true')
+    assert (mass.mass, mass.at, mass.bearing) == (900.0, (3.0, 5.0), True)
+    (far,) = loads_of(
+        tmp_path, FLOOR.replace("5.8", "4.0"), 'body = "floor", at = [2.7, 3], bearing = true, share = 0.5'
+    )
+    assert far.mass == pytest.approx(500 * 4 * 4 * 0.2 / 2, rel=1e-9)
+
+
+def test_only_what_is_left_above_a_cut_is_touched(tmp_path):
+    (floor,) = loads_of(tmp_path, FLOOR, 'body = "floor"', mechanism="cut = 2")
+    assert floor.at == pytest.approx((2.8, 3.0), abs=1e-9)
+    with pytest.raises(GeometryError, match="touches nothing of the block"):
+        loads_of(tmp_path, FLOOR, 'body = "floor"', mechanism="cut = 4")
+
+
+def test_a_load_in_the_air_is_pointed_out(tmp_path):
+    study = study_of(tmp_path, FLOOR, 'body = "floor", at = [0, 3]')
+    assert 'load "floor" at (0, 3) m is in the air, 2.7 m from the block' in texts(study)
+    assert "in the air" not in texts(study_of(tmp_path, FLOOR, 'body = "floor"'))
+
+
+def test_overlaps_that_weigh_masonry_twice_are_pointed_out(tmp_path):
+    second = FLOOR.replace("bodies.floor", "bodies.slab").replace("[0, 0, 3]", "[0, 0, 3.1]")
+    study = study_of(tmp_path, FLOOR + second, 'body = "floor"', 'body = "slab"')
+    assert 'bodies "floor" and "slab" overlap by 2.32 m3' in texts(study)
+    other = """[bodies."front as it was"]
+material = "stone"
+box = { thickness = 0.5, length = 5, height = 6, base = [3, 0, 0] }
+"""
+    study = study_of(tmp_path, FLOOR + other, 'body = "floor"')
+    assert study.mechanisms[0].positive.loads[0].mass == pytest.approx(500 * 5.8 * 4 * 0.2 / 2, rel=1e-9)
+    assert 'body "front as it was" stands where the block does' in texts(study)
+
+
+def test_a_floor_that_would_lift_off_is_refused(tmp_path):
+    """Its centroid lies 0.4 m beyond a pier, as seen from the wall."""
+    pier = '[bodies.pier]\nmaterial = "stone"\nbox = { thickness = 0.4, length = 4, height = 3, base = [0.8, 0, 0] }\n'
+    slab = FLOOR.replace("thickness = 5.8", "thickness = 5.0").replace("[0, 0, 3]", "[0.4, 0, 3]")
+    with pytest.raises(GeometryError, match='load "floor": by statics it lifts off the block'):
+        study_of(tmp_path, slab + pier, 'body = "floor"')
+
+
+def test_hostile_names_appear_as_text(tmp_path):
+    name = "<b>&floor\\u0007 $x$ =cmd()\\n"
+    hostile = FLOOR.replace("bodies.floor", f'bodies."{name}"')
+    study = study_of(tmp_path, hostile, f'body = "{name}"')
+    shown = description(load(tmp_path), parameters(study), (), study.notices)
+    assert "<b>&floor\\x07 $x$ =cmd()\\n at x = 2.8 m" in shown
+    assert all(line.isprintable() for line in shown.splitlines())
+
+
+def test_thrust_that_overturns_the_wall_is_refused(tmp_path):
+    named = r'already falling.*: load "roof \(thrust\)" with H = 400 kN, V = \+0 kN up \(thrust \(given\), outwards\)'
+    with pytest.raises(MechanismError, match=named):
+        parameters(study_of(tmp_path, ROOF, 'body = "roof", role = "roof", thrust = "400 kN"'))
+
+
+def test_a_floor_on_the_upper_block_of_a_cracked_wall(tmp_path):
+    on_top = FLOOR.replace("[0, 0, 3]", "[0, 0, 6]")
+    masses = []
+    for loads in ("[]", '[{ kind = "body", body = "floor", block = 1 }]'):
+        text = PROJECT.format(bodies=on_top, mechanism=f"crack = 2.5\nloads = {loads}")
+        (tmp_path / "project.toml").write_text(text.replace("single-block", "two-block"))
+        (result,) = parameters(build(load(tmp_path)))
+        masses.append(result.oscillator.mass_kg)
+    (floor,) = result.loads
+    assert (floor.block, floor.bearing, floor.at) == (1, True, (pytest.approx(2.8), pytest.approx(6.0)))
+    assert masses[1] - masses[0] == pytest.approx(500 * 5.8 * 4 * 0.2 / 2, rel=1e-9)
+
+
+def test_a_tie_anchored_where_it_holds_is_refused(tmp_path):
+    tie = 'loads = [{ kind = "tie", force = "5 kN", at = [3, 0, 5], anchor = [3, 2, 5] }]'
+    (tmp_path / "project.toml").write_text(PROJECT.format(bodies="", mechanism=tie))
+    with pytest.raises(GeometryError, match='"tie 1": seen in the plane of motion its anchor is where it holds'):
+        build(load(tmp_path))
+
+
+def test_a_tie_anchored_on_what_moves_is_told(tmp_path):
+    tie = 'loads = [{{ kind = "tie", force = "5 kN", at = [3, 0, 5], anchor = [{}, 0, 4] }}]'
+    for x, told in ((2.9, True), (0.0, False)):  # within the wall, on the ground behind it
+        (tmp_path / "project.toml").write_text(PROJECT.format(bodies="", mechanism=tie.format(x)))
+        said = texts(build(load(tmp_path)))
+        assert ('"tie 1": its anchor at (2.9, 4) m lies on block 0, which moves too' in said) is told

@@ -1,0 +1,91 @@
+"""Gaps between bodies that a mechanism takes to be joined."""
+
+from __future__ import annotations
+
+import pytest
+
+from assess.geometry.boolean import gap
+from assess.geometry.solid import Solid, box, polyhedron
+from assess.model.gaps import loose, parted
+from assess.project.build import build
+from assess.project.schema import load
+
+WALLS = """
+[materials.m]
+density = 2000
+[bodies.a]
+material = "m"
+box = { thickness = 0.5, length = 3, height = 4 }
+[bodies.b]
+material = "m"
+box = { thickness = 0.5, length = 3, height = 4, base = %s }
+[mechanisms.m]
+"""
+
+
+def cube(x: float, y: float = 0.0, z: float = 0.0, *, name: str = "cube") -> Solid:
+    return box(thickness=1.0, length=1.0, height=1.0, base=[x, y, z], density=1.0, name=name)
+
+
+def gaps(tmp_path, base: str, mechanism: str) -> list[str]:
+    (tmp_path / "project.toml").write_text(WALLS % base + mechanism)
+    return [notice.text for notice in build(load(tmp_path)).notices if notice.key in ("gap", "gap-at-hinge")]
+
+
+ONE_BLOCK = 'kind = "single-block"\nblocks = [["a", "b"]]'
+TWO_BLOCKS = 'kind = "two-block"\nblocks = ["a", "b"]'
+
+
+def test_bodies_of_one_block_that_touch_nowhere_are_told(tmp_path):
+    (text,) = gaps(tmp_path, "[0, 3.5, 0]", ONE_BLOCK)
+    assert text == ('bodies "a" and "b" touch nowhere: they lie 0.5 m apart; as one block they are taken to be joined')
+    assert gaps(tmp_path, "[0, 3, 0]", ONE_BLOCK) == []
+    assert gaps(tmp_path, "[0, 3.009, 0]", ONE_BLOCK) == []  # as thick as a joint
+
+
+def test_blocks_that_do_not_meet_at_their_hinge_are_told(tmp_path):
+    (text,) = gaps(tmp_path, "[0, 0, 4.5]", TWO_BLOCKS)
+    assert text.startswith('bodies "a" and "b" touch nowhere: they lie 0.5 m apart; with a hinge between them')
+    assert gaps(tmp_path, "[0, 0, 4]", TWO_BLOCKS) == []
+    assert gaps(tmp_path, "[0, 0, 3.5]", TWO_BLOCKS) == []  # an overlap, told as such
+
+
+def test_a_block_need_only_hang_together() -> None:
+    row = [cube(x, name=f"{x}") for x in (0.0, 1.0, 2.0, 3.0)]
+    assert list(loose([row[0], row[3], row[1], row[2]])) == []
+    apart = [cube(x, name=f"{x}") for x in (0.0, 7.0, 1.0, 3.5)]
+    assert [(each["one"], each["other"], str(each["distance"])) for each in loose(apart)] == [
+        ("1.0", "3.5", "1.5 m"),
+        ("7.0", "3.5", "2.5 m"),
+    ]
+
+
+def test_a_beam_above_its_posts_is_told() -> None:
+    beam = box(thickness=5.0, length=1.0, height=0.5, base=[2.0, 0.0, 2.0], density=1.0, name="beam")
+    (said,) = parted([cube(0.0, name="post")], [beam])
+    assert (said["one"], said["other"], str(said["distance"])) == ("post", "beam", "1 m")
+    assert list(parted([cube(0.0), cube(0.0, z=1.0)], [beam])) == []
+
+
+@pytest.mark.parametrize(
+    ("at", "distance"), [((1.5, 0, 0), 0.5), ((2, 2, 2), 3**0.5), ((1, 0, 0), 0.0), ((0.5, 0, 0), 0.0)]
+)
+def test_the_gap_of_two_cubes(at: tuple[float, float, float], distance: float) -> None:
+    assert gap(cube(0.0), cube(*at)) == pytest.approx(distance, rel=1e-9, abs=1e-9)
+    assert gap(cube(0.0), cube(*at), limit=0.1) == pytest.approx(min(distance, 0.1), rel=1e-9, abs=1e-9)
+
+
+def test_a_body_within_another_is_not_apart() -> None:
+    inner = cube(0.0, z=0.25)
+    small = polyhedron(inner.vertices * 0.5, inner.triangles, density=1.0, name="small")
+    assert gap(cube(0.0), small) == 0.0
+
+
+@pytest.mark.parametrize("apart", [0.0, 0.02, 0.3])
+def test_the_gap_of_fine_meshes(apart: float, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Their vertices are looked at where they are clearly apart, their faces where they are near."""
+    monkeypatch.setattr("assess.geometry.boolean.FINE", 100)
+    beside = cube(1.0 + apart, 0.1, name="beside")  # of the faces; the corners are farther apart
+    corners = (apart**2 + 0.1**2) ** 0.5
+    assert gap(cube(0.0), beside) == pytest.approx(corners if apart > 0.05 else apart, rel=1e-9, abs=1e-9)
+    assert gap(cube(0.0), beside, limit=0.01) == pytest.approx(min(apart, 0.01), abs=1e-9)

@@ -1,0 +1,286 @@
+"""Bodies from project files: meshes of every kind and state, several bodies and densities, openings, leaning walls."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+import shapely
+
+from assess.errors import GeometryError, ProjectError
+from assess.geometry.solid import Solid, box, joined, profile
+from assess.messages.message import Message
+from assess.project.build import build
+from assess.project.schema import load, resolved
+from assess.study.run import parameters, run
+from assess.study.study import Study
+
+HEAD = """
+[materials.stone]
+density = 2400
+[materials.rubble]
+density = 1800
+"""
+MECHANISM = '\n[mechanisms.m]\nkind = "single-block"\ndirection = {direction}\nblocks = [{blocks}]\n'
+SITE = """
+[site.spectrum]
+code = "asce7-16"
+s_ds = "0.5 g"
+s_d1 = "0.2 g"
+t_l = 6
+[records.synthetic]
+count = 1
+duration = "8 s"
+[analysis]
+procedures = ["asce43-05-spectrum"]
+"""
+
+
+def obj(solid: Solid, *, faces: slice = slice(None)) -> str:
+    """A surface as Wavefront OBJ."""
+    places = [f"v {x!r} {y!r} {z!r}" for x, y, z in solid.vertices.tolist()]
+    return "\n".join([*places, *(f"f {a} {b} {c}" for a, b, c in (solid.triangles[faces] + 1).tolist()), ""])
+
+
+def wall(**changes: object) -> Solid:
+    form = {"thickness": 0.6, "length": 4.0, "height": 4.5, "base": (0.0, 0.0, 0.0), "density": 2400.0, "name": "wall"}
+    return box(**(form | changes))  # type: ignore[arg-type]
+
+
+def study(folder: Path, bodies: str, *, blocks: str = '["w"]', more: str = "", direction: str = "[1, 0, 0]") -> Study:
+    table = MECHANISM.format(blocks=blocks, direction=direction)
+    (folder / "project.toml").write_text(HEAD + bodies + table + more)
+    return build(load(folder))
+
+
+def of_bodies(made: Study) -> list[Message]:
+    """The notices on bodies."""
+    return [notice for notice in made.notices if notice.key in ("mesh", "size", "overlap")]
+
+
+def body(name: str, form: str, *, material: str = "stone") -> str:
+    return f'\n[bodies.{name}]\nmaterial = "{material}"\n{form}\n'
+
+
+def box_form(thickness: float, height: float, *, x: float = 0.0, z: float = 0.0, length: float = 4.0) -> str:
+    return f"box = {{ thickness = {thickness}, length = {length}, height = {height}, base = [{x}, 0, {z}] }}"
+
+
+def test_a_mended_mesh_is_told_in_the_results(tmp_path: Path) -> None:
+    pair = joined([wall(), wall(height=1.0, base=(0.3, 0.0, 4.0))], name="pair")  # the cornice is half a metre in
+    (tmp_path / "wall.obj").write_text(obj(pair))
+    made = study(tmp_path, body("w", 'mesh = "wall.obj"'), more=SITE)
+    results = run(made)
+    (notice,) = [notice for notice in results.warnings if notice.key == "mesh"]
+    assert notice.where == "bodies.w"
+    volume, shared = 0.6 * 4 * 5.5, 0.3 * 4 * 0.5
+    assert notice.text.startswith("wall.obj: its 2 closed shells, some of which overlap")
+    assert f"(volume {-100 * shared / (volume - shared):+.3g} %)" in notice.text
+    assert results.mechanisms[0].oscillator.mass_kg == pytest.approx(2400 * (volume - shared), rel=1e-12)
+
+
+def test_a_good_mesh_is_the_box_and_nothing_is_told(tmp_path: Path) -> None:
+    (tmp_path / "wall.obj").write_text(obj(wall()))
+    made = study(tmp_path, body("w", 'mesh = "wall.obj"'))
+    assert of_bodies(made) == []
+    by_box = study(tmp_path, body("w", box_form(0.6, 4.5)))
+    (found,), (wanted,) = parameters(made), parameters(by_box)
+    assert found.oscillator.p_eq_per_s == pytest.approx(wanted.oscillator.p_eq_per_s, rel=1e-12)
+
+
+def test_unit_up_and_element_of_a_mesh(tmp_path: Path) -> None:
+    turned = wall().vertices[:, [0, 2, 1]] * [1000.0, 1000.0, -1000.0]  # y up, in millimetres
+    upright = Solid("wall", 0.0, np.zeros(3), np.zeros((3, 3)), turned, wall().triangles)
+    (tmp_path / "wall.obj").write_text(obj(upright))
+    made = study(tmp_path, body("w", 'mesh = "wall.obj"\nmesh_unit = "mm"\nmesh_up = "y"'))
+    assert parameters(made)[0].oscillator.mass_kg == pytest.approx(2400 * 0.6 * 4 * 4.5, rel=1e-12)
+    stated = resolved(load(tmp_path))
+    assert [stated[f"bodies.w.{key}"].value for key in ("mesh_unit", "mesh_up", "element")] == [0.001, "y", None]
+    with pytest.raises(GeometryError, match=r'body "w": mesh wall.obj: it has no element "tower"'):
+        study(tmp_path, body("w", 'mesh = "wall.obj"\nelement = "tower"'))
+    with pytest.raises(ProjectError, match=r'bodies.w.mesh_up: "x": not allowed; write "y" or "z"'):
+        study(tmp_path, body("w", 'mesh = "wall.obj"\nmesh_up = "x"'))
+
+
+def test_a_wrong_unit_is_refused_with_the_likely_one_and_inches_are_suspected(tmp_path: Path) -> None:
+    (tmp_path / "wall.obj").write_text(obj(wall(thickness=600.0, length=4000.0, height=4500.0)))
+    with pytest.raises(GeometryError, match=r'measures 4500 m .* With mesh_unit = "mm" it would measure 4.5 m'):
+        study(tmp_path, body("w", 'mesh = "wall.obj"'))
+    (tmp_path / "wall.obj").write_text(obj(wall(thickness=15.0, length=80.0, height=120.0)))
+    (notice,) = of_bodies(study(tmp_path, body("w", 'mesh = "wall.obj"')))
+    assert (notice.key, notice.where) == ("size", "bodies.w")
+    assert 'about 15 m thick; is its unit right? With mesh_unit = "in" it would measure 3.048 m' in notice.text
+
+
+def test_several_bodies_of_several_densities(tmp_path: Path) -> None:
+    made = study(
+        tmp_path,
+        body("w", box_form(0.6, 4.5)) + body("v", box_form(0.4, 2.0, x=0.5), material="rubble"),
+        blocks='["w", "v"]',
+    )
+    one, other = 2400 * 0.6 * 4 * 4.5, 1800 * 0.4 * 4 * 2.0
+    (block,) = made.mechanisms[0].positive.blocks
+    assert block.mass == pytest.approx(one + other, rel=1e-12)
+    wanted = ((other * 0.5) / (one + other), (one * 2.25 + other * 1.0) / (one + other))
+    np.testing.assert_allclose(block.centroid, wanted, rtol=1e-12, atol=0.0)
+    assert of_bodies(made) == []  # they touch
+    np.testing.assert_allclose(made.mechanisms[0].positive.hinges[0], (0.7, 0.0), rtol=1e-12, atol=1e-12)
+
+
+@pytest.mark.parametrize(("x", "told"), [(0.4, "0.8 m3, 25 %"), (0.0, "3.2 m3, 100 %"), (0.5, None)])
+def test_overlapping_bodies_are_told_by_name_and_volume(tmp_path: Path, x: float, told: str | None) -> None:
+    bodies = body("w", box_form(0.6, 4.5)) + body("v", box_form(0.4, 2.0, x=x), material="rubble")
+    notices = of_bodies(study(tmp_path, bodies, blocks='["w", "v"]'))
+    if told is None:
+        assert notices == []
+        return
+    (notice,) = notices
+    assert (notice.key, notice.where) == ("overlap", "mechanisms.m")
+    assert notice.text.startswith(f'bodies "w" and "v" overlap by {told} of the smaller')
+
+
+CHAINS = {
+    "two-block": """["w"], ["v"]]
+""",
+    "four-hinge": """["w"], ["v"], ["u"]]
+hinges = { A = [0.3, 0], B = [-0.3, 4.3], C = [3.7, 4.3], D = [4.3, 0] }
+hinges_negative = { A = [-0.3, 0], B = [0.3, 4.3], C = [4.3, 4.3], D = [3.7, 0] }
+""",
+}
+
+
+@pytest.mark.parametrize(("kind", "width", "pairs"), [("two-block", 0.6, ["w v"]), ("four-hinge", 4.6, ["w v", "v u"])])
+@pytest.mark.parametrize("deep", [0.2, 0.0])
+def test_blocks_of_one_chain_that_overlap_are_told(
+    tmp_path: Path, kind: str, width: float, pairs: list[str], deep: float
+) -> None:
+    """The upper block is as deep in the lower ones as that, 0.6 m x 4 m each; or stands on them."""
+    over = box_form(width, 1.2, x=(width - 0.6) / 2, z=4.5 - deep)
+    bodies = body("w", box_form(0.6, 4.5)) + body("v", over) + body("u", box_form(0.6, 4.5, x=4.0))
+    chain = f'[mechanisms.m]\nkind = "{kind}"\nblocks = [{CHAINS[kind]}'
+    (tmp_path / "project.toml").write_text(HEAD + bodies + chain)
+    notices = of_bodies(build(load(tmp_path)))
+    told = [(each.key, each.where, each.text.split(", which")[0]) for each in notices]
+    shared = f"0.48 m3, {100 * deep * 0.6 * 4 / min(0.6 * 4 * 4.5, width * 4 * 1.2):.3g} % of the smaller"
+    named = ['bodies "{}" and "{}"'.format(*pair.split()) for pair in pairs if deep]
+    assert told == [("overlap", "mechanisms.m", f"{names} overlap by {shared}") for names in named]
+
+
+HOLLOW = [[-1, 0], [-0.4, 0], [-0.4, 1.5], [0.6, 1.5], [0.6, 0], [1, 0], [1, 6], [-1, 6]]
+UNDERCUT = [[-0.7, 0], [1, 0], [1, 6], [-1, 6], [-1, 0.8], [-0.7, 0.5]]
+
+
+@pytest.mark.parametrize(("outline", "feet"), [(HOLLOW, (-1.0, 1.0)), (UNDERCUT, (-0.7, 1.0))])
+def test_hinges_and_radius_of_a_hollow_and_an_eroded_base(
+    tmp_path: Path, outline: list[list[float]], feet: tuple[float, float]
+) -> None:
+    """The extreme points of what stands on the ground; the centroid is shapely's."""
+    made = study(tmp_path, body("w", f"profile = {outline}\nlength = 3"))
+    (found,) = parameters(made)
+    centre = shapely.Polygon(outline).centroid
+    for branch, foot in ((found.oscillator_negative, feet[0]), (found.oscillator, feet[1])):
+        assert branch is not None
+        assert branch.radius_m == pytest.approx(np.hypot(centre.x - foot, centre.y), rel=1e-12)
+    assert not any("lowest face" in text for text in made.mechanisms[0].notices)
+
+
+def test_a_base_that_is_not_plane_is_told(tmp_path: Path) -> None:
+    """Half of the foot is a tenth of a millimetre short, as in a mesh that was drawn or scanned so."""
+    stepped = [[-1, 0.0001], [0, 0.0001], [0, 0], [1, 0], [1, 6], [-1, 6]]
+    (mechanism,) = study(tmp_path, body("w", f"profile = {stepped}\nlength = 3")).mechanisms
+    assert mechanism.negative is not None
+    assert mechanism.negative.hinges[0][0] == 0.0
+    assert any("lowest face alone, 1 m wide" in text and "is 2 m wide" in text for text in mechanism.notices)
+    cut = study(tmp_path, body("w", f"profile = {stepped}\nlength = 3"), more="cut = 0.0002\n").mechanisms[0]
+    assert cut.negative is not None
+    assert cut.negative.hinges[0][0] == pytest.approx(1.0, rel=1e-12)
+    assert not any("lowest face" in text for text in cut.notices)
+
+
+def test_a_wall_with_an_opening(tmp_path: Path) -> None:
+    """A profile across the wall with a doorway, as a mesh that lies along x: the solid less the door."""
+    outline = [[-2, 0], [-0.5, 0], [-0.5, 2.1], [0.5, 2.1], [0.5, 0], [2, 0], [2, 4.5], [-2, 4.5]]
+    pierced = profile(outline, length=0.6, density=2400.0, name="w")
+    (tmp_path / "wall.obj").write_text(obj(pierced))
+    made = study(tmp_path, body("w", 'mesh = "wall.obj"'), direction="[0, 1, 0]")
+    whole, door = 2400 * 4 * 4.5 * 0.6, 2400 * 1.0 * 2.1 * 0.6
+    (block,) = made.mechanisms[0].positive.blocks
+    assert block.mass == pytest.approx(whole - door, rel=1e-12)
+    assert block.centroid[1] == pytest.approx((whole * 2.25 - door * 1.05) / (whole - door), rel=1e-12)
+    about = whole * (0.6**2 + 4.5**2) / 12 + whole * (2.25 - block.centroid[1]) ** 2
+    about -= door * (0.6**2 + 2.1**2) / 12 + door * (1.05 - block.centroid[1]) ** 2
+    assert block.inertia == pytest.approx(about, rel=1e-12)
+
+
+def test_a_leaning_wall(tmp_path: Path) -> None:
+    """Sheared by 0.1 over its height: it resists more against its lean than with it."""
+    made = study(tmp_path, body("w", "profile = [[-0.3, 0], [0.3, 0], [0.75, 4.5], [0.15, 4.5]]\nlength = 4"))
+    (found,) = parameters(made)
+    assert found.oscillator.uplift_multiplier == pytest.approx((0.3 - 0.225) / 2.25, rel=1e-9)
+    assert found.oscillator_negative is not None
+    assert found.oscillator_negative.uplift_multiplier == pytest.approx((0.3 + 0.225) / 2.25, rel=1e-9)
+
+
+def test_an_open_mesh_is_one_line_with_the_file(tmp_path: Path) -> None:
+    (tmp_path / "wall.obj").write_text(obj(wall(), faces=slice(0, 6)))
+    with pytest.raises(GeometryError) as caught:
+        study(tmp_path, body("w", 'mesh = "wall.obj"'))
+    line = str(caught.value)
+    assert "\n" not in line
+    assert line.startswith(f'{tmp_path / "project.toml"}: body "w": mesh wall.obj: it is open: ')
+    assert "open edges around" in line
+
+
+@pytest.mark.parametrize(
+    ("corners", "message"),
+    [
+        ("[[0, 0], [1, 1], [1, 0], [0, 1]]", "its sides cross or touch one another at [0.5, 0.5] m; list its corners"),
+        ("[[0, 0], [3, 0], [2, 0], [2, 2]]", "its sides cross or touch one another at"),
+        ("[[0, 0], [1, 1], [2, 2]]", "no area, its corners lie on a line; give corners that enclose one"),
+        ("[[1, 1], [1, 1], [1, 1]]", "no area"),
+    ],
+)
+def test_a_bad_profile_is_told_at_its_key_in_our_words(tmp_path: Path, corners: str, message: str) -> None:
+    with pytest.raises(ProjectError) as error:
+        study(tmp_path, body("w", f"profile = {corners}\nlength = 3"))
+    text = str(error.value)
+    assert f"project.toml: bodies.w.profile: {corners}: {message}" in text
+    assert "\n" not in text
+    assert "elf-intersection" not in text
+
+
+def test_a_profile_may_be_closed_and_have_a_corner_twice(tmp_path: Path) -> None:
+    made = study(tmp_path, body("w", "profile = [[0, 0], [1, 0], [1, 0], [1, 4], [0, 4], [0, 0]]\nlength = 3"))
+    assert made.mechanisms[0].positive.blocks[0].mass == pytest.approx(2400.0 * 12.0, rel=1e-12)
+
+
+def test_a_file_is_read_once_however_many_bodies_and_cases_of_a_sweep_name_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from assess.geometry import models
+    from assess.project.build import build
+    from assess.project.schema import load
+
+    corners = [(x, y, z) for z in (0, 4) for x, y in ((0, 0), (0.6, 0), (0.6, 3), (0, 3))]
+    faces = [(1, 4, 3, 2), (1, 2, 6, 5), (2, 3, 7, 6), (3, 4, 8, 7), (4, 1, 5, 8), (5, 6, 7, 8)]
+    text = ""
+    for number, name in enumerate(("left", "right")):
+        text += f"o {name}\n" + "".join(f"v {x + 9 * number} {y} {z}\n" for x, y, z in corners)
+        text += "".join("f " + " ".join(str(corner + 8 * number) for corner in face) + "\n" for face in faces)
+    (tmp_path / "house.obj").write_text(text)
+    bodies = "".join(
+        f'[bodies.{name}]\nmaterial = "brick"\nmesh = "house.obj"\nelement = "{name}"\n'
+        f'[mechanisms.{name}]\nkind = "single-block"\nblocks = ["{name}"]\ndirection = [1, 0, 0]\n'
+        for name in ("left", "right")
+    )
+    sweep = '[analysis.sweep]\nkey = "materials.brick.density"\nvalues = [1600, 1800, 2000]\n'
+    (tmp_path / "project.toml").write_text(f"[materials.brick]\ndensity = 1800\n{bodies}{sweep}")
+    files: list[Path] = []
+    really = models.read
+    monkeypatch.setattr(models, "read", lambda file, *, where: files.append(file) or really(file, where=where))
+    study = build(load(tmp_path))
+    assert [file.name for file in files] == ["house.obj"]
+    assert len(study.sweeps[0].cases) == 3
+    masses = [case.study.mechanisms[0].positive.mass for case in study.sweeps[0].cases]
+    assert masses == pytest.approx([7.2 * 1600, 7.2 * 1800, 7.2 * 2000], rel=1e-9)

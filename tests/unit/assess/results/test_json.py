@@ -1,0 +1,250 @@
+"""Results to and from JSON."""
+
+import json
+import math
+from dataclasses import fields, replace
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from assess.codes.bases import BASES
+from assess.codes.check import Check, Outcome, PgaCurve, Reason, because, step
+from assess.codes.verdict import Action, Decision, Judged, Missing, Question, Verdict, verdict
+from assess.errors import ResultsError
+from assess.messages.message import Message, Quantity, Severity
+from assess.results import (
+    SCHEMA_VERSION,
+    AmplificationResult,
+    Axis,
+    BranchCurve,
+    ComparisonRow,
+    Curve,
+    Displaced,
+    Drawing,
+    DrawnLoad,
+    Input,
+    LinearisedResult,
+    LoadResult,
+    MechanismResult,
+    NamedPoint,
+    OscillatorResult,
+    Program,
+    Resolved,
+    Results,
+    SpectrumResult,
+    SweepResult,
+    View,
+)
+from assess.results.json import _at_once, _step_by_step, dumps, dumps_mechanisms, loads, read
+
+
+def oscillator() -> OscillatorResult:
+    linearised = LinearisedResult(5000.0, 14450.0, 2000.0, 0.0, 0.1, 0.1, 0.074)
+    return OscillatorResult(1000.0, 5000.0, 2.0, 0.1, 1.7, None, 0.1, None, 0.1, 0.0, None, 0.95, linearised)
+
+
+def check() -> Check:
+    line = step("f", "frequency", "A.2", "f = 1 / T", 0.5, "Hz", given={"T": (2.0, "s")})
+    curve = PgaCurve((0.0, 0.5), (0.1, 1 / 3))
+    numbers: dict[str, Any] = {"capacity_pga_g": 0.4, "uplift_pga_g": 0.1, "capacity_rotation_ratio": 0.5}
+    return Check(
+        procedure="asce43-05-spectrum", edition="2005", role="deciding", branch="positive",
+        limit_state="no overturning", level_pga_g=0.1, input_at="ground", damping=None, damping_rule="",
+        quantity="rotation", unit="rad", demand=None, capacity=0.05, ratio=None,
+        verdict=Outcome.FAIL, reason=because(Reason.OVERTURNS), rotation_ratio=None,
+        pga_curve=curve,
+        steps=(line,), caveat="", remarks=(because(Reason.SLIDES_LATER, pga=Quantity(0.3, "ground acceleration")),),
+        **numbers,
+    )  # fmt: skip
+
+
+def mechanism() -> MechanismResult:
+    ring, hinge, load = ((0.0, 0.0), (1.0, 0.0), (1.0, 4.0)), NamedPoint("A", (1.0, 0.0)), ("f", (1.0, 3.0), "force")
+    loads = (DrawnLoad(*load, (-0.6, 0.8)), DrawnLoad("m", (1.0, 4.0), "mass", None))
+    displaced = Displaced(0.1, (ring,), (0,), (hinge,), loads, ((0.5, 2.0),))
+    drawing = Drawing((ring,), (hinge,), loads, (0.5, 2.0), (0,), ((0.5, 2.0),), displaced, None, ())
+    corners = ((0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (1.0, 1.0, 4.0))
+    axis = Axis("A", (corners[1], corners[2]))
+    view = View(corners, ((0, 1, 2),), (0,), (axis,), (corners,), (1.0, 0.0, 0.0), (1.0, 1.0, 4.0), 1)
+    curve = Curve(BranchCurve(*[(0.0, 0.1, 0.2)] * 6), None)
+    return MechanismResult(
+        "w", "<b>&", "single-block", "two", "exact", drawing, view, oscillator(), None, curve,
+        ({"hinge": "A", "x": [1.5]},), AmplificationResult("none", ()), (check(),), (), (), None, "given",
+        (LoadResult("<i>", "mass", 0, (0.1, 2.0), 5.0, True, None, "given"),), None,
+    )  # fmt: skip
+
+
+def decided() -> Verdict:
+    """A verdict with a failing answer, a missing key, a condition and no margin."""
+    missing = Missing("building.use_class", "on which <the> target hangs", 'use_class = "II"')
+    condition = Message("premise", Severity.WARNING, "", "a pass holds where it is anchored")
+    question = Question(
+        BASES["asce43-05"], Action(0.1, "DBE", return_period_years=475.0), procedures=("asce43-05-spectrum",)
+    )
+    other = replace(check(), verdict=Outcome.PASS, ratio=0.97)
+    judged = (Judged("w", (check(),)), Judged("v", (other,), (missing,), (condition,)))
+    return verdict(question, judged)
+
+
+def results() -> Results:
+    return Results(
+        schema_version=SCHEMA_VERSION,
+        program=Program("assess", "0.1.0"),
+        inputs=(Input("project.toml", "00ff"),),
+        warnings=(
+            Message("x", Severity.WARNING, "records", "a “sentence” with \n and \x07", {"a": Quantity(0.1, "length")}),
+        ),
+        project={
+            "title": Resolved("é", True),
+            "levels": Resolved([0.1, 0.2], False),
+            "site.pga": Resolved(None, False),
+        },
+        spectrum=SpectrumResult(
+            "asce7-05", {"s_ds": 1, "hazard": "design"}, 0.05, "", "", 0.067, (0.0, 1.0), (1 / 3, 1)
+        ),
+        records=(),
+        mechanisms=(mechanism(), replace(mechanism(), name="v")),
+        critical=None,
+        comparison=(ComparisonRow("w", 0.1, "asce43-05-spectrum", None, 0.5, None),),
+        verdict=decided(),
+        sweeps=(
+            SweepResult(
+                "w",
+                "a.b",
+                "deg",
+                (1, 2.5),
+                *[(0.5, 0.6)] * 6,
+                (None, 1.2),
+                (True, False),
+                (0.1, None),
+                (Decision.FAIL, Decision.PASS),
+                0,
+                True,
+            ),
+        ),
+    )
+
+
+def test_round_trip_keeps_every_value() -> None:
+    assert loads(dumps(results())) == results()
+
+
+def test_the_verdict_comes_back_whole() -> None:
+    found = loads(dumps(results())).verdict
+    assert found == decided()
+    assert found is not None
+    assert [(one.outcome, one.provisional) for one in found.mechanisms] == [("fail", None), ("incomplete", "pass")]
+    plain = json.loads(dumps(results()))["verdict"]
+    assert plain["outcome"] == "fail"
+    assert plain["missing"][0]["key"] == "building.use_class"
+    assert plain["action"] == {
+        "pga_g": 0.1,
+        "limit_state": "DBE",
+        "return_period_years": 475.0,
+        "over_periods": False,
+    }
+    answer = plain["mechanisms"][1]["answers"][0]
+    assert (answer["procedure"], answer["index"]["name"], answer["at_the_limit"]) == ("asce43-05-spectrum", "D/C", True)
+
+
+def test_a_message_has_key_severity_where_values_and_text() -> None:
+    (warning,) = json.loads(dumps(results()))["warnings"]
+    assert list(warning) == ["key", "severity", "where", "text", "values"]
+    assert warning["values"] == {"a": {"value": 0.1, "dimension": "length", "figures": 4}}
+
+
+def test_read_at_once_as_step_by_step() -> None:
+    text = dumps(results())
+    assert _at_once(text) == _step_by_step(text, "results") == results()
+    told = replace(results(), warnings=(Message("NaN", Severity.NOTE, "Infinity", "a word, not a number"),))
+    assert loads(dumps(told)) == told
+
+
+def test_text_is_the_same_each_time_and_after_reading() -> None:
+    text = dumps(results())
+    assert text == dumps(results()) == dumps(loads(text))
+    assert text.endswith("}\n")
+    assert json.loads(text)["spectrum"]["acceleration_g"][0] == 1 / 3
+
+
+def test_field_names_and_order_are_those_of_the_classes() -> None:
+    data = json.loads(dumps(results()))
+    assert list(data) == [field.name for field in fields(Results)]
+    assert list(data["mechanisms"][0]) == [field.name for field in fields(MechanismResult)]
+    assert list(data["mechanisms"][0]["checks"][0]) == [field.name for field in fields(Check)]
+
+
+def test_whole_number_in_a_field_of_floats_becomes_a_float() -> None:
+    assert '"acceleration_g": [0.3333333333333333, 1.0]' in dumps(results())
+
+
+def test_mechanisms_alone_are_the_block_of_the_results() -> None:
+    assert json.loads(dumps_mechanisms((mechanism(),))) == json.loads(dumps(results()))["mechanisms"][:1]
+
+
+@pytest.mark.parametrize("bad", [math.nan, math.inf, -math.inf])
+def test_infinite_number_is_refused_with_its_place(bad: float) -> None:
+    broken = replace(mechanism(), oscillator=replace(oscillator(), restitution=bad))
+    with pytest.raises(ValueError, match=r"mechanisms\[0\]\.oscillator\.restitution is") as caught:
+        dumps(replace(results(), mechanisms=(broken,)))
+    assert not isinstance(caught.value, ResultsError)  # a bug of the program, not of the user's file
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("", "line 1: not JSON"),
+        ("{", "not JSON"),
+        ("[1, 2]", "not a results file"),
+        ("{}", "no schema_version"),
+        ('{"schema_version": 99}', "schema_version: 99: this program reads 2; run the project again"),
+        ('{"schema_version": 1}', "schema_version: 1: this program reads 2; run the project again"),
+        ('{"schema_version": 2}', "program: "),
+        ('{"schema_version": NaN}', "NaN"),
+        ("[" * 100_000, "nested too deeply"),
+    ],
+)
+def test_junk_is_one_line(text: str, expected: str) -> None:
+    with pytest.raises(ResultsError) as caught:
+        loads(text, source="results.json")
+    assert str(caught.value).startswith("results.json: ")
+    assert expected in str(caught.value)
+    assert str(caught.value).isprintable()
+
+
+def test_wrong_value_is_named() -> None:
+    data = json.loads(dumps(results()))
+    data["mechanisms"][0]["sides"] = "three"
+    with pytest.raises(ResultsError, match=r"mechanisms\.0\.sides"):
+        loads(json.dumps(data))
+
+
+@pytest.mark.parametrize(
+    ("part", "told"),
+    [
+        ("mechanisms", 'mechanisms[1].name: "v" a second time'),
+        ("comparison", 'comparison[0].mechanism: "x" is none of the mechanisms'),
+        ("sweeps", 'sweeps[0].mechanism: "x" is none of the mechanisms'),
+        ("verdict", 'verdict.mechanisms[0].mechanism: "x" is none of the mechanisms'),
+    ],
+)
+def test_a_name_that_was_edited_in_one_place_is_refused(part: str, told: str) -> None:
+    data = json.loads(dumps(results()))
+    if part == "mechanisms":
+        data["mechanisms"][0]["name"] = "v"
+    else:
+        (data["verdict"]["mechanisms"] if part == "verdict" else data[part])[0]["mechanism"] = "x"
+    with pytest.raises(ResultsError) as caught:
+        loads(json.dumps(data))
+    assert told in str(caught.value)
+
+
+def test_missing_and_binary_files(tmp_path: Path) -> None:
+    with pytest.raises(ResultsError, match="No such file"):
+        read(tmp_path / "results.json")
+    (tmp_path / "results.json").write_bytes(bytes(range(256)))
+    with pytest.raises(ResultsError, match="not a text file"):
+        read(tmp_path / "results.json")
+    with pytest.raises(ResultsError, match="directory"):
+        read(tmp_path)

@@ -1,0 +1,118 @@
+"""Histories of a study: both polarities, their suites, and the scan over rising PGA."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import inf
+
+import numpy as np
+import pytest
+
+from assess.amplification.floor_motion import Unamplified, carried
+from assess.dynamics.history import Jobs, peaks
+from assess.oscillator import Oscillator, SingleBlock, plain_branch
+from assess.study.histories import AT_ONCE, SCAN_STEP, Shaken, asked_of, governing_trace, rebounding, scan_of
+from assess.study.motions import Motion
+from records.record import make_record
+from records.scaling import Scaling
+
+PGA = 1.0  # of the target [m/s2]
+
+
+def noise(seed: int) -> Motion:
+    made = np.random.default_rng(seed).normal(size=900)
+    smooth = np.convolve(made, np.hanning(15), mode="same") * np.hanning(900)
+    record = make_record(f"noise {seed}", smooth / np.abs(smooth).max(), 0.01)
+    return Motion(record, Scaling(1.0 + 0.1 * seed, 0.0))
+
+
+MOTIONS = tuple(noise(seed) for seed in range(4))
+ONE = plain_branch(SingleBlock(1.0, 2.0, 0.2, 16.0 / 3.0), restitution=0.9)
+OTHER = plain_branch(SingleBlock(1.0, 2.0, 0.25, 16.0 / 3.0), restitution=0.9)
+SYMMETRIC, UNLIKE = Oscillator(ONE, ONE, 1.0), Oscillator(ONE, OTHER, 1.0)
+
+
+def shaken(oscillator: Oscillator) -> Shaken:
+    return Shaken("m", oscillator, "exact", tuple(carried(Unamplified(), motion.record) for motion in MOTIONS))
+
+
+def asked(oscillator: Oscillator, levels: tuple[float, ...], besides: tuple[float, ...] = ()):
+    return asked_of(shaken(oscillator), MOTIONS, levels=levels, besides=besides, site_pga=PGA, threads=1)
+
+
+def scanned(oscillator: Oscillator):
+    return scan_of(shaken(oscillator), MOTIONS, site_pga=PGA, threads=1)
+
+
+def test_a_body_that_is_the_same_both_ways_needs_one_polarity():
+    """Two branches of the same numbers, which are run in both polarities, answer the same."""
+    twice = Oscillator(ONE, replace(ONE), 1.0)
+    assert SYMMETRIC.symmetric
+    assert not twice.symmetric
+    levels = (2.2, 3.0, 5.0, 9.0)
+    assert asked(SYMMETRIC, levels) == asked(twice, levels)
+    assert scanned(SYMMETRIC) == scanned(twice)
+
+
+def test_of_the_range_of_a_rebound_the_worst_stands():
+    """Half, once and one and a half times the rebound, each run by itself as a number that is given."""
+    levels, factors = (2.5, 3.5, 5.0, 6.5), (1.0, 0.5, 1.5)
+    one_sided = Oscillator(replace(ONE, restitution=0.4), None, 1.0)
+    ranged = replace(shaken(one_sided), rebounds=factors)
+    found = asked_of(ranged, MOTIONS, levels=levels, besides=(4.0,), site_pga=PGA, threads=1)
+    alone = {f: asked(Oscillator(replace(ONE, restitution=0.4 * f), None, 1.0), levels, (4.0,)) for f in factors}
+    chosen = set()
+    for i, histories in enumerate(found.histories):
+        for j, one in enumerate(histories):
+            cases = {f: each.histories[i][j] for f, each in alone.items()}
+            worst = max(cases, key=lambda f: inf if cases[f].overturned else cases[f].max_rotation_ratio)
+            assert one == replace(cases[worst], rebound=worst)
+            chosen.add(worst)
+    assert len(chosen) > 1
+    ratios = zip(*(each.besides[0].ratio for each in alone.values()), strict=True)
+    assert found.besides[0].ratio == tuple(None if None in each else max(each) for each in ratios)
+    for record in governing_trace(ranged, found.histories, MOTIONS)[-1]:
+        if record.trace is not None and not record.overturned:
+            assert max(record.trace.rotation_rad) == pytest.approx(record.max_rotation_rad, rel=1e-3)
+
+
+def test_a_rebound_is_never_above_one():
+    assert rebounding(Oscillator(ONE, None, 1.0), 1.5).positive.restitution == 1.0
+    assert rebounding(Oscillator(ONE, None, 1.0), 0.5).positive.restitution == 0.45
+
+
+def test_of_two_polarities_the_worse_stands():
+    levels = (2.5, 3.0, 3.5, 6.0)
+    found = asked(UNLIKE, levels)
+    assert {one.polarity for level in found.histories for one in level} == {1, -1}
+    for level, histories in zip(levels, found.histories, strict=True):
+        for number, (motion, one) in enumerate(zip(MOTIONS, histories, strict=True)):
+            scale = level / PGA * motion.scaling.factor * np.array([1.0, -1.0])
+            jobs = Jobs(np.zeros(2, dtype=np.int64), np.full(2, number), scale)
+            both = peaks([UNLIKE], [each.record for each in MOTIONS], jobs, equation="exact")
+            assert one.overturned == both.overturned.any()
+            if not one.overturned:
+                assert one.max_rotation_ratio == both.max_ratio.max()
+                assert one.branch == ("negative" if both.max_rotation[both.max_ratio.argmax()] < 0.0 else "positive")
+
+
+def test_suites_are_of_their_histories():
+    found = asked(UNLIKE, (2.5, 3.5), besides=(3.0, 6.0))
+    assert [suite.pga for suite in (*found.suites, *found.besides)] == [2.5, 3.5, 3.0, 6.0]
+    for suite, histories in zip(found.suites, found.histories, strict=True):
+        assert suite.ratio == tuple(one.max_rotation_ratio for one in histories)
+        assert suite.branches == tuple(one.branch for one in histories)
+        worst = max(histories, key=lambda one: inf if one.max_rotation_ratio is None else one.max_rotation_ratio)
+        assert suite.branch == worst.branch
+    assert found.besides == asked(UNLIKE, (3.0, 6.0)).suites
+
+
+@pytest.mark.parametrize("body", [SYMMETRIC, UNLIKE], ids=["symmetric", "unlike"])
+def test_the_scan_asks_level_by_level_and_ends_with_the_first_that_overturns(body):
+    scan = scanned(body)
+    level = tuple(suite.pga for suite in scan)
+    np.testing.assert_allclose(np.diff(np.log(level)), np.log(SCAN_STEP), rtol=1e-9)
+    assert [suite.overturned > 0 for suite in scan] == [False] * (len(scan) - 1) + [True]
+    assert scan[0].mean == 0.0  # short of uplift
+    assert len(scan) > 40 + AT_ONCE
+    assert asked(body, level).suites == scan

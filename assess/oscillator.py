@@ -14,11 +14,10 @@ from functools import lru_cache
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.constants import g
 from scipy.interpolate import CubicSpline, PPoly
 
-FloatArray = NDArray[np.float64]
+from spectra.arrays import FloatArray
 
 
 @dataclass(frozen=True, eq=False)

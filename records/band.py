@@ -6,12 +6,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from records.candidates import PERIODS
 from records.errors import RecordError
-
-FloatArray = NDArray[np.float64]
+from spectra.arrays import FloatArray
 
 ROUNDING = 1e-9
 STEP = float(np.log(PERIODS[1] / PERIODS[0]))

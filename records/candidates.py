@@ -7,12 +7,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from records.formats.stated import Stated
 from records.orientation import is_vertical
-
-FloatArray = NDArray[np.float64]
+from spectra.arrays import FloatArray
 
 NOTHING = Stated()
 DAMPING = 0.05

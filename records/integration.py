@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from records.record import Record
-
-FloatArray = NDArray[np.float64]
+from spectra.arrays import FloatArray
 
 
 def velocity(record: Record) -> FloatArray:

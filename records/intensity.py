@@ -6,14 +6,12 @@ from dataclasses import dataclass
 from math import pi
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.constants import g
 
 from records.integration import absolute, largest_displacement, largest_velocity, squared
 from records.record import Record
 from records.response import response_spectrum
-
-FloatArray = NDArray[np.float64]
+from spectra.arrays import FloatArray
 
 LOWEST, HIGHEST = 0.25, 20.0  # Hz, of the mean period
 FINEST = 0.05  # Hz, widest spacing of its frequencies (Rathje et al. 2004)

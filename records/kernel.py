@@ -12,11 +12,9 @@ import math
 
 import numpy as np
 from numba import njit
-from numpy.typing import NDArray
 
 from records.compilation.kernel import cache_on_disk
-
-FloatArray = NDArray[np.float64]
+from spectra.arrays import FloatArray
 
 FUSED = {"contract", "nnan"}
 """a * b + c in one rounding; no nan comes in, as records hold none."""

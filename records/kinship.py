@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 from scipy.spatial import KDTree
 
 from records.candidates import Candidate
+from spectra.arrays import IntArray
 
-IntArray = NDArray[np.int64]
 Recording = tuple[Candidate, ...]  # the components of one recording that are chosen together
 
 ALIKE = 0.01  # largest difference of the logarithms of two spectra of one motion; its digits differ from file to file

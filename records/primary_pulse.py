@@ -19,15 +19,14 @@ from dataclasses import dataclass
 from math import ceil, exp, floor, log, pi, sqrt
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 from scipy.fft import irfft, next_fast_len, rfft
 from scipy.optimize import minimize
 
 from records.errors import RecordError
 from records.pulses import LONGEST, SHAPES, Shape
 from records.record import Record
-
-FloatArray = NDArray[np.float64]
+from spectra.arrays import FloatArray
 
 PERIODS: tuple[float, ...] = tuple(float(period) for period in np.geomspace(0.1, 20.0, 61))
 FEWEST = 5.0  # steps of the record in the shortest period

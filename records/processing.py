@@ -8,14 +8,12 @@ from math import ceil
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.signal import butter, firwin, resample_poly, sosfiltfilt
 
 from records.errors import RecordError
 from records.integration import squared
 from records.record import Record, make_record
-
-FloatArray = NDArray[np.float64]
+from spectra.arrays import FloatArray
 
 HIGHEST_DEGREE = 10  # of a baseline: higher ones follow the motion itself
 HIGHEST_ORDER = 10  # of a filter

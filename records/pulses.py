@@ -12,12 +12,11 @@ from math import ceil, isfinite, pi, sqrt
 
 import numpy as np
 from numpy.polynomial.hermite_e import hermeval
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from records.errors import RecordError
 from records.record import Record, make_record
-
-FloatArray = NDArray[np.float64]
+from spectra.arrays import FloatArray
 
 ORDERS = 6  # a shape's value and its first five derivatives
 FEWEST = 10.0  # samples per period of a sampled pulse

@@ -6,11 +6,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from records.errors import RecordError
-
-FloatArray = NDArray[np.float64]
+from spectra.arrays import FloatArray
 
 STRONGEST = 1000.0  # m/s2, a hundred g: beyond any ground motion
 

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from records.errors import RecordError
 from records.kernel import peak_displacements
 from records.record import Record
-
-FloatArray = NDArray[np.float64]
+from spectra.arrays import FloatArray
 
 COARSEST = 1000.0  # longest step, in periods, that is worth dividing
 

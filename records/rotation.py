@@ -6,14 +6,13 @@ from dataclasses import replace
 from math import cos, degrees, isfinite, pi, sin
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 from scipy.optimize import brentq
 
 from records.errors import RecordError
 from records.record import Record, make_record
 from records.response import response_spectrum
-
-FloatArray = NDArray[np.float64]
+from spectra.arrays import FloatArray
 
 ANGLES: FloatArray = np.radians(np.arange(180.0))  # the half turn that is all, since the sign does not count
 LEAST_ANGLE = pi / 18.0  # between two components that are solved for north and east

@@ -5,15 +5,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from records.band import interpolated
 from records.errors import RecordError
 from records.record import Record
 from records.response import response_spectrum
+from spectra.arrays import FloatArray
 from spectra.spectrum import Spectrum
-
-FloatArray = NDArray[np.float64]
 
 DAMPING = 0.05
 LARGEST_FACTOR = 1e9

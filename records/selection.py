@@ -15,18 +15,15 @@ from math import comb, inf
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
 from records.band import Band, up_to
 from records.candidates import DAMPING, Candidate
 from records.errors import RecordError
 from records.kinship import families
 from records.scaling import least_squares, mean_square
+from spectra.arrays import BoolArray, FloatArray, IntArray
 from spectra.spectrum import Spectrum
 
-FloatArray = NDArray[np.float64]
-BoolArray = NDArray[np.bool_]
-IntArray = NDArray[np.int64]
 Range = tuple[float, float]
 ScaleTo = Literal["spectrum", "pga", "none"]
 Fit = Literal["suite", "each"]

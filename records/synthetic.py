@@ -15,14 +15,12 @@ from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
 
 from records.errors import RecordError
 from records.kernel import peak_displacements
 from records.record import Record, make_record
+from spectra.arrays import FloatArray
 from spectra.spectrum import Spectrum
-
-FloatArray = NDArray[np.float64]
 
 DAMPING = 0.05
 BAND = (0.04, 5.0)  # periods the spectrum is matched at [s]: 25 Hz to 0.2 Hz, those of ASCE 43-05, 2.4

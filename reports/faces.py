@@ -7,11 +7,8 @@ from heapq import heapify, heappop, heappush
 
 import numpy as np
 import shapely
-from numpy.typing import NDArray
 
-FloatArray = NDArray[np.float64]
-IntArray = NDArray[np.int64]
-BoolArray = NDArray[np.bool_]
+from spectra.arrays import BoolArray, FloatArray, IntArray
 
 EDGE_ON = 1e-3  # of a unit normal: a face that looks to the eye by less is not drawn
 BESIDE = 1e-6  # of the bodies' size: faces that overlap by less do not cover one another

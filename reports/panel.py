@@ -28,8 +28,8 @@ from numpy.typing import NDArray
 
 from reports.legend import settled
 from reports.ruler import RULER, Ruler
+from spectra.arrays import FloatArray
 
-FloatArray = NDArray[np.float64]
 Point = tuple[float, float]
 _CLOSE = 1e-10  # of the range: a tick as near to its end is on it
 _STYLE = cast("Mapping[str, Any]", rcParams)

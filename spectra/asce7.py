@@ -11,14 +11,13 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.constants import g
 
+from spectra.arrays import FloatArray
 from spectra.damping import asce7_b_factor
 from spectra.errors import SpectrumError
 from spectra.spectrum import Spectrum, checked_periods, implausible, positive
 
-FloatArray = NDArray[np.float64]
 Hazard = Literal["design", "mce"]
 
 ZERO_PERIOD_RATIO = 0.4  # S_a(0) / S_DS

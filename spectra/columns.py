@@ -13,10 +13,9 @@ from itertools import chain, islice, takewhile
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.constants import g
 
-FloatArray = NDArray[np.float64]
+from spectra.arrays import FloatArray
 
 TIME_UNITS: Mapping[str, float] = {"s": 1.0, "ms": 1e-3}
 ACCELERATION_UNITS: Mapping[str, float] = {"m/s2": 1.0, "g": g, "cm/s2": 0.01, "gal": 0.01, "mm/s2": 1e-3}

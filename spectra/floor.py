@@ -5,11 +5,10 @@ from __future__ import annotations
 from math import isfinite
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from spectra.arrays import FloatArray
 from spectra.errors import SpectrumError
-
-FloatArray = NDArray[np.float64]
 
 NZS_LOW = 12.0  # m: height below which 1 + h/6 applies
 NZS_SHARE = 0.2  # of the building's height, where 1 + 10 h/H ends

@@ -6,16 +6,15 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 from scipy.constants import g
 
+from spectra.arrays import FloatArray
 from spectra.damping import checked_damping, ec8_eta
 from spectra.errors import SpectrumError
 from spectra.floor import ec8_floor_factors, height_ratio
 from spectra.floor import nzs1170_5 as floor_height_coefficient
 from spectra.spectrum import Spectrum, checked_periods
-
-FloatArray = NDArray[np.float64]
 
 PART_DUCTILITIES = (1.0, 1.25, 1.5, 1.75, 2.0, 3.0)  # NZS 1170.5 Table 8.2; 1.5 and 1.75 after its commentary
 PART_RESPONSE_FACTORS = (1.00, 0.85, 0.75, 0.65, 0.55, 0.45)

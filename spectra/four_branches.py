@@ -5,12 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from spectra.arrays import FloatArray
 from spectra.damping import ec8_eta
 from spectra.spectrum import checked_periods
-
-FloatArray = NDArray[np.float64]
 
 DISPLACEMENT_FACTOR = 0.025  # of d_g = 0.025 a_g S T_C T_D; 1 / (2 pi)^2 rounded, so that S_De steps by 1.3 % at T_E
 

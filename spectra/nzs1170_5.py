@@ -10,14 +10,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 from scipy.constants import g
 
+from spectra.arrays import FloatArray
 from spectra.damping import ec8_eta
 from spectra.errors import SpectrumError
 from spectra.spectrum import Spectrum, checked_periods, positive
-
-FloatArray = NDArray[np.float64]
 
 LARGEST_ZR = 0.7  # Z R need not be taken larger, 3.1.1
 LARGEST_Z = 2.0  # beyond it is a slip: Table 3.3 ends at 0.6

@@ -7,12 +7,12 @@ from dataclasses import dataclass, replace
 from math import inf
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 from scipy.constants import g
 
+from spectra.arrays import FloatArray
 from spectra.errors import SpectrumError
 
-FloatArray = NDArray[np.float64]
 Ordinates = Callable[[FloatArray, float], FloatArray]
 
 LARGEST_PLAUSIBLE = 3.0  # g: a mapped or peak acceleration beyond it is more likely a slip of unit than a site

@@ -7,14 +7,13 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from spectra.arrays import FloatArray
 from spectra.columns import ACCELERATION_UNITS, TIME_UNITS, ColumnError, factor_of, read_columns
 from spectra.damping import checked_damping, ec8_eta
 from spectra.errors import SpectrumError
 from spectra.spectrum import Spectrum, implausible
-
-FloatArray = NDArray[np.float64]
 
 DAMPING_RULE = (
     "EN 1998-1 eq. (3.6), applied to a table, which states no rule of its own: zero-period ordinate kept, eta in full "

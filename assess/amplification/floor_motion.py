@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from typing import assert_never
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from assess.amplification.pulse_spectrum import largest_pseudo, largest_relative, largest_total
 from assess.errors import MechanismError
@@ -23,8 +23,7 @@ from records.errors import RecordError
 from records.floor_motion import floor_motion
 from records.record import Record, scaled
 from records.response import response_spectrum
-
-FloatArray = NDArray[np.float64]
+from spectra.arrays import FloatArray
 
 
 @dataclass(frozen=True)

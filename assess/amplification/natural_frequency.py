@@ -15,14 +15,12 @@ from dataclasses import dataclass
 from math import pi, sqrt
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.constants import g
 
 from assess.errors import GeometryError
 from assess.geometry.slices import section_moments
 from assess.geometry.solid import Solid
-
-FloatArray = NDArray[np.float64]
+from spectra.arrays import FloatArray
 
 SLICES = 100
 SHEAR_MODULUS = 0.4  # of E: EN 1996-1-1:2005, 3.7.3

@@ -12,9 +12,9 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-FloatArray = NDArray[np.float64]
+from spectra.arrays import FloatArray
 
 Quantity = Callable[[FloatArray, FloatArray, FloatArray], FloatArray]
 

@@ -19,14 +19,13 @@ from dataclasses import dataclass
 from math import inf
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.constants import g
 from scipy.optimize import brentq
 
 from assess.codes.check import PgaCurve
 from assess.oscillator import Branch
+from spectra.arrays import FloatArray
 
-FloatArray = NDArray[np.float64]
 PgaOf = Callable[[FloatArray], FloatArray]
 
 

@@ -13,14 +13,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.interpolate import CubicHermiteSpline, PPoly
 
 from assess.oscillator import Branch, interpolant
-
-FloatArray = NDArray[np.float64]
-IntArray = NDArray[np.int64]
-BoolArray = NDArray[np.bool_]
+from spectra.arrays import BoolArray, FloatArray, IntArray
 
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(5)
 

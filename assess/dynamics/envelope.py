@@ -20,7 +20,6 @@ from functools import partial
 from math import ceil, log, sqrt
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.constants import g
 
 from assess.dynamics import kernel
@@ -29,10 +28,7 @@ from assess.dynamics.pulse_response import TOLERANCE, check_frequency, closed, p
 from assess.dynamics.sine.kernel import envelope_sine
 from assess.oscillator import Branch, Oscillator, energy, linearise
 from records.pulses import Shape
-
-FloatArray = NDArray[np.float64]
-IntArray = NDArray[np.int64]
-BoolArray = NDArray[np.bool_]
+from spectra.arrays import BoolArray, FloatArray, IntArray
 
 SCAN = {"linearised": 1.01, "exact": 1.02}
 """Ratio of two amplitudes of the scan for the lower bound."""

@@ -18,16 +18,14 @@ from itertools import pairwise
 from typing import TypeVar
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from assess.dynamics import kernel
 from assess.dynamics.packing import Equation, Packed, branches_of, check_jobs, packed, tables_of
 from assess.oscillator import Oscillator
 from records.record import Record, make_record
+from spectra.arrays import BoolArray, FloatArray, IntArray
 
-FloatArray = NDArray[np.float64]
-IntArray = NDArray[np.int64]
-BoolArray = NDArray[np.bool_]
 Array = TypeVar("Array", FloatArray, IntArray, BoolArray)
 Run = Callable[[IntArray, IntArray, FloatArray, float, FloatArray, FloatArray, FloatArray], int]
 

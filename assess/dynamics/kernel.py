@@ -28,13 +28,10 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from assess.kernel import compiled, entry, inlined, reachable
+from spectra.arrays import BoolArray, FloatArray, IntArray
 
-FloatArray = NDArray[np.float64]
-IntArray = NDArray[np.int64]
-BoolArray = NDArray[np.bool_]
 Arc = tuple[float, float, float, float, float, float, float, float, float]  # of y [-], lowest power of time first
 State = tuple[float, float, float]  # y [-], y' [1/s], y'' [1/s2]
 Ground = tuple[float, ...]  # acceleration as a polynomial of time, lowest power first: 2 of a record, 6 of a pulse

@@ -8,16 +8,14 @@ from dataclasses import dataclass
 from typing import Literal, TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.constants import g
 
 from assess.dynamics import kernel
 from assess.dynamics.canonical import Canonical, canonical, scaled
 from assess.errors import MechanismError
 from assess.oscillator import Branch, Oscillator, elastic_frequency, energy, linearise
+from spectra.arrays import FloatArray, IntArray
 
-FloatArray = NDArray[np.float64]
-IntArray = NDArray[np.int64]
 Equation = Literal["exact", "linearised"]
 T = TypeVar("T")
 FASTEST = 1e5  # Hz: faster motions on joints would take minutes a record; masonry's are below 1000 Hz

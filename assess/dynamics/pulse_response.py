@@ -17,7 +17,6 @@ from itertools import pairwise
 from math import ceil, pi
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.interpolate import BPoly, PPoly
 
 from assess.dynamics import kernel
@@ -25,10 +24,8 @@ from assess.dynamics.packing import Equation, Packed, branches_of, check_jobs, p
 from assess.dynamics.sine.kernel import sine_outcomes
 from assess.oscillator import Oscillator
 from records.pulses import Shape
+from spectra.arrays import BoolArray, FloatArray, IntArray
 
-FloatArray = NDArray[np.float64]
-IntArray = NDArray[np.int64]
-BoolArray = NDArray[np.bool_]
 Run = Callable[[IntArray, IntArray, FloatArray, FloatArray], None]
 
 PIECES = 100

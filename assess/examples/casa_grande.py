@@ -22,14 +22,12 @@ from itertools import pairwise
 from math import cos, pi, sin
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.constants import g
 from scipy.optimize import root
 
 from assess.examples.surface import Surface, slab
 from assess.geometry.solid import polyhedron
-
-FloatArray = NDArray[np.float64]
+from spectra.arrays import FloatArray
 
 COURSE = 0.69  # m: average height of a course of caliche
 ROW = 0.115  # m: a sixth of a course between the rows of the mesh

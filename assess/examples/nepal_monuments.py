@@ -15,7 +15,8 @@ from math import pi, sqrt, tan
 import numpy as np
 from scipy.constants import g
 
-from assess.examples.surface import FloatArray, Surface, revolved
+from assess.examples.surface import Surface, revolved
+from spectra.arrays import FloatArray
 
 OUTER, INNER = 3.99, 2.12  # m: radii of the ring at the foot, Table 7.1
 WEIGHT = 24003.94e3  # N: Table 7.1

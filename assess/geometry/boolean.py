@@ -13,7 +13,8 @@ from scipy.spatial import KDTree
 
 from assess.errors import GeometryError
 from assess.geometry.solid import THINNEST, Solid
-from assess.geometry.surface import BoolArray, FloatArray, Surface, merged, volume
+from assess.geometry.surface import Surface, merged, volume
+from spectra.arrays import BoolArray, FloatArray
 
 CLEAR = 0.05  # m: how far apart fine meshes are looked at face by face
 FINE = 1e8  # pairs of triangles: to look at more of them takes seconds

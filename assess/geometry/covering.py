@@ -5,13 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from assess.geometry.cut import halves
 from assess.geometry.solid import Solid
 from assess.geometry.surface import areas_and_normals
-
-FloatArray = NDArray[np.float64]
+from spectra.arrays import FloatArray
 
 UPRIGHT = 0.05  # vertical part of a unit normal: steeper faces are gables and ends, not the covering
 LEVEL = 0.02  # root mean square slope: below this a covering is flat

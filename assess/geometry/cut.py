@@ -13,7 +13,8 @@ from assess.errors import GeometryError
 from assess.geometry.boolean import split
 from assess.geometry.planar import BASE_TOLERANCE
 from assess.geometry.solid import THINNEST, Solid, polyhedron
-from assess.geometry.surface import FloatArray, IntArray, Surface
+from assess.geometry.surface import Surface
+from spectra.arrays import FloatArray, IntArray
 
 FLATTEST = 1e-6  # vertical part of a unit normal: below this a plane is upright and has no side above
 ON_PLANE = 1e-9  # of the bodies' size: faces this near the plane lie in it

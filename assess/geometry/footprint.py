@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 import shapely
-from numpy.typing import NDArray
 
-FloatArray = NDArray[np.float64]
+from spectra.arrays import FloatArray
 
 MOST = 180  # edges: the shortest of a finer hull change its support by less than one part in a thousand
 SHORT = 1e-9  # of the hull's size: edges shorter than this are rounding

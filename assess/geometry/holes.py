@@ -8,7 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
-from assess.geometry.surface import FloatArray, IntArray, Surface, border, edges_of
+from assess.geometry.surface import Surface, border, edges_of
+from spectra.arrays import FloatArray, IntArray
 
 LARGEST = 0.2  # of the surface, holes closed: more than this is not closed by a guess
 DOUBT = 0.01  # of the volume: by how much the plane that closes a hole may be wrong

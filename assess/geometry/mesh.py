@@ -8,7 +8,6 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
 from assess.errors import GeometryError
 from assess.geometry.formats.elements import shown
@@ -20,9 +19,7 @@ from assess.geometry.repair import mended
 from assess.geometry.solid import Solid, polyhedron
 from assess.geometry.sounding import doubts_of
 from assess.geometry.surface import Surface, merged
-
-FloatArray = NDArray[np.float64]
-IntArray = NDArray[np.int64]
+from spectra.arrays import FloatArray, IntArray
 
 FARTHEST = 1e12  # of any unit: no coordinate of a map in any unit is larger
 SINGLE = (".glb", ".gltf", ".3dm")  # formats of single precision, beside binary STL and some PLY

@@ -14,8 +14,7 @@ from numpy.typing import NDArray
 from assess.errors import GeometryError
 from assess.geometry.outline import Outline, Point, outline
 from assess.geometry.solid import Solid
-
-FloatArray = NDArray[np.float64]
+from spectra.arrays import FloatArray
 
 Base = tuple[Point, Point]
 

@@ -9,8 +9,6 @@ from assess.errors import GeometryError
 from assess.geometry.holes import DOUBT, LARGEST, Hole, holes_of
 from assess.geometry.shells import counted_once
 from assess.geometry.surface import (
-    FloatArray,
-    IntArray,
     Surface,
     area,
     border,
@@ -24,6 +22,7 @@ from assess.geometry.surface import (
     without_lines,
 )
 from assess.messages.plural import counted
+from spectra.arrays import FloatArray, IntArray
 
 NEAR = 1e-4  # of the body's size: corners of an open border nearer than this are one
 

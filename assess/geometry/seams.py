@@ -6,12 +6,9 @@ from collections.abc import Iterator
 
 import numpy as np
 import shapely
-from numpy.typing import NDArray
 
 from assess.geometry.surface import areas_and_normals
-
-FloatArray = NDArray[np.float64]
-IntArray = NDArray[np.int64]
+from spectra.arrays import FloatArray, IntArray
 
 OVERLAP = 1e-6  # of the body's size: shells that enter one another by less are taken to touch
 SEAMS_EXAMINED = 20_000  # longest lines where two shells meet that are looked at for overlap

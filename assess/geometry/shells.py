@@ -14,8 +14,6 @@ from assess.geometry.seams import OVERLAP, beside_seams
 from assess.geometry.solid import THINNEST
 from assess.geometry.surface import (
     Edges,
-    FloatArray,
-    IntArray,
     Surface,
     area_vectors,
     edges_of,
@@ -29,6 +27,7 @@ from assess.geometry.surface import (
 )
 from assess.geometry.winding import layers
 from assess.messages.plural import counted
+from spectra.arrays import FloatArray, IntArray
 
 ASKED = 64  # triangles of a shell beside which the others are looked up
 

@@ -3,12 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from assess.geometry.surface import area_vectors
-
-FloatArray = NDArray[np.float64]
-IntArray = NDArray[np.int64]
+from spectra.arrays import FloatArray, IntArray
 
 COARSER = 1.15  # each grid that still leaves too many triangles is followed by one this much coarser
 SHARP = 0.05  # of a cell's largest curvature: flatter directions do not move its vertex

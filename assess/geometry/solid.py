@@ -18,14 +18,12 @@ from itertools import combinations_with_replacement
 
 import numpy as np
 import shapely
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from assess.errors import GeometryError
 from assess.geometry.crossing import crossing, without_repeats
 from assess.geometry.surface import tetrahedra
-
-FloatArray = NDArray[np.float64]
-IntArray = NDArray[np.int64]
+from spectra.arrays import FloatArray, IntArray
 
 THINNEST = 1e-12  # volume / (size of the body)^3, area / size^2: below this a body is rounding, not masonry
 

@@ -8,8 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from assess.errors import GeometryError
-from assess.geometry.surface import FloatArray, IntArray, Surface, place
+from assess.geometry.surface import Surface, place
 from assess.geometry.winding import SHEAR
+from spectra.arrays import FloatArray, IntArray
 
 LINES = 48  # across the body, each way
 OFF = np.array([0.5317, 0.4619])  # place of a line in its cell

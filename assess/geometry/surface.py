@@ -13,9 +13,8 @@ from numpy.typing import NDArray
 from scipy.sparse import coo_array, csr_array
 from scipy.sparse.csgraph import connected_components
 
-FloatArray = NDArray[np.float64]
-IntArray = NDArray[np.int64]
-BoolArray = NDArray[np.bool_]
+from spectra.arrays import BoolArray, FloatArray, IntArray
+
 MIX = (1.6180339887, 2.7182818284)  # weights that keep different points apart
 SPREAD = np.uint64(0x9E3779B97F4A7C15)  # 2^64 / golden ratio: times it, a number's lower bits reach its upper ones
 AT_ONCE = 1 << 13  # triangles: what is computed of them then stays in the processor's cache

@@ -4,12 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 import shapely
-from numpy.typing import NDArray
 
 from assess.geometry.surface import area_vectors
-
-FloatArray = NDArray[np.float64]
-IntArray = NDArray[np.int64]
+from spectra.arrays import FloatArray, IntArray
 
 ROUNDING = 1e-6  # of single precision, in a direction
 ALIKE = 0.05  # by how much the two sides of a plan must differ for one to be the thin one

@@ -12,9 +12,7 @@ from numpy.typing import NDArray
 from assess.geometry.boolean import common
 from assess.geometry.solid import THINNEST, Solid
 from assess.geometry.surface import area_vectors, areas_and_normals
-
-FloatArray = NDArray[np.float64]
-IntArray = NDArray[np.int64]
+from spectra.arrays import FloatArray, IntArray
 
 TOLERANCE = 0.01  # m: faces this near each other touch; joints are as thick, and drawings no better
 PARALLEL = 0.98  # minus the cosine between the normals of two faces: they face each other within 11 degrees

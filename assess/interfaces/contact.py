@@ -11,14 +11,13 @@ from dataclasses import dataclass
 from math import inf, isfinite
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from assess.errors import InterfaceError
 from assess.interfaces import kernel
 from assess.interfaces.law import Law
 from assess.interfaces.section import Section, mirrored
-
-FloatArray = NDArray[np.float64]
+from spectra.arrays import FloatArray
 
 
 @dataclass(frozen=True)

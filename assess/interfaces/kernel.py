@@ -21,12 +21,10 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
 from assess.kernel import compiled, entry, reachable
+from spectra.arrays import FloatArray, IntArray
 
-FloatArray = NDArray[np.float64]
-IntArray = NDArray[np.int64]
 # pieces, discs; depth [m], area [m2], centroid [m]: see `Section`
 Table = tuple[FloatArray, FloatArray, float, float, float]
 Given = tuple[float, float, float]  # stiffness k [Pa/m], strength f [Pa], rotation phi [rad]

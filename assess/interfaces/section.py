@@ -6,11 +6,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from assess.interfaces import kernel
-
-FloatArray = NDArray[np.float64]
+from spectra.arrays import FloatArray
 
 
 @dataclass(frozen=True)

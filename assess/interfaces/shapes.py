@@ -6,13 +6,11 @@ from collections.abc import Sequence
 
 import numpy as np
 import shapely
-from numpy.typing import NDArray
 
 from assess.errors import GeometryError
 from assess.interfaces.section import Section, section_of_discs, section_of_pieces
+from spectra.arrays import FloatArray, IntArray
 
-FloatArray = NDArray[np.float64]
-IntArray = NDArray[np.int64]
 Direction = Sequence[float] | FloatArray
 
 THINNEST = 1e-12  # of the extent squared: a region with less area is a line

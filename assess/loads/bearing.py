@@ -6,15 +6,13 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.constants import g
 
 from assess.errors import GeometryError
 from assess.geometry.boolean import gap
 from assess.geometry.solid import Solid
 from assess.geometry.touch import TOLERANCE, Contact, together, touch
-
-FloatArray = NDArray[np.float64]
+from spectra.arrays import FloatArray
 
 ACROSS = 0.7  # cosine: an upright face within 45 degrees of square to the axis of a vault is one it springs from
 

@@ -6,7 +6,6 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.constants import g
 
 from assess.errors import GeometryError
@@ -19,8 +18,7 @@ from assess.loads.load import Force, Load, Point, PointMass
 from assess.loads.plane import point_in_plane
 from assess.model.overlaps import OVERLAP, SAME_PLACE, shared_with
 from assess.project import sections
-
-FloatArray = NDArray[np.float64]
+from spectra.arrays import FloatArray
 
 BETWEEN = 1 / 8  # of the span: a contact this near its middle holds both feet of a roof or vault
 BELOW_THE_CUT = "it stands on what the cut leaves still, so it is no load of the mechanism; remove it from `loads`"

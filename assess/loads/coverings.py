@@ -4,15 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-import numpy as np
-from numpy.typing import NDArray
-
 from assess.geometry.covering import extent, height, lever, slope, underside
 from assess.geometry.solid import Solid
 from assess.loads.thrust import CONSTRUCTIONS, even_lever, thrust
 from assess.project import sections
-
-FloatArray = NDArray[np.float64]
+from spectra.arrays import FloatArray
 
 SINGLE = 0.5  # one-sidedness above which a roof has a single slope
 SQUARE = 0.02  # cosine: a covering that spans within a degree of square to the motion has no thrust along it

@@ -6,9 +6,6 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from math import inf
 
-import numpy as np
-from numpy.typing import NDArray
-
 from assess.errors import GeometryError
 from assess.geometry.boolean import gap
 from assess.geometry.outline import distance
@@ -20,8 +17,7 @@ from assess.loads.load import Point
 from assess.loads.plane import point_in_plane
 from assess.model.pieces import Piece
 from assess.project import sections
-
-FloatArray = NDArray[np.float64]
+from spectra.arrays import FloatArray
 
 
 @dataclass(frozen=True)

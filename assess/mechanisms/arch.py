@@ -11,15 +11,12 @@ from dataclasses import dataclass
 from itertools import combinations, islice, pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
 from assess.errors import MechanismError
 from assess.geometry.planar import PlanarBody, planar_joined
 from assess.mechanisms.chain import Block, Chain, Point
+from spectra.arrays import ComplexArray, FloatArray, IntArray
 
-ComplexArray = NDArray[np.complex128]
-FloatArray = NDArray[np.float64]
-IntArray = NDArray[np.int64]
 Joint = tuple[Point, Point]
 
 AT_ONCE = 20_000  # choices of four joints that are looked at together: of 80 voussoirs there are 1.7 million

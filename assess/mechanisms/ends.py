@@ -9,14 +9,12 @@ from collections.abc import Callable
 from math import inf
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.optimize import brentq
 
 from assess.loads.load import Action, PointMass, Tie, lasts
 from assess.mechanisms.chain import Chain
 from assess.mechanisms.motion import FLAT, Path, limit, move, place
-
-FloatArray = NDArray[np.float64]
+from spectra.arrays import FloatArray
 
 STATIONS = 2001  # of a scan from rest to the geometric limit
 

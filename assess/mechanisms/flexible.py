@@ -22,7 +22,6 @@ from math import hypot
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.constants import g
 
 from assess.errors import MechanismError
@@ -32,9 +31,8 @@ from assess.mechanisms.chain import Chain, hinge_names
 from assess.mechanisms.joint import PAIRS, Joint, Pair
 from assess.mechanisms.motion import closed, move, place, shares
 from assess.mechanisms.virtual_work import Work, pulled, virtual_work
+from spectra.arrays import ComplexArray, FloatArray
 
-FloatArray = NDArray[np.float64]
-ComplexArray = NDArray[np.complex128]
 Contacts = tuple[Contact | None, ...]
 
 ROUNDS = 60

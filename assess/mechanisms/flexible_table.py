@@ -13,7 +13,6 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from assess.errors import MechanismError
 from assess.mechanisms.chain import Chain, mirrored
@@ -23,9 +22,6 @@ from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.side import FINE, ZERO, Side, columns_of, side_of
 from assess.mechanisms.stages import Moments, Stages, rounding, signature, whole
 from assess.oscillator import Branch, Oscillator
-
-FloatArray = NDArray[np.float64]
-IntArray = NDArray[np.int64]
 
 
 def flexible_oscillator(mechanism: Mechanism, front: Stages, back: Stages) -> Oscillator:

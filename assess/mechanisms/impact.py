@@ -12,7 +12,6 @@ from math import isclose
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
 from assess.errors import MechanismError
 from assess.loads.load import PointMass
@@ -20,13 +19,13 @@ from assess.mechanisms.chain import Chain
 from assess.mechanisms.motion import move, place
 from assess.mechanisms.rest import plain_block
 from assess.mechanisms.restitution import Restitution, housner, sorrentino
+from spectra.arrays import FloatArray
 
 Named = Literal["thesis", "housner", "sorrentino", "momentum"]
 RestitutionChoice = float | Named | None
 """A number, a rule by its name, or None: "momentum" where a load moves with the mechanism, else the thesis' rule."""
 Rule = Callable[[Chain, Chain], Restitution]
 Rebound = Callable[[Chain], Restitution]
-FloatArray = NDArray[np.float64]
 
 HOUSNER = "Housner 1963, thesis eq. 3.44"
 MOMENTUM = "momentum kept over the mechanism"

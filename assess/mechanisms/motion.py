@@ -34,12 +34,9 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 
 from assess.mechanisms.chain import Chain, Point
-
-FloatArray = NDArray[np.float64]
-ComplexArray = NDArray[np.complex128]
+from spectra.arrays import ComplexArray, FloatArray
 
 FLAT = 1e-6  # of the geometric limit: a loop is never taken quite to it, where its rates grow without bound
 TOUCH = 1e-12  # of a cosine: a portal of two equal columns just touches its flat place, which rounding may hide

@@ -9,7 +9,6 @@ from itertools import pairwise
 from typing import Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
 from assess.errors import MechanismError
 from assess.interfaces.contact import thresholds
@@ -19,9 +18,7 @@ from assess.mechanisms.stages import Stages
 from assess.mechanisms.table import NODES, REACH, staged_branch
 from assess.mechanisms.virtual_work import Work
 from assess.oscillator import Branch
-
-FloatArray = NDArray[np.float64]
-IntArray = NDArray[np.int64]
+from spectra.arrays import FloatArray, IntArray
 
 FINE = 0.05  # step of the table over rotation, as moments go with the power -1/2 of it
 COARSE = 1.0 / 128.0  # largest step, of the table's length

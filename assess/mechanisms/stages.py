@@ -12,7 +12,6 @@ from itertools import pairwise
 from math import hypot
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.optimize import brentq
 
 from assess.loads.load import Action, Force, PointMass
@@ -21,8 +20,7 @@ from assess.mechanisms.ends import STATIONS
 from assess.mechanisms.flexible import through_top
 from assess.mechanisms.motion import move, place
 from assess.mechanisms.virtual_work import pulled
-
-FloatArray = NDArray[np.float64]
+from spectra.arrays import FloatArray
 
 NONE = 1e-12  # of the size of an action times that of its chain: less is no moment
 AT_REST = 1e-9  # of a scan: what begins so near to rest begins there

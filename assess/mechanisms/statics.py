@@ -6,14 +6,12 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.constants import g
 
 from assess.loads.load import Force, PointMass, Tie, pull_at_rest
 from assess.mechanisms.chain import Chain, Point
 from assess.mechanisms.motion import move, place
-
-FloatArray = NDArray[np.float64]
+from spectra.arrays import FloatArray
 
 
 @dataclass(frozen=True)

@@ -6,7 +6,6 @@ from collections.abc import Callable
 from dataclasses import fields
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.optimize import brentq
 
 from assess.errors import MechanismError
@@ -16,9 +15,7 @@ from assess.mechanisms.motion import FLAT, limit
 from assess.mechanisms.stages import Stages, whole
 from assess.mechanisms.virtual_work import Work, require_stable, virtual_work
 from assess.oscillator import Branch
-
-FloatArray = NDArray[np.float64]
-IntArray = NDArray[np.int64]
+from spectra.arrays import FloatArray, IntArray
 
 NODES = 257  # of a branch table; a block's cubic splines are then exact to 1e-11 of their largest value
 REACH = 1.5  # tables end at this many overturning rotations

@@ -8,15 +8,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.constants import g
 
 from assess.errors import FallingError, MechanismError
 from assess.loads.load import Force, PointMass, Tie, pull_at_rest
 from assess.mechanisms.chain import Chain
 from assess.mechanisms.motion import Path, move, place
-
-FloatArray = NDArray[np.float64]
+from spectra.arrays import FloatArray
 
 FACES = {
     1: "A lies on the face ahead",

@@ -8,7 +8,6 @@ from itertools import pairwise
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from assess.errors import GeometryError, MechanismError
 from assess.geometry.cut import Parts, Plane, divide
@@ -20,8 +19,8 @@ from assess.mechanisms.chain import Chain, Point, mirrored, mirrored_chain, writ
 from assess.mechanisms.mechanism import Mechanism, Sides
 from assess.model.pieces import Piece, as_one
 from assess.project import sections
+from spectra.arrays import FloatArray
 
-FloatArray = NDArray[np.float64]
 Line = tuple[Point, Point]
 
 APART = 1e-6  # of the longest joint: points this near are one

@@ -15,7 +15,7 @@ from scipy.constants import g
 
 from assess.errors import AssessError, FallingError
 from assess.geometry.footprint import edge_normals
-from assess.geometry.planar import FloatArray, lowest_corners
+from assess.geometry.planar import lowest_corners
 from assess.loads.plane import point_in_plane
 from assess.mechanisms.chain import Chain
 from assess.mechanisms.directions import Candidate, Vector
@@ -29,6 +29,7 @@ from assess.model.pieces import Solids
 from assess.oscillator import displacement
 from assess.project import sections
 from assess.project.sections.mechanisms import Restitution
+from spectra.arrays import FloatArray
 
 NEAR = 1.1  # multipliers up to this many times the least are compared by d0*
 HELD = 1.5  # of the least multiplier: free directions this much stronger do not stand for a weak axis held both ways

@@ -11,7 +11,7 @@ import numpy as np
 from assess.errors import AssessError, MechanismError
 from assess.geometry.cut import divide
 from assess.geometry.footprint import edge_normals
-from assess.geometry.planar import FloatArray, base_of_section, lowest_corners, planar_unseen
+from assess.geometry.planar import base_of_section, lowest_corners, planar_unseen
 from assess.geometry.solid import Solid
 from assess.loads.body_loads import Meeting, Surroundings, meeting
 from assess.loads.loading import loads_of
@@ -22,6 +22,7 @@ from assess.model.assembly import Built, mechanism_of, of_one_block
 from assess.model.pieces import ASKEW, LEVEL, Piece, Solids, as_one, cut_of
 from assess.oscillator import linearise, multiplier
 from assess.project import sections
+from spectra.arrays import FloatArray
 
 Sought = sections.SingleBlock | sections.TwoBlock | sections.FourHinge
 S = TypeVar("S", bound=sections.Chained)

@@ -8,7 +8,6 @@ from itertools import pairwise
 
 import numpy as np
 import shapely
-from numpy.typing import NDArray
 
 from assess.errors import GeometryError
 from assess.geometry.cut import Plane, divide, heading, in_plane
@@ -18,8 +17,8 @@ from assess.mechanisms.chain import Point
 from assess.mechanisms.joint import PAIRS
 from assess.model.pieces import Piece, cut_of
 from assess.project import sections
+from spectra.arrays import FloatArray
 
-FloatArray = NDArray[np.float64]
 Vector = tuple[float, float]
 
 UP, DOWN = (0.0, 1.0), (0.0, -1.0)

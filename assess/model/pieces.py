@@ -13,7 +13,6 @@ from assess.geometry import mesh
 from assess.geometry.cut import Parts, Plane, divide, inclined, level
 from assess.geometry.models import Models, read_models
 from assess.geometry.planar import (
-    FloatArray,
     PlanarBody,
     base_of_section,
     lowest_corners,
@@ -26,6 +25,7 @@ from assess.geometry.planar import (
 from assess.geometry.scene import Scene
 from assess.geometry.solid import Solid, box, profile
 from assess.project import sections
+from spectra.arrays import FloatArray
 
 ASKEW = (
     "the base touches its extreme line in the direction of motion at a point, not along an edge; if the body stands "

@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from math import floor, log10
 
 import numpy as np
-from numpy.typing import NDArray
 
 from assess.geometry.outline import Outline, outline
 from assess.geometry.scene import Scene
@@ -17,8 +16,8 @@ from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.motion import move, place
 from assess.oscillator import Branch, Oscillator
 from assess.results import Displaced, Drawing, DrawnLoad, NamedPoint, Ring
+from spectra.arrays import FloatArray
 
-FloatArray = NDArray[np.float64]
 Piece = tuple[Ring, int]  # an outline and its block
 
 SEEN = 0.12  # of the drawing's size: how far the farthest point of a displaced mechanism has moved, at most

@@ -17,8 +17,8 @@ from assess.study.motions import Motion
 from assess.study.study import Equation, PulseGrid
 from records.primary_pulse import primary_pulses
 from records.pulses import SHAPES
+from spectra.arrays import FloatArray
 
-FloatArray = NDArray[np.float64]
 Progress = Callable[[str, int, int], None]
 
 DEFAULT_GRID = PulseGrid(SHAPES["sine"], np.linspace(0.2, 10.0, 100), np.linspace(0.0, 3.0 * g, 100))

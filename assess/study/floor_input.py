@@ -14,17 +14,15 @@ from collections.abc import Sequence
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
 from assess.amplification.floor_motion import Carried, FirstMode, ModalFilter
 from assess.codes.context import Building
 from assess.study.motions import Motion
 from records.record import Record, scaled
 from records.response import response_spectrum
+from spectra.arrays import FloatArray
 from spectra.floor_spectrum import Mode, circolare2019, first_mode_factor
 from spectra.spectrum import Spectrum
-
-FloatArray = NDArray[np.float64]
 
 LEAST_RECORDS = 5  # of the response-history method of the same standard
 WIDENED = 0.15  # of the period, to both sides

@@ -13,7 +13,6 @@ from itertools import pairwise
 from math import inf, log
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.constants import g
 
 from assess.amplification.floor_motion import Carried
@@ -24,9 +23,7 @@ from assess.oscillator import Oscillator, elastic_frequency, resisted
 from assess.results import HistoryResult, Trace
 from assess.study.motions import Motion
 from assess.study.study import Equation
-
-FloatArray = NDArray[np.float64]
-IntArray = NDArray[np.int64]
+from spectra.arrays import FloatArray, IntArray
 
 SCAN_STEP, JOINTS_STEP = 1.025, 1.05  # ratio of two PGAs of the scan, and where joints vibrate about rest
 SCAN_START = 0.4  # of the smaller uplift acceleration, or of what a flexible joint resists at most

@@ -7,7 +7,6 @@ from math import isfinite
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from assess.interfaces.contact import thresholds
 from assess.mechanisms.chain import Chain
@@ -19,8 +18,7 @@ from assess.mechanisms.table import NODES
 from assess.mechanisms.virtual_work import virtual_work
 from assess.oscillator import Branch, Oscillator
 from assess.results import BranchMoment, InterfaceCurves
-
-FloatArray = NDArray[np.float64]
+from spectra.arrays import FloatArray
 
 POINTS = 200  # of a curve, at most
 

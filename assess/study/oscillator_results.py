@@ -4,9 +4,6 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-import numpy as np
-from numpy.typing import NDArray
-
 from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.table import branch
 from assess.oscillator import (
@@ -21,8 +18,7 @@ from assess.oscillator import (
     threshold,
 )
 from assess.results import BranchCurve, Curve, LinearisedResult, OscillatorResult
-
-FloatArray = NDArray[np.float64]
+from spectra.arrays import FloatArray
 
 
 def floats(values: FloatArray) -> tuple[float, ...]:

@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from math import ceil
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.constants import g
 
 from assess.amplification.floor_motion import Carried, ModalFilter
@@ -46,9 +45,8 @@ from assess.study.view import view
 from records.candidates import sequence_number
 from records.record import Record, scaled
 from records.response import response_spectrum
+from spectra.arrays import FloatArray
 from spectra.spectrum import Spectrum
-
-FloatArray = NDArray[np.float64]
 
 UNAMPLIFIED = AmplificationResult("none", ())
 SHORTEST_PERIOD, LONGEST_DRAWN = 0.05, 4.0  # s, of the spectra of a filtered motion

@@ -6,9 +6,6 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Literal
 
-import numpy as np
-from numpy.typing import NDArray
-
 from assess.amplification.floor_motion import Amplification
 from assess.codes.context import Building, FreePeriod, Hazard
 from assess.codes.registry import CodeOptions
@@ -22,9 +19,9 @@ from records.band import Band
 from records.pulses import Shape
 from records.record import Record
 from records.selection import Selection
+from spectra.arrays import FloatArray
 from spectra.spectrum import Spectrum
 
-FloatArray = NDArray[np.float64]
 Equation = Literal["exact", "linearised"]
 ScaleTo = Literal["spectrum", "pga", "none"]
 

@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from math import floor, log10
 
 import numpy as np
-from numpy.typing import NDArray
 
 from assess.geometry.scene import Scene
 from assess.geometry.simplify import simplified
@@ -14,9 +13,7 @@ from assess.geometry.solid import Solid
 from assess.mechanisms.mechanism import Mechanism
 from assess.results import Axis, Place, View
 from assess.study.drawing import FIXED, hinges_of, owners
-
-FloatArray = NDArray[np.float64]
-IntArray = NDArray[np.int64]
+from spectra.arrays import FloatArray, IntArray
 
 LIMIT = 4000  # triangles of a view
 FIGURES = 5  # of a coordinate, counted from the first of the bodies' size

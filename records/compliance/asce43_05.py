@@ -20,7 +20,8 @@ from records.compliance.requirement import (
     required,
     usable_to,
 )
-from records.compliance.suite import FloatArray, Suite
+from records.compliance.suite import Suite
+from spectra.arrays import FloatArray
 
 CODE = "ASCE 43-05"
 METHOD, CLAUSE = "response-history method", "2.4"

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from records.compliance.requirement import Requirement, Rule, not_answered, required
-from records.compliance.suite import FloatArray, Suite
+from records.compliance.suite import Suite
+from spectra.arrays import FloatArray
 
 CODE = "NZS 1170.5:2004"
 LEAST_RECORDS = 3

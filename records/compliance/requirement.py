@@ -10,7 +10,8 @@ from typing import Literal
 
 import numpy as np
 
-from records.compliance.suite import FloatArray, Suite
+from records.compliance.suite import Suite
+from spectra.arrays import FloatArray
 
 Verdict = Literal["met", "not met", "not answered"]
 Sense = Literal[">=", "<="]

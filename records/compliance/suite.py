@@ -10,9 +10,8 @@ from numpy.typing import NDArray
 
 from records.record import Record
 from records.response import response_spectrum
+from spectra.arrays import FloatArray
 from spectra.spectrum import Spectrum
-
-FloatArray = NDArray[np.float64]
 
 DAMPING = 0.05
 FINE: FloatArray = np.geomspace(0.02, 10.0, 271)  # s, a hundred to the decade from 50 Hz to 0.1 Hz

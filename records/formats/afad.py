@@ -14,18 +14,12 @@ from pathlib import Path
 
 from records.errors import RecordError
 from records.formats.agreement import check_count, check_peak
-from records.formats.samples import (
-    FloatArray,
-    acceleration_factor,
-    formatted_numbers,
-    number,
-    positive,
-    text_lines,
-)
+from records.formats.samples import acceleration_factor, formatted_numbers, number, positive, text_lines
 from records.formats.stated import Stated
 from records.formats.times import iso_of
 from records.orientation import azimuth_of
 from records.record import Earthquake, Record, Site, make_record
+from spectra.arrays import FloatArray
 
 NAME = "AFAD"
 LONGEST_HEADER = 40

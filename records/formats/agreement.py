@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from records.errors import RecordError
-from records.formats.samples import FloatArray
+from spectra.arrays import FloatArray
 
 SAME_PEAK = 5e-4  # relative; a peak is printed with four digits and more
 OTHER_PEAK = 0.02  # relative; a wrong unit is 2 % off or more

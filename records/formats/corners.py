@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from records.formats.samples import FloatArray
+from spectra.arrays import FloatArray
 
 ABOVE, BELOW = 1.3, 0.6  # times the corners, beyond which hardly anything is left
 HIGH_SHARE = 5e-3  # of the power of accelerations; 7e-4 at most in fifteen filtered records of ESM, ITACA and PEER

@@ -17,18 +17,12 @@ from pathlib import Path
 from records.errors import RecordError
 from records.formats.agreement import check_count, check_peak
 from records.formats.cosmos_header import check_header
-from records.formats.samples import (
-    FloatArray,
-    acceleration_factor,
-    formatted_numbers,
-    numbers,
-    numeric_end,
-    text_lines,
-)
+from records.formats.samples import acceleration_factor, formatted_numbers, numbers, numeric_end, text_lines
 from records.formats.stated import Stated
 from records.formats.times import iso
 from records.orientation import azimuth_of
 from records.record import Earthquake, Record, Site, make_record
+from spectra.arrays import FloatArray
 
 NAME = "COSMOS"
 

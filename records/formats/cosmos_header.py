@@ -11,8 +11,9 @@ from pathlib import Path
 
 from records.formats.agreement import check_duration, check_same, check_time_of_peak, doubt_same, unlike
 from records.formats.corners import beyond_nyquist
-from records.formats.samples import FloatArray, number
+from records.formats.samples import number
 from records.formats.times import iso
+from spectra.arrays import FloatArray
 
 UNKNOWN = -999.0
 NUMBER = "number in the header"

@@ -18,7 +18,6 @@ from records.errors import RecordError
 from records.formats.agreement import check_count, check_integral, check_peak
 from records.formats.csmip_header import check_header
 from records.formats.samples import (
-    FloatArray,
     acceleration_factor,
     formatted_numbers,
     number,
@@ -31,6 +30,7 @@ from records.formats.stated import Stated
 from records.formats.times import iso
 from records.orientation import azimuth_of
 from records.record import Earthquake, Record, Site, make_record
+from spectra.arrays import FloatArray
 
 NAME = "CSMIP"
 

@@ -13,7 +13,8 @@ from pathlib import Path
 from records.errors import RecordError
 from records.formats.agreement import check_duration, check_same, check_time_of_peak
 from records.formats.corners import beyond_nyquist
-from records.formats.samples import FloatArray, number
+from records.formats.samples import number
+from spectra.arrays import FloatArray
 
 TEXT = {True: 13, False: 25}  # lines, of volume 1 and of volume 2
 INTEGERS, REALS = (7, 16, 5), (7, 8, 10)  # lines, numbers in a line and characters of a number; volume 2 has more reals

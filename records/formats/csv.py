@@ -10,13 +10,13 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
 from records.errors import RecordError
 from records.formats.comments import described, said
 from records.formats.samples import number
 from records.formats.stated import GIVE_UNIT, Stated
 from records.record import Record, make_record
+from spectra.arrays import FloatArray
 from spectra.columns import (
     ACCELERATION_UNITS,
     TIME_UNITS,
@@ -30,8 +30,6 @@ from spectra.columns import (
     split,
     unit_of,
 )
-
-FloatArray = NDArray[np.float64]
 
 NAME = "CSV"
 UNIFORM = 0.05  # how far a printed time may stand from its place, in steps

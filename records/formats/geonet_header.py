@@ -15,8 +15,9 @@ import numpy as np
 
 from records.errors import RecordError
 from records.formats.agreement import check_duration, check_peak, check_same, check_time_of_peak, doubt_same
-from records.formats.samples import FloatArray, number
+from records.formats.samples import number
 from records.orientation import azimuth_of
+from spectra.arrays import FloatArray
 
 TEXT_LINES, NUMBER_LINES, COLUMNS = 16, 10, 10
 UNIT = "mm/s/s"

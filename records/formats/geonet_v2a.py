@@ -19,7 +19,6 @@ from records.errors import RecordError
 from records.formats.agreement import check_count, check_integral
 from records.formats.geonet_header import COLUMNS, NUMBER_LINES, TEXT_LINES, UNIT, check_header, coordinates
 from records.formats.samples import (
-    FloatArray,
     acceleration_factor,
     count,
     formatted_numbers,
@@ -33,6 +32,7 @@ from records.formats.stated import Stated
 from records.formats.times import iso
 from records.orientation import azimuth_of
 from records.record import Earthquake, Record, Site, make_record
+from spectra.arrays import FloatArray
 
 NAME = "GeoNet V2A"
 

@@ -19,9 +19,10 @@ import numpy as np
 from records.errors import RecordError
 from records.formats import peer_at2
 from records.formats.agreement import check_count, check_same
-from records.formats.samples import FloatArray, acceleration_factor, formatted_numbers, number, positive, text_lines
+from records.formats.samples import acceleration_factor, formatted_numbers, number, positive, text_lines
 from records.formats.stated import GIVE_STEP, GIVE_UNIT, Stated
 from records.record import Record, make_record
+from spectra.arrays import FloatArray
 from spectra.columns import CONTROL
 
 NAME = "plain"

@@ -7,13 +7,11 @@ from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
 from records.errors import RecordError
 from records.formats.layout import check_layout
+from spectra.arrays import FloatArray
 from spectra.columns import ACCELERATION_UNITS, ColumnError, factor_of
-
-FloatArray = NDArray[np.float64]
 
 TOUCHING = re.compile(r"(?<=[0-9.])(?=[-+])")
 BATCH = 20_000  # lines that are turned into numbers at once

@@ -16,11 +16,12 @@ import numpy as np
 
 from records.errors import RecordError
 from records.formats.agreement import check_count, check_peak, check_same, check_time_of_peak, doubt_same
-from records.formats.samples import FloatArray, formatted_numbers, number, numbers, text_lines
+from records.formats.samples import formatted_numbers, number, numbers, text_lines
 from records.formats.stated import Stated
 from records.formats.times import iso
 from records.orientation import azimuth_of
 from records.record import Earthquake, Record, Site, make_record
+from spectra.arrays import FloatArray
 
 NAME = "SMC"
 UNIT, FACTOR = "cm/s2", 0.01

@@ -10,15 +10,14 @@ from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
 from matplotlib.ticker import FormatStrFormatter, LogLocator, NullLocator
-from numpy.typing import NDArray
 
 from assess.results import CriticalResult, EnvelopeResult, RecordResult
 from reports.style import FAIL, GRID, INK, MUTED, label, sheet, styled
+from spectra.arrays import FloatArray
 
 ROCKS, FALLS = "#e7edf3", "#f2c1ad"
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#6b4c9a", "#8c6d31", "#000000")
 DASHES = ("-", "--", "-.", ":")
-FloatArray = NDArray[np.float64]
 BEYOND = 1.25  # of the highest frequency with a bound, the end of the axis
 WIDE = 0.12  # of the axis: a band that can hold its name
 MOST_NAMES = 36

@@ -5,16 +5,14 @@ from __future__ import annotations
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
 from assess.results import MechanismResult
 from reports import joints
 from reports.style import MUTED, label, sheet, styled
+from spectra.arrays import FloatArray
 
 FIXED, OWN = "#0072b2", "#c1121f"
 NEAR = 0.03  # of an axis: joints whose marks are nearer share one
-
-FloatArray = NDArray[np.float64]
 
 
 def draw(mechanism: MechanismResult) -> Figure:

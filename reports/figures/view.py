@@ -12,14 +12,11 @@ from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
 from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
 from assess.results import View
 from reports.faces import Faces, drawn_edges, farthest_first, front
 from reports.style import BLOCKS, FIXED, INK, NEGATIVE, POSITIVE, STONE_EDGE, WIDTH, bare_sheet, label, styled
-
-FloatArray = NDArray[np.float64]
-BoolArray = NDArray[np.bool_]
+from spectra.arrays import BoolArray, FloatArray
 
 INCH = 72.0  # pt
 TALLEST, WIDEST = 3.3, 5.2  # of the picture [in]

@@ -18,7 +18,8 @@ from scipy.constants import g
 from scipy.optimize import brentq
 
 from assess.codes.relation import PgaOf, PgaRelation, floor_relation, relation
-from assess.oscillator import Branch, FloatArray, SingleBlock, block_at, energy
+from assess.oscillator import Branch, SingleBlock, block_at, energy
+from spectra.arrays import FloatArray
 from spectra.spectrum import Spectrum
 
 EDITION = "ASCE/SEI 43-05"

@@ -16,7 +16,8 @@ from assess.codes.italian.edition import Options
 from assess.codes.plain import plain
 from assess.codes.relation import PgaRelation, as_curve, demand, relation
 from assess.codes.spectral import spectral_answer
-from assess.oscillator import Branch, FloatArray, Oscillator, displacement, linearise, threshold
+from assess.oscillator import Branch, Oscillator, displacement, linearise, threshold
+from spectra.arrays import FloatArray
 
 
 def thesis_relation(branch: Branch, context: Context, *, mass: float) -> PgaRelation:

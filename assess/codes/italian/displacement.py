@@ -14,7 +14,8 @@ from assess.codes.italian.kinematic import rotation_at
 from assess.codes.italian.limit_state import Case
 from assess.codes.relation import as_curve, relation
 from assess.messages.message import Message, Quantity
-from assess.oscillator import FloatArray, displacement
+from assess.oscillator import displacement
+from spectra.arrays import FloatArray
 
 
 @dataclass(frozen=True)

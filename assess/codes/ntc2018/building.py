@@ -15,7 +15,7 @@ import numpy as np
 
 from assess.codes.context import Context
 from assess.codes.italian.floor import Floor, floor_of
-from assess.oscillator import FloatArray
+from spectra.arrays import FloatArray
 from spectra.floor_spectrum import PLATEAU, circolare2019_first_mode, first_mode_peak
 
 SOFTENING = (1.5, 2.0)  # T_1' / T_1

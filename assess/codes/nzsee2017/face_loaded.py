@@ -15,7 +15,8 @@ from assess.codes.nzsee2017.response import Response, overloaded, response
 from assess.codes.nzsee2017.sheet import CLAUSE, sheet
 from assess.codes.relation import as_curve, relation
 from assess.messages.message import Message, Quantity, message
-from assess.oscillator import Branch, FloatArray, Oscillator
+from assess.oscillator import Branch, Oscillator
+from spectra.arrays import FloatArray
 
 NAME, SCORE = "nzsee2017-face-loaded", "%NBS"
 DAMPING = 0.05

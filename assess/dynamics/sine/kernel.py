@@ -13,9 +13,6 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-from numpy.typing import NDArray
-
 from assess.dynamics.kernel import (
     BOUNCE,
     IMPACTS,
@@ -29,10 +26,7 @@ from assess.dynamics.kernel import (
     seeking,
 )  # fmt: skip
 from assess.kernel import compiled, entry, reachable
-
-FloatArray = NDArray[np.float64]
-IntArray = NDArray[np.int64]
-BoolArray = NDArray[np.bool_]
+from spectra.arrays import BoolArray, FloatArray, IntArray
 
 POINTS = 32
 """From lift-off to the end of the pulse: a body that has landed goes on falling in the closed motion, so that no

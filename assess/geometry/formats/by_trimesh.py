@@ -14,7 +14,8 @@ from typing import Any
 import numpy as np
 
 from assess.geometry.formats.bounds import INSTANCES, TRIANGLES, gltf_header
-from assess.geometry.formats.parts import Element, FloatArray, MeshFile, Part, file_of, moved, part, together
+from assess.geometry.formats.parts import Element, MeshFile, Part, file_of, moved, part, together
+from spectra.arrays import FloatArray
 
 EXTENTS = 1e-4  # of the largest coordinate, by which the extents in the header may be rounded
 MADE = 7  # letters that trimesh adds to the name of a node for a primitive of its mesh

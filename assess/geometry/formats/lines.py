@@ -14,9 +14,8 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-FloatArray = NDArray[np.float64]
-IntArray = NDArray[np.int64]
-BoolArray = NDArray[np.bool_]
+from spectra.arrays import BoolArray, FloatArray, IntArray
+
 Number = TypeVar("Number", np.float64, np.int64)
 
 BLOCK = 1 << 22  # bytes read at a time

@@ -7,8 +7,9 @@ from pathlib import Path
 
 import numpy as np
 
-from assess.geometry.formats.lines import Block, BoolArray, FloatArray, IntArray, blocks, numbers, rows_of, text_of
+from assess.geometry.formats.lines import Block, blocks, numbers, rows_of, text_of
 from assess.geometry.formats.parts import Element, MeshFile, fans, file_of, part
+from spectra.arrays import BoolArray, FloatArray, IntArray
 
 HEADER = re.compile(
     rb"\A(?:\xef\xbb\xbf)?(?:\s|#[^\n]*\n)*(?:ST)?C?N?OFF(?![A-Za-z])(?:\s|#[^\n]*\n)*"

@@ -7,10 +7,10 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-FloatArray = NDArray[np.float64]
-IntArray = NDArray[np.int64]
+from spectra.arrays import FloatArray, IntArray
+
 Up = Literal["y", "z"]
 CLOUD = "it holds {count} points and no faces; make a closed surface of the points first"
 

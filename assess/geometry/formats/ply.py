@@ -14,8 +14,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from assess.geometry.formats.lines import BoolArray, FloatArray, IntArray, rows_of, words_as_numbers
+from assess.geometry.formats.lines import rows_of, words_as_numbers
 from assess.geometry.formats.parts import CLOUD, Element, MeshFile, fans, file_of, part
+from spectra.arrays import BoolArray, FloatArray, IntArray
 
 SHORT = {"char": "i1", "uchar": "u1", "short": "i2", "ushort": "u2", "int": "i4", "uint": "u4"}
 SIZED = {"int8": "i1", "uint8": "u1", "int16": "i2", "uint16": "u2", "int32": "i4", "uint32": "u4"}

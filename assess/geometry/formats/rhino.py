@@ -10,7 +10,8 @@ from typing import Any
 import numpy as np
 
 from assess.geometry.formats.apart import run_apart
-from assess.geometry.formats.parts import Element, FloatArray, MeshFile, Part, file_of, moved, part, without_mesh
+from assess.geometry.formats.parts import Element, MeshFile, Part, file_of, moved, part, without_mesh
+from spectra.arrays import FloatArray
 
 READ = "import sys, rhino3dm; rhino3dm.File3dm.FromByteArray(open(sys.argv[1], 'rb').read())"
 UNITS = {  # rhino3dm.UnitSystem [m]

@@ -6,8 +6,9 @@ from pathlib import Path
 
 import numpy as np
 
-from assess.geometry.formats.lines import Block, BoolArray, FloatArray, blocks, numbers, text_of, words_of
+from assess.geometry.formats.lines import Block, blocks, numbers, text_of, words_of
 from assess.geometry.formats.parts import Element, MeshFile, Part, file_of
+from spectra.arrays import BoolArray, FloatArray
 
 BIT = 0x20  # between a letter and its capital
 VERTEX, FACET, SOLID, END = b"vfse"

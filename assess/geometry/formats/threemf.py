@@ -14,7 +14,8 @@ from xml.parsers import expat
 import numpy as np
 
 from assess.geometry.formats.bounds import INSTANCES, TRIANGLES, unpacked_3mf
-from assess.geometry.formats.parts import Element, FloatArray, IntArray, MeshFile, Part, file_of, moved
+from assess.geometry.formats.parts import Element, MeshFile, Part, file_of, moved
+from spectra.arrays import FloatArray, IntArray
 
 UNITS = {  # 3MF Core Specification 1.3, 3.4: the attribute unit of <model> [m]
     "micron": 1e-6,

@@ -10,18 +10,9 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from assess.geometry.formats.lines import (
-    Block,
-    BoolArray,
-    FloatArray,
-    IntArray,
-    blocks,
-    numbers,
-    rows_of,
-    text_of,
-    words_of,
-)
+from assess.geometry.formats.lines import Block, blocks, numbers, rows_of, text_of, words_of
 from assess.geometry.formats.parts import CLOUD, Element, MeshFile, Part, fans, file_of
+from spectra.arrays import BoolArray, FloatArray, IntArray
 
 VERTEX, FACE, OBJECT, GROUP = b"vfog"
 BLANK = 32

@@ -16,14 +16,14 @@ from math import inf
 
 from assess.codes.check import Check, Outcome
 from assess.codes.verdict import Decision, MechanismVerdict
+from assess.errors import locate_errors
 from assess.messages.message import Message, count, note, warning
-from assess.project.deciding import decided, marked
-from assess.project.messages import located
 from assess.results import MechanismResult, OscillatorResult, SweepResult
 from assess.study.checks import Progress, mechanisms_assessed
 from assess.study.motions import Motion, motions_of
 from assess.study.study import Case, Study, Sweep
 from assess.study.suite_faults import suite_faults
+from assess.study.verdict import decide, mark_deciding
 
 RANKS = (Decision.PASS, Decision.INCOMPLETE, Decision.FAIL)
 
@@ -74,7 +74,7 @@ def swept(study: Study, motions: tuple[Motion, ...], *, jobs: int, progress: Pro
         cases = []
         for case in sweep.cases:
             progress("cases of sweeps", done, total)
-            with located(case.name):
+            with locate_errors(case.name):
                 cases.append(case_assessed(case, study, motions, jobs=jobs))
             done += 1
         each = zip(*cases, strict=True)  # mechanism by mechanism
@@ -92,9 +92,9 @@ def case_assessed(case: Case, study: Study, motions: tuple[Motion, ...], *, jobs
     faults = study.suite_faults if shared else suite_faults(case.study, spectrum, moving)
     judged = replace(case.study, suite_faults=faults)
     done = mechanisms_assessed(judged, spectrum, moving, jobs=jobs, progress=lambda stage, done, total: None)
-    found = decided(judged, done)
+    found = decide(judged, done)
     each = zip(done, found.mechanisms, strict=True)
-    return tuple(Judged(marked(found, judged.question, result), one) for result, one in each)
+    return tuple(Judged(mark_deciding(found, judged.question, result), one) for result, one in each)
 
 
 def controlling(cases: Sequence[Judged]) -> int:

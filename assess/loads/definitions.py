@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, fields
 from typing import ClassVar, Literal
 
-from assess.geometry.touch import TOLERANCE
+from assess.geometry.contact import TOLERANCE
 from assess.loads.load import Until
 
 Place = tuple[float, ...]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from assess.geometry.planar import PlanarBody, planar, planar_direct
+from assess.geometry.planar import PlanarBody, planar_body, planar_body_from_values
 from assess.geometry.solid import Solid
 
 
@@ -53,10 +53,10 @@ class Body:
     def in_plane(self, direction: Sequence[float]) -> PlanarBody:
         """Return the body seen in the vertical plane of a direction [3]."""
         if self.solid is not None:
-            return planar(self.solid, direction=direction)
+            return planar_body(self.solid, direction=direction)
         assert self.values is not None
         given = self.values
-        return planar_direct(mass=given.mass, centroid=given.centroid, inertia=given.inertia, name=self.name)
+        return planar_body_from_values(mass=given.mass, centroid=given.centroid, inertia=given.inertia, name=self.name)
 
 
 Bodies = Mapping[str, Body]

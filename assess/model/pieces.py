@@ -9,14 +9,14 @@ from math import cos, sin
 import numpy as np
 
 from assess.errors import GeometryError
-from assess.geometry.cut import Parts, Plane, divide, inclined, level
+from assess.geometry.cut import Division, Plane, divide, inclined_plane, level_plane
 from assess.geometry.piece import Piece
 from assess.geometry.planar import (
     PlanarBody,
     base_of_section,
+    join_planar,
     lowest_corners,
-    planar,
-    planar_joined,
+    planar_body,
     slope_across,
     turns_about_a_corner,
 )
@@ -63,9 +63,9 @@ def upper(name: str, block: Sequence[str], plane: Plane, direction: Sequence[flo
     return replace(standing_on(parts, direction), fixed=parts.below)
 
 
-def standing_on(parts: Parts, direction: Sequence[float]) -> Piece:
+def standing_on(parts: Division, direction: Sequence[float]) -> Piece:
     """The upper side of a cut as a block."""
-    body = as_one([planar(solid, direction=direction) for solid in parts.above])
+    body = as_one([planar_body(solid, direction=direction) for solid in parts.above])
     body = replace(body, base=base_of_section(parts.foot, direction=direction))
     return Piece(body, parts.above, parts.foot, True, parts.section)
 
@@ -90,7 +90,7 @@ def crosses(block: Sequence[str], plane: Plane, bodies: Bodies) -> bool:
 
 def as_one(bodies: Sequence[PlanarBody]) -> PlanarBody:
     """One body as it is, several joined."""
-    return bodies[0] if len(bodies) == 1 else planar_joined(bodies, name=" + ".join(body.name for body in bodies))
+    return bodies[0] if len(bodies) == 1 else join_planar(bodies, name=" + ".join(body.name for body in bodies))
 
 
 def cut_of(definition: Chained, *, where: str) -> Plane | None:
@@ -100,11 +100,11 @@ def cut_of(definition: Chained, *, where: str) -> Plane | None:
     """
     cut = definition.cut
     if isinstance(cut, CutPlane):
-        return inclined(cut.point, cut.normal, where=where)
+        return inclined_plane(cut.point, cut.normal, where=where)
     if isinstance(cut, CutAngle):
         x, y, _ = np.asarray(definition.towards) / np.linalg.norm(definition.towards)
-        return inclined(cut.point, (sin(cut.angle) * x, sin(cut.angle) * y, cos(cut.angle)), where=where)
-    return None if cut is None else level(cut)
+        return inclined_plane(cut.point, (sin(cut.angle) * x, sin(cut.angle) * y, cos(cut.angle)), where=where)
+    return None if cut is None else level_plane(cut)
 
 
 def solids_to_cut(name: str, block: Sequence[str], bodies: Bodies) -> list[Solid]:

@@ -11,11 +11,11 @@ import numpy as np
 from scipy.constants import g
 
 from assess.errors import CrackError
-from assess.geometry.cut import Parts, divide, level
+from assess.geometry.contact import TOLERANCE
+from assess.geometry.cut import Division, divide, level_plane
 from assess.geometry.piece import Piece
-from assess.geometry.planar import base_of_section, planar, top
+from assess.geometry.planar import base_of_section, planar_body, top_edge
 from assess.geometry.solid import Solid
-from assess.geometry.touch import TOLERANCE
 from assess.loads.body_loads import Brought
 from assess.loads.load import Force, Load, PointMass
 from assess.loads.overburden import UPPER
@@ -98,7 +98,7 @@ def blocks_at(elevation: float, name: str, definition: TwoBlock, whole: Piece) -
 
     Raises CrackError where the crack does not lie in the wall.
     """
-    parts = divide(whole.solids, level(elevation), where=f'mechanism "{name}", crack')
+    parts = divide(whole.solids, level_plane(elevation), where=f'mechanism "{name}", crack')
     if not parts.below:
         raise CrackError(f"the crack at z = {elevation:.4g} m is at the foot of the wall; give one above it")
     return below(parts, whole, definition.towards), standing_on(parts, definition.towards)
@@ -243,9 +243,9 @@ def by_search(definition: TwoBlock, whole: Piece, brought: Brought, *, strength:
 
 def uplift(definition: TwoBlock, whole: Piece, panel: Panel, loads: tuple[Load, ...], elevation: float) -> float:
     """The multiplier that opens a crack at `elevation` [m], the least of the sides that rock."""
-    parts = divide(whole.solids, level(elevation), where="crack")
+    parts = divide(whole.solids, level_plane(elevation), where="crack")
     blocks = (weight_of(parts.below, definition.towards), weight_of(parts.above, definition.towards))
-    base, joint, head = whole.body.base, base_of_section(parts.foot, direction=definition.towards), top(whole.body)
+    base, joint, head = whole.body.base, base_of_section(parts.foot, direction=definition.towards), top_edge(whole.body)
     assert base is not None  # a piece with solids has a base and a top
     assert head is not None
     found = []
@@ -265,7 +265,7 @@ def weight_of(solids: Sequence[Solid], direction: Sequence[float]) -> Block:
     return Block(float(masses.sum()), point_in_plane(centre.tolist(), direction), 0.0)
 
 
-def below(parts: Parts, whole: Piece, direction: Sequence[float]) -> Piece:
+def below(parts: Division, whole: Piece, direction: Sequence[float]) -> Piece:
     """The lower side of a crack as a block, on the base of the whole."""
-    body = as_one([planar(solid, direction=direction) for solid in parts.below])
+    body = as_one([planar_body(solid, direction=direction) for solid in parts.below])
     return replace(whole, body=replace(body, base=whole.body.base), solids=parts.below)

@@ -14,7 +14,7 @@ from written import content, run
 
 from assess.errors import HeldError
 from assess.outputs import lock
-from assess.outputs.lock import LOCK, Holder, abandoned
+from assess.outputs.lock import LOCK, Holder, is_abandoned
 
 HOLD = """
 import sys, time
@@ -41,9 +41,9 @@ def test_a_second_command_is_told_who_is_writing(tmp_path: Path) -> None:
         with pytest.raises(HeldError, match=words):
             run(tmp_path, {"results.json": "1"})
         assert time.monotonic() - start < lock.PATIENCE / 2.0
-        assert not abandoned(tmp_path / LOCK)
+        assert not is_abandoned(tmp_path / LOCK)
         first.kill()
-    assert abandoned(tmp_path / LOCK)
+    assert is_abandoned(tmp_path / LOCK)
     run(tmp_path, {"results.json": "1"})
     assert content(tmp_path) == {"results.json": "1"}
     assert not (tmp_path / LOCK).exists()

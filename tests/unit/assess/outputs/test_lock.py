@@ -19,8 +19,8 @@ from assess.outputs.lock import LOCK, Holder, is_abandoned
 HOLD = """
 import sys, time
 from pathlib import Path
-from assess.outputs.lock import locked
-with locked(Path(sys.argv[1]), command="assess run"):
+from assess.outputs.lock import hold_lock
+with hold_lock(Path(sys.argv[1]), command="assess run"):
     print("held\\n", end="", flush=True)
     time.sleep(60)
 """

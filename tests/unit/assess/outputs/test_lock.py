@@ -93,7 +93,7 @@ def test_a_number_of_a_process_that_came_again_does_not_matter(tmp_path: Path) -
 
 
 def test_on_a_disk_without_locks_the_process_counts(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(lock, "_granted", lambda _: None)
+    monkeypatch.setattr(lock, "_try_lock", lambda _: None)
     signed(tmp_path)
     with pytest.raises(HeldError, match="delete"):
         run(tmp_path, {"results.json": "1"})

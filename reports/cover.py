@@ -14,7 +14,7 @@ from assess.codes.verdict_text import (
     target_text,
     toml_lines,
 )
-from assess.messages.plural import counted
+from assess.messages.plural import count_noun
 from assess.results import Results
 from reports import heights, mechanism_verdicts
 from reports.document import Banner, Block, Code, Column, Items, Section, Table, Text, filled
@@ -45,7 +45,7 @@ def section(results: Results) -> Section:
 
 def headline(found: Verdict) -> str:
     """What the verdict means, in one sentence."""
-    every = counted(len(found.mechanisms), "mechanism")
+    every = count_noun(len(found.mechanisms), "mechanism")
     number = sum(one.outcome == found.outcome for one in found.mechanisms)
     at = f"at the site’s own action, PGA {found.action.pga_g:.3g} g"
     if found.outcome == Decision.PASS:
@@ -116,4 +116,4 @@ def _listed(title: str, points: list[str]) -> list[Block]:
 def fingerprint(results: Results) -> str:
     """One SHA-256 over those of all files read, and how many they are: which inputs this report is of."""
     joined = "".join(each.sha256 for each in results.inputs).encode("ascii", "replace")
-    return f"{counted(len(results.inputs), 'file')}, together SHA-256 {sha256(joined).hexdigest()}"
+    return f"{count_noun(len(results.inputs), 'file')}, together SHA-256 {sha256(joined).hexdigest()}"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import partial
 
-from assess.messages.plural import counted
+from assess.messages.plural import count_noun
 from assess.results import DirectionSweep, MechanismResult, SweepResult
 from reports.document import Block, Cell, Column, Figure, Section, Table, Text
 from reports.figures import directions as directions_figure
@@ -44,7 +44,7 @@ def sentence(sweep: SweepResult) -> str:
         if sweep.governs
         else "A case of another study stands for the mechanism in the other parts of this report."
     )
-    return f"{key_of(sweep)} takes {counted(len(sweep.value), 'value')}; {case_of(sweep)} controls. {standing}"
+    return f"{key_of(sweep)} takes {count_noun(len(sweep.value), 'value')}; {case_of(sweep)} controls. {standing}"
 
 
 def key_of(sweep: SweepResult) -> str:

@@ -38,6 +38,7 @@ RENDERERS = (
 CELLS = "spectra.formulas"  # which text a spreadsheet would run: letters, not physics
 DATA = {
     CELLS,
+    "spectra.arrays",  # what arrays are called
     "assess.outputs.single",  # files whole or not at all
     "assess.workers",  # processes that end with their parent
     "assess.results",

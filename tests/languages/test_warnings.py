@@ -19,8 +19,8 @@ import pytest
 
 from assess.geometry.mesh import load
 from assess.messages.texts import TEXTS
-from reports.catalogue import FOLDER, catalogue, languages
-from reports.translation import Speech
+from reports.language.catalogue import FOLDER, catalogue, languages
+from reports.language.translation import Speech
 
 ROOT = Path(__file__).parents[2]
 FILLED = "7"

@@ -66,7 +66,7 @@ def report(
 def _known(language: str, *, source: Path) -> str:
     """The language of results, English where they have none. Raises ResultsError for one without a catalogue."""
     from assess.errors import ResultsError
-    from reports.catalogue import ENGLISH, languages
+    from reports.language.catalogue import ENGLISH, languages
 
     if language in ("", *languages()):
         return language or ENGLISH

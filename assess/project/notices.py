@@ -6,8 +6,8 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from assess.codes.italian.confidence import LEAST_KNOWN
 from assess.codes.verdict import Question
-from assess.geometry.formats.reading import WITHOUT_UNIT
-from assess.geometry.magnitude import suspicious
+from assess.geometry.formats.readers import WITHOUT_UNIT
+from assess.geometry.plausibility import size_warning
 from assess.geometry.solid import Solid
 from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message, Quantity, note, warning
@@ -106,7 +106,7 @@ def _of_body(name: str, solid: Solid, body: sections.Body) -> Iterator[Message]:
     """What was done to the mesh of a body, and a size or place that suggests a slip."""
     if isinstance(body, sections.MeshBody) and solid.trail:
         yield note("mesh", f"bodies.{name}", file=body.mesh.name, trail="; ".join(solid.trail))
-    doubt = suspicious(solid, unit=mesh_unit_of(body))
+    doubt = size_warning(solid, unit=mesh_unit_of(body))
     if doubt:
         yield warning("size", f"bodies.{name}", text=doubt)
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from assess.geometry.outline import Outline, outline
 from assess.geometry.scene import Scene
-from assess.geometry.simplify import simplified
+from assess.geometry.simplify import simplify
 from assess.loads.load import Force, Load, PointMass
 from assess.mechanisms.chain import Chain, Point, hinge_names, mirrored
 from assess.mechanisms.mechanism import Mechanism
@@ -61,7 +61,7 @@ def fixed_outlines(scene: Scene) -> tuple[Ring, ...]:
     """Outlines in the plane of motion of the bodies that do not move, simplified where they are scans."""
     rings: list[Ring] = []
     for solid in scene.fixed:
-        vertices, triangles = simplified(solid.vertices, solid.triangles, limit=LIMIT)
+        vertices, triangles = simplify(solid.vertices, solid.triangles, limit=LIMIT)
         points = np.column_stack([vertices @ scene.direction, vertices[:, 2]])
         rings += outline(points, triangles[:, ::-1])
     return tuple(rings)

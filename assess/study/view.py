@@ -8,7 +8,7 @@ from math import floor, log10
 import numpy as np
 
 from assess.geometry.scene import Scene
-from assess.geometry.simplify import simplified
+from assess.geometry.simplify import simplify
 from assess.geometry.solid import Solid
 from assess.mechanisms.mechanism import Mechanism
 from assess.results import Axis, Place, View
@@ -59,7 +59,7 @@ def lightened(surfaces: Sequence[tuple[FloatArray, IntArray, int]]) -> list[tupl
     areas = np.array([area(vertices[triangles]) for vertices, triangles, _ in surfaces])
     shares = np.maximum(12, (LIMIT * areas / areas.sum()).astype(np.int64))
     return [
-        (*simplified(vertices, triangles, limit=int(share)), owner)
+        (*simplify(vertices, triangles, limit=int(share)), owner)
         for (vertices, triangles, owner), share in zip(surfaces, shares, strict=True)
     ]
 

@@ -16,7 +16,7 @@ from assess.messages.message import Message, warning
 from assess.messages.plural import count_noun
 from assess.project import sections
 from assess.project.schema import relative
-from assess.study.periods import ABOVE, BELOW, ends, equivalent_periods
+from assess.study.periods import ABOVE, BELOW, equivalent_periods, extreme_periods
 from assess.study.study import Fitting
 from records import catalogue
 from records.band import Band, band
@@ -94,7 +94,7 @@ def periods_of(wanted: sections.Select, spectrum: Spectrum, mechanisms: Iterable
     """The range given; else 0.2 times the least to 1.2 times the largest equivalent period, where spectra reach [s]."""
     if wanted.periods is not None:
         return wanted.periods
-    least, largest = ends(equivalent_periods(mechanisms))
+    least, largest = extreme_periods(equivalent_periods(mechanisms))
     longest = min(float(PERIODS[-1]), spectrum.longest_period)
     return max(BELOW * least, float(PERIODS[0])), min(ABOVE * largest, longest)
 

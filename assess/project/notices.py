@@ -17,7 +17,7 @@ from assess.project import sections
 from assess.project.asking import procedures_of
 from assess.project.bodies import bodies_of
 from assess.project.definitions import definitions_of
-from assess.study.endurance import left_out
+from assess.study.endurance import load_messages
 from assess.study.study import Amplified, Equation, Study
 from assess.study.verdict import by_motion
 
@@ -41,7 +41,7 @@ def notices_of(
     for mechanism in mechanisms:
         for text in mechanism.notices:
             yield warning("mechanism", f"mechanisms.{mechanism.name}", text=text)
-        yield from left_out(mechanism)
+        yield from load_messages(mechanism)
         yield from mechanism.messages
     yield from _of_equation(content.analysis.equation, mechanisms)
     raised = [mechanism.name for mechanism in mechanisms if study.grounded[mechanism.name].above]

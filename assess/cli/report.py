@@ -36,7 +36,7 @@ def report(
     found = read.results
     from assess.cli.progress import progress
     from assess.cli.warning import tell
-    from assess.outputs.folder import staged
+    from assess.outputs.folder import output_folder
     from assess.outputs.manifest import ENVELOPES, RESULTS
     from reports.assessment import envelope_report, project_text
     from reports.writing import Form, write_all, write_document
@@ -49,7 +49,7 @@ def report(
     wanted = (f"{stem}.pdf", f"{stem}.html", "tables.xlsx", *copied)
     figures: tuple[Form, ...] = ("svg", "png") if png else ("svg",)
     with (
-        staged(folder, command="assess report", owner=name, wanted=wanted, tell=tell) as stage,
+        output_folder(folder, command="assess report", owner=name, wanted=wanted, tell=tell) as stage,
         progress() as said,
         read.believed(),
     ):

@@ -16,7 +16,7 @@ from assess.model.overlaps import overlaps_of
 from assess.project import sections
 from assess.project.asking import procedures_of
 from assess.project.deciding import by_motion
-from assess.study.endurance import left_out
+from assess.study.endurance import load_messages
 from assess.study.study import Amplified, Equation, Study
 
 CIRCULARS = {"dmi2008": "Circolare 617/2009", "ntc2018": "Circolare 7/2019"}
@@ -38,7 +38,7 @@ def notices_of(
     for mechanism in mechanisms:
         for text in mechanism.notices:
             yield warning("mechanism", f"mechanisms.{mechanism.name}", text=text)
-        yield from left_out(mechanism)
+        yield from load_messages(mechanism)
         yield from mechanism.messages
     yield from _of_equation(content.analysis.equation, mechanisms)
     raised = [mechanism.name for mechanism in mechanisms if study.grounded[mechanism.name].above]

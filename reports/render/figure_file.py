@@ -7,7 +7,7 @@ from pathlib import Path
 
 from matplotlib.figure import Figure
 
-from assess.outputs.single import written
+from assess.outputs.single import write_file
 from reports.figures.style import report_style
 from reports.render.png import write_png
 from reports.render.svg import picture, write_svg
@@ -32,6 +32,6 @@ WRITERS: Mapping[str, Callable[[Figure, Path, str], None]] = {".svg": _svg, ".pd
 
 def write_figure(figure: Figure, path: Path, *, creator: str) -> Path:
     """Write `figure` to `path`, whole or not at all, in the form its ending names (a key of WRITERS); the path."""
-    with written(path, command="a command that draws a figure") as made:
+    with write_file(path, command="a command that draws a figure") as made:
         WRITERS[path.suffix.lower()](figure, made, creator)
     return path

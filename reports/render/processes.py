@@ -10,7 +10,7 @@ from contextlib import contextmanager
 from multiprocessing import get_context
 from typing import Any
 
-from assess.workers import become_worker, ended_on_error, signals_held_back
+from assess.workers import become_worker, end_on_error, hold_signals
 
 
 class _Here(Executor):
@@ -36,7 +36,7 @@ class _Copies(ProcessPoolExecutor):
         super().__init__(jobs, mp_context=get_context("fork"), initializer=become_worker, initargs=(_keep, subject))
 
     def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
-        with signals_held_back(), warnings.catch_warnings():
+        with hold_signals(), warnings.catch_warnings():
             warnings.filterwarnings("ignore", message=".*use of fork", category=DeprecationWarning)
             return super().submit(_of_kept, fn, *args, **kwargs)
 
@@ -65,5 +65,5 @@ def processes(jobs: int, subject: object) -> Iterator[Pool]:
         yield _Here(subject)
         return
     pool = _Copies(jobs, subject)
-    with ended_on_error(pool):
+    with end_on_error(pool):
         yield pool

@@ -7,33 +7,33 @@ from pathlib import Path
 
 from assess.messages.message import Message, note
 from assess.outputs import journal
-from assess.outputs.lock import locked
-from assess.outputs.signals import deferred
+from assess.outputs.lock import hold_lock
+from assess.outputs.signals import defer_signals
 from assess.outputs.stage import JOURNAL, MADE, OLD, files_in, left_behind, remove
 
 Tell = Callable[[Message], None]
 
 
-def settled(folder: Path, *, tell: Tell) -> None:
+def recover_for_reading(folder: Path, *, tell: Tell) -> None:
     """Make good, for a command that only reads in `folder`, what one that was stopped while it moved files left there.
 
     Waits for one that is moving files at this moment; changes nothing where nobody was stopped there.
     """
     if any((each / JOURNAL).is_file() for each in _stages(folder)):
-        with locked(folder, command="a command that reads there", patient=True):
-            settle(folder, tell=tell)
+        with hold_lock(folder, command="a command that reads there", patient=True):
+            recover(folder, tell=tell)
 
 
-def settle(folder: Path, *, tell: Tell) -> None:
+def recover(folder: Path, *, tell: Tell) -> None:
     """The same for the holder of the folder's lock; stages of commands that are gone are removed too."""
     for stage in left_behind(folder, alone=True):
         if (stage / JOURNAL).is_file() and not stage.is_symlink():
-            with deferred():
-                tell(_settle(stage, folder))
+            with defer_signals():
+                tell(_finish_or_take_back(stage, folder))
         remove(stage)
 
 
-def kept_beside(stage: Path, folder: Path) -> Path:
+def keep_beside(stage: Path, folder: Path) -> Path:
     """Move what a stage holds into a new folder beside `folder`, in it where that cannot be; the new folder.
 
     Old files that have no place any more, since others stand there, go with it.
@@ -50,14 +50,14 @@ def kept_beside(stage: Path, folder: Path) -> Path:
     return stage / MADE
 
 
-def _settle(stage: Path, folder: Path) -> Message:
-    moves = journal.found(stage)
+def _finish_or_take_back(stage: Path, folder: Path) -> Message:
+    moves = journal.read_moves(stage)
     if moves is not None and journal.can_finish(stage, folder, moves):
         journal.finish(stage, folder, moves)
         return note("writing-finished", str(folder))
-    journal.take_back(stage, folder, journal.guessed(stage, folder) if moves is None else moves)
+    journal.take_back(stage, folder, journal.guess_moves(stage, folder) if moves is None else moves)
     left = any((stage / each).is_dir() and files_in(stage / each) for each in (MADE, OLD))
-    place = kept_beside(stage, folder) if left else folder
+    place = keep_beside(stage, folder) if left else folder
     return note("writing-taken-back", str(folder), place=str(place))
 
 

@@ -1,4 +1,4 @@
-"""The project that README.md shows: it is read, and does what the lines beside it say."""
+"""The project of docs/mechanisms.md is read, and does what the lines beside it say."""
 
 from __future__ import annotations
 
@@ -11,15 +11,17 @@ from assess.project.build import build
 from assess.project.schema import load
 from assess.study.study import Study
 
-README = Path(__file__).resolve().parents[4] / "README.md"
+PAGE = Path(__file__).resolve().parents[2] / "docs" / "mechanisms.md"
 
 
 @pytest.fixture(scope="module")
 def study(tmp_path_factory: pytest.TempPathFactory) -> Study:
     (text,) = (
-        block for block in re.findall(r"```toml\n(.*?)```", README.read_text(), re.DOTALL) if "[bodies]" in block
+        block
+        for block in re.findall(r"```toml\n(.*?)```", PAGE.read_text(encoding="utf-8"), re.DOTALL)
+        if "[bodies]" in block
     )
-    path = tmp_path_factory.mktemp("readme") / "project.toml"
+    path = tmp_path_factory.mktemp("mechanisms") / "project.toml"
     path.write_text(text)
     return build(load(path))
 

@@ -8,9 +8,9 @@ from hashlib import sha256
 from assess.codes.verdict import Decision, Missing, Verdict
 from assess.codes.verdict_text import (
     action_text,
-    bearing,
     building_index_text,
     outcome_text,
+    relevant_warnings,
     target_text,
     toml_lines,
 )
@@ -98,7 +98,7 @@ def _why(missing: Missing) -> str:
 
 def _bearing(results: Results) -> Iterator[str]:
     """The warnings of the run, and the remarks of the checks that decide, each once."""
-    for each in bearing(results.warnings):
+    for each in relevant_warnings(results.warnings):
         yield f"{each.where}: {said(each)}" if each.where else said(each)
     for mechanism in results.mechanisms:
         remarks = (said(each) for check in mechanism.checks if check.role == "deciding" for each in check.remarks)

@@ -6,9 +6,9 @@ from collections.abc import Iterator
 from statistics import median
 
 from assess.codes.check import Family, Outcome
-from assess.codes.family import FAMILIES, of_histories
+from assess.codes.families import FAMILIES, uses_histories
 from assess.codes.verdict import MechanismVerdict
-from assess.codes.verdict_text import holds_text
+from assess.codes.verdict_text import margin_text
 from assess.results import MechanismResult, Results, SuiteResult
 from reports import governing
 from reports.lettering import shortened
@@ -58,10 +58,10 @@ def _critical(results: Results) -> Iterator[str]:
     if not ranked or results.verdict is None:
         return
     action, ((first, least), *others) = results.verdict.action, ranked
-    said = f"Critical is {named(first)}: it holds up to {holds_text(least, action)}, by {_deciding(least)}"
+    said = f"Critical is {named(first)}: it holds up to {margin_text(least, action)}, by {_deciding(least)}"
     if others:
         runner_up, other = others[0]
-        said += f"; next is {named(runner_up)} with {holds_text(other, action)}, by {_deciding(other)}"
+        said += f"; next is {named(runner_up)} with {margin_text(other, action)}, by {_deciding(other)}"
     yield f"{said}."
 
 
@@ -155,7 +155,7 @@ def _factored(results: Results) -> str:
         governing.named(check, mechanism.checks)
         for mechanism in results.mechanisms
         for check in mechanism.checks
-        if of_histories(check.procedure) and governing.fell(check)
+        if uses_histories(check.procedure) and governing.fell(check)
     )
     said = f"; {listed(list(fallen))}, with the confidence factor or at the PGA of another limit state, finds some"
     return said if fallen else ""

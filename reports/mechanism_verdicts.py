@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from assess.codes.verdict import Answer, MechanismVerdict, Verdict
-from assess.codes.verdict_text import holds_text, index_text, outcome_text
+from assess.codes.verdict_text import index_text, margin_text, outcome_text
 from assess.results import Results
 from reports.document import Cell, Column, Table
 from reports.tables import name_of
@@ -47,7 +47,7 @@ def _rows(one: MechanismVerdict, found: Verdict, names: Mapping[str, str]) -> It
     for answer in one.answers:
         said = outcome_text(answer.outcome, near=answer.at_the_limit)
         index = index_text(answer.index).replace("zeta_E", "ζ_E")
-        cells = (answer.limit_state, said, answer.procedure, index, holds_text(one, found.action), _why(answer, one))
+        cells = (answer.limit_state, said, answer.procedure, index, margin_text(one, found.action), _why(answer, one))
         yield (name, outcome, *cells)
 
 

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import ceil, floor
 
-from assess.codes.family import CODES
+from assess.codes.families import SUITE_CODES
 from assess.codes.verdict import methods_of
 from assess.messages.message import Message, Quantity, Severity, Value, count, message
 from assess.study.motions import Motion
@@ -33,7 +33,7 @@ class Remedy:
 
 
 @dataclass(frozen=True)
-class Judged:
+class MechanismChecks:
     """A suite with the project that it is of, and all that its code asks."""
 
     study: Study
@@ -61,7 +61,7 @@ def _faults(code: str, study: Study, spectrum: Spectrum, motions: Sequence[Motio
     rules, target = RULES[code], spectrum_of_rules(code, study, spectrum)
     suite = suite_on(motions, spectrum, target)
     shortest, longest = rules.periods(study)
-    judged = Judged(study, suite, rules.requirements(suite, shortest=shortest, longest=longest))
+    judged = MechanismChecks(study, suite, rules.requirements(suite, shortest=shortest, longest=longest))
     yield from _not_named(code, judged)
     yield from (_missed(one, REMEDIES[one.rule](one, judged)) for one in judged.unmet)
     yield from (_out_of_reach(one, judged) for one in judged.found if one.verdict == "not answered")
@@ -73,10 +73,10 @@ def suite_on(motions: Sequence[Motion], spectrum: Spectrum, target: Spectrum) ->
     return suite_of([m.record for m in motions], [m.scaling.factor * share for m in motions], target)
 
 
-def _not_named(code: str, judged: Judged) -> Iterator[Message]:
+def _not_named(code: str, judged: MechanismChecks) -> Iterator[Message]:
     """Artificial records decide only where the project names the method."""
     question = judged.study.question
-    deciding = [name for name in methods_of(question) if CODES.get(name) == code]
+    deciding = [name for name in methods_of(question) if SUITE_CODES.get(name) == code]
     silent = [name for name in deciding if name not in (question.procedures or ())]
     if judged.suite.artificial.any() and silent:
         line = f'procedures = ["{silent[0]}"]'
@@ -97,7 +97,7 @@ def _missed(one: Requirement, remedy: Remedy) -> Message:
     return _told(f"suite-{one.rule}", values, remedy)
 
 
-def _out_of_reach(one: Requirement, judged: Judged) -> Message:
+def _out_of_reach(one: Requirement, judged: MechanismChecks) -> Message:
     """A rule over periods that the target or what is compared does not reach."""
     assert one.periods is not None
     low, high = (Quantity(period, "time", 3) for period in one.periods)
@@ -115,30 +115,30 @@ def _number(one: Requirement, value: float) -> Quantity:
     return count(round(value)) if one.rule in WHOLE else Quantity(value, DIMENSIONS[one.unit], 3)
 
 
-def more_records(one: Requirement, judged: Judged) -> Remedy:
+def more_records(one: Requirement, judged: MechanismChecks) -> Remedy:
     """As many more as are missing."""
     missing = round(one.limit - (one.value or 0.0))
     text = f"give {missing} more record{'s' if missing > 1 else ''}"
     return _made_anew(text, judged) or Remedy("records.files", text, FILES)
 
 
-def longer_records(one: Requirement, judged: Judged) -> Remedy:
+def longer_records(one: Requirement, judged: MechanismChecks) -> Remedy:
     """Artificial records of another duration."""
     text = f"records must last {_duration(one, judged):g} s"
     return _made_anew(text, judged) or Remedy("records.files", text)
 
 
-def finer_records(one: Requirement, judged: Judged) -> Remedy:
+def finer_records(one: Requirement, judged: MechanismChecks) -> Remedy:
     """Records of a smaller step."""
     return Remedy("records.files", f"give artificial records at {one.limit:g} s or less")
 
 
-def other_records(one: Requirement, judged: Judged) -> Remedy:
+def other_records(one: Requirement, judged: MechanismChecks) -> Remedy:
     """Records that hold longer periods."""
     return Remedy("records.files", "give records whose processing kept longer periods")
 
 
-def another_factor(one: Requirement, judged: Judged) -> Remedy:
+def another_factor(one: Requirement, judged: MechanismChecks) -> Remedy:
     """One further factor on every record, beside that which the project has; where none does, other records.
 
     Artificial records that are too short for the periods asked are made longer instead.
@@ -153,7 +153,7 @@ def another_factor(one: Requirement, judged: Judged) -> Remedy:
     return Remedy("records.factor", f"scale every record by {rounded:g}", f"factor = {whole:.6g}")
 
 
-REMEDIES: Mapping[Rule, Callable[[Requirement, Judged], Remedy]] = {
+REMEDIES: Mapping[Rule, Callable[[Requirement, MechanismChecks], Remedy]] = {
     Rule.COUNT: more_records,
     Rule.STEP: finer_records,
     Rule.DURATION: longer_records,
@@ -165,7 +165,7 @@ REMEDIES: Mapping[Rule, Callable[[Requirement, Judged], Remedy]] = {
 }
 
 
-def _made_anew(text: str, judged: Judged) -> Remedy | None:
+def _made_anew(text: str, judged: MechanismChecks) -> Remedy | None:
     """The line that makes the artificial records as all rules ask; None where records come from files."""
     made = judged.study.artificial
     if made is None:
@@ -175,14 +175,14 @@ def _made_anew(text: str, judged: Judged) -> Remedy | None:
     return Remedy("records.synthetic", text, line)
 
 
-def better(made: Artificial, judged: Judged) -> Artificial:
+def better(made: Artificial, judged: MechanismChecks) -> Artificial:
     """The artificial records with the number and the duration that the rules ask for."""
     few = [round(one.limit - (one.value or 0.0)) for one in judged.unmet if one.rule == Rule.COUNT]
     long = [_duration(one, judged) for one in judged.unmet]
     return replace(made, count=made.count + max(few, default=0), duration=max([made.duration, *long]))
 
 
-def _duration(one: Requirement, judged: Judged) -> float:
+def _duration(one: Requirement, judged: MechanismChecks) -> float:
     """Duration that a rule asks of artificial records: on itself, on its level part, on periods to be held; else 0."""
     if one.rule == Rule.DURATION:
         return one.limit

@@ -10,7 +10,7 @@ from typing import Any
 from assess.cli.text_table import on_one_line, text_table
 from assess.messages.plural import counted
 from assess.project.messages import printable
-from assess.results.comparison import Change, Kind, is_number
+from assess.results.diff import Change, Kind, is_number
 from reports.csv import csv_lines
 
 HEADINGS: Mapping[Kind, str] = {

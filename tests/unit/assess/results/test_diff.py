@@ -13,7 +13,7 @@ from assess.messages.message import Message, Severity
 from assess.project.build import build
 from assess.project.schema import load
 from assess.results import Resolved, Results, SensitivityResult, SweepResult
-from assess.results.comparison import KINDS, Change, changes, same
+from assess.results.diff import KINDS, Change, changes, same
 from assess.study.run import envelope, run
 
 PROJECT = """

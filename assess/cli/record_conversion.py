@@ -8,7 +8,7 @@ from math import isfinite, radians
 from pathlib import Path
 
 from assess.errors import AssessError
-from assess.outputs.single import written
+from assess.outputs.single import write_file
 from records.orientation import is_vertical
 from records.processing import baseline_corrected, butterworth, resampled, trimmed
 from records.record import Record, scaled
@@ -104,5 +104,5 @@ def write(text: str, path: Path, *, inputs: Sequence[Path]) -> None:
     """The text in the file at `path`, whole or not at all."""
     if path.is_dir() or any(path.exists() and path.samefile(each) for each in inputs):
         raise AssessError(f"{path}: is a folder or a file that is read; give another name with -o")
-    with written(path, command="assess records convert") as made:
+    with write_file(path, command="assess records convert") as made:
         made.write_text(text, encoding="utf-8", newline="\n")

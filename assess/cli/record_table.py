@@ -16,7 +16,7 @@ from records.intensity import Measures, measures
 from records.orientation import is_vertical
 from records.record import Record
 from records.response import response_spectrum
-from reports.csv import csv_lines
+from reports.render.csv import csv_lines
 
 PERIODS = np.concatenate(([0.0], np.geomspace(0.01, 10.0, 160)))  # s, of the spectra, as in results.json
 _COLUMNS = (

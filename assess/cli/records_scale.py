@@ -40,7 +40,7 @@ def scale(
         raise typer.BadParameter("--at and --to exclude each other")
     from assess.cli.suite_table import csv_text, json_text, table_text
     from assess.cli.warning import tell
-    from assess.outputs.folder import staged
+    from assess.outputs.folder import output_folder
     from assess.outputs.manifest import RECORDS
     from assess.project.choosing import scaled_files
     from assess.results.stamp import stamp_of_files
@@ -50,7 +50,9 @@ def scale(
 
     stated = Stated(unit, step, response)
     place = (
-        nullcontext() if output is None else staged(output, command="assess records scale", owner=RECORDS, tell=tell)
+        nullcontext()
+        if output is None
+        else output_folder(output, command="assess records scale", owner=RECORDS, tell=tell)
     )
     with place as stage:
         motions, suite = scaled_files(target, files, to=to, at=at, periods=periods, stated=stated)

@@ -19,9 +19,9 @@ from records.candidates import DAMPING, PERIODS
 from records.formats.stated import Stated
 from records.indexing import read_stated
 from records.response import response_spectrum
-from reports.csv import csv_lines
-from reports.figure_file import write_figure
 from reports.figures import record_spectra
+from reports.render.csv import csv_lines
+from reports.render.figure_file import write_figure
 
 ROUND = (0.1, 0.2, 0.3, 0.5, 1.0, 2.0, 3.0, 5.0, 10.0)  # s
 

@@ -13,10 +13,10 @@ import numpy as np
 from assess.errors import ProjectError
 from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message, warning
-from assess.messages.plural import counted
+from assess.messages.plural import count_noun
 from assess.project import sections
 from assess.project.schema import relative
-from assess.study.periods import ABOVE, BELOW, ends, equivalent_periods
+from assess.study.periods import ABOVE, BELOW, equivalent_periods, extreme_periods
 from assess.study.study import Fitting
 from records import catalogue
 from records.band import Band, band
@@ -93,7 +93,7 @@ def periods_of(wanted: sections.Select, spectrum: Spectrum, mechanisms: Iterable
     """The range given; else 0.2 times the least to 1.2 times the largest equivalent period, where spectra reach [s]."""
     if wanted.periods is not None:
         return wanted.periods
-    least, largest = ends(equivalent_periods(mechanisms))
+    least, largest = extreme_periods(equivalent_periods(mechanisms))
     longest = min(float(PERIODS[-1]), spectrum.longest_period)
     return max(BELOW * least, float(PERIODS[0])), min(ABOVE * largest, longest)
 
@@ -184,12 +184,12 @@ def notices_of(offer: Offer) -> Iterator[Message]:
     """What to know of the files that were not read, and of a flatfile that does not fit."""
     if offer.problems:
         told = _first([f"{path}: {why}" for path, why in offer.problems])
-        yield warning("files-not-read", "records.files", files=counted(len(offer.problems), "file"), told=told)
+        yield warning("files-not-read", "records.files", files=count_noun(len(offer.problems), "file"), told=told)
     if offer.merged is not None and offer.merged.doubt:
         yield warning("flatfile", "records.flatfile", text=offer.merged.doubt)
     if offer.merged is not None and offer.merged.bad:
         told = _first([cell_text(cell) for cell in offer.merged.bad])
-        cells = counted(len(offer.merged.bad), "cell")
+        cells = count_noun(len(offer.merged.bad), "cell")
         yield warning("cells-passed-over", "records.flatfile", cells=cells, told=told)
 
 

@@ -18,15 +18,15 @@ from records.formats.comments import said
 from records.reading import read
 from records.record import Earthquake, Site, make_record
 from records.writing import csv_text
-from reports.csv import csv_lines
 from reports.document import Column, Document, Section, Table
-from reports.spreadsheet import write_xlsx
+from reports.render.csv import csv_lines
+from reports.render.spreadsheet import write_xlsx
 from spectra.formulas import SIGNS, is_formula, marked, unmarked
 
 ROOT = Path(__file__).parents[2]
 WRITERS = {  # what may write tables; `csv_lines` escapes every cell, `write_xlsx` writes text as text, quoted
-    r"csv\.(writer|DictWriter)|to_csv|savetxt": {"reports/csv.py"},
-    r"xlsxwriter|openpyxl|to_excel": {"reports/spreadsheet.py"},
+    r"csv\.(writer|DictWriter)|to_csv|savetxt": {"reports/render/csv.py"},
+    r"xlsxwriter|openpyxl|to_excel": {"reports/render/spreadsheet.py"},
 }
 HOSTILE = "=cmd|'/c calc'!A1"
 PROJECT = """

@@ -61,7 +61,8 @@ def test_every_piece_of_a_run_has_a_repr_of_one_short_line(tmp_path: Path) -> No
     file = tmp_path / "project.toml"
     file.write_text(PROJECT)
     found = list(pieces(run(build(load(file)), jobs=1)))
-    assert {"Results", "Trace", "BranchCurve", "EnvelopeResult", "Check", "Message"} <= {type(e).__name__ for e in found}
+    kinds = {type(each).__name__ for each in found}
+    assert {"Results", "Trace", "BranchCurve", "EnvelopeResult", "Check", "Message"} <= kinds
     long = {type(each).__name__ for each in found if len(repr(each)) >= 200 or "\n" in repr(each)}
     assert not long
 

@@ -10,8 +10,8 @@ from scipy.constants import g
 
 from assess.amplification.floor_motion import FirstMode, ModalFilter, base_motion
 from assess.codes.context import Building
-from assess.study.floor_input import floor_spectrum_of, widen
-from assess.study.motions import Motion
+from assess.study.floor_input import floor_spectrum, widen
+from assess.study.motions import ScaledRecord
 from records.record import scaled
 from records.response import response_spectrum
 from records.scaling import Scaling
@@ -25,14 +25,14 @@ HOUSE = Building(height=9.0, storeys=3, period=0.3, damping=0.05)
 
 
 @pytest.fixture(scope="module")
-def motions() -> tuple[Motion, ...]:
+def motions() -> tuple[ScaledRecord, ...]:
     records = artificial(GROUND, count=5, seed=2, duration=12.0, threads=1)
-    return tuple(Motion(record, Scaling(1.0 + 0.1 * place, 0.0)) for place, record in enumerate(records))
+    return tuple(ScaledRecord(record, Scaling(1.0 + 0.1 * place, 0.0)) for place, record in enumerate(records))
 
 
 def floor_of(motions, *, filtered=FILTER, building=None, height=8.0):
     base = tuple(base_motion(FILTER, motion.record) for motion in motions)
-    return floor_spectrum_of(GROUND, height=height, filtered=filtered, base=base, motions=motions, building=building)
+    return floor_spectrum(GROUND, height=height, filtered=filtered, base=base, motions=motions, building=building)
 
 
 @pytest.mark.parametrize("damping", [0.02, 0.05, 1.0])

@@ -21,7 +21,7 @@ from assess.amplification.pulse_spectrum import largest_pseudo, largest_relative
 from assess.errors import MechanismError
 from records.errors import RecordError
 from records.floor_motion import floor_motion
-from records.record import Record, scaled
+from records.record import Record, scale
 from records.response import response_spectrum
 from spectra.arrays import FloatArray
 
@@ -115,10 +115,10 @@ def base_motion(amplification: Amplification, record: Record) -> BaseMotion:
         case Unamplified():
             return BaseMotion(record, 1.0)
         case FloorFactor(factor=factor):
-            return BaseMotion(scaled(record, factor), factor)
+            return BaseMotion(scale(record, factor), factor)
         case Srss(mode=mode, height=height) | SrssRelative(mode=mode, height=height):
             factor = srss_factor(mode, record, height=height)
-            return BaseMotion(scaled(record, factor), factor)
+            return BaseMotion(scale(record, factor), factor)
         case ModalFilter(mode=mode, height=height):
             at = floor_motion(record, frequency=mode.frequency, shape=mode.shape(height), damping=mode.damping)
             return BaseMotion(at, at.pga / _moving(record))

@@ -58,7 +58,7 @@ def json_text(spectrum: Spectrum) -> str:
 
 def told(spectrum: Spectrum, *, doubts: tuple[Message, ...] = ()) -> None:
     """What the engineer has to know before using the spectrum, on stderr; doubts: of what was typed."""
-    notices = tuple(warning("site-study", "site.spectrum", text=text) for text in spectrum.cautions)
+    notices = tuple(warning("site-study", "site.spectrum", text=text) for text in spectrum.warnings)
     print(warned((*doubts, *notices)), end="", file=sys.stderr)
 
 

@@ -27,6 +27,7 @@ from assess.dynamics.packing import Equation, packed, tables_of
 from assess.dynamics.pulse_response import TOLERANCE, check_frequency, closed, polynomials
 from assess.dynamics.sine.kernel import envelope_sine
 from assess.oscillator import Branch, Oscillator, energy, linearise
+from assess.short_repr import ShortRepr
 from records.pulses import Shape
 from spectra.arrays import BoolArray, FloatArray, IntArray
 
@@ -41,8 +42,8 @@ CHUNK = 3
 """Frequencies given to a thread at a time: slow pulses cost more than quick ones."""
 
 
-@dataclass(frozen=True)
-class Envelope:
+@dataclass(frozen=True, repr=False)
+class Envelope(ShortRepr):
     """Outcome over the amplitude of the ground at n frequencies and m amplitudes.
 
     frequency [n] [Hz], amplitude [m] [m/s2]

@@ -23,6 +23,7 @@ from numpy.typing import ArrayLike
 from assess.dynamics import kernel
 from assess.dynamics.packing import Equation, Packed, branches_of, check_jobs, packed, tables_of
 from assess.oscillator import Oscillator
+from assess.short_repr import ShortRepr
 from records.record import Record, make_record
 from spectra.arrays import BoolArray, FloatArray, IntArray
 
@@ -39,8 +40,8 @@ MOST_EVENTS = 100_000
 """Events that `free_rocking` keeps."""
 
 
-@dataclass(frozen=True)
-class Jobs:
+@dataclass(frozen=True, repr=False)
+class Jobs(ShortRepr):
     """What to run, one entry per job.
 
     oscillator, motion : indices into the sequences given beside [n]
@@ -52,8 +53,8 @@ class Jobs:
     scale: FloatArray
 
 
-@dataclass(frozen=True)
-class Peaks:
+@dataclass(frozen=True, repr=False)
+class Peaks(ShortRepr):
     """Largest response of each job [n].
 
     Attributes
@@ -77,8 +78,8 @@ class Peaks:
     uplifted: BoolArray
 
 
-@dataclass(frozen=True)
-class Trace:
+@dataclass(frozen=True, repr=False)
+class Trace(ShortRepr):
     """A history at the record's samples, as far as overturning.
 
     time [s], rotation [rad], velocity [rad/s], signed.
@@ -89,8 +90,8 @@ class Trace:
     velocity: FloatArray
 
 
-@dataclass(frozen=True)
-class FreeRocking:
+@dataclass(frozen=True, repr=False)
+class FreeRocking(ShortRepr):
     """Free motion after a release: instants of impacts and peaks [s], velocity before each impact [rad/s], peaks [rad].
 
     Signed by the side they happen on. The release itself is no peak.

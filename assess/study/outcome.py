@@ -43,7 +43,7 @@ from assess.study.oscillator_results import curve_of, floats, oscillator_result,
 from assess.study.study import Amplified, Equation
 from assess.study.view import view
 from records.candidates import sequence_number
-from records.record import Record, scaled
+from records.record import Record, scale
 from records.response import response_spectrum
 from spectra.arrays import FloatArray
 from spectra.spectrum import Spectrum
@@ -84,7 +84,7 @@ def spectrum_result(spectrum: Spectrum) -> SpectrumResult:
 
 def record_result(motion: ScaledRecord, spectrum: Spectrum, *, nga: int | None = None) -> RecordResult:
     """A record as used: scaled to the site's target; nga: its number in the NGA database."""
-    used = scaled(motion.record, motion.scaling.factor)
+    used = scale(motion.record, motion.scaling.factor)
     period = display_periods(spectrum)
     return RecordResult(
         id=used.id,
@@ -97,7 +97,7 @@ def record_result(motion: ScaledRecord, spectrum: Spectrum, *, nga: int | None =
         pga_g=used.pga / g,
         scale_factor=motion.scaling.factor,
         mse=motion.scaling.mse,
-        trail=used.trail,
+        trail=used.processing_history,
         spectrum=RecordSpectrum(floats(period), floats(response_spectrum(used, period) / g)),
         date=used.earthquake.time,
         magnitude=used.earthquake.magnitude,

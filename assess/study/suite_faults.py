@@ -103,7 +103,7 @@ def _out_of_reach(one: Requirement, judged: SuiteReview) -> Message:
     """A rule over periods that the target or what is compared does not reach."""
     assert one.periods is not None
     low, high = (Quantity(period, "time", 3) for period in one.periods)
-    ends = Quantity(judged.suite.covered[1], "time", 3)
+    ends = Quantity(judged.suite.period_range[1], "time", 3)
     values: dict[str, Value] = {"code": one.code, "clause": one.clause, "low": low, "high": high, "end": ends}
     return _message("suite-out-of-reach", values, Remedy("site.spectrum", "extend its table"))
 

@@ -76,8 +76,8 @@ def deciding_state(study: Study) -> str:
 
 
 RULES: Mapping[str, SuiteRules] = {
-    "asce43-05": SuiteRules(asce43_05.CODE, asce43_05.requirements, asce43_05.periods_fitted, at_allowable),
-    "ntc2018": SuiteRules(ntc2018.CODE, ntc2018.requirements, ntc2018.periods_fitted, at_limit_state),
+    "asce43-05": SuiteRules(asce43_05.CODE, asce43_05.requirements, asce43_05.fit_periods, at_allowable),
+    "ntc2018": SuiteRules(ntc2018.CODE, ntc2018.requirements, ntc2018.fit_periods, at_limit_state),
 }
 """By the code of a procedure, as `assess.codes.families.CODES` names it."""
 

@@ -11,7 +11,7 @@ from reports.document import STAMP, Cell, Document, Table
 from reports.language.lettering import visible
 from reports.language.outcome_words import worded
 from reports.render.sheet_table import as_table
-from spectra.formulas import harmless
+from spectra.formulas import harmless_cell
 
 
 def write_csv(document: Document, folder: Path) -> tuple[Path, ...]:
@@ -31,7 +31,7 @@ def field(cell: Cell) -> str:
         return "true" if cell else "false"
     if isinstance(cell, int | float):
         return repr(float(cell)) if isinstance(cell, float) else repr(cell)
-    return harmless(cell, shown=visible(cell))
+    return harmless_cell(cell, shown=visible(cell))
 
 
 def csv_lines(rows: Iterable[Iterable[Cell]]) -> str:

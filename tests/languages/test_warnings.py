@@ -56,14 +56,14 @@ SOURCES: Mapping[str, tuple[str, ...]] = {
     "assess/study/sampling.py": ("longest_step",),
     "assess/model/walls.py": ("by_formula", "by_search"),
     "records/flatfile.py": ("_reason",),
-    "records/arrival.py": ("doubt_of_arrival",),
-    "records/formats/agreement.py": ("check_integral", "unlike"),
-    "records/formats/corners.py": ("beyond_nyquist", "doubt_of_filter"),
+    "records/arrival.py": ("arrival_warning",),
+    "records/formats/agreement.py": ("check_integral", "describe_disagreement"),
+    "records/formats/corners.py": ("nyquist_warning", "filter_warning"),
     "records/formats/layout.py": ("check_layout",),
-    "records/plausibility.py": ("_doubt", "_impossible", "_likely", "_of_frequencies", "_of_step", "_of_steps"),
+    "records/plausibility.py": ("_peak_warning", "_impossible", "_likely", "_of_frequencies", "_of_step", "_of_steps"),
     "spectra/asce7.py": ("STUDIES_2016", "mapped_spectrum"),
     "spectra/nzs1170_5.py": ("_capped",),
-    "spectra/spectrum.py": ("implausible",),
+    "spectra/spectrum.py": ("plausibility_warnings",),
 }
 """Files with the functions and constants in which texts are written that messages take as they are."""
 

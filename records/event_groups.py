@@ -18,7 +18,7 @@ ALIKE = 0.01  # largest difference of the logarithms of two spectra of one motio
 COARSE = 8  # of how many ordinates one is compared first
 
 
-def families(recordings: Sequence[Recording], *, one_per_event: bool) -> IntArray:
+def event_groups(recordings: Sequence[Recording], *, one_per_event: bool) -> IntArray:
     """A number for each recording [n]; no two of one number may stand in a suite.
 
     Those of one motion have one number, and with `one_per_event` also those of one earthquake. Where a motion stands

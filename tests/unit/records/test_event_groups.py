@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from records.candidates import PERIODS, Candidate
-from records.formats.stated import Stated
+from records.event_groups import event_groups, same_motion
+from records.formats.header_overrides import HeaderOverrides
 from records.indexing import candidates_of
-from records.kinship import families, same_motion
 
 RECORDS = Path(__file__).parents[4] / "shared" / "records"
 
@@ -43,8 +43,8 @@ def test_a_copy_without_a_name_is_of_the_earthquake_of_the_motion(order: tuple[i
     """Though another recording of that earthquake is known only by its name; in any order of the files."""
     three = [candidate(1, event="Petrolia"), candidate(1, digits=1e-4), candidate(2, event="Petrolia")]
     mixed = [(three[i],) for i in order]
-    assert len(set(families(mixed, one_per_event=True).tolist())) == 1
-    assert len(set(families(mixed, one_per_event=False).tolist())) == 2
+    assert len(set(event_groups(mixed, one_per_event=True).tolist())) == 1
+    assert len(set(event_groups(mixed, one_per_event=False).tolist())) == 2
 
 
 def test_any_component_of_a_recording_tells() -> None:
@@ -53,10 +53,10 @@ def test_any_component_of_a_recording_tells() -> None:
 
 
 def test_none_and_many() -> None:
-    assert families([], one_per_event=True).size == 0
+    assert event_groups([], one_per_event=True).size == 0
     many = [(candidate(i),) for i in range(5000)]
     start = process_time()
-    assert len(set(families([*many, *many[:100]], one_per_event=False).tolist())) == 5000
+    assert len(set(event_groups([*many, *many[:100]], one_per_event=False).tolist())) == 5000
     assert process_time() - start < 2.0
 
 
@@ -64,6 +64,6 @@ def test_none_and_many() -> None:
 def test_rio_dell_in_two_formats() -> None:
     """PEER AT2, and the same as FEMA P-695 has it, with a sample more; beside another record of the earthquake."""
     files = ["plain/SortedEQFile_(121321).txt", "peer_at2/RIO270.AT2", "peer_at2/CPM000.AT2", "peer_at2/Rinaldi228.AT2"]
-    found = candidates_of([RECORDS / file for file in files], stated=Stated("g"))
-    assert families([(one,) for one in found], one_per_event=True).tolist() == [0, 0, 0, 1]
-    assert families([(one,) for one in found], one_per_event=False).tolist() == [0, 0, 1, 2]
+    found = candidates_of([RECORDS / file for file in files], overrides=HeaderOverrides("g"))
+    assert event_groups([(one,) for one in found], one_per_event=True).tolist() == [0, 0, 0, 1]
+    assert event_groups([(one,) for one in found], one_per_event=False).tolist() == [0, 0, 1, 2]

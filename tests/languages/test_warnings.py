@@ -20,7 +20,7 @@ import pytest
 from assess.geometry.mesh import load
 from assess.messages.texts import TEXTS
 from reports.language.catalogue import FOLDER, catalogue, languages
-from reports.language.translation import Speech
+from reports.language.translation import Translator
 
 ROOT = Path(__file__).parents[2]
 FILLED = "7"
@@ -166,9 +166,9 @@ def called() -> set[str]:
 
 def unknown(text: str, *, language: str, verbatim: frozenset[str] = frozenset()) -> list[str]:
     """The parts of a text that the catalogue of a language does not know."""
-    speech = Speech(catalogue(language), verbatim)
-    speech.said(text)
-    return list(speech.unknown)
+    translator = Translator(catalogue(language), verbatim)
+    translator.translate(text)
+    return list(translator.unknown)
 
 
 @pytest.mark.parametrize("language", languages()[1:])
@@ -206,10 +206,10 @@ def test_names_that_are_words_of_the_catalogue_are_kept(name: str) -> None:
     text = (
         f'load "{name}": nothing else in the project carries it, so its whole weight is on the block: else give share'
     )
-    speech = Speech(catalogue("it"), frozenset({name}))
-    assert speech.said(text).startswith(f'carico "{name}": nient’altro')
-    assert speech.said(f'share 0.5 (statics; the rest on "{name}", "{name}")').endswith(f'"{name}", "{name}")')
-    assert not speech.unknown
+    translator = Translator(catalogue("it"), frozenset({name}))
+    assert translator.translate(text).startswith(f'carico "{name}": nient’altro')
+    assert translator.translate(f'share 0.5 (statics; the rest on "{name}", "{name}")').endswith(f'"{name}", "{name}")')
+    assert not translator.unknown
 
 
 @pytest.mark.parametrize("language", languages()[1:])

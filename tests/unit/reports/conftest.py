@@ -48,11 +48,11 @@ from assess.results import (
 )
 from reports.assessment import assessment
 from reports.document import Document
-from reports.localisation import as_asked
+from reports.localisation import localise
 from reports.render.html import write_html
 from reports.render.processes import processes
 from reports.render.svg import picture
-from reports.render.vector import Traced, traced
+from reports.render.vector import FigureMarks, trace_figures
 
 LEVELS = (0.067, 0.2, 0.45)
 PERIODS = tuple(float(period) for period in np.concatenate([[0.0], np.linspace(0.05, 4.0, 80)]))
@@ -512,17 +512,17 @@ def judged_at() -> Callable[[Results, float], Results]:
 
 @pytest.fixture(scope="session")
 def document(results: Results) -> Document:
-    return as_asked(assessment(results))
+    return localise(assessment(results))
 
 
 @pytest.fixture(scope="session")
-def drawings(document: Document) -> Mapping[str, Traced]:
+def drawings(document: Document) -> Mapping[str, FigureMarks]:
     with processes(1, document) as pool:
-        return traced(document, pool=pool)
+        return trace_figures(document, pool=pool)
 
 
 @pytest.fixture(scope="session")
-def page(document: Document, drawings: Mapping[str, Traced], tmp_path_factory: pytest.TempPathFactory) -> Path:
+def page(document: Document, drawings: Mapping[str, FigureMarks], tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The report as HTML."""
     pictures = {name: picture(drawing) for name, drawing in drawings.items()}
     return write_html(document, tmp_path_factory.mktemp("html") / "report.html", pictures=pictures)

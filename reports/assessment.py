@@ -8,35 +8,36 @@ from functools import partial
 from typing import Literal
 
 from assess.results import MechanismResult, Results
-from reports import (
+from reports import governing
+from reports.chapters import (
     assumptions,
+    calculation_sheets,
     comparisons,
     cover,
     envelopes,
-    governing,
     histories,
     inputs,
+    interface_variants,
     interfaces,
     literature,
+    other_levels,
     parameters,
     sensitivity,
     sentences,
-    sheets,
-    siblings,
     site,
     structure,
-    study,
     suite,
     summary,
     sweeps,
     tables,
 )
-from reports.catalogue import ENGLISH
 from reports.document import Block, Document, Figure, Items, Section, Signatures, Text, filled
 from reports.figures import amplification, capacity, comparison, history, pga_rotation, sketch, spectrum, view
-from reports.model import of_view
-from reports.numerals import numeral
-from reports.verbatim import verbatim
+from reports.figures.model import of_view
+from reports.language.catalogue import ENGLISH
+from reports.language.numerals import numeral
+from reports.language.verbatim import verbatim
+from reports.mechanism_title import mechanism_title
 
 LONG = 120  # characters; longer titles and names are shortened where they head something and printed once in full
 _FACTS = (
@@ -54,12 +55,17 @@ def assessment(results: Results) -> Document:
     title = project(results, "title") or "Rocking assessment"
     chapters = [cover.section(results), summary.section(results), *structure.section(results), *_site(results)]
     chapters.append(assumptions.section(results))
-    seen = siblings.earlier(results)
+    seen = interface_variants.earlier(results)
     for place, mechanism in enumerate(results.mechanisms, start=1):
         name = stem(mechanism.name, place)
         chapters += _mechanism(results, mechanism, name, sibling=seen.get(mechanism.name, ""))
-        chapters += sensitivity.chapter(results, mechanism.name, called=tables.name_of(mechanism), name=name)
-    chapters += [*study.chapter(results), *_comparison(results), *envelopes.critical_chapter(results), _limits(results)]
+        chapters += sensitivity.chapter(results, mechanism.name, called=mechanism_title(mechanism), name=name)
+    chapters += [
+        *other_levels.chapter(results),
+        *_comparison(results),
+        *envelopes.critical_chapter(results),
+        _limits(results),
+    ]
     chapters += [literature.section(results), _signatures(results), _annex(results)]
     return Document(
         title=title,
@@ -184,7 +190,7 @@ def _shape(mechanism: MechanismResult, name: str, *, sibling: str) -> Section:
         *interfaces.blocks(mechanism, name=name),
         *filled(parameters.hinge_forces(mechanism, name=f"{name}-hinge-forces")),
     )
-    return Section(f"Mechanism: {tables.name_of(mechanism)}", 0, blocks, starts_page=True)
+    return Section(f"Mechanism: {mechanism_title(mechanism)}", 0, blocks, starts_page=True)
 
 
 def _view(mechanism: MechanismResult, name: str, *, sibling: str) -> list[Block]:
@@ -247,9 +253,9 @@ def _amplification(mechanism: MechanismResult, name: str) -> list[Block]:
 
 
 def _sheets(results: Results, mechanism: MechanismResult, name: str) -> Section:
-    label = tables.name_of(mechanism)
+    label = mechanism_title(mechanism)
     made = [
-        sheets.sheet(check, name=f"{name}-sheet-{place:02d}", mechanism=label)
+        calculation_sheets.sheet(check, name=f"{name}-sheet-{place:02d}", mechanism=label)
         for place, check in enumerate(governing.worst_per_procedure(governing.at_site(results, mechanism)), start=1)
         if check.steps
     ]
@@ -260,7 +266,7 @@ def _sheets(results: Results, mechanism: MechanismResult, name: str) -> Section:
 def _comparison(results: Results) -> list[Section]:
     if not results.comparison:
         return []
-    names = {mechanism.name: tables.name_of(mechanism) for mechanism in results.mechanisms}
+    names = {mechanism.name: mechanism_title(mechanism) for mechanism in results.mechanisms}
     draw = partial(comparison.draw, governing.drawn(results), names, governing.overturned(results))
     caption = (
         "Demand over capacity of every mechanism by every procedure; right of the line the check fails. Open markers "
@@ -276,7 +282,7 @@ def _comparison(results: Results) -> list[Section]:
         *filled(comparisons.capacities(results)),
         comparisons.side_by_side(results),
         *filled(comparisons.rotations(results)),
-        *siblings.blocks(results, name="interfaces"),
+        *interface_variants.blocks(results, name="interfaces"),
     )
     return [Section("Comparison of the mechanisms", 0, blocks, starts_page=True)]
 

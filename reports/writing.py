@@ -9,17 +9,17 @@ from pathlib import Path
 from typing import Literal
 
 from assess.results import Results
-from reports.asked import as_asked
 from reports.assessment import assessment
-from reports.csv import write_csv
 from reports.document import Document
-from reports.html import write_html
-from reports.pdf import write_pdf
-from reports.png import write_png
-from reports.processes import processes
-from reports.spreadsheet import write_xlsx
-from reports.svg import Picture, picture, write_svg
-from reports.vector import Traced, traced
+from reports.localisation import as_asked
+from reports.render.csv import write_csv
+from reports.render.html import write_html
+from reports.render.pdf import write_pdf
+from reports.render.png import write_png
+from reports.render.processes import processes
+from reports.render.spreadsheet import write_xlsx
+from reports.render.svg import Picture, picture, write_svg
+from reports.render.vector import Traced, traced
 
 Form = Literal["svg", "png"]
 

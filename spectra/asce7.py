@@ -16,7 +16,7 @@ from scipy.constants import g
 from spectra.arrays import FloatArray
 from spectra.damping import asce7_b_factor
 from spectra.errors import SpectrumError
-from spectra.spectrum import Spectrum, checked_periods, implausible, positive
+from spectra.spectrum import Spectrum, check_periods, check_positive, plausibility_warnings
 
 Hazard = Literal["design", "mce"]
 
@@ -158,12 +158,12 @@ def mapped_spectrum(
 
     site_class : "A" to "E"; ASCE 7-16 also "B-unmeasured" (§11.4.3) and "D-default" (§11.4.4)
 
-    What the standard leaves to a study of the site and yet has coefficients for stands in `cautions`. Raises
+    What the standard leaves to a study of the site and yet has coefficients for stands in `warnings`. Raises
     SpectrumError for site class F, and for what `design_spectrum` refuses.
     Source: ASCE 7-16 §11.4.4-11.4.5, 7-10 and 7-05 §11.4.3-11.4.4, with Tables 11.4-1 and 11.4-2 of each.
     """
     edition = _edition(code)
-    positive(code, s_s=s_s, s_1=s_1)
+    check_positive(code, s_s=s_s, s_1=s_1)
     F_a = site_coefficient(s_s, table=edition.f_a, site_class=site_class, study=edition.study)
     F_v = site_coefficient(s_1, table=edition.f_v, site_class=site_class, study=edition.study)
     S_MS, S_M1 = F_a * s_s, F_v * s_1
@@ -178,11 +178,11 @@ def mapped_spectrum(
         "s_m1": S_M1,
     }
     given = {"s_s": s_s / g, "s_1": s_1 / g}
-    cautions = [r.text for r in edition.rules if site_class in r.classes and given[r.parameter] >= r.least - ROUNDING]
+    warnings = [r.text for r in edition.rules if site_class in r.classes and given[r.parameter] >= r.least - ROUNDING]
     if s_1 > s_s:
-        cautions.append(f"S_1 = {s_1 / g:.4g} g is above S_S = {s_s / g:.4g} g, which no map has; are they exchanged?")
-    doubts = implausible(s_s=s_s, s_1=s_1)
-    return replace(spectrum, parameters={**mapped, **spectrum.parameters}, cautions=(*doubts, *cautions))
+        warnings.append(f"S_1 = {s_1 / g:.4g} g is above S_S = {s_s / g:.4g} g, which no map has; are they exchanged?")
+    doubts = plausibility_warnings(s_s=s_s, s_1=s_1)
+    return replace(spectrum, parameters={**mapped, **spectrum.parameters}, warnings=(*doubts, *warnings))
 
 
 def site_coefficient(mapped: float, *, table: SiteTable, site_class: str, study: str) -> float:
@@ -220,7 +220,7 @@ def design_spectrum(
     edition = _edition(code)
     if hazard not in HAZARD_FACTOR:
         raise SpectrumError(f'hazard "{hazard}" is not known; choose one of {", ".join(HAZARD_FACTOR)}')
-    positive(code, s_ds=s_ds, s_d1=s_d1, t_l=t_l)
+    check_positive(code, s_ds=s_ds, s_d1=s_d1, t_l=t_l)
     t_s = s_d1 / s_ds
     if t_s > t_l:
         raise SpectrumError(
@@ -234,7 +234,7 @@ def design_spectrum(
         damping_rule=_damping_rule(edition),
         ordinates=lambda period, damping: factor * shape.ordinates(period, damping),
         clause=edition.design if hazard == "design" else edition.mce,
-        cautions=implausible(s_ds=s_ds, s_d1=s_d1),
+        warnings=plausibility_warnings(s_ds=s_ds, s_d1=s_d1),
     )
 
 
@@ -267,7 +267,7 @@ class _Shape:
     def ordinates(self, period: FloatArray, damping: float) -> FloatArray:
         """S_a [m/s2] at `period` [s] (same shape) and `damping` [-]."""
         S_DS, S_D1, T_L, T_0, B = self.s_ds, self.s_d1, self.t_l, self.t_0, asce7_b_factor(damping)
-        T = np.maximum(checked_periods(period), T_0)
+        T = np.maximum(check_periods(period), T_0)
         falling = np.minimum(S_DS, S_D1 / T * np.minimum(1.0, T_L / T)) / B
         rising = S_DS * (ZERO_PERIOD_RATIO + (1.0 / B - ZERO_PERIOD_RATIO) * period / T_0)
         return np.asarray(np.where(period < T_0, rising, falling), dtype=np.float64)

@@ -21,7 +21,7 @@ from assess.amplification.pulse_spectrum import largest_pseudo, largest_relative
 from assess.errors import MechanismError
 from records.errors import RecordError
 from records.floor_motion import floor_motion
-from records.record import Record, scaled
+from records.record import Record, scale
 from records.response import response_spectrum
 from spectra.arrays import FloatArray
 
@@ -115,10 +115,10 @@ def carried(amplification: Amplification, record: Record) -> Carried:
         case Unamplified():
             return Carried(record, 1.0)
         case FloorFactor(factor=factor):
-            return Carried(scaled(record, factor), factor)
+            return Carried(scale(record, factor), factor)
         case Srss(mode=mode, height=height) | SrssRelative(mode=mode, height=height):
             factor = factor_3_48(mode, record, height=height)
-            return Carried(scaled(record, factor), factor)
+            return Carried(scale(record, factor), factor)
         case ModalFilter(mode=mode, height=height):
             at = floor_motion(record, frequency=mode.frequency, shape=mode.shape(height), damping=mode.damping)
             return Carried(at, at.pga / _moving(record))

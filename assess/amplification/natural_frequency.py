@@ -18,7 +18,7 @@ import numpy as np
 from scipy.constants import g
 
 from assess.errors import GeometryError
-from assess.geometry.slices import section_moments
+from assess.geometry.section_moments import section_moments
 from assess.geometry.solid import Solid
 from spectra.arrays import FloatArray
 

@@ -44,7 +44,7 @@ def envelope(
     from assess.cli.processes import cores, processes
     from assess.cli.progress import progress
     from assess.cli.warning import tell
-    from assess.outputs.folder import staged
+    from assess.outputs.folder import output_folder
     from assess.outputs.manifest import ENVELOPES
     from assess.project.build import build
     from assess.results.json import dumps
@@ -54,7 +54,7 @@ def envelope(
     place = (
         nullcontext()
         if output is None
-        else staged(output, command="assess envelope", owner=ENVELOPES, wanted=wanted, tell=tell)
+        else output_folder(output, command="assess envelope", owner=ENVELOPES, wanted=wanted, tell=tell)
     )
     with place as stage, progress() as said:
         with processes(jobs) as executor:

@@ -36,7 +36,7 @@ def report(
     found = read.results
     from assess.cli.progress import progress
     from assess.cli.warning import tell
-    from assess.outputs.folder import staged
+    from assess.outputs.folder import output_folder
     from assess.outputs.manifest import ENVELOPES, RESULTS
     from reports.assessment import of_envelopes, project
     from reports.writing import Form, write_all, write_document
@@ -49,7 +49,7 @@ def report(
     wanted = (f"{stem}.pdf", f"{stem}.html", "tables.xlsx", *copied)
     figures: tuple[Form, ...] = ("svg", "png") if png else ("svg",)
     with (
-        staged(folder, command="assess report", owner=name, wanted=wanted, tell=tell) as stage,
+        output_folder(folder, command="assess report", owner=name, wanted=wanted, tell=tell) as stage,
         progress() as said,
         read.believed(),
     ):
@@ -66,7 +66,7 @@ def report(
 def _known(language: str, *, source: Path) -> str:
     """The language of results, English where they have none. Raises ResultsError for one without a catalogue."""
     from assess.errors import ResultsError
-    from reports.catalogue import ENGLISH, languages
+    from reports.language.catalogue import ENGLISH, languages
 
     if language in ("", *languages()):
         return language or ENGLISH

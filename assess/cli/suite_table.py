@@ -10,11 +10,11 @@ from assess.project.choosing import Suite
 from assess.results import RecordResult
 from assess.results.json import dumps_suite
 from assess.results.stamp import origin
-from reports.csv import csv_lines
-from reports.figure_file import write_figure
+from reports.chapters.site import event_of
+from reports.chapters.suite import requirements, sentences
 from reports.figures import record_spectra
-from reports.site import event_of
-from reports.suite import requirements, sentences
+from reports.render.csv import csv_lines
+from reports.render.figure_file import write_figure
 
 _COLUMNS = ("record", "event", "NGA", "M", "comp.", "misfit", "factor", "PGA [g]")
 

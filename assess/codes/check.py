@@ -8,6 +8,7 @@ from typing import Literal
 
 from assess.codes.step import Bound, Input, Step, step
 from assess.messages.message import Message, Severity, Value, message
+from assess.short_repr import ShortRepr
 
 __all__ = [
     "Bound",
@@ -120,8 +121,8 @@ def not_by_name(clause: str, symbol: str, key: str) -> Message:
     return message(Reason.NOT_BY_NAME, values, severity=Severity.NOTE, where=key)
 
 
-@dataclass(frozen=True)
-class PgaCurve:
+@dataclass(frozen=True, repr=False)
+class PgaCurve(ShortRepr):
     """Peak ground acceleration that takes the mechanism to each rotation, by one procedure.
 
     rotation_ratio [n]: rotation / rigid overturning rotation; pga_g [n]: in g.
@@ -131,8 +132,8 @@ class PgaCurve:
     pga_g: tuple[float, ...]
 
 
-@dataclass(frozen=True, kw_only=True)
-class Check:
+@dataclass(frozen=True, kw_only=True, repr=False)
+class Check(ShortRepr):
     """Demand, capacity, ratio and verdict of one procedure at one level, with the steps that led there.
 
     `demand`, `capacity` are in `unit` and measure `quantity`; None where there is no finite value (a body that

@@ -11,6 +11,7 @@ from typing import Literal
 from scipy.constants import g
 
 from assess.messages.message import DIMENSIONS
+from assess.short_repr import ShortRepr
 
 Bound = Literal["", "<=", ">="]
 CONSTANTS: Mapping[str, float] = {"g": g, "π": pi}
@@ -27,8 +28,8 @@ class Input:
     dimension: str
 
 
-@dataclass(frozen=True)
-class Step:
+@dataclass(frozen=True, repr=False)
+class Step(ShortRepr):
     """One line of a calculation sheet: the formula, the numbers put into it, and what came out.
 
     inputs : the symbols of the formula; `substituted` is made from them (see `step`)

@@ -9,9 +9,9 @@ import numpy as np
 from scipy.constants import g
 
 from assess.errors import GeometryError
-from assess.geometry.covering import extent
+from assess.geometry.contact import find_contact
+from assess.geometry.roof_shape import extent
 from assess.geometry.solid import Solid
-from assess.geometry.touch import touch
 from assess.loads.bearing import Support, carries, carrying, nearest, share_of, support
 from assess.loads.coverings import Arch, Thrust, arch_of, thrust_of, weight
 from assess.loads.load import Force, Load, Point, PointMass
@@ -109,7 +109,7 @@ def meeting(load: sections.BodyLoad, body: Solid | None, around: Surroundings) -
         return beside_the_block(found, around=around)
     if body is None or given:
         return Meeting(None)
-    below = any(touch(solid, body, tolerance=load.tolerance) for solid in around.fixed)
+    below = any(find_contact(solid, body, tolerance=load.tolerance) for solid in around.fixed)
     why = BELOW_THE_CUT if below else nearest(body, block=around.block)
     raise GeometryError(f'{around.where}: load "{load.body}" touches nothing of the block: {why}, or {BY_ITSELF[0]}')
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from assess.geometry.covering import extent, height, lever, slope, underside
+from assess.geometry.roof_shape import extent, height, mean_lever_arm, slope, underside
 from assess.geometry.solid import Solid
 from assess.loads.thrust import CONSTRUCTIONS, even_lever, thrust
 from assess.project import sections
@@ -106,7 +106,7 @@ def _spread(load: sections.BodyLoad, arch: Arch, *, V: float) -> str:
 def _vault_lever(load: sections.BodyLoad, body: Solid, *, axis: FloatArray, span: float) -> float:
     """Distance of the weight of half a vault from its springing [m]: of the mesh, and of fill spread over the plan."""
     low, high = extent(body, axis=axis)
-    own = lever(body, axis=axis) * span / (high - low)
+    own = mean_lever_arm(body, axis=axis) * span / (high - low)
     shell, fill = _vault_masses(load, body)
     return (shell * own + fill * even_lever(span)) / (shell + fill)
 

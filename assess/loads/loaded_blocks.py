@@ -7,10 +7,10 @@ from dataclasses import dataclass
 from math import inf
 
 from assess.errors import GeometryError
-from assess.geometry.boolean import gap
+from assess.geometry.boolean import shortest_distance
+from assess.geometry.contact import Contact, find_contact, join_contacts
 from assess.geometry.outline import distance
 from assess.geometry.solid import Solid
-from assess.geometry.touch import Contact, together, touch
 from assess.loads.bearing import carries
 from assess.loads.coverings import arch_of
 from assess.loads.load import Point
@@ -156,7 +156,11 @@ def nearest_block(load: sections.BodyLoad, body: Solid | None, among: Blocks) ->
     Raises GeometryError where that is not known either.
     """
     if load.at is None:
-        away = [min((gap(solid, body) for solid in piece.solids), default=inf) for piece in among.pieces if body]
+        away = [
+            min((shortest_distance(solid, body) for solid in piece.solids), default=inf)
+            for piece in among.pieces
+            if body
+        ]
         return away.index(min(away)) if away else 0  # `met` says what is missing
     x, z = at = point_in_plane(load.at, among.along.tolist())
     if among.crack is not None:
@@ -175,5 +179,5 @@ def _off(piece: Piece, at: Point) -> float:
 
 
 def _met(solids: Sequence[Solid], body: Solid, tolerance: float) -> Contact | None:
-    met = (touch(solid, body, tolerance=tolerance) for solid in solids)
-    return together([each for each in met if each is not None])
+    met = (find_contact(solid, body, tolerance=tolerance) for solid in solids)
+    return join_contacts([each for each in met if each is not None])

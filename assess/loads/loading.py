@@ -7,8 +7,8 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from assess.errors import GeometryError
+from assess.geometry.contact import TOLERANCE
 from assess.geometry.outline import Outline, distance
-from assess.geometry.touch import TOLERANCE
 from assess.loads.body_loads import Brought, Meet, Surroundings, body_loads, meeting, told_of
 from assess.loads.load import Force, Load, PointMass, Tie
 from assess.loads.loaded_blocks import Blocks, loaded_blocks

@@ -8,7 +8,7 @@ from math import dist
 from typing import Literal
 
 from assess.errors import GeometryError
-from assess.geometry.planar import top
+from assess.geometry.planar import top_edge
 from assess.geometry.solid import Solid
 from assess.loads.bearing import overburden
 from assess.loads.load import Force, Load
@@ -49,7 +49,7 @@ def overburden_of(
     Raises GeometryError for a wall without geometry, a body that does not bear on it, or a load beside its top.
     """
     name = named(number)
-    head = top(piece.body)
+    head = top_edge(piece.body)
     if head is None:
         raise GeometryError(f'{where}: {name}: the wall has no geometry, so no top; write a load of kind = "force"')
     middle, elevation = (head[0][0] + head[1][0]) / 2.0, head[0][1]

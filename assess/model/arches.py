@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 
 from assess.errors import GeometryError, MechanismError
-from assess.geometry.cut import Parts, Plane, divide
-from assess.geometry.planar import PlanarBody, planar
+from assess.geometry.cut import Division, Plane, divide
+from assess.geometry.planar import PlanarBody, planar_body
 from assess.geometry.solid import Solid
 from assess.mechanisms.arch import Hinging, Joint, block_of, hinged, weakest
 from assess.mechanisms.assembly import assembled
@@ -155,7 +155,7 @@ def require_apart(lines: Sequence[Line], *, where: str) -> None:
             )
 
 
-def side(solids: Sequence[Solid], line: Line, normal: FloatArray, along: FloatArray, *, where: str) -> Parts:
+def side(solids: Sequence[Solid], line: Line, normal: FloatArray, along: FloatArray, *, where: str) -> Division:
     """The solids on the two sides of the upright sheet through a line of the plane of motion."""
     point = line[0][0] * along + np.array([0.0, 0.0, line[0][1]])
     return divide(solids, Plane(point, normal[0] * along + np.array([0.0, 0.0, normal[1]])), where=where)
@@ -185,4 +185,4 @@ def ahead(lines: Sequence[Line]) -> list[FloatArray]:
 
 def as_voussoir(solids: Sequence[Solid], direction: Sequence[float], number: int) -> PlanarBody:
     """What lies between two joints."""
-    return replace(as_one([planar(solid, direction=direction) for solid in solids]), name=f"voussoir {number}")
+    return replace(as_one([planar_body(solid, direction=direction) for solid in solids]), name=f"voussoir {number}")

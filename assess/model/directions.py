@@ -11,7 +11,7 @@ import numpy as np
 from assess.errors import AssessError, MechanismError
 from assess.geometry.cut import divide
 from assess.geometry.footprint import edge_normals
-from assess.geometry.planar import base_of_section, lowest_corners, planar_unseen
+from assess.geometry.planar import base_of_section, lowest_corners, planar_body_without_outline
 from assess.geometry.solid import Solid
 from assess.loads.body_loads import Meeting, Surroundings, meeting
 from assess.loads.loading import loads_of
@@ -129,7 +129,7 @@ def block_towards(
         return known[load.body]
 
     def block(direction: Vector) -> Mechanism:
-        body = as_one([planar_unseen(solid, direction=direction) for solid in standing.solids])
+        body = as_one([planar_body_without_outline(solid, direction=direction) for solid in standing.solids])
         body = replace(body, base=base_of_section(standing.foot, direction=direction))
         pieces = [Piece(body, standing.solids, None, fixed=standing.fixed)]
         faced = facing(section, direction)

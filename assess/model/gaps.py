@@ -7,10 +7,10 @@ from itertools import combinations, pairwise, product
 
 import numpy as np
 
-from assess.geometry.boolean import gap
+from assess.geometry.boolean import shortest_distance
+from assess.geometry.contact import TOLERANCE
 from assess.geometry.solid import Solid
-from assess.geometry.surface import linked
-from assess.geometry.touch import TOLERANCE
+from assess.geometry.surface import connected_groups
 from assess.messages.message import Message, Quantity, Value, warning
 from assess.project import sections
 
@@ -43,8 +43,8 @@ def loose(block: Sequence[Solid]) -> Iterator[Gap]:
     pairs = list(combinations(range(len(block)), 2))
     joined = [(i, j) for i, j in pairs if touching(block[i], block[j])]
     while len(block) > 1:
-        group = linked(np.array(joined, dtype=np.int64).reshape(-1, 2), count=len(block))
-        across = [(gap(block[i], block[j]), (i, j)) for i, j in pairs if group[i] != group[j]]
+        group = connected_groups(np.array(joined, dtype=np.int64).reshape(-1, 2), count=len(block))
+        across = [(shortest_distance(block[i], block[j]), (i, j)) for i, j in pairs if group[i] != group[j]]
         if not across:
             return
         distance, (i, j) = min(across)
@@ -57,13 +57,13 @@ def parted(one: Sequence[Solid], other: Sequence[Solid]) -> Iterator[Gap]:
     pairs = list(product(one, other))
     if not pairs or any(touching(*pair) for pair in pairs):
         return
-    distances = [gap(*pair) for pair in pairs]
+    distances = [shortest_distance(*pair) for pair in pairs]
     yield said(*pairs[int(np.argmin(distances))], min(distances))
 
 
 def touching(one: Solid, other: Solid) -> bool:
     """Whether two bodies are as near as a joint is thick."""
-    return gap(one, other, limit=TOLERANCE) < TOLERANCE
+    return shortest_distance(one, other, limit=TOLERANCE) < TOLERANCE
 
 
 def said(one: Solid, other: Solid, distance: float) -> Gap:

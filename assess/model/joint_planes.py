@@ -10,7 +10,7 @@ import numpy as np
 import shapely
 
 from assess.errors import GeometryError
-from assess.geometry.cut import Plane, divide, heading, in_plane
+from assess.geometry.cut import Plane, divide, heading, project_on_plane
 from assess.geometry.solid import Solid
 from assess.geometry.surface import areas_and_normals
 from assess.mechanisms.chain import Point
@@ -74,7 +74,7 @@ class Bed:
 
     def beyond(self, hinge: FloatArray, out: FloatArray) -> float:
         """How far the contact reaches beyond a hinge [3] in a direction of the plane [2] [m]."""
-        at = in_plane(self.plane, hinge - self.plane.point) @ out
+        at = project_on_plane(self.plane, hinge - self.plane.point) @ out
         return float((shapely.get_coordinates(self.region) @ out).max() - at)
 
 
@@ -195,7 +195,7 @@ def normals_at(solids: Sequence[Solid], at: FloatArray, view: View) -> list[Floa
 def faces_in(solids: Sequence[Solid], plane: Plane, *, seen_in: Plane | None = None) -> shapely.Geometry:
     """The faces of solids that lie in a plane and look to the side of its normal, in the coordinates of `seen_in`."""
     shown, pieces = seen_in or plane, []
-    axes = np.column_stack([in_plane(shown, unit) for unit in np.eye(3)])
+    axes = np.column_stack([project_on_plane(shown, unit) for unit in np.eye(3)])
     for corners, normal, _ in map(_faces, solids):
         off = np.abs((corners - plane.point) @ plane.normal).max(axis=1)
         lying = (normal @ plane.normal >= 1.0 - ALIKE) & (off <= TOUCH)

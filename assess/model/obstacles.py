@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from assess.geometry.contact import TOLERANCE, Patches, facing_patches
 from assess.geometry.solid import Solid
-from assess.geometry.touch import TOLERANCE, Patches, beside
 from assess.mechanisms.directions import Vector
 from assess.project import sections
 from assess.project.grounding import carried
@@ -66,7 +66,7 @@ def _touched(standing: Sequence[Solid], other: Solid, *, foot: float, head: floa
 
     A body drawn in the same place, another state of it or simply put at the origin too, is not beside it.
     """
-    met = [beside(solid, other) for solid in standing]
+    met = [facing_patches(solid, other) for solid in standing]
     area, centroid, normal = (
         np.concatenate([getattr(each, key) for each in met]) for key in ("area", "centroid", "normal")
     )

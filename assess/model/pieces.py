@@ -10,15 +10,15 @@ import numpy as np
 
 from assess.errors import GeometryError
 from assess.geometry import mesh
-from assess.geometry.cut import Parts, Plane, divide, inclined, level
+from assess.geometry.cut import Division, Plane, divide, inclined_plane, level_plane
 from assess.geometry.models import Models, read_models
 from assess.geometry.planar import (
     PlanarBody,
     base_of_section,
+    join_planar,
     lowest_corners,
-    planar,
-    planar_direct,
-    planar_joined,
+    planar_body,
+    planar_body_from_values,
     slope_across,
     turns_about_a_corner,
 )
@@ -78,9 +78,9 @@ def body_in_plane(name: str, content: sections.Content, solids: Solids, directio
     """One body seen in the vertical plane of `direction` [3]."""
     solid, body = solids[name], content.bodies[name]
     if solid is not None:
-        return planar(solid, direction=direction)
+        return planar_body(solid, direction=direction)
     assert isinstance(body, sections.DirectBody)
-    return planar_direct(mass=body.mass, centroid=body.centroid, inertia=body.inertia, name=name)
+    return planar_body_from_values(mass=body.mass, centroid=body.centroid, inertia=body.inertia, name=name)
 
 
 def pieces_of(name: str, section: sections.Chained, content: sections.Content, solids: Solids) -> tuple[Piece, ...]:
@@ -113,9 +113,9 @@ def upper(name: str, block: Sequence[str], plane: Plane, direction: Sequence[flo
     return replace(standing_on(parts, direction), fixed=parts.below)
 
 
-def standing_on(parts: Parts, direction: Sequence[float]) -> Piece:
+def standing_on(parts: Division, direction: Sequence[float]) -> Piece:
     """The upper side of a cut as a block."""
-    body = as_one([planar(solid, direction=direction) for solid in parts.above])
+    body = as_one([planar_body(solid, direction=direction) for solid in parts.above])
     body = replace(body, base=base_of_section(parts.foot, direction=direction))
     return Piece(body, parts.above, parts.foot, True, parts.section)
 
@@ -140,7 +140,7 @@ def crosses(block: Sequence[str], plane: Plane, solids: Solids) -> bool:
 
 def as_one(bodies: Sequence[PlanarBody]) -> PlanarBody:
     """One body as it is, several joined."""
-    return bodies[0] if len(bodies) == 1 else planar_joined(bodies, name=" + ".join(body.name for body in bodies))
+    return bodies[0] if len(bodies) == 1 else join_planar(bodies, name=" + ".join(body.name for body in bodies))
 
 
 def cut_of(section: sections.Chained, *, where: str) -> Plane | None:
@@ -150,11 +150,11 @@ def cut_of(section: sections.Chained, *, where: str) -> Plane | None:
     """
     cut = section.cut
     if isinstance(cut, sections.CutPlane):
-        return inclined(cut.point, cut.normal, where=where)
+        return inclined_plane(cut.point, cut.normal, where=where)
     if isinstance(cut, sections.CutAngle):
         x, y, _ = np.asarray(section.towards) / np.linalg.norm(section.towards)
-        return inclined(cut.point, (sin(cut.angle) * x, sin(cut.angle) * y, cos(cut.angle)), where=where)
-    return None if cut is None else level(cut)
+        return inclined_plane(cut.point, (sin(cut.angle) * x, sin(cut.angle) * y, cos(cut.angle)), where=where)
+    return None if cut is None else level_plane(cut)
 
 
 def solids_to_cut(name: str, block: Sequence[str], solids: Solids) -> list[Solid]:

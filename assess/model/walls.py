@@ -11,10 +11,10 @@ import numpy as np
 from scipy.constants import g
 
 from assess.errors import CrackError
-from assess.geometry.cut import Parts, divide, level
-from assess.geometry.planar import base_of_section, planar, top
+from assess.geometry.contact import TOLERANCE
+from assess.geometry.cut import Division, divide, level_plane
+from assess.geometry.planar import base_of_section, planar_body, top_edge
 from assess.geometry.solid import Solid
-from assess.geometry.touch import TOLERANCE
 from assess.loads.body_loads import Brought
 from assess.loads.load import Force, Load, PointMass
 from assess.loads.overburden import UPPER
@@ -96,7 +96,7 @@ def blocks_at(elevation: float, name: str, section: sections.TwoBlock, whole: Pi
 
     Raises CrackError where the crack does not lie in the wall.
     """
-    parts = divide(whole.solids, level(elevation), where=f'mechanism "{name}", crack')
+    parts = divide(whole.solids, level_plane(elevation), where=f'mechanism "{name}", crack')
     if not parts.below:
         raise CrackError(f"the crack at z = {elevation:.4g} m is at the foot of the wall; give one above it")
     return below(parts, whole, section.towards), standing_on(parts, section.towards)
@@ -242,9 +242,9 @@ def by_search(section: sections.TwoBlock, whole: Piece, brought: Brought, *, str
 
 def uplift(section: sections.TwoBlock, whole: Piece, panel: Panel, loads: tuple[Load, ...], elevation: float) -> float:
     """The multiplier that opens a crack at `elevation` [m], the least of the sides that rock."""
-    parts = divide(whole.solids, level(elevation), where="crack")
+    parts = divide(whole.solids, level_plane(elevation), where="crack")
     blocks = (weight_of(parts.below, section.towards), weight_of(parts.above, section.towards))
-    base, joint, head = whole.body.base, base_of_section(parts.foot, direction=section.towards), top(whole.body)
+    base, joint, head = whole.body.base, base_of_section(parts.foot, direction=section.towards), top_edge(whole.body)
     assert base is not None  # a piece with solids has a base and a top
     assert head is not None
     found = []
@@ -264,7 +264,7 @@ def weight_of(solids: Sequence[Solid], direction: Sequence[float]) -> Block:
     return Block(float(masses.sum()), point_in_plane(centre.tolist(), direction), 0.0)
 
 
-def below(parts: Parts, whole: Piece, direction: Sequence[float]) -> Piece:
+def below(parts: Division, whole: Piece, direction: Sequence[float]) -> Piece:
     """The lower side of a crack as a block, on the base of the whole."""
-    body = as_one([planar(solid, direction=direction) for solid in parts.below])
+    body = as_one([planar_body(solid, direction=direction) for solid in parts.below])
     return replace(whole, body=replace(body, base=whole.body.base), solids=parts.below)

@@ -24,7 +24,7 @@ from assess.project import sections
 from assess.project.grounding import base_above_ground, ground_of
 from assess.study.study import Amplified
 from spectra.errors import SpectrumError
-from spectra.floor import ec8, ec8_printed, ec8_resonance, nzs1170_5
+from spectra.floor import ec8, ec8_at_resonance_with_soil, ec8_resonance, nzs1170_5
 
 NEAR_GROUND = 0.05  # m: a body that stands no farther from the ground's elevation stands on it
 DAMPING = 0.05  # of the first mode where there is no [building]
@@ -112,7 +112,7 @@ def by_floor_factor(
         )
     try:
         if isinstance(asked, sections.PrintedAmplification):
-            factor = ec8_printed(height, building_height=building.height, soil_factor=asked.soil_factor)
+            factor = ec8_at_resonance_with_soil(height, building_height=building.height, soil_factor=asked.soil_factor)
             clause = f"thesis 3.49: S [3 (1 + h/H) - 0.5], S = {asked.soil_factor:.4g}"
         else:
             rule, clause = FLOORS[asked.method]

@@ -88,7 +88,7 @@ def study_of(project: Project, *, executor: Executor | None = None) -> Study:
         resolved=as_asked(resolved(project), content),
         notices=(
             *project.doubts,
-            *(warning("site-study", "site.spectrum", text=text) for text in (spectrum.cautions if spectrum else ())),
+            *(warning("site-study", "site.spectrum", text=text) for text in (spectrum.warnings if spectrum else ())),
             *notices_of(content, solids, study),
             *notices,
         ),

@@ -6,8 +6,8 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from assess.codes.italian.confidence import LEAST_KNOWN
 from assess.codes.verdict import Question
-from assess.geometry.formats.reading import WITHOUT_UNIT
-from assess.geometry.magnitude import suspicious
+from assess.geometry.formats.readers import WITHOUT_UNIT
+from assess.geometry.plausibility import size_warning
 from assess.geometry.solid import Solid
 from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message, Quantity, note, warning
@@ -16,7 +16,7 @@ from assess.model.overlaps import overlaps_of
 from assess.project import sections
 from assess.project.asking import procedures_of
 from assess.project.deciding import by_motion
-from assess.study.endurance import left_out
+from assess.study.endurance import load_messages
 from assess.study.study import Amplified, Equation, Study
 
 CIRCULARS = {"dmi2008": "Circolare 617/2009", "ntc2018": "Circolare 7/2019"}
@@ -38,7 +38,7 @@ def notices_of(
     for mechanism in mechanisms:
         for text in mechanism.notices:
             yield warning("mechanism", f"mechanisms.{mechanism.name}", text=text)
-        yield from left_out(mechanism)
+        yield from load_messages(mechanism)
         yield from mechanism.messages
     yield from _of_equation(content.analysis.equation, mechanisms)
     raised = [mechanism.name for mechanism in mechanisms if study.grounded[mechanism.name].above]
@@ -106,7 +106,7 @@ def _of_body(name: str, solid: Solid, body: sections.Body) -> Iterator[Message]:
     """What was done to the mesh of a body, and a size or place that suggests a slip."""
     if isinstance(body, sections.MeshBody) and solid.trail:
         yield note("mesh", f"bodies.{name}", file=body.mesh.name, trail="; ".join(solid.trail))
-    doubt = suspicious(solid, unit=mesh_unit_of(body))
+    doubt = size_warning(solid, unit=mesh_unit_of(body))
     if doubt:
         yield warning("size", f"bodies.{name}", text=doubt)
 

@@ -15,7 +15,7 @@ from assess.project.messages import located
 from assess.project.schema import load
 from spectra import asce7, ec8, ntc, nzs1170_5
 from spectra.errors import SpectrumError
-from spectra.spectrum import Spectrum, implausible, scaled_to_pga
+from spectra.spectrum import Spectrum, plausibility_warnings, scale_to_pga
 from spectra.table import read_table
 
 DEFAULT_STATE = "SLV"
@@ -56,7 +56,9 @@ def spectrum_of(site: sections.Site) -> Spectrum:
             spectrum = replace(horizontal(section), damping=section.damping)
     if site.pga is None:
         return spectrum
-    return scaled_to_pga(replace(spectrum, cautions=(*spectrum.cautions, *implausible(pga=site.pga))), site.pga)
+    return scale_to_pga(
+        replace(spectrum, warnings=(*spectrum.warnings, *plausibility_warnings(pga=site.pga))), site.pga
+    )
 
 
 def vertical_of(site: sections.Site) -> Spectrum:

@@ -22,7 +22,7 @@ from assess.project.messages import written
 from assess.project.schema import Project
 from assess.project.variables import Alone, Subject, at_key, facing, of_loads, thickness
 from assess.results import MechanismResult
-from assess.study.sensitivity import checked
+from assess.study.sensitivity import check_case
 from assess.study.study import Study, Variable
 from spectra.errors import SpectrumError
 from spectra.spectrum import Spectrum
@@ -141,7 +141,7 @@ def _at(variable: Variable, value: float, spectrum: Spectrum, question: Question
     """The deciding check with one value of a number; None where the mechanism cannot be assessed there."""
     try:
         study = replace(variable.study_at(value), procedures=(answer.procedure,), levels=(spectrum.pga,))
-        found = checked(study, spectrum, (), jobs=1)
+        found = check_case(study, spectrum, (), jobs=1)
     except (AssessError, SpectrumError):
         return None
     return deciding_check(found, answer, question.basis, question.action)

@@ -12,8 +12,8 @@ from functools import partial
 from math import inf
 from typing import Any
 
+from assess.geometry.affine import scale_along
 from assess.geometry.solid import Solid
-from assess.geometry.stretch import stretched
 from assess.mechanisms.chain import hinge_names
 from assess.mechanisms.mechanism import Mechanism
 from assess.model.joints import material_name
@@ -255,7 +255,7 @@ def thickened(subject: Subject, section: sections.Chained, value: float, *, widt
     """The study of the mechanism with blocks as thick as `value` [m] at a base that is `width` wide."""
     bodies = {name: solid for block in section.blocks for name in block if (solid := subject.solids[name]) is not None}
     thick = {
-        name: stretched(solid, direction=section.towards, middle=middle, factor=value / width)
+        name: scale_along(solid, direction=section.towards, middle=middle, factor=value / width)
         for name, solid in bodies.items()
     }
     return subject.alone(subject.name, subject.project.content, thick)

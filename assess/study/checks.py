@@ -23,10 +23,10 @@ from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message, Quantity
 from assess.oscillator import Oscillator
 from assess.results import MechanismResult
-from assess.study.endurance import unheld
-from assess.study.floor_input import floor_spectrum_of
-from assess.study.histories import Rocking, Shaken, governing_trace, rocking, vibrates
-from assess.study.motions import Motion
+from assess.study.endurance import unheld_messages
+from assess.study.floor_input import floor_spectrum
+from assess.study.histories import RockingCase, RockingHistories, run_histories, vibrates, with_governing_trace
+from assess.study.motions import ScaledRecord
 from assess.study.outcome import amplification_result, mechanism_result
 from assess.study.study import Amplified, Study
 from assess.study.wall_size import SUPPORTS, carries_floors, wall_of
@@ -37,8 +37,8 @@ SHORT_OF = 0.9  # of the height of the supports: motion carried less far is that
 Progress = Callable[[str, int, int], None]
 
 
-def mechanisms_assessed(
-    study: Study, spectrum: Spectrum, motions: tuple[Motion, ...], *, jobs: int, progress: Progress
+def assess_mechanisms(
+    study: Study, spectrum: Spectrum, motions: tuple[ScaledRecord, ...], *, jobs: int, progress: Progress
 ) -> tuple[MechanismResult, ...]:
     """Every mechanism of `study` under the `motions`, which fit the `spectrum`; `jobs` threads, 0 for all cores.
 
@@ -46,11 +46,11 @@ def mechanisms_assessed(
     So the procedures of one, which hold the interpreter's lock, go on beside the histories of another, which do not.
     """
     shaken = {
-        m.name: Shaken(
+        m.name: RockingCase(
             m.name,
             variants(m).deciding,
             study.equations[m.name],
-            at_base(study.amplified[m.name], motions),
+            motions_at_base(study.amplified[m.name], motions),
             m.rebounds,
         )
         for m in study.mechanisms
@@ -60,9 +60,11 @@ def mechanisms_assessed(
     each = max(1, workers // max(1, len(shaken)))
 
     def of(mechanism: Mechanism) -> MechanismResult:
-        one, pga, wanted = shaken[mechanism.name], spectrum.pga, besides(study, spectrum, mechanism)
-        rocked = rocking(one, motions, levels=study.levels, besides=wanted, site_pga=pga, scanned=scanned, threads=each)
-        return assessed(study, spectrum, motions, mechanism, one, rocked)
+        one, pga, wanted = shaken[mechanism.name], spectrum.pga, further_levels(study, spectrum, mechanism)
+        rocked = run_histories(
+            one, motions, levels=study.levels, besides=wanted, site_pga=pga, scanned=scanned, threads=each
+        )
+        return assess_mechanism(study, spectrum, motions, mechanism, one, rocked)
 
     longest = sorted(study.mechanisms, key=lambda m: not vibrates(shaken[m.name].oscillator))
     done: dict[str, MechanismResult] = {}
@@ -74,7 +76,7 @@ def mechanisms_assessed(
     return tuple(done[m.name] for m in study.mechanisms)
 
 
-def besides(study: Study, spectrum: Spectrum, mechanism: Mechanism) -> tuple[float, ...]:
+def further_levels(study: Study, spectrum: Spectrum, mechanism: Mechanism) -> tuple[float, ...]:
     """PGA [m/s2] at which procedures want suites besides those of the levels: limit states of their own, FC."""
     wanted: list[float] = []
     known = study.knowledge.get(mechanism.name, {})
@@ -86,13 +88,18 @@ def besides(study: Study, spectrum: Spectrum, mechanism: Mechanism) -> tuple[flo
     return tuple(dict.fromkeys(wanted))
 
 
-def at_base(amplified: Amplified, motions: tuple[Motion, ...]) -> tuple[Carried, ...]:
+def motions_at_base(amplified: Amplified, motions: tuple[ScaledRecord, ...]) -> tuple[Carried, ...]:
     """Every motion as it acts at the base of a mechanism."""
     return tuple(carried(amplified.amplification, motion.record) for motion in motions)
 
 
-def assessed(
-    study: Study, spectrum: Spectrum, motions: tuple[Motion, ...], mechanism: Mechanism, shaken: Shaken, rocked: Rocking
+def assess_mechanism(
+    study: Study,
+    spectrum: Spectrum,
+    motions: tuple[ScaledRecord, ...],
+    mechanism: Mechanism,
+    shaken: RockingCase,
+    rocked: RockingHistories,
 ) -> MechanismResult:
     """One mechanism through every procedure, with its histories."""
     context = context_of(study, spectrum, mechanism, rocked, shaken.base, motions)
@@ -102,7 +109,7 @@ def assessed(
         equation=shaken.equation,
         scene=study.scenes.get(mechanism.name),
         checks=checks_of(study, shaken.oscillator, context),
-        histories=() if context.unheld else governing_trace(shaken, rocked.histories, motions),
+        histories=() if context.unheld else with_governing_trace(shaken, rocked.histories, motions),
         amplification=amplification_result(study.amplified[mechanism.name], motions, shaken.base),
         grounded=study.grounded[mechanism.name],
     )
@@ -112,15 +119,15 @@ def context_of(
     study: Study,
     spectrum: Spectrum,
     mechanism: Mechanism,
-    rocked: Rocking,
+    rocked: RockingHistories,
     base: tuple[Carried, ...],
-    motions: tuple[Motion, ...],
+    motions: tuple[ScaledRecord, ...],
 ) -> Context:
     """What the procedures may know of one mechanism."""
     context = _context_of(study, spectrum, mechanism, rocked, base)
     amplification = study.amplified[mechanism.name].amplification
     by_mode = context.carried == "by a filter" and not context.suite_faults.get(ASCE43)
-    floor = floor_spectrum_of(
+    floor = floor_spectrum(
         spectrum,
         height=context.support_height,
         filtered=amplification if by_mode and isinstance(amplification, ModalFilter) else None,
@@ -132,7 +139,7 @@ def context_of(
 
 
 def _context_of(
-    study: Study, spectrum: Spectrum, mechanism: Mechanism, rocked: Rocking, base: tuple[Carried, ...]
+    study: Study, spectrum: Spectrum, mechanism: Mechanism, rocked: RockingHistories, base: tuple[Carried, ...]
 ) -> Context:
     grounded, rise, ways = study.grounded[mechanism.name], rise_of(mechanism), variants(mechanism)
     return Context(
@@ -148,7 +155,7 @@ def _context_of(
         building=study.building,
         suites=rocked.suites,
         histories_at="ground" if study.amplified[mechanism.name].height is None else "mechanism base",
-        carried=carried_by(study.amplified[mechanism.name], support=grounded.support),
+        carried=transfer_to_support(study.amplified[mechanism.name], support=grounded.support),
         crushing=mechanism.crushing,
         starting=ways.starting,
         breaking=ways.breaking,
@@ -157,9 +164,9 @@ def _context_of(
         knowledge=study.knowledge.get(mechanism.name, {}),
         limit_state=study.limit_state if study.hazard is None else None,
         impossible=grounded.unknown,
-        unheld=unheld(mechanism),
+        unheld=unheld_messages(mechanism),
         suite_faults=study.suite_faults,
-        impossible_by_histories=stopped(mechanism),
+        impossible_by_histories=reasons_against_histories(mechanism),
         amplification=max((each.factor for each in base), default=1.0),
         linearised=study.equations[mechanism.name] == "linearised",
         besides=rocked.besides,
@@ -176,7 +183,7 @@ def seats_unknown(mechanism: Mechanism) -> tuple[str, ...]:
     return tuple(load.name for load in resting if load.seat is None)
 
 
-def stopped(mechanism: Mechanism) -> tuple[Message, ...]:
+def reasons_against_histories(mechanism: Mechanism) -> tuple[Message, ...]:
     """Why no histories can be answered: the first impact would bring the mechanism to rest."""
     if mechanism.stopped is None:
         return ()
@@ -192,7 +199,7 @@ def checks_of(study: Study, rocker: Oscillator, context: Context) -> tuple[Check
     return tuple(found)
 
 
-def carried_by(amplified: Amplified, *, support: float) -> CarriedBy:
+def transfer_to_support(amplified: Amplified, *, support: float) -> CarriedBy:
     """How the motion of the histories gets to what holds the mechanism, `support` above the ground [m].
 
     Motion that is carried only a part of the way counts as that of the ground.

@@ -46,7 +46,7 @@ def limit_state_periods(mechanisms: Iterable[Mechanism], *, state: str) -> dict[
     return found
 
 
-def ends(periods: dict[str, tuple[float, float]]) -> tuple[float, float]:
+def extreme_periods(periods: dict[str, tuple[float, float]]) -> tuple[float, float]:
     """The least and the largest of all [s]."""
     if not periods:
         raise ProjectError("mechanisms: none to take periods from; add one, or give records.select periods")

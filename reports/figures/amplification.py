@@ -6,7 +6,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from assess.results import CarriedMotion
-from reports.style import INK, sheet, styled
+from reports.figures.style import INK, sheet, styled
 
 _BASE = "#d55e00"
 _PERIODS = (0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 4.0)

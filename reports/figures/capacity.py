@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from scipy.constants import g
 
 from assess.results import BranchCurve, MechanismResult
-from reports.style import FAIL, MUTED, NEGATIVE, POSITIVE, sheet, styled
+from reports.figures.style import FAIL, MUTED, NEGATIVE, POSITIVE, sheet, styled
 
 _UNITS = ((1e6, "MN m"), (1e3, "kN m"), (1.0, "N m"))
 

@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from assess.results import ComparisonRow
-from reports.style import FAIL, GRID, folded, label, pen, sheet, styled
+from reports.figures.style import FAIL, GRID, folded, label, pen, sheet, styled
 
 BEYOND = 2.5  # larger ratios are drawn at the edge [-]
 

@@ -12,8 +12,8 @@ from matplotlib.ticker import FuncFormatter, NullFormatter
 from assess.codes.check import BranchName
 from assess.results import MechanismResult
 from reports import joints
-from reports.numerals import numeral
-from reports.style import MUTED, label, sheet, styled
+from reports.figures.style import MUTED, label, sheet, styled
+from reports.language.numerals import numeral
 
 COLOURS = ("#c1121f", "#0072b2", "#009e73", "#e69f00")  # of the hinges A, B, C, D
 BEFORE = 0.5  # of the rotation at which a joint opens

@@ -5,8 +5,8 @@ from __future__ import annotations
 from matplotlib.figure import Figure
 
 from assess.results import SpectrumResult
-from reports.spectrum_parameters import corners
-from reports.style import INK, MUTED, label, sheet, styled
+from reports.figures.style import INK, MUTED, label, sheet, styled
+from reports.language.spectrum_parameters import corners
 
 LONGEST = 4.0  # s: of the period axis, as far as most codes give their spectra
 

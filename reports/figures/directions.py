@@ -7,7 +7,7 @@ from matplotlib.figure import Figure
 from matplotlib.projections.polar import PolarAxes
 
 from assess.results import DirectionSweep
-from reports.style import FAIL, sheet, styled
+from reports.figures.style import FAIL, sheet, styled
 
 
 def draw(found: DirectionSweep) -> Figure:

@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import FormatStrFormatter, LogLocator, NullLocator
 
 from assess.results import CriticalResult, EnvelopeResult, RecordResult
-from reports.style import FAIL, GRID, INK, MUTED, label, sheet, styled
+from reports.figures.style import FAIL, GRID, INK, MUTED, label, sheet, styled
 from spectra.arrays import FloatArray
 
 ROCKS, FALLS = "#e7edf3", "#f2c1ad"

@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from assess.results import HistoryResult, MechanismResult, Trace
-from reports.style import FAIL, INK, MUTED, sheet, styled
+from reports.figures.style import FAIL, INK, MUTED, sheet, styled
 
 _LIMIT = 1.3  # of the rotation axis [-]
 

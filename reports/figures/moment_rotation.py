@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 
 from assess.results import MechanismResult
 from reports import joints
-from reports.style import MUTED, label, sheet, styled
+from reports.figures.style import MUTED, label, sheet, styled
 from spectra.arrays import FloatArray
 
 FIXED, OWN = "#0072b2", "#c1121f"

@@ -9,8 +9,8 @@ from matplotlib.figure import Figure
 
 from assess.codes.check import Check
 from assess.results import HistoryResult, MechanismResult
+from reports.figures.style import FAIL, INK, MUTED, pen, sheet, styled
 from reports.governing import named
-from reports.style import FAIL, INK, MUTED, pen, sheet, styled
 
 OVERTURNED = 1.06  # where a record that overturned is drawn [-]
 

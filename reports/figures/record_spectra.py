@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from assess.results import GroundMotionResult, RecordResult
 from reports.figures.spectrum import COLOURS, NAMED
+from reports.figures.style import INK, MUTED, legend_above, record_label, sheet, styled
 from reports.figures.suite import SHORTEST, means
-from reports.style import INK, MUTED, legend_above, record_label, sheet, styled
 
 
 def draw(names: Sequence[str], period: NDArray[np.float64], ordinates: NDArray[np.float64]) -> Figure:

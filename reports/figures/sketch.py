@@ -15,8 +15,8 @@ from matplotlib.patches import Polygon
 from matplotlib.ticker import MaxNLocator
 
 from assess.results import Displaced, Drawing, DrawnLoad, MechanismResult, NamedPoint, Point
-from reports.labels import Label, write
-from reports.style import (
+from reports.figures.labels import Label, write
+from reports.figures.style import (
     BLOCKS,
     FIXED,
     INK,

@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from assess.results import RecordResult, SpectrumResult
-from reports.style import FAIL, INK, MUTED, record_label, sheet, styled
+from reports.figures.style import FAIL, INK, MUTED, record_label, sheet, styled
 
 LONGEST = 5.0  # end of the axis of periods [s]; results.json has more
 NAMED = 7  # more records than this are drawn alike, without names

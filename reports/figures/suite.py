@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from assess.results import GroundMotionResult
-from reports.style import FAIL, GRID, INK, MUTED, legend_above, sheet, styled
+from reports.figures.style import FAIL, GRID, INK, MUTED, legend_above, sheet, styled
 
 BELOW, ABOVE = 0.9, 1.3  # of the target
 SHORTEST = 0.02  # s

@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
 from assess.results import SweepResult
-from reports.style import FAIL, label, sheet, styled
+from reports.figures.style import FAIL, label, sheet, styled
 
 Values = Sequence[float | None]
 

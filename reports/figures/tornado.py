@@ -11,7 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
-from reports.style import FAIL, INK, folded, label, sheet, styled
+from reports.figures.style import FAIL, INK, folded, label, sheet, styled
 
 LOW, HIGH = "#56b4e9", "#d55e00"  # the number at its low and at its high value
 MARGIN = 0.12  # of what is shown, beside the ends of the bars

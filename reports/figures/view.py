@@ -14,8 +14,8 @@ from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 
 from assess.results import View
-from reports.faces import Faces, drawn_edges, farthest_first, front
-from reports.style import BLOCKS, FIXED, INK, NEGATIVE, POSITIVE, STONE_EDGE, WIDTH, bare_sheet, label, styled
+from reports.figures.faces import Faces, drawn_edges, farthest_first, front
+from reports.figures.style import BLOCKS, FIXED, INK, NEGATIVE, POSITIVE, STONE_EDGE, WIDTH, bare_sheet, label, styled
 from spectra.arrays import BoolArray, FloatArray
 
 INCH = 72.0  # pt

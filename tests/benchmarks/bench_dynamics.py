@@ -47,7 +47,7 @@ from assess.dynamics.kernel.columns import FOUND
 from assess.dynamics.kernel.events import REST
 from assess.dynamics.packing import Equation, packed
 from assess.dynamics.sine_branches import least
-from assess.geometry.planar import planar_direct
+from assess.geometry.planar import planar_body_from_values
 from assess.interfaces.law import Law
 from assess.interfaces.shapes import rectangle
 from assess.mechanisms.assembly import on_joints
@@ -209,7 +209,7 @@ def steps_and_scipy(equation: Equation, target: str) -> list[Row]:
 def wall(stiffness: float) -> Oscillator:
     """6 m high, 1 m thick, on a joint of this stiffness [Pa/m] that crushes at 1.5 MPa."""
     mass, joint = 21600.0, Joint((-1.0, 0.0), rectangle(1.0, 2.0), Law(stiffness, 1.5e6), "flexible")
-    body = planar_direct(mass=mass, centroid=(0.0, 3.0), inertia=mass * 37 / 12, name="wall")
+    body = planar_body_from_values(mass=mass, centroid=(0.0, 3.0), inertia=mass * 37 / 12, name="wall")
     rigid = single_block("w", body, hinge=(0.5, 0.0), hinge_negative=(-0.5, 0.0))
     return oscillator(on_joints(rigid, (joint,), (joint,), restitution=(0.9, 0.9)))
 

@@ -9,7 +9,7 @@ import sys
 from pathlib import Path
 
 from assess.results.json import read
-from reports.untranslated import untranslated
+from reports.missing_translations import untranslated
 
 
 def main(language: str, *paths: str) -> None:

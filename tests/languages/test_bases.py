@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from assess.codes.bases import BASES
-from reports.catalogue import catalogue, languages
-from reports.translation import Speech
+from reports.language.catalogue import catalogue, languages
+from reports.language.translation import Speech
 
 
 @pytest.mark.parametrize("language", languages()[1:])

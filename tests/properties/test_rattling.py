@@ -20,7 +20,7 @@ from assess.dynamics.kernel import exact, linearised
 from assess.dynamics.kernel.columns import IMPACTS
 from assess.dynamics.kernel.march import make_march
 from assess.dynamics.packing import Equation, packed
-from assess.geometry.planar import planar_direct
+from assess.geometry.planar import planar_body_from_values
 from assess.interfaces.law import Law
 from assess.interfaces.shapes import rectangle
 from assess.mechanisms.assembly import on_joints
@@ -46,7 +46,7 @@ def rigid(rng: np.random.Generator) -> Oscillator:
 def on_a_joint(rng: np.random.Generator) -> Oscillator:
     """A wall of 6 m by 1 m on a joint of 0.03 to 20 GPa/m."""
     mass, joint = 21600.0, Joint((-1.0, 0.0), rectangle(1.0, 2.0), Law(10 ** rng.uniform(7.5, 10.3), 1.5e6), "flexible")
-    body = planar_direct(mass=mass, centroid=(0.0, 3.0), inertia=mass * 37 / 12, name="wall")
+    body = planar_body_from_values(mass=mass, centroid=(0.0, 3.0), inertia=mass * 37 / 12, name="wall")
     wall = single_block("w", body, hinge=(0.5, 0.0), hinge_negative=(-0.5, 0.0))
     restitution = rng.uniform(0.6, 1.0)
     return oscillator(on_joints(wall, (joint,), (joint,), restitution=(restitution, restitution)))

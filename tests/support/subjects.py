@@ -15,7 +15,7 @@ from assess.codes.check import Check
 from assess.codes.context import Building, Context, FirstMode, FreePeriod, Hazard, LocalLimit, Suite
 from assess.codes.governing import branch_named
 from assess.codes.registry import CodeOptions, procedure
-from assess.geometry.planar import planar
+from assess.geometry.planar import planar_body
 from assess.geometry.solid import box
 from assess.interfaces.law import Law
 from assess.interfaces.shapes import rectangle
@@ -64,7 +64,7 @@ class Subject:
 
 def part(base: float, height: float, thickness: float):
     body = box(thickness=thickness, length=1.0, height=height, base=(0, 0, base), density=1800.0, name="part")
-    return planar(body, direction=(1, 0, 0))
+    return planar_body(body, direction=(1, 0, 0))
 
 
 def mechanisms() -> Iterator[Mechanism]:

@@ -14,14 +14,15 @@ from assess.codes.verdict.question import Action, Judged, Missing, Question
 from assess.codes.verdict.remedies import remedies
 from assess.codes.verdict.target import whole
 from assess.messages.message import Message, message
+from assess.short_repr import ShortRepr
 
 LEAST_WIDTH = 0.05  # of the threshold: answers nearer to it are "at the limit"
 GRADES = ((80.0, "A"), (67.0, "B"), (34.0, "C"), (20.0, "D"), (0.0, "E"))
 """Grades of NZSEE 2017 by the least share of the new building standard [%]; above 100 it is A+."""
 
 
-@dataclass(frozen=True)
-class Index:
+@dataclass(frozen=True, repr=False)
+class Index(ShortRepr):
     """What the code counts the answer in: its name, its value (%NBS in per cent), and its grade if there are grades."""
 
     name: str
@@ -29,8 +30,8 @@ class Index:
     grade: str = ""
 
 
-@dataclass(frozen=True)
-class Answer:
+@dataclass(frozen=True, repr=False)
+class Answer(ShortRepr):
     """The deciding answer of one limit state; `procedure` is empty where no method was asked or applies.
 
     provisional : of an incomplete one, what it would be with the safe value of what is missing; None where none exists

@@ -17,10 +17,11 @@ from assess.codes.verdict.outcome import Decision, worst
 from assess.codes.verdict.question import Action, Judged, Missing, Question, once
 from assess.codes.verdict.target import target_of
 from assess.messages.message import Message, Severity, message
+from assess.short_repr import ShortRepr
 
 
-@dataclass(frozen=True)
-class MechanismVerdict:
+@dataclass(frozen=True, repr=False)
+class MechanismVerdict(ShortRepr):
     """The verdict of one mechanism.
 
     margin : PGA at capacity over the action's, None where it is not known
@@ -37,8 +38,8 @@ class MechanismVerdict:
     provisional: Decision | None = None
 
 
-@dataclass(frozen=True)
-class Verdict:
+@dataclass(frozen=True, repr=False)
+class Verdict(ShortRepr):
     """The verdict of the building at the site's own action.
 
     limit_states, methods : that decide; index : "at most" the least of the mechanisms', as they are local ones only;

@@ -7,7 +7,7 @@ import pytest
 import records.reading
 from records.errors import RecordError
 from records.formats import FORMATS, Format
-from records.reading import read
+from records.reading import read_records
 
 
 @pytest.mark.parametrize(
@@ -24,7 +24,7 @@ def test_a_file_of_no_known_format_lists_those_there_are(tmp_path: Path, data: b
     path = tmp_path / "file.AT2"
     path.write_bytes(data)
     with pytest.raises(RecordError, match=words) as caught:
-        read(path)
+        read_records(path)
     assert str(caught.value).startswith(str(path))
     assert "\n" not in str(caught.value)
 
@@ -35,11 +35,11 @@ def test_two_formats_that_match_are_both_named(tmp_path: Path, monkeypatch: pyte
     path = tmp_path / "quake.csv"
     path.write_text("time [s], acceleration [g]\n0,0\n1,1\n")
     with pytest.raises(RecordError, match="could be CSV or Twin"):
-        read(path)
+        read_records(path)
 
 
 def test_a_missing_file_and_a_folder_are_record_errors(tmp_path: Path) -> None:
     with pytest.raises(RecordError, match="cannot be read"):
-        read(tmp_path / "absent.AT2")
+        read_records(tmp_path / "absent.AT2")
     with pytest.raises(RecordError, match="is a folder; give the files in it"):
-        read(tmp_path)
+        read_records(tmp_path)

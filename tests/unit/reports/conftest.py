@@ -46,13 +46,13 @@ from assess.results import (
     Trace,
     View,
 )
-from reports.asked import as_asked
 from reports.assessment import assessment
 from reports.document import Document
-from reports.html import write_html
-from reports.processes import processes
-from reports.svg import picture
-from reports.vector import Traced, traced
+from reports.localisation import as_asked
+from reports.render.html import write_html
+from reports.render.processes import processes
+from reports.render.svg import picture
+from reports.render.vector import Traced, traced
 
 LEVELS = (0.067, 0.2, 0.45)
 PERIODS = tuple(float(period) for period in np.concatenate([[0.0], np.linspace(0.05, 4.0, 80)]))

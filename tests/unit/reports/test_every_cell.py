@@ -11,14 +11,15 @@ from lxml import html
 from openpyxl import load_workbook
 from pypdf import PdfReader
 
-from reports.csv import field, write_csv
 from reports.document import Cell, Document, Sheet, Table
-from reports.lettering import printable, shortened, visible
-from reports.numerals import outcome, shown
-from reports.pdf import write_pdf
-from reports.sheets import as_table
-from reports.spreadsheet import SHEETS, unique, write_xlsx
-from reports.vector import Traced
+from reports.figures.font import printable
+from reports.language.lettering import shortened, visible
+from reports.language.numerals import outcome, shown
+from reports.render.csv import field, write_csv
+from reports.render.pdf import write_pdf
+from reports.render.sheet_table import as_table
+from reports.render.spreadsheet import SHEETS, unique, write_xlsx
+from reports.render.vector import Traced
 
 
 def printed(document: Document) -> list[Table]:

@@ -7,7 +7,8 @@ from math import inf
 
 from assess.codes.check import Outcome, Reason, because
 from assess.results import ComparisonRow, Results
-from reports import comparisons, governing, study, summary, tables
+from reports import governing
+from reports.chapters import comparisons, other_levels, summary, tables
 
 
 def test_overturning_stands_before_every_ratio(results: Results) -> None:
@@ -64,7 +65,7 @@ def test_what_lies_beyond_the_spectrum_is_not_said_to_overturn(results: Results)
     alone = replace(made, verdict=None, mechanisms=(replace(one, checks=(worst,)),))
     lines = (
         tables.demands(one, name="d").rows[-1],
-        next(line for line in study.table(made).rows if line[1] == 9.0),
+        next(line for line in other_levels.table(made).rows if line[1] == 9.0),
         next(line for line in comparisons.side_by_side(made).rows if line[1] == 9.0),
         next(line for line in comparisons.comparison(made).rows if line[1] == 9.0),
         *summary.governing_checks(alone).rows,

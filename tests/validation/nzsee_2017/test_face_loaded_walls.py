@@ -18,7 +18,7 @@ from assess.codes.check import Reason
 from assess.codes.context import Building, Context, Wall
 from assess.codes.nzsee2017.clauses import Options, floor_factor, nominal, period, period_factor, straight_line
 from assess.codes.nzsee2017.face_loaded import NAME, assess
-from assess.geometry.planar import planar
+from assess.geometry.planar import planar_body
 from assess.geometry.solid import box
 from assess.loads.load import Force, PointMass
 from assess.mechanisms.oscillation import oscillator
@@ -36,7 +36,7 @@ CURVED = 5e-3
 
 def part(base: float, height: float):
     body = box(thickness=T, length=1.0, height=height, base=(0, 0, base), density=1800.0, name="part")
-    return planar(body, direction=(1, 0, 0))
+    return planar_body(body, direction=(1, 0, 0))
 
 
 WEIGHT = 2.0 * part(0.0, H / 2).mass * g

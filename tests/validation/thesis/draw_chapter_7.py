@@ -26,8 +26,8 @@ from assess.dynamics.history import Trace, trace
 from assess.oscillator import Oscillator
 from records.record import Record, make_record
 from records.synthetic import artificial
-from reports.figure_file import write_figure
-from reports.style import FAIL, INK, MUTED, sheet, styled
+from reports.figures.style import FAIL, INK, MUTED, sheet, styled
+from reports.render.figure_file import write_figure
 from spectra.asce7 import design_spectrum
 
 FOLDER = Path("build/figures")

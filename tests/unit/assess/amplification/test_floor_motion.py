@@ -16,7 +16,7 @@ from assess.amplification.floor_motion import (
 )
 from assess.errors import MechanismError
 from records.errors import RecordError
-from records.record import Record, make_record, scaled
+from records.record import Record, make_record, scale
 
 MODE = FirstMode(frequency=2.5, effective_height=6.01)  # Wall 6, thesis Table 8.3
 EVERY = [
@@ -71,7 +71,7 @@ def test_a_pulse_as_a_record_is_carried_as_the_pulse(method, frequency: float, h
 @pytest.mark.parametrize("amplification", EVERY)
 def test_carried_motions_grow_with_the_ground_s(amplification) -> None:
     """A factor does not depend on how strong the record is, nor on its sign."""
-    one, other = carried(amplification, noise()), carried(amplification, scaled(noise(), -2.5))
+    one, other = carried(amplification, noise()), carried(amplification, scale(noise(), -2.5))
     assert other.factor == pytest.approx(one.factor, rel=1e-12)
     np.testing.assert_allclose(other.record.acceleration, -2.5 * one.record.acceleration, atol=1e-12)
     assert one.record.pga == pytest.approx(one.factor * noise().pga, rel=1e-12)

@@ -8,7 +8,7 @@ from math import cos, sin
 import pytest
 from scipy.constants import g
 
-from assess.geometry.planar import planar_direct
+from assess.geometry.planar import planar_body_from_values
 from assess.hinge_forces import HingeForces
 from assess.loads.load import Force, PointMass, Tie
 from assess.mechanisms.face import Face
@@ -22,7 +22,7 @@ LEVEL, ROOF = Face(friction=0.6), Face(normal=(0.0, -1.0), friction=0.6)
 
 
 def body(mass: float, x: float, z: float):
-    return planar_direct(mass=mass, centroid=(x, z), inertia=0.4 * mass, name="b")
+    return planar_body_from_values(mass=mass, centroid=(x, z), inertia=0.4 * mass, name="b")
 
 
 def forces(mechanism: Mechanism, *faces: Face) -> dict[str, HingeForces]:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from assess.codes.check import Reason, because
-from assess.codes.context import counts_as_above
+from assess.codes.check import Reason, reason_message
+from assess.codes.context import is_above_ground
 from assess.mechanisms.lasting import rise_of
 from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message, Quantity
@@ -70,11 +70,11 @@ def stand_on(
     if not source:
         source = BY_BODIES if abs(lowest) <= DOUBTFUL else UNKNOWN
     unknown: tuple[Message, ...] = (
-        (because(Reason.GROUND_UNKNOWN, height=Quantity(lowest, "length")),) if source == UNKNOWN else ()
+        (reason_message(Reason.GROUND_UNKNOWN, height=Quantity(lowest, "length")),) if source == UNKNOWN else ()
     )
     if source == BY_MECHANISM and not unknown:
         unknown = _contradiction(base, ground.below(mechanism, None), lowest, mechanism, ground)
-    return Grounded(base, support, counts_as_above(support, ground.building_height), source, unknown)
+    return Grounded(base, support, is_above_ground(support, ground.building_height), source, unknown)
 
 
 def _contradiction(
@@ -87,7 +87,9 @@ def _contradiction(
     alone = lowest > mechanism.elevation - DOUBTFUL
     if base >= drawn - DOUBTFUL or (alone and ground.elevation is None):
         return ()
-    return (because(Reason.GROUND_CONTRADICTED, given=Quantity(base, "length"), drawn=Quantity(drawn, "length")),)
+    return (
+        reason_message(Reason.GROUND_CONTRADICTED, given=Quantity(base, "length"), drawn=Quantity(drawn, "length")),
+    )
 
 
 def _source(ground: Ground, base_elevation: float | None, *, by_table: bool) -> str:

@@ -15,7 +15,7 @@ from math import inf, log
 import numpy as np
 from scipy.constants import g
 
-from assess.amplification.floor_motion import Carried
+from assess.amplification.floor_motion import BaseMotion
 from assess.codes.check import BranchName
 from assess.codes.context import Suite
 from assess.dynamics.history import Jobs, Peaks, prepared, trace
@@ -41,7 +41,7 @@ class RockingCase:
     name: str
     oscillator: Oscillator
     equation: Equation
-    base: tuple[Carried, ...]
+    base: tuple[BaseMotion, ...]
     rebounds: tuple[float, ...] = (1.0,)
 
 
@@ -146,7 +146,9 @@ def _severity(found: Peaks) -> FloatArray:
     return np.where(found.overturned, inf, found.max_ratio)
 
 
-def _history(found: Peaks, job: int, carried: Carried, level: float, scale: float, *, rebound: float) -> HistoryResult:
+def _history(
+    found: Peaks, job: int, carried: BaseMotion, level: float, scale: float, *, rebound: float
+) -> HistoryResult:
     overturned = bool(found.overturned[job])
     return HistoryResult(
         record=carried.record.id,

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from functools import partial
 
-from assess.amplification.floor_motion import factor_over_frequency
+from assess.amplification.floor_motion import pulse_factor
 from assess.codes.verdict import Question
 from assess.errors import ProjectError, locate_errors
 from assess.mechanisms.lasting import variants
@@ -24,7 +24,7 @@ from assess.study.study import Study
 from assess.study.suite_faults import suite_faults
 from assess.study.survey import tolerances
 from assess.study.sweeps import MechanismSweep, case_messages, case_text, controlling_cases, run_sweeps, sweep_results
-from assess.study.verdict import by_motion, decide, mark_deciding
+from assess.study.verdict import by_motion, decide, mark_result
 from spectra.spectrum import Spectrum
 
 
@@ -47,7 +47,7 @@ def run(study: Study, *, jobs: int = 0, progress: Progress = lambda stage, done,
     at_home = asked.question == study.question  # the survey's tolerance is worked out at the site of the file
     near = tolerances(study.survey, spectrum, asked.question, found, mechanisms) if at_home else {}
     found = decide(asked, mechanisms, near) if near else found
-    mechanisms = tuple(mark_deciding(found, asked.question, each) for each in mechanisms)
+    mechanisms = tuple(mark_result(found, asked.question, each) for each in mechanisms)
     rockers = envelope_cases(study, standing)
     mapped = map_envelopes(rockers, study.pulses, jobs=jobs, progress=progress)
     numbers = dict(study.fitting.nga)
@@ -138,7 +138,7 @@ def envelope_cases(study: Study, standing: Mapping[str, MechanismSweep]) -> tupl
         rocker = variants(used).collapse
         if rocker is None:
             continue
-        factor = partial(factor_over_frequency, of.amplified[used.name].amplification)
+        factor = partial(pulse_factor, of.amplified[used.name].amplification)
         found.append(EnvelopeCase(used.name, rocker, of.equations[used.name], factor, case))
     return tuple(found)
 

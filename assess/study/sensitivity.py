@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 
 from assess.codes.basis import Basis
 from assess.codes.check import Check
-from assess.codes.family import of_histories
+from assess.codes.families import uses_histories
 from assess.codes.verdict.answer import index_of
 from assess.errors import AssessError
 from assess.mechanisms.lasting import variants
@@ -90,7 +90,7 @@ def check_case(study: Study, spectrum: Spectrum, motions: tuple[ScaledRecord, ..
     shaken = RockingCase(
         mechanism.name, variants(mechanism).deciding, study.equations[mechanism.name], base, mechanism.rebounds
     )
-    shakes = any(map(of_histories, study.procedures))
+    shakes = any(map(uses_histories, study.procedures))
     levels = study.levels if shakes else ()
     rocked = RockingHistories((), ())
     if levels and motions:
@@ -128,7 +128,7 @@ def rows_of(
         sides = low.checks.get(key), high.checks.get(key)
         if check.role == "deciding" and basis is not None:
             yield with_index(row, basis, check, *sides)
-        if key[:2] not in told and not of_histories(check.procedure):
+        if key[:2] not in told and not uses_histories(check.procedure):
             told.add(key[:2])
             yield with_capacity(row, check, *sides)
         yield with_ratio(row, check, *sides)

@@ -23,7 +23,7 @@ from assess.study.checks import Progress, assess_mechanisms
 from assess.study.motions import ScaledRecord, motions_of
 from assess.study.study import Case, Study, Sweep
 from assess.study.suite_faults import suite_faults
-from assess.study.verdict import decide, mark_deciding
+from assess.study.verdict import decide, mark_result
 
 RANKS = (Decision.PASS, Decision.INCOMPLETE, Decision.FAIL)
 
@@ -96,7 +96,7 @@ def assess_case(case: Case, study: Study, motions: tuple[ScaledRecord, ...], *, 
     done = assess_mechanisms(judged, spectrum, moving, jobs=jobs, progress=lambda stage, done, total: None)
     found = decide(judged, done)
     each = zip(done, found.mechanisms, strict=True)
-    return tuple(CaseResult(mark_deciding(found, judged.question, result), one) for result, one in each)
+    return tuple(CaseResult(mark_result(found, judged.question, result), one) for result, one in each)
 
 
 def controlling_index(cases: Sequence[CaseResult]) -> int:

@@ -7,8 +7,16 @@ from dataclasses import replace
 from math import isclose
 
 from assess.codes.check import Family
-from assess.codes.family import FAMILIES
-from assess.codes.verdict import Judged, Question, Verdict, deciding_states, methods_of, verdict, with_roles
+from assess.codes.families import FAMILIES
+from assess.codes.verdict import (
+    MechanismChecks,
+    Question,
+    Verdict,
+    find_limit_states,
+    mark_deciding,
+    methods_of,
+    verdict,
+)
 from assess.results import MechanismResult
 from assess.study.study import Study
 
@@ -21,7 +29,7 @@ def by_motion(question: Question) -> bool:
 
 def states_of(question: Question) -> tuple[str, ...]:
     """The limit states that decide, as checks name them."""
-    return tuple(state.checked_as for state in deciding_states(question)[0])
+    return tuple(state.checked_as for state in find_limit_states(question)[0])
 
 
 def decide(
@@ -29,14 +37,16 @@ def decide(
 ) -> Verdict:
     """Decide on the checks of the mechanisms; tolerance: what the survey may take from the index of each, by name."""
     near = tolerance or {}
-    judged = [Judged(m.name, m.checks, *study.facts.get(m.name, ((), ())), near.get(m.name, 0.0)) for m in mechanisms]
+    judged = [
+        MechanismChecks(m.name, m.checks, *study.facts.get(m.name, ((), ())), near.get(m.name, 0.0)) for m in mechanisms
+    ]
     return verdict(study.question, judged)
 
 
-def mark_deciding(found: Verdict, question: Question, mechanism: MechanismResult) -> MechanismResult:
+def mark_result(found: Verdict, question: Question, mechanism: MechanismResult) -> MechanismResult:
     """The mechanism with the checks that decide marked as such."""
     one = next(each for each in found.mechanisms if each.mechanism == mechanism.name)
-    return replace(mechanism, checks=with_roles(mechanism.checks, one, question.basis, question.action))
+    return replace(mechanism, checks=mark_deciding(mechanism.checks, one, question.basis, question.action))
 
 
 def levels_with_site(levels: tuple[float, ...], site_pga: float) -> tuple[float, ...]:

@@ -14,7 +14,7 @@ from assess.amplification.floor_motion import (
     Unamplified,
     first_mode,
 )
-from assess.amplification.natural_frequency import ASSUMPTIONS, SLICES, Rayleigh, cantilever, rayleigh
+from assess.amplification.natural_frequency import ASSUMPTIONS, SLICES, Rayleigh, rayleigh_mode, slice_cantilever
 from assess.errors import GeometryError, ProjectError
 from assess.mechanisms.lasting import rise_of
 from assess.messages.message import Quantity, note
@@ -195,7 +195,7 @@ def rayleigh_of(standing: Standing) -> Rayleigh:
     if abs(foot - standing.ground) > NEAR_GROUND:
         raise _missing(standing, f"its bodies begin at z = {foot:.4g} m, the ground is at {standing.ground:.4g} m")
     try:
-        return rayleigh(cantilever(solids, moduli, direction=scene.direction.tolist()))
+        return rayleigh_mode(slice_cantilever(solids, moduli, direction=scene.direction.tolist()))
     except GeometryError as error:
         raise ProjectError(f"{standing.where}: {error}") from None
 

@@ -11,17 +11,17 @@ from scipy.constants import g
 from assess.codes.bases import BASES, BY_SITE
 from assess.codes.basis import Basis, Premise
 from assess.codes.check import Family
-from assess.codes.family import FAMILIES
+from assess.codes.families import FAMILIES
 from assess.codes.verdict import (
     Action,
-    Judged,
+    MechanismChecks,
     Missing,
     Question,
     Verdict,
-    deciding_states,
+    find_limit_states,
+    mark_deciding,
     methods_of,
     verdict,
-    with_roles,
 )
 from assess.codes.verdict.question import SOURCES
 from assess.errors import ProjectError
@@ -123,7 +123,7 @@ def by_motion(question: Question) -> bool:
 
 def states_of(question: Question) -> tuple[str, ...]:
     """The limit states that decide, as checks name them."""
-    return tuple(state.checked_as for state in deciding_states(question)[0])
+    return tuple(state.checked_as for state in find_limit_states(question)[0])
 
 
 def facts_of(
@@ -194,14 +194,16 @@ def decided(
 ) -> Verdict:
     """Decide on the checks of the mechanisms; tolerance: what the survey may take from the index of each, by name."""
     near = tolerance or {}
-    judged = [Judged(m.name, m.checks, *study.facts.get(m.name, ((), ())), near.get(m.name, 0.0)) for m in mechanisms]
+    judged = [
+        MechanismChecks(m.name, m.checks, *study.facts.get(m.name, ((), ())), near.get(m.name, 0.0)) for m in mechanisms
+    ]
     return verdict(study.question, judged)
 
 
 def marked(found: Verdict, question: Question, mechanism: MechanismResult) -> MechanismResult:
     """The mechanism with the checks that decide marked as such."""
     one = next(each for each in found.mechanisms if each.mechanism == mechanism.name)
-    return replace(mechanism, checks=with_roles(mechanism.checks, one, question.basis, question.action))
+    return replace(mechanism, checks=mark_deciding(mechanism.checks, one, question.basis, question.action))
 
 
 def own_basis(section: sections.VerdictSection) -> Basis:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from assess.codes.check import Reason, because
-from assess.codes.context import counts_as_above
+from assess.codes.check import Reason, reason_message
+from assess.codes.context import is_above_ground
 from assess.geometry.solid import Solid
 from assess.mechanisms.lasting import rise_of
 from assess.mechanisms.mechanism import Mechanism
@@ -61,11 +61,11 @@ def grounded(
     if not source:
         source = BY_BODIES if abs(lowest) <= DOUBTFUL else UNKNOWN
     unknown: tuple[Message, ...] = (
-        (because(Reason.GROUND_UNKNOWN, height=Quantity(lowest, "length")),) if source == UNKNOWN else ()
+        (reason_message(Reason.GROUND_UNKNOWN, height=Quantity(lowest, "length")),) if source == UNKNOWN else ()
     )
     if source == BY_MECHANISM and not unknown:
         unknown = _contradicted(base, mechanism.elevation - ground_of(content), lowest, mechanism, content)
-    return Grounded(base, support, counts_as_above(support, height), source, unknown)
+    return Grounded(base, support, is_above_ground(support, height), source, unknown)
 
 
 def _contradicted(
@@ -79,7 +79,9 @@ def _contradicted(
     alone = lowest > mechanism.elevation - DOUBTFUL
     if base >= drawn - DOUBTFUL or (alone and not said):
         return ()
-    return (because(Reason.GROUND_CONTRADICTED, given=Quantity(base, "length"), drawn=Quantity(drawn, "length")),)
+    return (
+        reason_message(Reason.GROUND_CONTRADICTED, given=Quantity(base, "length"), drawn=Quantity(drawn, "length")),
+    )
 
 
 def known_from(section: sections.Mechanism, content: sections.Content) -> str:

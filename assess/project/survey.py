@@ -11,8 +11,8 @@ from dataclasses import replace
 from functools import partial
 
 from assess.codes.check import Check
-from assess.codes.family import of_histories
-from assess.codes.verdict import Answer, Decision, MechanismVerdict, Question, Verdict, deciding_check
+from assess.codes.families import uses_histories
+from assess.codes.verdict import Answer, Decision, MechanismVerdict, Question, Verdict, find_deciding_check
 from assess.errors import AssessError
 from assess.geometry.solid import Solid
 from assess.mechanisms.mechanism import Mechanism
@@ -95,7 +95,7 @@ def tolerances(
 
 
 def _matters(answer: Answer, target: float | None) -> bool:
-    if answer.outcome == Decision.INCOMPLETE or of_histories(answer.procedure) or target is None:
+    if answer.outcome == Decision.INCOMPLETE or uses_histories(answer.procedure) or target is None:
         return False
     good = _goodness(answer)
     return good is not None and abs(good / target - 1.0) <= FAR
@@ -117,7 +117,7 @@ def _fall(
     checks: Sequence[Check],
 ) -> float:
     """The share of the index that the tolerance takes, all numbers together."""
-    base = deciding_check(checks, answer, question.basis, question.action)
+    base = find_deciding_check(checks, answer, question.basis, question.action)
     if base is None:
         return 0.0
     total = 0.0
@@ -144,4 +144,4 @@ def _at(variable: Variable, value: float, spectrum: Spectrum, question: Question
         found = check_case(study, spectrum, (), jobs=1)
     except (AssessError, SpectrumError):
         return None
-    return deciding_check(found, answer, question.basis, question.action)
+    return find_deciding_check(found, answer, question.basis, question.action)

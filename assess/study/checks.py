@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from assess.codes.admission import admitted
+from assess.codes.applicability import apply_procedure
 from assess.codes.check import Check, Outcome
 from assess.codes.context import Context
 from assess.codes.registry import procedure
@@ -17,6 +17,6 @@ def checks_of(study: Study, oscillator: Oscillator, context: Context) -> tuple[C
     """
     found: list[Check] = []
     for name in study.procedures:
-        checks = admitted(name, procedure(name, study.options), oscillator, context)
+        checks = apply_procedure(name, procedure(name, study.options), oscillator, context)
         found += (c for c in checks if name not in study.offered or c.verdict != Outcome.NOT_APPLICABLE)
     return tuple(found)

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from assess.amplification.floor_motion import Carried, ModalFilter
-from assess.codes.check import Reason, because
-from assess.codes.context import Carried as CarriedBy
-from assess.codes.context import Context, LocalLimit
+from assess.amplification.floor_motion import BaseMotion, ModalFilter
+from assess.codes.check import Reason, reason_message
+from assess.codes.context import Context, LocalLimit, Transfer
 from assess.loads.load import PointMass
 from assess.mechanisms.hinge_forces import hinge_forces
 from assess.mechanisms.lasting import limits, rise_of, variants
@@ -30,7 +29,7 @@ def context_of(
     spectrum: Spectrum,
     mechanism: Mechanism,
     rocked: RockingHistories,
-    base: tuple[Carried, ...],
+    base: tuple[BaseMotion, ...],
     motions: tuple[ScaledRecord, ...],
 ) -> Context:
     """Return what the procedures may know of one mechanism.
@@ -45,7 +44,7 @@ def context_of(
         The mechanism to be assessed.
     rocked : RockingHistories
         Its time histories; empty where no procedure needs them.
-    base : tuple of Carried
+    base : tuple of BaseMotion
         Every motion as it acts at the base of the mechanism.
     motions : tuple of ScaledRecord
         The same motions at the ground, with their factors.
@@ -59,7 +58,7 @@ def context_of(
     if not context.above_ground:
         return context
     amplification = study.amplified[mechanism.name].amplification
-    by_mode = context.carried == "by a filter" and not context.suite_faults.get(ASCE43)
+    by_mode = context.transfer == "by a filter" and not context.suite_faults.get(ASCE43)
     floor = floor_spectrum(
         spectrum,
         height=context.support_height,
@@ -72,7 +71,7 @@ def context_of(
 
 
 def _without_floor_spectrum(
-    study: Study, spectrum: Spectrum, mechanism: Mechanism, rocked: RockingHistories, base: tuple[Carried, ...]
+    study: Study, spectrum: Spectrum, mechanism: Mechanism, rocked: RockingHistories, base: tuple[BaseMotion, ...]
 ) -> Context:
     grounded, rise, ways = study.grounded[mechanism.name], rise_of(mechanism), variants(mechanism)
     amplified = study.amplified[mechanism.name]
@@ -89,7 +88,7 @@ def _without_floor_spectrum(
         building=study.building,
         suites=rocked.suites,
         histories_at="ground" if amplified.height is None else "mechanism base",
-        carried=transfer_to_support(amplified, support=grounded.support),
+        transfer=transfer_to_support(amplified, support=grounded.support),
         crushing=mechanism.crushing,
         starting=ways.starting,
         breaking=ways.breaking,
@@ -98,12 +97,12 @@ def _without_floor_spectrum(
         knowledge=study.knowledge.get(mechanism.name, {}),
         limit_state=study.limit_state if study.hazard is None else None,
         impossible=grounded.unknown,
-        unheld=unheld_messages(mechanism),
+        not_lasting=unheld_messages(mechanism),
         suite_faults=study.suite_faults,
         impossible_by_histories=reasons_against_histories(mechanism),
         amplification=max((each.factor for each in base), default=1.0),
         linearised=study.equations[mechanism.name] == "linearised",
-        besides=rocked.besides,
+        extra_suites=rocked.besides,
         hinges=hinge_forces(mechanism),
         incremental=tuple(sorted((*rocked.scan, *rocked.suites), key=lambda suite: suite.pga)) if rocked.scan else (),
         hazard=study.hazard,
@@ -111,7 +110,7 @@ def _without_floor_spectrum(
     )
 
 
-def transfer_to_support(amplified: Amplified, *, support: float) -> CarriedBy:
+def transfer_to_support(amplified: Amplified, *, support: float) -> Transfer:
     """Return how the motion of the histories is amplified up to the `support` of a mechanism [m above the ground].
 
     Motion that is amplified only part of the way counts as that of the ground.
@@ -131,4 +130,4 @@ def reasons_against_histories(mechanism: Mechanism) -> tuple[Message, ...]:
     """Return why histories cannot assess the mechanism: the first impact would bring it to rest."""
     if mechanism.stopped is None:
         return ()
-    return (because(Reason.STOPS, restitution=Quantity(mechanism.stopped, figures=3)),)
+    return (reason_message(Reason.STOPS, restitution=Quantity(mechanism.stopped, figures=3)),)

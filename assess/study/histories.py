@@ -9,7 +9,7 @@ from math import inf
 import numpy as np
 from scipy.constants import g
 
-from assess.amplification.floor_motion import Carried
+from assess.amplification.floor_motion import BaseMotion
 from assess.dynamics.history import trace
 from assess.results import HistoryResult, Trace
 from assess.study.history_levels import LevelPeaks, branch_of, level_solver, suites_of, with_restitution_factor
@@ -74,7 +74,7 @@ def run_levels(
     return RockingHistories(histories, suites[: len(levels)], suites[len(levels) :])
 
 
-def _history(peaks: LevelPeaks, job: int, carried: Carried, level: float) -> HistoryResult:
+def _history(peaks: LevelPeaks, job: int, carried: BaseMotion, level: float) -> HistoryResult:
     """Return the result of one job, run at a level [m/s2]."""
     found, scale = peaks.found, float(peaks.scale[job])
     overturned = bool(found.overturned[job])

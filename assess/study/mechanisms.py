@@ -5,10 +5,10 @@ from __future__ import annotations
 import os
 from concurrent.futures import ThreadPoolExecutor
 
-from assess.amplification.floor_motion import Carried, carried
-from assess.codes.family import of_histories
-from assess.codes.italian.confidence import confidences
-from assess.codes.italian.history import suites_needed
+from assess.amplification.floor_motion import BaseMotion, base_motion
+from assess.codes.families import uses_histories
+from assess.codes.italian.confidence import confidence_factors
+from assess.codes.italian.history import required_pga
 from assess.codes.registry import history_rules
 from assess.mechanisms.lasting import variants
 from assess.mechanisms.mechanism import Mechanism
@@ -52,7 +52,7 @@ def assess_mechanisms(
         In the order of the study.
     """
     cases = {m.name: rocking_case(study, m, motions) for m in study.mechanisms}
-    with_scan = any(map(of_histories, study.procedures))
+    with_scan = any(map(uses_histories, study.procedures))
     workers = jobs or os.cpu_count() or 1
     threads = max(1, workers // max(1, len(cases)))
 
@@ -92,14 +92,14 @@ def further_levels(study: Study, spectrum: Spectrum, mechanism: Mechanism) -> tu
     for name, (rule, options) in history_rules(study.options).items():
         if name in study.procedures:
             level = known.get(rule.edition.code)
-            factors = [each.factor for each in confidences(options, crushing=mechanism.crushing, level=level)]
-            wanted += suites_needed(study.levels, study.hazard, spectrum, rule=rule, options=options, factors=factors)
+            factors = [each.factor for each in confidence_factors(options, crushing=mechanism.crushing, level=level)]
+            wanted += required_pga(study.levels, study.hazard, spectrum, rule=rule, options=options, factors=factors)
     return tuple(dict.fromkeys(wanted))
 
 
-def motions_at_base(amplified: Amplified, motions: tuple[ScaledRecord, ...]) -> tuple[Carried, ...]:
+def motions_at_base(amplified: Amplified, motions: tuple[ScaledRecord, ...]) -> tuple[BaseMotion, ...]:
     """Return every motion as it acts at the base of a mechanism."""
-    return tuple(carried(amplified.amplification, motion.record) for motion in motions)
+    return tuple(base_motion(amplified.amplification, motion.record) for motion in motions)
 
 
 def assess_mechanism(
@@ -118,7 +118,7 @@ def assess_mechanism(
         equation=case.equation,
         scene=study.scenes.get(mechanism.name),
         checks=checks_of(study, case.oscillator, context),
-        histories=() if context.unheld else with_governing_trace(case, rocked.histories, motions),
+        histories=() if context.not_lasting else with_governing_trace(case, rocked.histories, motions),
         amplification=amplification_result(study.amplified[mechanism.name], motions, case.base),
         grounded=study.grounded[mechanism.name],
     )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from assess.amplification.floor_motion import Carried
+from assess.amplification.floor_motion import BaseMotion
 from assess.codes.context import Suite
 from assess.oscillator import Oscillator, elastic_frequency
 from assess.results import HistoryResult
@@ -22,7 +22,7 @@ class RockingCase(ShortRepr):
     name: str
     oscillator: Oscillator
     equation: Equation
-    base: tuple[Carried, ...]
+    base: tuple[BaseMotion, ...]
     rebounds: tuple[float, ...] = (1.0,)
 
 

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from functools import partial
 
-from assess.amplification.floor_motion import factor_over_frequency
+from assess.amplification.floor_motion import pulse_factor
 from assess.codes.verdict import Question
 from assess.errors import ProjectError
 from assess.mechanisms.lasting import variants
@@ -141,7 +141,7 @@ def envelope_cases(study: Study, standing: Mapping[str, MechanismSweep]) -> tupl
         rocker = variants(used).collapse
         if rocker is None:
             continue
-        factor = partial(factor_over_frequency, of.amplified[used.name].amplification)
+        factor = partial(pulse_factor, of.amplified[used.name].amplification)
         found.append(EnvelopeCase(used.name, rocker, of.equations[used.name], factor, case))
     return tuple(found)
 

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from assess.codes.check import Check
-from assess.codes.family import of_histories
+from assess.codes.families import uses_histories
 from assess.errors import AssessError
 from assess.results import MechanismResult, SensitivityResult
 from assess.study.checks import checks_of
@@ -116,7 +116,7 @@ def check_case(study: Study, spectrum: Spectrum, motions: tuple[ScaledRecord, ..
     """
     (mechanism,) = study.mechanisms
     case = rocking_case(study, mechanism, motions)
-    levels = study.levels if any(map(of_histories, study.procedures)) else ()
+    levels = study.levels if any(map(uses_histories, study.procedures)) else ()
     rocked = RockingHistories((), ())
     if levels and motions:
         further = further_levels(study, spectrum, mechanism)

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 from assess.codes.basis import Basis
 from assess.codes.check import Check
-from assess.codes.family import of_histories
+from assess.codes.families import uses_histories
 from assess.codes.verdict.answer import index_of
 from assess.results import SensitivityResult
 from assess.study.study import Unvaried, Variable
@@ -52,7 +52,7 @@ def rows_of(
         sides = low.checks.get(key), high.checks.get(key)
         if check.role == "deciding" and basis is not None:
             yield with_index(row, basis, check, *sides)
-        if key[:2] not in with_capacities and not of_histories(check.procedure):
+        if key[:2] not in with_capacities and not uses_histories(check.procedure):
             with_capacities.add(key[:2])
             yield with_capacity(row, check, *sides)
         yield with_ratio(row, check, *sides)

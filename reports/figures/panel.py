@@ -26,7 +26,7 @@ from matplotlib.ticker import NullLocator
 from matplotlib.transforms import Bbox, IdentityTransform
 from numpy.typing import NDArray
 
-from reports.figures.legend import settled
+from reports.figures.legend import cache_extents
 from reports.figures.ruler import RULER, Ruler
 from spectra.arrays import FloatArray
 
@@ -280,7 +280,7 @@ class Panel(Axes):
 
     def legend(self, *given: Any, **named: Any) -> Legend:
         """A legend whose boxes are measured once."""
-        return settled(super().legend(*given, **named))
+        return cache_extents(super().legend(*given, **named))
 
     def clear(self) -> None:
         """Frames at the edges of the panel, which take no place beside their scales."""

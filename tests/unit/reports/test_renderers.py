@@ -23,7 +23,7 @@ DATA = {
     "assess.workers",  # processes that end with their parent
     "assess.results",
     "assess.codes.check",
-    "assess.codes.family",
+    "assess.codes.families",
     "assess.codes.verdict",
     "assess.codes.verdict_text",
     "assess.messages.message",

@@ -9,7 +9,7 @@ import pytest
 
 from assess.cli.description import lasting_text
 from assess.codes.check import Family, Outcome
-from assess.codes.family import FAMILIES
+from assess.codes.families import FAMILIES
 from assess.errors import AssessError
 from assess.mechanisms.lasting import variants
 from assess.project.build import build

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.amplification.floor_motion import Carried
+from assess.amplification.floor_motion import BaseMotion
 from assess.errors import GeometryError, MechanismError, ProjectError
 from assess.mechanisms.oscillation import oscillator
 from assess.project.build import build
@@ -53,7 +53,7 @@ def record(path: Path, *, seed: int, amplitude: float = 1.0) -> None:
 
 def as_they_are(motions):
     """The ground's motions at the base of a mechanism that is not amplified."""
-    return tuple(Carried(motion.record, 1.0) for motion in motions)
+    return tuple(BaseMotion(motion.record, 1.0) for motion in motions)
 
 
 def study_of(folder: Path, *, spectrum=ASCE, mechanism="", records=QUIET, analysis="", amplitude=1.0, tail="") -> Study:

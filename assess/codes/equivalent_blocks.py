@@ -8,7 +8,7 @@ from dataclasses import replace
 from assess.oscillator import Branch, Oscillator, block_at, plain_branch
 
 
-def plain(oscillator: Oscillator, rotation_of: Callable[[Branch], float]) -> Oscillator:
+def to_equivalent_blocks(oscillator: Oscillator, rotation_of: Callable[[Branch], float]) -> Oscillator:
     """Each branch as the plain block that it is like at a rotation [rad]; rigid ones as they are.
 
     R, alpha and p at that rotation stand for those at rest, as the resultant of the joint has moved inward (6.50-6.52).

@@ -6,9 +6,9 @@ from dataclasses import dataclass
 
 from scipy.constants import g
 
-from assess.codes.check import Outcome, Reason, because
+from assess.codes.check import Outcome, Reason, reason_message
 from assess.codes.context import Context
-from assess.codes.relation import PgaRelation, capacity
+from assess.codes.pga_rotation import PgaRotation, pga_capacity
 from assess.messages.message import Message, Quantity
 
 
@@ -21,11 +21,11 @@ class Answer:
     capacity_pga_g: float | None
 
 
-def spectral_answer(
+def rotation_verdict(
     rotation: float | None,
     allowable: float,
     *,
-    curve: PgaRelation,
+    curve: PgaRotation,
     level: float,
     uplift: float | None,
     context: Context,
@@ -35,23 +35,23 @@ def spectral_answer(
     uplift: the true multiplier [-], None on joints without a threshold. Where the spectrum ends before the answer,
     nothing is claimed.
     """
-    at_capacity = capacity(curve, allowable)
+    at_capacity = pga_capacity(curve, allowable)
     in_g = None if at_capacity is None else at_capacity / g
     if rotation is not None:
         within = Outcome.PASS if rotation <= allowable else Outcome.FAIL
         return Answer(within, _rocks(rotation, allowable, level, uplift), in_g)
     if curve.complete:
-        return Answer(Outcome.FAIL, because(Reason.OVERTURNS), in_g)
+        return Answer(Outcome.FAIL, reason_message(Reason.OVERTURNS), in_g)
     if at_capacity is not None:
-        return Answer(Outcome.FAIL, because(Reason.BEYOND_SPECTRUM), in_g)
+        return Answer(Outcome.FAIL, reason_message(Reason.BEYOND_SPECTRUM), in_g)
     end = Quantity(context.spectrum.longest_period, "time")
-    return Answer(Outcome.NOT_ANSWERED, because(Reason.SPECTRUM_TOO_SHORT, period="the answer", end=end), None)
+    return Answer(Outcome.NOT_ANSWERED, reason_message(Reason.SPECTRUM_TOO_SHORT, period="the answer", end=end), None)
 
 
 def _rocks(rotation: float, allowable: float, level: float, uplift: float | None) -> Message:
     if rotation == 0.0:
-        return because(_still(level, uplift))
-    return because(Reason.WITHIN if rotation <= allowable else Reason.BEYOND, capacity="the allowable rotation")
+        return reason_message(_still(level, uplift))
+    return reason_message(Reason.WITHIN if rotation <= allowable else Reason.BEYOND, capacity="the allowable rotation")
 
 
 def _still(level: float, uplift: float | None) -> Reason:

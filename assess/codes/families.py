@@ -9,7 +9,7 @@ from assess.codes.check import Family
 AMERICAN = ("asce7-05", "ibc2009", "asce7-10", "asce7-16")
 EUROPEAN = ("ec8", "ntc2008", "ntc2018")
 NEW_ZEALAND = ("nzs1170.5",)
-GIVEN = "table"  # the engineer's own spectrum, for any code
+TABLE_SPECTRUM = "table"  # the engineer's own spectrum, for any code
 
 FAMILIES: Mapping[str, Family] = {
     "asce43-05-spectrum": Family.ENERGY,
@@ -28,7 +28,7 @@ FAMILIES: Mapping[str, Family] = {
     "asce43-05-sliding": Family.SLIDING,
     "sliding": Family.FRICTION,
 }
-CODES: Mapping[str, str] = {  # whose rules for suites a procedure by histories goes by
+SUITE_CODES: Mapping[str, str] = {  # whose rules for suites a procedure by histories goes by
     "asce43-05-history": "asce43-05",
     "dmi2008-history": "ntc2018",
     "ntc2018-history": "ntc2018",
@@ -41,33 +41,38 @@ ITALIAN: Mapping[str, str] = {  # the code whose knowledge levels and limit stat
     "ntc2018-nonlinear": "ntc2018",
     "ntc2018-history": "ntc2018",
 }
-READINGS = ("asce43-05-spectrum-thesis", "dmi2008-nonlinear-thesis")  # of the thesis: shown, and they never decide
+THESIS_READINGS = (
+    "asce43-05-spectrum-thesis",
+    "dmi2008-nonlinear-thesis",
+)  # of the thesis: shown, and they never decide
 
-HOMES: Mapping[str, tuple[str, ...]] = {
+WRITTEN_FOR: Mapping[str, tuple[str, ...]] = {
     "asce41-13-ht": AMERICAN,
     "ec8-element": EUROPEAN,
     "nzsee2017-face-loaded": NEW_ZEALAND,
 }
-ONLY_ASKED = ("ec8-element",)  # whether a mechanism is a non-structural element, the engineer must say
+ONLY_ON_REQUEST = ("ec8-element",)  # whether a mechanism is a non-structural element, the engineer must say
 
 
-def of_histories(procedure: str) -> bool:
+def uses_histories(procedure: str) -> bool:
     """Whether a procedure asks for time histories."""
     return FAMILIES.get(procedure) == Family.HISTORY
 
 
-def at_home(procedure: str, spectrum_code: str) -> bool:
+def is_written_for(procedure: str, spectrum_code: str) -> bool:
     """Whether a site of this spectrum is one that the procedure is written for; True for those without a family."""
-    return procedure not in HOMES or spectrum_code in (*HOMES[procedure], GIVEN)
+    return procedure not in WRITTEN_FOR or spectrum_code in (*WRITTEN_FOR[procedure], TABLE_SPECTRUM)
 
 
-def foreign(procedure: str, spectrum_code: str) -> str:
+def other_spectrum_note(procedure: str, spectrum_code: str) -> str:
     """A sentence for the caveat where the spectrum is of another family; else empty."""
-    if at_home(procedure, spectrum_code):
+    if is_written_for(procedure, spectrum_code):
         return ""
-    return f"; written for spectra of {', '.join(HOMES[procedure])}, here on one of {spectrum_code}: for information"
+    return (
+        f"; written for spectra of {', '.join(WRITTEN_FOR[procedure])}, here on one of {spectrum_code}: for information"
+    )
 
 
-def offered(spectrum_code: str) -> tuple[str, ...]:
+def procedures_of_site(spectrum_code: str) -> tuple[str, ...]:
     """The procedures that a site of this spectrum brings with it, unasked."""
-    return tuple(name for name, codes in HOMES.items() if spectrum_code in codes and name not in ONLY_ASKED)
+    return tuple(name for name, codes in WRITTEN_FOR.items() if spectrum_code in codes and name not in ONLY_ON_REQUEST)

@@ -13,7 +13,7 @@ OneCheck = Callable[[Branch, BranchName, float], Check]
 NAMES: tuple[BranchName, BranchName] = ("positive", "negative")
 
 
-def governing(oscillator: Oscillator, levels: Sequence[float], one: OneCheck) -> tuple[Check, ...]:
+def check_worst_branch(oscillator: Oscillator, levels: Sequence[float], one: OneCheck) -> tuple[Check, ...]:
     """For each PGA of `levels` [m/s2] the worse of `one(branch, name, level)` over the oscillator's branches.
 
     PGA at capacity and at uplift are the smaller of the branches', whichever is the worse at the level. Of a branch
@@ -21,30 +21,30 @@ def governing(oscillator: Oscillator, levels: Sequence[float], one: OneCheck) ->
     """
     branches = tuple(dict.fromkeys(oscillator.branches))
     named = tuple(zip(branches, NAMES, strict=False))
-    return tuple(worst_of([one(branch, name, level) for branch, name in named]) for level in levels)
+    return tuple(worst_branch_check([one(branch, name, level) for branch, name in named]) for level in levels)
 
 
-def branch_named(oscillator: Oscillator, name: BranchName) -> Branch:
+def branch_of(oscillator: Oscillator, name: BranchName) -> Branch:
     """The branch of a check; the positive one where there is no other."""
     return oscillator.positive if name == "positive" or oscillator.negative is None else oscillator.negative
 
 
-def worst_of(checks: Sequence[Check]) -> Check:
+def worst_branch_check(checks: Sequence[Check]) -> Check:
     """The check of the worse branch, with the smaller PGA at capacity and at uplift of all."""
     return replace(
-        worse(checks),
-        capacity_pga_g=least([check.capacity_pga_g for check in checks]),
-        uplift_pga_g=least([check.uplift_pga_g for check in checks]),
+        worst_check(checks),
+        capacity_pga_g=least_known([check.capacity_pga_g for check in checks]),
+        uplift_pga_g=least_known([check.uplift_pga_g for check in checks]),
     )
 
 
-def least(values: Sequence[float | None]) -> float | None:
+def least_known(values: Sequence[float | None]) -> float | None:
     """The smallest, None where one is not known."""
     known = [value for value in values if value is not None]
     return min(known) if len(known) == len(values) else None
 
 
-def worse(checks: Sequence[Check]) -> Check:
+def worst_check(checks: Sequence[Check]) -> Check:
     """The check that fails, then the one with the larger demand/capacity, then the smaller PGA at collapse.
 
     The first of equals (the positive branch) stands.

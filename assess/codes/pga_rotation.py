@@ -30,7 +30,7 @@ PgaOf = Callable[[FloatArray], FloatArray]
 
 
 @dataclass(frozen=True)
-class PgaRelation:
+class PgaRotation:
     """PGA [m/s2] over rotation [rad], up to overturning or to where the spectrum ends.
 
     rotation [n]; pga_of: the curve itself; bottom: index where its first fall ends, 0 where it may fall again;
@@ -45,14 +45,14 @@ class PgaRelation:
     falls_again: bool = False
 
 
-def relation(
+def pga_rotation(
     pga_of: PgaOf,
     *,
     overturning: float,
     uplift: float = 0.0,
     period_of: PgaOf | None = None,
     longest_period: float = inf,
-) -> PgaRelation:
+) -> PgaRotation:
     """The relation from nearly rest to `overturning` [rad]: finer near rest, where periods change fastest.
 
     Nothing rocks below `uplift` [m/s2]. Where `period_of` (rotation -> period [s]) exceeds `longest_period`, the
@@ -63,16 +63,16 @@ def relation(
     rising = np.flatnonzero(np.diff(pga) >= 0)
     bottom = int(rising[0]) if rising.size else max(rotation.size - 1, 0)
     least = np.maximum.accumulate(np.concatenate((pga[bottom : bottom + 1].repeat(bottom), pga[bottom:])))
-    return PgaRelation(rotation, pga_of, bottom, np.maximum(least, uplift), complete)
+    return PgaRotation(rotation, pga_of, bottom, np.maximum(least, uplift), complete)
 
 
-def floor_relation(
+def floor_pga_rotation(
     pga_of: PgaOf, *, overturning: float, uplift: float, period_of: PgaOf, longest_period: float
-) -> PgaRelation:
+) -> PgaRotation:
     """The same on a floor spectrum, whose curve may fall again."""
     rotation, complete = _rotations(overturning, period_of, longest_period)
     least = np.minimum.accumulate(pga_of(rotation)[::-1])[::-1]
-    return PgaRelation(rotation, pga_of, 0, np.maximum(least, uplift), complete, falls_again=True)
+    return PgaRotation(rotation, pga_of, 0, np.maximum(least, uplift), complete, falls_again=True)
 
 
 def _rotations(overturning: float, period_of: PgaOf | None, longest_period: float) -> tuple[FloatArray, bool]:
@@ -84,7 +84,7 @@ def _rotations(overturning: float, period_of: PgaOf | None, longest_period: floa
     return rotation, rotation.size == ratio.size
 
 
-def demand(curve: PgaRelation, level: float) -> float | None:
+def rotation_demand(curve: PgaRotation, level: float) -> float | None:
     """Rotation [rad] at PGA `level` [m/s2].
 
     0 where nothing rocks; None where the level lies above the whole curve: no equilibrium, the body overturns, or,
@@ -105,7 +105,7 @@ def demand(curve: PgaRelation, level: float) -> float | None:
     return float(brentq(excess, low, high, xtol=1e-14)) if excess(low) < 0 else float(low)
 
 
-def capacity(curve: PgaRelation, allowable: float) -> float | None:
+def pga_capacity(curve: PgaRotation, allowable: float) -> float | None:
     """Largest PGA [m/s2] whose demand does not exceed `allowable` [rad]; None beyond the spectrum's end."""
     if not curve.least.size or allowable > curve.rotation[-1] * (1 + 1e-12):
         return None
@@ -117,7 +117,7 @@ def capacity(curve: PgaRelation, allowable: float) -> float | None:
     return max(float(curve.least[before[-1]] if before.size else curve.least[0]), at)
 
 
-def as_curve(curve: PgaRelation, branch: Branch) -> PgaCurve:
+def to_pga_curve(curve: PgaRotation, branch: Branch) -> PgaCurve:
     """The relation as it goes into the results: rotation over the branch's overturning rotation, PGA in g."""
     return PgaCurve(
         rotation_ratio=tuple((curve.rotation / branch.overturning).tolist()),

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from assess.codes.check import Check, Family, Outcome, Reason
-from assess.codes.family import FAMILIES
+from assess.codes.families import FAMILIES
 from assess.codes.verdict.question import Missing
 from assess.messages.message import Message
 
@@ -42,7 +42,7 @@ REMEDIES: Mapping[Reason, tuple[Line, ...]] = {
 }
 
 
-def remedies(mechanism: str, checks: Sequence[Check]) -> tuple[Missing, ...]:
+def missing_keys(mechanism: str, checks: Sequence[Check]) -> tuple[Missing, ...]:
     """Return what would answer these checks of a mechanism; the reason itself where no key is known.
 
     A reason that names its key says so in `where`.

@@ -9,7 +9,7 @@ from assess.codes.context import Context
 from assess.messages.message import Severity, message
 
 
-def with_height(checks: tuple[Check, ...], *, context: Context) -> tuple[Check, ...]:
+def warn_at_height(checks: tuple[Check, ...], *, context: Context) -> tuple[Check, ...]:
     """Add to the checks of a mechanism at height that take the ground's motion a remark and a line of the sheet."""
     return tuple(_with_height(check, context.support_height) for check in checks) if context.above_ground else checks
 

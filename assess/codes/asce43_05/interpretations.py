@@ -11,15 +11,15 @@ from assess.codes.asce43_05.clauses import (
     HALF,
     THIRD,
     effective_damping,
-    floor_pga_relation,
+    floor_spectral_pga_rotation,
     inertia_ratio,
-    pga_relation,
+    spectral_pga_rotation,
     thesis_limit_ratio,
 )
 from assess.codes.check import InputAt, Step, step
 from assess.codes.check import Reading as Kind
 from assess.codes.context import Context
-from assess.codes.relation import PgaRelation, capacity
+from assess.codes.pga_rotation import PgaRotation, pga_capacity
 from assess.oscillator import Branch, equivalent_block, threshold
 from spectra.spectrum import Spectrum
 
@@ -44,20 +44,20 @@ class Reading:
     spectrum: Spectrum
     pga: float
     input_at: InputAt
-    curve: PgaRelation
+    curve: PgaRotation
     limit: float
     limited: tuple[Step, ...]
     in_range: bool = True
 
 
-def letter(branch: Branch, context: Context, *, f_v: float) -> Reading:
+def clause_interpretation(branch: Branch, context: Context, *, f_v: float) -> Reading:
     """The clause: the demand at f_e and beta_e, from true uplift on, against one third of what overturns."""
     damping, uplift = effective_damping(branch.restitution), (threshold(branch) or 0.0) * g
     floor, pga = context.floor_spectrum if context.above_ground else None, context.spectrum.pga
     if floor is None:
-        curve = pga_relation(branch, context.spectrum, damping=damping, f_v=f_v, uplift=uplift)
+        curve = spectral_pga_rotation(branch, context.spectrum, damping=damping, f_v=f_v, uplift=uplift)
     else:
-        curve = floor_pga_relation(branch, floor, damping=damping, f_v=f_v, uplift=uplift, pga=pga)
+        curve = floor_spectral_pga_rotation(branch, floor, damping=damping, f_v=f_v, uplift=uplift, pga=pga)
     return Reading(
         procedure="asce43-05-spectrum",
         kind="letter",
@@ -72,7 +72,7 @@ def letter(branch: Branch, context: Context, *, f_v: float) -> Reading:
     )
 
 
-def thesis(branch: Branch, context: Context, *, f_v: float, mass: float) -> Reading:
+def thesis_interpretation(branch: Branch, context: Context, *, f_v: float, mass: float) -> Reading:
     """The thesis' reading (8.3.2): 5 % damping, limit k alpha / sin 2 alpha, no threshold of uplift."""
     block = equivalent_block(branch, mass=mass)
     ratio, k, alpha = thesis_limit_ratio(block), inertia_ratio(block), block.slenderness
@@ -87,7 +87,7 @@ def thesis(branch: Branch, context: Context, *, f_v: float, mass: float) -> Read
         spectrum=context.spectrum,
         pga=context.spectrum.pga,
         input_at="ground",
-        curve=pga_relation(branch, context.spectrum, damping=THESIS_DAMPING, f_v=f_v, uplift=0.0),
+        curve=spectral_pga_rotation(branch, context.spectrum, damping=THESIS_DAMPING, f_v=f_v, uplift=0.0),
         limit=limit,
         limited=(
             step("k", "inertia ratio of the equivalent block", THESIS, "I_O / (M R²)", k, given=parts),
@@ -107,12 +107,12 @@ def _effective(restitution: float, damping: float) -> tuple[Step, ...]:
     )
 
 
-def _third(branch: Branch, curve: PgaRelation) -> tuple[Step, ...]:
+def _third(branch: Branch, curve: PgaRotation) -> tuple[Step, ...]:
     """The allowable rotation, and beside it half of what overturns, with the PGA that takes the body there."""
     overturns, half = {"φ_ov": (branch.unstable, "rad")}, HALF * branch.unstable
     third = "allowed: one third of the rotation that overturns"
     beside = "one half beside it, the limit of response histories"
-    at_half = capacity(curve, half)
+    at_half = pga_capacity(curve, half)
     return (
         step("θ_lim", third, LIMIT, "φ_ov / 3", THIRD * branch.unstable, "rad", given=overturns),
         step("θ_1/2", beside, LIMIT, "φ_ov / 2", half, "rad", given=overturns),

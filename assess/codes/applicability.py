@@ -13,11 +13,11 @@ from enum import StrEnum
 
 from scipy.constants import g
 
-from assess.codes.check import Check, Family, Outcome, Reason, because
+from assess.codes.check import Check, Family, Outcome, Reason, reason_message
 from assess.codes.context import Context
-from assess.codes.family import CODES, FAMILIES, READINGS
+from assess.codes.families import FAMILIES, SUITE_CODES, THESIS_READINGS
 from assess.codes.italian.floor import floor_of
-from assess.codes.italian.inputs import Lacking, lacking_of
+from assess.codes.italian.missing_inputs import MissingInput, missing_inputs
 from assess.codes.sliding import sliding_pga
 from assess.messages.message import Message, Quantity, Severity, message
 from assess.oscillator import Oscillator
@@ -39,7 +39,7 @@ FLOOR_CLAUSES: dict[Family, str] = {
 }
 
 
-class May(StrEnum):
+class Allowed(StrEnum):
     """What a procedure may say of a mechanism."""
 
     ANSWER = "answer"
@@ -49,7 +49,7 @@ class May(StrEnum):
 
 
 @dataclass(frozen=True)
-class Admission:
+class Applicability:
     """What a procedure may say, and the reason where that is not everything.
 
     safe : whether the numbers were worked out with the safe value of what is missing, so that they may be shown beside
@@ -57,17 +57,17 @@ class Admission:
     others : further reasons of the same kind, each with its remedy
     """
 
-    may: May
+    may: Allowed
     reason: Message | None = None
     safe: bool = False
     void: bool = False
     others: tuple[Message, ...] = ()
 
 
-ASKED = Admission(May.ANSWER)
+APPLICABLE = Applicability(Allowed.ANSWER)
 
 
-def admission(procedure: str, oscillator: Oscillator, context: Context) -> Admission:
+def find_applicability(procedure: str, oscillator: Oscillator, context: Context) -> Applicability:
     """Find whether `procedure` may be asked: the first rule that speaks decides, the strictest first.
 
     What the other rules miss stands beside it, so that all that is missing is listed at once.
@@ -76,22 +76,22 @@ def admission(procedure: str, oscillator: Oscillator, context: Context) -> Admis
     rules = (_of_clause, _of_unheld, _of_impossible, _of_histories, _of_height)
     spoken = (rule(procedure, family, oscillator, context) for rule in rules)
     found = [each for each in spoken if each is not None]
-    if not found or found[0].may == May.NOT_APPLY:
-        return found[0] if found else ASKED
+    if not found or found[0].may == Allowed.NOT_APPLY:
+        return found[0] if found else APPLICABLE
     first, *rest = found
     others = (reason for each in rest for reason in (each.reason, *each.others) if reason is not None)
     return replace(first, safe=all(each.safe for each in found), others=(*first.others, *others))
 
 
-def admitted(
+def apply_procedure(
     procedure: str, assess: Callable[[Oscillator, Context], tuple[Check, ...]], oscillator: Oscillator, context: Context
 ) -> tuple[Check, ...]:
     """The checks of a procedure, each as its admission lets it stand."""
-    given = admission(procedure, oscillator, context)
+    given = find_applicability(procedure, oscillator, context)
     if given.void:  # no number is kept, and what breaks may fall before the mechanism that stands in here
         context = replace(context, starting=None, breaking=None, limits=())
     found = (
-        _as_admitted(check, _with(given, lacking_of(procedure, check.limit_state, context)))
+        _as_admitted(check, _with(given, missing_inputs(procedure, check.limit_state, context)))
         for check in assess(oscillator, context)
     )
     return tuple(_if_held(check, context) for check in found)
@@ -107,26 +107,28 @@ def _if_held(check: Check, context: Context) -> Check:
     return replace(check, conditions=(*check.conditions, held))
 
 
-def _with(given: Admission, lacking: tuple[Lacking, ...]) -> Admission:
+def _with(given: Applicability, lacking: tuple[MissingInput, ...]) -> Applicability:
     """The admission of a procedure with what one of its limit states lacks."""
-    if not lacking or given.may in (May.NOT_APPLY, May.NOT_ANSWER):
+    if not lacking or given.may in (Allowed.NOT_APPLY, Allowed.NOT_ANSWER):
         return replace(given, others=(*given.others, *(each.reason for each in lacking)))
     reasons = [each.reason for each in lacking]
     if given.reason is None:
-        return Admission(May.NOT_ANSWER, reasons[0], all(each.safe for each in lacking), others=tuple(reasons[1:]))
-    return replace(given, may=May.NOT_ANSWER, others=tuple(reasons))
+        return Applicability(
+            Allowed.NOT_ANSWER, reasons[0], all(each.safe for each in lacking), others=tuple(reasons[1:])
+        )
+    return replace(given, may=Allowed.NOT_ANSWER, others=tuple(reasons))
 
 
-def _as_admitted(check: Check, given: Admission) -> Check:
+def _as_admitted(check: Check, given: Applicability) -> Check:
     if given.reason is None or check.verdict == Outcome.NOT_APPLICABLE:
         return check
-    if given.may == May.NOT_APPLY:
+    if given.may == Allowed.NOT_APPLY:
         return replace(check, verdict=Outcome.NOT_APPLICABLE, reason=given.reason)
     if given.void:
         return without_numbers(check, given.reason, given.others)
     if check.verdict == Outcome.NOT_ANSWERED:
         return replace(check, remarks=(*check.remarks, given.reason, *given.others))
-    if given.may == May.ONLY_FAIL and check.verdict == Outcome.FAIL:
+    if given.may == Allowed.ONLY_FAIL and check.verdict == Outcome.FAIL:
         return replace(check, may_pass=False, remarks=(*check.remarks, given.reason))
     own = () if check.reason.key in (Reason.WITHIN, Reason.BEYOND) else (check.reason,)
     return replace(
@@ -160,56 +162,56 @@ def without_numbers(check: Check, reason: Message, others: tuple[Message, ...] =
     )
 
 
-def _of_clause(procedure: str, family: Family, oscillator: Oscillator, context: Context) -> Admission | None:
+def _of_clause(procedure: str, family: Family, oscillator: Oscillator, context: Context) -> Applicability | None:
     """What the clause is not for."""
     if procedure in BY_IMPACTS and oscillator.negative is None:
-        return Admission(May.NOT_APPLY, because(Reason.ONE_SIDED))
+        return Applicability(Allowed.NOT_APPLY, reason_message(Reason.ONE_SIDED))
     if procedure in BY_IMPACTS and min(branch.restitution for branch in oscillator.branches) == 0.0:
-        return Admission(May.NOT_APPLY, because(Reason.NO_REBOUND))
+        return Applicability(Allowed.NOT_APPLY, reason_message(Reason.NO_REBOUND))
     if family == Family.PART and context.support == "hinged":
-        return Admission(May.NOT_APPLY, because(Reason.NOT_A_WALL, clause="NZSEE 2017 C8.8.5"))
+        return Applicability(Allowed.NOT_APPLY, reason_message(Reason.NOT_A_WALL, clause="NZSEE 2017 C8.8.5"))
     if family == Family.ELEMENT and context.carries_floors:
-        return Admission(May.NOT_ANSWER, because(Reason.CARRIES_FLOORS))
+        return Applicability(Allowed.NOT_ANSWER, reason_message(Reason.CARRIES_FLOORS))
     return None
 
 
-def _of_impossible(procedure: str, family: Family, oscillator: Oscillator, context: Context) -> Admission | None:
+def _of_impossible(procedure: str, family: Family, oscillator: Oscillator, context: Context) -> Applicability | None:
     """What makes every answer impossible, as a ground whose elevation nobody gave."""
-    return Admission(May.NOT_ANSWER, context.impossible[0]) if context.impossible else None
+    return Applicability(Allowed.NOT_ANSWER, context.impossible[0]) if context.impossible else None
 
 
-def _of_unheld(procedure: str, family: Family, oscillator: Oscillator, context: Context) -> Admission | None:
+def _of_unheld(procedure: str, family: Family, oscillator: Oscillator, context: Context) -> Applicability | None:
     """What makes answers by displacements and histories impossible: it stands only by what is not shown to last."""
-    if family not in ON_THE_WAY or not context.unheld:
+    if family not in ON_THE_WAY or not context.not_lasting:
         return None
-    return Admission(May.NOT_ANSWER, context.unheld[0], void=True, others=context.impossible)
+    return Applicability(Allowed.NOT_ANSWER, context.not_lasting[0], void=True, others=context.impossible)
 
 
-def _of_histories(procedure: str, family: Family, oscillator: Oscillator, context: Context) -> Admission | None:
+def _of_histories(procedure: str, family: Family, oscillator: Oscillator, context: Context) -> Applicability | None:
     """What makes histories impossible: an impact without rebound, or a suite that misses its code's rules."""
     if family != Family.HISTORY:
         return None
-    faults = (*context.impossible_by_histories, *context.suite_faults.get(CODES[procedure], ()))
-    return Admission(May.NOT_ANSWER, faults[0], others=tuple(faults[1:])) if faults else None
+    faults = (*context.impossible_by_histories, *context.suite_faults.get(SUITE_CODES[procedure], ()))
+    return Applicability(Allowed.NOT_ANSWER, faults[0], others=tuple(faults[1:])) if faults else None
 
 
-def _of_height(procedure: str, family: Family, oscillator: Oscillator, context: Context) -> Admission | None:
+def _of_height(procedure: str, family: Family, oscillator: Oscillator, context: Context) -> Applicability | None:
     """Above the ground the ground's motion may fail a check and cannot pass it."""
     if not context.above_ground or (family not in FLOOR_CLAUSES and family != Family.PART):
         return None
     if context.above_building and family in (Family.LINEAR, Family.DISPLACEMENT, Family.ELEMENT, Family.PART):
         height = Quantity(context.support_height, "length")
-        return Admission(May.ONLY_FAIL, because(Reason.ABOVE_BUILDING, height=height))
-    if procedure not in READINGS and _has_floor_input(family, context):
+        return Applicability(Allowed.ONLY_FAIL, reason_message(Reason.ABOVE_BUILDING, height=height))
+    if procedure not in THESIS_READINGS and _has_floor_input(family, context):
         return None
     faults = context.suite_faults.get(SUITE_OF_A2, ()) if family == Family.ENERGY else ()
-    if faults and context.carried == "by a filter":
-        return Admission(May.ONLY_FAIL, faults[0], others=tuple(faults[1:]))
+    if faults and context.transfer == "by a filter":
+        return Applicability(Allowed.ONLY_FAIL, faults[0], others=tuple(faults[1:]))
     why = (
-        Reason.SCALAR_MOTION if family == Family.HISTORY and context.carried == "by a factor" else Reason.GROUND_MOTION
+        Reason.SCALAR_MOTION if family == Family.HISTORY and context.transfer == "by a factor" else Reason.GROUND_MOTION
     )
     height = Quantity(context.support_height, "length")
-    return Admission(May.ONLY_FAIL, because(why, height=height, remedy=FLOOR_CLAUSES[family]))
+    return Applicability(Allowed.ONLY_FAIL, reason_message(why, height=height, remedy=FLOOR_CLAUSES[family]))
 
 
 def _has_floor_input(family: Family, context: Context) -> bool:
@@ -218,9 +220,9 @@ def _has_floor_input(family: Family, context: Context) -> bool:
     if family == Family.ELEMENT:
         return context.building is not None
     if family == Family.HISTORY:
-        return context.carried == "by a filter"
+        return context.transfer == "by a filter"
     if family == Family.FRICTION:  # the peak decides, which one factor gives too
-        return context.carried != "not"
+        return context.transfer != "not"
     if family == Family.ENERGY:
         return context.floor_spectrum is not None
     return family == Family.PART

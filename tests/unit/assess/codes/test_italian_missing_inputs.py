@@ -8,7 +8,7 @@ from functools import partial
 import pytest
 from scipy.constants import g
 
-from assess.codes.admission import admitted
+from assess.codes.applicability import apply_procedure
 from assess.codes.check import Outcome, Reason
 from assess.codes.context import Building, Context, Hazard
 from assess.codes.italian.edition import Options
@@ -34,7 +34,7 @@ def asked(procedure="ntc2018-nonlinear", *, state="SLV", factor=None, spectrum=N
     used = spectrum or SPECTRA["SLV"]
     context = Context(used, (used.pga,), 0.0, more.pop("elevation", 0.0), building, **more)
     options = Options(factor, (state,))
-    return admitted(procedure, partial(PROCEDURES[procedure].assess, options=options), wall(), context)
+    return apply_procedure(procedure, partial(PROCEDURES[procedure].assess, options=options), wall(), context)
 
 
 def factor_of(check):

@@ -12,7 +12,7 @@ from assess.codes.verdict.decision import MechanismVerdict
 from assess.codes.verdict.question import Action
 
 
-def with_roles(
+def mark_deciding(
     checks: Sequence[Check], found: MechanismVerdict, basis: Basis | None, action: Action
 ) -> tuple[Check, ...]:
     """Mark the checks that decide; all others are for comparison."""
@@ -24,7 +24,7 @@ def with_roles(
     )
 
 
-def deciding_check(checks: Sequence[Check], answer: Answer, basis: Basis | None, action: Action) -> Check | None:
+def find_deciding_check(checks: Sequence[Check], answer: Answer, basis: Basis | None, action: Action) -> Check | None:
     """Return the check behind an answer; None where nothing decided."""
     return next((check for check in checks if _is_behind(check, answer, basis, action)), None)
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from assess.codes.check import Check, Outcome, Reason, because
-from assess.codes.governing import worse, worst_of
+from assess.codes.check import Check, Outcome, Reason, reason_message
+from assess.codes.worst_branch import worst_branch_check, worst_check
 
 
 def check(branch: str, ratio: float | None, verdict: str = "fail", *, at: float | None = 0.2) -> Check:
@@ -22,7 +22,7 @@ def check(branch: str, ratio: float | None, verdict: str = "fail", *, at: float 
         unit="rad",
         ratio=ratio,
         verdict=Outcome(verdict),
-        reason=because(Reason.OVERTURNS),
+        reason=reason_message(Reason.OVERTURNS),
         capacity_pga_g=at,
         uplift_pga_g=at and at / 2,
     )
@@ -47,11 +47,11 @@ def check(branch: str, ratio: float | None, verdict: str = "fail", *, at: float 
     ],
 )
 def test_the_worse_of_two_branches_is_told(first, second, told):
-    assert worse([first, second]).branch == told
+    assert worst_check([first, second]).branch == told
 
 
 def test_the_branch_told_has_the_smaller_pga_of_both():
-    found = worst_of([check("positive", 1.5, at=0.3), check("negative", 1.2, at=0.1)])
+    found = worst_branch_check([check("positive", 1.5, at=0.3), check("negative", 1.2, at=0.1)])
     assert (found.branch, found.ratio, found.capacity_pga_g, found.uplift_pga_g) == ("positive", 1.5, 0.1, 0.05)
-    unknown = worst_of([check("positive", 1.5, at=0.3), check("negative", 1.2, at=None)])
+    unknown = worst_branch_check([check("positive", 1.5, at=0.3), check("negative", 1.2, at=None)])
     assert (unknown.capacity_pga_g, unknown.uplift_pga_g) == (None, None)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from assess.codes.step import Step, step
+from assess.codes.calculation_step import Step, step
 from assess.oscillator import Branch, multiplier, resisted
 
 

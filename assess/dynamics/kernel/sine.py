@@ -1,42 +1,32 @@
-"""Overturning under one cycle, or half a cycle, of a sine by the linearised equation, from event to event, compiled.
+"""Overturning under one cycle, or half a cycle, of a sine by the linearised equation, in closed form between events.
 
-Between two events the motion on a side is closed: with s = +1 or -1 its sign, w the circular frequency of the pulse
-a(t) = A sin(w t), and y = 1 at overturning,
+With s = +1 or -1 the sign of the side, w the circular frequency of the pulse a(t) = A sin(w t), and y = 1 at
+overturning, the motion between two events is
 
     y = 1 + C1 e^(p x) + C2 e^(-p x) + Q sin(w t),     Q = s A / threshold p^2 / (p^2 + w^2),     x = t - t_0
 
-so that a pulse costs a few dozen points of a recurrence, which look for the landing, and no steps of integration. The
-columns of `branch`, REST and NO_BOUNCE are those of `assess.dynamics.kernel`.
+so that a pulse costs a few dozen points of a recurrence, which search for the landing, and no steps of integration.
 """
 
 from __future__ import annotations
 
 import math
 
-from assess.dynamics.kernel import (
-    BOUNCE,
-    IMPACTS,
-    NO_BOUNCE,
-    OVERTURNED,
-    PARTNER,
-    RATE,
-    REST,
-    THRESHOLD,
-    UPLIFTED,
-    seeking,
-)  # fmt: skip
+from assess.dynamics.kernel.columns import BOUNCE, IMPACTS, OVERTURNED, PARTNER, RATE, THRESHOLD, UPLIFTED
+from assess.dynamics.kernel.events import NO_BOUNCE, REST
+from assess.dynamics.kernel.search import make_search
 from assess.kernel import compiled, entry, reachable
 from spectra.arrays import BoolArray, FloatArray, IntArray
 
 POINTS = 32
-"""From lift-off to the end of the pulse: a body that has landed goes on falling in the closed motion, so that no
-landing hides between two of them."""
+"""Points from uplift to the end of the pulse. After landing the closed form keeps falling, so that no landing can hide
+between two points."""
 MOST_IMPACTS = 10_000
 
 
 @compiled
-def lift(branch: FloatArray, A: float, phase: float, end: float) -> tuple[int, float]:
-    """The side that lifts next, from `phase` on, and at which phase; side -1 where none does before `end`."""
+def find_lift(branch: FloatArray, A: float, phase: float, end: float) -> tuple[int, float]:
+    """Return the side that lifts next after `phase`, and at which phase; side -1 if none does before `end`."""
     side = 1 if A > 0.0 else 0  # in the first half of the pulse; the other in the second
     for half in range(2):
         if abs(A) > branch[side, THRESHOLD]:
@@ -49,11 +39,12 @@ def lift(branch: FloatArray, A: float, phase: float, end: float) -> tuple[int, f
 
 
 @compiled
-def leg(branch: FloatArray, side: int, A: float, w: float, phase: float, v: float,
+def follow_leg(branch: FloatArray, side: int, A: float, w: float, phase: float, v: float,
         end: float) -> tuple[bool, float, float, float]:  # fmt: skip
-    """From y = 0 with y' = v at `phase`: whether it lands before `end`, the phase where the leg ends, and y, y' there.
+    """Follow the motion from y = 0 with y' = v at `phase` to its landing, at most to `end`.
 
-    It also ends where the body can no longer return while the pulse lasts: y is then beyond 1 + |A| / threshold.
+    Return whether it lands, and phase, y, y' where the leg ends. It also ends where the body can no longer return
+    while the pulse lasts, beyond y = 1 + |A| / threshold.
     """
     p, threshold = branch[side, RATE], branch[side, THRESHOLD]
     Q = (1.0 - 2.0 * side) * A / threshold * p * p / (p * p + w * w)
@@ -70,16 +61,16 @@ def leg(branch: FloatArray, side: int, A: float, w: float, phase: float, v: floa
         before, at = at, (end if k == POINTS else phase + k * step)
         y = 1.0 + C1 + C2 + Q * sine
         if y < 0.0:
-            return landing(p, w, Q, C1, C2, before, at)
+            return find_landing(p, w, Q, C1, C2, before, at)
         if y >= limit and p * (C1 - C2) + Q * w * cosine >= 0.0:
             break
     return False, at, 1.0 + C1 + C2 + Q * sine, p * (C1 - C2) + Q * w * cosine
 
 
 @compiled
-def landing(p: float, w: float, Q: float, C1: float, C2: float, low: float,
+def find_landing(p: float, w: float, Q: float, C1: float, C2: float, low: float,
             high: float) -> tuple[bool, float, float, float]:  # fmt: skip
-    """As `leg`, of one that lands between the phases low and high; C1, C2 with the exponentials at high."""
+    """Return what `follow_leg` does for a landing between the phases low and high; C1, C2 at high."""
     end, at, v = high, high, 0.0
     for _ in range(60):
         grown = math.exp(p * (at - end) / w)
@@ -100,19 +91,22 @@ def landing(p: float, w: float, Q: float, C1: float, C2: float, low: float,
 
 
 @compiled
-def falls(branch: FloatArray, A: float, w: float, end: float) -> tuple[bool, bool, int]:
-    """Of a body at rest under A sin(w t) up to the phase `end`, pi or 2 pi: whether it overturns, rocks; impacts."""
-    side, phase = lift(branch, A, 0.0, end)
+def rock(branch: FloatArray, A: float, w: float, end: float) -> tuple[bool, bool, int]:
+    """Rock a body from rest under A sin(w t) up to the phase `end`, pi or 2 pi.
+
+    Return whether it overturns, whether it rocks, and the number of impacts.
+    """
+    side, phase = find_lift(branch, A, 0.0, end)
     if side < 0:
         return False, False, 0
     y, v, impacts = 0.0, 0.0, 0
     while phase < end and impacts < MOST_IMPACTS:
         if side < 0:
-            side, phase = lift(branch, A, phase, end)
+            side, phase = find_lift(branch, A, phase, end)
             if side < 0:
                 return False, True, impacts
             v = 0.0
-        down, phase, y, v = leg(branch, side, A, w, phase, v, end)
+        down, phase, y, v = follow_leg(branch, side, A, w, phase, v, end)
         if not down:
             break
         impacts += 1
@@ -121,12 +115,16 @@ def falls(branch: FloatArray, A: float, w: float, end: float) -> tuple[bool, boo
         pushed = -a > branch[0, THRESHOLD] or a > branch[1, THRESHOLD]
         if v < slow and (v < slow * (NO_BOUNCE / REST) or not pushed):
             side, v = -1, 0.0
-    return (phase < end and impacts < MOST_IMPACTS) or (side >= 0 and after(branch, side, y, v)), True, impacts
+    return (
+        (phase < end and impacts < MOST_IMPACTS) or (side >= 0 and overturns_freely(branch, side, y, v)),
+        True,
+        impacts,
+    )
 
 
 @compiled
-def after(branch: FloatArray, side: int, y: float, v: float) -> bool:
-    """Whether it overturns in free motion: y + y' / p > 1, or after the next impacts with what they leave."""
+def overturns_freely(branch: FloatArray, side: int, y: float, v: float) -> bool:
+    """Return whether a free body overturns: y + y' / p > 1, or by the energy that the next impacts leave."""
     p = branch[side, RATE]
     if y + v / p > 1.0:
         return True
@@ -142,13 +140,15 @@ def after(branch: FloatArray, side: int, y: float, v: float) -> bool:
 @entry
 def sine_outcomes(branches: FloatArray, end: float, frequency: FloatArray, oscillator: IntArray, motion: IntArray,
                   scale: FloatArray, found: FloatArray) -> None:  # fmt: skip
-    """All jobs under a sine up to the phase `end`, pi or 2 pi; fills OVERTURNED, UPLIFTED, IMPACTS of found [jobs, 8].
+    """Run all jobs under a sine up to the phase `end`, pi or 2 pi.
+
+    Fills the columns OVERTURNED, UPLIFTED and IMPACTS of `found` [jobs, 8].
 
     branches [oscillators, 2, 6]; frequency [Hz] of each motion; scale: signed peak acceleration [m/s2] of each job.
     """
     for j in range(oscillator.shape[0]):
         w = 2.0 * math.pi * frequency[motion[j]]
-        down, rocked, impacts = falls(branches[oscillator[j]], scale[j], w, end)
+        down, rocked, impacts = rock(branches[oscillator[j]], scale[j], w, end)
         found[j, OVERTURNED] = 1.0 if down else 0.0
         found[j, UPLIFTED] = 1.0 if rocked else 0.0
         found[j, IMPACTS] = impacts
@@ -156,19 +156,19 @@ def sine_outcomes(branches: FloatArray, end: float, frequency: FloatArray, oscil
 
 @reachable
 def overturns(job: tuple[FloatArray, float, float], scale: float) -> bool:
-    """Whether a sine of peak acceleration `scale`, with its sign, overturns; job: branch, w, end as of `falls`."""
+    """Return whether a sine of peak acceleration `scale`, with its sign, overturns; job: branch, w, end of `rock`."""
     branch, w, end = job
-    return falls(branch, scale, w, end)[0]
+    return rock(branch, scale, w, end)[0]
 
 
-seek = seeking(overturns)
+search_sine = make_search(overturns)
 
 
 @entry
 def envelope_sine(branch: FloatArray, end: float, frequency: FloatArray, factor: FloatArray, safe: FloatArray,
                   scan: FloatArray, signs: FloatArray, amplitude: FloatArray, bisections: int, overturned: BoolArray,
                   least: FloatArray) -> None:  # fmt: skip
-    """Map and lower bound of one oscillator under a sine up to the phase `end`, as `envelope_linearised`."""
+    """Fill the map and lower bound of one oscillator under a sine up to the phase `end`, as `envelope_linearised`."""
     for i in range(len(frequency)):
         job = (branch, 2.0 * math.pi * frequency[i], end)
-        seek(job, factor[i], safe[i], scan[i], signs, amplitude, bisections, overturned[i], least[i])
+        search_sine(job, factor[i], safe[i], scan[i], signs, amplitude, bisections, overturned[i], least[i])

@@ -19,7 +19,6 @@ from assess.mechanisms.mechanism import Mechanism
 from assess.oscillator import (
     Oscillator,
 )
-from assess.project.grounding import Grounded
 from assess.results import (
     AmplificationResult,
     CarriedMotion,
@@ -37,6 +36,7 @@ from assess.results import (
 )
 from assess.study.drawing import draw
 from assess.study.endurance import load_results
+from assess.study.grounding import Grounded
 from assess.study.joint_results import interface_curves, interface_results
 from assess.study.motions import ScaledRecord
 from assess.study.oscillator_results import curve_of, floats, oscillator_result, overturning_rotations, rigid_branches

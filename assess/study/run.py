@@ -8,12 +8,9 @@ from functools import partial
 
 from assess.amplification.floor_motion import pulse_factor
 from assess.codes.verdict import Question
-from assess.errors import ProjectError
+from assess.errors import ProjectError, locate_errors
 from assess.mechanisms.lasting import variants
 from assess.messages.message import Message, note, warning
-from assess.project.deciding import by_motion, decided, marked
-from assess.project.messages import located
-from assess.project.survey import tolerances
 from assess.results import SCHEMA_VERSION, MechanismResult, Results
 from assess.results.stamp import stamp, this_program
 from assess.study.envelopes import DEFAULT_GRID, EnvelopeCase, critical_result, map_envelopes
@@ -27,7 +24,9 @@ from assess.study.sampling import coarse_record_messages
 from assess.study.sensitivity import sensitivities
 from assess.study.study import Study
 from assess.study.suite_faults import suite_faults
+from assess.study.survey import tolerances
 from assess.study.sweeps import MechanismSweep, case_messages, case_text, controlling_cases, run_sweeps, sweep_results
+from assess.study.verdict import by_motion, decide, mark_result
 from spectra.spectrum import Spectrum
 
 
@@ -46,11 +45,11 @@ def run(study: Study, *, jobs: int = 0, progress: Progress = silent) -> Results:
     own = {one.name: one for one in assess_mechanisms(alone, spectrum, motions, jobs=jobs, progress=progress)}
     mechanisms = tuple(own.get(m.name) or standing[m.name].worst for m in study.mechanisms)
     asked = replace(study, question=question_of(study, standing))
-    found = decided(asked, mechanisms)
+    found = decide(asked, mechanisms)
     at_home = asked.question == study.question  # the survey's tolerance is worked out at the site of the file
     near = tolerances(study.survey, spectrum, asked.question, found, mechanisms) if at_home else {}
-    found = decided(asked, mechanisms, near) if near else found
-    mechanisms = tuple(marked(found, asked.question, each) for each in mechanisms)
+    found = decide(asked, mechanisms, near) if near else found
+    mechanisms = tuple(mark_result(found, asked.question, each) for each in mechanisms)
     rockers = envelope_cases(study, standing)
     mapped = map_envelopes(rockers, study.pulses, jobs=jobs, progress=progress)
     numbers = dict(study.fitting.nga)
@@ -166,7 +165,7 @@ def case_parameters(study: Study) -> tuple[MechanismResult, ...]:
     found = []
     for sweep in study.sweeps:
         for case in sweep.cases:
-            with located(case.name):
+            with locate_errors(case.name):
                 each = parameters(case.study)
             found += [replace(one, name=f"{one.name}, {case_text(sweep, case, one.name)}") for one in each]
     return tuple(found)

@@ -13,9 +13,9 @@ from assess.codes.families import SUITE_CODES, uses_histories
 from assess.codes.ntc2018.clauses import ULTIMATE
 from assess.codes.verdict import methods_of
 from assess.mechanisms.mechanism import Mechanism
-from assess.project.deciding import states_of
 from assess.study.periods import equivalent_periods, extreme_periods, limit_state_periods
 from assess.study.study import Study
+from assess.study.verdict import states_of
 from records.compliance import asce43_05, ntc2018
 from records.compliance.registry import Requirements
 from records.compliance.suite import FINE

@@ -9,8 +9,8 @@ import pytest
 from assess.codes.verdict import MechanismChecks, verdict
 from assess.project.build import build
 from assess.project.schema import load
-from assess.project.survey import tolerances
 from assess.study.run import run
+from assess.study.survey import tolerances
 
 PROJECT = """
 [site]

@@ -9,26 +9,26 @@ import numpy as np
 from assess.errors import GeometryError
 from assess.geometry.contact import TOLERANCE
 from assess.geometry.outline import Outline, distance
+from assess.geometry.overlap import overlaps
+from assess.geometry.piece import Piece
 from assess.loads.body_loads import Brought, Meet, Surroundings, body_loads, meeting, told_of
+from assess.loads.definitions import BodyLoad, ForceLoad, MassLoad, OverburdenLoad, TieLoad
 from assess.loads.load import Force, Load, PointMass, Tie
 from assess.loads.loaded_blocks import Blocks, loaded_blocks
 from assess.loads.overburden import overburden_of
 from assess.loads.plane import point_in_plane, unit_in_plane
 from assess.mechanisms.chain import written
-from assess.model.overlaps import overlaps
-from assess.model.pieces import Piece, Solids
-from assess.project import sections
-from assess.project.sources import shown_by
+from assess.model.body import Bodies, solids_of
+from assess.model.definitions import Chained, TwoBlock
 
 IN_THE_AIR = 0.05  # of the block's size: a load farther outside it is not on the block
 
 
 def loads_of(
     name: str,
-    section: sections.Chained,
+    definition: Chained,
     pieces: Sequence[Piece],
-    content: sections.Content,
-    solids: Solids,
+    bodies: Bodies,
     *,
     meet: Meet = meeting,
 ) -> Brought:
@@ -39,54 +39,52 @@ def loads_of(
     loads: list[Load] = []
     doubts: list[str] = []
     follows: list[bool] = []
-    blocks = blocks_of(name, section, pieces)
-    for number, load in enumerate(section.loads, start=1):
-        if isinstance(load, sections.OverburdenLoad):
+    blocks = blocks_of(name, definition, pieces)
+    for number, load in enumerate(definition.loads, start=1):
+        if isinstance(load, OverburdenLoad):
             loads.append(
                 overburden_of(
                     number,
                     load,
                     piece=pieces[-1],
-                    solids=solids,
-                    moving=[body for block in section.blocks for body in block],
-                    direction=section.towards,
+                    solids=solids_of(bodies),
+                    moving=definition.bodies,
+                    direction=definition.towards,
                     where=f'mechanism "{name}"',
                 )
             )
             follows.append(False)
             continue
-        if isinstance(load, sections.BodyLoad):
-            brought = of_body(load, blocks, section, content, solids, meet=meet)
+        if isinstance(load, BodyLoad):
+            brought = of_body(load, blocks, definition, bodies, meet=meet)
         else:
-            brought = Brought((load_of(number, load, section.towards, evidence=evidence_of(name, content)),), ())
+            brought = Brought((load_of(number, load, definition.towards),), ())
         loads += brought.loads
-        follows += [isinstance(load, sections.BodyLoad) and load.block is None] * len(brought.loads)
+        follows += [isinstance(load, BodyLoad) and load.block is None] * len(brought.loads)
         doubts += (*brought.doubts, *in_the_air(brought.loads, blocks))
         doubts += moving_anchors(brought.loads, [each.body.outline for each in pieces])
-    carried = dict.fromkeys(load.body for load in section.loads if isinstance(load, sections.BodyLoad))
-    known = [solid for body in carried if (solid := solids[body]) is not None]
+    carried = dict.fromkeys(load.body for load in definition.loads if isinstance(load, BodyLoad))
+    known = [solid for body in carried if (solid := bodies[body].solid) is not None]
     doubts += (each.text for each in overlaps(known))
     return Brought(tuple(loads), tuple(dict.fromkeys(doubts)), tuple(follows))
 
 
-def blocks_of(name: str, section: sections.Chained, pieces: Sequence[Piece]) -> Blocks:
+def blocks_of(name: str, definition: Chained, pieces: Sequence[Piece]) -> Blocks:
     """The blocks of the mechanism `name` as its loads meet them; of two direct values they part at hinge B."""
-    parted = len(section.blocks) == 1 and len(pieces) == 2
+    parted = len(definition.blocks) == 1 and len(pieces) == 2
     foot, crack = pieces[-1].foot, None
     if parted and foot is not None:
         crack = float(foot[0, 2])
-    elif len(pieces) == 2 and not any(piece.solids for piece in pieces) and isinstance(section, sections.TwoBlock):
-        crack = None if section.hinges is None else section.hinges.B[-1]
-    along = np.asarray(section.towards) / np.linalg.norm(section.towards)
-    return Blocks(tuple(pieces), crack, parted, along, where=f'mechanism "{name}"')
+    elif len(pieces) == 2 and not any(piece.solids for piece in pieces) and isinstance(definition, TwoBlock):
+        crack = None if (hinges := definition.given_hinges) is None else hinges[1][-1]
+    return Blocks(tuple(pieces), crack, parted, definition.along, where=f'mechanism "{name}"')
 
 
 def of_body(
-    load: sections.BodyLoad,
+    load: BodyLoad,
     blocks: Blocks,
-    section: sections.Chained,
-    content: sections.Content,
-    solids: Solids,
+    definition: Chained,
+    bodies: Bodies,
     *,
     meet: Meet,
 ) -> Brought:
@@ -94,16 +92,16 @@ def of_body(
 
     Raises GeometryError where it touches nothing of them, or it is not known which of them it loads.
     """
-    body, mass = solids[load.body], mass_of(load.body, content, solids)
-    taken = {each.block for each in section.loads if isinstance(each, sections.BodyLoad) and each.body == load.body}
+    body = bodies[load.body].solid
+    taken = {each.block for each in definition.loads if isinstance(each, BodyLoad) and each.body == load.body}
     found, doubts = loaded_blocks(load, body, among=blocks, taken=taken)
     brought = [
         body_loads(
             load,
             block=each.block,
             body=body,
-            mass=mass,
-            around=surroundings(load, blocks, each.contact, solids),
+            mass=bodies[load.body].mass,
+            around=surroundings(load, blocks, each.contact, bodies),
             meet=meet,
         )
         for each in found
@@ -112,54 +110,50 @@ def of_body(
     return Brought(loads, (*told_of(load, doubts), *(text for each in brought for text in each.doubts)))
 
 
-def surroundings(load: sections.BodyLoad, blocks: Blocks, number: int, solids: Solids) -> Surroundings:
+def surroundings(load: BodyLoad, blocks: Blocks, number: int, bodies: Bodies) -> Surroundings:
     """What stands around a body that loads a block: bodies as they are, those of the mechanism as cut."""
     pieces = blocks.pieces
     moving = {solid.name for piece in pieces for solid in piece.solids} | {load.body}
-    others = [solid for key, solid in solids.items() if solid is not None and key not in moving]
+    others = [each.solid for key, each in bodies.items() if each.solid is not None and key not in moving]
     others += [solid for place, piece in enumerate(pieces) if place != number for solid in piece.solids]
     fixed = tuple(solid for piece in pieces for solid in piece.fixed)
     return Surroundings(pieces[number].solids, tuple(others), fixed, blocks.along, where=blocks.where)
 
 
-def mass_of(name: str, content: sections.Content, solids: Solids) -> float:
-    """The mass of a body by its volume or direct values [kg]."""
-    body, solid = content.bodies[name], solids[name]
-    if solid is not None:
-        return solid.mass
-    assert isinstance(body, sections.DirectBody)
-    return body.mass
-
-
-def evidence_of(name: str, content: sections.Content) -> str:
-    """Where the loads of the mechanism `name` come from, by [report.sources]; empty where nobody shows it."""
-    return shown_by(content, f"mechanisms.{name}.loads")
-
-
 def load_of(
     number: int,
-    load: sections.MassLoad | sections.ForceLoad | sections.TieLoad,
+    load: MassLoad | ForceLoad | TieLoad,
     direction: Sequence[float],
-    *,
-    evidence: str = "",
 ) -> Load:
-    """One entry of `loads` in the plane of motion, named by its kind and number; evidence: the source of what it is."""
+    """Return a load in the plane of motion, named by its kind and number."""
     name, at = f"{load.kind} {number}", point_in_plane(load.at, direction)
-    if isinstance(load, sections.MassLoad):
+    if isinstance(load, MassLoad):
         return PointMass(name, load.mass, at, load.bearing, load.block, seat=load.seat)
     way = None if load.direction is None else unit_in_plane(load.direction, direction)
-    if isinstance(load, sections.TieLoad):
+    if isinstance(load, TieLoad):
         anchor = None if load.anchor is None else point_in_plane(load.anchor, direction)
         if anchor == at:
             raise GeometryError(f'load "{name}": seen in the plane of motion its anchor is where it holds; move one')
-        shown = load.model_dump(include={"both", "block", "until", "strength", "length", "fracture_strain"})
-        return Tie(name, load.force, at, way, anchor, evidence=evidence, **shown)
+        return Tie(
+            name,
+            load.force,
+            at,
+            way,
+            anchor,
+            both=load.both,
+            block=load.block,
+            until=load.until,
+            strength=load.strength,
+            length=load.length,
+            fracture_strain=load.fracture_strain,
+            evidence=load.evidence,
+        )
     if isinstance(load.force, tuple):
         force = load.force
     else:
         assert way is not None  # the schema asks for it
         force = (load.force * way[0], load.force * way[1])
-    return Force(name, force, at, load.block, until=load.until, evidence=evidence)
+    return Force(name, force, at, load.block, until=load.until, evidence=load.evidence)
 
 
 def moving_anchors(loads: Sequence[Load], outlines: Sequence[Outline]) -> Iterator[str]:

@@ -16,11 +16,9 @@ from assess.model.definitions import Chained, Definition, EquivalentBlock, Resti
 RULES = ("thesis", "housner", "sorrentino", "momentum")
 MODELS = ("rigid", "flexible", "semi-flexible", "flexible-thesis")
 POSITIVE = frozenset(
-    {
-        "p", "uplift", "radius", "mass", "stiffness", "course_thickness", "strength", "length", "fracture_strain", "seat",
-        "tolerance", "share", "thrust", "span", "rise", "fill",
-    }
-)  # fmt: skip
+    "p uplift radius mass stiffness course_thickness strength length fracture_strain seat tolerance share thrust span "
+    "rise fill".split()
+)
 LEVEL = 1e-9  # of a direction: one that rises by less is horizontal
 
 

@@ -35,6 +35,7 @@ from assess.model.weakest import directed
 from assess.oscillator import Oscillator
 from assess.results import OscillatorResult
 from assess.study.oscillator_results import oscillator_result, rigid_branches
+from assess.study.study import Equation
 
 BodyOrBodies = Body | Sequence[Body]
 Direction = Vector | Literal["weakest", "sweep"]
@@ -120,6 +121,11 @@ class Block:
                 "evidence"
             )
         return found
+
+    @property
+    def equation(self) -> Equation:
+        """The equation of motion of its histories: linearised for published parameters, else exact."""
+        return "linearised" if isinstance(self.definition, EquivalentBlock) else "exact"
 
     @cached_property
     def messages(self) -> tuple[Message, ...]:

@@ -16,12 +16,14 @@ from assess.codes.italian.confidence import LEVELS
 from assess.codes.registry import PROCEDURES, CodeOptions
 from assess.codes.verdict import Action, Question
 from assess.errors import ProcedureError
-from assess.mechanisms.lasting import variants
 from assess.mechanisms.mechanism import Mechanism
-from assess.study.checks import checks_of, context_of, further_levels, motions_at_base
+from assess.study.checks import checks_of
+from assess.study.context import context_of
 from assess.study.grounding import Ground, stand_on
-from assess.study.histories import RockingCase, RockingHistories, run_histories
+from assess.study.histories import run_histories
+from assess.study.mechanisms import further_levels, rocking_case
 from assess.study.motions import ScaledRecord, motions_of
+from assess.study.rocking_case import RockingCase, RockingHistories
 from assess.study.study import Amplified, Fitting, Study
 from assess.study.suite_faults import suite_faults
 from records.band import Band
@@ -125,18 +127,16 @@ def _checks(study: Study, mechanism: Mechanism, spectrum: Spectrum, *, threads: 
     """Return the checks of the study's only mechanism."""
     motions = motions_of(study, spectrum)
     study = replace(study, suite_faults=suite_faults(study, spectrum, motions))
-    base = motions_at_base(study.amplified[mechanism.name], motions)
-    equation = study.equations[mechanism.name]
-    rocking = RockingCase(mechanism.name, variants(mechanism).deciding, equation, base, mechanism.rebounds)
-    histories = _histories(study, spectrum, mechanism, rocking, motions, threads=threads)
-    return checks_of(study, rocking.oscillator, context_of(study, spectrum, mechanism, histories, base, motions))
+    case = rocking_case(study, mechanism, motions)
+    histories = _histories(study, spectrum, mechanism, case, motions, threads=threads)
+    return checks_of(study, case.oscillator, context_of(study, spectrum, mechanism, histories, case.base, motions))
 
 
 def _histories(
     study: Study,
     spectrum: Spectrum,
     mechanism: Mechanism,
-    rocking: RockingCase,
+    case: RockingCase,
     motions: tuple[ScaledRecord, ...],
     *,
     threads: int,
@@ -144,16 +144,10 @@ def _histories(
     """Return the time histories that the procedures ask for; suites without records where there are none."""
     if not any(map(uses_histories, study.procedures)):
         return RockingHistories((), ())
-    further = further_levels(study, spectrum, mechanism)
+    pga, levels, further = spectrum.pga, study.levels, further_levels(study, spectrum, mechanism)
     if motions:
         return run_histories(
-            rocking,
-            motions,
-            levels=study.levels,
-            besides=further,
-            site_pga=spectrum.pga,
-            scanned=True,
-            threads=threads,
+            case, motions, levels=levels, besides=further, site_pga=pga, with_scan=True, threads=threads
         )
-    empty = [Suite(pga, (), "positive") for pga in (*study.levels, *further)]
-    return RockingHistories((), tuple(empty[: len(study.levels)]), tuple(empty[len(study.levels) :]))
+    empty = [Suite(level, (), "positive") for level in (*levels, *further)]
+    return RockingHistories((), tuple(empty[: len(levels)]), tuple(empty[len(levels) :]))

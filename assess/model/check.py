@@ -16,8 +16,24 @@ from assess.model.definitions import Chained, Definition, EquivalentBlock, Resti
 RULES = ("thesis", "housner", "sorrentino", "momentum")
 MODELS = ("rigid", "flexible", "semi-flexible", "flexible-thesis")
 POSITIVE = frozenset(
-    "p uplift radius mass stiffness course_thickness strength length fracture_strain seat tolerance share thrust span "
-    "rise fill".split()
+    [
+        "p",
+        "uplift",
+        "radius",
+        "mass",
+        "stiffness",
+        "course_thickness",
+        "strength",
+        "length",
+        "fracture_strain",
+        "seat",
+        "tolerance",
+        "share",
+        "thrust",
+        "span",
+        "rise",
+        "fill",
+    ]
 )
 LEVEL = 1e-9  # of a direction: one that rises by less is horizontal
 

@@ -92,6 +92,10 @@ class Record:
     start: str = ""
     warnings: tuple[str, ...] = ()
 
+    def __repr__(self) -> str:
+        """Return one line without the samples: id, size, step and PGA."""
+        return f"Record(id={self.id!r}, npts={self.npts}, dt={self.dt:g} s, pga={self.pga:.4g} m/s2)"
+
     @property
     def artificial(self) -> bool:
         """Whether it was made, not recorded."""

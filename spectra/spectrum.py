@@ -48,6 +48,10 @@ class Spectrum:
     displacements: Ordinates | None = None
     warnings: tuple[str, ...] = ()
 
+    def __repr__(self) -> str:
+        """Return one line: code, PGA and damping."""
+        return f"Spectrum(code={self.code!r}, pga={self.pga:.4g} m/s2, damping={self.damping:g})"
+
     def acceleration(self, period: ArrayLike, *, damping: float | None = None) -> FloatArray:
         """Pseudo-acceleration [m/s2] at `period` [s] (same shape), at `damping` [-] (default: the spectrum's own)."""
         at = np.asarray(period, dtype=np.float64)

@@ -61,7 +61,8 @@ SOURCES: Mapping[str, tuple[str, ...]] = {
     "records/formats/corners.py": ("nyquist_warning", "filter_warning"),
     "records/formats/layout.py": ("check_layout",),
     "records/plausibility.py": ("_peak_warning", "_impossible", "_likely", "_of_frequencies", "_of_step", "_of_steps"),
-    "spectra/asce7.py": ("STUDIES_2016", "mapped_spectrum"),
+    "spectra/asce7.py": ("mapped_spectrum",),
+    "spectra/asce7_editions.py": ("STUDIES_2016",),
     "spectra/nzs1170_5.py": ("_capped",),
     "spectra/spectrum.py": ("plausibility_warnings",),
 }

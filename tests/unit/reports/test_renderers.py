@@ -24,7 +24,7 @@ DATA = {
     "assess.errors",
     "assess.results",
     "assess.codes.check",
-    "assess.codes.family",
+    "assess.codes.families",
     "assess.codes.verdict",
     "assess.codes.verdict_text",
     "assess.messages.message",

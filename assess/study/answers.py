@@ -10,16 +10,16 @@ from scipy.constants import g
 
 from assess.amplification.floor_motion import Unamplified
 from assess.codes.check import Check
-from assess.codes.context import Building, Suite, is_above_ground
+from assess.codes.context import Building, Suite
 from assess.codes.families import ITALIAN, uses_histories
 from assess.codes.italian.confidence import LEVELS
 from assess.codes.registry import PROCEDURES, CodeOptions
 from assess.codes.verdict import Action, Question
 from assess.errors import ProcedureError
-from assess.mechanisms.lasting import rise_of, variants
+from assess.mechanisms.lasting import variants
 from assess.mechanisms.mechanism import Mechanism
-from assess.project.grounding import BY_MECHANISM, Grounded
 from assess.study.checks import checks_of, context_of, further_levels, motions_at_base
+from assess.study.grounding import Ground, stand_on
 from assess.study.histories import RockingCase, RockingHistories, run_histories
 from assess.study.motions import ScaledRecord, motions_of
 from assess.study.study import Amplified, Fitting, Study
@@ -74,6 +74,7 @@ def answers(
     """
     suite = (records,) if isinstance(records, Record) else tuple(records)
     _check_inputs(procedures, knowledge_level, suite)
+    ground = Ground(building_height=0.0 if building is None else building.height)
     study = Study(
         spectrum=spectrum,
         vertical_ratio=0.0,
@@ -101,16 +102,9 @@ def answers(
         limit_state=None,
         question=Question(None, Action(spectrum.pga / g, None)),
         facts={},
-        grounded={mechanism.name: grounded_at(mechanism, base_elevation, building)},
+        grounded={mechanism.name: stand_on(ground, mechanism, base_elevation=base_elevation)},
     )
     return _checks(study, mechanism, spectrum, threads=threads)
-
-
-def grounded_at(mechanism: Mechanism, base_elevation: float, building: Building | None) -> Grounded:
-    """Return where a mechanism stands whose base is `base_elevation` [m] above the ground."""
-    support = max(base_elevation, 0.0) + rise_of(mechanism) / 2.0
-    above = is_above_ground(support, 0.0 if building is None else building.height)
-    return Grounded(base_elevation, support, above, BY_MECHANISM)
 
 
 def _check_inputs(procedures: Sequence[str], knowledge_level: str | None, records: Sequence[Record]) -> None:

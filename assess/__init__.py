@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from assess.study.block import Block, equivalent_block, four_hinge, single_block, two_block
     from assess.verbs import Run, answers, envelope, load, respond, run, write_report
     from records.reading import read_record
+    from records.record import Record
     from spectra.registry import spectrum
 
 __all__ = [
@@ -36,6 +37,7 @@ __all__ = [
     "Material",
     "OverburdenLoad",
     "RadialJoints",
+    "Record",
     "Run",
     "Shape",
     "TieLoad",
@@ -67,6 +69,7 @@ _HOMES = {
     "assess.study.block": ("Block", "equivalent_block", "four_hinge", "single_block", "two_block"),
     "assess.verbs": ("Run", "answers", "envelope", "load", "respond", "run", "write_report"),
     "records.reading": ("read_record",),
+    "records.record": ("Record",),
     "scipy.constants": ("g",),
     "spectra.registry": ("spectrum",),
 }

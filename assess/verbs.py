@@ -55,15 +55,27 @@ def respond(block: Block, record: Record, *, scale: float = 1.0, equation: Equat
     Raises
     ------
     MechanismError : the mechanism stands only by ties or forces that nobody shows to last
-    RecordError : several records are given
+    RecordError : it is not one record of finite samples
     """
     from assess.study.response import respond as solve
-    from records.errors import RecordError
-    from records.record import Record as One
 
-    if not isinstance(record, One):
-        raise RecordError(f"record: {type(record).__name__} given; give one record, such as read_record(path)[0]")
+    _check_record(record)
     return solve(block.rocking, record, scale=scale, equation=equation or block.equation)
+
+
+def _check_record(record: Record) -> None:
+    """Raise RecordError for what is no record of finite samples at a time step."""
+    from numpy import isfinite
+
+    from records.errors import RecordError
+    from records.record import Record as Known
+
+    if not isinstance(record, Known):
+        raise RecordError(f"record: {type(record).__name__} given; give one record, such as read_record(path)[0]")
+    if record.npts < 2 or not isfinite(record.acceleration).all():
+        raise RecordError(f'record "{record.id}": {record.npts} samples; give two or more finite accelerations [m/s2]')
+    if not record.dt > 0.0:
+        raise RecordError(f'record "{record.id}": time step {record.dt:g} s; give one greater than 0')
 
 
 def envelope(

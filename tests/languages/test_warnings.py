@@ -223,7 +223,7 @@ def test_the_warning_of_a_mended_mesh_is_known_whole(language: str, tmp_path: Pa
     lines += [f"f {a} {b} {c}" for a, b, c in faces + 1]
     file = tmp_path / "my wall.obj"
     file.write_text("\n".join(lines))
-    trail = load(file, name="wall", density=1.0).trail
+    trail = load(file, name="wall", density=1.0).history
     assert "hole" in str(trail)
     assert "turned" in str(trail)
     text = f"{file.name}: {'; '.join(trail)}"

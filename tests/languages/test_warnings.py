@@ -225,6 +225,6 @@ def test_the_warning_of_a_mended_mesh_is_known_whole(language: str, tmp_path: Pa
     file.write_text("\n".join(lines))
     trail = load(file, name="wall", density=1.0).history
     assert "hole" in str(trail)
-    assert "turned" in str(trail)
+    assert "reversed" in str(trail)
     text = f"{file.name}: {'; '.join(trail)}"
     assert unknown(text, language=language, verbatim=frozenset({file.name})) == []

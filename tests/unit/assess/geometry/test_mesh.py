@@ -252,9 +252,9 @@ def test_boxes_that_share_an_edge_or_a_face_are_two(tmp_path: Path) -> None:
 
 
 def test_double_triangles_count_once(tmp_path: Path) -> None:
-    repaired(tmp_path, *soup(WALL, WALL), volume=31.875, text="12 double triangles left out .volume -100 %")
+    repaired(tmp_path, *soup(WALL, WALL), volume=31.875, text="12 double triangles removed .volume -100 %")
     both_sides = np.concatenate([WALL.triangles, WALL.triangles[:, ::-1]])
-    repaired(tmp_path, WALL.vertices, both_sides, volume=31.875, text="12 double triangles left out")
+    repaired(tmp_path, WALL.vertices, both_sides, volume=31.875, text="12 double triangles removed")
 
 
 def test_a_mesh_without_volume_is_refused(tmp_path: Path) -> None:
@@ -294,7 +294,7 @@ def test_overlapping_shells_are_united(
 
 def test_a_shell_inside_another_counts_once_unless_it_is_a_cavity(tmp_path: Path) -> None:
     outer, inner = block(0.0, 0.0, 0.0, size=(4.0, 4.0, 4.0)), block(0.5, 0.0, 1.0, size=(2.0, 2.0, 2.0))
-    repaired(tmp_path, *soup(outer, inner), volume=64.0, text="2 closed shells, .* united, .* .volume -12.5 %")
+    repaired(tmp_path, *soup(outer, inner), volume=64.0, text="2 closed shells, .* united .* .volume -12.5 %")
     text = "1 closed shell that faced inwards reversed .the first around .9, 0, 0.5. m"
     repaired(tmp_path, *soup(outer, inwards(block(9.0, 0.0, 0.0))), volume=65.0, text=text)
     repaired(
@@ -316,7 +316,7 @@ def test_cavities_that_break_through_or_meet_are_taken_off_once(tmp_path: Path) 
 def test_a_flat_shell_beside_a_body_is_left_out(tmp_path: Path) -> None:
     vertices = np.concatenate([WALL.vertices, [[9.0, 0.0, 0.0], [9.0, 1.0, 0.0], [9.0, 0.0, 1.0]]])
     triangles = np.concatenate([WALL.triangles, [[8, 9, 10], [8, 10, 9]]])
-    repaired(tmp_path, vertices, triangles, volume=31.875, text="1 closed shell without volume left out")
+    repaired(tmp_path, vertices, triangles, volume=31.875, text="1 closed shell without volume removed")
 
 
 def test_a_surface_that_cuts_itself_is_refused(tmp_path: Path) -> None:

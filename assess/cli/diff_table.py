@@ -11,7 +11,7 @@ from assess.cli.text_table import on_one_line, text_table
 from assess.messages.plural import count_noun
 from assess.project.messages import printable
 from assess.results.diff import Change, Kind, is_number
-from reports.csv import csv_lines
+from reports.render.csv import csv_lines
 
 HEADINGS: Mapping[Kind, str] = {
     "verdict": "verdicts",

@@ -13,7 +13,7 @@ from assess.geometry.formats.element_selection import list_names, one_line
 from assess.geometry.formats.mesh_file import Element
 from assess.geometry.inventory import Entry
 from assess.project.messages import printable
-from reports.csv import csv_lines
+from reports.render.csv import csv_lines
 
 Listed = Sequence[tuple[Path, Sequence[Entry] | Exception]]
 _SHORT = ("part", "class", "storey", "GlobalId", "t x l x h [m]", "V [m3]", "at x, y, z [m]", "closed", "thin [deg]")

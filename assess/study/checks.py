@@ -7,14 +7,13 @@ from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 
-from assess.amplification.floor_motion import Carried, ModalFilter, carried
-from assess.codes.admission import admitted
-from assess.codes.check import Check, Outcome, Reason, because
-from assess.codes.context import Carried as CarriedBy
-from assess.codes.context import Context, LocalLimit
-from assess.codes.family import of_histories
-from assess.codes.italian.confidence import confidences
-from assess.codes.italian.history import suites_needed
+from assess.amplification.floor_motion import BaseMotion, ModalFilter, base_motion
+from assess.codes.applicability import apply_procedure
+from assess.codes.check import Check, Outcome, Reason, reason_message
+from assess.codes.context import Context, LocalLimit, Transfer
+from assess.codes.families import uses_histories
+from assess.codes.italian.confidence import confidence_factors
+from assess.codes.italian.history import required_pga
 from assess.codes.registry import history_rules, procedure
 from assess.loads.load import PointMass
 from assess.mechanisms.hinge_forces import hinge_forces
@@ -23,10 +22,10 @@ from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message, Quantity
 from assess.oscillator import Oscillator
 from assess.results import MechanismResult
-from assess.study.endurance import unheld
-from assess.study.floor_input import floor_spectrum_of
-from assess.study.histories import Rocking, Shaken, governing_trace, rocking, vibrates
-from assess.study.motions import Motion
+from assess.study.endurance import unheld_messages
+from assess.study.floor_input import floor_spectrum
+from assess.study.histories import RockingCase, RockingHistories, run_histories, vibrates, with_governing_trace
+from assess.study.motions import ScaledRecord
 from assess.study.outcome import amplification_result, mechanism_result
 from assess.study.study import Amplified, Study
 from assess.study.wall_size import SUPPORTS, carries_floors, wall_of
@@ -37,8 +36,8 @@ SHORT_OF = 0.9  # of the height of the supports: motion carried less far is that
 Progress = Callable[[str, int, int], None]
 
 
-def mechanisms_assessed(
-    study: Study, spectrum: Spectrum, motions: tuple[Motion, ...], *, jobs: int, progress: Progress
+def assess_mechanisms(
+    study: Study, spectrum: Spectrum, motions: tuple[ScaledRecord, ...], *, jobs: int, progress: Progress
 ) -> tuple[MechanismResult, ...]:
     """Every mechanism of `study` under the `motions`, which fit the `spectrum`; `jobs` threads, 0 for all cores.
 
@@ -46,23 +45,25 @@ def mechanisms_assessed(
     So the procedures of one, which hold the interpreter's lock, go on beside the histories of another, which do not.
     """
     shaken = {
-        m.name: Shaken(
+        m.name: RockingCase(
             m.name,
             variants(m).deciding,
             study.equations[m.name],
-            at_base(study.amplified[m.name], motions),
+            motions_at_base(study.amplified[m.name], motions),
             m.rebounds,
         )
         for m in study.mechanisms
     }
-    scanned = any(map(of_histories, study.procedures))
+    scanned = any(map(uses_histories, study.procedures))
     workers = jobs or os.cpu_count() or 1
     each = max(1, workers // max(1, len(shaken)))
 
     def of(mechanism: Mechanism) -> MechanismResult:
-        one, pga, wanted = shaken[mechanism.name], spectrum.pga, besides(study, spectrum, mechanism)
-        rocked = rocking(one, motions, levels=study.levels, besides=wanted, site_pga=pga, scanned=scanned, threads=each)
-        return assessed(study, spectrum, motions, mechanism, one, rocked)
+        one, pga, wanted = shaken[mechanism.name], spectrum.pga, further_levels(study, spectrum, mechanism)
+        rocked = run_histories(
+            one, motions, levels=study.levels, besides=wanted, site_pga=pga, scanned=scanned, threads=each
+        )
+        return assess_mechanism(study, spectrum, motions, mechanism, one, rocked)
 
     longest = sorted(study.mechanisms, key=lambda m: not vibrates(shaken[m.name].oscillator))
     done: dict[str, MechanismResult] = {}
@@ -74,25 +75,30 @@ def mechanisms_assessed(
     return tuple(done[m.name] for m in study.mechanisms)
 
 
-def besides(study: Study, spectrum: Spectrum, mechanism: Mechanism) -> tuple[float, ...]:
+def further_levels(study: Study, spectrum: Spectrum, mechanism: Mechanism) -> tuple[float, ...]:
     """PGA [m/s2] at which procedures want suites besides those of the levels: limit states of their own, FC."""
     wanted: list[float] = []
     known = study.knowledge.get(mechanism.name, {})
     for name, (rule, options) in history_rules(study.options).items():
         if name in study.procedures:
             level = known.get(rule.edition.code)
-            factors = [each.factor for each in confidences(options, crushing=mechanism.crushing, level=level)]
-            wanted += suites_needed(study.levels, study.hazard, spectrum, rule=rule, options=options, factors=factors)
+            factors = [each.factor for each in confidence_factors(options, crushing=mechanism.crushing, level=level)]
+            wanted += required_pga(study.levels, study.hazard, spectrum, rule=rule, options=options, factors=factors)
     return tuple(dict.fromkeys(wanted))
 
 
-def at_base(amplified: Amplified, motions: tuple[Motion, ...]) -> tuple[Carried, ...]:
+def motions_at_base(amplified: Amplified, motions: tuple[ScaledRecord, ...]) -> tuple[BaseMotion, ...]:
     """Every motion as it acts at the base of a mechanism."""
-    return tuple(carried(amplified.amplification, motion.record) for motion in motions)
+    return tuple(base_motion(amplified.amplification, motion.record) for motion in motions)
 
 
-def assessed(
-    study: Study, spectrum: Spectrum, motions: tuple[Motion, ...], mechanism: Mechanism, shaken: Shaken, rocked: Rocking
+def assess_mechanism(
+    study: Study,
+    spectrum: Spectrum,
+    motions: tuple[ScaledRecord, ...],
+    mechanism: Mechanism,
+    shaken: RockingCase,
+    rocked: RockingHistories,
 ) -> MechanismResult:
     """One mechanism through every procedure, with its histories."""
     context = context_of(study, spectrum, mechanism, rocked, shaken.base, motions)
@@ -102,7 +108,7 @@ def assessed(
         equation=shaken.equation,
         scene=study.scenes.get(mechanism.name),
         checks=checks_of(study, shaken.oscillator, context),
-        histories=() if context.unheld else governing_trace(shaken, rocked.histories, motions),
+        histories=() if context.not_lasting else with_governing_trace(shaken, rocked.histories, motions),
         amplification=amplification_result(study.amplified[mechanism.name], motions, shaken.base),
         grounded=study.grounded[mechanism.name],
     )
@@ -112,15 +118,15 @@ def context_of(
     study: Study,
     spectrum: Spectrum,
     mechanism: Mechanism,
-    rocked: Rocking,
-    base: tuple[Carried, ...],
-    motions: tuple[Motion, ...],
+    rocked: RockingHistories,
+    base: tuple[BaseMotion, ...],
+    motions: tuple[ScaledRecord, ...],
 ) -> Context:
     """What the procedures may know of one mechanism."""
     context = _context_of(study, spectrum, mechanism, rocked, base)
     amplification = study.amplified[mechanism.name].amplification
-    by_mode = context.carried == "by a filter" and not context.suite_faults.get(ASCE43)
-    floor = floor_spectrum_of(
+    by_mode = context.transfer == "by a filter" and not context.suite_faults.get(ASCE43)
+    floor = floor_spectrum(
         spectrum,
         height=context.support_height,
         filtered=amplification if by_mode and isinstance(amplification, ModalFilter) else None,
@@ -132,7 +138,7 @@ def context_of(
 
 
 def _context_of(
-    study: Study, spectrum: Spectrum, mechanism: Mechanism, rocked: Rocking, base: tuple[Carried, ...]
+    study: Study, spectrum: Spectrum, mechanism: Mechanism, rocked: RockingHistories, base: tuple[BaseMotion, ...]
 ) -> Context:
     grounded, rise, ways = study.grounded[mechanism.name], rise_of(mechanism), variants(mechanism)
     return Context(
@@ -148,7 +154,7 @@ def _context_of(
         building=study.building,
         suites=rocked.suites,
         histories_at="ground" if study.amplified[mechanism.name].height is None else "mechanism base",
-        carried=carried_by(study.amplified[mechanism.name], support=grounded.support),
+        transfer=transfer_to_support(study.amplified[mechanism.name], support=grounded.support),
         crushing=mechanism.crushing,
         starting=ways.starting,
         breaking=ways.breaking,
@@ -157,12 +163,12 @@ def _context_of(
         knowledge=study.knowledge.get(mechanism.name, {}),
         limit_state=study.limit_state if study.hazard is None else None,
         impossible=grounded.unknown,
-        unheld=unheld(mechanism),
+        not_lasting=unheld_messages(mechanism),
         suite_faults=study.suite_faults,
-        impossible_by_histories=stopped(mechanism),
+        impossible_by_histories=reasons_against_histories(mechanism),
         amplification=max((each.factor for each in base), default=1.0),
         linearised=study.equations[mechanism.name] == "linearised",
-        besides=rocked.besides,
+        extra_suites=rocked.besides,
         hinges=hinge_forces(mechanism),
         incremental=tuple(sorted((*rocked.scan, *rocked.suites), key=lambda suite: suite.pga)) if rocked.scan else (),
         hazard=study.hazard,
@@ -176,23 +182,23 @@ def seats_unknown(mechanism: Mechanism) -> tuple[str, ...]:
     return tuple(load.name for load in resting if load.seat is None)
 
 
-def stopped(mechanism: Mechanism) -> tuple[Message, ...]:
+def reasons_against_histories(mechanism: Mechanism) -> tuple[Message, ...]:
     """Why no histories can be answered: the first impact would bring the mechanism to rest."""
     if mechanism.stopped is None:
         return ()
-    return (because(Reason.STOPS, restitution=Quantity(mechanism.stopped, figures=3)),)
+    return (reason_message(Reason.STOPS, restitution=Quantity(mechanism.stopped, figures=3)),)
 
 
 def checks_of(study: Study, rocker: Oscillator, context: Context) -> tuple[Check, ...]:
     """The answers of every procedure of the study, in its order; of those nobody asked for, where they apply."""
     found: list[Check] = []
     for name in study.procedures:
-        checks = admitted(name, procedure(name, study.options), rocker, context)
+        checks = apply_procedure(name, procedure(name, study.options), rocker, context)
         found += (c for c in checks if name not in study.offered or c.verdict != Outcome.NOT_APPLICABLE)
     return tuple(found)
 
 
-def carried_by(amplified: Amplified, *, support: float) -> CarriedBy:
+def transfer_to_support(amplified: Amplified, *, support: float) -> Transfer:
     """How the motion of the histories gets to what holds the mechanism, `support` above the ground [m].
 
     Motion that is carried only a part of the way counts as that of the ground.

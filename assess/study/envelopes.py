@@ -13,7 +13,7 @@ from assess.dynamics.critical import Critical, critical
 from assess.dynamics.envelope import Envelope, envelope
 from assess.oscillator import Oscillator, linearise
 from assess.results import CriticalBand, CriticalResult, EnvelopeResult, PrimaryPulse, RecordResult
-from assess.study.motions import Motion
+from assess.study.motions import ScaledRecord
 from assess.study.study import Equation, PulseGrid
 from records.primary_pulse import primary_pulses
 from records.pulses import SHAPES
@@ -28,7 +28,7 @@ WORTH = 0.1  # of the energy that the best pulse explains: others that explain l
 
 
 @dataclass(frozen=True)
-class Rocker:
+class EnvelopeCase:
     """A mechanism as envelopes see it.
 
     factor : amplification to its base at given frequencies [n] [Hz] -> [n]; case : of a sweep, in words, else empty
@@ -41,8 +41,8 @@ class Rocker:
     case: str = ""
 
 
-def mapped_pulses(
-    rockers: Sequence[Rocker], grid: PulseGrid | None, *, jobs: int, progress: Progress
+def map_envelopes(
+    rockers: Sequence[EnvelopeCase], grid: PulseGrid | None, *, jobs: int, progress: Progress
 ) -> dict[str, EnvelopeResult]:
     """The envelope of every mechanism by name; none where no grid of pulses is asked for."""
     if grid is None:
@@ -77,13 +77,13 @@ def envelope_result(made: Envelope, oscillator: Oscillator) -> EnvelopeResult:
         frequency_hz=tuple(made.frequency.tolist()),
         amplitude_g=tuple((made.amplitude / g).tolist()),
         overturned=tuple(tuple(row) for row in made.overturned.tolist()),
-        lower_bound_g=known(bound),
+        lower_bound_g=none_for_nan(bound),
         polarity=tuple(made.polarity.tolist()),
         islands=tuple((above & ~made.overturned).sum(axis=1).tolist()),
         uplift_g=tuple((made.uplift / g).tolist()),
         factor=tuple(made.factor.tolist()),
         omega=tuple((2 * np.pi * made.frequency / form.p).tolist()),
-        lower_bound_ratio=known(bound * made.factor / form.multiplier),
+        lower_bound_ratio=none_for_nan(bound * made.factor / form.multiplier),
     )
 
 
@@ -98,9 +98,9 @@ def critical_result(found: dict[str, EnvelopeResult]) -> CriticalResult | None:
     return CriticalResult(
         frequency_hz=tuple(frequency.tolist()),
         mechanism=_named(order.mechanism, names),
-        lower_bound_g=known(order.lower_bound),
+        lower_bound_g=none_for_nan(order.lower_bound),
         runner_up=_named(order.runner_up, names),
-        margin=known(order.margin),
+        margin=none_for_nan(order.margin),
         near=tuple(tuple(name for name, is_near in zip(names, row, strict=True) if is_near) for row in order.near.T),
         bands=_bands(order, names),
     )
@@ -118,7 +118,7 @@ def _named(index: NDArray[np.int64], names: Sequence[str]) -> tuple[str | None, 
 
 
 def with_primary_pulses(
-    records: Sequence[RecordResult], motions: Sequence[Motion], grid: PulseGrid | None
+    records: Sequence[RecordResult], motions: Sequence[ScaledRecord], grid: PulseGrid | None
 ) -> tuple[RecordResult, ...]:
     """The records with the pulses of the grid's shape found in them, scaled as they are."""
     if grid is None:
@@ -128,7 +128,7 @@ def with_primary_pulses(
     )
 
 
-def pulses_of(motion: Motion, grid: PulseGrid) -> tuple[PrimaryPulse, ...]:
+def pulses_of(motion: ScaledRecord, grid: PulseGrid) -> tuple[PrimaryPulse, ...]:
     """The best pulses within one motion, each as the motion is scaled."""
     found = primary_pulses(motion.record, shape=grid.shape, count=MOST_PULSES)
     return tuple(
@@ -145,6 +145,6 @@ def pulses_of(motion: Motion, grid: PulseGrid) -> tuple[PrimaryPulse, ...]:
     )
 
 
-def known(values: FloatArray) -> tuple[float | None, ...]:
+def none_for_nan(values: FloatArray) -> tuple[float | None, ...]:
     """Numbers [n], None for nan."""
     return tuple(None if np.isnan(value) else float(value) for value in values)

@@ -15,13 +15,13 @@ from math import inf, log
 import numpy as np
 from scipy.constants import g
 
-from assess.amplification.floor_motion import Carried
+from assess.amplification.floor_motion import BaseMotion
 from assess.codes.check import BranchName
 from assess.codes.context import Suite
 from assess.dynamics.history import Jobs, Peaks, prepared, trace
 from assess.oscillator import Oscillator, elastic_frequency, resisted
 from assess.results import HistoryResult, Trace
-from assess.study.motions import Motion
+from assess.study.motions import ScaledRecord
 from assess.study.study import Equation
 from spectra.arrays import FloatArray, IntArray
 
@@ -32,7 +32,7 @@ AT_ONCE = 3  # levels, for the threads to share; those above the first that over
 
 
 @dataclass(frozen=True)
-class Shaken:
+class RockingCase:
     """One oscillator with the equation its histories solve, and every ground motion as it acts at its base.
 
     rebounds : what its restitution is multiplied by, its own value first; the worst counts
@@ -41,12 +41,12 @@ class Shaken:
     name: str
     oscillator: Oscillator
     equation: Equation
-    base: tuple[Carried, ...]
+    base: tuple[BaseMotion, ...]
     rebounds: tuple[float, ...] = (1.0,)
 
 
 @dataclass(frozen=True)
-class Rocking:
+class RockingHistories:
     """Histories of one mechanism: [level][record] in the worse polarity, their suites, those besides, and the scan."""
 
     histories: tuple[tuple[HistoryResult, ...], ...]
@@ -55,33 +55,33 @@ class Rocking:
     scan: tuple[Suite, ...] = ()
 
 
-def rocking(
-    shaken: Shaken,
-    motions: Sequence[Motion],
+def run_histories(
+    shaken: RockingCase,
+    motions: Sequence[ScaledRecord],
     *,
     levels: Sequence[float],
     besides: Sequence[float],
     site_pga: float,
     scanned: bool,
     threads: int,
-) -> Rocking:
+) -> RockingHistories:
     """Histories of one mechanism at `levels` [m/s2], suites at other PGA `besides`, and its scan where `scanned`."""
-    found = asked_of(shaken, motions, levels=levels, besides=besides, site_pga=site_pga, threads=threads)
-    scan = scan_of(shaken, motions, site_pga=site_pga, threads=threads) if scanned else ()
+    found = run_levels(shaken, motions, levels=levels, besides=besides, site_pga=site_pga, threads=threads)
+    scan = scan_levels(shaken, motions, site_pga=site_pga, threads=threads) if scanned else ()
     return replace(found, scan=scan)
 
 
-def asked_of(
-    shaken: Shaken,
-    motions: Sequence[Motion],
+def run_levels(
+    shaken: RockingCase,
+    motions: Sequence[ScaledRecord],
     *,
     levels: Sequence[float],
     besides: Sequence[float],
     site_pga: float,
     threads: int,
-) -> Rocking:
+) -> RockingHistories:
     """Histories of one mechanism at `levels` and suites at other PGA `besides` [m/s2], without a scan."""
-    ran = at_levels(shaken, motions, site_pga=site_pga, threads=threads)((*levels, *besides))
+    ran = level_solver(shaken, motions, site_pga=site_pga, threads=threads)((*levels, *besides))
     histories = tuple(
         tuple(
             _history(ran.found, int(job), carried, level, float(ran.scale[job]), rebound=float(ran.rebound[job]))
@@ -90,11 +90,11 @@ def asked_of(
         for i, level in enumerate(levels)
     )
     suites = suites_of(ran)
-    return Rocking(histories, suites[: len(levels)], suites[len(levels) :])
+    return RockingHistories(histories, suites[: len(levels)], suites[len(levels) :])
 
 
 @dataclass(frozen=True)
-class Ran:
+class LevelPeaks:
     """Histories of one mechanism under every record, in both polarities and with every rebound of its range.
 
     levels : PGA of the target [levels] [m/s2]; found : what every job found
@@ -109,31 +109,31 @@ class Ran:
     worse: IntArray
 
 
-def at_levels(
-    shaken: Shaken, motions: Sequence[Motion], *, site_pga: float, threads: int
-) -> Callable[[Sequence[float]], Ran]:
+def level_solver(
+    shaken: RockingCase, motions: Sequence[ScaledRecord], *, site_pga: float, threads: int
+) -> Callable[[Sequence[float]], LevelPeaks]:
     """What runs the histories at any levels [m/s2]. A symmetric body needs but one polarity: the other mirrors it."""
     n, factors = len(motions), np.array([motion.scaling.factor for motion in motions])
     records = [carried.record for carried in shaken.base]
-    oscillators = [rebounding(shaken.oscillator, rebound) for rebound in shaken.rebounds]
+    oscillators = [with_restitution_factor(shaken.oscillator, rebound) for rebound in shaken.rebounds]
     run = prepared(oscillators, records, equation=shaken.equation, threads=threads)
     signs = np.array([1.0] if shaken.oscillator.symmetric else [1.0, -1.0])
     ways = np.tile(signs, len(oscillators))  # of one record at one level: every polarity with every rebound
     which = np.repeat(np.arange(len(oscillators)), signs.size)
 
-    def ran(levels: Sequence[float]) -> Ran:
+    def ran(levels: Sequence[float]) -> LevelPeaks:
         scale = np.asarray(levels)[:, None, None] / site_pga * factors[:, None] * ways
         motion = np.broadcast_to(np.arange(n)[:, None], scale.shape)
         oscillator = np.broadcast_to(which, scale.shape).ravel()
         found = run(Jobs(oscillator, motion.ravel(), scale.ravel()))
         worst = _severity(found).reshape(scale.shape).argmax(axis=2)
         first = np.arange(0, scale.size, ways.size).reshape(worst.shape)
-        return Ran(tuple(levels), found, scale.ravel(), np.array(shaken.rebounds)[oscillator], first + worst)
+        return LevelPeaks(tuple(levels), found, scale.ravel(), np.array(shaken.rebounds)[oscillator], first + worst)
 
     return ran
 
 
-def rebounding(oscillator: Oscillator, factor: float) -> Oscillator:
+def with_restitution_factor(oscillator: Oscillator, factor: float) -> Oscillator:
     """The oscillator with its restitution times a factor, at most 1; as it is at 1."""
     if factor == 1.0:
         return oscillator
@@ -146,7 +146,9 @@ def _severity(found: Peaks) -> FloatArray:
     return np.where(found.overturned, inf, found.max_ratio)
 
 
-def _history(found: Peaks, job: int, carried: Carried, level: float, scale: float, *, rebound: float) -> HistoryResult:
+def _history(
+    found: Peaks, job: int, carried: BaseMotion, level: float, scale: float, *, rebound: float
+) -> HistoryResult:
     overturned = bool(found.overturned[job])
     return HistoryResult(
         record=carried.record.id,
@@ -166,7 +168,7 @@ def _history(found: Peaks, job: int, carried: Carried, level: float, scale: floa
     )
 
 
-def suites_of(ran: Ran) -> tuple[Suite, ...]:
+def suites_of(ran: LevelPeaks) -> tuple[Suite, ...]:
     """The maxima of all records at each level; the branch is that of the worst record."""
     worst = _severity(ran.found)[ran.worse].argmax(axis=1)
     suites = []
@@ -188,13 +190,15 @@ def vibrates(oscillator: Oscillator) -> bool:
     return any(elastic_frequency(branch) is not None for branch in oscillator.branches)
 
 
-def scan_of(shaken: Shaken, motions: Sequence[Motion], *, site_pga: float, threads: int) -> tuple[Suite, ...]:
+def scan_levels(
+    shaken: RockingCase, motions: Sequence[ScaledRecord], *, site_pga: float, threads: int
+) -> tuple[Suite, ...]:
     """Suites at rising PGA, up to and with the first in which a record overturns the mechanism."""
     strongest = max(m.scaling.factor * at.record.pga for m, at in zip(motions, shaken.base, strict=True)) / site_pga
     uplift = g * min(resisted(branch) for branch in shaken.oscillator.branches)
     start = SCAN_START * uplift / max(1.0, strongest)
     step, most = (JOINTS_STEP, MOST_ON_JOINTS) if vibrates(shaken.oscillator) else (SCAN_STEP, MOST_LEVELS)
-    run = at_levels(shaken, motions, site_pga=site_pga, threads=threads)
+    run = level_solver(shaken, motions, site_pga=site_pga, threads=threads)
     below = round(log(1.0 / SCAN_START) / log(step))  # levels short of uplift, which none overturns
     suites: list[Suite] = []
     for first, beyond in pairwise([0, *range(below, most, AT_ONCE), most]):
@@ -205,8 +209,8 @@ def scan_of(shaken: Shaken, motions: Sequence[Motion], *, site_pga: float, threa
     return tuple(suites)
 
 
-def governing_trace(
-    shaken: Shaken, histories: Sequence[Sequence[HistoryResult]], motions: Sequence[Motion]
+def with_governing_trace(
+    shaken: RockingCase, histories: Sequence[Sequence[HistoryResult]], motions: Sequence[ScaledRecord]
 ) -> tuple[tuple[HistoryResult, ...], ...]:
     """The histories with the trace of the worst record of the highest level filled in."""
     *lower, highest = [tuple(level) for level in histories]
@@ -214,7 +218,7 @@ def governing_trace(
     place = next(place for place, motion in enumerate(motions) if motion.record.id == worst.record)
     ground, base = motions[place].record, shaken.base[place].record
     scale = worst.polarity * worst.scale_factor
-    path = trace(rebounding(shaken.oscillator, worst.rebound), base, scale=scale, equation=shaken.equation)
+    path = trace(with_restitution_factor(shaken.oscillator, worst.rebound), base, scale=scale, equation=shaken.equation)
     below = np.interp(path.time, ground.time, ground.acceleration, right=0.0)
     drawn = Trace(
         time_s=tuple(path.time.tolist()),

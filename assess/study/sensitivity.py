@@ -12,14 +12,14 @@ from dataclasses import dataclass, replace
 
 from assess.codes.basis import Basis
 from assess.codes.check import Check
-from assess.codes.family import of_histories
+from assess.codes.families import uses_histories
 from assess.codes.verdict.answer import index_of
 from assess.errors import AssessError
 from assess.mechanisms.lasting import variants
 from assess.results import MechanismResult, SensitivityResult
-from assess.study.checks import Progress, at_base, besides, checks_of, context_of
-from assess.study.histories import Rocking, Shaken, asked_of
-from assess.study.motions import Motion
+from assess.study.checks import Progress, checks_of, context_of, further_levels, motions_at_base
+from assess.study.histories import RockingCase, RockingHistories, run_levels
+from assess.study.motions import ScaledRecord
 from assess.study.study import Study, Unvaried, Variable
 from spectra.errors import SpectrumError
 from spectra.spectrum import Spectrum
@@ -39,7 +39,7 @@ class Case:
 def sensitivities(
     study: Study,
     spectrum: Spectrum,
-    motions: tuple[Motion, ...],
+    motions: tuple[ScaledRecord, ...],
     mechanisms: Sequence[MechanismResult],
     *,
     jobs: int,
@@ -51,7 +51,7 @@ def sensitivities(
     for done, variable in enumerate(study.variables):
         progress("sensitivity", done, len(study.variables))
         if isinstance(variable, Unvaried):
-            rows.append(left_out(variable))
+            rows.append(unvaried_row(variable))
             continue
         deciding = tuple(
             check for check in known[variable.mechanism].checks if check.reading == "letter" and not check.informs
@@ -71,31 +71,31 @@ def case_of(
     whole: Study,
     procedures: tuple[str, ...],
     spectrum: Spectrum,
-    motions: tuple[Motion, ...],
+    motions: tuple[ScaledRecord, ...],
     *,
     jobs: int,
 ) -> Case:
     """The mechanism with one value of the variable, through the procedures, under the suite of the whole study."""
     try:
         study = replace(variable.study_at(value), procedures=procedures, suite_faults=whole.suite_faults)
-        return Case(by_answer(checked(study, spectrum, motions, jobs=jobs)))
+        return Case(by_answer(check_case(study, spectrum, motions, jobs=jobs)))
     except (AssessError, SpectrumError) as error:
         return Case({}, str(error))
 
 
-def checked(study: Study, spectrum: Spectrum, motions: tuple[Motion, ...], *, jobs: int) -> tuple[Check, ...]:
+def check_case(study: Study, spectrum: Spectrum, motions: tuple[ScaledRecord, ...], *, jobs: int) -> tuple[Check, ...]:
     """The checks of the one mechanism of a case."""
     (mechanism,) = study.mechanisms
-    base = at_base(study.amplified[mechanism.name], motions)
-    shaken = Shaken(
+    base = motions_at_base(study.amplified[mechanism.name], motions)
+    shaken = RockingCase(
         mechanism.name, variants(mechanism).deciding, study.equations[mechanism.name], base, mechanism.rebounds
     )
-    shakes = any(map(of_histories, study.procedures))
+    shakes = any(map(uses_histories, study.procedures))
     levels = study.levels if shakes else ()
-    rocked = Rocking((), ())
+    rocked = RockingHistories((), ())
     if levels and motions:
-        wanted = besides(study, spectrum, mechanism)
-        rocked = asked_of(shaken, motions, levels=levels, besides=wanted, site_pga=spectrum.pga, threads=jobs)
+        wanted = further_levels(study, spectrum, mechanism)
+        rocked = run_levels(shaken, motions, levels=levels, besides=wanted, site_pga=spectrum.pga, threads=jobs)
     known = context_of(replace(study, levels=levels), spectrum, mechanism, rocked, base, motions)
     return checks_of(study, shaken.oscillator, replace(known, levels=study.levels))
 
@@ -128,7 +128,7 @@ def rows_of(
         sides = low.checks.get(key), high.checks.get(key)
         if check.role == "deciding" and basis is not None:
             yield with_index(row, basis, check, *sides)
-        if key[:2] not in told and not of_histories(check.procedure):
+        if key[:2] not in told and not uses_histories(check.procedure):
             told.add(key[:2])
             yield with_capacity(row, check, *sides)
         yield with_ratio(row, check, *sides)
@@ -184,7 +184,7 @@ def remark_of(variable: Variable, low: Case, high: Case) -> str:
     return "; ".join(text for text in (variable.remark, *whys) if text)
 
 
-def left_out(unvaried: Unvaried) -> SensitivityResult:
+def unvaried_row(unvaried: Unvaried) -> SensitivityResult:
     """The row of a number that is left as it is."""
     return SensitivityResult(
         mechanism=unvaried.mechanism, parameter=unvaried.parameter, remark=f"not varied: {unvaried.why}"

@@ -10,7 +10,7 @@ from written import content, run, write
 from assess.errors import OutputError
 from assess.outputs import journal
 from assess.outputs.manifest import MANIFEST
-from assess.outputs.settling import settled
+from assess.outputs.recovery import recover_for_reading
 
 
 def test_a_link_that_leads_out_of_the_folder_is_not_written_through(tmp_path: Path) -> None:
@@ -51,7 +51,7 @@ def test_where_moves_can_neither_be_finished_nor_undone_the_next_command_does(
         patch.setattr(os, "replace", broken)
         with pytest.raises(OSError, match=r"Input/output error"):
             run(tmp_path, {"results.json": "2", "report.pdf": "2"})
-    settled(tmp_path, tell=lambda _: None)
+    recover_for_reading(tmp_path, tell=lambda _: None)
     assert content(tmp_path) == {"results.json": "2", "report.pdf": "2"}
 
 

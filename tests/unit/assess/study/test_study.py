@@ -14,8 +14,9 @@ from assess.errors import GeometryError, MechanismError, ProjectError
 from assess.mechanisms.oscillation import oscillator
 from assess.project.build import build
 from assess.project.schema import load
-from assess.study.histories import RockingCase, scan_levels
+from assess.study.history_scan import scan_levels
 from assess.study.motions import motions_of
+from assess.study.rocking_case import RockingCase
 from assess.study.run import parameters, run
 from assess.study.study import Study
 from records.response import response_spectrum

@@ -6,7 +6,7 @@ from dataclasses import replace
 from math import inf, isclose
 
 from assess.codes.check import Check, Outcome
-from assess.codes.family import of_histories
+from assess.codes.families import uses_histories
 from assess.results import ComparisonRow, HistoryResult, MechanismResult, Results, Trace
 
 DAMAGE = "SLD"
@@ -90,7 +90,7 @@ def history(mechanism: MechanismResult) -> tuple[HistoryResult, Trace] | None:
 def allowable(mechanism: MechanismResult, level_pga_g: float) -> float | None:
     """Allowable rotation / phi_ov [-] of the mechanism's history procedure at a level; None without one."""
     checks = at_level(mechanism.checks, level_pga_g)
-    found = (check.capacity_rotation_ratio for check in checks if of_histories(check.procedure))
+    found = (check.capacity_rotation_ratio for check in checks if uses_histories(check.procedure))
     return next((ratio for ratio in found if ratio is not None), None)
 
 

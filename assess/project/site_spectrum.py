@@ -8,10 +8,9 @@ from functools import singledispatch
 from pathlib import Path
 
 from assess.codes.context import Hazard
-from assess.errors import ProjectError
+from assess.errors import ProjectError, locate_errors
 from assess.project import sections
 from assess.project.deciding import limit_state_of, use_class_of
-from assess.project.messages import located
 from assess.project.schema import load
 from spectra import asce7, ec8, ntc, nzs1170_5
 from spectra.errors import SpectrumError
@@ -52,7 +51,7 @@ def spectrum_of(site: sections.Site) -> Spectrum:
     if isinstance(section, sections.TableSpectrum):
         spectrum = read_table(section.file, damping=section.damping, pga=site.pga)
     else:
-        with located("site.spectrum"):
+        with locate_errors("site.spectrum"):
             spectrum = replace(horizontal(section), damping=section.damping)
     if site.pga is None:
         return spectrum
@@ -66,7 +65,7 @@ def vertical_of(site: sections.Site) -> Spectrum:
 
     Raises SpectrumError for the codes that have none here.
     """
-    with located("site.spectrum"):
+    with locate_errors("site.spectrum"):
         spectrum = replace(vertical(site.spectrum), damping=site.spectrum.damping)
     return replace(spectrum, factor=spectrum_of(site).factor)
 
@@ -175,7 +174,7 @@ def hazard_over_periods(site: sections.Site) -> Hazard | None:
     section = site.spectrum
     if not isinstance(section, sections.NtcHazardSpectrum):
         return None
-    with located("site.spectrum"):
+    with locate_errors("site.spectrum"):
         place, factor = place_of(section), spectrum_of(site).factor
         amplified = [ntc.soil_factor(row, place.soil) * row.a_g for row in rows_of(section)]
         spectra = {state: found for state in ntc.EXCEEDANCE if (found := state_spectrum(section, state)) is not None}

@@ -15,7 +15,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from assess.amplification.floor_motion import Carried, FirstMode, ModalFilter
+from assess.amplification.floor_motion import BaseMotion, FirstMode, ModalFilter
 from assess.codes.context import Building
 from assess.study.motions import ScaledRecord
 from records.record import Record, scale
@@ -39,7 +39,7 @@ def floor_spectrum(
     *,
     height: float,
     filtered: ModalFilter | None,
-    base: Sequence[Carried],
+    base: Sequence[BaseMotion],
     motions: Sequence[ScaledRecord],
     building: Building | None,
 ) -> Spectrum | None:

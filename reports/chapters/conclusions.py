@@ -6,9 +6,9 @@ from collections.abc import Iterator
 from statistics import median
 
 from assess.codes.check import Family, Outcome
-from assess.codes.family import FAMILIES, of_histories
+from assess.codes.families import FAMILIES, uses_histories
 from assess.codes.verdict import MechanismVerdict
-from assess.codes.verdict_text import holds_text
+from assess.codes.verdict_text import margin_text
 from assess.results import MechanismResult, Results, SuiteResult
 from reports import governing
 from reports.chapters.sentences import join_names
@@ -58,11 +58,11 @@ def _critical_mechanism(results: Results) -> Iterator[str]:
     if not ranked or results.verdict is None:
         return
     action, ((first, least), *others) = results.verdict.action, ranked
-    margin = f"{holds_text(least, action)}, by {_deciding_procedures(least)}"
+    margin = f"{margin_text(least, action)}, by {_deciding_procedures(least)}"
     sentence = f"Critical is {short_title(first)}: it holds up to {margin}"
     if others:
         runner_up, other = others[0]
-        margin = f"{holds_text(other, action)}, by {_deciding_procedures(other)}"
+        margin = f"{margin_text(other, action)}, by {_deciding_procedures(other)}"
         sentence += f"; next is {short_title(runner_up)} with {margin}"
     yield f"{sentence}."
 
@@ -157,7 +157,7 @@ def _factored_exception(results: Results) -> str:
         governing.procedure_label(check, mechanism.checks)
         for mechanism in results.mechanisms
         for check in mechanism.checks
-        if of_histories(check.procedure) and governing.is_overturned(check)
+        if uses_histories(check.procedure) and governing.is_overturned(check)
     )
     if not fallen:
         return ""

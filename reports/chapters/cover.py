@@ -8,9 +8,9 @@ from hashlib import sha256
 from assess.codes.verdict import Decision, Missing, Verdict
 from assess.codes.verdict_text import (
     action_text,
-    bearing,
     building_index_text,
     outcome_text,
+    relevant_warnings,
     target_text,
     toml_lines,
 )
@@ -98,7 +98,7 @@ def _missing_reason(missing: Missing) -> str:
 
 def _relevant_warnings(results: Results) -> Iterator[str]:
     """The warnings of the run, and the remarks of the checks that decide, each once."""
-    for each in bearing(results.warnings):
+    for each in relevant_warnings(results.warnings):
         yield f"{each.where}: {message_text(each)}" if each.where else message_text(each)
     for mechanism in results.mechanisms:
         remarks = (

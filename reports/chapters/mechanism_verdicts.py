@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from assess.codes.verdict import Answer, MechanismVerdict, Verdict
-from assess.codes.verdict_text import holds_text, index_text, outcome_text
+from assess.codes.verdict_text import index_text, margin_text, outcome_text
 from assess.results import Results
 from reports.document import Cell, Column, Table
 from reports.language.message_text import message_text
@@ -47,7 +47,14 @@ def _rows(one: MechanismVerdict, found: Verdict, names: Mapping[str, str]) -> It
     for answer in one.answers:
         decided = outcome_text(answer.outcome, near=answer.at_the_limit)
         index = index_text(answer.index).replace("zeta_E", "ζ_E")
-        cells = (answer.limit_state, decided, answer.procedure, index, holds_text(one, found.action), _why(answer, one))
+        cells = (
+            answer.limit_state,
+            decided,
+            answer.procedure,
+            index,
+            margin_text(one, found.action),
+            _why(answer, one),
+        )
         yield (name, outcome, *cells)
 
 

@@ -8,7 +8,7 @@ from math import inf, log
 from typing import Literal
 
 from assess.codes.check import Outcome
-from assess.codes.family import of_histories
+from assess.codes.families import uses_histories
 from assess.results import SensitivityResult
 from reports.governing import DAMAGE
 
@@ -92,7 +92,7 @@ def representative_answers(rows: Sequence[SensitivityResult]) -> list[Sensitivit
     near = min(levels, key=lambda level: abs(log(level / (least.at_base or level))))
     there = [row for row in ratios if row.level_pga_g == near]
     own = [row for row in there if (row.procedure, row.limit_state) == (least.procedure, least.limit_state)]
-    return [least, *own[:1], *[row for row in there if of_histories(row.procedure)][:1]]
+    return [least, *own[:1], *[row for row in there if uses_histories(row.procedure)][:1]]
 
 
 def answer_value(row: SensitivityResult, at: Case) -> float | None:

@@ -11,8 +11,8 @@ import pytest
 from scipy.constants import g
 
 from assess.codes.bases import BASES
-from assess.codes.check import Check, Outcome, PgaCurve, Reason, Step, because
-from assess.codes.verdict import Action, Decision, Judged, Question, verdict, with_roles
+from assess.codes.check import Check, Outcome, PgaCurve, Reason, Step, reason_message
+from assess.codes.verdict import Action, Decision, MechanismChecks, Question, mark_deciding, verdict
 from assess.messages.message import Message, Severity, count
 from assess.results import (
     SCHEMA_VERSION,
@@ -178,10 +178,10 @@ def check(
 
 def reason_of(verdict: str, ratio: float | None) -> Message:
     if verdict == "not-answered":
-        return because(Reason.TOO_FEW_RECORDS, n=count(4), fallen=count(0), clause="ASCE 43-05", least=count(5))
+        return reason_message(Reason.TOO_FEW_RECORDS, n=count(4), fallen=count(0), clause="ASCE 43-05", least=count(5))
     if verdict == "fail" and ratio is None:
-        return because(Reason.OVERTURNS)
-    return because(Reason.WITHIN if verdict == "pass" else Reason.BEYOND, capacity="the allowable")
+        return reason_message(Reason.OVERTURNS)
+    return reason_message(Reason.WITHIN if verdict == "pass" else Reason.BEYOND, capacity="the allowable")
 
 
 def checks(alpha: float, weak: bool) -> tuple[Check, ...]:
@@ -412,9 +412,9 @@ def asked(pga_g: float = LEVELS[0]) -> Question:
 def decided(results: Results, question: Question | None = None) -> Results:
     """The results with their verdict, and with the checks that decide marked."""
     question = question or asked()
-    found = verdict(question, [Judged(each.name, each.checks) for each in results.mechanisms])
+    found = verdict(question, [MechanismChecks(each.name, each.checks) for each in results.mechanisms])
     mechanisms = tuple(
-        replace(each, checks=with_roles(each.checks, one, question.basis, question.action))
+        replace(each, checks=mark_deciding(each.checks, one, question.basis, question.action))
         for each, one in zip(results.mechanisms, found.mechanisms, strict=True)
     )
     return replace(results, mechanisms=mechanisms, verdict=found)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from math import inf
 
-from assess.codes.check import Outcome, Reason, because
+from assess.codes.check import Outcome, Reason, reason_message
 from assess.results import ComparisonRow, Results
 from reports import governing
 from reports.chapters import comparisons, other_levels, summary, tables
@@ -53,7 +53,7 @@ def test_what_lies_beyond_the_spectrum_is_not_said_to_overturn(results: Results)
         demand=None,
         ratio=None,
         verdict=Outcome.FAIL,
-        reason=because(Reason.BEYOND_SPECTRUM),
+        reason=reason_message(Reason.BEYOND_SPECTRUM),
     )
     row = ComparisonRow(first.name, 9.0, worst.procedure, None, 0.5, None)
     one = replace(first, checks=(*first.checks, worst))

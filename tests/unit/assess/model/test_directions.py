@@ -129,7 +129,7 @@ def test_a_floor_counts_in_every_direction_and_is_met_once(tmp_path: Path, monke
     """It bears on 0.5 m of the top, beside one face; where it meets the tower does not turn with the direction."""
     met = []
     monkeypatch.setattr(
-        bearing, "touch", lambda block, body, **more: met.append(body.name) or find_contact(block, body, **more)
+        bearing, "find_contact", lambda block, body, **more: met.append(body.name) or find_contact(block, body, **more)
     )
     floor = "[bodies.floor]\nmaterial = 'm'\nbox = { thickness = 4, length = 3, height = 0.5, base = [3, 0, 10] }"
     found = sought(tmp_path, SQUARE, f"sides = 'one'\nloads = [{{ kind = 'body', body = 'floor' }}]\n{floor}")

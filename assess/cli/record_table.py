@@ -51,7 +51,9 @@ def csv_text(records: Sequence[Record]) -> str:
 
 def json_text(records: Sequence[Record]) -> str:
     """The `records` of results.json, unscaled, with what else is known and measured."""
-    listed = [_known(record) | {"trail": list(record.trail), "spectrum": _spectrum(record)} for record in records]
+    listed = [
+        _known(record) | {"trail": list(record.processing_history), "spectrum": _spectrum(record)} for record in records
+    ]
     return json.dumps(listed, ensure_ascii=False, allow_nan=False, indent=1) + "\n"
 
 

@@ -38,10 +38,10 @@ def report(
     from assess.cli.warning import tell
     from assess.outputs.folder import output_folder
     from assess.outputs.manifest import ENVELOPES, RESULTS
-    from reports.assessment import of_envelopes, project
+    from reports.assessment import envelope_report, project_text
     from reports.writing import Form, write_all, write_document
 
-    spoken = language or _known(project(found, "report.language"), source=results)
+    spoken = language or _known(project_text(found, "report.language"), source=results)
     folder = output or read.path.parent
     alone = found.critical is not None and not any(mechanism.checks for mechanism in found.mechanisms)
     name, stem = (ENVELOPES, "envelopes") if alone else (RESULTS, "report")
@@ -54,7 +54,7 @@ def report(
         read.believed(),
     ):
         if alone:
-            envelopes = replace(of_envelopes(found), language=spoken)
+            envelopes = replace(envelope_report(found), language=spoken)
             pdf = write_document(envelopes, stage, name="envelopes.pdf", figures=figures, progress=said.step)
         else:
             pdf = write_all(found, stage, language=spoken, figures=figures, progress=said.step)

@@ -13,7 +13,7 @@ from assess.messages.message import Message, warning
 from assess.results.json import dumps_spectrum
 from assess.results.stamp import origin
 from assess.study.outcome import spectrum_result
-from reports.language.spectrum_parameters import ACCELERATION, corners, named
+from reports.language.spectrum_parameters import ACCELERATION, corners, parameter_rows
 from reports.render.csv import csv_lines
 from spectra.spectrum import Spectrum
 
@@ -25,7 +25,7 @@ def table_text(spectrum: Spectrum) -> str:
     scale = "" if spectrum.factor == 1.0 else f", ordinates scaled by {spectrum.factor:.4g}"
     peak = f"PGA {spectrum.pga / g:.4g} g{scale}"
     heading = f"{spectrum.code}: {spectrum.clause}; damping {spectrum.damping:g}, {peak}\n"
-    parameters = [[words, *_shown(value, unit)] for words, unit, value in named(spectrum.parameters)]
+    parameters = [[words, *_shown(value, unit)] for words, unit, value in parameter_rows(spectrum.parameters)]
     period = periods_of(spectrum)
     columns = zip(period, spectrum.acceleration(period) / g, spectrum.displacement(period), strict=True)
     ordinates = [[f"{T:.4g}", f"{S_a:.4f}", f"{1e3 * S_d:.2f}"] for T, S_a, S_d in columns]
@@ -58,7 +58,7 @@ def json_text(spectrum: Spectrum) -> str:
 
 def told(spectrum: Spectrum, *, doubts: tuple[Message, ...] = ()) -> None:
     """What the engineer has to know before using the spectrum, on stderr; doubts: of what was typed."""
-    notices = tuple(warning("site-study", "site.spectrum", text=text) for text in spectrum.cautions)
+    notices = tuple(warning("site-study", "site.spectrum", text=text) for text in spectrum.warnings)
     print(warned((*doubts, *notices)), end="", file=sys.stderr)
 
 

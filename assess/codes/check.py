@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 from typing import Literal
 
-from assess.codes.step import Bound, Input, Step, step
+from assess.codes.calculation_step import Bound, Input, Step, step
 from assess.messages.message import Message, Severity, Value, message
 from assess.short_repr import ShortRepr
 
@@ -22,8 +22,8 @@ __all__ = [
     "Reason",
     "Role",
     "Step",
-    "because",
-    "not_by_name",
+    "missing_ordinate",
+    "reason_message",
     "step",
 ]
 
@@ -109,12 +109,12 @@ class Reason(StrEnum):
     SLIDING_UNBOUNDED = "sliding-unbounded"
 
 
-def because(reason: Reason, **values: Value) -> Message:
+def reason_message(reason: Reason, **values: Value) -> Message:
     """The message of a reason."""
     return message(reason, values, severity=Severity.NOTE)
 
 
-def not_by_name(clause: str, symbol: str, key: str) -> Message:
+def missing_ordinate(clause: str, symbol: str, key: str) -> Message:
     """That a clause asks for a number which a table of ordinates does not state, with its key."""
     line = f'{key.rpartition(".")[2]} = "…"  # {symbol} in g'
     values = {"clause": clause, "symbol": symbol, "key": key, "toml": f"# {line}"}

@@ -12,7 +12,7 @@ products are the positive integrals).
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations_with_replacement
 
@@ -50,6 +50,10 @@ class Solid:
     vertices: FloatArray
     triangles: IntArray
     trail: tuple[str, ...] = ()
+
+
+Solids = Mapping[str, Solid | None]
+"""Bodies by name; None of those without geometry."""
 
 
 def box(*, thickness: float, length: float, height: float, base: Sequence[float], density: float, name: str) -> Solid:

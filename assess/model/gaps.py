@@ -12,29 +12,30 @@ from assess.geometry.contact import TOLERANCE
 from assess.geometry.solid import Solid
 from assess.geometry.surface import connected_groups
 from assess.messages.message import Message, Quantity, Value, warning
-from assess.project import sections
+from assess.model.body import Bodies
+from assess.model.definitions import Chained, Definition
 
 Gap = dict[str, Value]
 """The values of a warning of two bodies that lie apart."""
 
 
-def gaps_of(content: sections.Content, solids: Mapping[str, Solid | None]) -> Iterator[Message]:
+def gaps_of(definitions: Mapping[str, Definition], bodies: Bodies) -> Iterator[Message]:
     """A notice for each gap in a block of several bodies, and between blocks that a hinge joins.
 
     Bodies are looked at whole, also where a cut leaves their foot behind.
     """
-    for name, section in content.mechanisms.items():
-        chained = () if isinstance(section, sections.EquivalentBlock) else section.blocks
-        blocks = [known(block, solids) for block in chained]
+    for name, definition in definitions.items():
+        chained = definition.blocks if isinstance(definition, Chained) else ()
+        blocks = [known(block, bodies) for block in chained]
         where = f"mechanisms.{name}"
         yield from (warning("gap", where, **each) for block in blocks for each in loose(block))
         pairs = pairwise(blocks)
         yield from (warning("gap-at-hinge", where, **each) for one, other in pairs for each in parted(one, other))
 
 
-def known(block: Sequence[str], solids: Mapping[str, Solid | None]) -> list[Solid]:
+def known(block: Sequence[str], bodies: Bodies) -> list[Solid]:
     """The solids of a block; none where a body has direct values, for nobody knows where that one reaches."""
-    found = [solid for body in block if (solid := solids[body]) is not None]
+    found = [solid for body in block if (solid := bodies[body].solid) is not None]
     return found if len(found) == len(block) else []
 
 

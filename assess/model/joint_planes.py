@@ -11,12 +11,13 @@ import shapely
 
 from assess.errors import GeometryError
 from assess.geometry.cut import Plane, divide, heading, project_on_plane
+from assess.geometry.piece import Piece
 from assess.geometry.solid import Solid
 from assess.geometry.surface import areas_and_normals
 from assess.mechanisms.chain import Point
 from assess.mechanisms.joint import PAIRS
-from assess.model.pieces import Piece, cut_of
-from assess.project import sections
+from assess.model.definitions import Chained
+from assess.model.pieces import cut_of
 from spectra.arrays import FloatArray
 
 Vector = tuple[float, float]
@@ -78,14 +79,12 @@ class Bed:
         return float((shapely.get_coordinates(self.region) @ out).max() - at)
 
 
-def bed_at(
-    number: int, hinge: Point, section: sections.Chained, pieces: Sequence[Piece], view: View, *, where: str
-) -> Bed:
+def bed_at(number: int, hinge: Point, definition: Chained, pieces: Sequence[Piece], view: View, *, where: str) -> Bed:
     """Where a hinge presses: on the ground or the cut, on the support at the top, or on the block beside it.
 
     Raises GeometryError where no faces meet at the hinge.
     """
-    blocks = section.moving
+    blocks = definition.moving
     face, pressing = PAIRS[blocks][number]
     ordered = pieces if view.sign > 0.0 or len(pieces) == blocks else pieces[::-1]
     if not all(piece.solids for piece in ordered):
@@ -98,26 +97,26 @@ def bed_at(
     piece = ordered[-1 if pressing == blocks - 1 else 0]
     if blocks == number == 2:
         return bed_on_face(piece.solids, hinge, view, UP, where=where)
-    plane = cut_of(section, where=where) if piece.cut and len(pieces) == blocks else None
+    plane = cut_of(definition, where=where) if piece.cut and len(pieces) == blocks else None
     if plane is None:
         return bed_on_face(piece.solids, hinge, view, DOWN, where=where)
     return Bed(view.seen(plane.normal), plane, divide(piece.solids, plane, where=where).region)
 
 
 def normal_at(
-    number: int, hinge: Point, section: sections.Chained, pieces: Sequence[Piece], view: View, *, where: str
+    number: int, hinge: Point, definition: Chained, pieces: Sequence[Piece], view: View, *, where: str
 ) -> Vector:
     """The normal of the bed at a hinge, from the held face to the pressing block; a cut is not made again for it.
 
     Raises GeometryError where no faces meet at the hinge.
     """
-    face, pressing = PAIRS[section.moving][number]
+    face, pressing = PAIRS[definition.moving][number]
     piece = pieces[min(pressing, len(pieces) - 1)]
-    if face is None and not (section.moving == number == 2) and piece.cut and len(pieces) == section.moving:
-        plane = cut_of(section, where=where)
+    if face is None and not (definition.moving == number == 2) and piece.cut and len(pieces) == definition.moving:
+        plane = cut_of(definition, where=where)
         if plane is not None:
             return view.seen(plane.normal)
-    return bed_at(number, hinge, section, pieces, view, where=where).normal
+    return bed_at(number, hinge, definition, pieces, view, where=where).normal
 
 
 def bed_on_face(solids: Sequence[Solid], hinge: Point, view: View, side: Vector, *, where: str) -> Bed:

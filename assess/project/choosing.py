@@ -24,10 +24,10 @@ from assess.study.motions import ScaledRecord, motions_of, scale_together
 from assess.study.outcome import record_result
 from assess.study.run import require_spectrum
 from assess.study.study import Fitting
-from records.band import band, up_to
+from records.band import band, truncate_band
 from records.candidates import PERIODS
-from records.formats.stated import Stated
-from records.indexing import read_stated
+from records.formats.header_overrides import HeaderOverrides
+from records.reading import read_with
 from records.scaling import Scaling, misfit, scale_to_ordinate
 from records.selection import Components, Criteria, Filters, Fit, Range, ScaleTo, select
 from spectra.spectrum import Spectrum
@@ -79,7 +79,7 @@ def of_target(
     places: Sequence[Path],
     wanted: Wanted,
     *,
-    stated: Stated,
+    overrides: HeaderOverrides,
     flatfile: Path | None,
     kept: Path | None,
     executor: Executor | None = None,
@@ -88,7 +88,7 @@ def of_target(
     spectrum, criteria = spectrum_at(target), criteria_of(wanted)
     if kept is not None and sum(place.is_dir() for place in places) > 1:
         raise AssessError(f"--catalogue {kept}: one catalogue is of one folder; give one folder")
-    offer = record_set.offered(places, stated=stated, flatfile=flatfile, kept=kept, executor=executor)
+    offer = record_set.offered(places, overrides=overrides, flatfile=flatfile, kept=kept, executor=executor)
     found = select(offer.candidates, spectrum, criteria)
     chosen = record_set.record_set(found, criteria.band, folder=Path.cwd())
     motions = scale_together(chosen.records, spectrum, chosen.fitting, scale_to=criteria.scale_to)
@@ -125,18 +125,18 @@ def criteria_of(wanted: Wanted) -> Criteria:
 
 
 def scaled_files(
-    target: Path, files: Sequence[Path], *, to: str, at: float | None, periods: Range, stated: Stated
+    target: Path, files: Sequence[Path], *, to: str, at: float | None, periods: Range, overrides: HeaderOverrides
 ) -> tuple[tuple[ScaledRecord, ...], Suite]:
     """Every record of `files` scaled to the spectrum of `target`: as `to` says, or to its ordinate `at` a period."""
     _check_period(at)
     spectrum, fitting = spectrum_at(target), Fitting(band(*periods))
-    found = record_set.uniquely_named([record for file in files for record in read_stated(file, stated)])
+    found = record_set.uniquely_named([record for file in files for record in read_with(file, overrides)])
     records = horizontal(found)
     if at is None:
         motions = scale_together(records, spectrum, fitting, scale_to=_one_of("to", to, ScaleTo))
     else:
         factors = [scale_to_ordinate(record, spectrum, period=at) for record in records]
-        over = vars(up_to(fitting.band, spectrum.longest_period))
+        over = vars(truncate_band(fitting.band, spectrum.longest_period))
         scalings = [Scaling(f, misfit(r, spectrum, factor=f, **over)) for r, f in zip(records, factors, strict=True)]
         motions = tuple(ScaledRecord(record, scaling) for record, scaling in zip(records, scalings, strict=True))
     motion = ground_motion_result(motions, spectrum, fitting, source="given", equivalent={})

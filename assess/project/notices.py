@@ -15,9 +15,11 @@ from assess.model.gaps import gaps_of
 from assess.model.overlaps import overlaps_of
 from assess.project import sections
 from assess.project.asking import procedures_of
-from assess.project.deciding import by_motion
+from assess.project.bodies import bodies_of
+from assess.project.definitions import definitions_of
 from assess.study.endurance import load_messages
 from assess.study.study import Amplified, Equation, Study
+from assess.study.verdict import by_motion
 
 CIRCULARS = {"dmi2008": "Circolare 617/2009", "ntc2018": "Circolare 7/2019"}
 SAME_MODE = 0.05  # by how much two first modes of one building may differ
@@ -33,8 +35,9 @@ def notices_of(
     for name, solid in solids.items():
         if solid is not None:
             yield from _of_body(name, solid, content.bodies[name])
-    yield from overlaps_of(content, solids)
-    yield from gaps_of(content, solids)
+    definitions, bodies = definitions_of(content), bodies_of(content, solids)
+    yield from overlaps_of(definitions, bodies)
+    yield from gaps_of(definitions, bodies)
     for mechanism in mechanisms:
         for text in mechanism.notices:
             yield warning("mechanism", f"mechanisms.{mechanism.name}", text=text)

@@ -15,10 +15,10 @@ from functools import lru_cache
 
 import numpy as np
 
-from assess.amplification.floor_motion import Carried, FirstMode, ModalFilter
+from assess.amplification.floor_motion import BaseMotion, FirstMode, ModalFilter
 from assess.codes.context import Building
 from assess.study.motions import ScaledRecord
-from records.record import Record, scaled
+from records.record import Record, scale
 from records.response import response_spectrum
 from spectra.arrays import FloatArray
 from spectra.floor_spectrum import Mode, circolare2019, first_mode_factor
@@ -39,7 +39,7 @@ def floor_spectrum(
     *,
     height: float,
     filtered: ModalFilter | None,
-    base: Sequence[Carried],
+    base: Sequence[BaseMotion],
     motions: Sequence[ScaledRecord],
     building: Building | None,
 ) -> Spectrum | None:
@@ -48,7 +48,7 @@ def floor_spectrum(
     filtered : how the motions got to `base`, where it was through a mode and the suite holds
     """
     if filtered is not None and len(motions) >= LEAST_RECORDS:
-        records = [scaled(at.record, motion.scaling.factor) for at, motion in zip(base, motions, strict=True)]
+        records = [scale(at.record, motion.scaling.factor) for at, motion in zip(base, motions, strict=True)]
         return suite_spectrum(ground, records, mode=filtered.mode)
     if building is not None and building.storeys is not None and height <= building.height:
         return circular_spectrum(ground, height=height, building=building, storeys=building.storeys)

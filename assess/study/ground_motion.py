@@ -15,7 +15,7 @@ from assess.study.outcome import display_periods
 from assess.study.periods import ABOVE, BELOW, equivalent_periods, extreme_periods
 from assess.study.study import Fitting, Study
 from assess.study.suite_rules import RULES
-from records.band import Band, up_to
+from records.band import Band, truncate_band
 from records.compliance.registry import all_requirements
 from records.compliance.requirement import Requirement
 from records.compliance.suite import DAMPING, suite_of
@@ -53,7 +53,7 @@ def ground_motion_result(
     own : the shortest and the longest period [s] by the code of requirements that defines its own
     Without mechanisms the codes are asked for the periods whose multiples the range is.
     """
-    low, high = up_to(fitting.band, spectrum.longest_period).ends
+    low, high = truncate_band(fitting.band, spectrum.longest_period).ends
     shortest, longest = extreme_periods(equivalent) if equivalent else (low / BELOW, high / ABOVE)
     period = display_periods(spectrum)
     spectra = np.array([m.scaling.factor * response_spectrum(m.record, period, damping=DAMPING) for m in motions])
@@ -84,7 +84,7 @@ def source_of(study: Study) -> str:
 
 def misfit_of_mean(motions: Sequence[ScaledRecord], spectrum: Spectrum, band: Band) -> float:
     """Mean squared natural-log difference between the mean spectrum and the target over the band [-]."""
-    over = up_to(band, spectrum.longest_period)
+    over = truncate_band(band, spectrum.longest_period)
     ratios = [
         m.scaling.factor * np.exp(-log_ratio(m.record, spectrum, period=over.period, nodes=over.nodes)) for m in motions
     ]

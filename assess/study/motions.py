@@ -9,11 +9,11 @@ from statistics import mean
 
 from assess.study.study import Fitting, ScaleTo, Study
 from assess.study.suite_rules import made_band
-from records.band import Band, up_to
+from records.band import Band, truncate_band
 from records.compliance.asce43_05 import fit_of_mean
 from records.compliance.requirement import factor_that_does
 from records.compliance.suite import suite_of
-from records.record import Record
+from records.record import Record, with_step
 from records.scaling import Scaling, misfit, scale_to_pga, scale_to_spectrum
 from records.synthetic import artificial
 from spectra.spectrum import Spectrum
@@ -60,7 +60,7 @@ def raise_artificial(
     if factor <= 1.0:
         return motions
     said = f"the suite raised by {factor:.6g}, with which its mean meets ASCE 43-05, 2.4, to {band[1]:.3g} s"
-    noted = tuple(replace(each, record=replace(each.record, trail=(*each.record.trail, said))) for each in motions)
+    noted = tuple(replace(each, record=with_step(each.record, said)) for each in motions)
     return _multiply_all(noted, factor, spectrum, fitting.band)
 
 
@@ -88,7 +88,7 @@ def scale_together(
     That is the factor of least misfit, or to the PGA, of the geometric mean of their spectra. Artificial ones are made
     for the target and stay as they are.
     """
-    band = up_to(given.band, spectrum.longest_period)
+    band = truncate_band(given.band, spectrum.longest_period)
     alone = {
         record.id: SCALINGS["none" if record.artificial else scale_to](record, spectrum, band) for record in records
     }

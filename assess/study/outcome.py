@@ -8,7 +8,7 @@ from math import ceil
 import numpy as np
 from scipy.constants import g
 
-from assess.amplification.floor_motion import Carried, ModalFilter
+from assess.amplification.floor_motion import BaseMotion, ModalFilter
 from assess.codes.check import Check
 from assess.geometry.scene import Scene
 from assess.hinge_forces import HingeForces
@@ -19,7 +19,6 @@ from assess.mechanisms.mechanism import Mechanism
 from assess.oscillator import (
     Oscillator,
 )
-from assess.project.grounding import Grounded
 from assess.results import (
     AmplificationResult,
     CarriedMotion,
@@ -37,13 +36,14 @@ from assess.results import (
 )
 from assess.study.drawing import draw
 from assess.study.endurance import load_results
+from assess.study.grounding import Grounded
 from assess.study.joint_results import interface_curves, interface_results
 from assess.study.motions import ScaledRecord
 from assess.study.oscillator_results import curve_of, floats, oscillator_result, overturning_rotations, rigid_branches
 from assess.study.study import Amplified, Equation
 from assess.study.view import view
 from records.candidates import sequence_number
-from records.record import Record, scaled
+from records.record import Record, scale
 from records.response import response_spectrum
 from spectra.arrays import FloatArray
 from spectra.spectrum import Spectrum
@@ -84,7 +84,7 @@ def spectrum_result(spectrum: Spectrum) -> SpectrumResult:
 
 def record_result(motion: ScaledRecord, spectrum: Spectrum, *, nga: int | None = None) -> RecordResult:
     """A record as used: scaled to the site's target; nga: its number in the NGA database."""
-    used = scaled(motion.record, motion.scaling.factor)
+    used = scale(motion.record, motion.scaling.factor)
     period = display_periods(spectrum)
     return RecordResult(
         id=used.id,
@@ -97,7 +97,7 @@ def record_result(motion: ScaledRecord, spectrum: Spectrum, *, nga: int | None =
         pga_g=used.pga / g,
         scale_factor=motion.scaling.factor,
         mse=motion.scaling.mse,
-        trail=used.trail,
+        trail=used.processing_history,
         spectrum=RecordSpectrum(floats(period), floats(response_spectrum(used, period) / g)),
         date=used.earthquake.time,
         magnitude=used.earthquake.magnitude,
@@ -163,7 +163,7 @@ def mechanism_result(
 
 
 def amplification_result(
-    amplified: Amplified, motions: Sequence[ScaledRecord] = (), base: Sequence[Carried] = ()
+    amplified: Amplified, motions: Sequence[ScaledRecord] = (), base: Sequence[BaseMotion] = ()
 ) -> AmplificationResult:
     """How the motions reached the base of a mechanism; `base` as they act there."""
     filtered = isinstance(amplified.amplification, ModalFilter) and len(base) > 0
@@ -199,14 +199,14 @@ def hinge_force_result(forces: HingeForces) -> HingeForceResult:
         branch=forces.branch,
         horizontal_n=forces.horizontal,
         vertical_n=forces.vertical,
-        needed_friction=forces.needed,
+        needed_friction=forces.required_friction,
         friction=forces.friction,
         normal_n=forces.starting.normal,
         shear_n=forces.starting.shear,
         face=forces.face,
         face_found=forces.found,
         activation_g=forces.acceleration / g,
-        sliding_g=None if forces.sliding is None else forces.sliding / g,
+        sliding_g=None if forces.sliding_acceleration is None else forces.sliding_acceleration / g,
         held=forces.held,
     )
 

@@ -6,30 +6,31 @@ from collections.abc import Mapping
 from dataclasses import replace
 from functools import partial
 
-from assess.amplification.floor_motion import factor_over_frequency
+from assess.amplification.floor_motion import pulse_factor
 from assess.codes.verdict import Question
-from assess.errors import ProjectError
+from assess.errors import ProjectError, locate_errors
 from assess.mechanisms.lasting import variants
 from assess.messages.message import Message, note, warning
-from assess.project.deciding import by_motion, decided, marked
-from assess.project.messages import located
-from assess.project.survey import tolerances
 from assess.results import SCHEMA_VERSION, MechanismResult, Results
 from assess.results.stamp import stamp, this_program
-from assess.study.checks import Progress, assess_mechanisms
-from assess.study.envelopes import DEFAULT_GRID, EnvelopeCase, critical_result, map_envelopes, with_primary_pulses
+from assess.study.envelopes import DEFAULT_GRID, EnvelopeCase, critical_result, map_envelopes
 from assess.study.ground_motion import ground_motion
+from assess.study.mechanisms import assess_mechanisms
 from assess.study.motions import ScaledRecord, motions_of
 from assess.study.outcome import amplification_result, comparison_rows, mechanism_result, record_result, spectrum_result
+from assess.study.primary_pulses import with_primary_pulses
+from assess.study.progress import Progress, silent
 from assess.study.sampling import coarse_record_messages
 from assess.study.sensitivity import sensitivities
 from assess.study.study import Study
 from assess.study.suite_faults import suite_faults
+from assess.study.survey import tolerances
 from assess.study.sweeps import MechanismSweep, case_messages, case_text, controlling_cases, run_sweeps, sweep_results
+from assess.study.verdict import by_motion, decide, mark_result
 from spectra.spectrum import Spectrum
 
 
-def run(study: Study, *, jobs: int = 0, progress: Progress = lambda stage, done, total: None) -> Results:
+def run(study: Study, *, jobs: int = 0, progress: Progress = silent) -> Results:
     """The results of `study`; `jobs` threads, 0 for all cores. `progress` is told (stage, done, total).
 
     The controlling case of a mechanism that is swept stands for it.
@@ -44,11 +45,11 @@ def run(study: Study, *, jobs: int = 0, progress: Progress = lambda stage, done,
     own = {one.name: one for one in assess_mechanisms(alone, spectrum, motions, jobs=jobs, progress=progress)}
     mechanisms = tuple(own.get(m.name) or standing[m.name].worst for m in study.mechanisms)
     asked = replace(study, question=question_of(study, standing))
-    found = decided(asked, mechanisms)
+    found = decide(asked, mechanisms)
     at_home = asked.question == study.question  # the survey's tolerance is worked out at the site of the file
     near = tolerances(study.survey, spectrum, asked.question, found, mechanisms) if at_home else {}
-    found = decided(asked, mechanisms, near) if near else found
-    mechanisms = tuple(marked(found, asked.question, each) for each in mechanisms)
+    found = decide(asked, mechanisms, near) if near else found
+    mechanisms = tuple(mark_result(found, asked.question, each) for each in mechanisms)
     rockers = envelope_cases(study, standing)
     mapped = map_envelopes(rockers, study.pulses, jobs=jobs, progress=progress)
     numbers = dict(study.fitting.nga)
@@ -85,7 +86,7 @@ def question_of(study: Study, standing: Mapping[str, MechanismSweep]) -> Questio
     return questions[0] if questions and all(each == questions[0] for each in questions) else study.question
 
 
-def envelope(study: Study, *, jobs: int = 0, progress: Progress = lambda stage, done, total: None) -> Results:
+def envelope(study: Study, *, jobs: int = 0, progress: Progress = silent) -> Results:
     """The overturning envelopes of `study` alone, on its pulses or the default ones; no spectrum or record is needed.
 
     Mechanisms stand as the project has them, without the cases of its sweeps.
@@ -139,7 +140,7 @@ def envelope_cases(study: Study, standing: Mapping[str, MechanismSweep]) -> tupl
         rocker = variants(used).collapse
         if rocker is None:
             continue
-        factor = partial(factor_over_frequency, of.amplified[used.name].amplification)
+        factor = partial(pulse_factor, of.amplified[used.name].amplification)
         found.append(EnvelopeCase(used.name, rocker, of.equations[used.name], factor, case))
     return tuple(found)
 
@@ -164,7 +165,7 @@ def case_parameters(study: Study) -> tuple[MechanismResult, ...]:
     found = []
     for sweep in study.sweeps:
         for case in sweep.cases:
-            with located(case.name):
+            with locate_errors(case.name):
                 each = parameters(case.study)
             found += [replace(one, name=f"{one.name}, {case_text(sweep, case, one.name)}") for one in each]
     return tuple(found)

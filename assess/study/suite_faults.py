@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import ceil, floor
 
-from assess.codes.family import CODES
+from assess.codes.families import SUITE_CODES
 from assess.codes.verdict import methods_of
 from assess.messages.message import Message, Quantity, Severity, Value, count, message
 from assess.study.motions import ScaledRecord
@@ -78,7 +78,7 @@ def suite_on(motions: Sequence[ScaledRecord], spectrum: Spectrum, target: Spectr
 def _not_named(code: str, judged: SuiteReview) -> Iterator[Message]:
     """Artificial records decide only where the project names the method."""
     question = judged.study.question
-    deciding = [name for name in methods_of(question) if CODES.get(name) == code]
+    deciding = [name for name in methods_of(question) if SUITE_CODES.get(name) == code]
     silent = [name for name in deciding if name not in (question.procedures or ())]
     if judged.suite.artificial.any() and silent:
         line = f'procedures = ["{silent[0]}"]'
@@ -103,7 +103,7 @@ def _out_of_reach(one: Requirement, judged: SuiteReview) -> Message:
     """A rule over periods that the target or what is compared does not reach."""
     assert one.periods is not None
     low, high = (Quantity(period, "time", 3) for period in one.periods)
-    ends = Quantity(judged.suite.covered[1], "time", 3)
+    ends = Quantity(judged.suite.period_range[1], "time", 3)
     values: dict[str, Value] = {"code": one.code, "clause": one.clause, "low": low, "high": high, "end": ends}
     return _message("suite-out-of-reach", values, Remedy("site.spectrum", "extend its table"))
 

@@ -9,13 +9,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Protocol
 
-from assess.codes.family import CODES, of_histories
+from assess.codes.families import SUITE_CODES, uses_histories
 from assess.codes.ntc2018.clauses import ULTIMATE
 from assess.codes.verdict import methods_of
 from assess.mechanisms.mechanism import Mechanism
-from assess.project.deciding import states_of
 from assess.study.periods import equivalent_periods, extreme_periods, limit_state_periods
 from assess.study.study import Study
+from assess.study.verdict import states_of
 from records.compliance import asce43_05, ntc2018
 from records.compliance.registry import Requirements
 from records.compliance.suite import FINE
@@ -76,20 +76,20 @@ def deciding_state(study: Study) -> str:
 
 
 RULES: Mapping[str, SuiteRules] = {
-    "asce43-05": SuiteRules(asce43_05.CODE, asce43_05.requirements, asce43_05.periods_fitted, at_allowable),
-    "ntc2018": SuiteRules(ntc2018.CODE, ntc2018.requirements, ntc2018.periods_fitted, at_limit_state),
+    "asce43-05": SuiteRules(asce43_05.CODE, asce43_05.requirements, asce43_05.fit_periods, at_allowable),
+    "ntc2018": SuiteRules(ntc2018.CODE, ntc2018.requirements, ntc2018.fit_periods, at_limit_state),
 }
-"""By the code of a procedure, as `assess.codes.family.CODES` names it."""
+"""By the code of a procedure, as `assess.codes.families.CODES` names it."""
 
 
 def codes_of_histories(study: Study) -> tuple[str, ...]:
     """The codes whose histories are asked for."""
-    return tuple(dict.fromkeys(CODES[name] for name in study.procedures if of_histories(name)))
+    return tuple(dict.fromkeys(SUITE_CODES[name] for name in study.procedures if uses_histories(name)))
 
 
 def codes_that_decide(study: Study) -> tuple[str, ...]:
     """The codes whose histories may decide; where none does, those asked for."""
-    deciding = [CODES[name] for name in methods_of(study.question) if of_histories(name)]
+    deciding = [SUITE_CODES[name] for name in methods_of(study.question) if uses_histories(name)]
     return tuple(dict.fromkeys(deciding)) or codes_of_histories(study)
 
 

@@ -16,14 +16,15 @@ from math import inf
 
 from assess.codes.check import Check, Outcome
 from assess.codes.verdict import Decision, MechanismVerdict
+from assess.errors import locate_errors
 from assess.messages.message import Message, count, note, warning
-from assess.project.deciding import decided, marked
-from assess.project.messages import located
 from assess.results import MechanismResult, OscillatorResult, SweepResult
-from assess.study.checks import Progress, assess_mechanisms
+from assess.study.mechanisms import assess_mechanisms
 from assess.study.motions import ScaledRecord, motions_of
+from assess.study.progress import Progress, silent
 from assess.study.study import Case, Study, Sweep
 from assess.study.suite_faults import suite_faults
+from assess.study.verdict import decide, mark_result
 
 RANKS = (Decision.PASS, Decision.INCOMPLETE, Decision.FAIL)
 
@@ -76,7 +77,7 @@ def run_sweeps(
         cases = []
         for case in sweep.cases:
             progress("cases of sweeps", done, total)
-            with located(case.name):
+            with locate_errors(case.name):
                 cases.append(assess_case(case, study, motions, jobs=jobs))
             done += 1
         each = zip(*cases, strict=True)  # mechanism by mechanism
@@ -93,10 +94,10 @@ def assess_case(case: Case, study: Study, motions: tuple[ScaledRecord, ...], *, 
     moving = motions if shared else motions_of(case.study, spectrum, jobs=jobs)
     faults = study.suite_faults if shared else suite_faults(case.study, spectrum, moving)
     judged = replace(case.study, suite_faults=faults)
-    done = assess_mechanisms(judged, spectrum, moving, jobs=jobs, progress=lambda stage, done, total: None)
-    found = decided(judged, done)
+    done = assess_mechanisms(judged, spectrum, moving, jobs=jobs, progress=silent)
+    found = decide(judged, done)
     each = zip(done, found.mechanisms, strict=True)
-    return tuple(CaseResult(marked(found, judged.question, result), one) for result, one in each)
+    return tuple(CaseResult(mark_result(found, judged.question, result), one) for result, one in each)
 
 
 def controlling_index(cases: Sequence[CaseResult]) -> int:

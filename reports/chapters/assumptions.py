@@ -7,8 +7,8 @@ from dataclasses import dataclass, field
 
 from assess.results import Resolved, Results
 from reports.chapters import tables
-from reports.document import Block, Cell, Column, Section, Table, Text, filled
-from reports.language.lettering import shortened
+from reports.document import Block, Cell, Column, Section, Table, Text, nonempty
+from reports.language.lettering import truncate
 from reports.language.numerals import entries
 
 SOURCES = "report.sources."
@@ -32,14 +32,14 @@ class _Row:
 
 def section(results: Results) -> Section:
     """The list, and the procedures with what could not be compared."""
-    said = (
+    introduction = (
         "Each value is measured, taken from literature or assumed as the project file states under report.sources; "
         "given, which says no source; or a default of the program. A key with * holds for the mechanisms that are "
         "named. Every other value of the project file stands in the annex."
     )
-    blocks: tuple[Block, ...] = (Text((said,)), table(results))
+    blocks: tuple[Block, ...] = (Text((introduction,)), table(results))
     procedures = tables.procedures(results)
-    return Section("Assumptions", 0, (*blocks, *filled(rules(results)), *filled(procedures)))
+    return Section("Assumptions", 0, (*blocks, *nonempty(rules(results)), *nonempty(procedures)))
 
 
 def rules(results: Results) -> Table:
@@ -107,6 +107,6 @@ def _held(names: list[str], every: int) -> str:
     if not names:
         return ""
     if len(names) == every:
-        return "every mechanism" if every > 1 else shortened(names[0], SHORT)
-    short = [shortened(name, SHORT) for name in names[:MANY]]
+        return "every mechanism" if every > 1 else truncate(names[0], SHORT)
+    short = [truncate(name, SHORT) for name in names[:MANY]]
     return ", ".join(short) + (f" and {len(names) - MANY} others" if len(names) > MANY else "")

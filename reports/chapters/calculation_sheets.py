@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from assess.codes.check import Check
 from reports.document import Line, Sheet
-from reports.language.numerals import bounded
+from reports.language.numerals import with_bound
 
 
-def sheet(check: Check, *, name: str, mechanism: str) -> Sheet:
+def calculation_sheet(check: Check, *, name: str, mechanism: str) -> Sheet:
     """The steps of one check, at its level."""
     lines = tuple(
-        Line(s.symbol, s.description, s.clause, s.formula, s.substituted, bounded(s.value, s.bound), s.unit)
+        Line(s.symbol, s.description, s.clause, s.formula, s.substituted, with_bound(s.value, s.bound), s.unit)
         for s in check.steps
     )
     state = f", limit state {check.limit_state}" if check.limit_state else ""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from assess.codes.check import Check
 from assess.results import ComparisonRow, Results
 from reports import governing
-from reports.chapters.tables import LEVEL, MECHANISM, OVERTURNED, PROCEDURE, broken, rocking, turned
+from reports.chapters.tables import LEVEL, MECHANISM, OVERTURNED, PROCEDURE, breakable_name, rocking_cell, rotation_cell
 from reports.document import Cell, Column, Table
 from reports.mechanism_title import mechanism_title
 
@@ -20,7 +20,7 @@ def side_by_side(results: Results) -> Table:
         answer: Cell = (check.unbounded if check else "") or row.demand_capacity
         line = lines.setdefault((row.mechanism, row.level_pga_g), {})
         line[row.procedure] = _worse(line.get(row.procedure), answer)
-    columns = (MECHANISM, LEVEL, *(Column(broken(name), "-", "number") for name in known))
+    columns = (MECHANISM, LEVEL, *(Column(breakable_name(name), "-", "number") for name in known))
     caption = (
         "Demand over capacity, procedure beside procedure; above 1 the check fails. Readings of the thesis never "
         "decide. What each procedure takes as its input stands with the procedures."
@@ -45,7 +45,7 @@ def capacities(results: Results) -> Table:
     """PGA at capacity of every mechanism by every procedure (as thesis Table 8.6)."""
     asked = {m.name: governing.capacities(m.checks) for m in results.mechanisms}
     known = dict.fromkeys(name for found in asked.values() for name in found)
-    columns = (MECHANISM, *(Column(broken(name), "g", "number") for name in known))
+    columns = (MECHANISM, *(Column(breakable_name(name), "g", "number") for name in known))
     rows = tuple(
         (mechanism_title(m), *(asked[m.name].get(name) for name in known)) for m in results.mechanisms if asked[m.name]
     )
@@ -68,7 +68,7 @@ def rotations(results: Results) -> Table:
     rows = tuple(
         (mechanism_title(mechanism), procedure, *_rotations(checks, levels))
         for mechanism in results.mechanisms
-        for procedure, checks in governing.by_procedure(mechanism.checks).items()
+        for procedure, checks in governing.group_by_procedure(mechanism.checks).items()
         if any(check.capacity_rotation_ratio is not None for check in checks)
     )
     caption = (
@@ -81,7 +81,7 @@ def rotations(results: Results) -> Table:
 def _rotations(checks: tuple[Check, ...], levels: tuple[float, ...]) -> tuple[Cell, ...]:
     worst = [governing.worst(governing.at_level(checks, level)) for level in levels]
     allowed = [check.capacity_rotation_ratio for check in checks if check.capacity_rotation_ratio is not None]
-    return (*(None if check is None else turned(check) for check in worst), min(allowed, default=None))
+    return (*(None if check is None else rotation_cell(check) for check in worst), min(allowed, default=None))
 
 
 def comparison(results: Results) -> Table:
@@ -105,6 +105,6 @@ def comparison(results: Results) -> Table:
 
 def _compared(results: Results, row: ComparisonRow, names: dict[str, str]) -> tuple[Cell, ...]:
     check = governing.check_of(results, row)
-    rotation = rocking(row.rotation_ratio) if check is None else turned(check)
+    rotation = rocking_cell(row.rotation_ratio) if check is None else rotation_cell(check)
     place = (names.get(row.mechanism, row.mechanism), row.level_pga_g, row.procedure)
     return (*place, rotation, row.allowable_ratio, row.demand_capacity, check.input_at if check else None)

@@ -8,18 +8,18 @@ from hashlib import sha256
 from assess.codes.verdict import Decision, Missing, Verdict
 from assess.codes.verdict_text import (
     action_text,
-    bearing,
     building_index_text,
     outcome_text,
+    relevant_warnings,
     target_text,
     toml_lines,
 )
 from assess.messages.plural import count_noun
 from assess.results import Results
 from reports.chapters import heights, mechanism_verdicts
-from reports.document import Banner, Block, Code, Column, Items, Section, Table, Text, filled
-from reports.language.lettering import shortened
-from reports.language.message_text import said
+from reports.document import Banner, Block, Code, Column, Items, Section, Table, Text, nonempty
+from reports.language.lettering import truncate
+from reports.language.message_text import message_text
 
 MANY = 12  # points of a list
 LOCAL = "Local mechanisms only: the index of the building is at most the least of theirs."
@@ -33,12 +33,12 @@ def section(results: Results) -> Section:
         return Section("Verdict", 0, (Text(("No verdict: nothing was assessed.",)),))
     blocks: list[Block] = [
         Banner(found.outcome.value, headline(found), found.at_the_limit and found.outcome != Decision.INCOMPLETE),
-        question(found),
-        *_listed("The verdict holds on these conditions:", [said(each) for each in found.conditions]),
+        basis_table(found),
+        *_bullet_list("The verdict holds on these conditions:", [message_text(each) for each in found.conditions]),
         *_missing(found, results),
-        *_listed("Warnings that bear on it:", list(_bearing(results))),
+        *_bullet_list("Warnings that bear on it:", list(_relevant_warnings(results))),
         mechanism_verdicts.table(results),
-        *filled(heights.table(results)),
+        *nonempty(heights.table(results)),
     ]
     return Section("Verdict", 0, tuple(blocks))
 
@@ -57,7 +57,7 @@ def headline(found: Verdict) -> str:
     return f"{number} of {every} without an answer that decides, {at}: what is not answered is no pass."
 
 
-def question(found: Verdict) -> Table:
+def basis_table(found: Verdict) -> Table:
     """What was asked: the code, limit states, action, methods, and the target."""
     index = building_index_text(found).replace("zeta_E", "ζ_E")
     rows = (
@@ -77,7 +77,7 @@ def _missing(found: Verdict, results: Results) -> list[Block]:
     """What would complete the verdict, as lines to paste, and what it would be with the safe values."""
     if found.outcome != Decision.INCOMPLETE or not found.missing:
         return []
-    blocks = _listed("Missing:", [f"{each.key}: {_why(each)}." for each in found.missing])
+    blocks = _bullet_list("Missing:", [f"{each.key}: {_missing_reason(each)}." for each in found.missing])
     if found.provisional in (Decision.PASS, Decision.FAIL):
         blocks.append(Text((f"{SAFE}{outcome_text(found.provisional, near=False)}.",)))
     given = [key for key, each in results.project.items() if each.given]
@@ -88,29 +88,31 @@ def _missing(found: Verdict, results: Results) -> list[Block]:
     ]
 
 
-def _why(missing: Missing) -> str:
+def _missing_reason(missing: Missing) -> str:
     """Why an input is needed, with the numbers of its reasons whole."""
     text = missing.text
     for reason in missing.reasons:
-        text = text.replace(reason.text, said(reason))
+        text = text.replace(reason.text, message_text(reason))
     return text
 
 
-def _bearing(results: Results) -> Iterator[str]:
+def _relevant_warnings(results: Results) -> Iterator[str]:
     """The warnings of the run, and the remarks of the checks that decide, each once."""
-    for each in bearing(results.warnings):
-        yield f"{each.where}: {said(each)}" if each.where else said(each)
+    for each in relevant_warnings(results.warnings):
+        yield f"{each.where}: {message_text(each)}" if each.where else message_text(each)
     for mechanism in results.mechanisms:
-        remarks = (said(each) for check in mechanism.checks if check.role == "deciding" for each in check.remarks)
+        remarks = (
+            message_text(each) for check in mechanism.checks if check.role == "deciding" for each in check.remarks
+        )
         yield from (f"{mechanism.name}: {text}" for text in dict.fromkeys(remarks))
 
 
-def _listed(title: str, points: list[str]) -> list[Block]:
+def _bullet_list(title: str, points: list[str]) -> list[Block]:
     """A list under its title; of a long one the first points, and how many there are besides."""
     if not points:
         return []
     more = [f"… and {len(points) - MANY} more."] if len(points) > MANY else []
-    return [Text((title,)), Items((*(shortened(text, 400) for text in points[:MANY]), *more))]
+    return [Text((title,)), Items((*(truncate(text, 400) for text in points[:MANY]), *more))]
 
 
 def fingerprint(results: Results) -> str:

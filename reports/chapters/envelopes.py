@@ -9,7 +9,7 @@ from functools import partial
 from assess.results import CriticalResult, EnvelopeResult, MechanismResult, RecordResult, Results
 from reports.document import Block, Cell, Column, Figure, Section, Table, Text
 from reports.figures import envelope as figure
-from reports.language.message_text import said as said_of
+from reports.language.message_text import message_text
 from reports.language.numerals import numeral
 from reports.mechanism_title import mechanism_title
 
@@ -31,7 +31,7 @@ METHOD = (
 
 def critical_chapter(results: Results) -> list[Section]:
     """Which mechanism is critical at which frequency."""
-    critical, mapped = results.critical, mapped_of(results)
+    critical, mapped = results.critical, mechanisms_with_envelope(results)
     if critical is None or not mapped:
         return []
     caption = (
@@ -41,21 +41,21 @@ def critical_chapter(results: Results) -> list[Section]:
     names = [(mechanism_title(mechanism), one) for mechanism, one in mapped]
     called = {mechanism.name: mechanism_title(mechanism) for mechanism, _ in mapped}
     blocks: list[Block] = [
-        Text((sentence(critical, called), METHOD)),
-        Figure("critical", caption, partial(figure.bounds, names, renamed(critical, called))),
+        Text((critical_sentence(critical, called), METHOD)),
+        Figure("critical", caption, partial(figure.bounds, names, rename_mechanisms(critical, called))),
         bands_table(critical, called),
-        *_pulses(results.records),
+        *_primary_pulses(results.records),
     ]
     return [Section("Overturning envelopes and critical mechanisms", 0, tuple(blocks), starts_page=True)]
 
 
-def renamed(critical: CriticalResult, called: dict[str, str]) -> CriticalResult:
+def rename_mechanisms(critical: CriticalResult, called: dict[str, str]) -> CriticalResult:
     """With mechanisms as the figure calls them."""
     bands = tuple(replace(band, mechanism=called.get(band.mechanism or "")) for band in critical.bands)
     return replace(critical, bands=bands)
 
 
-def sentence(critical: CriticalResult, called: dict[str, str]) -> str:
+def critical_sentence(critical: CriticalResult, called: dict[str, str]) -> str:
     """Who is critical over which frequencies."""
     parts = [
         f"{called[band.mechanism]} from {numeral(band.from_hz, digits=3)} to {numeral(band.to_hz, digits=3)} Hz"
@@ -84,7 +84,7 @@ def bands_table(critical: CriticalResult, called: dict[str, str]) -> Table:
     return Table("critical-bands", caption, columns, rows)
 
 
-def _pulses(records: Sequence[RecordResult]) -> list[Block]:
+def _primary_pulses(records: Sequence[RecordResult]) -> list[Block]:
     rows: list[tuple[Cell, ...]] = [
         (record.id, place, p.frequency_hz, p.amplitude_g, p.polarity, p.start_s, p.energy_share)
         for record in records
@@ -122,15 +122,19 @@ def chapter(mechanism: MechanismResult, records: Sequence[RecordResult], name: s
     )
     draw = partial(figure.draw, one, records)
     raised = mechanism.amplification
-    said = (
-        (f"Amplification ({raised.method}): {'; '.join(map(said_of, raised.said))}.",)
+    amplification = (
+        (f"Amplification ({raised.method}): {'; '.join(map(message_text, raised.said))}.",)
         if level == 0 and raised.said
         else ()
     )
-    return [Section(title, level, (Text((findings(one), *said)), Figure(f"{name}-envelope", caption, draw)))]
+    return [
+        Section(
+            title, level, (Text((describe_envelope(one), *amplification)), Figure(f"{name}-envelope", caption, draw))
+        )
+    ]
 
 
-def findings(one: EnvelopeResult) -> str:
+def describe_envelope(one: EnvelopeResult) -> str:
     """What the map says in a sentence or two."""
     known = [(bound, f) for bound, f in zip(one.lower_bound_g, one.frequency_hz, strict=True) if bound is not None]
     if not known:
@@ -146,10 +150,10 @@ def findings(one: EnvelopeResult) -> str:
         text += " There are safe islands: some stronger pulses leave it standing."
     if one.case:
         text += f" It is that of the case which controls the checks, {one.case}; another case can need less."
-    return text + _raised(one)
+    return text + _amplification_sentence(one)
 
 
-def _raised(one: EnvelopeResult) -> str:
+def _amplification_sentence(one: EnvelopeResult) -> str:
     """How much of the ground's motion reaches the mechanism; empty where it acts as it is."""
     least, most = min(one.factor), max(one.factor)
     if least == most == 1.0:
@@ -163,14 +167,14 @@ def _raised(one: EnvelopeResult) -> str:
     return text if one.shape == "sine" else f"{text} These are the factors of a full sine of the same frequency."
 
 
-def mapped_of(results: Results) -> list[tuple[MechanismResult, EnvelopeResult]]:
+def mechanisms_with_envelope(results: Results) -> list[tuple[MechanismResult, EnvelopeResult]]:
     """The mechanisms that have an envelope, with it."""
     return [(mechanism, mechanism.envelope) for mechanism in results.mechanisms if mechanism.envelope is not None]
 
 
 def data(results: Results) -> tuple[Table, ...]:
     """Every bound at every frequency, for the spreadsheet and CSV."""
-    mapped = mapped_of(results)
+    mapped = mechanisms_with_envelope(results)
     if not mapped:
         return ()
     columns = (

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from assess.results import HistoryResult, MechanismResult, SuiteResult
-from reports.chapters.tables import LEVEL, OVERTURNED, rocking
+from reports.chapters.tables import LEVEL, OVERTURNED, rocking_cell
 from reports.document import Cell, Column, Table
 
 
@@ -61,8 +61,8 @@ def histories(mechanism: MechanismResult, *, name: str) -> Table:
 
 def _history(history: HistoryResult) -> tuple[Cell, ...]:
     fell = history.overturned
-    rotation = OVERTURNED if fell else rocking(history.max_rotation_rad)
-    ratio = OVERTURNED if fell else rocking(history.max_rotation_ratio)
+    rotation = OVERTURNED if fell else rocking_cell(history.max_rotation_rad)
+    ratio = OVERTURNED if fell else rocking_cell(history.max_rotation_ratio)
     scaling = (history.scale_factor, history.amplification)
     times = (history.time_of_max_s, history.impacts, history.overturning_time_s)
     return (history.record, history.level_pga_g, history.polarity, *scaling, rotation, ratio, *times)

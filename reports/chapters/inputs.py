@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from assess.results import Results
 from reports.document import Column, Table
-from reports.language.message_text import said
+from reports.language.message_text import message_text
 from reports.language.numerals import entries
 
 
@@ -29,7 +29,7 @@ def values(results: Results, *, name: str = "values") -> Table:
     return Table(name, caption, columns, rows, muted)
 
 
-def values_set(results: Results) -> Table:
+def values_present(results: Results) -> Table:
     """The same without what is absent: keys that were not given and have no default."""
     project = {key: each for key, each in results.project.items() if each.given or each.value not in (None, "", [], {})}
     return values(replace(results, project=project), name="values-set")
@@ -37,6 +37,6 @@ def values_set(results: Results) -> Table:
 
 def warnings(results: Results) -> Table:
     """What the engineer should know."""
-    rows = tuple((each.key, each.severity.value, each.where, said(each)) for each in results.warnings)
+    rows = tuple((each.key, each.severity.value, each.where, message_text(each)) for each in results.warnings)
     columns = (Column("Code", kind="given"), Column("Severity"), Column("Where", kind="given"), Column("What"))
     return Table("warnings", "Warnings and notes of this run.", columns, rows)

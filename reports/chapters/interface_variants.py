@@ -8,7 +8,7 @@ from assess.codes.check import Check
 from assess.results import MechanismResult, Results
 from reports import governing, joints
 from reports.document import Block, Cell, Column, Table, Text
-from reports.language.lettering import shortened
+from reports.language.lettering import truncate
 from reports.mechanism_title import mechanism_title
 
 OWN = ("label", "interface", "interfaces")  # keys in which siblings may differ
@@ -16,7 +16,7 @@ SHORT = 50  # characters of a name in a sentence
 
 
 @dataclass(frozen=True)
-class Siblings:
+class Variants:
     """Mechanisms alike but for their interfaces, each under what those are; named by the first."""
 
     members: dict[str, MechanismResult]
@@ -27,13 +27,13 @@ class Siblings:
         return mechanism_title(next(iter(self.members.values())))
 
 
-def siblings_of(results: Results) -> tuple[Siblings, ...]:
+def find_variants(results: Results) -> tuple[Variants, ...]:
     """Every group with two interfaces or more, the rigid one first, then in the order of the project."""
-    groups = (_unlike(group) for group in _groups(results))
-    return tuple(Siblings(_by_interface(group)) for group in groups if len(group) > 1)
+    groups = (_distinct(group) for group in _groups(results))
+    return tuple(Variants(_by_interface(group)) for group in groups if len(group) > 1)
 
 
-def earlier(results: Results) -> dict[str, str]:
+def earlier_variants(results: Results) -> dict[str, str]:
     """For each mechanism with others before it that have its bodies, what the first of them is called."""
     return {other.name: mechanism_title(first) for first, *others in _groups(results) for other in others}
 
@@ -41,11 +41,11 @@ def earlier(results: Results) -> dict[str, str]:
 def _groups(results: Results) -> list[list[MechanismResult]]:
     found: dict[frozenset[tuple[str, str]], list[MechanismResult]] = {}
     for mechanism in results.mechanisms:
-        found.setdefault(described(results, mechanism), []).append(mechanism)
+        found.setdefault(definition(results, mechanism), []).append(mechanism)
     return [group for group in found.values() if len(group) > 1]
 
 
-def _unlike(group: list[MechanismResult]) -> list[MechanismResult]:
+def _distinct(group: list[MechanismResult]) -> list[MechanismResult]:
     """The first mechanism of each interface: others with the same one differ in nothing."""
     found: list[MechanismResult] = []
     for mechanism in group:
@@ -54,7 +54,7 @@ def _unlike(group: list[MechanismResult]) -> list[MechanismResult]:
     return found
 
 
-def described(results: Results, mechanism: MechanismResult) -> frozenset[tuple[str, str]]:
+def definition(results: Results, mechanism: MechanismResult) -> frozenset[tuple[str, str]]:
     """What the project says of a mechanism, but for its interface and label: [(key, value)]."""
     start = f"mechanisms.{mechanism.name}."
     found = ((key[len(start) :], each.value) for key, each in results.project.items() if key.startswith(start))
@@ -64,8 +64,8 @@ def described(results: Results, mechanism: MechanismResult) -> frozenset[tuple[s
 
 def _by_interface(group: list[MechanismResult]) -> dict[str, MechanismResult]:
     members: dict[str, MechanismResult] = {}
-    for mechanism in sorted(group, key=lambda each: bool(joints.yielding(each))):
-        model, place = joints.model(mechanism), 1
+    for mechanism in sorted(group, key=lambda each: bool(joints.deformable_joints(each))):
+        model, place = joints.model_name(mechanism), 1
         while (model if place == 1 else f"{model} {place}") in members:
             place += 1
         members[model if place == 1 else f"{model} {place}"] = mechanism
@@ -74,21 +74,19 @@ def _by_interface(group: list[MechanismResult]) -> dict[str, MechanismResult]:
 
 def blocks(results: Results, *, name: str) -> list[Block]:
     """Sentence and table; nothing where no two mechanisms differ by their interface alone."""
-    groups = siblings_of(results)
+    groups = find_variants(results)
     if not groups:
         return []
     each = "; ".join(_sentence(group) for group in groups)
     return [Text((f"These differ by their interface alone: {each}.",)), table(groups, name=name)]
 
 
-def _sentence(group: Siblings) -> str:
-    members = (
-        f"{shortened(mechanism_title(mechanism), SHORT)} ({model})" for model, mechanism in group.members.items()
-    )
+def _sentence(group: Variants) -> str:
+    members = (f"{truncate(mechanism_title(mechanism), SHORT)} ({model})" for model, mechanism in group.members.items())
     return " and ".join(members)
 
 
-def table(groups: tuple[Siblings, ...], *, name: str) -> Table:
+def table(groups: tuple[Variants, ...], *, name: str) -> Table:
     """PGA at capacity of each procedure and mechanism, a column for each kind of interface."""
     models = tuple(dict.fromkeys(model for group in groups for model in group.members))
     every = [check for group in groups for mechanism in group.members.values() for check in mechanism.checks]
@@ -104,9 +102,9 @@ def table(groups: tuple[Siblings, ...], *, name: str) -> Table:
     return Table(name, caption, columns, cells, muted)
 
 
-def _row(check: Check, group: Siblings, models: tuple[str, ...], every: list[Check]) -> tuple[Cell, ...]:
+def _row(check: Check, group: Variants, models: tuple[str, ...], every: list[Check]) -> tuple[Cell, ...]:
     found = (_capacity(group.members.get(model), check) for model in models)
-    return (governing.named(check, tuple(every)), group.name, *found)
+    return (governing.procedure_label(check, tuple(every)), group.name, *found)
 
 
 def _capacity(mechanism: MechanismResult | None, like: Check) -> float | None:

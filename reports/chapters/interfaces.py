@@ -28,7 +28,7 @@ ASSUMED = (
 
 def blocks(mechanism: MechanismResult, *, name: str) -> list[Block]:
     """Table, figures and sentence on the joints of a mechanism; nothing where all are rigid."""
-    if not joints.yielding(mechanism):
+    if not joints.deformable_joints(mechanism):
         return []
     moment = (
         "Restoring moment over rotation of the positive branch, of the largest with rigid joints: rigid, with hinges "
@@ -96,7 +96,7 @@ def at_peak(mechanism: MechanismResult) -> str:
     if one.max_rotation_rad == 0.0:
         return f"The {record} does not move the mechanism."
     turned = joints.peak_rotation(mechanism, one)
-    each = "; ".join(_pressed(interface, turned) for interface in joints.of_branch(mechanism, one.branch))
+    each = "; ".join(_pressed(interface, turned) for interface in joints.joints_of_branch(mechanism, one.branch))
     return f"At the largest rotation under the {record}, φ = {numeral(turned)} rad of the {one.branch} branch: {each}."
 
 
@@ -121,5 +121,5 @@ def _percent(share: float) -> str:
 
 def limits(mechanisms: tuple[MechanismResult, ...]) -> Iterator[str]:
     """What the model of the joints leaves out, where there are any."""
-    if any(joints.yielding(mechanism) for mechanism in mechanisms):
+    if any(joints.deformable_joints(mechanism) for mechanism in mechanisms):
         yield ASSUMED

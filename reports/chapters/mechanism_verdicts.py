@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from assess.codes.verdict import Answer, MechanismVerdict, Verdict
-from assess.codes.verdict_text import holds_text, index_text, outcome_text
+from assess.codes.verdict_text import index_text, margin_text, outcome_text
 from assess.results import Results
 from reports.document import Cell, Column, Table
-from reports.language.message_text import said
+from reports.language.message_text import message_text
 from reports.mechanism_title import mechanism_title
 
 ANSWER = Column("Answer", kind="verdict")
@@ -45,14 +45,21 @@ def _rows(one: MechanismVerdict, found: Verdict, names: Mapping[str, str]) -> It
     """The lines of a mechanism, one for each limit state."""
     name, outcome = names.get(one.mechanism, one.mechanism), outcome_text(one.outcome, near=one.at_the_limit)
     for answer in one.answers:
-        said = outcome_text(answer.outcome, near=answer.at_the_limit)
+        decided = outcome_text(answer.outcome, near=answer.at_the_limit)
         index = index_text(answer.index).replace("zeta_E", "ζ_E")
-        cells = (answer.limit_state, said, answer.procedure, index, holds_text(one, found.action), _why(answer, one))
+        cells = (
+            answer.limit_state,
+            decided,
+            answer.procedure,
+            index,
+            margin_text(one, found.action),
+            _why(answer, one),
+        )
         yield (name, outcome, *cells)
 
 
 def _why(answer: Answer, one: MechanismVerdict) -> str:
     """Why it ends so, and which input is missing where that alone stands in the way of its answer."""
     if answer.outcome == one.outcome or not one.missing:
-        return said(answer.reason)
-    return f"{said(answer.reason)}; missing: {', '.join(each.key for each in one.missing)}"
+        return message_text(answer.reason)
+    return f"{message_text(answer.reason)}; missing: {', '.join(each.key for each in one.missing)}"

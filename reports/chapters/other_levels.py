@@ -6,7 +6,7 @@ from assess.codes.check import Check, Outcome
 from assess.results import MechanismResult, Results
 from reports import governing
 from reports.chapters import conclusions
-from reports.chapters.tables import LEVEL, MECHANISM, broken
+from reports.chapters.tables import LEVEL, MECHANISM, breakable_name
 from reports.document import Cell, Column, Items, Section, Table, Text
 from reports.mechanism_title import mechanism_title
 
@@ -22,16 +22,16 @@ def chapter(results: Results) -> list[Section]:
     """The study; nothing where the site's own action is the only level."""
     if not governing.other_levels(results):
         return []
-    said = (NOT_A_VERDICT, *returning(results))
+    paragraphs = (NOT_A_VERDICT, *passes_beyond_capacity(results))
     points = tuple(conclusions.disagreements(results, governing.other_levels(results)))
-    blocks = (Text(said), table(results), *((Items(points),) if points else ()))
+    blocks = (Text(paragraphs), table(results), *((Items(points),) if points else ()))
     return [Section(TITLE, 0, blocks)]
 
 
 def methods(results: Results) -> tuple[str, ...]:
     """The procedures that may decide; without a basis, all by the letter of a code."""
     accepted = () if results.verdict is None else results.verdict.methods
-    asked = dict.fromkeys(c.procedure for m in results.mechanisms for c in governing.letters(m.checks))
+    asked = dict.fromkeys(c.procedure for m in results.mechanisms for c in governing.code_checks(m.checks))
     return tuple(name for name in asked if name in accepted) or tuple(asked)
 
 
@@ -41,7 +41,7 @@ def table(results: Results) -> Table:
     columns = (
         MECHANISM,
         LEVEL,
-        *(Column(broken(name), kind="verdict") for name in names),
+        *(Column(breakable_name(name), kind="verdict") for name in names),
         Column("Largest ratio", "-", "number"),
     )
     levels = governing.other_levels(results)
@@ -51,14 +51,14 @@ def table(results: Results) -> Table:
 
 
 def _row(results: Results, mechanism: MechanismResult, level: float, names: tuple[str, ...]) -> tuple[Cell, ...]:
-    checks = governing.letters(governing.at_level(mechanism.checks, level))
-    by_name = {name: _of_states(tuple(c for c in checks if c.procedure == name), results) for name in names}
+    checks = governing.code_checks(governing.at_level(mechanism.checks, level))
+    by_name = {name: _deciding_states(tuple(c for c in checks if c.procedure == name), results) for name in names}
     worst = governing.worst(tuple(check for found in by_name.values() for check in found))
     ratio = None if worst is None else worst.unbounded or worst.ratio
     return (mechanism_title(mechanism), level, *(_outcome(found) for found in by_name.values()), ratio)
 
 
-def _of_states(checks: tuple[Check, ...], results: Results) -> tuple[Check, ...]:
+def _deciding_states(checks: tuple[Check, ...], results: Results) -> tuple[Check, ...]:
     """Of the checks of one procedure those of the limit states that decide, where it knows them by name."""
     states = () if results.verdict is None else results.verdict.limit_states
     return tuple(check for check in checks if check.limit_state in states) or checks
@@ -69,13 +69,17 @@ def _outcome(checks: tuple[Check, ...]) -> str | None:
     return next((each.value for each in RANKED if each in found), None)
 
 
-def returning(results: Results) -> tuple[str, ...]:
+def passes_beyond_capacity(results: Results) -> tuple[str, ...]:
     """Which mechanisms pass at a level above their PGA at capacity, and why that is no slip."""
-    names = [conclusions.named(m) for m in results.mechanisms if any(map(_passes_beyond, governing.letters(m.checks)))]
+    names = [
+        conclusions.short_title(m)
+        for m in results.mechanisms
+        if any(map(_passes_beyond, governing.code_checks(m.checks)))
+    ]
     if not names:
         return ()
     return (
-        f"{conclusions.listed(names)}: records that overturn, or turn too far, at one PGA can be survived at a "
+        f"{conclusions.list_names(names)}: records that overturn, or turn too far, at one PGA can be survived at a "
         "higher one. The PGA at capacity is the last before the suite first fails; a pass at a higher level is not a "
         "margin.",
     )

@@ -5,7 +5,7 @@ from __future__ import annotations
 from operator import attrgetter
 
 from assess.results import BranchCurve, HingeForceResult, MechanismResult, OscillatorResult, Results
-from reports.chapters.tables import MECHANISM, uplift
+from reports.chapters.tables import MECHANISM, uplift_cell
 from reports.document import Cell, Column, Table
 
 LIFTS, NOT_GIVEN, ROCKS_FIRST = "lifts", "not given", "rocks first"
@@ -49,7 +49,7 @@ def parameters(mechanism: MechanismResult, *, name: str) -> Table:
 
 def _parameter(branch: OscillatorResult | None, key: str) -> Cell:
     if branch is not None and key == "uplift_multiplier":
-        return uplift(branch.uplift_multiplier)
+        return uplift_cell(branch.uplift_multiplier)
     value: float | None = None if branch is None else attrgetter(key)(branch)
     return value
 

@@ -11,21 +11,21 @@ from assess.codes.check import Outcome
 from assess.results import Results, SensitivityResult
 from reports.chapters.sensitivity_ranking import (
     SIDES,
-    At,
+    Case,
     Side,
-    Varied,
+    VariedInput,
+    answer_value,
     fails,
     flips,
-    is_still,
+    is_negligible,
+    rank_inputs,
     span,
-    value,
-    varied,
-    verdict,
+    verdict_at,
 )
 from reports.chapters.tables import OVERTURNED
 from reports.document import Block, Cell, Column, Figure, Section, Table, Text
 from reports.figures import tornado
-from reports.language.lettering import shortened
+from reports.language.lettering import truncate
 from reports.language.measures import number, unit_word
 from reports.language.numerals import numeral
 
@@ -43,7 +43,7 @@ LARGE = {
     "kg/m^3": ((0.0, "kg/m³"),),
 }
 SIZES = {"GPa": 1e9, "MPa": 1e6, "GPa/m": 1e9, "kN": 1e3}
-SAID: dict[Outcome | None, str] = {
+VERDICT_WORDS: dict[Outcome | None, str] = {
     Outcome.PASS: "pass",
     Outcome.FAIL: "FAIL",
     Outcome.NOT_ANSWERED: "not answered",
@@ -62,13 +62,13 @@ INTENT = (
 def chapter(results: Results, mechanism: str, *, called: str, name: str) -> list[Section]:
     """The sensitivity of one mechanism, nothing where there is none; called: in sentences; name: begins its names."""
     rows = tuple(row for row in results.sensitivity if row.mechanism == mechanism)
-    found = varied(rows)
+    found = rank_inputs(rows)
     blocks: list[Block] = []
     if found:
-        said = (INTENT, *sentences(found, shortened(called, 60)))
-        blocks += [Text(said), figure(found, name=name), table(found, name=name)]
-    remarks = tuple(remarks_of(rows, found))
-    blocks += [Text(remarks)] if remarks else []
+        paragraphs = (INTENT, *sentences(found, truncate(called, 60)))
+        blocks += [Text(paragraphs), figure(found, name=name), table(found, name=name)]
+    notes = tuple(remarks(rows, found))
+    blocks += [Text(notes)] if notes else []
     return [Section("Sensitivity", 1, tuple(blocks))] if blocks else []
 
 
@@ -107,22 +107,26 @@ def data(results: Results) -> tuple[Table, ...]:
     return (Table("sensitivity", caption, columns, rows),)
 
 
-def sentences(found: Sequence[Varied], called: str) -> tuple[str, ...]:
+def sentences(found: Sequence[VariedInput], called: str) -> tuple[str, ...]:
     """What the numbers say: whether the verdict changes, what moves each answer most."""
-    return (overall(found, called), *single_checks(found), *map(partial(strongest, found), range(len(found[0].shown))))
+    return (
+        verdict_stability(found, called),
+        *flipping_checks(found),
+        *map(partial(strongest_influence, found), range(len(found[0].shown))),
+    )
 
 
-def overall(found: Sequence[Varied], called: str) -> str:
+def verdict_stability(found: Sequence[VariedInput], called: str) -> str:
     """Whether what decides the mechanism changes; where nothing does, whether any check does at any level."""
     changed = [
-        f"{quantity_name(each.number)} at {at(each.number, side)} ({'FAIL' if fails(each.telling, side) else 'pass'})"
+        f"{quantity_name(each.number)} at {value_text(each.number, side)} ({'FAIL' if failing else 'pass'})"
         for each in found
         for side in SIDES
-        if assessed(each, side) and fails(each.telling, side) != fails(each.telling, "base")
+        if is_assessed(each, side) and (failing := fails(each.decisive, side)) != fails(each.decisive, "base")
     ]
     if changed:
         return f"The verdict of {called} changes with {'; '.join(changed)}."
-    decided, failing = found[0].telling != found[0].rows, fails(found[0].telling, "base")
+    decided, failing = found[0].decisive != found[0].rows, fails(found[0].decisive, "base")
     if decided:
         stands = "what decides fails" if failing else "what decides does not fail"
     else:
@@ -130,16 +134,16 @@ def overall(found: Sequence[Varied], called: str) -> str:
     return f"The verdict of {called} does not change within these ranges: {stands} throughout."
 
 
-def assessed(each: Varied, side: Side) -> bool:
+def is_assessed(each: VariedInput, side: Side) -> bool:
     """Whether the case of one side could be assessed."""
-    return any(verdict(row, side) is not None for row in each.rows)
+    return any(verdict_at(row, side) is not None for row in each.rows)
 
 
-def single_checks(found: Sequence[Varied]) -> Iterator[str]:
+def flipping_checks(found: Sequence[VariedInput]) -> Iterator[str]:
     """The checks whose verdict turns."""
     told = [
-        f"{row.procedure} at {level(row)} g with {quantity_name(row)} at {at(row, side)} "
-        f"({SAID[row.verdict_base]} → {SAID[verdict(row, side)]})"
+        f"{row.procedure} at {level_text(row)} g with {quantity_name(row)} at {value_text(row, side)} "
+        f"({VERDICT_WORDS[row.verdict_base]} → {VERDICT_WORDS[verdict_at(row, side)]})"
         for each in found
         for row in each.rows
         for side in SIDES
@@ -150,35 +154,35 @@ def single_checks(found: Sequence[Varied]) -> Iterator[str]:
         yield f"Checks whose verdict turns: {'; '.join(told[:MOST])}{more}."
 
 
-def strongest(found: Sequence[Varied], place: int) -> str:
+def strongest_influence(found: Sequence[VariedInput], place: int) -> str:
     """Which number moves one of the answers that are shown most, from what to what, and which hardly do."""
     rows = [each.shown[place] for each in found]
     most = max(rows, key=span)
-    what = f"{words_of(most)} ({most.procedure})"
-    if is_still(most):
-        return f"None of them moves the {what}, which is {answer(most, 'base')}."
-    ends = " and ".join(f"{answer(most, side)} at {at(most, side)}" for side in SIDES)
-    still = [quantity_name(row) for row in rows if is_still(row)]
+    what = f"{answer_name(most)} ({most.procedure})"
+    if is_negligible(most):
+        return f"None of them moves the {what}, which is {answer_text(most, 'base')}."
+    ends = " and ".join(f"{answer_text(most, side)} at {value_text(most, side)}" for side in SIDES)
+    still = [quantity_name(row) for row in rows if is_negligible(row)]
     rest = f"; it hardly moves with {', '.join(still)}" if still else ""
-    assessed_as = answer(most, "base")
+    assessed_as = answer_text(most, "base")
     return f"The {quantity_name(most)} moves the {what} most: {ends}, beside {assessed_as} as assessed{rest}."
 
 
-def words_of(row: SensitivityResult) -> str:
+def answer_name(row: SensitivityResult) -> str:
     """What an answer is."""
     if row.quantity == "index":
         return f"index {row.index}".replace("zeta_E", "ζ_E")
-    return "PGA at capacity" if row.quantity == "capacity_pga_g" else f"demand over capacity at {level(row)} g"
+    return "PGA at capacity" if row.quantity == "capacity_pga_g" else f"demand over capacity at {level_text(row)} g"
 
 
-def level(row: SensitivityResult) -> str:
+def level_text(row: SensitivityResult) -> str:
     """The peak ground acceleration that a ratio is of [g]."""
     return numeral(row.level_pga_g or 0.0, digits=3)
 
 
-def answer(row: SensitivityResult, at: At) -> str:
+def answer_text(row: SensitivityResult, at: Case) -> str:
     """An answer in words, with its unit."""
-    found = value(row, at)
+    found = answer_value(row, at)
     if found is None:
         return "not known"
     if found == inf:
@@ -186,12 +190,12 @@ def answer(row: SensitivityResult, at: At) -> str:
     return numeral(found, digits=3) + (" g" if row.quantity == "capacity_pga_g" else "")
 
 
-def at(row: SensitivityResult, side: Side) -> str:
+def value_text(row: SensitivityResult, side: Side) -> str:
     """The low or the high value of a number with its unit."""
-    return " ".join(measured(row, row.low if side == "low" else row.high)).rstrip()
+    return " ".join(value_and_unit(row, row.low if side == "low" else row.high)).rstrip()
 
 
-def measured(row: SensitivityResult, value: float | None) -> tuple[str, str]:
+def value_and_unit(row: SensitivityResult, value: float | None) -> tuple[str, str]:
     """A value of a number, and its unit in the size that suits the number."""
     if value is None:
         return "not known", ""
@@ -205,7 +209,7 @@ def quantity_name(row: SensitivityResult) -> str:
     """What a number is called: the parameter, and of what, as far as its key tells."""
     word = WORDS.get(row.parameter, row.parameter)
     if row.key.startswith("materials."):
-        return f"{word} of {shortened(row.key.removeprefix('materials.').rpartition('.')[0], 30)}"
+        return f"{word} of {truncate(row.key.removeprefix('materials.').rpartition('.')[0], 30)}"
     own = row.key.removeprefix(f"mechanisms.{row.mechanism}.")
     entry, joint = re.match(r"loads\[(\d+)\]", own), re.match(r"interfaces\.([A-D])\.", own)
     if entry:
@@ -213,15 +217,15 @@ def quantity_name(row: SensitivityResult) -> str:
     return f"{word}, joint {joint[1]}" if joint else word
 
 
-def remarks_of(rows: Sequence[SensitivityResult], found: Sequence[Varied]) -> Iterator[str]:
-    """What is said of single numbers, and which are not varied and why."""
+def remarks(rows: Sequence[SensitivityResult], found: Sequence[VariedInput]) -> Iterator[str]:
+    """Yield the remarks on single inputs, and which are not varied and why."""
     yield from (f"{quantity_name(each.number)}: {each.number.remark}." for each in found if each.number.remark)
     for row in rows:
         if not row.quantity:
             yield f"{quantity_name(row)}: {row.remark}.".removeprefix(": ")
 
 
-def figure(found: Sequence[Varied], *, name: str) -> Figure:
+def figure(found: Sequence[VariedInput], *, name: str) -> Figure:
     """The tornado: a panel for each answer that is shown."""
     caption = (
         "What each number moves, one at a time, the widest first; its low and high value stand beside its name. Dashed "
@@ -230,39 +234,44 @@ def figure(found: Sequence[Varied], *, name: str) -> Figure:
     return Figure(f"{name}-sensitivity", caption, partial(tornado.draw, panels(found)))
 
 
-def panels(found: Sequence[Varied]) -> tuple[tornado.Panel, ...]:
+def panels(found: Sequence[VariedInput]) -> tuple[tornado.Panel, ...]:
     """The answers that are shown, with the names of the numbers."""
-    names = [(quantity_name(each.number), ranges(each.number)) for each in found]
+    names = [(quantity_name(each.number), range_text(each.number)) for each in found]
     beside = next((row for row in found[0].shown if row.quantity == "demand_capacity"), None)
     made = []
     for place, first in enumerate(found[0].shown):
         rows = [each.shown[place] for each in found]
         bars = tuple(
-            tornado.Bar(name, value(row, "low"), value(row, "high"), (turned(row, "low"), turned(row, "high")))
+            tornado.Bar(
+                name,
+                answer_value(row, "low"),
+                answer_value(row, "high"),
+                (new_verdict(row, "low"), new_verdict(row, "high")),
+            )
             for name, row in zip(names, rows, strict=True)
         )
         limit = (1.0, "limit") if first.quantity == "demand_capacity" else None
         limit = (1.0, "1") if first.quantity == "index" else limit
         if limit is None and beside is not None and beside.level_pga_g:
-            limit = (beside.level_pga_g, f"{level(beside)} g")
+            limit = (beside.level_pga_g, f"{level_text(beside)} g")
         unit = "g" if first.quantity == "capacity_pga_g" else "-"
-        said = (f"{words_of(first)} [{unit}]", first.procedure)
-        made.append(tornado.Panel(said, value(first, "base"), limit, bars))
+        name = (f"{answer_name(first)} [{unit}]", first.procedure)
+        made.append(tornado.Panel(name, answer_value(first, "base"), limit, bars))
     return tuple(made)
 
 
-def ranges(number: SensitivityResult) -> str:
+def range_text(number: SensitivityResult) -> str:
     """Low to high value of a number, with its unit once."""
-    (low, _), (high, unit) = measured(number, number.low), measured(number, number.high)
+    (low, _), (high, unit) = value_and_unit(number, number.low), value_and_unit(number, number.high)
     return f"{low} to {high} {unit}".rstrip()
 
 
-def turned(row: SensitivityResult, side: Side) -> str:
+def new_verdict(row: SensitivityResult, side: Side) -> str:
     """What a verdict turns to, empty where it stays."""
-    return SAID[verdict(row, side)] if flips(row, side) else ""
+    return VERDICT_WORDS[verdict_at(row, side)] if flips(row, side) else ""
 
 
-def table(found: Sequence[Varied], *, name: str) -> Table:
+def table(found: Sequence[VariedInput], *, name: str) -> Table:
     """What the tornado shows, in numbers."""
     columns = (
         Column("Number"),
@@ -281,7 +290,7 @@ def table(found: Sequence[Varied], *, name: str) -> Table:
 
 def _row(row: SensitivityResult) -> tuple[Cell, ...]:
     unit = ", g" if row.quantity == "capacity_pga_g" else ""
-    said = f"{words_of(row)}{unit}, {row.procedure}"
-    found = (value(row, "low"), value(row, "base"), value(row, "high"))
+    answer = f"{answer_name(row)}{unit}, {row.procedure}"
+    found = (answer_value(row, "low"), answer_value(row, "base"), answer_value(row, "high"))
     cells = (OVERTURNED if each == inf else each for each in found)
-    return (quantity_name(row), row.unit, row.low, row.high, said, *cells, row.verdict_low, row.verdict_high)
+    return (quantity_name(row), row.unit, row.low, row.high, answer, *cells, row.verdict_low, row.verdict_high)

@@ -8,21 +8,21 @@ from math import inf, log
 from typing import Literal
 
 from assess.codes.check import Outcome
-from assess.codes.family import of_histories
+from assess.codes.families import uses_histories
 from assess.results import SensitivityResult
 from reports.governing import DAMAGE
 
-At = Literal["base", "low", "high"]
+Case = Literal["base", "low", "high"]
 """Where a number stands: as assessed, at its low, at its high value."""
 
 Side = Literal["low", "high"]
 SIDES: tuple[Side, Side] = ("low", "high")
-EVERYWHERE: tuple[At, ...] = ("base", *SIDES)
-STILL = 2e-3  # of its value: no history repeats better than this when all masses are multiplied by a number
+CASES: tuple[Case, ...] = ("base", *SIDES)
+NEGLIGIBLE = 2e-3  # of its value: no history repeats better than this when all masses are multiplied by a number
 
 
 @dataclass(frozen=True)
-class Varied:
+class VariedInput:
     """One number of a mechanism.
 
     rows : all its answers; shown : those that stand for them, in one order for all numbers of the mechanism: the PGA at
@@ -33,7 +33,7 @@ class Varied:
     shown: tuple[SensitivityResult, ...]
 
     @property
-    def telling(self) -> tuple[SensitivityResult, ...]:
+    def decisive(self) -> tuple[SensitivityResult, ...]:
         """The rows of what decides; where nothing does, all."""
         return tuple(row for row in self.rows if row.role == "deciding") or self.rows
 
@@ -43,7 +43,7 @@ class Varied:
         return self.rows[0]
 
 
-def varied(rows: Sequence[SensitivityResult]) -> tuple[Varied, ...]:
+def rank_inputs(rows: Sequence[SensitivityResult]) -> tuple[VariedInput, ...]:
     """Every number of a mechanism that is varied, the one that moves the answers shown farthest first."""
     numbers: dict[tuple[str, str], list[SensitivityResult]] = {}
     for row in rows:
@@ -51,22 +51,24 @@ def varied(rows: Sequence[SensitivityResult]) -> tuple[Varied, ...]:
             numbers.setdefault((row.parameter, row.key), []).append(row)
     if not numbers:
         return ()
-    wanted = [identity(row) for row in answers(next(iter(numbers.values())))]
-    found = [_varied(each, wanted) for each in numbers.values()]
-    return tuple(sorted(found, key=lambda each: [0.0 if is_still(row) else -span(row) for row in each.shown]))
+    wanted = [answer_key(row) for row in representative_answers(next(iter(numbers.values())))]
+    found = [_varied_input(each, wanted) for each in numbers.values()]
+    return tuple(sorted(found, key=lambda each: [0.0 if is_negligible(row) else -span(row) for row in each.shown]))
 
 
-def _varied(rows: Sequence[SensitivityResult], wanted: Sequence[tuple[str, str, str, float | None]]) -> Varied:
-    by_identity = {identity(row): row for row in reversed(rows)}
-    return Varied(tuple(rows), tuple(by_identity[each] for each in wanted))
+def _varied_input(
+    rows: Sequence[SensitivityResult], wanted: Sequence[tuple[str, str, str, float | None]]
+) -> VariedInput:
+    by_identity = {answer_key(row): row for row in reversed(rows)}
+    return VariedInput(tuple(rows), tuple(by_identity[each] for each in wanted))
 
 
-def identity(row: SensitivityResult) -> tuple[str, str, str, float | None]:
+def answer_key(row: SensitivityResult) -> tuple[str, str, str, float | None]:
     """What an answer is of."""
     return row.quantity, row.procedure, row.limit_state, row.level_pga_g
 
 
-def answers(rows: Sequence[SensitivityResult]) -> list[SensitivityResult]:
+def representative_answers(rows: Sequence[SensitivityResult]) -> list[SensitivityResult]:
     """The answers that stand for all, out of those of one number.
 
     They are the index of what decides, and the PGA at capacity of its procedure. Where nothing decides, they are of the
@@ -83,43 +85,43 @@ def answers(rows: Sequence[SensitivityResult]) -> list[SensitivityResult]:
     ratios = [row for row in rows if row.quantity == "demand_capacity"]
     known = [row for row in rows if row.quantity == "capacity_pga_g" and row.at_base]
     if not known:
-        worst = max(ratios, key=lambda row: value(row, "base") or 0.0)
+        worst = max(ratios, key=lambda row: answer_value(row, "base") or 0.0)
         return [worst]
     least = min(known, key=lambda row: row.at_base or inf)
     levels = sorted({row.level_pga_g or 0.0 for row in ratios})
     near = min(levels, key=lambda level: abs(log(level / (least.at_base or level))))
     there = [row for row in ratios if row.level_pga_g == near]
     own = [row for row in there if (row.procedure, row.limit_state) == (least.procedure, least.limit_state)]
-    return [least, *own[:1], *[row for row in there if of_histories(row.procedure)][:1]]
+    return [least, *own[:1], *[row for row in there if uses_histories(row.procedure)][:1]]
 
 
-def value(row: SensitivityResult, at: At) -> float | None:
+def answer_value(row: SensitivityResult, at: Case) -> float | None:
     """The answer with the number there: infinite where the body overturns, None where it is not known."""
     found = {"base": row.at_base, "low": row.at_low, "high": row.at_high}[at]
-    return inf if found is None and verdict(row, at) == Outcome.FAIL else found
+    return inf if found is None and verdict_at(row, at) == Outcome.FAIL else found
 
 
-def verdict(row: SensitivityResult, at: At) -> Outcome | None:
+def verdict_at(row: SensitivityResult, at: Case) -> Outcome | None:
     """The verdict with the number there; None where it was not assessed."""
     return {"base": row.verdict_base, "low": row.verdict_low, "high": row.verdict_high}[at]
 
 
 def span(row: SensitivityResult) -> float:
     """The width of what an answer takes; 0 where it is not known, or overturns at all values."""
-    known = [found for at in EVERYWHERE if (found := value(row, at)) is not None]
+    known = [found for at in CASES if (found := answer_value(row, at)) is not None]
     return max(known) - min(known) if known and min(known) < inf else 0.0
 
 
-def is_still(row: SensitivityResult) -> bool:
+def is_negligible(row: SensitivityResult) -> bool:
     """Whether an answer hardly moves."""
-    return span(row) <= STILL * (row.at_base or 0.0)
+    return span(row) <= NEGLIGIBLE * (row.at_base or 0.0)
 
 
 def flips(row: SensitivityResult, side: Side) -> bool:
     """Whether a verdict turns from pass to fail or back."""
-    return {row.verdict_base, verdict(row, side)} == {Outcome.PASS, Outcome.FAIL}
+    return {row.verdict_base, verdict_at(row, side)} == {Outcome.PASS, Outcome.FAIL}
 
 
-def fails(rows: Sequence[SensitivityResult], at: At) -> bool:
+def fails(rows: Sequence[SensitivityResult], at: Case) -> bool:
     """Whether any check fails with the number there."""
-    return any(verdict(row, at) == Outcome.FAIL for row in rows)
+    return any(verdict_at(row, at) == Outcome.FAIL for row in rows)

@@ -8,9 +8,9 @@ from assess.codes.check import Check, Outcome
 from assess.messages.texts import TEXTS
 from assess.results import MechanismResult, Results, View
 from reports.chapters import interfaces
-from reports.language.lettering import shortened
+from reports.language.lettering import truncate
 from reports.language.measures import measure, measures
-from reports.language.message_text import said
+from reports.language.message_text import message_text
 from reports.mechanism_title import mechanism_title
 
 SLIDING = "sliding"
@@ -50,11 +50,11 @@ def amplification(mechanism: MechanismResult) -> tuple[str, ...]:
         f"The time histories act at the base of the mechanism, {height} above the ground, not at the ground (method "
         f"{found.method}).{span} The code procedures that ask for a spectrum have their own floor clause or floor "
         "spectrum, so their input is another one.",
-        f"How it was found: {'; '.join(map(said, found.said))}.",
+        f"How it was found: {'; '.join(map(message_text, found.said))}.",
     )
 
 
-def inputs(mechanism: MechanismResult) -> str:
+def input_locations(mechanism: MechanismResult) -> str:
     """Which procedures take their input where, if not all at one place; else empty."""
     at = {
         place: dict.fromkeys(check.procedure for check in mechanism.checks if check.input_at == place)
@@ -63,17 +63,17 @@ def inputs(mechanism: MechanismResult) -> str:
     if not (at["ground"] and at["mechanism base"]):
         return ""
     return (
-        f"Not the same input: {joined(at['mechanism base'])} by the motion at the base of the mechanism, "
-        f"{joined(at['ground'])} by that at the ground. Peak accelerations (PGA) are the ground's throughout."
+        f"Not the same input: {join_names(at['mechanism base'])} by the motion at the base of the mechanism, "
+        f"{join_names(at['ground'])} by that at the ground. Peak accelerations (PGA) are the ground's throughout."
     )
 
 
-def amplified(results: Results) -> tuple[str, ...]:
+def unequal_inputs(results: Results) -> tuple[str, ...]:
     """Which mechanisms have histories with another input than that of the ground, for what stands side by side."""
     carried = [m for m in results.mechanisms if m.amplification.height_m is not None and m.histories]
     if not carried:
         return ()
-    names = joined(dict.fromkeys(shortened(mechanism_title(mechanism), 40) for mechanism in carried))
+    names = join_names(dict.fromkeys(truncate(mechanism_title(mechanism), 40) for mechanism in carried))
     return (
         f"Not the same input: the time histories of {names} act at the base of the mechanism, amplified; those of the "
         "others act at the ground. The table of procedures says where each takes "
@@ -81,7 +81,7 @@ def amplified(results: Results) -> tuple[str, ...]:
     )
 
 
-def carried_motion(mechanism: MechanismResult) -> str:
+def amplification_caption(mechanism: MechanismResult) -> str:
     """The caption of a filtered motion beside the original."""
     motion = mechanism.amplification.motion
     name = "" if motion is None else motion.record
@@ -99,18 +99,18 @@ def _span(factors: list[float]) -> str:
 def limits(results: Results) -> tuple[str, ...]:
     """What the engineer must keep in mind before signing."""
     return (
-        *_ALWAYS,
-        sliding(results),
+        *_GENERAL,
+        sliding_limit(results),
         *interfaces.limits(results.mechanisms),
         *_readings(results),
-        *_unlike(results),
+        *_input_difference(results),
         *_unamplified(results),
         *_linearised(results),
         *_unverified(results),
     )
 
 
-_ALWAYS = (
+_GENERAL = (
     "The bodies are rigid and move in one vertical plane. Bending and torsion of the masonry, out-of-plane coupling "
     "and mechanisms that were not described in the project are outside this assessment: finding the mechanisms "
     "that matter remains the engineer’s task.",
@@ -125,7 +125,7 @@ _ALWAYS = (
 )
 
 
-def sliding(results: Results) -> str:
+def sliding_limit(results: Results) -> str:
     """Where friction was checked, and where it is only taken as sufficient."""
     asked = {
         mechanism.name: any(c.procedure == SLIDING and c.verdict != Outcome.NOT_APPLICABLE for c in mechanism.checks)
@@ -135,8 +135,8 @@ def sliding(results: Results) -> str:
     tell = "the tables of forces at the hinges say how much of it rocking needs"
     if not any(asked.values()):
         return f"No sliding, no bouncing, no separation other than rocking: {taken}; {tell}."
-    silent = dict.fromkeys(shortened(mechanism_title(m), 40) for m in results.mechanisms if not asked[m.name])
-    others = f" For {joined(silent)} it was not checked: {taken}." if silent else ""
+    silent = dict.fromkeys(truncate(mechanism_title(m), 40) for m in results.mechanisms if not asked[m.name])
+    others = f" For {join_names(silent)} it was not checked: {taken}." if silent else ""
     return (
         "Sliding was checked by equilibrium, at every hinge up to the moment at which the mechanism starts to rock "
         f"(procedure {SLIDING}; horizontal motion only).{others} While it rocks {taken}: no bouncing, no "
@@ -147,11 +147,13 @@ def sliding(results: Results) -> str:
 def _readings(results: Results) -> tuple[str, ...]:
     names = dict.fromkeys(c.procedure for c in _checks(results) if c.reading == "thesis")
     return (
-        (f"{joined(names)}: reading of the thesis, shown for comparison; it never decides a verdict.",) if names else ()
+        (f"{join_names(names)}: reading of the thesis, shown for comparison; it never decides a verdict.",)
+        if names
+        else ()
     )
 
 
-def _unlike(results: Results) -> tuple[str, ...]:
+def _input_difference(results: Results) -> tuple[str, ...]:
     if len({check.input_at for check in _checks(results)}) < 2:
         return ()
     return (
@@ -167,8 +169,8 @@ def _unamplified(results: Results) -> tuple[str, ...]:
     if not told:
         return ()
     procedures = dict.fromkeys(check.procedure for _, check in told)
-    names = dict.fromkeys(shortened(mechanism_title(mechanism), 40) for mechanism, _ in told)
-    return (f"{joined(procedures)}, for {joined(names)}: {TEXTS[GROUND_AT_HEIGHT]}.",)
+    names = dict.fromkeys(truncate(mechanism_title(mechanism), 40) for mechanism, _ in told)
+    return (f"{join_names(procedures)}, for {join_names(names)}: {TEXTS[GROUND_AT_HEIGHT]}.",)
 
 
 def _linearised(results: Results) -> tuple[str, ...]:
@@ -177,7 +179,7 @@ def _linearised(results: Results) -> tuple[str, ...]:
         return ()
     return (
         "The linearised equation of motion is used for the time histories of "
-        f"{joined(dict.fromkeys(shortened(name, 40) for name in names))}. It is accurate for slender bodies and "
+        f"{join_names(dict.fromkeys(truncate(name, 40) for name in names))}. It is accurate for slender bodies and "
         "departs from the exact equation as the slenderness angle grows.",
     )
 
@@ -188,10 +190,10 @@ def _unverified(results: Results) -> Iterator[str]:
         yield f"Basis {results.verdict.basis}: {'; '.join(results.verdict.uncompared)}."
     names = dict.fromkeys(check.procedure for check in _checks(results) if check.caveat)
     if names:
-        yield f"{joined(names)}: the table of procedures says what could not be compared with the printed standard."
+        yield f"{join_names(names)}: the table of procedures says what could not be compared with the printed standard."
 
 
-def capacity(mechanism: MechanismResult) -> str:
+def capacity_caption(mechanism: MechanismResult) -> str:
     """The caption of the capacity curve, with the marks that it has."""
     on_joints = mechanism.oscillator.overturning_flexible_rad is not None
     marks = (
@@ -202,7 +204,7 @@ def capacity(mechanism: MechanismResult) -> str:
     return f"Capacity curve: restoring moment and load multiplier λ over rotation. {marks}"
 
 
-def sketch(mechanism: MechanismResult) -> str:
+def sketch_caption(mechanism: MechanismResult) -> str:
     """What the drawing of a mechanism shows."""
     drawing = mechanism.drawing
     back = drawing.displaced_negative
@@ -222,7 +224,7 @@ def sketch(mechanism: MechanismResult) -> str:
     )
 
 
-def view(seen: View) -> str:
+def view_caption(seen: View) -> str:
     """What the picture of the bodies shows."""
     size = measures(seen.size, "m", figures=3, between=" × ")
     stays = " Grey masonry does not move." if -1 in seen.block_of else ""
@@ -238,7 +240,7 @@ def _checks(results: Results) -> list[Check]:
     return [check for mechanism in results.mechanisms for check in mechanism.checks]
 
 
-def joined(names: Iterable[str]) -> str:
+def join_names(names: Iterable[str]) -> str:
     """Names with commas and an "and"."""
     every = list(names)
     return f"{', '.join(every[:-1])} and {every[-1]}" if len(every) > 1 else "".join(every)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from assess.results import RecordResult, RecordSpectrum, Results, SpectrumResult
 from reports.document import Cell, Column, Table
 from reports.language import spectrum_parameters
-from reports.language.numerals import given
+from reports.language.numerals import as_given
 
 
 def site(results: Results) -> Table:
@@ -16,8 +16,8 @@ def site(results: Results) -> Table:
         rows = (
             ("code", "-", spectrum.code),
             ("clause", "-", spectrum.clause),
-            *spectrum_parameters.named(spectrum.parameters),
-            ("damping ratio", "-", given(spectrum.damping)),
+            *spectrum_parameters.parameter_rows(spectrum.parameters),
+            ("damping ratio", "-", as_given(spectrum.damping)),
             ("other damping", "-", spectrum.damping_rule),
             ("peak ground acceleration, Sₐ(0)", "g", spectrum.pga_g),
         )
@@ -40,7 +40,7 @@ def records(results: Results) -> Table:
         Column("PGA, scaled", "g", "number"),
     )
     rows = tuple(
-        (r.id, event_of(r), r.nga, r.magnitude, r.component, r.dt_s, r.npts, r.mse, r.scale_factor, r.pga_g)
+        (r.id, event_name(r), r.nga, r.magnitude, r.component, r.dt_s, r.npts, r.mse, r.scale_factor, r.pga_g)
         for r in results.records
     )
     caption = (
@@ -50,13 +50,13 @@ def records(results: Results) -> Table:
     return Table("records", caption, columns, rows)
 
 
-def event_of(record: RecordResult) -> str:
+def event_name(record: RecordResult) -> str:
     """The earthquake with its year, where that is known and not part of its name."""
     year = record.date[:4]
     return record.event if year in record.event else f"{record.event} {year}".strip()
 
 
-def trails(results: Results) -> Table:
+def processing_history(results: Results) -> Table:
     """What was done to each record."""
     columns = (Column("Record"), Column("Station"), Column("File"), Column("Processing, in order"))
     rows = tuple((record.id, record.station, record.path, "; ".join(record.trail)) for record in results.records)

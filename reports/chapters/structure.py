@@ -8,9 +8,9 @@ from functools import partial
 from assess.results import MechanismResult, Resolved, Results
 from reports import joints
 from reports.chapters import tables
-from reports.document import Block, Cell, Column, Figure, Section, Table, filled
+from reports.document import Block, Cell, Column, Figure, Section, Table, nonempty
 from reports.figures import overview
-from reports.language.measures import typed, unit_word
+from reports.language.measures import as_typed, unit_word
 from reports.language.numerals import as_cell
 from reports.mechanism_title import mechanism_title
 
@@ -28,10 +28,10 @@ Tables = dict[str, dict[str, Resolved]]
 def section(results: Results) -> list[Section]:
     """The chapter; nothing where there is nothing to show."""
     blocks: list[Block] = [
-        *filled(materials(results)),
-        *filled(bodies(results)),
+        *nonempty(materials(results)),
+        *nonempty(bodies(results)),
         *overviews(results.mechanisms),
-        *filled(mechanisms(results)),
+        *nonempty(mechanisms(results)),
     ]
     return [Section("Structure and materials", 0, tuple(blocks), starts_page=True)] if blocks else []
 
@@ -92,7 +92,7 @@ def _geometry(found: Mapping[str, Resolved]) -> str:
 
 
 def _sized(value: object, unit: str) -> Cell:
-    return f"{typed(value, unit)} {unit_word(unit)}" if unit else as_cell(value)
+    return f"{as_typed(value, unit)} {unit_word(unit)}" if unit else as_cell(value)
 
 
 def mechanisms(results: Results) -> Table:
@@ -120,6 +120,12 @@ def mechanisms(results: Results) -> Table:
 
 def _row(mechanism: MechanismResult) -> tuple[Cell, ...]:
     of = mechanism.oscillator
-    numbers = (of.radius_m, of.slenderness_rad, of.p_eq_per_s, tables.uplift(of.uplift_multiplier), of.overturning_rad)
-    kind = (mechanism_title(mechanism), mechanism.kind, mechanism.sides, joints.model(mechanism))
+    numbers = (
+        of.radius_m,
+        of.slenderness_rad,
+        of.p_eq_per_s,
+        tables.uplift_cell(of.uplift_multiplier),
+        of.overturning_rad,
+    )
+    kind = (mechanism_title(mechanism), mechanism.kind, mechanism.sides, joints.model_name(mechanism))
     return (*kind, of.mass_kg, *numbers, of.restitution)

@@ -22,7 +22,7 @@ def blocks(results: Results) -> list[Block]:
         "Mean of the scaled records beside the target (as thesis Fig. 8.14b), with 90 % and 130 % of the target, "
         "limits of codes on the mean, over the periods that the records were fitted to."
     )
-    found = (periods(results, motion), remaining(motion), amplification(results), requirements(motion))
+    found = (periods(results, motion), selection_steps(motion), amplification(results), requirements(motion))
     return [
         Text(sentences(motion)),
         Figure("suite", caption, partial(suite.draw, motion)),
@@ -64,7 +64,7 @@ def periods(results: Results, motion: GroundMotionResult) -> Table:
     return Table("equivalent-periods", caption, columns, rows)
 
 
-def remaining(motion: GroundMotionResult) -> Table:
+def selection_steps(motion: GroundMotionResult) -> Table:
     """How many records were left after each step of the selection."""
     steps = () if motion.selection is None else motion.selection.remaining
     columns = (Column("Records"), Column("Number", kind="number"))

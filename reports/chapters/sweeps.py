@@ -7,12 +7,12 @@ from functools import partial
 
 from assess.messages.plural import count_noun
 from assess.results import DirectionSweep, MechanismResult, SweepResult
-from reports.chapters.tables import OVERTURNED, uplift
+from reports.chapters.tables import OVERTURNED, uplift_cell
 from reports.document import Block, Cell, Column, Figure, Section, Table, Text
 from reports.figures import directions as directions_figure
 from reports.figures import sweep as sweep_figure
-from reports.language.lettering import shortened
-from reports.language.numerals import given, numeral
+from reports.language.lettering import truncate
+from reports.language.numerals import as_given, numeral
 
 RULE = (
     "The controlling case has the worst answer that decides: a failing case stands before an incomplete one, and that "
@@ -30,7 +30,8 @@ def studies(sweeps: Sequence[SweepResult], *, name: str) -> Section:
     for place, sweep in enumerate(sweeps, start=1):
         stem = f"{name}-sweep-{place:02d}"
         caption = (
-            f"What changes with {key_of(sweep)}; the ring marks the controlling case; one that overturns has no ratio."
+            f"What changes with {swept_key(sweep)}; the ring marks the controlling case; "
+            "a case that overturns has no ratio."
         )
         blocks += [Text((sentence(sweep),)), table(sweep, name=stem)]
         blocks.append(Figure(stem, caption, partial(sweep_figure.draw, sweep)))
@@ -44,18 +45,19 @@ def sentence(sweep: SweepResult) -> str:
         if sweep.governs
         else "A case of another study stands for the mechanism in the other parts of this report."
     )
-    return f"{key_of(sweep)} takes {count_noun(len(sweep.value), 'value')}; {case_of(sweep)} controls. {standing}"
+    values = count_noun(len(sweep.value), "value")
+    return f"{swept_key(sweep)} takes {values}; {controlling_case(sweep)} controls. {standing}"
 
 
-def key_of(sweep: SweepResult) -> str:
+def swept_key(sweep: SweepResult) -> str:
     """The key that is swept, for a sentence."""
-    return shortened(sweep.key, 100)
+    return truncate(sweep.key, 100)
 
 
-def case_of(sweep: SweepResult) -> str:
+def controlling_case(sweep: SweepResult) -> str:
     """The controlling case in words."""
     unit = "" if sweep.unit == "-" else f" {sweep.unit}"
-    return f"{given(sweep.value[sweep.controlling])}{unit}"
+    return f"{as_given(sweep.value[sweep.controlling])}{unit}"
 
 
 def table(sweep: SweepResult, *, name: str) -> Table:
@@ -73,7 +75,7 @@ def table(sweep: SweepResult, *, name: str) -> Table:
         Column("Case"),
     )
     caption = (
-        f"{key_of(sweep)}: rocking parameters of the branch that uplifts first, and the answer that decides; where "
+        f"{swept_key(sweep)}: rocking parameters of the branch that uplifts first, and the answer that decides; where "
         f"none does, the worst of all checks of a code at all levels.{JOINTS if on_joints(sweep) else ''}"
     )
     return Table(name, caption, columns, tuple(_row(sweep, place) for place in range(len(sweep.value))))
@@ -94,7 +96,7 @@ def _row(sweep: SweepResult, place: int) -> tuple[Cell, ...]:
     return (
         sweep.value[place],
         sweep.p_eq_per_s[place],
-        uplift(sweep.uplift_multiplier[place]),
+        uplift_cell(sweep.uplift_multiplier[place]),
         sweep.overturning_rad[place],
         *(values[place] for _, values in on_joints(sweep)),
         sweep.restitution[place],
@@ -105,15 +107,15 @@ def _row(sweep: SweepResult, place: int) -> tuple[Cell, ...]:
     )
 
 
-def standing(sweeps: Sequence[SweepResult], names: dict[str, str]) -> list[Block]:
+def controlling_cases(sweeps: Sequence[SweepResult], names: dict[str, str]) -> list[Block]:
     """Which cases stand in the comparison; `names`: mechanism -> what it is called."""
-    cases = [f"{names[s.mechanism]}, {key_of(s)} = {case_of(s)}" for s in sweeps if s.governs]
+    cases = [f"{names[s.mechanism]}, {swept_key(s)} = {controlling_case(s)}" for s in sweeps if s.governs]
     if not cases:
         return []
     return [Text((f"Mechanisms with parametric studies stand here with their controlling case: {'; '.join(cases)}.",))]
 
 
-def weakest(mechanism: MechanismResult, *, name: str) -> list[Block]:
+def weakest_direction(mechanism: MechanismResult, *, name: str) -> list[Block]:
     """The direction in which the mechanism is weakest, where it was sought."""
     found = mechanism.direction_sweep
     if found is None:
@@ -126,7 +128,7 @@ def weakest(mechanism: MechanismResult, *, name: str) -> list[Block]:
 def direction_sentence(found: DirectionSweep) -> str:
     """The direction chosen, and how flat the minimum is."""
     return (
-        f"The direction is the weakest of {len(found.angle_deg)}: {given(round(found.weakest_deg, 3))}° from +x "
-        f"towards +y. The load multiplier is within 1 % of its least over {given(found.flat_deg)}° of the circle; the "
-        f"least is {numeral(100 * found.variation, digits=3)} % below the largest."
+        f"The direction is the weakest of {len(found.angle_deg)}: {as_given(round(found.weakest_deg, 3))}° from +x "
+        f"towards +y. The load multiplier is within 1 % of its least over {as_given(found.flat_deg)}° of the circle; "
+        f"the least is {numeral(100 * found.variation, digits=3)} % below the largest."
     )

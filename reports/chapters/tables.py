@@ -9,15 +9,15 @@ from assess.results import MechanismResult, Results
 from reports import governing
 from reports.document import Cell, Column, Table
 from reports.language import message_text
-from reports.language.numerals import bounded
+from reports.language.numerals import with_bound
 from reports.mechanism_title import mechanism_title
 
-UNLASTING = (Reason.NO_LASTING, Reason.ON_JOINTS)
+NO_LASTING_ROTATION = (Reason.NO_LASTING, Reason.ON_JOINTS)
 OVERTURNED, NO_ROCKING, NO_LASTING, NONE = "overturned", "no rocking", "none lasting", "none"
 _INDEX, _YEARS = Column("Safety index", "-", "number"), Column("Return period", "years", "number")
 MECHANISM, LEVEL, PROCEDURE = Column("Mechanism"), Column("PGA", "g", "number"), Column("Procedure")
 
-ANSWER = (
+DEMAND_COLUMNS = (
     Column("Quantity, unit"),
     Column("Demand", kind="number"),
     Column("Allowable", kind="number"),
@@ -25,7 +25,7 @@ ANSWER = (
 )
 
 
-SAID = (
+OUTCOME_COLUMNS = (
     Column("Outcome", kind="verdict"),
     Column("Role"),
     Column("Reading"),
@@ -38,9 +38,9 @@ SAID = (
 def verdicts(results: Results) -> Table:
     """Every check of every mechanism: demand, allowable, ratio, outcome, role, and why."""
     pairs = [(mechanism, check) for mechanism in results.mechanisms for check in mechanism.checks]
-    columns = (MECHANISM, LEVEL, PROCEDURE, *ANSWER, *SAID)
+    columns = (MECHANISM, LEVEL, PROCEDURE, *DEMAND_COLUMNS, *OUTCOME_COLUMNS)
     rows = tuple(
-        (mechanism_title(mechanism), check.level_pga_g, *numbers(check, mechanism.checks), *said(check))
+        (mechanism_title(mechanism), check.level_pga_g, *demand_cells(check, mechanism.checks), *outcome_cells(check))
         for mechanism, check in pairs
     )
     muted = frozenset(place for place, (_, check) in enumerate(pairs) if check.reading == "thesis")
@@ -73,7 +73,7 @@ def demands(mechanism: MechanismResult, *, name: str) -> Table:
     columns = (
         LEVEL,
         PROCEDURE,
-        *ANSWER,
+        *DEMAND_COLUMNS,
         Column("Rotation φ/φₒᵥ", "-", "number"),
         Column("PGA at uplift", "g", "number"),
         Column("PGA at capacity", "g", "number"),
@@ -81,7 +81,7 @@ def demands(mechanism: MechanismResult, *, name: str) -> Table:
         Column("Outcome", kind="verdict"),
     )
     rows = tuple(
-        (*_demand(check, mechanism.checks), *(rating[column] for column in rated), check.verdict.value)
+        (*_demand_row(check, mechanism.checks), *(rating[column] for column in rated), check.verdict.value)
         for check, rating in zip(mechanism.checks, ratings, strict=True)
     )
     muted = frozenset(place for place, check in enumerate(mechanism.checks) if check.reading == "thesis")
@@ -100,7 +100,7 @@ def demands(mechanism: MechanismResult, *, name: str) -> Table:
 
 def _rating(check: Check) -> dict[Column, Cell]:
     """What a check has where the code and the site know it."""
-    return {_INDEX: check.safety_index, _YEARS: bounded(check.return_period_years, check.return_period_bound)}
+    return {_INDEX: check.safety_index, _YEARS: with_bound(check.return_period_years, check.return_period_bound)}
 
 
 def answers(mechanism: MechanismResult, site_pga: float | None, *, name: str) -> Table:
@@ -110,20 +110,23 @@ def answers(mechanism: MechanismResult, site_pga: float | None, *, name: str) ->
     """
     own = mechanism.checks if site_pga is None else governing.at_level(mechanism.checks, site_pga)
     shown = [check for check in mechanism.checks if check in own or check.verdict != Outcome.PASS]
-    rows = tuple((check.level_pga_g, governing.named(check, mechanism.checks), *said(check)) for check in shown)
+    rows = tuple(
+        (check.level_pga_g, governing.procedure_label(check, mechanism.checks), *outcome_cells(check))
+        for check in shown
+    )
     muted = frozenset(place for place, check in enumerate(shown) if check.reading == "thesis")
     caption = "What each check says and why: all at the site’s own action, at other levels those that do not pass."
-    return Table(name, caption, (LEVEL, PROCEDURE, *SAID), rows, muted)
+    return Table(name, caption, (LEVEL, PROCEDURE, *OUTCOME_COLUMNS), rows, muted)
 
 
-def turned(check: Check) -> Cell:
+def rotation_cell(check: Check) -> Cell:
     """Its rotation; a body that lifts off without a lasting rotation is not at rest."""
     if check.unbounded:
         return check.unbounded
-    return NO_LASTING if check.reason.key in UNLASTING else rocking(check.rotation_ratio)
+    return NO_LASTING if check.reason.key in NO_LASTING_ROTATION else rocking_cell(check.rotation_ratio)
 
 
-def broken(name: str) -> str:
+def breakable_name(name: str) -> str:
     """A procedure's name that breaks between words in a narrow column."""
     return re.sub(r"-(?=[a-z])", " ", name)
 
@@ -134,46 +137,53 @@ def pga_curves(results: Results) -> Table:
     rows = tuple(
         (mechanism.name, check.procedure, check.limit_state, ratio, pga)
         for mechanism in results.mechanisms
-        for check in _curved(mechanism.checks)
+        for check in _checks_with_curve(mechanism.checks)
         for ratio, pga in zip(check.pga_curve.rotation_ratio, check.pga_curve.pga_g, strict=True)
     )
     return Table("pga-rotation-curves", "Peak ground acceleration over rotation, by each procedure.", columns, rows)
 
 
-def _curved(checks: tuple[Check, ...]) -> tuple[Check, ...]:
+def _checks_with_curve(checks: tuple[Check, ...]) -> tuple[Check, ...]:
     first: dict[tuple[str, str], Check] = {}
     for check in checks:
         first.setdefault((check.procedure, check.limit_state), check)
     return tuple(first.values())
 
 
-def said(check: Check) -> tuple[Cell, ...]:
+def outcome_cells(check: Check) -> tuple[Cell, ...]:
     """What a check says besides its numbers: outcome, role, reading, where its input acts, why, what bears on it."""
-    beside = "; ".join(dict.fromkeys(message_text.said(each) for each in (*check.conditions, *check.remarks)))
-    return (check.verdict.value, check.role, check.reading, check.input_at, message_text.said(check.reason), beside)
+    beside = "; ".join(dict.fromkeys(message_text.message_text(each) for each in (*check.conditions, *check.remarks)))
+    return (
+        check.verdict.value,
+        check.role,
+        check.reading,
+        check.input_at,
+        message_text.message_text(check.reason),
+        beside,
+    )
 
 
-def numbers(check: Check, among: tuple[Check, ...]) -> tuple[Cell, Cell, Cell, Cell, Cell]:
+def demand_cells(check: Check, among: tuple[Check, ...]) -> tuple[Cell, Cell, Cell, Cell, Cell]:
     """Procedure, quantity with unit, demand, allowable, ratio."""
     quantity = f"{check.quantity}, {check.unit}" if check.unit not in ("", "-") else check.quantity
     demand = check.unbounded or check.demand
-    return (governing.named(check, among), quantity, demand, check.capacity, check.ratio)
+    return (governing.procedure_label(check, among), quantity, demand, check.capacity, check.ratio)
 
 
-def _demand(check: Check, among: tuple[Check, ...]) -> tuple[Cell, ...]:
-    rotation = turned(check)
-    accelerations = (uplift(check.uplift_pga_g), check.capacity_pga_g)
-    return (check.level_pga_g, *numbers(check, among), rotation, *accelerations)
+def _demand_row(check: Check, among: tuple[Check, ...]) -> tuple[Cell, ...]:
+    rotation = rotation_cell(check)
+    accelerations = (uplift_cell(check.uplift_pga_g), check.capacity_pga_g)
+    return (check.level_pga_g, *demand_cells(check, among), rotation, *accelerations)
 
 
 def _remark(check: Check) -> str:
     return "; ".join(text for text in (check.damping_rule, check.caveat) if text)
 
 
-def rocking(rotation: float | None) -> Cell:
+def rocking_cell(rotation: float | None) -> Cell:
     return NO_ROCKING if rotation == 0 else rotation
 
 
-def uplift(at: float | None) -> Cell:
+def uplift_cell(at: float | None) -> Cell:
     """Multiplier [-] or PGA [g] at uplift; "none" where a joint answers to any motion: no threshold."""
     return NONE if at is None else at

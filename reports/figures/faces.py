@@ -42,7 +42,7 @@ def normals(corners: FloatArray) -> FloatArray:
     return np.asarray(normal / np.where(length > 0.0, length, 1.0), dtype=np.float64)
 
 
-def drawn_edges(vertices: FloatArray, triangles: IntArray, *, eye: FloatArray, sharp: float) -> BoolArray:
+def visible_edges(vertices: FloatArray, triangles: IntArray, *, eye: FloatArray, sharp: float) -> BoolArray:
     """Which edges [m, 3] of a surface to draw: sharp ones, rims, and those at which it turns away from the eye.
 
     Parameters
@@ -62,18 +62,18 @@ def drawn_edges(vertices: FloatArray, triangles: IntArray, *, eye: FloatArray, s
     return np.asarray(drawn.reshape(-1, 3))
 
 
-def front(faces: Faces, eye: FloatArray) -> Faces:
+def front_faces(faces: Faces, eye: FloatArray) -> Faces:
     """The faces that look towards the eye, a unit vector [3], and are not seen edge-on."""
     which = faces.normals @ eye > EDGE_ON
     return Faces(faces.corners[which], faces.edges[which], faces.owner[which])
 
 
-def farthest_first(corners: FloatArray) -> list[int]:
+def painting_order(corners: FloatArray) -> list[int]:
     """The order in which to draw triangles [m, 3, 3], seen along the third coordinate, so that none hides a nearer one.
 
     Where two cover each other in a ring, the one whose middle is farthest is drawn first.
     """
-    behind, before = covering(corners)
+    behind, before = occluding_pairs(corners)
     covers: dict[int, list[int]] = {}
     for far, near in zip(behind.tolist(), before.tolist(), strict=True):
         covers.setdefault(far, []).append(near)
@@ -97,37 +97,37 @@ def farthest_first(corners: FloatArray) -> list[int]:
     return order
 
 
-def covering(corners: FloatArray) -> tuple[IntArray, IntArray]:
+def occluding_pairs(corners: FloatArray) -> tuple[IntArray, IntArray]:
     """Pairs of triangles [m, 3, 3] seen along the third coordinate: which lies behind [k], and which before it [k]."""
     flat = np.asarray(shapely.polygons(corners[:, :, :2]), dtype=np.object_)
     one, other = shapely.STRtree(flat).query(flat)
     first = one < other
     one, other = one[first], other[first]
     size = float(np.ptp(corners.reshape(-1, 3), axis=0).max())
-    near = ~separated(corners[one, :, :2], corners[other, :, :2], by=-0.5 * BESIDE * size)
+    near = ~are_separated(corners[one, :, :2], corners[other, :, :2], by=-0.5 * BESIDE * size)
     one, other = one[near], other[near]
     common = shapely.intersection(flat[one], flat[other])
     meet = shapely.area(common) > BESIDE * size**2
     one, other = one[meet], other[meet]
     at = shapely.get_coordinates(shapely.centroid(common[meet]))
-    gap = heights(corners[other], at) - heights(corners[one], at)
+    gap = plane_heights(corners[other], at) - plane_heights(corners[one], at)
     apart = np.abs(gap) > BESIDE * size
     one, other, gap = one[apart], other[apart], gap[apart]
     return np.where(gap > 0.0, one, other), np.where(gap > 0.0, other, one)
 
 
-def separated(one: FloatArray, other: FloatArray, *, by: float) -> BoolArray:
+def are_separated(one: FloatArray, other: FloatArray, *, by: float) -> BoolArray:
     """Whether an edge of either of two triangles in a plane [k, 3, 2] lies between them [k].
 
     by : the gap from which on they are; a negative one lets them overlap by that much
     """
-    found = parted(one, other, by=by)
+    found = edge_separates(one, other, by=by)
     rest = ~found
-    found[rest] = parted(other[rest], one[rest], by=by)
+    found[rest] = edge_separates(other[rest], one[rest], by=by)
     return found
 
 
-def parted(these: FloatArray, those: FloatArray, *, by: float) -> BoolArray:
+def edge_separates(these: FloatArray, those: FloatArray, *, by: float) -> BoolArray:
     """Whether an edge of the first of two triangles in a plane [k, 3, 2] lies between them [k], as `separated`."""
     edge = np.roll(these, -1, axis=1) - these
     outward = np.stack([edge[..., 1], -edge[..., 0]], axis=-1)
@@ -137,7 +137,7 @@ def parted(these: FloatArray, those: FloatArray, *, by: float) -> BoolArray:
     return np.asarray((gap > by).any(axis=1))
 
 
-def heights(corners: FloatArray, at: FloatArray) -> FloatArray:
+def plane_heights(corners: FloatArray, at: FloatArray) -> FloatArray:
     """The third coordinate [k] of the planes of triangles [k, 3, 3] at points [k, 2]."""
     normal = normals(corners)
     away = np.einsum("ki,ki->k", normal[:, :2], at - corners[:, 0, :2])

@@ -9,17 +9,17 @@ import numpy as np
 from assess.results import View
 from reports.document import Model, Part, Place, Wire
 from reports.figures.style import BLOCKS, FIXED, INK, NEGATIVE, POSITIVE, STONE_EDGE, label
-from reports.figures.view import BEYOND, RAISED, SHARP, SHARP_IN_SCANS, TURNED, direction, extended
+from reports.figures.view import BEYOND, RAISED, SHARP, SHARP_IN_SCANS, TURNED, direction_arrow, extend_line
 
 
-def of_view(view: View, *, positive: int) -> Model:
+def model_of_view(view: View, *, positive: int) -> Model:
     """The model of a view, the first `positive` of whose axes are those of the positive branch."""
     along, size = np.array(view.direction), float(max(view.size))
-    arrow = direction(np.array(view.vertices), along, size)
+    arrow = direction_arrow(np.array(view.vertices), along, size)
     wires = [Wire(ring, INK, dashed=True) for ring in view.sections]
     for place, axis in enumerate(view.axes):
         colour = POSITIVE if place < positive else NEGATIVE
-        ends = _places(extended(np.array(axis.ends), BEYOND * size))
+        ends = _places(extend_line(np.array(axis.ends), BEYOND * size))
         wires.append(Wire(ends, colour, label(axis.name, 14), dashed=place >= positive))
     wires.append(Wire(_places(arrow), INK, arrow=True))
     sharp = SHARP if len(view.triangles) == view.given else SHARP_IN_SCANS

@@ -9,21 +9,24 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
+from io import BytesIO
 from textwrap import wrap
 from typing import Any
 
 import matplotlib
 from matplotlib.axes import Axes
+from matplotlib.backend_bases import RendererBase
 from matplotlib.figure import Figure
 from matplotlib.legend import Legend
 
 from reports.figures.font import FAMILY, printable
-from reports.figures.legend import settled
+from reports.figures.legend import cache_extents
 from reports.figures.panel import Panel
 from reports.figures.ruler import Canvas
-from reports.language.lettering import abridged, shortened
+from reports.language.lettering import truncate, truncate_middle
 
 WIDTH = 6.7  # of the text on the page [in]
+NOTEBOOK_DPI = 130
 INK, MUTED, GRID, PAPER = "#1b2733", "#6b7680", "#d7dce1", "#f3f5f7"
 PASS, FAIL = "#00694c", "#b3380e"
 BANNER = {"pass": PASS, "fail": FAIL, "incomplete": "#8a6100"}
@@ -100,7 +103,7 @@ def pen(procedure: str) -> Pen:
 
 
 @contextmanager
-def styled() -> Iterator[None]:
+def report_style() -> Iterator[None]:
     """Within it, figures are made and drawn in the report's style."""
     with matplotlib.rc_context(_RC):
         yield
@@ -117,15 +120,26 @@ def bare_sheet(height: float, *, width: float = WIDTH) -> Figure:
 
 
 class _Sheet(Figure):
-    """A figure of panels whose scales are drawn whole."""
+    """A figure of panels whose scales are drawn whole, in the report's style wherever it is drawn."""
 
     def __init__(self, **given: Any) -> None:
         super().__init__(**given)
         Canvas(self)
 
+    def draw(self, renderer: RendererBase) -> None:
+        """Lay the figure out and draw it."""
+        with report_style():
+            super().draw(renderer)
+
+    def _repr_png_(self) -> bytes:
+        """Show the figure in a notebook."""
+        file = BytesIO()
+        self.savefig(file, format="png", dpi=NOTEBOOK_DPI)
+        return file.getvalue()
+
     def legend(self, *given: Any, **named: Any) -> Legend:
         """A legend whose boxes are measured once."""
-        return settled(super().legend(*given, **named))
+        return cache_extents(super().legend(*given, **named))
 
     def add_subplot(self, *place: Any, **given: Any) -> Axes:
         """A panel, unless another projection is asked for."""
@@ -149,14 +163,14 @@ def legend_above(axes: Axes, *, columns: int) -> None:
 
 def label(text: str, limit: int = 40) -> str:
     """User text as it may stand in a figure: printable, and no longer than `limit` characters."""
-    return shortened(printable(text), limit)
+    return truncate(printable(text), limit)
 
 
 def record_label(text: str, limit: int) -> str:
     """The name of a record as it may stand in a figure, with its beginning and its end."""
-    return abridged(printable(text), limit)
+    return truncate_middle(printable(text), limit)
 
 
-def folded(text: str, *, width: int, lines: int = 2) -> str:
+def fold(text: str, *, width: int, lines: int = 2) -> str:
     """User text as a label of several lines of at most `width` characters."""
     return "\n".join(wrap(printable(text), width, max_lines=lines, placeholder="…"))

@@ -15,7 +15,7 @@ from matplotlib.text import Text
 from matplotlib.ticker import Formatter, Locator
 
 from reports.document import Document, Figure, Section
-from reports.figures.style import styled
+from reports.figures.style import report_style
 from reports.language.customary import Customary, customary
 
 _LABELLED = re.compile(r"\[([^\[\]]+)\](?=\s*$)")
@@ -36,7 +36,7 @@ def _section(section: Section) -> Section:
 
 def _drawn(draw: Callable[[], Drawn]) -> Drawn:
     figure = draw()
-    with styled():
+    with report_style():
         convert(figure)
     return figure
 

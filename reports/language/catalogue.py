@@ -59,14 +59,14 @@ def catalogue(language: str) -> Catalogue:
     path = FOLDER / f"{language}.toml"
     if language not in languages()[1:]:
         raise ValueError(f'report.language: "{language}" has no catalogue; known are {", ".join(languages())}')
-    return parsed(tomllib.loads(path.read_text(encoding="utf-8")), language=language)
+    return parse_catalogue(tomllib.loads(path.read_text(encoding="utf-8")), language=language)
 
 
-def parsed(content: Mapping[str, Any], *, language: str) -> Catalogue:
+def parse_catalogue(content: Mapping[str, Any], *, language: str) -> Catalogue:
     """The catalogue of a parsed file. Raises ValueError where a sentence stands in it twice, or its gaps differ."""
-    phrases = _united([*content["phrases"].values()])
-    sentences = _united([content["furniture"], *content["sentences"].values()])
-    pairs = _united([sentences, phrases])
+    phrases = _merge([*content["phrases"].values()])
+    sentences = _merge([content["furniture"], *content["sentences"].values()])
+    pairs = _merge([sentences, phrases])
     by_word: dict[str, list[Template]] = {}
     for one in filter(has_gaps, sentences):
         made = template(one, sentences[one])
@@ -83,7 +83,7 @@ def parsed(content: Mapping[str, Any], *, language: str) -> Catalogue:
     )
 
 
-def _united(tables: list[dict[str, str]]) -> dict[str, str]:
+def _merge(tables: list[dict[str, str]]) -> dict[str, str]:
     found: dict[str, str] = {}
     for one, other in (pair for table in tables for pair in table.items()):
         if found.setdefault(one, other) != other:

@@ -32,7 +32,7 @@ from reports.document import (
 Say = Callable[[str], str]
 
 
-def reworded(document: Document, say: Say) -> Document:
+def map_texts(document: Document, say: Say) -> Document:
     """The document with `say` applied to each of its texts, figures when they are drawn.
 
     Left as they are: the author, code, names of tables and files, verdicts, and what was given without a unit.

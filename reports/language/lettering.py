@@ -15,12 +15,12 @@ def visible(text: str) -> str:
     return "".join(character_code(mark) if unicodedata.category(mark) in _HIDDEN else mark for mark in spaced)
 
 
-def shortened(text: str, limit: int) -> str:
+def truncate(text: str, limit: int) -> str:
     """`text`, cut to `limit` characters with an ellipsis at the end where it is longer."""
     return text if len(text) <= limit else text[: limit - 1].rstrip() + "…"
 
 
-def abridged(text: str, limit: int) -> str:
+def truncate_middle(text: str, limit: int) -> str:
     """`text`, cut in the middle to `limit` characters where it is longer: names of components differ at their ends."""
     kept = limit - 1
     return text if len(text) <= limit else f"{text[: kept // 2].rstrip()}…{text[-(kept - kept // 2) :].lstrip()}"

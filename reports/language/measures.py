@@ -16,8 +16,8 @@ from typing import Literal
 
 from reports.document import Document
 from reports.language.customary import customary
-from reports.language.document_texts import reworded
-from reports.language.numerals import given, numeral
+from reports.language.document_texts import map_texts
+from reports.language.numerals import as_given, numeral
 
 Units = Literal["SI", "US"]
 Style = Literal["plain", "aligned", "round", "typed"]
@@ -28,7 +28,7 @@ _CUT = re.compile(rf"{_OPEN}\w*(?=…)")
 _IN_SI: Mapping[str, Callable[[float, int], str]] = {
     "plain": lambda value, figures: f"{value:.{figures}g}",
     "aligned": lambda value, figures: numeral(value, digits=figures),
-    "round": lambda value, figures: given(float(f"{value:.{figures}g}")),
+    "round": lambda value, figures: as_given(float(f"{value:.{figures}g}")),
     "typed": lambda value, figures: json.dumps(int(value) if value.is_integer() and abs(value) < 1e15 else value),
 }
 """How a number is written in SI, by style: 4.77, 4.770, 4770, and to its last digit; in US units it is aligned, or
@@ -57,10 +57,10 @@ def unit_word(unit: str) -> str:
     return unit if customary(unit) is None else f"{_OPEN}_{unit.encode().hex()}{_CLOSE}"
 
 
-def typed(value: object, unit: str) -> str:
+def as_typed(value: object, unit: str) -> str:
     """A number, or lists of numbers, as a project file gives them, without the unit."""
     if isinstance(value, list | tuple):
-        return f"[{', '.join(typed(each, unit) for each in value)}]"
+        return f"[{', '.join(as_typed(each, unit) for each in value)}]"
     if isinstance(value, bool) or not isinstance(value, int | float):
         return json.dumps(value, ensure_ascii=False, default=str)
     digits = len(re.sub(r"\D", "", json.dumps(value).partition("e")[0]).lstrip("0"))
@@ -69,17 +69,17 @@ def typed(value: object, unit: str) -> str:
 
 def in_units(document: Document, units: Units) -> Document:
     """The document with the numbers of its texts in these units."""
-    return reworded(document, partial(written, units=units))
+    return map_texts(document, partial(render_measures, units=units))
 
 
-def written(text: str, *, units: Units) -> str:
+def render_measures(text: str, *, units: Units) -> str:
     """A text with its numbers and units as they are read."""
     if _OPEN not in text:
         return text
-    return _CUT.sub("", _WORD.sub(partial(_written, units=units), text))
+    return _CUT.sub("", _WORD.sub(partial(_render_measure, units=units), text))
 
 
-def _written(found: re.Match[str], *, units: Units) -> str:
+def _render_measure(found: re.Match[str], *, units: Units) -> str:
     """One number or unit in words."""
     packed, unit, figures, style = found.groups()
     name = bytes.fromhex(unit).decode()
@@ -90,5 +90,5 @@ def _written(found: re.Match[str], *, units: Units) -> str:
     if other is None:
         return _IN_SI[style](value, int(figures))
     if style == "typed":
-        return given(float(f"{value * other.factor:.{figures}g}"))
+        return as_given(float(f"{value * other.factor:.{figures}g}"))
     return numeral(value * other.factor, digits=int(figures))

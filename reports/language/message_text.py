@@ -8,7 +8,7 @@ from reports.language.customary import customary
 from reports.language.measures import measure
 
 
-def said(message: Message | str) -> str:
+def message_text(message: Message | str) -> str:
     """The English sentence of a message with its numbers whole; a text as it is."""
     if isinstance(message, str):
         return message
@@ -16,10 +16,13 @@ def said(message: Message | str) -> str:
     if template is None or template.format(**message.values) != message.text:  # told by another version
         return message.text
     return template.format(
-        **{name: _of(value) if isinstance(value, Quantity) else value for name, value in message.values.items()}
+        **{
+            name: _quantity_text(value) if isinstance(value, Quantity) else value
+            for name, value in message.values.items()
+        }
     )
 
 
-def _of(quantity: Quantity) -> str:
+def _quantity_text(quantity: Quantity) -> str:
     unit = UNITS[quantity.dimension]
     return str(quantity) if customary(unit) is None else measure(quantity.value, unit, figures=quantity.figures)

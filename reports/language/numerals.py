@@ -33,17 +33,17 @@ def decimals(value: float, *, figures: int) -> int | None:
     return max(0, figures - 1 - exponent) if -3 <= exponent < 5 else None
 
 
-def given(value: float) -> str:
+def as_given(value: float) -> str:
     """`value` with the figures it was given with, at most ten."""
     return f"{value:.10g}".replace("-", "−")
 
 
-def bounded(value: float | None, bound: str) -> float | str | None:
+def with_bound(value: float | None, bound: str) -> float | str | None:
     """`value` where it is known, else that it is no more, or no less: "≤ 30", "≥ 2475"."""
-    return value if value is None or not bound else f"{SIGNS[bound]} {given(value)}"
+    return value if value is None or not bound else f"{SIGNS[bound]} {as_given(value)}"
 
 
-def outcome(value: float | str | None, unit: str, beside: tuple[float, str] | None = None) -> str:
+def step_result(value: float | str | None, unit: str, beside: tuple[float, str] | None = None) -> str:
     """What a step of a calculation came to, with its unit, 1.234 m (4.049 ft); a dash where there is no value."""
     if value is None:
         return "—"
@@ -53,10 +53,10 @@ def outcome(value: float | str | None, unit: str, beside: tuple[float, str] | No
 
 
 def _result(value: float) -> str:
-    return given(value) if float(value).is_integer() and abs(value) < 1e5 else numeral(value)
+    return as_given(value) if float(value).is_integer() and abs(value) < 1e5 else numeral(value)
 
 
-def shown(cell: Cell, kind: Kind) -> str:
+def cell_text(cell: Cell, kind: Kind) -> str:
     """The text of a cell; a dash where there is no value."""
     if cell is None or cell == "":
         return "—"
@@ -65,7 +65,7 @@ def shown(cell: Cell, kind: Kind) -> str:
     if isinstance(cell, int):
         return str(cell)
     if isinstance(cell, float):
-        return given(cell) if kind == "given" else numeral(cell)
+        return as_given(cell) if kind == "given" else numeral(cell)
     return cell
 
 

@@ -73,11 +73,11 @@ def corners(parameters: Mapping[str, float | str]) -> tuple[float, ...]:
     return tuple(period for period in found if isinstance(period, float))
 
 
-def named(parameters: Mapping[str, float | str]) -> tuple[tuple[str, str, float | str], ...]:
+def parameter_rows(parameters: Mapping[str, float | str]) -> tuple[tuple[str, str, float | str], ...]:
     """Name, unit and value of each parameter; one that is not known here keeps the name it has."""
-    return tuple(_named(*NAMES.get(key, (key, "-")), value) for key, value in parameters.items())
+    return tuple(_parameter_row(*NAMES.get(key, (key, "-")), value) for key, value in parameters.items())
 
 
-def _named(name: str, unit: str, value: float | str) -> tuple[str, str, float | str]:
+def _parameter_row(name: str, unit: str, value: float | str) -> tuple[str, str, float | str]:
     """A parameter in the unit that it is shown in: results hold accelerations in m/s2."""
     return name, unit, value / g if unit == ACCELERATION and not isinstance(value, str) else value

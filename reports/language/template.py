@@ -63,7 +63,7 @@ class Template:
         rest = place + len(middle)
         return {self.gaps[0]: text[start:place], self.gaps[1]: text[rest:stop]} if place >= 0 and rest < stop else None
 
-    def filled(self, parts: dict[int, str]) -> str:
+    def fill(self, parts: dict[int, str]) -> str:
         """The sentence of the other language with its gaps filled."""
         return _GAP.sub(lambda gap: parts[int(gap[1])], self.other)
 

@@ -13,7 +13,7 @@ from textwrap import fill
 
 from reports.document import Document
 from reports.language.catalogue import ENGLISH, Catalogue, catalogue
-from reports.language.document_texts import reworded
+from reports.language.document_texts import map_texts
 from reports.language.template import Template, words
 from reports.language.verbatim import Masks, is_mark, masks
 
@@ -23,15 +23,15 @@ _LONGER = 4  # letters by which a line of a figure may grow
 _STOP = re.compile(r"[.:]”? ")
 
 
-def translated(document: Document) -> Document:
+def translate_document(document: Document) -> Document:
     """The document in its language; itself where that is English."""
     if document.language == ENGLISH:
         return document
-    say = partial(_said, document.language, document.verbatim)
-    return replace(reworded(document, say), words=catalogue(document.language).furniture)
+    say = partial(_translate, document.language, document.verbatim)
+    return replace(map_texts(document, say), words=catalogue(document.language).furniture)
 
 
-def _bracketed(gaps: dict[int, str]) -> bool:
+def _keeps_brackets(gaps: dict[int, str]) -> bool:
     """Whether no gap closes a bracket that opens before it, as "7) and b (2 of 7" in a list of "a (2 of 7)"."""
     return all(_closed(part) for part in gaps.values())
 
@@ -41,17 +41,17 @@ def _closed(text: str) -> bool:
     return min(depths, default=0) >= 0
 
 
-def _said(language: str, verbatim: frozenset[str], text: str) -> str:
+def _translate(language: str, verbatim: frozenset[str], text: str) -> str:
     """A text in the language; what says it need not travel with the figures, which other processes draw."""
-    return _speech(language, verbatim).said(text)
+    return _translator(language, verbatim).translate(text)
 
 
 @lru_cache(maxsize=2)
-def _speech(language: str, verbatim: frozenset[str]) -> Speech:
-    return Speech(catalogue(language), verbatim)
+def _translator(language: str, verbatim: frozenset[str]) -> Translator:
+    return Translator(catalogue(language), verbatim)
 
 
-class Speech:
+class Translator:
     """One language for one document, with what has been looked up in it. unknown : what no entry fits."""
 
     def __init__(self, known: Catalogue, verbatim: frozenset[str]) -> None:
@@ -61,7 +61,7 @@ class Speech:
         self.parts: dict[str, str | None] = {}
         self.unknown: dict[str, None] = {}
 
-    def said(self, text: str) -> str:
+    def translate(self, text: str) -> str:
         """The text in the language, or in English where no entry fits."""
         if text not in self.texts:
             own = text.strip() in self.verbatim
@@ -76,7 +76,7 @@ class Speech:
         for each in self.catalogue.candidates(text):
             gaps = each.match(text)
             if gaps is not None:
-                return each.filled({gap: self._best(part) for gap, part in gaps.items()})
+                return each.fill({gap: self._best(part) for gap, part in gaps.items()})
         self.unknown[text] = None
         return text
 
@@ -98,15 +98,15 @@ class Speech:
         if lines is not None:
             return lines
         pairs = (*self.catalogue.candidates(text), *self.catalogue.phrases)
-        found = next((said for each in pairs if (said := self._filled(each, text)) is not None), None)
+        found = next((filled for each in pairs if (filled := self._filled(each, text)) is not None), None)
         return self._paragraph(text) if found is None else found
 
     def _filled(self, each: Template, text: str) -> str | None:
         """The translation of a template that fits, where its gaps are known and each keeps its own brackets."""
-        for gaps in filter(_bracketed, each.matches(text)):
-            said = {gap: found for gap, part in gaps.items() if (found := self._whole(part)) is not None}
-            if len(said) == len(gaps):
-                return each.filled(said)
+        for gaps in filter(_keeps_brackets, each.matches(text)):
+            parts = {gap: found for gap, part in gaps.items() if (found := self._whole(part)) is not None}
+            if len(parts) == len(gaps):
+                return each.fill(parts)
         return None
 
     def _lines(self, text: str) -> str | None:

@@ -18,7 +18,7 @@ from reportlab.pdfgen.canvas import Canvas
 from reportlab.pdfgen.textobject import PDFTextObject
 
 from reports.figures.font import printable
-from reports.language.formula import parts
+from reports.language.formula import split_formula
 from reports.render.typeset import STYLES
 
 _SHRUNK = 0.05  # of a space, by which each space of a line may be too wide: where reportlab breaks lines
@@ -63,16 +63,16 @@ class Cell:
         """Height of all lines."""
         return self.leading * len(self.lines)
 
-    def placed(self, x: float, top: float) -> Iterator[tuple[Word, float, float]]:
+    def place_lines(self, x: float, top: float) -> Iterator[tuple[Word, float, float]]:
         """Each line, and where it begins if the cell's upper left corner stands at (x, top)."""
         for place, line in enumerate(self.lines):
             indent = self.width - line.width if self.right else 0.0
             yield line, x + indent, top - self.size - place * self.leading
 
 
-def plain(text: str, style: str, *, width: float) -> Cell:
+def plain_cell(text: str, style: str, *, width: float) -> Cell:
     """A cell of plain text in one of STYLES."""
-    return cell([written(text, style)], style, width=width)
+    return cell([text_pieces(text, style)], style, width=width)
 
 
 def cell(paragraphs: Iterable[Sequence[Piece]], style: str, *, width: float) -> Cell:
@@ -82,24 +82,24 @@ def cell(paragraphs: Iterable[Sequence[Piece]], style: str, *, width: float) -> 
     return Cell(lines, width, of.fontSize, of.leading, of.alignment == TA_RIGHT)
 
 
-def written(text: str, style: str) -> list[Piece]:
+def text_pieces(text: str, style: str) -> list[Piece]:
     """Plain text in one of STYLES."""
     return [(_spaced(text), _look(style))]
 
 
-def formula(text: str) -> list[Piece]:
+def formula_pieces(text: str) -> list[Piece]:
     """Plain text of which indices are lowered and powers raised."""
     base = _look("cell")
     index, power = (Look(base.font, _SIZE_OF_INDEX, base.colour, rise) for rise in (_LOWERED, _RAISED))
     looks = {"": base, "index": index, "power": power}
-    return [(part, looks[kind]) for part, kind in parts(_spaced(text))]
+    return [(part, looks[kind]) for part, kind in split_formula(_spaced(text))]
 
 
-def ink(canvas: Canvas, cells: Iterable[tuple[Cell, float, float]]) -> None:
+def draw_cells(canvas: Canvas, cells: Iterable[tuple[Cell, float, float]]) -> None:
     """Draw cells by their upper left corners, as one text: each cell, x, top."""
     text, last = canvas.beginText(), None
     for cell, left, top in cells:
-        for line, x, y in cell.placed(left, top):
+        for line, x, y in cell.place_lines(left, top):
             text.setTextOrigin(x, y)
             for letters, look in line.pieces:
                 _change(text, look, last)

@@ -9,8 +9,8 @@ from reportlab.pdfgen.canvas import Canvas
 from reportlab.platypus import Flowable
 
 from reports.figures.style import INK, MUTED
-from reports.render.cells import ink, plain
-from reports.render.page import Heading, LateCanvas
+from reports.render.cells import draw_cells, plain_cell
+from reports.render.page import DeferredCanvas, Heading
 from reports.render.typeset import STYLES, width_of
 
 LONGEST = 48  # sections; of a longer report only the chapters are listed, the bookmarks have all
@@ -28,14 +28,14 @@ class Entry(Flowable):
         self.style, self.indent = _STYLES[heading.level], _INDENTS[heading.level]
 
     def wrap(self, aW: float, aH: float) -> tuple[float, float]:
-        self.cell = plain(self.heading.short, self.style, width=aW - self.indent - _FOR_NUMBER)
+        self.cell = plain_cell(self.heading.short, self.style, width=aW - self.indent - _FOR_NUMBER)
         self.width, self.height = aW, self.cell.height + _ABOVE
         return self.width, self.height
 
     def draw(self) -> None:
         canvas = self.canv
-        assert isinstance(canvas, LateCanvas)  # the only one that write_pdf makes
-        ink(canvas, [(self.cell, self.indent, self.cell.height)])
+        assert isinstance(canvas, DeferredCanvas)  # the only one that write_pdf makes
+        draw_cells(canvas, [(self.cell, self.indent, self.cell.height)])
         canvas.linkRect("", self.heading.key, (0.0, 0.0, self.width, self.cell.height), relative=1)
         canvas.later(f"page-of-{self.heading.key}", self._number)
 

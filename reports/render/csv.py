@@ -9,9 +9,9 @@ from pathlib import Path
 
 from reports.document import STAMP, Cell, Document, Table
 from reports.language.lettering import visible
-from reports.language.outcome_words import worded
+from reports.language.outcome_words import spell_out_table
 from reports.render.sheet_table import as_table
-from spectra.formulas import harmless
+from spectra.formulas import harmless_cell
 
 
 def write_csv(document: Document, folder: Path) -> tuple[Path, ...]:
@@ -19,8 +19,10 @@ def write_csv(document: Document, folder: Path) -> tuple[Path, ...]:
 
     The last column is the stamp of the results: a row that is copied elsewhere takes it along.
     """
-    everything = (*document.tables, *(as_table(sheet, said=document.said) for sheet in document.sheets))
-    return tuple(_write(worded(table, document.said), folder, stamp=document.stamp) for table in everything)
+    everything = (*document.tables, *(as_table(sheet, translate=document.translate) for sheet in document.sheets))
+    return tuple(
+        _write(spell_out_table(table, document.translate), folder, stamp=document.stamp) for table in everything
+    )
 
 
 def field(cell: Cell) -> str:
@@ -31,7 +33,7 @@ def field(cell: Cell) -> str:
         return "true" if cell else "false"
     if isinstance(cell, int | float):
         return repr(float(cell)) if isinstance(cell, float) else repr(cell)
-    return harmless(cell, shown=visible(cell))
+    return harmless_cell(cell, shown=visible(cell))
 
 
 def csv_lines(rows: Iterable[Iterable[Cell]]) -> str:

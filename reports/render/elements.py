@@ -25,10 +25,10 @@ from reports.document import (
     Table,
     Text,
 )
-from reports.language.formula import marked
+from reports.language.formula import mark_up
 from reports.language.lettering import visible
-from reports.language.numerals import outcome, shown
-from reports.language.outcome_words import coloured, in_words
+from reports.language.numerals import cell_text, step_result
+from reports.language.outcome_words import outcome_colour, spell_out
 from reports.render.svg import Picture
 
 _LONG = 400  # characters
@@ -43,7 +43,7 @@ class Elements:
     """Makes an element of each block of a document."""
 
     def __init__(self, document: Document, pictures: Mapping[str, Picture]) -> None:
-        self.titles, self.pictures, self.said = document.titles, pictures, document.said
+        self.titles, self.pictures, self.translate = document.titles, pictures, document.translate
 
     @singledispatchmethod
     def of(self, block: Block) -> str:
@@ -60,7 +60,7 @@ class Elements:
 
     @of.register
     def _(self, block: Banner) -> str:
-        word, headline = markup(self.said(block.word)), markup(block.headline)
+        word, headline = markup(self.translate(block.word)), markup(block.headline)
         return f'<p class="banner {block.verdict}"><strong>{word}</strong> <span>{headline}</span></p>'
 
     @of.register
@@ -71,13 +71,14 @@ class Elements:
     def _(self, block: Table) -> str:
         heads = [_head(column.heading, _kind(column)) for column in block.columns]
         rows = [
-            _row(row, block.columns, muted=place in block.muted, said=self.said) for place, row in enumerate(block.rows)
+            _row(row, block.columns, muted=place in block.muted, translate=self.translate)
+            for place, row in enumerate(block.rows)
         ]
         return _wide("sortable", self.titles["Table", block.name], block.caption, heads, rows)
 
     @of.register
     def _(self, block: Sheet) -> str:
-        heads = [_head(text, "") for text in map(self.said, SHEET_HEADS)]
+        heads = [_head(text, "") for text in map(self.translate, SHEET_HEADS)]
         return _wide("sheet", self.titles["Sheet", block.name], block.caption, heads, map(_step, block.lines))
 
     @of.register
@@ -93,7 +94,7 @@ class Elements:
 
     @of.register
     def _(self, block: Signatures) -> str:
-        heads = "".join(f'<th scope="col">{markup(text)}</th>' for text in map(self.said, SIGNATURE_HEADS))
+        heads = "".join(f'<th scope="col">{markup(text)}</th>' for text in map(self.translate, SIGNATURE_HEADS))
         rows = "".join(
             f'<tr><th scope="row">{markup(role)}</th><td>{markup(name)}</td><td></td><td></td></tr>'
             for role, name in block.places
@@ -121,18 +122,18 @@ def _head(text: str, kind: str) -> str:
     return f'<th scope="col"{_classes(kind)}>{markup(text)}</th>'
 
 
-def _row(row: tuple[Cell, ...], columns: tuple[Column, ...], *, muted: bool, said: Callable[[str], str]) -> str:
-    cells = "".join(_cell(cell, column, said) for cell, column in zip(row, columns, strict=True))
+def _row(row: tuple[Cell, ...], columns: tuple[Column, ...], *, muted: bool, translate: Callable[[str], str]) -> str:
+    cells = "".join(_cell(cell, column, translate) for cell, column in zip(row, columns, strict=True))
     return f"<tr{_classes('muted' if muted else '')}>{cells}</tr>\n"
 
 
-def _cell(cell: Cell, column: Column, said: Callable[[str], str]) -> str:
+def _cell(cell: Cell, column: Column, translate: Callable[[str], str]) -> str:
     """One cell; a number carries its value to the last figure, to be sorted by."""
     number = isinstance(cell, int | float) and not isinstance(cell, bool)
     empty = "empty" if cell is None or cell == "" else ""
     value = f' data-value="{cell!r}"' if number else ""
-    text = shown(in_words(cell, column, said), column.kind)
-    return f"<td{_classes(_kind(column), coloured(cell, column), empty)}{value}>{_whole(text)}</td>"
+    text = cell_text(spell_out(cell, column, translate), column.kind)
+    return f"<td{_classes(_kind(column), outcome_colour(cell, column), empty)}{value}>{_whole(text)}</td>"
 
 
 def _whole(text: str) -> str:
@@ -147,7 +148,7 @@ def _kind(column: Column) -> str:
 def _step(line: Line) -> str:
     clause = f'<span class="clause">{markup(line.clause)}</span>' if line.clause else ""
     numbers = f'<span class="numbers">= {_formula(line.substituted)}</span>' if line.substituted else ""
-    value = markup(outcome(line.value, line.unit, line.beside))
+    value = markup(step_result(line.value, line.unit, line.beside))
     return (
         f'<tr><th scope="row">{_formula(line.symbol)}</th><td>{_formula(line.description)}{clause}</td>'
         f"<td>{_formula(line.formula)}{numbers}</td><td>{value}</td></tr>\n"
@@ -155,7 +156,7 @@ def _step(line: Line) -> str:
 
 
 def _formula(text: str) -> str:
-    return marked(markup(text), index=("<sub>", "</sub>"), power=("<sup>", "</sup>"))
+    return mark_up(markup(text), index=("<sub>", "</sub>"), power=("<sup>", "</sup>"))
 
 
 def _data(model: Model) -> str:

@@ -8,23 +8,23 @@ from pathlib import Path
 from matplotlib.figure import Figure
 
 from assess.outputs.single import write_file
-from reports.figures.style import styled
+from reports.figures.style import report_style
 from reports.render.png import write_png
 from reports.render.svg import picture, write_svg
-from reports.render.vector import trace
+from reports.render.vector import trace_figure
 
 
 def _svg(figure: Figure, path: Path, creator: str) -> None:
-    write_svg(picture(trace(figure)), path, creator=creator)
+    write_svg(picture(trace_figure(figure)), path, creator=creator)
 
 
 def _pdf(figure: Figure, path: Path, creator: str) -> None:
-    with styled():
+    with report_style():
         figure.savefig(path, format="pdf", metadata={"Creator": creator, "CreationDate": None})
 
 
 def _png(figure: Figure, path: Path, creator: str) -> None:
-    write_png(trace(figure), path, creator=creator)
+    write_png(trace_figure(figure), path, creator=creator)
 
 
 WRITERS: Mapping[str, Callable[[Figure, Path, str], None]] = {".svg": _svg, ".pdf": _pdf, ".png": _png}

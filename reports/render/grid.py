@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from reports.document import SHEET_HEADS, Cell, Column, Line, Sheet, Table
-from reports.language.lettering import shortened
-from reports.language.numerals import outcome, shown
-from reports.language.outcome_words import coloured, in_words
+from reports.language.lettering import truncate
+from reports.language.numerals import cell_text, step_result
+from reports.language.outcome_words import outcome_colour, spell_out
 from reports.render.cells import Cell as Set
-from reports.render.cells import Piece, cell, formula, plain, written
-from reports.render.ruled_table import PADDING, Row, Ruled, ruled
+from reports.render.cells import Piece, cell, formula_pieces, plain_cell, text_pieces
+from reports.render.ruled_table import PADDING, Row, RuledTable, ruled_table
 from reports.render.typeset import SMALL, paragraph, width_of
 
 LONGEST = 400  # characters in a cell; the whole text stands in the CSV file and the spreadsheet
@@ -19,33 +19,35 @@ _NARROW, _WIDE = 112.0, 240.0
 _SHARES = (0.13, 0.35, 0.35, 0.17)
 
 
-def table_grid(table: Table, *, title: str, width: float, said: Callable[[str], str] = str) -> Ruled:
+def table_grid(table: Table, *, title: str, width: float, translate: Callable[[str], str] = str) -> RuledTable:
     """A table under its caption, `width` [pt] wide or as narrow as its text; caption and head repeat on each page.
 
-    said : how verdicts, yes and no are said in the language of the document
+    translate : gives verdicts, yes and no in the language of the document
     """
-    texts = [[_text(cell, column, said) for cell, column in zip(row, table.columns, strict=True)] for row in table.rows]
+    texts = [
+        [_text(cell, column, translate) for cell, column in zip(row, table.columns, strict=True)] for row in table.rows
+    ]
     size = "" if sum(least_widths(table.columns, texts)) <= width else SMALL
     widths = column_widths(table.columns, texts, width, size=size)
     body = [
         [
-            plain(text, _style(raw, column, muted=place in table.muted) + size, width=wide - PADDING)
+            plain_cell(text, _style(raw, column, muted=place in table.muted) + size, width=wide - PADDING)
             for raw, text, column, wide in zip(row, line, table.columns, widths, strict=True)
         ]
         for place, (row, line) in enumerate(zip(table.rows, texts, strict=True))
     ]
     head = [
-        plain(c.heading, f"head-number{size}" if c.kind == "number" else f"head{size}", width=wide - PADDING)
+        plain_cell(c.heading, f"head-number{size}" if c.kind == "number" else f"head{size}", width=wide - PADDING)
         for c, wide in zip(table.columns, widths, strict=True)
     ]
     return _grid(f"{title}. {table.caption}", head, body, widths)
 
 
-def sheet_grid(sheet: Sheet, *, title: str, width: float, said: Callable[[str], str] = str) -> Ruled:
+def sheet_grid(sheet: Sheet, *, title: str, width: float, translate: Callable[[str], str] = str) -> RuledTable:
     """A calculation sheet: symbol; meaning and clause; formula and numbers; value and unit."""
     widths = [share * width for share in _SHARES]
     rooms = [wide - PADDING for wide in widths]
-    head = [plain(said(text), "head", width=room) for text, room in zip(SHEET_HEADS, rooms, strict=True)]
+    head = [plain_cell(translate(text), "head", width=room) for text, room in zip(SHEET_HEADS, rooms, strict=True)]
     return _grid(f"{title}. {sheet.caption}", head, [_step(line, rooms) for line in sheet.lines], widths)
 
 
@@ -91,12 +93,12 @@ def _cap(widths: list[float], total: float) -> float:
     return max(widths)
 
 
-def _grid(caption: str, head: Row, rows: Sequence[Row], widths: list[float]) -> Ruled:
-    return ruled(paragraph(shortened(caption, LONGEST), "caption"), head, rows, widths=widths)
+def _grid(caption: str, head: Row, rows: Sequence[Row], widths: list[float]) -> RuledTable:
+    return ruled_table(paragraph(truncate(caption, LONGEST), "caption"), head, rows, widths=widths)
 
 
-def _text(cell: Cell, column: Column, said: Callable[[str], str]) -> str:
-    return shortened(shown(in_words(cell, column, said), column.kind), LONGEST)
+def _text(cell: Cell, column: Column, translate: Callable[[str], str]) -> str:
+    return truncate(cell_text(spell_out(cell, column, translate), column.kind), LONGEST)
 
 
 def _style(raw: Cell, column: Column, *, muted: bool) -> str:
@@ -104,7 +106,7 @@ def _style(raw: Cell, column: Column, *, muted: bool) -> str:
     right = column.kind == "number"
     if muted:
         return "muted-number" if right else "muted"
-    return coloured(raw, column) or ("number" if right else "cell")
+    return outcome_colour(raw, column) or ("number" if right else "cell")
 
 
 def _step(line: Line, rooms: list[float]) -> list[Set]:
@@ -112,13 +114,13 @@ def _step(line: Line, rooms: list[float]) -> list[Set]:
     what, how = [_formula(line.description)], [_formula(line.formula)]
     what += [_written(line.clause, "muted")] if line.clause else []
     how += [_formula(f"= {line.substituted}")] if line.substituted else []
-    columns = ([_formula(line.symbol)], what, how, [_written(outcome(line.value, line.unit, line.beside), "cell")])
+    columns = ([_formula(line.symbol)], what, how, [_written(step_result(line.value, line.unit, line.beside), "cell")])
     return [cell(column, "cell", width=room) for column, room in zip(columns, rooms, strict=True)]
 
 
 def _formula(text: str) -> list[Piece]:
-    return formula(shortened(text, _LONGEST_STEP))
+    return formula_pieces(truncate(text, _LONGEST_STEP))
 
 
 def _written(text: str, style: str) -> list[Piece]:
-    return written(shortened(text, _LONGEST_STEP), style)
+    return text_pieces(truncate(text, _LONGEST_STEP), style)

@@ -14,7 +14,7 @@ from pathlib import Path
 from string import Template
 
 from reports.document import Document, Section
-from reports.language.lettering import shortened
+from reports.language.lettering import truncate
 from reports.render.elements import Elements, markup
 from reports.render.svg import Picture
 
@@ -39,13 +39,13 @@ _LONGEST_TITLE, _LONGEST_HEADING = 120, 180
 def write_html(document: Document, path: Path, *, pictures: Mapping[str, Picture]) -> Path:
     """Write the document to `path`; the path written. pictures: its figures by name."""
     elements = Elements(document, pictures)
-    style, script = part("report.css"), "\n".join(map(part, SCRIPTS))
-    page = Template(part("page.html")).substitute(
+    style, script = resource("report.css"), "\n".join(map(resource, SCRIPTS))
+    page = Template(resource("page.html")).substitute(
         language=markup(document.language),
-        **{name: markup(document.said(text)) for name, text in FRAME.items()},
+        **{name: markup(document.translate(text)) for name, text in FRAME.items()},
         policy=policy(style=style, script=script),
         program=markup(document.origin),
-        title=markup(shortened(document.title, _LONGEST_TITLE)),
+        title=markup(truncate(document.title, _LONGEST_TITLE)),
         subject=markup(document.subject),
         style=style,
         script=script,
@@ -65,7 +65,7 @@ def policy(*, style: str, script: str) -> str:
 
 
 @cache
-def part(name: str) -> str:
+def resource(name: str) -> str:
     """A file of reports/web."""
     return files("reports.render").joinpath("web", name).read_text(encoding="utf-8")
 
@@ -102,4 +102,4 @@ def _section(section: Section, place: int, elements: Elements) -> str:
 
 
 def _title(section: Section) -> str:
-    return markup(shortened(section.title, _LONGEST_HEADING))
+    return markup(truncate(section.title, _LONGEST_HEADING))

@@ -15,7 +15,7 @@ from reportlab.platypus import BaseDocTemplate, Flowable, Frame, PageTemplate
 from reports.document import Document
 from reports.figures.font import printable
 from reports.figures.style import GRID, MUTED
-from reports.language.lettering import shortened
+from reports.language.lettering import truncate
 from reports.render.typeset import REGULAR, STYLES, paragraph
 
 PAPER = {"A4": A4, "letter": LETTER}
@@ -24,7 +24,7 @@ PAGE = "page {page} of {total}"
 _LONGEST_ENTRY = 90
 
 
-class LateCanvas(Canvas):
+class DeferredCanvas(Canvas):
     """A canvas on which room is left for what is known only when all pages are there: one pass over them is enough."""
 
     def __init__(self, *given: Any, **named: Any) -> None:
@@ -50,13 +50,13 @@ class Heading(Flowable):
 
     def __init__(self, text: str, *, level: int, key: str) -> None:
         super().__init__()
-        self.text, self.level, self.key = shortened(text, 2 * _LONGEST_ENTRY), level, key
+        self.text, self.level, self.key = truncate(text, 2 * _LONGEST_ENTRY), level, key
         self._shape = paragraph(self.text, f"heading-{level}")
 
     @property
     def short(self) -> str:
         """The text as contents and bookmarks have it."""
-        return shortened(printable(self.text), _LONGEST_ENTRY)
+        return truncate(printable(self.text), _LONGEST_ENTRY)
 
     def getSpaceBefore(self) -> float:  # noqa: N802 - reportlab's name
         return float(STYLES[f"heading-{self.level}"].spaceBefore)
@@ -85,8 +85,8 @@ class Pages(BaseDocTemplate):
             rightMargin=_SIDE,
             topMargin=_TOP,
             bottomMargin=_BOTTOM,
-            title=shortened(printable(document.title), 200),
-            author=shortened(printable(document.author), 200),
+            title=truncate(printable(document.title), 200),
+            author=truncate(printable(document.author), 200),
             subject=document.subject,
             creator=document.origin,
             producer=document.program,
@@ -106,13 +106,13 @@ class Pages(BaseDocTemplate):
             self.numbers[flowable.key] = self.page
 
     def _furniture(self, canvas: Canvas, _: object) -> None:
-        assert isinstance(canvas, LateCanvas)  # the only one that write_pdf makes
+        assert isinstance(canvas, DeferredCanvas)  # the only one that write_pdf makes
         left, right, head = _SIDE, _SIDE + self.width, _BOTTOM + self.height + 8 * mm
         canvas.saveState()
         _small(canvas)
         canvas.setStrokeColor(HexColor(GRID))
-        canvas.drawString(left, head, shortened(printable(self.document.title), 70))
-        canvas.drawRightString(right, head, shortened(printable(_reference(self.document)), 40))
+        canvas.drawString(left, head, truncate(printable(self.document.title), 70))
+        canvas.drawRightString(right, head, truncate(printable(_reference(self.document)), 40))
         canvas.line(left, head - 4, right, head - 4)
         canvas.drawString(left, 12 * mm, self.document.origin)
         page = self.page
@@ -122,7 +122,7 @@ class Pages(BaseDocTemplate):
     def _number(self, canvas: Canvas, page: int) -> None:
         """The number of a page, when the last page has its number."""
         _small(canvas)
-        number = self.document.said(PAGE).format(page=page, total=self.page)
+        number = self.document.translate(PAGE).format(page=page, total=self.page)
         canvas.drawRightString(_SIDE + self.width, 12 * mm, number)
 
 
@@ -132,4 +132,4 @@ def _small(canvas: Canvas) -> None:
 
 
 def _reference(document: Document) -> str:
-    return next((text for label, text in document.facts if label == document.said("Reference")), "")
+    return next((text for label, text in document.facts if label == document.translate("Reference")), "")

@@ -28,13 +28,13 @@ from reports.document import (
     Text,
 )
 from reports.figures.style import BANNER, GRID, MUTED
-from reports.language.lettering import shortened
+from reports.language.lettering import truncate
 from reports.render.contents import contents
 from reports.render.grid import sheet_grid, table_grid
-from reports.render.page import Heading, LateCanvas, Pages
+from reports.render.page import DeferredCanvas, Heading, Pages
 from reports.render.pdf_marks import replay
 from reports.render.typeset import BOLD, REGULAR, STYLES, markup, paragraph, register_fonts, width_of
-from reports.render.vector import Traced, trace
+from reports.render.vector import FigureMarks, trace_figure
 
 rl_config.useA85 = 0  # streams as bytes, not as letters: four fifths of the size, and sooner written
 
@@ -47,33 +47,33 @@ _CAPTION = 26 * mm  # left for a caption of five lines below a figure as high as
 class Drawing(Flowable):
     """A traced figure on the page, asked for only when its place is sought: it may still be being drawn."""
 
-    def __init__(self, drawings: Mapping[str, Traced], name: str, room: tuple[float, float]) -> None:
+    def __init__(self, drawings: Mapping[str, FigureMarks], name: str, room: tuple[float, float]) -> None:
         super().__init__()
         self.drawings, self.name, self.room = drawings, name, room
         self.hAlign = "CENTER"
 
     @property
-    def traced(self) -> Traced:
-        """The figure itself."""
+    def figure(self) -> FigureMarks:
+        """Return the figure; it may still be being drawn."""
         return self.drawings[self.name]
 
     @property
     def factor(self) -> float:
         """What it is made smaller by to fit."""
-        return min(1.0, self.room[0] / self.traced.width, self.room[1] / self.traced.height)
+        return min(1.0, self.room[0] / self.figure.width, self.room[1] / self.figure.height)
 
     def wrap(self, aW: float, aH: float) -> tuple[float, float]:
-        return self.traced.width * self.factor, self.traced.height * self.factor
+        return self.figure.width * self.factor, self.figure.height * self.factor
 
     def draw(self) -> None:
         self.canv.scale(self.factor, self.factor)
-        replay(self.traced, self.canv, font=REGULAR, bold=BOLD)
+        replay(self.figure, self.canv, font=REGULAR, bold=BOLD)
 
 
 class Story:
     """The flowables of a document."""
 
-    def __init__(self, document: Document, drawings: Mapping[str, Traced], pages: Pages) -> None:
+    def __init__(self, document: Document, drawings: Mapping[str, FigureMarks], pages: Pages) -> None:
         self.document, self.drawings, self.width = document, drawings, pages.width
         self.for_figures = (pages.width, pages.height - _CAPTION)
         self.titles, self.numbers = document.titles, pages.numbers
@@ -83,7 +83,7 @@ class Story:
         made = [self._section(section, f"section-{place}") for place, section in enumerate(self.document.sections)]
         headings = [flowable for each in made for flowable in each if isinstance(flowable, Heading)]
         opening = [*self._title(), *chain.from_iterable(made[:1]), PageBreak()]
-        listed = [paragraph(self.document.said("Contents"), "heading-0"), *contents(headings, self.numbers)]
+        listed = [paragraph(self.document.translate("Contents"), "heading-0"), *contents(headings, self.numbers)]
         return [*opening, *listed, PageBreak(), *self._rest(made)]
 
     def _rest(self, made: Sequence[list[Flowable]]) -> Iterator[Flowable]:
@@ -96,10 +96,10 @@ class Story:
 
     def _title(self) -> list[Flowable]:
         facts = [
-            [paragraph(label, "muted"), paragraph(shortened(text, 160), "cell")] for label, text in self.document.facts
+            [paragraph(label, "muted"), paragraph(truncate(text, 160), "cell")] for label, text in self.document.facts
         ]
         block: list[Flowable] = [
-            paragraph(shortened(self.document.title, _LONGEST_TITLE), "title"),
+            paragraph(truncate(self.document.title, _LONGEST_TITLE), "title"),
             paragraph(self.document.subject, "subject"),
         ]
         if facts:
@@ -135,17 +135,23 @@ class Story:
     @_block.register
     def _(self, block: Table) -> list[Flowable]:
         title = self.titles["Table", block.name]
-        return [CondPageBreak(28 * mm), table_grid(block, title=title, width=self.width, said=self.document.said)]
+        return [
+            CondPageBreak(28 * mm),
+            table_grid(block, title=title, width=self.width, translate=self.document.translate),
+        ]
 
     @_block.register
     def _(self, block: Sheet) -> list[Flowable]:
         title = self.titles["Sheet", block.name]
-        return [CondPageBreak(40 * mm), sheet_grid(block, title=title, width=self.width, said=self.document.said)]
+        return [
+            CondPageBreak(40 * mm),
+            sheet_grid(block, title=title, width=self.width, translate=self.document.translate),
+        ]
 
     @_block.register
     def _(self, block: Banner) -> list[Flowable]:
         ink = HexColor(BANNER[block.verdict])
-        word, widths = self.document.said(block.word), [0.3 * self.width, 0.7 * self.width]
+        word, widths = self.document.translate(block.word), [0.3 * self.width, 0.7 * self.width]
         style = STYLES["verdict"].clone("banner", textColor=ink, fontSize=_fitting(word, widths[0] - _VERDICT_MARGINS))
         grid = Grid([[Paragraph(markup(word), style), paragraph(block.headline, "body")]], colWidths=widths)
         grid.setStyle([("BOX", (0, 0), (-1, -1), 1.4, ink), ("VALIGN", (0, 0), (-1, -1), "MIDDLE"), *_ROOMY])
@@ -153,16 +159,16 @@ class Story:
 
     @_block.register
     def _(self, block: Figure) -> list[Flowable]:
-        caption = paragraph(f"{self.titles['Figure', block.name]}. {shortened(block.caption, 500)}", "caption")
+        caption = paragraph(f"{self.titles['Figure', block.name]}. {truncate(block.caption, 500)}", "caption")
         drawing = Drawing(self.drawings, block.name, self.for_figures)
         return [KeepTogether([drawing, Spacer(1, 3), caption, Spacer(1, 9)])]
 
     @_block.register
     def _(self, block: Signatures) -> list[Flowable]:
         rows = [
-            [paragraph(role, "muted"), paragraph(shortened(name, 60), "cell"), "", ""] for role, name in block.places
+            [paragraph(role, "muted"), paragraph(truncate(name, 60), "cell"), "", ""] for role, name in block.places
         ]
-        labels = [paragraph(text, "muted") for text in map(self.document.said, SIGNATURE_HEADS)]
+        labels = [paragraph(text, "muted") for text in map(self.document.translate, SIGNATURE_HEADS)]
         grid = Grid(
             [labels, *rows],
             colWidths=[0.14 * self.width, *[0.2867 * self.width] * 3],
@@ -187,10 +193,10 @@ _TIGHT = [
 ]
 
 
-def write_pdf(document: Document, path: Path, *, drawings: Mapping[str, Traced] | None = None) -> Path:
+def write_pdf(document: Document, path: Path, *, drawings: Mapping[str, FigureMarks] | None = None) -> Path:
     """Write the document to `path`; the path written. drawings: its figures by name, where they are drawn already."""
     register_fonts()
     pages = Pages(path, document)
-    figures = drawings or {figure.name: trace(figure.draw()) for figure in document.figures}
-    pages.build(Story(document, figures, pages).flowables(), canvasmaker=LateCanvas)
+    figures = drawings or {figure.name: trace_figure(figure.draw()) for figure in document.figures}
+    pages.build(Story(document, figures, pages).flowables(), canvasmaker=DeferredCanvas)
     return path

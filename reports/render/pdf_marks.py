@@ -11,7 +11,7 @@ from matplotlib.path import Path
 from reportlab.lib.colors import Color
 from reportlab.pdfgen.canvas import Canvas
 
-from reports.render.vector import Letters, Rectangle, Rgba, Stroke, Traced
+from reports.render.vector import FigureMarks, Letters, Rectangle, Rgba, Stroke
 
 _CAP = {"butt": 0, "projecting": 2, "round": 1}
 _JOIN = {"miter": 0, "round": 1, "bevel": 2}
@@ -30,7 +30,7 @@ _SETTING: Mapping[str, Callable[[Canvas, Any], None]] = {
 }
 
 
-def replay(traced: Traced, canvas: Canvas, *, font: str, bold: str) -> None:
+def replay(traced: FigureMarks, canvas: Canvas, *, font: str, bold: str) -> None:
     """Draw the marks with the lower left corner at the canvas' origin, in the registered fonts `font` and `bold`."""
     for clip, marks in groupby(traced.marks, key=lambda mark: mark.clip if isinstance(mark, Stroke) else None):
         canvas.saveState()

@@ -12,17 +12,17 @@ from matplotlib.path import Path
 from matplotlib.transforms import Affine2D, Bbox
 
 from reports.figures.font import FAMILY
-from reports.figures.style import styled
-from reports.render.vector import Letters, Stroke, Traced
+from reports.figures.style import report_style
+from reports.render.vector import FigureMarks, Letters, Stroke
 
 DPI = 200
 _POINT = DPI / 72  # pixels
 
 
-def write_png(traced: Traced, path: File, *, creator: str) -> File:
+def write_png(traced: FigureMarks, path: File, *, creator: str) -> File:
     """Write the figure to `path`, on white; the path written. creator: name and version of the program."""
     renderer = RendererAgg(round(traced.width * _POINT), round(traced.height * _POINT), DPI)  # type: ignore[no-untyped-call]
-    with styled():
+    with report_style():
         for mark in (_background(traced), *traced.marks):
             if isinstance(mark, Stroke):
                 _stroke(mark, renderer)
@@ -33,7 +33,7 @@ def write_png(traced: Traced, path: File, *, creator: str) -> File:
     return path
 
 
-def _background(traced: Traced) -> Stroke:
+def _background(traced: FigureMarks) -> Stroke:
     right, top = traced.width, traced.height
     codes = bytes((Path.MOVETO, Path.LINETO, Path.LINETO, Path.LINETO, Path.CLOSEPOLY))
     corners = (0.0, 0.0, right, 0.0, right, top, 0.0, top)

@@ -11,7 +11,7 @@ from reportlab.pdfgen.canvas import Canvas
 from reportlab.platypus import Flowable
 
 from reports.figures.style import GRID, INK, MUTED
-from reports.render.cells import Cell, ink
+from reports.render.cells import Cell, draw_cells
 from reports.render.typeset import Lines
 
 PADDING = 5.0  # of a cell, left and right together; lengths in points
@@ -44,7 +44,7 @@ class _Body:
         return [max(cell.height for cell in row) + _ABOVE + _BELOW for row in (self.head, *self.rows)]
 
 
-class Ruled(Flowable):
+class RuledTable(Flowable):
     """A table; reportlab's own takes four times as long, for what it can do besides."""
 
     def __init__(self, caption: Lines, body: _Body, *, width: float) -> None:
@@ -69,7 +69,7 @@ class Ruled(Flowable):
         if kept < first:
             return []
         parts = (replace(self.body, rows=rows[:kept], ends=False), replace(self.body, rows=rows[kept:]))
-        return [Ruled(self.caption, part, width=self.width) for part in parts]
+        return [RuledTable(self.caption, part, width=self.width) for part in parts]
 
     def draw(self) -> None:
         canvas: Canvas = self.canv
@@ -79,7 +79,7 @@ class Ruled(Flowable):
         canvas.saveState()
         canvas.setFillColor(HexColor(_FILLING))
         canvas.rect(0.0, tops[1], self.width, tops[0] - tops[1], stroke=0, fill=1)
-        ink(canvas, self._placed(tops))
+        draw_cells(canvas, self._placed(tops))
         self._rules(tops)
         canvas.restoreState()
 
@@ -104,7 +104,7 @@ class Ruled(Flowable):
             self.canv.line(0.0, y, self.width, y)
 
 
-def ruled(caption: Lines, head: Row, rows: Sequence[Row], *, widths: Sequence[float]) -> Ruled:
+def ruled_table(caption: Lines, head: Row, rows: Sequence[Row], *, widths: Sequence[float]) -> RuledTable:
     """A table whose columns are `widths` [pt] wide."""
     *lefts, width = accumulate(widths, initial=0.0)
-    return Ruled(caption, _Body(head, tuple(rows), tuple(lefts)), width=width)
+    return RuledTable(caption, _Body(head, tuple(rows), tuple(lefts)), width=width)

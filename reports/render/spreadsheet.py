@@ -15,9 +15,9 @@ from xlsxwriter.worksheet import Worksheet
 
 from reports.document import STAMP, Cell, Column, Document, Table
 from reports.figures.style import FAIL, INK, MUTED, PASS
-from reports.language.lettering import shortened, visible
+from reports.language.lettering import truncate, visible
 from reports.language.numerals import FIGURES, decimals, numeral
-from reports.language.outcome_words import coloured, in_words
+from reports.language.outcome_words import outcome_colour, spell_out
 from reports.render.sheet_table import as_table
 from spectra.formulas import is_formula
 
@@ -62,7 +62,7 @@ class _Book:
 
 def write_xlsx(document: Document, path: Path) -> Path:
     """Write every table of the document to a workbook at `path`; text is never taken for a formula."""
-    own = (document.said(CONTENTS), document.said(SHEETS))
+    own = (document.translate(CONTENTS), document.translate(SHEETS))
     names = unique([table.name for table in document.tables], taken=own)
     starts = _starts(document)
     with Workbook(str(path), {"in_memory": True}) as made:
@@ -70,7 +70,7 @@ def write_xlsx(document: Document, path: Path) -> Path:
         _describe(made, document)
         _contents(made.add_worksheet(own[0]), document, names, starts, book=book)
         for table, name in zip(document.tables, names, strict=True):
-            _alone(made.add_worksheet(name), table, said=document.said, book=book)
+            _alone(made.add_worksheet(name), table, translate=document.translate, book=book)
         _sheets(made.add_worksheet(own[1]), document, starts, book=book)
     return path
 
@@ -104,7 +104,7 @@ def number_format(value: float) -> str:
 def _describe(book: Workbook, document: Document) -> None:
     texts = {"title": document.title, "subject": document.subject, "author": document.program}
     texts["keywords"] = f"{STAMP} {document.stamp}" if document.stamp else ""
-    described = {key: shortened(visible(text), _LONGEST_PROPERTY) for key, text in texts.items()}
+    described = {key: truncate(visible(text), _LONGEST_PROPERTY) for key, text in texts.items()}
     book.set_properties({**described, "created": _CREATED})
 
 
@@ -112,13 +112,20 @@ def _contents(sheet: Worksheet, document: Document, names: list[str], starts: li
     titles = document.titles
     _write(sheet, 0, 0, document.title, book.format(_TITLE))
     _write(sheet, 1, 0, f"{document.subject}; {document.origin}", book.format(_GREY))
-    _head(sheet, 3, [Column(document.said(text)) for text in ("Sheet", "In the report", "What it holds")], book=book)
+    _head(
+        sheet, 3, [Column(document.translate(text)) for text in ("Sheet", "In the report", "What it holds")], book=book
+    )
     lines = [
         (name, f"'{name}'!A1", titles.get(("Table", table.name), "—"), table.caption)
         for name, table in zip(names, document.tables, strict=True)
     ]
     lines += [
-        (document.said(SHEETS), f"'{document.said(SHEETS)}'!A{start + 1}", titles["Sheet", each.name], each.caption)
+        (
+            document.translate(SHEETS),
+            f"'{document.translate(SHEETS)}'!A{start + 1}",
+            titles["Sheet", each.name],
+            each.caption,
+        )
         for start, each in zip(starts, document.sheets, strict=True)
     ]
     for place, (name, target, title, caption) in enumerate(lines, start=4):
@@ -130,9 +137,9 @@ def _contents(sheet: Worksheet, document: Document, names: list[str], starts: li
     _paper(sheet, head=3)
 
 
-def _alone(sheet: Worksheet, table: Table, *, said: Callable[[str], str], book: _Book) -> None:
+def _alone(sheet: Worksheet, table: Table, *, translate: Callable[[str], str], book: _Book) -> None:
     """A table on its own sheet, its head in sight and ready to be filtered."""
-    _table(sheet, table, start=0, said=said, book=book)
+    _table(sheet, table, start=0, translate=translate, book=book)
     sheet.freeze_panes(2, 1 if len(table.columns) > 2 else 0)
     if table.rows:
         sheet.autofilter(1, 0, len(table.rows) + 1, len(table.columns) - 1)
@@ -142,7 +149,9 @@ def _alone(sheet: Worksheet, table: Table, *, said: Callable[[str], str], book: 
 
 def _sheets(sheet: Worksheet, document: Document, starts: list[int], *, book: _Book) -> None:
     for start, each in zip(starts, document.sheets, strict=True):
-        _table(sheet, as_table(each, said=document.said), start=start, said=document.said, book=book)
+        _table(
+            sheet, as_table(each, translate=document.translate), start=start, translate=document.translate, book=book
+        )
     _widths(sheet, (14, 50, 34, 40, 50, 14, 12, 14, 12))
     _paper(sheet, head=None)
 
@@ -155,7 +164,7 @@ def _starts(document: Document) -> list[int]:
     return starts[:-1]
 
 
-def _table(sheet: Worksheet, table: Table, *, start: int, said: Callable[[str], str], book: _Book) -> None:
+def _table(sheet: Worksheet, table: Table, *, start: int, translate: Callable[[str], str], book: _Book) -> None:
     """Caption, head and rows from the row `start` on."""
     _write(sheet, start, 0, table.caption, book.format(_BOLD))
     _head(sheet, start + 1, table.columns, book=book)
@@ -164,7 +173,7 @@ def _table(sheet: Worksheet, table: Table, *, start: int, said: Callable[[str], 
         muted = place in table.muted
         for at, (cell, column) in enumerate(zip(row, table.columns, strict=True)):
             shape = book.format(look(cell, column, muted=muted))
-            _write(sheet, start + 2 + place, at, in_words(cell, column, said), shape)
+            _write(sheet, start + 2 + place, at, spell_out(cell, column, translate), shape)
 
 
 def _head(sheet: Worksheet, place: int, columns: Iterable[Column], *, book: _Book) -> None:
@@ -183,7 +192,7 @@ def _look(cell: Cell, column: Column, *, muted: bool) -> Look:
 
 def _look_of_verdicts(cell: Cell, column: Column, *, muted: bool) -> Look:
     """Verdicts in their colours, anything else plain."""
-    return _quoted(cell) if muted else {**_VERDICTS.get(coloured(cell, column), {}), **_quoted(cell)}
+    return _quoted(cell) if muted else {**_VERDICTS.get(outcome_colour(cell, column), {}), **_quoted(cell)}
 
 
 def _quoted(cell: Cell) -> Look:
@@ -202,7 +211,7 @@ def _write(sheet: Worksheet, place: int, at: int, cell: Cell, look: Format | Non
 
 
 def _write_text(sheet: Worksheet, place: int, at: int, text: str, look: Format | None) -> None:
-    shown = shortened(visible(text), _LONGEST_TEXT)
+    shown = truncate(visible(text), _LONGEST_TEXT)
     if shown.startswith("<r>"):  # which xlsxwriter takes for markup of its own; in pieces it is text
         sheet.write_rich_string(place, at, *"<r", shown[2:], *([look] if look else []))
     else:

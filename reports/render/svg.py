@@ -13,7 +13,7 @@ from matplotlib.ft2font import FT2Font, LoadFlags
 from matplotlib.path import Path
 
 from reports.figures.font import font_file
-from reports.render.vector import Letters, Rectangle, Rgba, Stroke, Traced
+from reports.render.vector import FigureMarks, Letters, Rectangle, Rgba, Stroke
 
 _PLACE = "%.5g %.5g"  # a hundredth of a point on a page
 _COMMANDS = {
@@ -54,7 +54,7 @@ class Picture:
         return f'<g transform="matrix(1 0 0 -1 0 {self.height:g})">\n{self.marks}\n</g>'
 
 
-def picture(traced: Traced) -> Picture:
+def picture(traced: FigureMarks) -> Picture:
     """The marks of a figure as elements."""
     letters = dict.fromkeys((m.bold, sign) for m in traced.marks if isinstance(m, Letters) for sign in m.text)
     windows = dict.fromkeys(m.clip for m in traced.marks if isinstance(m, Stroke) and m.clip is not None)

@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 
 from reports.document import Document
 from reports.figures.ruler import Ruler
-from reports.figures.style import styled
+from reports.figures.style import report_style
 from reports.render.processes import Pool
 
 Rgba = tuple[float, float, float, float]
@@ -67,7 +67,7 @@ class Letters:
 
 
 @dataclass(frozen=True)
-class Traced:
+class FigureMarks:
     """A figure as marks, and its size [pt]."""
 
     marks: tuple[Stroke | Letters, ...]
@@ -160,13 +160,13 @@ class _Recorder(Ruler):
         self.marks.append(Letters(s, float(x), float(y), float(angle), size, bold, _rgba(gc.get_rgb())))
 
 
-class Drawings(Mapping[str, Traced]):
+class Drawings(Mapping[str, FigureMarks]):
     """Figures by name; one that is still being drawn is waited for."""
 
-    def __init__(self, futures: Mapping[str, Future[Traced]]) -> None:
+    def __init__(self, futures: Mapping[str, Future[FigureMarks]]) -> None:
         self._futures = futures
 
-    def __getitem__(self, name: str) -> Traced:
+    def __getitem__(self, name: str) -> FigureMarks:
         return self._futures[name].result()
 
     def __iter__(self) -> Iterator[str]:
@@ -176,24 +176,24 @@ class Drawings(Mapping[str, Traced]):
         return len(self._futures)
 
 
-def traced(document: Document, *, pool: Pool) -> Drawings:
+def trace_figures(document: Document, *, pool: Pool) -> Drawings:
     """Every figure of the document by its name, drawn once, by a `pool` that works on the document."""
-    return Drawings({figure.name: pool.submit(drawn, place) for place, figure in enumerate(document.figures)})
+    return Drawings({figure.name: pool.submit(trace_at, place) for place, figure in enumerate(document.figures)})
 
 
-def drawn(document: Document, place: int) -> Traced:
+def trace_at(document: Document, place: int) -> FigureMarks:
     """The figure at this place among those of the document as marks."""
-    return trace(document.figures[place].draw())
+    return trace_figure(document.figures[place].draw())
 
 
-def trace(figure: Figure) -> Traced:
+def trace_figure(figure: Figure) -> FigureMarks:
     """The figure as marks, in points."""
-    with styled():
+    with report_style():
         figure.set_dpi(72)
         width, height = (float(72 * side) for side in figure.get_size_inches())
         recorder = _Recorder(width, height)
         figure.draw(recorder)
-    return Traced(tuple(recorder.marks), width, height)
+    return FigureMarks(tuple(recorder.marks), width, height)
 
 
 def _repeated(looks: Any) -> Iterator[Any]:

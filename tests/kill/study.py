@@ -27,7 +27,7 @@ from assess.outputs.folder import output_folder
 from assess.outputs.lock import LOCK
 from assess.outputs.manifest import MANIFEST, RECORDS
 from assess.outputs.recovery import recover_for_reading
-from records.catalogue import candidates, opened
+from records.catalogue import candidates, open_catalogue
 
 STRIKE = Path(__file__).with_name("strike.py")
 SIGNALS = (signal.SIGKILL, signal.SIGKILL, signal.SIGTERM, signal.SIGINT)
@@ -205,7 +205,7 @@ def kill_indexes(place: Path, kills: int, dice: random.Random, count: Count) -> 
 
 def listed(catalogue: Path) -> dict[str, tuple[float, ...]]:
     """The measures and ordinates of every record of a catalogue."""
-    with opened(catalogue) as connection:
+    with open_catalogue(catalogue) as connection:
         return {each.path: (*each.measures.values(), *each.spectrum.tolist()) for each in candidates(connection)}
 
 

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.codes.admission import admitted
+from assess.codes.applicability import apply_procedure
 from assess.codes.asce41_13.clauses import Options as Asce41Options
 from assess.codes.asce43_05.clauses import Options as Asce43Options
 from assess.codes.check import Reason
@@ -83,7 +83,7 @@ def asked_of(name, *, size=1.0):
 
 def allowed(name, rocker=None, context=None):
     """The same as its admission lets it stand."""
-    return admitted(name, asked_of(name), rocker or wall(), context or site())
+    return apply_procedure(name, asked_of(name), rocker or wall(), context or site())
 
 
 @EVERY
@@ -299,7 +299,7 @@ def test_a_record_that_turns_farther_never_makes_an_answer_better(name):
         before = None
         for turned in (first, 1.1 * first, 1.2 * first, None):
             suite = Suite(LEVELS[0], (turned, *others), "positive")
-            where = dataclasses.replace(site(levels=LEVELS[:1]), suites=(suite,), incremental=(), besides=(suite,))
+            where = dataclasses.replace(site(levels=LEVELS[:1]), suites=(suite,), incremental=(), extra_suites=(suite,))
             checks = answers(name, context=where)
             assert before is None or not any(worse(then, now) for then, now in zip(before, checks, strict=True))
             before = checks

@@ -17,8 +17,8 @@ from sheet import Sheet
 from sheets import faults, faults_of
 from subjects import LEVELS, Subject, subjects
 
+from assess.codes.calculation_step import Input, Step, substitute
 from assess.codes.registry import PROCEDURES
-from assess.codes.step import Input, Step, substitute
 
 EVERY = pytest.mark.parametrize("name", PROCEDURES)
 OTHER = {"+": "−", "−": "+", "/": "·", "·": "/"}

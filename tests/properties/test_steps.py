@@ -9,8 +9,8 @@ import pytest
 from formula import NoFormulaError, evaluate
 from subjects import subjects
 
+from assess.codes.calculation_step import Step
 from assess.codes.registry import PROCEDURES
-from assess.codes.step import Step
 
 CLOSE = 1e-3  # relative: what is printed must come out
 

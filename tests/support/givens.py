@@ -14,7 +14,7 @@ from scipy.constants import g
 from sheet import Sheet
 from subjects import AMPLIFIED, FRICTION, S_X1, VERTICAL
 
-from assess.codes.governing import branch_named
+from assess.codes.worst_branch import branch_of
 from assess.oscillator import Branch, interpolant
 
 
@@ -42,7 +42,7 @@ def secant(sheet: Sheet) -> float:
 def breaking(sheet: Sheet) -> Branch:
     """The branch with actions until they end."""
     rocker = sheet.subject.context.breaking or sheet.subject.rocker
-    return branch_named(rocker, sheet.subject.check.branch)
+    return branch_of(rocker, sheet.subject.check.branch)
 
 
 def largest(sheet: Sheet) -> float:

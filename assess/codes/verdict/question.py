@@ -69,7 +69,7 @@ class Question:
 
 
 @dataclass(frozen=True)
-class Judged:
+class MechanismChecks:
     """One mechanism as the verdict sees it.
 
     missing : what a pass needs and nobody gave; conditions : what a pass rests on

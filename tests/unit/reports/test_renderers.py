@@ -21,9 +21,10 @@ DATA = {
     "spectra.arrays",  # the types of arrays
     "assess.outputs.single",  # files whole or not at all
     "assess.workers",  # processes that end with their parent
+    "assess.errors",
     "assess.results",
     "assess.codes.check",
-    "assess.codes.family",
+    "assess.codes.families",
     "assess.codes.verdict",
     "assess.codes.verdict_text",
     "assess.messages.message",

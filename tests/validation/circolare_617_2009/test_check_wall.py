@@ -19,7 +19,7 @@ from assess.codes.dmi2008.clauses import (
     floor_displacement,
     ground_displacement,
 )
-from assess.codes.italian.curves import curves_alone
+from assess.codes.italian.curves import curves_of_all_actions
 from assess.codes.italian.edition import Options
 from assess.codes.italian.floor import floor_of
 from assess.geometry.planar import planar_body
@@ -46,7 +46,7 @@ LC1 = 1.35
 
 
 def capacity_of(rocker, *, confidence_factor=LC1):
-    (curves,) = curves_alone(rocker)
+    (curves,) = curves_of_all_actions(rocker)
     return clauses.capacity_of(curves, confidence_factor=confidence_factor)
 
 

@@ -18,7 +18,7 @@ from assess.codes.context import Building, Context, FirstMode, Hazard
 from assess.codes.italian.edition import Options
 from assess.codes.ntc2018 import linear, nonlinear
 from assess.codes.ntc2018.building import floor_demand, modes_at
-from assess.codes.ntc2018.toothing import LEVER, toothed_friction
+from assess.codes.ntc2018.toothing import LEVER, toothing_friction
 from assess.errors import ProcedureError
 from assess.geometry.planar import planar_body
 from assess.geometry.solid import box
@@ -150,7 +150,7 @@ def test_a_peak_inside_the_range_asks_nine_per_cent_more_than_its_worst_corner()
 
 
 def test_d_toothed_crack():
-    F = toothed_friction(height=6.0, unit_height=0.25, overlap=0.15, thickness=0.5, unit_weight=19e3)
+    F = toothing_friction(height=6.0, unit_height=0.25, overlap=0.15, thickness=0.5, unit_weight=19e3)
     assert pytest.approx(49.334e3, rel=TOLERANCE) == F
     body = box(thickness=0.5, length=5.0, height=6.0, base=(0, 0, 0), density=19e3 / g, name="wall")
     plain = planar_body(body, direction=(1, 0, 0))
@@ -164,4 +164,4 @@ def test_d_toothed_crack():
 
 def test_a_toothed_crack_has_at_least_one_course():
     with pytest.raises(ProcedureError, match=r"C8\.7\.1\.2 needs at least one course"):
-        toothed_friction(height=0.2, unit_height=0.25, overlap=0.15, thickness=0.5, unit_weight=19e3)
+        toothing_friction(height=0.2, unit_height=0.25, overlap=0.15, thickness=0.5, unit_weight=19e3)

@@ -15,7 +15,7 @@ from scipy.constants import g
 
 from assess.codes.check import Reason
 from assess.codes.context import Building, Context, FirstMode, FreePeriod
-from assess.codes.italian.curves import curves_alone
+from assess.codes.italian.curves import curves_of_all_actions
 from assess.codes.italian.edition import Options
 from assess.codes.ntc2018 import clauses, linear, nonlinear
 from assess.codes.ntc2018.clauses import free_period
@@ -58,7 +58,7 @@ def top(*, levels=(0.2 * g,), modes=None, **more):
 
 
 def capacity_of(rocker, *, state, confidence_factor, T0=0.0):
-    (curves,) = curves_alone(rocker)
+    (curves,) = curves_of_all_actions(rocker)
     return clauses.capacity_of(curves, state=state, confidence_factor=confidence_factor, T0=T0)
 
 

@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.codes.admission import admitted
+from assess.codes.applicability import apply_procedure
 from assess.codes.check import Reason
 from assess.codes.context import Building, Context, Wall
 from assess.codes.nzsee2017.clauses import Options, floor_factor, nominal, period, period_factor, straight_line
@@ -244,7 +244,7 @@ def test_what_is_no_face_loaded_wall_is_not_answered() -> None:
         (Context(WELLINGTON, (1.0,), 0.0, 0.0, None, support="hinged"), "not-applicable", Reason.NOT_A_WALL),
         (Context(WELLINGTON, (0.1,), 0.0, 9.0, HOUSE), "not-answered", Reason.ABOVE_BUILDING),
     ):
-        (check,) = admitted(NAME, partial(assess, options=Options()), wall(), context)
+        (check,) = apply_procedure(NAME, partial(assess, options=Options()), wall(), context)
         assert (check.verdict, check.reason.key) == (verdict, reason)
 
 

@@ -17,7 +17,7 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq, minimize_scalar
 
 from assess.dynamics.envelope import envelope
-from assess.dynamics.kernel import REST
+from assess.dynamics.kernel.events import REST
 from assess.dynamics.packing import Equation
 from assess.dynamics.pulse_response import PIECES, PulseJobs, outcomes, polynomials, prepared
 from assess.geometry.planar import planar_body_from_values

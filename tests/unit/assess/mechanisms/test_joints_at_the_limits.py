@@ -10,7 +10,7 @@ import pytest
 from scipy.constants import g
 
 from assess.codes.asce43_05.clauses import thesis_limit
-from assess.codes.worked import multiplier_step
+from assess.codes.multiplier_step import multiplier_step
 from assess.dynamics.history import Jobs, peaks
 from assess.errors import MechanismError
 from assess.geometry.planar import planar_body_from_values

@@ -8,19 +8,14 @@ from math import inf
 import numpy as np
 import pytest
 
-from assess.amplification.floor_motion import Unamplified, carried
+from assess.amplification.floor_motion import Unamplified, base_motion
 from assess.dynamics.history import Jobs, peaks
 from assess.oscillator import Oscillator, SingleBlock, plain_branch
-from assess.study.histories import (
-    AT_ONCE,
-    SCAN_STEP,
-    RockingCase,
-    run_levels,
-    scan_levels,
-    with_governing_trace,
-    with_restitution_factor,
-)
+from assess.study.histories import run_levels, with_governing_trace
+from assess.study.history_levels import with_restitution_factor
+from assess.study.history_scan import AT_ONCE, SCAN_STEP, scan_levels
 from assess.study.motions import ScaledRecord
+from assess.study.rocking_case import RockingCase
 from records.record import make_record
 from records.scaling import Scaling
 
@@ -41,7 +36,7 @@ SYMMETRIC, UNLIKE = Oscillator(ONE, ONE, 1.0), Oscillator(ONE, OTHER, 1.0)
 
 
 def shaken(oscillator: Oscillator) -> RockingCase:
-    return RockingCase("m", oscillator, "exact", tuple(carried(Unamplified(), motion.record) for motion in MOTIONS))
+    return RockingCase("m", oscillator, "exact", tuple(base_motion(Unamplified(), motion.record) for motion in MOTIONS))
 
 
 def asked(oscillator: Oscillator, levels: tuple[float, ...], besides: tuple[float, ...] = ()):

@@ -9,13 +9,14 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.amplification.floor_motion import Carried
+from assess.amplification.floor_motion import BaseMotion
 from assess.errors import GeometryError, MechanismError, ProjectError
 from assess.mechanisms.oscillation import oscillator
 from assess.project.build import build
 from assess.project.schema import load
-from assess.study.histories import RockingCase, scan_levels
+from assess.study.history_scan import scan_levels
 from assess.study.motions import motions_of
+from assess.study.rocking_case import RockingCase
 from assess.study.run import parameters, run
 from assess.study.study import Study
 from records.response import response_spectrum
@@ -52,7 +53,7 @@ def record(path: Path, *, seed: int, amplitude: float = 1.0) -> None:
 
 def as_they_are(motions):
     """The ground's motions at the base of a mechanism that is not amplified."""
-    return tuple(Carried(motion.record, 1.0) for motion in motions)
+    return tuple(BaseMotion(motion.record, 1.0) for motion in motions)
 
 
 def study_of(folder: Path, *, spectrum=ASCE, mechanism="", records=QUIET, analysis="", amplitude=1.0, tail="") -> Study:

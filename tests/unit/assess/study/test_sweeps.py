@@ -12,9 +12,8 @@ import trimesh
 from scipy.constants import g
 
 from assess.codes.bases import BASES
-from assess.codes.check import Check, Outcome, Reason, because
-from assess.codes.verdict import Action, Question, verdict, with_roles
-from assess.codes.verdict import Judged as JudgedChecks
+from assess.codes.check import Check, Outcome, Reason, reason_message
+from assess.codes.verdict import Action, MechanismChecks, Question, mark_deciding, verdict
 from assess.project.build import build
 from assess.project.schema import load
 from assess.results import MechanismResult
@@ -78,7 +77,7 @@ def check(verdict: str = "pass", **changes: Any) -> Check:
     given: dict[str, Any] = {
         "procedure": "asce43-05-spectrum", "edition": "", "branch": "positive", "limit_state": "no overturning",
         "level_pga_g": 0.1, "input_at": "ground", "damping": None, "quantity": "rotation", "unit": "rad",
-        "verdict": Outcome(verdict), "reason": because(Reason.WITHIN, capacity="the allowable"),
+        "verdict": Outcome(verdict), "reason": reason_message(Reason.WITHIN, capacity="the allowable"),
     }  # fmt: skip
     return Check(**{**given, **changes})
 
@@ -92,9 +91,9 @@ def case(result: MechanismResult, *checks: Check, uplift: float = 0.1, basis: st
     """The mechanism with these checks and this multiplier, judged at 0.1 g."""
     methods = ("asce43-05-history", "asce43-05-spectrum")
     question = Question(None if basis is None else BASES[basis], Action(0.1, "DBE"), procedures=methods)
-    found = verdict(question, [JudgedChecks(result.name, checks)]).mechanisms[0]
+    found = verdict(question, [MechanismChecks(result.name, checks)]).mechanisms[0]
     weaker = replace(result.oscillator, uplift_multiplier=uplift)
-    marked = with_roles(checks, found, question.basis, question.action)
+    marked = mark_deciding(checks, found, question.basis, question.action)
     return CaseResult(replace(result, checks=marked, oscillator=weaker, oscillator_negative=None), found)
 
 

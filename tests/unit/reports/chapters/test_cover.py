@@ -113,9 +113,11 @@ def test_each_mechanism_has_the_answer_that_decides(results: Results, judged_at:
 
 
 def test_a_run_without_a_basis_says_so_and_how_to_name_one(results: Results) -> None:
-    from assess.codes.verdict import Action, Judged, Question, verdict
+    from assess.codes.verdict import Action, MechanismChecks, Question, verdict
 
-    silent = verdict(Question(None, Action(0.067, None)), [Judged(m.name, m.checks) for m in results.mechanisms])
+    silent = verdict(
+        Question(None, Action(0.067, None)), [MechanismChecks(m.name, m.checks) for m in results.mechanisms]
+    )
     section = cover.section(replace(results, verdict=silent))
     banner = section.blocks[0]
     assert isinstance(banner, Banner)

@@ -9,7 +9,7 @@ from assess.dynamics.envelope import envelope
 from assess.oscillator import Oscillator, SingleBlock, plain_branch
 from assess.study.envelopes import envelope_result
 from records.pulses import SHAPES
-from reports.chapters.envelopes import findings
+from reports.chapters.envelopes import describe_envelope
 
 BRANCH = plain_branch(SingleBlock(1.0, 2.0, 0.2, 5.0), restitution=0.9)
 BLOCK = Oscillator(BRANCH, BRANCH, 1.0)
@@ -29,4 +29,4 @@ def test_the_factor_of_the_motion_is_told_where_there_is_one(factor: list[float]
         BLOCK, SHAPES[shape], np.array([0.5, 0.6]), np.array([0.0, 10.0, 10.1]),
         equation="linearised", factor=np.array(factor),
     )  # fmt: skip
-    assert findings(envelope_result(made, BLOCK)).endswith(said)
+    assert describe_envelope(envelope_result(made, BLOCK)).endswith(said)

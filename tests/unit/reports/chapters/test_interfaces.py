@@ -19,7 +19,7 @@ from reports.chapters import interface_variants, interfaces, sentences
 from reports.chapters.parameters import parameters as table_of_parameters
 from reports.document import Figure, Table, Text
 from reports.figures import capacity, contact, moment_rotation
-from reports.language.measures import written
+from reports.language.measures import render_measures
 
 PROJECT = """
 [materials.stone]
@@ -80,13 +80,13 @@ def test_the_contact_at_the_peak_is_that_of_the_closed_form(mechanisms, rotation
     a = sqrt(2 * W / (K * L * sin(abs(rotation))))
     mechanism = shaken(mechanisms["flexible"], rotation)
     assert joints.peak_rotation(mechanism, mechanism.histories[0]) == abs(rotation)
-    (joint,) = joints.of_branch(mechanism, mechanism.histories[0].branch)
+    (joint,) = joints.joints_of_branch(mechanism, mechanism.histories[0].branch)
     stress, resultant, opened, crushed = joints.values_at(joint, abs(rotation))
     assert stress == pytest.approx(K * sin(abs(rotation)) * a, rel=1e-3)  # the curve is read between its points
     assert resultant == pytest.approx(a / 3, rel=1e-3)
     assert opened == pytest.approx(1 - a / B, rel=1e-3)
     assert crushed == 0.0
-    told = written(interfaces.at_peak(mechanism), units="SI")
+    told = render_measures(interfaces.at_peak(mechanism), units="SI")
     assert f"joint {'A' if rotation > 0 else chr(65) + chr(39)} presses with up to {stress / 1e6:.3g}" in told
     assert "(strength 1.50 MPa)" in told
     assert f"{100 * opened:.0f} % of it open and none crushed" in told
@@ -161,7 +161,7 @@ def test_the_capacity_curve_has_a_mark_for_each_overturning_and_its_caption_tell
         axes = capacity.draw(found).axes[0]
         drawn = [line.get_marker() for line in axes.lines if line.get_marker() in ("o", "s")]
         assert drawn == marks
-        assert ("square on its joints" in sentences.capacity(found)) == (len(marks) == 2)
+        assert ("square on its joints" in sentences.capacity_caption(found)) == (len(marks) == 2)
 
 
 def test_the_name_of_overturning_on_joints_leaves_the_curve_free(mechanisms):
@@ -177,9 +177,9 @@ def test_the_name_of_overturning_on_joints_leaves_the_curve_free(mechanisms):
 
 
 def test_joints_that_are_alike_share_a_line(mechanisms):
-    assert [hinges for *_, hinges in contact.lines(mechanisms["flexible"])] == ["A, A'"]
-    assert [hinges for *_, hinges in contact.lines(mechanisms["other"])] == ["A"]
-    two = [hinges for *_, hinges in contact.lines(mechanisms["two"])]
+    assert [hinges for *_, hinges in contact.distinct_curves(mechanisms["flexible"])] == ["A, A'"]
+    assert [hinges for *_, hinges in contact.distinct_curves(mechanisms["other"])] == ["A"]
+    two = [hinges for *_, hinges in contact.distinct_curves(mechanisms["two"])]
     assert two[:3] == ["A, A'", "B, B'", "C"]
     stress = contact.draw(mechanisms["flexible"]).axes[1]
     assert max(line.get_ydata().max() for line in stress.lines[:1]) == pytest.approx(F / 1e6, rel=1e-12)
@@ -199,7 +199,7 @@ def project_of(mechanisms: dict[str, MechanismResult]) -> dict[str, Resolved]:
     said = {"rigid": ("wall", "two"), "flexible": ("wall", "two"), "other": ("wall", "one"), "two": ("slim", "two")}
     found = {}
     for name, (block, sides) in said.items():
-        model = joints.model(mechanisms[name])
+        model = joints.model_name(mechanisms[name])
         for key, value in (("blocks", [block]), ("sides", sides), ("label", name), ("interface.model", model)):
             found[f"mechanisms.{name}.{key}"] = Resolved(value, True)
     return found
@@ -218,9 +218,9 @@ def compared(results: Results, mechanisms: dict[str, MechanismResult]) -> Result
 
 
 def test_what_differs_by_its_interface_alone_stands_side_by_side(compared):
-    (group,) = interface_variants.siblings_of(compared)
+    (group,) = interface_variants.find_variants(compared)
     assert list(group.members) == ["rigid", "flexible"]
-    assert interface_variants.earlier(compared) == {"rigid": "<b>on joints</b>"}
+    assert interface_variants.earlier_variants(compared) == {"rigid": "<b>on joints</b>"}
     table = interface_variants.table((group,), name="t")
     assert [column.heading for column in table.columns] == ["Procedure", "Mechanism", "rigid [g]", "flexible [g]"]
     procedures = {row[0]: row[2:] for row in table.rows}
@@ -240,15 +240,18 @@ def with_twin(compared: Results, twin: MechanismResult) -> Results:
 def test_two_of_one_model_have_a_column_each(compared):
     flexible = compared.mechanisms[0]
     softer = tuple({**interface, "normal_force_n": 1.0} for interface in flexible.interfaces)
-    (group,) = interface_variants.siblings_of(with_twin(compared, replace(flexible, name="again", interfaces=softer)))
+    (group,) = interface_variants.find_variants(with_twin(compared, replace(flexible, name="again", interfaces=softer)))
     assert list(group.members) == ["rigid", "flexible", "flexible 2"]
 
 
 def test_what_has_the_same_interface_too_is_not_said_to_differ_by_it(compared):
     more = with_twin(compared, replace(compared.mechanisms[0], name="again"))
-    (group,) = interface_variants.siblings_of(more)
+    (group,) = interface_variants.find_variants(more)
     assert [mechanism.name for mechanism in group.members.values()] == ["rigid", "flexible"]
-    assert set(interface_variants.earlier(more)) == {"rigid", "again"}  # their bodies are the same all the same
+    assert set(interface_variants.earlier_variants(more)) == {
+        "rigid",
+        "again",
+    }  # their bodies are the same all the same
     twins = replace(more, mechanisms=(more.mechanisms[0], more.mechanisms[-1]))
     assert interface_variants.blocks(twins, name="t") == []
 

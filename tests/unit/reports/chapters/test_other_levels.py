@@ -44,8 +44,8 @@ def test_the_chapter_is_absent_where_the_sites_own_action_is_alone(
 def test_a_pass_above_the_pga_at_capacity_is_explained(results: Results) -> None:
     first = results.mechanisms[0]
     passing = replace(first.checks[0], verdict=Outcome.PASS, level_pga_g=0.3, capacity_pga_g=0.28)
-    assert other_levels.returning(replace(results, mechanisms=(replace(first, checks=(passing,)),)))[0].startswith(
-        "Wall 6"
-    )
+    assert other_levels.passes_beyond_capacity(replace(results, mechanisms=(replace(first, checks=(passing,)),)))[
+        0
+    ].startswith("Wall 6")
     below = replace(passing, capacity_pga_g=0.31)
-    assert other_levels.returning(replace(results, mechanisms=(replace(first, checks=(below,)),))) == ()
+    assert other_levels.passes_beyond_capacity(replace(results, mechanisms=(replace(first, checks=(below,)),))) == ()

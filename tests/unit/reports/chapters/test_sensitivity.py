@@ -13,10 +13,10 @@ from assess.codes.check import Outcome
 from assess.results import Results, SensitivityResult
 from reports.assessment import assessment
 from reports.chapters import sensitivity
-from reports.chapters.sensitivity_ranking import varied
+from reports.chapters.sensitivity_ranking import rank_inputs
 from reports.document import Document, Figure, Table, Text
 from reports.figures import tornado
-from reports.language.measures import in_units, written
+from reports.language.measures import in_units, render_measures
 
 UNITS = {"density": ("materials.caliche.density", "kg/m^3", 2240.0), "thickness": ("thickness of wall", "m", 0.6)}
 LEVELS = (0.1, 0.2)
@@ -65,7 +65,7 @@ def chapter(results: Results, found: tuple[SensitivityResult, ...]) -> tuple[Any
 
 
 def test_what_moves_the_answer_most_stands_first(found: tuple[SensitivityResult, ...]) -> None:
-    ordered = varied(found)
+    ordered = rank_inputs(found)
     assert [each.number.parameter for each in ordered] == ["thickness", "restitution", "density"]
     shown = [(row.quantity, row.procedure, row.level_pga_g) for row in ordered[0].shown]
     assert shown == [
@@ -93,7 +93,7 @@ def test_the_sentences_say_what_turns_and_what_does_not(results: Results, found:
 
 def test_the_table_holds_the_numbers_as_they_stand(results: Results, found: tuple[SensitivityResult, ...]) -> None:
     table = next(block for block in chapter(results, found) if isinstance(block, Table))
-    shown = [row for each in varied(found) for row in each.shown]
+    shown = [row for each in rank_inputs(found) for row in each.shown]
     for row, cells in zip(shown, table.rows, strict=True):
         assert cells[2:4] == (row.low, row.high)
         ends = zip(cells[5:8], (row.at_low, row.at_base, row.at_high), strict=True)
@@ -139,8 +139,8 @@ def test_where_no_capacity_is_known_the_worst_ratio_is_shown(
     results: Results, found: tuple[SensitivityResult, ...]
 ) -> None:
     only = tuple(row for row in found if row.procedure.endswith("history"))
-    assert [row.procedure for row in varied(only)[0].shown] == ["asce43-05-history"]
-    assert varied(only)[0].number.parameter == "restitution"  # it overturns
+    assert [row.procedure for row in rank_inputs(only)[0].shown] == ["asce43-05-history"]
+    assert rank_inputs(only)[0].number.parameter == "restitution"  # it overturns
     assert len(drawn(results, only).axes) == 1
     silent: dict[str, Any] = {
         "verdict_base": Outcome.NOT_ANSWERED,
@@ -157,26 +157,27 @@ def test_what_decides_stands_before_what_is_for_comparison() -> None:
     for row in rows("thickness", 0.17, 0.205):
         made += [row, replace(row, procedure="asce43-05-spectrum", role="deciding")]
     index = replace(made[-1], quantity="index", index="D/C", verdict_base=Outcome.PASS, verdict_low=Outcome.PASS)
-    (found,) = varied([*made, index])
+    (found,) = rank_inputs([*made, index])
     shown = [(row.quantity, row.procedure) for row in found.shown]
     assert shown == [("index", "asce43-05-spectrum"), ("capacity_pga_g", "asce43-05-spectrum")]
-    assert {row.procedure for row in found.telling} == {"asce43-05-spectrum"}
-    assert sensitivity.words_of(index) == "index D/C"
+    assert {row.procedure for row in found.decisive} == {"asce43-05-spectrum"}
+    assert sensitivity.answer_name(index) == "index D/C"
 
 
 def ranges(row: SensitivityResult) -> str:
-    return written(sensitivity.ranges(row), units="SI")
+    return render_measures(sensitivity.range_text(row), units="SI")
 
 
 def test_units_suit_the_number() -> None:
     row = replace(rows("p", 0.1, 0.2)[0], unit="Pa/m", base=1e10, low=5e9, high=1.5e10)
     assert ranges(row) == "5 to 15 GPa/m"
     assert (
-        written(sensitivity.ranges(replace(row, unit="Pa", base=1e6, low=7e5, high=1.3e6)), units="SI")
+        render_measures(sensitivity.range_text(replace(row, unit="Pa", base=1e6, low=7e5, high=1.3e6)), units="SI")
         == "0.7 to 1.3 MPa"
     )
     assert (
-        written(sensitivity.ranges(replace(row, unit="N", base=20e3, low=16e3, high=24e3)), units="SI") == "16 to 24 kN"
+        render_measures(sensitivity.range_text(replace(row, unit="N", base=20e3, low=16e3, high=24e3)), units="SI")
+        == "16 to 24 kN"
     )
     assert ranges(replace(row, unit="-", base=0.5, low=0.4, high=0.6)) == "0.4 to 0.6"
 
@@ -217,5 +218,5 @@ def test_an_axis_shows_something_where_all_values_are_one() -> None:
 def test_damage_does_not_stand_for_collapse() -> None:
     damage = [replace(row, limit_state="SLD") for row in rows("thickness", 0.08, 0.1, base=0.09)]
     life = [replace(row, limit_state="SLV") for row in rows("thickness", 0.17, 0.205)]
-    assert {row.limit_state for row in varied([*damage, *life])[0].shown} == {"SLV"}
-    assert {row.limit_state for row in varied(damage)[0].shown} == {"SLD"}
+    assert {row.limit_state for row in rank_inputs([*damage, *life])[0].shown} == {"SLV"}
+    assert {row.limit_state for row in rank_inputs(damage)[0].shown} == {"SLD"}

@@ -41,7 +41,7 @@ def test_limits_say_where_sliding_was_checked_and_where_not(results: Results) ->
     asked = replace(first.checks[0], procedure="sliding", verdict=Outcome.PASS)
     silent = replace(asked, verdict=Outcome.NOT_APPLICABLE)
     both = tuple(replace(one, checks=(check,)) for one, check in ((first, asked), (second, silent)))
-    text = sentences.sliding(replace(results, mechanisms=both))
+    text = sentences.sliding_limit(replace(results, mechanisms=both))
     assert text.startswith("Sliding was checked by equilibrium, at every hinge")
     assert "For parapet it was not checked" in text
-    assert "it was not checked" not in sentences.sliding(replace(results, mechanisms=both[:1]))
+    assert "it was not checked" not in sentences.sliding_limit(replace(results, mechanisms=both[:1]))

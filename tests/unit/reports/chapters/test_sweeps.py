@@ -25,8 +25,8 @@ def test_the_report_says_what_stands_for_the_mechanism(results: Results) -> None
     assert "0.09 controls. This case stands" in sweeps.sentence(results.sweeps[0])
     other = replace(results.sweeps[0], governs=False, unit="deg")
     assert "0.09 deg controls. A case of another study stands" in sweeps.sentence(other)
-    assert sweeps.standing([other], {"parapet": "Parapet"}) == []
-    (text,) = sweeps.standing(results.sweeps, {"parapet": "Parapet"})
+    assert sweeps.controlling_cases([other], {"parapet": "Parapet"}) == []
+    (text,) = sweeps.controlling_cases(results.sweeps, {"parapet": "Parapet"})
     assert isinstance(text, Text)
     assert "Parapet, mechanisms.parapet.uplift = 0.09" in text.paragraphs[0]
 

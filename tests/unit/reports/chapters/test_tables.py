@@ -9,8 +9,8 @@ from assess.messages.message import message
 from assess.results import Results
 from reports.assessment import assessment
 from reports.chapters import tables
-from reports.chapters.calculation_sheets import sheet
-from reports.language.numerals import outcome
+from reports.chapters.calculation_sheets import calculation_sheet
+from reports.language.numerals import step_result
 from reports.render.sheet_table import as_table
 
 
@@ -56,8 +56,8 @@ def test_a_return_period_beyond_the_hazard_is_shown_as_a_bound(results: Results)
         check = replace(one.checks[0], return_period_years=30.0, return_period_bound=bound, steps=(step,))
         table = tables.demands(replace(one, checks=(check,)), name="t")
         assert table.rows[0][[column.label for column in table.columns].index("Return period")] == shown
-        made = sheet(check, name="s", mechanism="m")
-        assert outcome(made.lines[0].value, made.lines[0].unit) == "≥ 2475 years"
+        made = calculation_sheet(check, name="s", mechanism="m")
+        assert step_result(made.lines[0].value, made.lines[0].unit) == "≥ 2475 years"
         assert as_table(made).rows[0][-2:] == ("≥ 2475", "years")
 
 

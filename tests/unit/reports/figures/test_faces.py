@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import shapely
 
-from reports.figures.faces import Faces, drawn_edges, farthest_first, front, separated
+from reports.figures.faces import Faces, are_separated, front_faces, painting_order, visible_edges
 
 CUBE = np.array([(x, y, z) for x in (0.0, 1.0) for y in (0.0, 1.0) for z in (0.0, 1.0)])
 CORNER = np.array([1.0, 1.0, 1.0]) / np.sqrt(3.0)
@@ -19,7 +19,7 @@ def triangle(x: float, y: float, z: float, *, size: float = 1.0, rise: float = 0
 
 
 def test_the_edges_of_a_cube_are_sharp_and_its_diagonals_are_not() -> None:
-    drawn = drawn_edges(CUBE, TRIANGLES, eye=CORNER, sharp=1.0)
+    drawn = visible_edges(CUBE, TRIANGLES, eye=CORNER, sharp=1.0)
     corners = CUBE[TRIANGLES]
     lengths = np.linalg.norm(np.roll(corners, -1, axis=1) - corners, axis=2)
     facing = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]) @ CORNER > 0.0
@@ -27,8 +27,8 @@ def test_the_edges_of_a_cube_are_sharp_and_its_diagonals_are_not() -> None:
 
 
 def test_three_faces_of_a_cube_look_at_an_eye_in_its_corner_and_their_rim_is_drawn_however_blunt() -> None:
-    drawn = drawn_edges(CUBE, TRIANGLES, eye=CORNER, sharp=3.0)
-    seen = front(Faces(CUBE[TRIANGLES], drawn, np.zeros(12, dtype=np.int64)), CORNER)
+    drawn = visible_edges(CUBE, TRIANGLES, eye=CORNER, sharp=3.0)
+    seen = front_faces(Faces(CUBE[TRIANGLES], drawn, np.zeros(12, dtype=np.int64)), CORNER)
     assert len(seen.corners) == 6
     assert np.all(seen.normals.sum(axis=1) == pytest.approx(1.0))
     assert seen.edges.sum() == 6  # the hexagon that the eye sees as the border
@@ -40,8 +40,8 @@ def test_order_is_by_depth_where_faces_cover_one_another_not_by_their_middles() 
     small = triangle(1.0, 1.0, 5.0, size=0.5)
     assert np.mean(large, axis=0)[2] > np.mean(small, axis=0)[2]
     corners = np.array([small, large])
-    assert farthest_first(corners) == [1, 0]
-    assert farthest_first(corners[::-1]) == [0, 1]
+    assert painting_order(corners) == [1, 0]
+    assert painting_order(corners[::-1]) == [0, 1]
 
 
 def test_every_face_is_drawn_once_even_where_they_cover_one_another_in_a_ring() -> None:
@@ -50,7 +50,7 @@ def test_every_face_is_drawn_once_even_where_they_cover_one_another_in_a_ring() 
     for turn in turns:  # each rises over the next
         spin = np.array([[np.cos(turn), -np.sin(turn), 0.0], [np.sin(turn), np.cos(turn), 0.0], [0.0, 0.0, 1.0]])
         blades.append(np.array([[-2.0, 0.4, -1.0], [2.0, 0.4, 1.0], [-2.0, 0.9, -1.0]]) @ spin.T)
-    assert sorted(farthest_first(np.array(blades))) == [0, 1, 2]
+    assert sorted(painting_order(np.array(blades))) == [0, 1, 2]
 
 
 @pytest.mark.parametrize("seed", range(5))
@@ -58,7 +58,7 @@ def test_random_faces_are_drawn_as_a_depth_buffer_would_show_them(seed: int) -> 
     random = np.random.default_rng(seed)
     middle = random.uniform(0.0, 10.0, (60, 1, 3)) * [1.0, 1.0, 4.0]
     corners = middle + random.uniform(-1.2, 1.2, (60, 3, 3)) * [1.0, 1.0, 0.02]  # nearly level: none cross
-    place = np.argsort(farthest_first(corners))
+    place = np.argsort(painting_order(corners))
     at = random.uniform(0.0, 10.0, (4000, 2))
     first, second = (corners[:, i, :2] for i in (0, 1))
     third = corners[:, 2, :2]
@@ -80,7 +80,7 @@ def test_triangles_are_apart_where_shapely_finds_no_common_area(turn: int) -> No
     rng = np.random.default_rng(1)
     pairs = rng.uniform(0.0, 1.0, (400, 2, 3, 2)) * [[[[1.0]], [[0.7]]]]
     pairs[:100, 1, :2] = pairs[:100, 0, 1::-1]  # a common edge
-    found = separated(pairs[:, 0, ::turn], pairs[:, 1], by=-1e-9)
+    found = are_separated(pairs[:, 0, ::turn], pairs[:, 1], by=-1e-9)
     common = shapely.area(shapely.intersection(shapely.polygons(pairs[:, 0]), shapely.polygons(pairs[:, 1])))
     assert np.array_equal(found, common < 1e-12)
     assert 50 < found.sum() < 350

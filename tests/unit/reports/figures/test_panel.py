@@ -7,13 +7,14 @@ from collections.abc import Callable, Iterator
 import numpy as np
 import pytest
 from matplotlib.axes import Axes
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.path import Path
 from matplotlib.ticker import MaxNLocator, NullFormatter
 
 from reports.figures.ruler import Canvas
-from reports.figures.style import sheet, styled
-from reports.render.vector import Letters, Stroke, trace
+from reports.figures.style import report_style, sheet
+from reports.render.vector import Letters, Stroke, trace_figure
 
 TIME = np.linspace(0.0, 20.0, 401)
 Scene = Callable[[Figure], None]
@@ -68,7 +69,7 @@ def placed_by_hand(figure: Figure) -> None:
 @pytest.fixture(params=[two_panels_that_share, logarithmic, large_numbers, named_lines, placed_by_hand])
 def scene(request: pytest.FixtureRequest) -> Iterator[Scene]:
     """What is drawn."""
-    with styled():
+    with report_style():
         yield request.param
 
 
@@ -84,14 +85,14 @@ def pair(scene: Scene) -> tuple[Figure, Figure]:
 
 def letters(figure: Figure) -> list[tuple[object, ...]]:
     """Every text with its look."""
-    marks = [mark for mark in trace(figure).marks if isinstance(mark, Letters)]
+    marks = [mark for mark in trace_figure(figure).marks if isinstance(mark, Letters)]
     return sorted((m.text, m.angle, m.size, m.colour, round(m.x, 6), round(m.y, 6)) for m in marks)
 
 
 def lines(figure: Figure) -> list[tuple[object, ...]]:
     """Every straight piece of a line with its look."""
     found = set()
-    for mark in trace(figure).marks:
+    for mark in trace_figure(figure).marks:
         if isinstance(mark, Stroke) and mark.line is not None:
             points = np.round(mark.numbers, 6).reshape(-1, 2).tolist()
             drawn = [code for code in mark.codes if code != Path.CLOSEPOLY][1:]
@@ -114,13 +115,13 @@ def test_grid_ticks_and_frames_are_those_of_matplotlib(scene: Scene) -> None:
 
 def test_no_artist_is_made_of_a_tick(scene: Scene) -> None:
     figure, _ = pair(scene)
-    trace(figure)
+    trace_figure(figure)
     made = [len(axis.majorTicks) for axes in figure.axes for axis in (axes.xaxis, axes.yaxis)]
     assert sum(made) == 0 or scene is named_lines  # whose names matplotlib keeps in ticks
 
 
 def test_a_hidden_scale_takes_no_place() -> None:
-    with styled():
+    with report_style():
         figure = sheet(2.0)
         axes: Axes = figure.subplots()
         axes.yaxis.set_visible(False)
@@ -133,12 +134,28 @@ def test_a_hidden_scale_takes_no_place() -> None:
 
 def test_a_scale_that_has_been_drawn_shows_its_new_range() -> None:
     def numbers(*ranges: tuple[float, float]) -> list[str]:
-        with styled():
+        with report_style():
             figure = sheet(2.0)
             axes = figure.subplots()
             for low, high in ranges:
                 axes.set_xlim(low, high)
-                marks = trace(figure).marks
+                marks = trace_figure(figure).marks
         return [mark.text for mark in marks if isinstance(mark, Letters)]
 
     assert numbers((0.0, 1.0), (0.0, 7e7)) == numbers((0.0, 7e7)) != numbers((0.0, 1.0))
+
+
+def test_drawn_in_pixels_they_look_alike_at_any_resolution(scene: Scene) -> None:
+    """By matplotlib's own renderer: letters and lines stand within a pixel of where its axes have them."""
+    pictures = []
+    for figure in pair(scene):
+        canvas = FigureCanvasAgg(figure)
+        figure.set_dpi(144)
+        canvas.draw()
+        pictures.append(np.asarray(canvas.buffer_rgba())[..., :3].min(axis=-1) < 160)
+    ours, theirs = pictures
+    near = np.zeros_like(theirs)
+    for down in range(-3, 4):
+        for across in range(-3, 4):
+            near |= np.roll(theirs, (down, across), axis=(0, 1))
+    assert (ours & ~near).sum() <= 0.01 * ours.sum()

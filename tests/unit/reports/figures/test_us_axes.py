@@ -15,15 +15,15 @@ from matplotlib.text import Text
 from assess.results import Resolved, Results
 from reports.assessment import assessment
 from reports.figures import sketch
-from reports.figures.style import sheet, styled
+from reports.figures.style import report_style, sheet
 from reports.figures.us_axes import convert
-from reports.localisation import as_asked
+from reports.localisation import localise
 
 FOOT, INCH, PSI = 0.3048, 0.0254, 4.4482216152605 / 0.0254**2
 
 
 def drawn(axes: Axes) -> Axes:
-    with styled():
+    with report_style():
         axes.figure.draw_without_rendering()  # type: ignore[union-attr]
     return axes
 
@@ -58,7 +58,7 @@ def test_panels_without_a_label_have_the_unit_of_those_beside_them(results: Resu
 
 
 def panel(label: str, highest: float, **keys: str) -> tuple[Figure, Axes]:
-    with styled():
+    with report_style():
         figure = sheet(2.0)
         axes = figure.subplots()
         axes.plot([0.01 * highest, highest], [0.01 * highest, highest])
@@ -98,7 +98,7 @@ def test_curves_and_axes_of_other_units_stay() -> None:
 
 
 def test_a_scale_that_panels_share_is_converted_once() -> None:
-    with styled():
+    with report_style():
         figure = sheet(2.0)
         for axes in figure.subplots(2, 1, sharex=True):
             axes.plot([0.0, 10.0], [0.0, 1.0])
@@ -110,7 +110,7 @@ def test_a_scale_that_panels_share_is_converted_once() -> None:
 
 def test_no_figure_of_a_report_in_us_units_has_metres(results: Results) -> None:
     project = {**results.project, "report.units": Resolved("US", True)}
-    document = as_asked(assessment(replace(results, project=project)))
+    document = localise(assessment(replace(results, project=project)))
     texts = [str(text.get_text()) for one in document.figures for text in one.draw().findobj(Text)]  # type: ignore[attr-defined]
     units = {unit for text in texts for unit in re.findall(r"\[([^\]]+)\]", text)}
     assert {"ft", "kip ft", "g", "rad"} <= units

@@ -17,7 +17,7 @@ from assess.codes.verdict_text import outcome_text
 from assess.project.sections.analysis import Report
 from reports.document import Banner
 from reports.figures.style import BANNER
-from reports.language.catalogue import FOLDER, catalogue, languages, parsed
+from reports.language.catalogue import FOLDER, catalogue, languages, parse_catalogue
 from reports.render.page import PAGE
 
 EMPTY = {"unchanged": [], "furniture": {}, "sentences": {}, "phrases": {}}
@@ -50,7 +50,7 @@ def test_words_that_renderers_ask_for_are_there(language: str) -> None:
     }
     for path in Path(reports.__file__).parent.rglob("*.py"):
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-            if isinstance(node, ast.Call) and getattr(node.func, "attr", "") == "said":
+            if isinstance(node, ast.Call) and getattr(node.func, "attr", "") == "translate":
                 asked |= {each.value for each in node.args if isinstance(each, ast.Constant)}
     assert asked - set(catalogue(language).furniture) == set()
 
@@ -90,4 +90,4 @@ def test_a_path_is_no_language() -> None:
 
 def test_a_sentence_that_stands_twice_is_refused() -> None:
     with pytest.raises(ValueError, match='"At" stands twice'):
-        parsed({**EMPTY, "sentences": {"a": {"At": "A"}, "b": {"At": "Istante"}}}, language="it")
+        parse_catalogue({**EMPTY, "sentences": {"a": {"At": "A"}, "b": {"At": "Istante"}}}, language="it")

@@ -21,12 +21,12 @@ from assess.results import AmplificationResult, Factor, Resolved, Results
 from assess.results.json import dumps
 from reports.assessment import assessment
 from reports.document import Document, Figure, Section, Text
-from reports.figures.style import sheet, styled
-from reports.language.document_texts import reworded
-from reports.language.measures import Units, in_units, measure, measures, number, typed, unit_word, written
-from reports.language.message_text import said
+from reports.figures.style import report_style, sheet
+from reports.language.document_texts import map_texts
+from reports.language.measures import Units, as_typed, in_units, measure, measures, number, render_measures, unit_word
+from reports.language.message_text import message_text
 from reports.language.us_units import WORKED_IN_SI
-from reports.localisation import as_asked
+from reports.localisation import localise
 
 REGISTRY = pint.UnitRegistry()
 NUMBER = re.compile(r"[-−]?\d+(?:\.\d+)?(?:e[+-]\d+|×10[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)?")
@@ -34,11 +34,11 @@ RAISED = str.maketrans("−⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "--0123456789")
 
 
 def us(text: str) -> str:
-    return written(text, units="US")
+    return render_measures(text, units="US")
 
 
 def si(text: str) -> str:
-    return written(text, units="SI")
+    return render_measures(text, units="SI")
 
 
 def test_a_length_is_rounded_once() -> None:
@@ -53,9 +53,9 @@ SHOWN = [
     (measure(1.0, "MPa", figures=3, style="aligned"), "1.00 MPa", "145 psi"),
     (measures((1.1164, 2.99, 6.43), "m", figures=3, between=" × "), "1.12 × 2.99 × 6.43 m", "3.66 × 9.81 × 21.1 ft"),
     (f"{number(5.0, 'GPa/m', figures=4, style='round')} {unit_word('GPa/m')}", "5 GPa/m", "18420 psi/in"),
-    (f"{typed([0.3048, -3, 0.0], 'm')} {unit_word('m')}", "[0.3048, -3, 0] m", "[1, −9.84, 0] ft"),
-    (f"{typed(0.30479999999999996, 'm')} {unit_word('m')}", "0.30479999999999996 m", "1 ft"),
-    (f"{typed(4.45008, 'm')} {unit_word('m')}", "4.45008 m", "14.6 ft"),
+    (f"{as_typed([0.3048, -3, 0.0], 'm')} {unit_word('m')}", "[0.3048, -3, 0] m", "[1, −9.84, 0] ft"),
+    (f"{as_typed(0.30479999999999996, 'm')} {unit_word('m')}", "0.30479999999999996 m", "1 ft"),
+    (f"{as_typed(4.45008, 'm')} {unit_word('m')}", "4.45008 m", "14.6 ft"),
     (measure(12.34567, "Hz", figures=3), "12.3 Hz", "12.3 Hz"),
     (measure(0.0, "m", figures=3), "0 m", "0 ft"),
     (measure(1.962, "m/s2", figures=4), "1.962 m/s2", "0.2001 g"),
@@ -77,11 +77,11 @@ def test_a_number_in_us_units_is_within_half_of_its_last_figure(value: float, un
 
 def test_a_message_is_told_in_both_systems_from_its_values() -> None:
     told = warning("ground-motion-at-height", "mechanisms.w", height=Quantity(1.3643, "length", 3), remedy="see 1.36 m")
-    assert si(said(told)) == told.text
-    assert us(said(told)).startswith("what holds the mechanism is 4.48 ft above the ground")
-    assert us(said(told)).endswith("see 1.36 m")  # a text of somebody's is never converted
+    assert si(message_text(told)) == told.text
+    assert us(message_text(told)).startswith("what holds the mechanism is 4.48 ft above the ground")
+    assert us(message_text(told)).endswith("see 1.36 m")  # a text of somebody's is never converted
     unknown = Message("of-another-version", told.severity, "", told.text, told.values)
-    assert said(unknown) == told.text
+    assert message_text(unknown) == told.text
 
 
 def test_what_a_shortening_cuts_leaves_no_signs() -> None:
@@ -136,7 +136,7 @@ def texts(results: Results, units: Units) -> list[str]:
         found.append(text)
         return text
 
-    reworded(as_asked(assessment(replace(results, project=project))), seen)
+    map_texts(localise(assessment(replace(results, project=project))), seen)
     return [text for text in found if text != WORKED_IN_SI]
 
 
@@ -201,7 +201,7 @@ def test_texts_of_the_user_stay(tall: Results) -> None:
 
 
 def test_names_of_ticks_are_words_too() -> None:
-    with styled():
+    with report_style():
         figure = sheet(1.0)
         axes = figure.subplots()
         axes.set_yticks([0, 1], [f"thickness\n{measure(1.3643, 'm', figures=3)}", "restitution"])
@@ -219,5 +219,5 @@ def _same(figure: Drawn) -> Drawn:
 def test_a_typed_number_keeps_its_figures_within_reason() -> None:
     for value in (0.5, 3, 12.25, 1234.5678):
         digits = len(json.dumps(value).replace(".", "").lstrip("0"))
-        shown = us(typed(value, "m"))
+        shown = us(as_typed(value, "m"))
         assert 3 <= len(re.sub(r"\D", "", shown).lstrip("0")) <= max(3, min(6, digits)) + int(log10(value) > 5)

@@ -9,7 +9,7 @@ from hypothesis import given as drawn
 from hypothesis import strategies
 
 from reports.document import Cell, Kind
-from reports.language.numerals import as_cell, numeral, shown
+from reports.language.numerals import as_cell, cell_text, numeral
 
 
 @pytest.mark.parametrize(
@@ -50,7 +50,7 @@ def test_a_numeral_reads_back_within_half_a_unit_of_its_last_figure(value: float
     ],
 )
 def test_cells(cell: Cell, kind: Kind, text: str) -> None:
-    assert shown(cell, kind) == text
+    assert cell_text(cell, kind) == text
 
 
 def test_lists_become_one_line() -> None:

@@ -33,7 +33,7 @@ def test_gaps_may_change_places() -> None:
     made = template("{0} of {1} checks", "su {1} verifiche {0}")
     found = made.match("3 of 8 checks")
     assert found is not None
-    assert made.filled(found) == "su 8 verifiche 3"
+    assert made.fill(found) == "su 8 verifiche 3"
 
 
 def test_every_way_to_divide_a_list() -> None:
@@ -42,7 +42,7 @@ def test_every_way_to_divide_a_list() -> None:
 
 
 def test_what_fills_a_gap_is_no_template() -> None:
-    assert template("Notes: {0}", "Note: {0}").filled({0: "{0} {1}"}) == "Note: {0} {1}"
+    assert template("Notes: {0}", "Note: {0}").fill({0: "{0} {1}"}) == "Note: {0} {1}"
 
 
 @pytest.mark.parametrize(

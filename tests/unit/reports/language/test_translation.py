@@ -17,13 +17,13 @@ from assess.results import Resolved, Results
 from assess.study.run import run
 from reports.assessment import assessment
 from reports.document import Document, Figure, Sheet, Table, Text
-from reports.language.catalogue import catalogue, parsed
-from reports.language.translation import Speech, translated
-from reports.missing_translations import untranslated
+from reports.language.catalogue import catalogue, parse_catalogue
+from reports.language.translation import Translator, translate_document
+from reports.missing_translations import missing_sentences
 from reports.render.pdf import write_pdf
-from reports.render.vector import Letters, trace
+from reports.render.vector import Letters, trace_figure
 
-SMALL = parsed(
+SMALL = parse_catalogue(
     {
         "unchanged": ["PGA"],
         "furniture": {},
@@ -69,7 +69,7 @@ def document(results: Results) -> Document:
     ],
 )
 def test_sentences_gaps_and_lists(text: str, said: str) -> None:
-    assert Speech(SMALL, frozenset({"North"})).said(text) == said
+    assert Translator(SMALL, frozenset({"North"})).translate(text) == said
 
 
 @pytest.mark.parametrize(
@@ -89,21 +89,21 @@ def test_sentences_gaps_and_lists(text: str, said: str) -> None:
     ],
 )
 def test_a_name_is_never_changed(name: str) -> None:
-    say = Speech(SMALL, frozenset({name})).said
+    say = Translator(SMALL, frozenset({name})).translate
     assert say(name) == name
     assert name in say(f"{name} fails from PGA 0.3 g.")
     assert name in say(f"Mechanism {name} is a wall.")
 
 
 def test_a_name_cut_short_or_broken_into_lines_is_kept() -> None:
-    say = Speech(SMALL, frozenset({"A and B, of the north-east tower"})).said
+    say = Translator(SMALL, frozenset({"A and B, of the north-east tower"})).translate
     assert say("A and B, of the nor… and a wall") == "A and B, of the nor… e una parete"
     assert say("A and B, of the\nnorth-\neast tower") == "A and B, of the\nnorth-\neast tower"
 
 
 def test_english_is_left_as_it_is(results: Results) -> None:
     made = assessment(results)
-    assert translated(made) is made
+    assert translate_document(made) is made
 
 
 def test_nothing_of_the_fixture_is_left_in_english_but_what_it_invents(results: Results) -> None:
@@ -112,14 +112,14 @@ def test_nothing_of_the_fixture_is_left_in_english_but_what_it_invents(results: 
     steps = ("above the hinge", "factor of the weight", "equivalent damping", "demand over capacity")
     loads = ("floor <beam>", "=cmd()", "floor beam")
     known = (*invented, *steps, *loads)
-    assert [text for text in untranslated(results, language="it") if not any(own in text for own in known)] == []
+    assert [text for text in missing_sentences(results, language="it") if not any(own in text for own in known)] == []
 
 
 def test_nothing_of_a_real_run_is_left_in_english() -> None:
     found = run(build(load(Path(assess.examples.__file__).parent / "projects" / "single_wall" / "project.toml")))
-    assert untranslated(found, language="it") == ()
+    assert missing_sentences(found, language="it") == ()
     english = re.compile(r"\b(the|of|and|which|with|from|over|each|every)\b")
-    shown = translated(replace(assessment(found), language="it"))
+    shown = translate_document(replace(assessment(found), language="it"))
     assert [text for text in sentences(shown) if english.search(text)] == []
 
 
@@ -134,7 +134,7 @@ def sentences(document: Document) -> Iterator[str]:
 
 
 def test_numbers_and_names_are_those_of_the_english_report(document: Document) -> None:
-    shown = translated(document)
+    shown = translate_document(document)
     assert [shape(table) for table in document.tables] == [shape(table) for table in shown.tables]
     assert [sheet.name for sheet in document.sheets] == [sheet.name for sheet in shown.sheets]
     values = [[line.value for line in sheet.lines] for sheet in document.sheets]
@@ -151,28 +151,28 @@ def test_hostile_labels_stand_as_they_are_in_every_table(results: Results) -> No
     label = "overturned, <i>fails</i> and the records"
     mechanisms = tuple(replace(mechanism, label=label) for mechanism in results.mechanisms)
     made = replace(assessment(replace(results, mechanisms=mechanisms)), language="it")
-    table = next(table for table in translated(made).tables if table.name == "verdicts")
+    table = next(table for table in translate_document(made).tables if table.name == "verdicts")
     assert {row[0] for row in table.rows} == {label}
-    assert any(label in section.title for section in translated(made).sections)
+    assert any(label in section.title for section in translate_document(made).sections)
 
 
 def test_given_values_are_not_translated(results: Results) -> None:
     project = {**results.project, "site.note": Resolved("the records", True)}
-    made = translated(replace(assessment(replace(results, project=project)), language="it"))
+    made = translate_document(replace(assessment(replace(results, project=project)), language="it"))
     table = next(table for table in made.tables if table.name == "values")
     assert ("site.note", "the records", "dato") in table.rows
 
 
 def test_figures_are_drawn_in_the_language(document: Document) -> None:
-    drawn = {figure.name: figure for figure in translated(document).figures}
-    letters = {mark.text for mark in trace(drawn["spectrum"].draw()).marks if isinstance(mark, Letters)}
+    drawn = {figure.name: figure for figure in translate_document(document).figures}
+    letters = {mark.text for mark in trace_figure(drawn["spectrum"].draw()).marks if isinstance(mark, Letters)}
     assert {"periodo T [s]", "obiettivo"} <= letters
     assert "target" not in letters
 
 
 def test_the_pdf_says_its_own_words_in_the_language(document: Document, tmp_path: Path) -> None:
     short = replace(document, sections=document.sections[:2])
-    reader = PdfReader(write_pdf(translated(short), tmp_path / "report.pdf"))
+    reader = PdfReader(write_pdf(translate_document(short), tmp_path / "report.pdf"))
     text = "\n".join(page.extract_text() for page in reader.pages)
     assert reader.trailer["/Root"]["/Lang"] == "it"
     assert all(word in text for word in ("Indice", "Esito", "pagina 1 di", "Tabella 1."))
@@ -182,9 +182,9 @@ def test_the_pdf_says_its_own_words_in_the_language(document: Document, tmp_path
 def test_every_pair_of_the_catalogue_is_found_again() -> None:
     """What stands in the catalogue is translated as it stands there, with marks in its gaps."""
     known = catalogue("it")
-    say = Speech(known, frozenset()).said
+    say = Translator(known, frozenset()).translate
     for templates in known.by_word.values():
         for each in templates:
             gaps = [f"7{place}" for place in range(len(each.gaps))]
             filled = "".join(piece + gap for piece, gap in zip(each.fixed, [*gaps, ""], strict=True))
-            assert say(filled) == each.filled(dict(zip(each.gaps, gaps, strict=True))), filled
+            assert say(filled) == each.fill(dict(zip(each.gaps, gaps, strict=True))), filled

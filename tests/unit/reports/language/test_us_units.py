@@ -12,7 +12,7 @@ from assess.results import Resolved, Results
 from reports.assessment import assessment
 from reports.chapters import tables
 from reports.document import Cell, Column, Document, Line, Section, Sheet, Table, Text
-from reports.language.numerals import outcome
+from reports.language.numerals import step_result
 from reports.language.us_units import WORKED_IN_SI, in_us_units, table
 from reports.render.sheet_table import as_table
 
@@ -129,7 +129,7 @@ def test_an_acceleration_of_a_sheet_stands_in_g_beside_it(both: tuple[Document, 
     *_, shown = in_us_units(replace(both[0], sections=(Section("s", 0, (made,)),))).blocks
     assert isinstance(shown, Sheet)
     line = shown.lines[0]
-    assert outcome(line.value, line.unit, line.beside) == "1.961 m/s2 (0.2000 g)"
+    assert step_result(line.value, line.unit, line.beside) == "1.961 m/s2 (0.2000 g)"
     in_full = as_table(shown)
     assert [column.heading for column in in_full.columns[-4:]] == ["Value", "Unit", "Value, US", "Unit, US"]
     assert in_full.rows[0][-4:] == (line.value, "m/s2", pytest.approx(0.2, rel=1e-15), "g")

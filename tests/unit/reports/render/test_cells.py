@@ -13,7 +13,7 @@ from reportlab.pdfgen.canvas import Canvas
 from reportlab.platypus import Paragraph
 
 from reports.figures.font import printable
-from reports.render.cells import Cell, cell, formula, ink, plain
+from reports.render.cells import Cell, cell, draw_cells, formula_pieces, plain_cell
 from reports.render.typeset import STYLES, paragraph, register_fonts, width_of
 
 PROSE = "a horizontal action lambda times all the weights, at which the mechanism just begins to rock: see the clause"
@@ -47,7 +47,7 @@ def squeezed(lines: Lines) -> str:
 
 
 def of_cell(made: Cell) -> Lines:
-    return drawn(lambda canvas: ink(canvas, [(made, 100.0, 200.0 + made.height)]))
+    return drawn(lambda canvas: draw_cells(canvas, [(made, 100.0, 200.0 + made.height)]))
 
 
 def of_paragraph(made: Paragraph, width: float) -> Lines:
@@ -62,7 +62,7 @@ def of_paragraph(made: Paragraph, width: float) -> Lines:
 @pytest.mark.parametrize("width", [25.0, 60.0, 200.0])
 def test_plain_text_stands_where_a_paragraph_has_it(text: str, style: str, width: float) -> None:
     register_fonts()
-    made, whole = of_cell(plain(text, style, width=width)), of_paragraph(paragraph(text, style), width)
+    made, whole = of_cell(plain_cell(text, style, width=width)), of_paragraph(paragraph(text, style), width)
     assert [words for words, *_ in made] == [words for words, *_ in whole]
     np.testing.assert_allclose([at for _, *at in made], [at for _, *at in whole], rtol=0.0, atol=1e-3)
 
@@ -70,14 +70,14 @@ def test_plain_text_stands_where_a_paragraph_has_it(text: str, style: str, width
 @pytest.mark.parametrize("width", [25.0, 60.0, 200.0])
 def test_lines_break_where_a_paragraph_breaks_them(width: float) -> None:
     register_fonts()
-    made, whole = of_cell(plain(PROSE, "cell", width=width)), of_paragraph(paragraph(PROSE, "cell"), width)
+    made, whole = of_cell(plain_cell(PROSE, "cell", width=width)), of_paragraph(paragraph(PROSE, "cell"), width)
     assert made == [(words, pytest.approx(x, abs=1e-3), pytest.approx(y, abs=1e-3)) for words, x, y in whole]
 
 
 @pytest.mark.parametrize("width", [40.0, 90.0, 400.0])
 def test_formulas_are_set_as_a_paragraph_sets_them(width: float) -> None:
     register_fonts()
-    made = of_cell(cell([formula(FORMULA)], "cell", width=width))
+    made = of_cell(cell([formula_pieces(FORMULA)], "cell", width=width))
     whole = of_paragraph(Paragraph(MARKED, STYLES["cell"]), width)
     assert squeezed(made) == squeezed(whole)
     heights = [sorted({round(y, 3) for *_, y in lines}) for lines in (made, whole)]
@@ -87,14 +87,16 @@ def test_formulas_are_set_as_a_paragraph_sets_them(width: float) -> None:
 @pytest.mark.parametrize("text", ["<b>&", "<para>", "</font>", "a_<b>", "x^</sub>", "_", "^", "a_{", "a^{}", "%s {0}"])
 def test_no_text_is_markup(text: str) -> None:
     register_fonts()
-    shown = "".join(letters for line in cell([formula(text)], "cell", width=200.0).lines for letters, _ in line.pieces)
+    shown = "".join(
+        letters for line in cell([formula_pieces(text)], "cell", width=200.0).lines for letters, _ in line.pieces
+    )
     assert shown.translate(str.maketrans("", "", "^_")) == text.translate(str.maketrans("", "", "^_"))
 
 
 @given(strategies.text(max_size=80), strategies.floats(20.0, 90.0))
 def test_any_text_is_kept_and_no_line_is_too_wide(text: str, width: float) -> None:
     register_fonts()
-    made = plain(text, "cell", width=width)
+    made = plain_cell(text, "cell", width=width)
     shown = "".join(letters for line in made.lines for letters, _ in line.pieces)
     assert "".join(shown.split()) == "".join(printable(text).split())
     spare = 0.05 * 40 * width_of(" ", "cell")  # what spaces may be shrunk by, at most 40 on a line

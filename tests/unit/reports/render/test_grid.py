@@ -10,7 +10,7 @@ from pypdf import PdfReader
 from reports.document import Cell, Column, Document, Section, Table
 from reports.render.grid import LONGEST, column_widths, table_grid
 from reports.render.pdf import write_pdf
-from reports.render.ruled_table import Ruled
+from reports.render.ruled_table import RuledTable
 from reports.render.typeset import register_fonts, width_of
 
 COLUMNS = (Column("Record"), Column("PGA", "g", "number"), Column("Verdict", kind="verdict"))
@@ -31,8 +31,8 @@ def test_a_long_table_splits_and_repeats_caption_and_head() -> None:
     grid = table_grid(Table("t", "Many.", COLUMNS, (row,) * 100), title="Table 1", width=300.0)
     grid.wrap(300, 400)
     first, second = grid.split(300, 400)
-    assert isinstance(first, Ruled)
-    assert isinstance(second, Ruled)
+    assert isinstance(first, RuledTable)
+    assert isinstance(second, RuledTable)
     assert first.wrap(300, 400)[1] <= 400
     assert len(first.body.rows) + len(second.body.rows) == 100
     for part in (first, second):

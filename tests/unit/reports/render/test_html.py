@@ -15,9 +15,9 @@ from assess.results import Results
 from reports.assessment import assessment
 from reports.document import Document, Figure, Section
 from reports.figures import spectrum
-from reports.render.html import SCRIPTS, part, write_html
+from reports.render.html import SCRIPTS, resource, write_html
 from reports.render.svg import picture
-from reports.render.vector import trace
+from reports.render.vector import trace_figure
 
 
 @pytest.fixture(scope="module")
@@ -89,7 +89,7 @@ def test_heads_of_tables_have_a_scope(tree: html.HtmlElement) -> None:
 def test_words_of_the_page_stand_in_its_template_alone(tree: html.HtmlElement) -> None:
     """So that another language is another template."""
     assert {button.text_content() for button in tree.xpath("//template//button")} == {"Enlarge", "Turn in 3D"}
-    assert not any(word in part(name) for name in SCRIPTS for word in ("Enlarge", "Close", "Reset"))
+    assert not any(word in resource(name) for name in SCRIPTS for word in ("Enlarge", "Close", "Reset"))
 
 
 def test_formulas_have_indices_and_powers(tree: html.HtmlElement) -> None:
@@ -103,7 +103,7 @@ def test_the_same_document_gives_the_same_bytes(results: Results, tmp_path: Path
     document = replace(whole, sections=(Section("s", 0, (spectrum_of(results),)),), data=())
     pages = []
     for name in ("one.html", "two.html"):
-        pictures = {figure.name: picture(trace(figure.draw())) for figure in document.figures}
+        pictures = {figure.name: picture(trace_figure(figure.draw())) for figure in document.figures}
         pages.append(write_html(document, tmp_path / name, pictures=pictures).read_bytes())
     assert pages[0] == pages[1]
 

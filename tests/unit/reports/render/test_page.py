@@ -24,11 +24,11 @@ from selenium.webdriver.common.print_page_options import PrintOptions
 from selenium.webdriver.remote.webelement import WebElement
 
 from reports.document import Column, Document, Figure, Model, Part, Section, Table, Text, Wire
-from reports.figures.style import bare_sheet, styled
+from reports.figures.style import bare_sheet, report_style
 from reports.render.html import write_html
 from reports.render.processes import processes
 from reports.render.svg import picture
-from reports.render.vector import traced
+from reports.render.vector import trace_figures
 
 DRIVER = shutil.which("chromedriver")
 pytestmark = pytest.mark.skipif(DRIVER is None, reason="needs chromium and chromedriver: .venv/browser of the Makefile")
@@ -188,13 +188,13 @@ def box(low: tuple[float, float, float], high: tuple[float, float, float]) -> tu
 
 def shown(model: Model, folder: Path, *, title: str = "t", texts: tuple[str, ...] = ()) -> Path:
     """A page of one figure with this model, and a table of the texts."""
-    with styled():
+    with report_style():
         drawn = bare_sheet(1.0)
     table = Table("t", title, (Column(title),), tuple((text,) for text in texts))
     blocks = (Figure("f", title, lambda: drawn, model), Text(texts), table)
     document = Document(title, title, "", title, "A4", ((title, title),), (Section(title, 0, blocks),), ())
     with processes(1, document) as pool:
-        pictures = {name: picture(drawing) for name, drawing in traced(document, pool=pool).items()}
+        pictures = {name: picture(drawing) for name, drawing in trace_figures(document, pool=pool).items()}
     return write_html(document, folder / "page.html", pictures=pictures)
 
 

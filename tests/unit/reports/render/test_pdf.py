@@ -16,8 +16,8 @@ from reports.assessment import assessment
 from reports.document import Banner, Code, Section
 from reports.document import Figure as DrawnFigure
 from reports.figures.style import bare_sheet
-from reports.language.document_texts import reworded
-from reports.localisation import as_asked
+from reports.language.document_texts import map_texts
+from reports.localisation import localise
 from reports.render.pdf import write_pdf
 
 HOSTILE = ("<b>&", "<para>", "</font>", "=cmd()", "$x$", "{}%s", "\\frac{1}{2}")
@@ -29,7 +29,7 @@ def text_of(path: Path) -> str:
 
 @pytest.fixture(scope="module")
 def report(results: Results, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return write_pdf(as_asked(assessment(results)), tmp_path_factory.mktemp("pdf") / "report.pdf")
+    return write_pdf(localise(assessment(results)), tmp_path_factory.mktemp("pdf") / "report.pdf")
 
 
 def test_text_holds_every_verdict_and_every_mechanism(results: Results, report: Path) -> None:
@@ -82,7 +82,7 @@ def test_contents_have_the_numbers_of_the_pages(report: Path) -> None:
 
 
 def test_the_same_document_gives_the_same_bytes(results: Results, report: Path, tmp_path: Path) -> None:
-    assert write_pdf(as_asked(assessment(results)), tmp_path / "again.pdf").read_bytes() == report.read_bytes()
+    assert write_pdf(localise(assessment(results)), tmp_path / "again.pdf").read_bytes() == report.read_bytes()
 
 
 def test_symbols_and_numbers_reach_the_text(report: Path) -> None:
@@ -128,14 +128,14 @@ def hostile(results: Results, text: str) -> Results:
 
 def test_markup_and_rare_letters_appear_as_text(results: Results, tmp_path: Path) -> None:
     rare = "Ж λ 東 😀 \x07 \u202e é\ud800"
-    text = text_of(write_pdf(as_asked(assessment(hostile(results, " ".join((*HOSTILE, rare))))), tmp_path / "r.pdf"))
+    text = text_of(write_pdf(localise(assessment(hostile(results, " ".join((*HOSTILE, rare))))), tmp_path / "r.pdf"))
     for wanted in (*HOSTILE, "Ж λ", "⟨U+6771⟩", "⟨U+1F600⟩", "⟨U+0007⟩", "⟨U+202E⟩", "é⟨U+D800⟩"):
         assert text.count(wanted) > 5
 
 
 def test_long_text_is_shortened_in_heads_and_printed_once_in_full(results: Results, tmp_path: Path) -> None:
     long = "".join(f"{number:05d}" for number in range(2000))
-    reader = PdfReader(write_pdf(as_asked(assessment(hostile(results, long))), tmp_path / "r.pdf"))
+    reader = PdfReader(write_pdf(localise(assessment(hostile(results, long))), tmp_path / "r.pdf"))
     texts = ("".join(re.sub(r"page \d+ of \d+", "", page.extract_text()).split()) for page in reader.pages)
     squeezed = "".join(texts)
     assert "…" in squeezed
@@ -165,4 +165,4 @@ def test_lines_to_paste_are_printed_letter_for_letter(results: Results, tmp_path
     code = Code(('[materials."<b> & stone"]', 'disintegration = "excluded"'))
     document = replace(assessment(results), sections=(Section("Verdict", 0, (code,)),), data=())
     assert " ".join(code.lines) in text_of(write_pdf(document, tmp_path / "code.pdf"))
-    assert reworded(document, str.upper).sections[0].blocks == (code,)
+    assert map_texts(document, str.upper).sections[0].blocks == (code,)

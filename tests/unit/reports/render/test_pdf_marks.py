@@ -9,7 +9,7 @@ from pypdf import PdfReader
 from reportlab.pdfgen.canvas import Canvas
 
 from reports.render.pdf_marks import operators, replay
-from reports.render.vector import Stroke, Traced
+from reports.render.vector import FigureMarks, Stroke
 
 
 def test_outlines_in_the_operators_of_pdf() -> None:
@@ -29,7 +29,7 @@ def test_pen_and_window_are_set_where_they_change() -> None:
     marks = (stroke("red", window), stroke("red", window), stroke("blue", window), stroke("blue", None))
     file = io.BytesIO()
     canvas = Canvas(file)
-    replay(Traced(marks, 100.0, 100.0), canvas, font="Helvetica", bold="Helvetica-Bold")
+    replay(FigureMarks(marks, 100.0, 100.0), canvas, font="Helvetica", bold="Helvetica-Bold")
     canvas.save()
     content = PdfReader(file).pages[0].get_contents()
     assert content is not None

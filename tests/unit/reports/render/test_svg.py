@@ -11,22 +11,24 @@ from matplotlib.font_manager import FontProperties
 from matplotlib.path import Path
 from matplotlib.textpath import TextPath
 
-from reports.figures.style import sheet, styled
+from reports.figures.style import report_style, sheet
 from reports.render.svg import _glyph, outline, picture, write_svg
-from reports.render.vector import trace
+from reports.render.vector import trace_figure
 
 SVG = "{http://www.w3.org/2000/svg}"
 
 
 def written(folder: File, text: str) -> ElementTree.Element:
-    with styled():
+    with report_style():
         figure = sheet(2.0, width=4.0)
         figure.set_layout_engine("none")
         axes = figure.add_axes((0.0, 0.0, 1.0, 1.0), xlim=(0, 4), ylim=(0, 2))
         axes.set_axis_off()
         axes.plot([1, 3], [0.5, 1.5], color="#ff0000", linestyle="--")
         figure.text(0.5, 0.5, text)
-    return ElementTree.parse(write_svg(picture(trace(figure)), folder / "figure.svg", creator="program <1>")).getroot()
+    return ElementTree.parse(
+        write_svg(picture(trace_figure(figure)), folder / "figure.svg", creator="program <1>")
+    ).getroot()
 
 
 def test_a_line_lands_where_the_axes_put_it(tmp_path: File) -> None:

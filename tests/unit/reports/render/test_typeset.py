@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given, strategies
 
 from reports.figures.font import printable
-from reports.language.lettering import shortened, visible
+from reports.language.lettering import truncate, visible
 from reports.render.typeset import paragraph, register_fonts
 
 
@@ -26,5 +26,5 @@ def test_any_text_can_be_set(text: str) -> None:
 def test_what_cannot_be_seen_is_shown_by_its_code() -> None:
     assert visible("a\x00b\u202ec\nd") == "a⟨U+0000⟩b⟨U+202E⟩c d"
     assert printable("東😀") == "⟨U+6771⟩⟨U+1F600⟩"
-    assert shortened("abcdef", 4) == "abc…"
-    assert shortened("abcd", 4) == "abcd"
+    assert truncate("abcdef", 4) == "abc…"
+    assert truncate("abcd", 4) == "abcd"

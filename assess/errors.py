@@ -16,6 +16,13 @@ AssessError                what a user can mend; the command line prints its one
 Anything else that reaches the command line is a bug (exit code 70).
 """
 
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+from spectra.errors import SpectrumError
+
 
 class AssessError(ValueError):
     """Something the user can mend: the text says what, where, the value and the remedy."""
@@ -59,3 +66,12 @@ class OutputError(AssessError):
 
 class HeldError(OutputError):
     """Another command is writing there."""
+
+
+@contextmanager
+def locate_errors(where: str) -> Iterator[None]:
+    """Put `where` in front of the text of every error that the user can mend and that is raised within the block."""
+    try:
+        yield
+    except (AssessError, SpectrumError) as error:
+        raise type(error)(f"{where}: {error}") from None

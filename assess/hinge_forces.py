@@ -53,11 +53,11 @@ class HingeForces:
     held: bool
 
     @property
-    def needed(self) -> float | None:
+    def required_friction(self) -> float | None:
         """The coefficient of friction without which it slides before it rocks [-]; None where it lifts."""
-        return needed(self.starting)
+        return required_friction(self.starting)
 
-    def at(self, acceleration: float) -> Pressure:
+    def pressure_at(self, acceleration: float) -> Pressure:
         """What it passes on at an acceleration of the ground [m/s2]; beyond the one that starts rocking no more."""
         share = min(acceleration / self.acceleration, 1.0)
         low, high = self.resting, self.starting
@@ -66,17 +66,17 @@ class HingeForces:
             low.shear + share * (high.shear - low.shear),
         )
 
-    def mobilised(self, acceleration: float) -> float | None:
+    def mobilised_friction(self, acceleration: float) -> float | None:
         """The largest coefficient of friction that ground accelerations up to this one need [-]; None where it lifts.
 
         |T| / N of two linear functions is largest at an end.
         """
-        ends = [needed(self.resting), needed(self.at(acceleration))]
+        ends = [required_friction(self.resting), required_friction(self.pressure_at(acceleration))]
         known = [each for each in ends if each is not None]
         return max(known) if len(known) == len(ends) else None
 
     @property
-    def sliding(self) -> float | None:
+    def sliding_acceleration(self) -> float | None:
         """The ground acceleration at which |T| = mu N [m/s2]; None where that is not before it starts to rock."""
         if self.friction is None:
             return None
@@ -91,6 +91,6 @@ class HingeForces:
         return -first / (last - first) if last > 0.0 else None
 
 
-def needed(pressure: Pressure) -> float | None:
+def required_friction(pressure: Pressure) -> float | None:
     """|T| / N [-]; None where nothing presses."""
     return abs(pressure.shear) / pressure.normal if pressure.normal > 0.0 else None

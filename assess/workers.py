@@ -44,17 +44,17 @@ class SpawnedPool(ProcessPoolExecutor):
         super().__init__(number, mp_context=get_context("spawn"), initializer=become_worker)
 
     def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Any:
-        with signals_held_back():
+        with hold_signals():
             return super().submit(fn, *args, **kwargs)
 
 
 @contextmanager
-def ended_on_error(pool: ProcessPoolExecutor) -> Iterator[None]:
+def end_on_error(pool: ProcessPoolExecutor) -> Iterator[None]:
     """Shut the pool down after the block; at once, whatever it is doing, where the block raises."""
     try:
         yield
     except BaseException:
-        with _broken_pools_kept_quiet():
+        with _silence_broken_pools():
             for child in active_children():
                 child.terminate()
             pool.shutdown(cancel_futures=True)
@@ -63,7 +63,7 @@ def ended_on_error(pool: ProcessPoolExecutor) -> Iterator[None]:
 
 
 @contextmanager
-def _broken_pools_kept_quiet() -> Iterator[None]:
+def _silence_broken_pools() -> Iterator[None]:
     """Let a pool whose workers are ended say nothing of futures that were cancelled a moment before."""
     before = threading.excepthook
     threading.excepthook = lambda seen: None if seen.exc_type is InvalidStateError else before(seen)
@@ -74,7 +74,7 @@ def _broken_pools_kept_quiet() -> Iterator[None]:
 
 
 @contextmanager
-def signals_held_back() -> Iterator[None]:
+def hold_signals() -> Iterator[None]:
     """Start processes in the block, which are deaf to signals until they call `hear_signals`; here they come after it.
 
     A process that is just beginning would tell of them in its own way.

@@ -14,7 +14,7 @@ FASTEST, SLOWEST = 8_500.0, 500.0  # m/s, of P waves below the crust and of surf
 CLOCK, RUPTURE = 5.0, 60.0  # s, of clocks and origins, and of how long the source of a large earthquake lasts
 
 
-def doubt_of_arrival(record: Record) -> str:
+def arrival_warning(record: Record) -> str:
     """One line where the peak comes earlier or later after the earthquake's origin than waves take; else ""."""
     origin, start, distance = _instant(record.earthquake.time), _instant(record.start), _distance(record)
     if origin is None or start is None or distance is None:

@@ -38,11 +38,11 @@ class Band:
         return slice(first, first + self.nodes.size)
 
     def at_periods(self, logarithm: FloatArray) -> FloatArray:
-        """Logarithms of spectra at the nodes [..., m], as `interpolated`, at the periods [..., k]."""
-        return interpolated(self.period, self.nodes, logarithm)
+        """Logarithms of spectra at the nodes [..., m], as `interpolate`, at the periods [..., k]."""
+        return interpolate(self.period, self.nodes, logarithm)
 
 
-def interpolated(period: FloatArray, nodes: FloatArray, logarithm: FloatArray) -> FloatArray:
+def interpolate(period: FloatArray, nodes: FloatArray, logarithm: FloatArray) -> FloatArray:
     """Logarithms at `nodes` [..., m] [s], linear in the logarithm of the period, at each `period` [..., k] [s]."""
     at = np.interp(np.log(period), np.log(nodes), np.arange(nodes.size))
     before, after = np.floor(at).astype(np.int64), np.ceil(at).astype(np.int64)
@@ -78,7 +78,7 @@ def band(shortest: float, longest: float, *, weights: Sequence[tuple[float, floa
     return Band(period, _weight(period, weights), PERIODS[first : last + 1])
 
 
-def up_to(band: Band, longest: float) -> Band:
+def truncate_band(band: Band, longest: float) -> Band:
     """The periods of the band that a target has; RecordError where it ends before the first."""
     kept = band.period <= longest
     if not kept.any():

@@ -8,11 +8,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from records.formats.stated import Stated
+from records.formats.header_overrides import NO_OVERRIDES, HeaderOverrides
 from records.orientation import is_vertical
 from spectra.arrays import FloatArray
 
-NOTHING = Stated()
 DAMPING = 0.05
 PERIODS: FloatArray = np.geomspace(0.01, 10.0, 121)  # s, forty to the decade
 PERIODS.flags.writeable = False
@@ -33,7 +32,7 @@ class Candidate:
     nga : number of the recording in the PEER NGA database; None where any of these four is unknown
     dt [s], npts, measures : by name, SI ("pga" [m/s2], "d5_95" [s], …)
     spectrum : 5 % pseudo-acceleration at PERIODS [k] [m/s2]
-    stated : what its file does not say and the caller did when it was read
+    overrides : what its file does not say and the caller did when it was read
     """
 
     path: str
@@ -52,7 +51,7 @@ class Candidate:
     npts: int
     measures: Mapping[str, float]
     spectrum: FloatArray
-    stated: Stated = NOTHING
+    overrides: HeaderOverrides = NO_OVERRIDES
 
     @property
     def earthquake(self) -> str:

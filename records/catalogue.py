@@ -18,10 +18,10 @@ import numpy as np
 
 from records.candidates import Candidate
 from records.errors import RecordError
-from records.flatfile import Recording, described_by
-from records.formats.stated import Stated
+from records.flatfile import Recording, describe_by
+from records.formats.header_overrides import HeaderOverrides
 from records.intensity import Measures
-from records.seal import seal, sealed
+from records.seal import seal, with_seal
 
 NAME = ".assess-records.sqlite"
 APPLICATION = 0x41535345  # marks the file as ours
@@ -59,7 +59,7 @@ class Catalogue(sqlite3.Connection):
 
 
 @contextmanager
-def opened(file: Path | None) -> Iterator[Catalogue]:
+def open_catalogue(file: Path | None) -> Iterator[Catalogue]:
     """The catalogue in `file`, made if it does not exist; in memory alone if None. Closed at the end.
 
     Raises RecordError for a file that cannot be written, is damaged, is of a newer version, or is not a catalogue.
@@ -131,9 +131,9 @@ def _make(connection: Catalogue) -> None:
         + f"PRAGMA application_id = {APPLICATION}; PRAGMA user_version = {VERSION}; COMMIT;"
     )
     with connection:
-        connection.executemany("INSERT INTO stated VALUES (?, ?, ?, ?)", [sealed(row) for row in told[:1]])
+        connection.executemany("INSERT INTO stated VALUES (?, ?, ?, ?)", [with_seal(row) for row in told[:1]])
         marks = ", ".join("?" * (len(FLATFILE) + 1))
-        connection.executemany(f"INSERT INTO recordings VALUES ({marks})", [sealed(row) for row in flatfile])
+        connection.executemany(f"INSERT INTO recordings VALUES ({marks})", [with_seal(row) for row in flatfile])
 
 
 def _rows(connection: sqlite3.Connection, query: str) -> list[tuple[Any, ...]]:
@@ -172,48 +172,50 @@ def mend(connection: sqlite3.Connection) -> tuple[str, ...]:
 
 
 def _whole(row: Sequence[Any]) -> bool:
-    """Whether a row says what it was sealed with, its last value."""
+    """Whether a row says what it was with_seal with, its last value."""
     return bool(row[-1] == seal(row[:-1]))
 
 
 def candidates(connection: sqlite3.Connection) -> tuple[Candidate, ...]:
     """Every record of the catalogue, by path, with what a flatfile taken in says of it."""
-    said = stated(connection)
+    overrides = header_overrides(connection)
     rows = connection.execute(ROWS).fetchall()
     for row in rows:
         if not _whole(row):
             raise _damaged(connection, f"record {row[1]} of {row[0]}")
-    found = [_candidate(row, said) for row in rows]
-    return described_by(found, recordings(connection))
+    found = [_candidate(row, overrides) for row in rows]
+    return describe_by(found, recordings(connection))
 
 
-def _candidate(row: Sequence[Any], said: Stated) -> Candidate:
+def _candidate(row: Sequence[Any], overrides: HeaderOverrides) -> Candidate:
     spectrum = np.frombuffer(row[14], dtype="<f8")
     measures = dict(zip(MEASURES, row[15:-1], strict=True))
-    return Candidate(**dict(zip(TOLD, row, strict=False)), measures=measures, spectrum=spectrum, stated=said)
+    return Candidate(**dict(zip(TOLD, row, strict=False)), measures=measures, spectrum=spectrum, overrides=overrides)
 
 
-def stated(connection: sqlite3.Connection) -> Stated:
+def header_overrides(connection: sqlite3.Connection) -> HeaderOverrides:
     """What was stated of the files that do not say it themselves."""
     row = connection.execute("SELECT unit, step, response, seal FROM stated").fetchone()
     if row is None:
-        return Stated()
+        return HeaderOverrides()
     if not _whole(row):
         raise _damaged(connection, "what was stated of its files (unit, step, response)")
-    return Stated(row[0], row[1], None if row[2] is None else Path(row[2]))
+    return HeaderOverrides(row[0], row[1], None if row[2] is None else Path(row[2]))
 
 
-def keep(connection: sqlite3.Connection, said: Stated) -> None:
+def store_overrides(connection: sqlite3.Connection, overrides: HeaderOverrides) -> None:
     """Keep what is stated of the files, in place of what was."""
-    response = None if said.response is None else str(said.response)
+    response = None if overrides.response is None else str(overrides.response)
     with connection:
         connection.execute("DELETE FROM stated")
-        connection.execute("INSERT INTO stated VALUES (?, ?, ?, ?)", sealed((said.unit, said.step, response)))
+        connection.execute(
+            "INSERT INTO stated VALUES (?, ?, ?, ?)", with_seal((overrides.unit, overrides.step, response))
+        )
 
 
 def take(connection: sqlite3.Connection, flatfile: Sequence[Recording]) -> None:
     """Take a flatfile into the catalogue, in place of an earlier one."""
-    rows = [sealed((*astuple(one)[:-1], "\n".join(one.files))) for one in flatfile]
+    rows = [with_seal((*astuple(one)[:-1], "\n".join(one.files))) for one in flatfile]
     with connection:
         connection.execute("DELETE FROM recordings")
         connection.executemany("INSERT OR REPLACE INTO recordings VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)", rows)

@@ -78,17 +78,17 @@ class Flatfile:
 
 
 @dataclass(frozen=True)
-class Merged:
+class MatchSummary:
     """What became of a flatfile: rows matched and not, the records that they describe, bad cells.
 
-    doubt : why no row fits, or which columns are missing, in words; "" where all is well
+    warning : why no row fits, or which columns are missing, in words; "" where all is well
     """
 
     matched: int
     unmatched: int
     records: int
     bad: tuple[BadCell, ...]
-    doubt: str
+    warning: str
 
 
 def read_flatfile(path: Path) -> Flatfile:
@@ -190,7 +190,7 @@ def _unknown(cell: str) -> bool:
     return cell.strip().lower() in UNKNOWN_WORDS or (value is not None and value < UNKNOWN)
 
 
-def described_by(candidates: Sequence[Candidate], recordings: Sequence[Recording]) -> tuple[Candidate, ...]:
+def describe_by(candidates: Sequence[Candidate], recordings: Sequence[Recording]) -> tuple[Candidate, ...]:
     """The candidates, with what `recordings` know of them before what their files say.
 
     They are found by the NGA number in their file's name, else by a file name that one recording alone has.
@@ -199,12 +199,12 @@ def described_by(candidates: Sequence[Candidate], recordings: Sequence[Recording
     return tuple(one if by is None else _described(one, by) for one, by in zip(candidates, found, strict=True))
 
 
-def merged(candidates: Sequence[Candidate], flatfile: Flatfile) -> Merged:
+def match_summary(candidates: Sequence[Candidate], flatfile: Flatfile) -> MatchSummary:
     """How far the rows of a flatfile and the candidates found each other."""
     found = [by for by in _found(candidates, flatfile.recordings) if by is not None]
     matched = len({by.nga for by in found})
-    doubt = _missing(flatfile.missing) if found else _reason(candidates, flatfile.recordings)
-    return Merged(matched, len(flatfile.recordings) - matched, len(found), flatfile.bad, doubt)
+    warning = _missing(flatfile.missing) if found else _reason(candidates, flatfile.recordings)
+    return MatchSummary(matched, len(flatfile.recordings) - matched, len(found), flatfile.bad, warning)
 
 
 def _found(candidates: Sequence[Candidate], recordings: Sequence[Recording]) -> list[Recording | None]:

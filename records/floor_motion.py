@@ -9,7 +9,7 @@ import numpy as np
 
 from records.errors import RecordError
 from records.kernel import relative_accelerations
-from records.record import Record
+from records.record import Record, with_step
 from records.response import COARSEST
 
 STEPS_PER_PERIOD = 100.0  # of the building: a sine through 100 points, lines between, is at most 0.05 % off
@@ -36,8 +36,8 @@ def floor_motion(record: Record, *, frequency: float, shape: float, damping: flo
     relative = relative_accelerations(ground, record.dt, parts, period, damping)
     at_height = shape * relative + between(ground, parts)
     at_height.flags.writeable = False
-    said = f"through a first mode of {frequency:.6g} Hz, damping {damping:.3g}, to where it counts {shape:.6g}"
-    return replace(record, acceleration=at_height, dt=record.dt / parts, trail=(*record.trail, said))
+    step = f"through a first mode of {frequency:.6g} Hz, damping {damping:.3g}, to where it counts {shape:.6g}"
+    return with_step(replace(record, acceleration=at_height, dt=record.dt / parts), step)
 
 
 def between(

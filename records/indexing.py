@@ -21,16 +21,16 @@ from typing import TypeVar
 import numpy as np
 
 from records import catalogue
-from records.candidates import DAMPING, NOTHING, PERIODS, Candidate, sequence_number
+from records.candidates import DAMPING, PERIODS, Candidate, sequence_number
 from records.catalogue import MEASURES, Catalogue, problems
 from records.errors import RecordError
 from records.formats import FORMATS
-from records.formats.stated import Stated, check
+from records.formats.header_overrides import NO_OVERRIDES, HeaderOverrides, check_overrides
 from records.intensity import measures
-from records.reading import read
+from records.reading import read_with
 from records.record import Record
 from records.response import response_spectrum
-from records.seal import seal, sealed
+from records.seal import seal, with_seal
 
 BATCH = 50  # files to a commit
 FEW = 24  # files that are read here rather than by an executor, whose workers take seconds to start
@@ -82,25 +82,25 @@ def index(
     folder: Path,
     connection: sqlite3.Connection,
     *,
-    stated: Stated = NOTHING,
+    overrides: HeaderOverrides = NO_OVERRIDES,
     executor: Executor | None = None,
     progress: Progress = lambda done, total: None,
 ) -> Indexed:
     """Bring the catalogue `connection` of `folder` and what is below it up to date.
 
-    stated : what files do not say themselves, kept in the catalogue for later (those read with something else are read
-    again); executor : of processes, that read where files are many. Raises RecordError where the folder is none, and
+    overrides : what headers leave out, kept in the catalogue for later (files read with other values are read again);
+    executor : of processes, that read where files are many. Raises RecordError where the folder is none, and
     for a unit, step or response that cannot be.
     """
-    check(stated)
-    stated = stated.beside(catalogue.stated(connection))
-    asked = f"{stated} {' '.join(FORMATS)}"
+    check_overrides(overrides)
+    overrides = overrides.over(catalogue.header_overrides(connection))
+    asked = f"{overrides.key} {' '.join(FORMATS)}"
     on_disk = {found.path: found for found in files_below(folder)}
     damaged = catalogue.mend(connection)
     known = {
         row[0]: row[1:] for row in connection.execute("SELECT path, size, mtime, sha256, asked, problem FROM files")
     }
-    catalogue.keep(connection, stated)
+    catalogue.store_overrides(connection, overrides)
     gone = [path for path in known if path not in on_disk]
     changed = [
         _with_hash(found, known.get(path), asked)
@@ -109,7 +109,7 @@ def index(
     ]
     with connection:
         connection.executemany("DELETE FROM files WHERE path = ?", [(path,) for path in gone])
-    _read(folder, changed, connection, stated=stated, asked=asked, executor=executor, progress=progress)
+    _read(folder, changed, connection, overrides=overrides, asked=asked, executor=executor, progress=progress)
     number = int(connection.execute("SELECT COUNT(*) FROM records").fetchone()[0])
     older = isinstance(connection, Catalogue) and connection.older
     counts = (len(changed), len(on_disk) - len(changed), len(gone), number)
@@ -174,12 +174,12 @@ def _read(
     files: list[Found],
     connection: sqlite3.Connection,
     *,
-    stated: Stated,
+    overrides: HeaderOverrides,
     asked: str,
     executor: Executor | None,
     progress: Progress,
 ) -> None:
-    describe = partial(described, folder, stated=stated)
+    describe = partial(described, folder, overrides=overrides)
     results = _mapped(describe, files, executor=executor)
     batch: list[Described] = []
     for done, one in enumerate(results, start=1):
@@ -198,7 +198,7 @@ def _mapped(verb: Callable[[T], R], things: Sequence[T], *, executor: Executor |
     return executor.map(verb, things, chunksize=4)
 
 
-def described(folder: Path, found: Found, *, stated: Stated) -> Described:
+def described(folder: Path, found: Found, *, overrides: HeaderOverrides) -> Described:
     """The records of one file with their measures and spectra, or why there are none."""
     if found.problem:
         return Described(found, "", found.problem, ())
@@ -209,7 +209,7 @@ def described(folder: Path, found: Found, *, stated: Stated) -> Described:
             sha256 = hashlib.file_digest(opened, "sha256").hexdigest()
             if sha256 == found.stored:
                 return Described(found, sha256, "", None)
-            made = tuple(candidate(record, found.path, i) for i, record in enumerate(read_stated(file, stated)))
+            made = tuple(candidate(record, found.path, i) for i, record in enumerate(read_with(file, overrides)))
     except (RecordError, OSError) as error:
         return Described(found, "", str(error).removeprefix(f"{file}: "), ())
     except Exception as error:  # of a thousand files one may meet a fault of a reader: the others go on
@@ -217,24 +217,23 @@ def described(folder: Path, found: Found, *, stated: Stated) -> Described:
     return Described(found, sha256, "", made)
 
 
-def read_stated(file: Path, stated: Stated) -> tuple[Record, ...]:
-    """Every record of a file, with what the caller states where the file is silent."""
-    return read(file, unit=stated.unit, step=stated.step, response=stated.response)
-
-
 def candidates_of(
-    files: Sequence[Path], *, stated: Stated = NOTHING, executor: Executor | None = None
+    files: Sequence[Path], *, overrides: HeaderOverrides = NO_OVERRIDES, executor: Executor | None = None
 ) -> tuple[Candidate, ...]:
     """Every record of `files`, in order, without a catalogue. Raises RecordError for the first that cannot be read."""
-    return tuple(one for made in _mapped(partial(_candidates, stated=stated), files, executor=executor) for one in made)
+    return tuple(
+        one for made in _mapped(partial(_candidates, overrides=overrides), files, executor=executor) for one in made
+    )
 
 
-def _candidates(file: Path, *, stated: Stated) -> tuple[Candidate, ...]:
-    return tuple(candidate(record, str(file), i, stated=stated) for i, record in enumerate(read_stated(file, stated)))
+def _candidates(file: Path, *, overrides: HeaderOverrides) -> tuple[Candidate, ...]:
+    return tuple(
+        candidate(record, str(file), i, overrides=overrides) for i, record in enumerate(read_with(file, overrides))
+    )
 
 
-def candidate(record: Record, path: str, position: int = 0, *, stated: Stated = NOTHING) -> Candidate:
-    """What a catalogue keeps of a record, and what was `stated` of its file."""
+def candidate(record: Record, path: str, position: int = 0, *, overrides: HeaderOverrides = NO_OVERRIDES) -> Candidate:
+    """What a catalogue keeps of a record, and what was `overrides` of its file."""
     return Candidate(
         path=path,
         position=position,
@@ -252,7 +251,7 @@ def candidate(record: Record, path: str, position: int = 0, *, stated: Stated = 
         npts=record.npts,
         measures=asdict(measures(record)),
         spectrum=response_spectrum(record, PERIODS, damping=DAMPING),
-        stated=stated,
+        overrides=overrides,
     )
 
 
@@ -269,7 +268,7 @@ def _store(connection: sqlite3.Connection, batch: list[Described], asked: str) -
                 connection.execute("UPDATE files SET size = ?, mtime = ?, seal = ? WHERE path = ?", values)
                 continue
             connection.execute("DELETE FROM files WHERE path = ?", (found.path,))
-            connection.execute("INSERT INTO files VALUES (?, ?, ?, ?, ?, ?, ?, ?)", sealed((*row, count)))
+            connection.execute("INSERT INTO files VALUES (?, ?, ?, ?, ?, ?, ?, ?)", with_seal((*row, count)))
             rows = [_row(each) for each in one.candidates]
             if rows:
                 marks = ", ".join("?" * len(rows[0]))
@@ -281,7 +280,7 @@ def _row(one: Candidate) -> tuple[object, ...]:
     known = (one.magnitude, one.distance, one.vs30, _text(one.place), one.nga)
     spectrum = np.asarray(one.spectrum, dtype="<f8").tobytes()
     of = (one.measures[name] for name in MEASURES)
-    return sealed((one.path, one.position, *texts, *known, one.dt, one.npts, spectrum, *of))
+    return with_seal((one.path, one.position, *texts, *known, one.dt, one.npts, spectrum, *of))
 
 
 def _text(text: str) -> str:

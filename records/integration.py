@@ -14,13 +14,13 @@ def velocity(record: Record) -> FloatArray:
     As recorded: an offset of the baseline becomes a drift; correct the record first (records/processing.py).
     """
     a = record.acceleration
-    return _summed(0.5 * record.dt * (a[:-1] + a[1:]))
+    return _cumulative_sum(0.5 * record.dt * (a[:-1] + a[1:]))
 
 
 def displacement(record: Record) -> FloatArray:
     """Displacement of the ground at each sample [n] [m], from rest. As `velocity`."""
     a, v, h = record.acceleration, velocity(record), record.dt
-    return _summed(h * v[:-1] + h**2 / 6.0 * (2.0 * a[:-1] + a[1:]))
+    return _cumulative_sum(h * v[:-1] + h**2 / 6.0 * (2.0 * a[:-1] + a[1:]))
 
 
 def largest_velocity(record: Record) -> float:
@@ -42,20 +42,20 @@ def largest_displacement(record: Record) -> float:
     return float(max(np.abs(d[-1]), np.max(np.abs(d[:-1] + t * (v + t * (a / 2.0 + t * j / 6.0))))))
 
 
-def squared(record: Record) -> FloatArray:
+def integrate_squared(record: Record) -> FloatArray:
     """Integral of the squared acceleration up to each sample [n] [m2/s3]."""
     a, b = record.acceleration[:-1], record.acceleration[1:]
-    return _summed(record.dt / 3.0 * (a**2 + a * b + b**2))
+    return _cumulative_sum(record.dt / 3.0 * (a**2 + a * b + b**2))
 
 
-def absolute(record: Record) -> FloatArray:
+def integrate_absolute(record: Record) -> FloatArray:
     """Integral of the absolute acceleration up to each sample [n] [m/s]; a step that changes sign is two triangles."""
     a, b = record.acceleration[:-1], record.acceleration[1:]
     total = np.abs(a) + np.abs(b)
     crossing = (a**2 + b**2) / np.where(total > 0.0, total, 1.0)
-    return _summed(0.5 * record.dt * np.where(a * b < 0.0, crossing, total))
+    return _cumulative_sum(0.5 * record.dt * np.where(a * b < 0.0, crossing, total))
 
 
-def _summed(steps: FloatArray) -> FloatArray:
+def _cumulative_sum(steps: FloatArray) -> FloatArray:
     """Running sum from 0, one longer than `steps`."""
     return np.concatenate(([0.0], np.cumsum(steps)))

@@ -8,7 +8,7 @@ from math import pi
 import numpy as np
 from scipy.constants import g
 
-from records.integration import absolute, largest_displacement, largest_velocity, squared
+from records.integration import integrate_absolute, integrate_squared, largest_displacement, largest_velocity
 from records.record import Record
 from records.response import response_spectrum
 from spectra.arrays import FloatArray
@@ -67,12 +67,12 @@ def arias(record: Record) -> float:
 
     Source: Arias (1970), A measure of earthquake intensity, in Hansen (ed.), Seismic design for nuclear power plants.
     """
-    return float(pi / (2.0 * g) * squared(record)[-1])
+    return float(pi / (2.0 * g) * integrate_squared(record)[-1])
 
 
 def cav(record: Record) -> float:
     """Cumulative absolute velocity, integral of |a| dt [m/s]. Source: EPRI (1988), report NP-5930."""
-    return float(absolute(record)[-1])
+    return float(integrate_absolute(record)[-1])
 
 
 def significant_duration(record: Record, *, start: float, end: float) -> float:
@@ -80,7 +80,7 @@ def significant_duration(record: Record, *, start: float, end: float) -> float:
 
     Source: Trifunac & Brady (1975), BSSA 65, 581-626: D5-95; Somerville et al. (1997), Seism. Res. Lett. 68: D5-75.
     """
-    build_up = squared(record)
+    build_up = integrate_squared(record)
     if not build_up[-1] > 0.0:
         return 0.0
     instants = np.interp(np.array([start, end]) * build_up[-1], build_up, record.time)

@@ -173,14 +173,14 @@ def largest_in(start: FloatArray, slope: FloatArray, dt: float, of: FloatArray, 
             static = max(abs(line), abs(line + free[0] * rise * dt))
             bound = min(max(abs(u), abs(x)) + arc * F, static + F)
             if bound > most:
-                most = looked_into(held, dt, omega, damping, most)
+                most = refine_held(held, dt, omega, damping, most)
                 held[0], held[1], held[2], held[3], held[4] = bound, u, v, a, rise
         u, v = x, y
     return most
 
 
 @njit(nogil=True)
-def looked_into(held: FloatArray, dt: float, omega: float, damping: float, most: float) -> float:
+def refine_held(held: FloatArray, dt: float, omega: float, damping: float, most: float) -> float:
     """The larger of `most` and |u| [m] in the step that is `held`, where its bound is larger."""
     if held[0] > most:
         return max(most, largest_within(held[1], held[2], held[3], held[4], dt, omega, damping))
@@ -225,7 +225,7 @@ def peak_displacements(acceleration: FloatArray, dt: float, period: FloatArray, 
                 )
     for k in range(period.size):  # its largest swing is the first, in the half turn that follows
         half = math.pi / (omega[k] * math.sqrt(1.0 - damping * damping))
-        peak[k] = looked_into(held[k], dt, omega[k], damping, peak[k])
+        peak[k] = refine_held(held[k], dt, omega[k], damping, peak[k])
         peak[k] = max(peak[k], largest_within(u[k], v[k], 0.0, 0.0, half, omega[k], damping))
     return peak
 

@@ -10,7 +10,7 @@ from math import log
 import numpy as np
 from scipy.constants import g
 
-from records.arrival import doubt_of_arrival
+from records.arrival import arrival_warning
 from records.candidates import Candidate
 from records.record import Record
 from spectra.columns import ACCELERATION_UNITS, ColumnError, factor_of
@@ -38,19 +38,19 @@ BOUNDS = (
 FARTHEST = 20_100e3  # m, half of the earth's girth
 
 
-def doubt_of(record: Record) -> str:
+def record_warning(record: Record) -> str:
     """One line about what is odd in the record, "" where nothing is.
 
     What its file contradicts; a peak above 3 g or below 1e-5 g, with the unit that is likely meant; a step at which its
     motion is slower or faster than earthquakes are; a peak that comes before or long after waves can; places,
     magnitudes and the like that cannot be.
     """
-    told = [*record.doubts, _of_peak(record), _of_step(record), doubt_of_arrival(record), *_of_origin(record)]
-    text = "; ".join(doubt for doubt in told if doubt)
+    texts = [*record.warnings, _of_peak(record), _of_step(record), arrival_warning(record), *_of_origin(record)]
+    text = "; ".join(text for text in texts if text)
     return f"{record.id}: {text}" if text else ""
 
 
-def doubts_among(records: Sequence[Record]) -> Iterator[str]:
+def warnings_among(records: Sequence[Record]) -> Iterator[str]:
     """A line for each recording of one station and earthquake whose components have different steps."""
     known = [one for one in records if one.station and one.earthquake.time]
     for _, group in groupby(sorted(known, key=_recording), key=_recording):
@@ -60,10 +60,10 @@ def doubts_among(records: Sequence[Record]) -> Iterator[str]:
             yield f"{first.id}: {_of_steps(first.dt, other.id, other.dt)}"
 
 
-def doubt_of_candidate(one: Candidate) -> str:
+def candidate_warning(one: Candidate) -> str:
     """The same for a record of a catalogue, which does not keep the unit it was read in."""
-    told = _doubt(one.measures["pga"])
-    return f"{one.path}: {told}" if told else ""
+    texts = _peak_warning(one.measures["pga"])
+    return f"{one.path}: {texts}" if texts else ""
 
 
 def _recording(record: Record) -> tuple[str, str, str]:
@@ -77,20 +77,20 @@ def _of_steps(step: float, other: str, its: float) -> str:
 
 
 def _of_peak(record: Record) -> str:
-    told = _doubt(record.pga)
-    unit = next((found[1] for step in record.trail if (found := READ_IN.search(step))), "")
-    return f"{told}{_likely(record.pga, unit)}" if told else ""
+    texts = _peak_warning(record.pga)
+    unit = next((found[1] for step in record.processing_history if (found := READ_IN.search(step))), "")
+    return f"{texts}{_likely(record.pga, unit)}" if texts else ""
 
 
 def _of_step(record: Record) -> str:
     """A doubt about a step at which the motion has no frequencies of an earthquake.
 
     Of 210 real records none is doubted. With a step ten times too long 99 % are, with one ten times too short two
-    thirds; a factor of two cannot be told from the motion.
+    thirds; a factor of two cannot be texts from the motion.
     """
-    if record.artificial or not record.trail or record.trail[0].startswith(BY_SAMPLE):
+    if record.artificial or not record.processing_history or record.processing_history[0].startswith(BY_SAMPLE):
         return ""
-    if record.dt < FINE and record.trail[0].startswith(BY_NETWORKS):
+    if record.dt < FINE and record.processing_history[0].startswith(BY_NETWORKS):
         return f"a step of {record.dt:.6g} s is finer than instruments of its network have; check the step"
     power = np.abs(np.fft.rfft(record.acceleration - np.mean(record.acceleration))) ** 2
     share = np.cumsum(power)
@@ -123,7 +123,7 @@ def _impossible(what: str, value: str) -> str:
     return f"{what} is {value} in its header, which cannot be; the header is damaged"
 
 
-def _doubt(pga: float) -> str:
+def _peak_warning(pga: float) -> str:
     if LEAST * g <= pga <= LARGEST * g:
         return ""
     bound = f"above {LARGEST:g} g, as hardly any earthquake reaches" if pga > LARGEST * g else f"below {LEAST:g} g"

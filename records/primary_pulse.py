@@ -75,7 +75,7 @@ class _Fit:
     energy: float
 
     @property
-    def explained(self) -> float:
+    def explained_energy(self) -> float:
         """Energy that the pulse of least-squares amplitude takes from the record."""
         return self.correlation**2 / self.energy if self.energy > 0.0 else 0.0
 
@@ -96,7 +96,7 @@ def primary_pulses(
     if not energy > 0.0:
         raise RecordError(f'record "{record.id}": no motion; it has no pulse')
     coarse = _best_at_each(record, T, shape=shape)
-    share = np.array([0.0, *(fit.explained for fit in coarse), 0.0])
+    share = np.array([0.0, *(fit.explained_energy for fit in coarse), 0.0])
     peaks = np.flatnonzero((share[1:-1] > share[:-2]) & (share[1:-1] >= share[2:]))
     found = _best([coarse[k] for k in peaks], record, shape=shape, grid=T, count=count)
     return tuple(_pulse(fit, shape=shape, energy=energy, grid=T) for fit in found)
@@ -156,7 +156,7 @@ def _refined(record: Record, fit: _Fit, *, shape: Shape, grid: FloatArray) -> _F
         return _at(record, shape=shape, period=float(period), start=fit.start + T * float(x[1]))
 
     def lost(x: FloatArray) -> float:
-        return -near(x).explained / fit.explained
+        return -near(x).explained_energy / fit.explained_energy
 
     simplex = np.array([[0.0, 0.0], [0.5 * width, 0.0], [0.0, 0.5 * width]])
     found = minimize(
@@ -172,8 +172,8 @@ def _best(coarse: list[_Fit], record: Record, *, shape: Shape, grid: FloatArray,
     """The `count` best maxima, refined, best first; those that cannot come so far are left as they are."""
     refined: list[_Fit] = []
     found: list[_Fit] = []
-    for fit in sorted(coarse, key=lambda fit: -fit.explained):
-        if len(found) >= count and GAIN * fit.explained < found[count - 1].explained:
+    for fit in sorted(coarse, key=lambda fit: -fit.explained_energy):
+        if len(found) >= count and GAIN * fit.explained_energy < found[count - 1].explained_energy:
             break
         refined.append(_refined(record, fit, shape=shape, grid=grid))
         found = _distinct(refined)
@@ -183,7 +183,7 @@ def _best(coarse: list[_Fit], record: Record, *, shape: Shape, grid: FloatArray,
 def _distinct(fits: list[_Fit]) -> list[_Fit]:
     """The fits, best first, without those that are the same maximum as a better one."""
     kept: list[_Fit] = []
-    for fit in sorted(fits, key=lambda fit: -fit.explained):
+    for fit in sorted(fits, key=lambda fit: -fit.explained_energy):
         if not any(abs(log(fit.period / k.period)) < 0.02 and abs(fit.start - k.start) < 0.05 * k.period for k in kept):
             kept.append(fit)
     return kept
@@ -191,7 +191,7 @@ def _distinct(fits: list[_Fit]) -> list[_Fit]:
 
 def _pulse(fit: _Fit, *, shape: Shape, energy: float, grid: FloatArray) -> PrimaryPulse:
     """The pulse of a fit in a record of `energy` <a, a>."""
-    share = fit.explained / energy
+    share = fit.explained_energy / energy
     amplitude = fit.correlation / fit.energy
     polarity = 1 if amplitude > 0.0 else -1
     at_end = bool(np.any(np.abs(np.log(fit.period / grid[[0, -1]])) < 1e-6))

@@ -1,4 +1,4 @@
-"""Processing of records: each function returns a new record, whose trail says what was done."""
+"""Processing of records: each function returns a new record, whose processing history says what was done."""
 
 from __future__ import annotations
 
@@ -11,18 +11,18 @@ import numpy as np
 from scipy.signal import butter, firwin, resample_poly, sosfiltfilt
 
 from records.errors import RecordError
-from records.integration import squared
-from records.record import Record, make_record
+from records.integration import integrate_squared
+from records.record import Record, make_record, with_step
 from spectra.arrays import FloatArray
 
 HIGHEST_DEGREE = 10  # of a baseline: higher ones follow the motion itself
 HIGHEST_ORDER = 10  # of a filter
-LONGEST = 20_000_000  # samples of what is resampled
+LONGEST = 20_000_000  # samples of what is resample
 LARGEST_RATIO = 10_000  # numerator or denominator of the ratio of two steps
 CUT_OFF, KAISER, REACH = 0.91, 8.6, 32  # of the anti-aliasing filter: -6 dB there, -90 dB from 1.0 of Nyquist on
 
 
-def baseline_corrected(record: Record, *, degree: int) -> Record:
+def correct_baseline(record: Record, *, degree: int) -> Record:
     """The record less the polynomial of `degree` that fits its acceleration best (least squares); 0 takes off the mean.
 
     Raises RecordError for a degree below 0 or above 10.
@@ -31,7 +31,7 @@ def baseline_corrected(record: Record, *, degree: int) -> Record:
         raise RecordError(f"{_where(record)}: baseline of degree {degree}; it must be from 0 to {HIGHEST_DEGREE}")
     time = np.linspace(-1.0, 1.0, record.npts)
     baseline = np.polynomial.Legendre.fit(time, record.acceleration, min(degree, record.npts - 1))(time)
-    return _with(record, record.acceleration - baseline, said=f"baseline of degree {degree} taken off")
+    return _with(record, record.acceleration - baseline, step=f"baseline of degree {degree} taken off")
 
 
 def butterworth(record: Record, *, low: float | None = None, high: float | None = None, order: int = 4) -> Record:
@@ -62,10 +62,10 @@ def butterworth(record: Record, *, low: float | None = None, high: float | None 
     padded = np.pad(record.acceleration, pad)
     filtered = sosfiltfilt(sections, padded, padtype=None)[pad : pad + record.npts]
     band = " to ".join("open" if corner is None else f"{corner:.6g} Hz" for corner in (low, high))
-    return _with(record, filtered, said=f"acausal Butterworth of order {order}, {band}")
+    return _with(record, filtered, step=f"acausal Butterworth of order {order}, {band}")
 
 
-def resampled(record: Record, *, dt: float) -> Record:
+def resample(record: Record, *, dt: float) -> Record:
     """The record at step `dt` [s], band-limited: what the new step cannot show is filtered off first, without phase.
 
     Frequencies to 0.82 of half the lower rate pass, those above half of it are 90 dB down. The first sample stays where
@@ -88,10 +88,10 @@ def resampled(record: Record, *, dt: float) -> Record:
         return record
     taps = firwin(2 * REACH * max(up, down) + 1, CUT_OFF / max(up, down), window=("kaiser", KAISER))
     samples = resample_poly(record.acceleration, up, down, window=taps)  # type: ignore[call-overload]  # stubs: no taps
-    return _with(record, samples, dt=dt, said=f"resampled from {record.dt:.9g} to {dt:.9g} s")
+    return _with(record, samples, dt=dt, step=f"resampled from {record.dt:.9g} to {dt:.9g} s")
 
 
-def trimmed(record: Record, *, start: float = 0.0, end: float = 1.0) -> Record:
+def trim(record: Record, *, start: float = 0.0, end: float = 1.0) -> Record:
     """The record between the instants when its Arias intensity reaches the shares `start` and `end` of the whole.
 
     Raises RecordError for shares that are not 0 <= start < end <= 1.
@@ -100,19 +100,19 @@ def trimmed(record: Record, *, start: float = 0.0, end: float = 1.0) -> Record:
         raise RecordError(
             f"{_where(record)}: trimmed from {start} to {end} of its Arias intensity; 0 <= from < to <= 1"
         )
-    build_up = squared(record)
+    build_up = integrate_squared(record)
     first = int(np.searchsorted(build_up, start * build_up[-1], side="right")) - 1
     last = int(np.searchsorted(build_up, end * build_up[-1], side="left"))
     first, last = max(min(first, record.npts - 2), 0), max(min(last, record.npts - 1), first + 1)
     instants = f"{first * record.dt:.6g} s to {last * record.dt:.6g} s"
-    said = f"trimmed to {start:.4g}-{end:.4g} of its Arias intensity, {instants}"
-    return _with(record, record.acceleration[first : last + 1], said=said)
+    step = f"trimmed to {start:.4g}-{end:.4g} of its Arias intensity, {instants}"
+    return _with(record, record.acceleration[first : last + 1], step=step)
 
 
-def _with(record: Record, samples: FloatArray, *, said: str, dt: float | None = None) -> Record:
-    """The record with other samples, checked as when read."""
+def _with(record: Record, samples: FloatArray, *, step: str, dt: float | None = None) -> Record:
+    """Replace the samples, checked as when read, and add `step` to the processing history."""
     checked = make_record(record.id, samples, record.dt if dt is None else dt, path=record.path)
-    return replace(record, acceleration=checked.acceleration, dt=checked.dt, trail=(*record.trail, said))
+    return with_step(replace(record, acceleration=checked.acceleration, dt=checked.dt), step)
 
 
 def _corners(low: float | None, high: float | None) -> str:

@@ -199,9 +199,9 @@ def pulse_record(shape: Shape, *, frequency: float, amplitude: float, dt: float)
         )
     if shape.duration(frequency) / dt > LONGEST:
         raise RecordError(f"{where}: a step of {dt:.6g} s gives more than {LONGEST:,} samples; take a longer step")
-    trail = f"{shape.name} pulse, {frequency:.6g} Hz, {amplitude:.6g} m/s2"
+    history = f"{shape.name} pulse, {frequency:.6g} Hz, {amplitude:.6g} m/s2"
     samples = amplitude * _between_zeros(shape.value(_phases(shape, step=2 * pi * frequency * dt)))
-    return make_record(f"{shape.name}-{frequency:.6g}Hz", samples, dt, trail=(trail,))
+    return make_record(f"{shape.name}-{frequency:.6g}Hz", samples, dt, processing_history=(history,))
 
 
 def _phases(shape: Shape, *, step: float) -> FloatArray:

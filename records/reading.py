@@ -1,4 +1,4 @@
-"""Record files: which format a file has, and its records."""
+"""Reading of record files: the format is recognised from the first bytes."""
 
 from __future__ import annotations
 
@@ -8,48 +8,91 @@ import numpy as np
 
 from records.errors import RecordError
 from records.formats import FORMATS
-from records.formats.stated import Stated, check
+from records.formats.header_overrides import HeaderOverrides, check_overrides
 from records.record import Record
 
 FINEST, COARSEST = 1e-5, 1.0  # s, of the steps of instruments and shaking tables
 HEAD = 8192  # bytes that show a format
 
 
-def read(
+def read_record(
+    path: str | Path, *, unit: str | None = None, step: float | None = None, response: str | Path | None = None
+) -> Record | list[Record]:
+    """Read a record file: one record, or a list where the file holds several components.
+
+    Parameters
+    ----------
+    path : file in one of the formats of `records.formats`, recognised by its first bytes
+    unit : of the accelerations (g, m/s2, cm/s2, gal, mm/s2), only where the file states none
+    step : time step [s], only where the file states none
+    response : file of the instrument's response (StationXML), for MiniSEED and SAC
+
+    Returns
+    -------
+    Record or list of Record : accelerations [m/s2], in the order of the file
+
+    Raises
+    ------
+    RecordError : as `read_with`
+    """
+    overrides = HeaderOverrides(unit, step, None if response is None else Path(response))
+    records = read_with(Path(path), overrides)
+    return records[0] if len(records) == 1 else list(records)
+
+
+def read_records(
     path: Path, *, unit: str | None = None, step: float | None = None, response: Path | None = None
 ) -> tuple[Record, ...]:
-    """Every record of the file at `path`, with accelerations in m/s2.
+    """Return every record of the file at `path`; the arguments are those of `read_record`."""
+    return read_with(path, HeaderOverrides(unit, step, response))
 
-    `unit` (g, m/s2, cm/s2, gal, mm/s2) of the accelerations, `step` of time [s] and `response` of the instrument (for
-    MiniSEED and SAC: a StationXML file) are used only where the file states none, but refused in any case where
-    they cannot be. Raises RecordError, naming the file, where it cannot be opened, has no format known or more than
-    one, holds what is not a record, or no motion at all.
+
+def read_with(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
+    """Return every record of the file at `path`, with `overrides` for what its header leaves out.
+
+    Parameters
+    ----------
+    path : file in one of the known formats
+    overrides : unit, step and response; refused if they are invalid, even where the file needs none of them
+
+    Returns
+    -------
+    tuple of Record : accelerations [m/s2], in the order of the file
+
+    Raises
+    ------
+    RecordError : names the file; it cannot be opened, matches no known format or more than one, holds something other
+        than a record, has a time step no instrument has, or shows no motion at all
     """
-    stated = Stated(unit, step, response)
-    check(stated)
+    check_overrides(overrides)
     if path.is_dir():
         raise RecordError(f"{path}: is a folder; give the files in it, like {path / '*'}")
     try:
         with path.open("rb") as file:
             head = file.read(HEAD)
-        with np.errstate(over="ignore", invalid="ignore"):  # what is not finite afterwards is refused by its sample
-            records = FORMATS[_format(head, path=path)].read(path, stated)
+        with np.errstate(over="ignore", invalid="ignore"):  # values that overflow are refused by their sample below
+            records = FORMATS[_format(head, path=path)].read(path, overrides)
     except OSError as error:
         raise RecordError(f"{path}: the file cannot be read: {error.strerror}") from None
     for record in records:
-        if not FINEST <= record.dt <= COARSEST:
-            raise RecordError(
-                f"{path}: a time step of {record.dt:.6g} s; records have {FINEST:g} to {COARSEST:g} s, check its unit"
-            )
-        if np.ptp(record.acceleration) == 0.0:
-            raise RecordError(
-                f"{path}: every acceleration is {record.acceleration[0]:.6g} m/s2; there is no motion in the record"
-            )
+        _check_motion(record, path=path)
     return records
 
 
+def _check_motion(record: Record, *, path: Path) -> None:
+    """Refuse a time step that no instrument has, and a record without motion."""
+    if not FINEST <= record.dt <= COARSEST:
+        raise RecordError(
+            f"{path}: a time step of {record.dt:.6g} s; records have {FINEST:g} to {COARSEST:g} s, check its unit"
+        )
+    if np.ptp(record.acceleration) == 0.0:
+        raise RecordError(
+            f"{path}: every acceleration is {record.acceleration[0]:.6g} m/s2; there is no motion in the record"
+        )
+
+
 def _format(head: bytes, *, path: Path) -> str:
-    """The name of the one format that `head`, the start of the file, is of."""
+    """Return the name of the one format that matches `head`, the first bytes of the file."""
     if not head.strip():
         raise RecordError(f"{path}: the file is empty")
     names = [name for name, known in FORMATS.items() if known.looks_like(head)]

@@ -68,11 +68,11 @@ class Record:
     azimuth : direction of positive acceleration, clockwise from north [rad]; None if vertical or unknown
     distance : from the epicentre [m], None if unknown
     earthquake, site : what else the file says of them
-    trail : what was done to it, in order, in words ("read from PEER AT2, g", "scaled by 1.23")
+    processing_history : what was done to it, in order, in words ("read from PEER AT2, g", "scaled by 1.23")
     stationary : of an artificial record, how long its envelope is level [s]; None of recorded ones
     longest_period : up to which the processing of its source left the motion usable [s]; None where it does not say
     start : time of the first sample, as `earthquake.time`, "" unknown
-    doubts : what in its file is odd, in words
+    warnings : what in its file is odd, in words
     """
 
     id: str
@@ -82,7 +82,7 @@ class Record:
     event: str = ""
     station: str = ""
     component: str = ""
-    trail: tuple[str, ...] = ()
+    processing_history: tuple[str, ...] = ()
     azimuth: float | None = None
     distance: float | None = None
     earthquake: Earthquake = NO_EARTHQUAKE
@@ -90,7 +90,11 @@ class Record:
     stationary: float | None = None
     longest_period: float | None = None
     start: str = ""
-    doubts: tuple[str, ...] = ()
+    warnings: tuple[str, ...] = ()
+
+    def __repr__(self) -> str:
+        """Return one line without the samples: id, size, step and PGA."""
+        return f"Record(id={self.id!r}, npts={self.npts}, dt={self.dt:g} s, pga={self.pga:.4g} m/s2)"
 
     @property
     def artificial(self) -> bool:
@@ -122,16 +126,16 @@ def make_record(
     event: str = "",
     station: str = "",
     component: str = "",
-    trail: tuple[str, ...] = (),
+    processing_history: tuple[str, ...] = (),
     azimuth: float | None = None,
     distance: float | None = None,
     earthquake: Earthquake = NO_EARTHQUAKE,
     site: Site = NO_SITE,
     longest_period: float | None = None,
     start: str = "",
-    doubts: Sequence[str] = (),
+    warnings: Sequence[str] = (),
 ) -> Record:
-    """A checked record with a read-only copy of `acceleration` [n] [m/s2] at step `dt` [s], without empty `doubts`.
+    """A checked record with a read-only copy of `acceleration` [n] [m/s2] at step `dt` [s], without empty `warnings`.
 
     Raises RecordError for fewer than two samples, values not finite or beyond any ground motion, or a step
     that is not positive.
@@ -162,14 +166,14 @@ def make_record(
         named,
         station,
         component,
-        trail,
+        processing_history,
         azimuth,
         distance,
         earthquake,
         site,
         longest_period=longest_period,
         start=start,
-        doubts=tuple(doubt for doubt in doubts if doubt),
+        warnings=tuple(text for text in warnings if text),
     )
 
 
@@ -199,8 +203,13 @@ def _at(degrees: float, sides: str) -> str:
     return f"{abs(degrees):.2f}{sides[degrees < 0.0]}"
 
 
-def scaled(record: Record, factor: float) -> Record:
+def scale(record: Record, factor: float) -> Record:
     """The record with every acceleration multiplied by `factor`."""
     samples = record.acceleration * factor
     samples.flags.writeable = False
-    return replace(record, acceleration=samples, trail=(*record.trail, f"scaled by {factor:.6g}"))
+    return with_step(replace(record, acceleration=samples), f"scaled by {factor:.6g}")
+
+
+def with_step(record: Record, step: str) -> Record:
+    """Add a sentence on one step, the latest, to the record's processing history."""
+    return replace(record, processing_history=(*record.processing_history, step))

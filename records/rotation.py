@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 from scipy.optimize import brentq
 
 from records.errors import RecordError
-from records.record import Record, make_record
+from records.record import Record, make_record, with_step
 from records.response import response_spectrum
 from spectra.arrays import FloatArray
 
@@ -19,7 +19,7 @@ LEAST_ANGLE = pi / 18.0  # between two components that are solved for north and 
 COINCIDE = 1e-6  # relative difference of steps that are one
 
 
-def at_azimuth(first: Record, second: Record, *, azimuth: float) -> Record:
+def rotate_to_azimuth(first: Record, second: Record, *, azimuth: float) -> Record:
     """The motion of two horizontal components in the direction `azimuth` [rad], clockwise from north.
 
     Both begin together; the longer is cut. Raises RecordError for a component whose azimuth is unknown, components of
@@ -147,6 +147,7 @@ def _checked(percentile: float) -> float:
 def _turned(first: Record, second: Record, samples: FloatArray, *, name: str, azimuth: float | None) -> Record:
     """What has become of two components, under the names of the first."""
     known = "" if azimuth is None else f", azimuth {degrees(azimuth):.6g} deg"
-    said = (*first.trail, f'turned with component "{second.component}" of "{second.id}": {name}{known}')
+    step = f'turned with component "{second.component}" of "{second.id}": {name}{known}'
     made = make_record(f"{first.id} {name}", samples, first.dt, path=first.path)
-    return replace(first, id=made.id, acceleration=made.acceleration, component=name, azimuth=azimuth, trail=said)
+    rotated = replace(first, id=made.id, acceleration=made.acceleration, component=name, azimuth=azimuth)
+    return with_step(rotated, step)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from records.band import interpolated
+from records.band import interpolate
 from records.errors import RecordError
 from records.record import Record
 from records.response import response_spectrum
@@ -118,7 +118,7 @@ def log_ratio(
         raise RecordError(
             f'record "{record.id}": no motion at a period of {still[0]:.4g} s; it cannot be scaled to a spectrum'
         )
-    logarithm = np.log(own) if nodes is None else interpolated(T, nodes, np.log(own))
+    logarithm = np.log(own) if nodes is None else interpolate(T, nodes, np.log(own))
     return np.asarray(np.log(spectrum.acceleration(T, damping=DAMPING)) - logarithm, dtype=np.float64)
 
 

@@ -8,7 +8,7 @@ from math import isfinite, isnan
 from typing import Any
 
 
-def sealed(row: Sequence[Any]) -> tuple[Any, ...]:
+def with_seal(row: Sequence[Any]) -> tuple[Any, ...]:
     """The row with its seal."""
     return (*row, seal(row))
 

@@ -16,10 +16,10 @@ from typing import Literal
 
 import numpy as np
 
-from records.band import Band, up_to
+from records.band import Band, truncate_band
 from records.candidates import DAMPING, Candidate
 from records.errors import RecordError
-from records.kinship import families
+from records.event_groups import event_groups
 from records.scaling import least_squares, mean_square
 from spectra.arrays import BoolArray, FloatArray, IntArray
 from spectra.spectrum import Spectrum
@@ -110,7 +110,7 @@ def select(candidates: Sequence[Candidate], spectrum: Spectrum, criteria: Criter
 
     Raises RecordError, saying how many candidates are left after each step, where they are too few.
     """
-    band = up_to(criteria.band, spectrum.longest_period)
+    band = truncate_band(criteria.band, spectrum.longest_period)
     horizontal = [one for one in candidates if one.shakes]
     known = _known(horizontal, criteria.filters)
     passed = [one for one in known[-1][1] if passes(one, criteria.filters)]
@@ -118,7 +118,7 @@ def select(candidates: Sequence[Candidate], spectrum: Spectrum, criteria: Criter
     low, high = criteria.scale_limits
     kept = np.array([low <= choice.factor <= high for choice in choices], dtype=np.bool_)
     choices, log_ratio = [choice for choice, keep in zip(choices, kept, strict=True) if keep], log_ratio[kept]
-    groups = families([choice.components for choice in choices], one_per_event=criteria.one_per_event)
+    groups = event_groups([choice.components for choice in choices], one_per_event=criteria.one_per_event)
     counted = (
         ("components", len(candidates)),
         *((step, len(left)) for step, left in known),

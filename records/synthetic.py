@@ -211,8 +211,8 @@ def _record(target: Target, stage: _Stage, code: str, seed: int, index: int) -> 
         phase = random.uniform(0.0, 2.0 * np.pi, stage.amplitude.size)
         fit = min(_rounds(target, stage, phase=phase), key=lambda match: match.worst)
         if fit.low >= -SHORTFALL and fit.rms <= RMS:
-            trail = _trail(fit, target, stage, code, seed, index)
-            made = make_record(f"artificial-{index}", fit.acceleration, stage.dt, trail=trail)
+            history = _history(fit, target, stage, code, seed, index)
+            made = make_record(f"artificial-{index}", fit.acceleration, stage.dt, processing_history=history)
             return replace(made, stationary=STATIONARY * stage.duration)
         fits.append(fit)
     best = min(fits, key=lambda fit: fit.worst)
@@ -271,7 +271,7 @@ def _ratio(a: FloatArray, target: Target, dt: float) -> FloatArray:
     return np.asarray(omega**2 * peak_displacements(a, dt, target.period, DAMPING) / target.ordinate)
 
 
-def _trail(fit: Match, target: Target, stage: _Stage, code: str, seed: int, index: int) -> tuple[str, ...]:
+def _history(fit: Match, target: Target, stage: _Stage, code: str, seed: int, index: int) -> tuple[str, ...]:
     rise, level = RISE * stage.duration, STATIONARY * stage.duration
     return (
         f"artificial: random phases, seed {seed}, number {index}; envelope of Jennings, Housner & Tsai (1968), "

@@ -8,35 +8,36 @@ from functools import partial
 from typing import Literal
 
 from assess.results import MechanismResult, Results
-from reports import (
+from reports import governing
+from reports.chapters import (
     assumptions,
+    calculation_sheets,
     comparisons,
     cover,
     envelopes,
-    governing,
     histories,
     inputs,
+    interface_variants,
     interfaces,
     literature,
+    other_levels,
     parameters,
     sensitivity,
     sentences,
-    sheets,
-    siblings,
     site,
     structure,
-    study,
     suite,
     summary,
     sweeps,
     tables,
 )
-from reports.catalogue import ENGLISH
-from reports.document import Block, Document, Figure, Items, Section, Signatures, Text, filled
+from reports.document import Block, Document, Figure, Items, Section, Signatures, Text, nonempty
 from reports.figures import amplification, capacity, comparison, history, pga_rotation, sketch, spectrum, view
-from reports.model import of_view
-from reports.numerals import numeral
-from reports.verbatim import verbatim
+from reports.figures.model import model_of_view
+from reports.language.catalogue import ENGLISH
+from reports.language.numerals import numeral
+from reports.language.verbatim import verbatim
+from reports.mechanism_title import mechanism_title
 
 LONG = 120  # characters; longer titles and names are shortened where they head something and printed once in full
 _FACTS = (
@@ -51,20 +52,25 @@ _FACTS = (
 
 def assessment(results: Results) -> Document:
     """The whole report of one run."""
-    title = project(results, "title") or "Rocking assessment"
+    title = project_text(results, "title") or "Rocking assessment"
     chapters = [cover.section(results), summary.section(results), *structure.section(results), *_site(results)]
     chapters.append(assumptions.section(results))
-    seen = siblings.earlier(results)
+    seen = interface_variants.earlier_variants(results)
     for place, mechanism in enumerate(results.mechanisms, start=1):
-        name = stem(mechanism.name, place)
+        name = file_stem(mechanism.name, place)
         chapters += _mechanism(results, mechanism, name, sibling=seen.get(mechanism.name, ""))
-        chapters += sensitivity.chapter(results, mechanism.name, called=tables.name_of(mechanism), name=name)
-    chapters += [*study.chapter(results), *_comparison(results), *envelopes.critical_chapter(results), _limits(results)]
+        chapters += sensitivity.chapter(results, mechanism.name, called=mechanism_title(mechanism), name=name)
+    chapters += [
+        *other_levels.chapter(results),
+        *_comparison(results),
+        *envelopes.critical_chapter(results),
+        _limits(results),
+    ]
     chapters += [literature.section(results), _signatures(results), _annex(results)]
     return Document(
         title=title,
         subject="Seismic assessment of masonry by rocking dynamics",
-        author=project(results, "engineer"),
+        author=project_text(results, "engineer"),
         program=f"{results.program.name} {results.program.version}",
         paper=_paper(results),
         facts=_facts(results),
@@ -79,19 +85,19 @@ def assessment(results: Results) -> Document:
             *sensitivity.data(results),
             *envelopes.data(results),
         ),
-        language=project(results, "report.language") or ENGLISH,
+        language=project_text(results, "report.language") or ENGLISH,
         verbatim=verbatim(results),
         units=_units(results),
         stamp=results.stamp,
     )
 
 
-def of_envelopes(results: Results) -> Document:
+def envelope_report(results: Results) -> Document:
     """The report of `assess envelope`: the critical mechanisms, and the envelope of each."""
     chapters = envelopes.critical_chapter(results)
     for place, mechanism in enumerate(results.mechanisms, start=1):
-        chapters += envelopes.chapter(mechanism, results.records, stem(mechanism.name, place), level=0)
-    warned = filled(inputs.warnings(results)) or [Text(("The run gave no warnings.",))]
+        chapters += envelopes.chapter(mechanism, results.records, file_stem(mechanism.name, place), level=0)
+    warned = nonempty(inputs.warnings(results)) or [Text(("The run gave no warnings.",))]
     chapters += [Section("Warnings", 0, tuple(warned)), _annex(results)]
     return replace(
         assessment(results),
@@ -102,7 +108,7 @@ def of_envelopes(results: Results) -> Document:
 
 
 def _facts(results: Results) -> tuple[tuple[str, str], ...]:
-    given = ((label, project(results, key)) for key, label in _FACTS if project(results, key))
+    given = ((label, project_text(results, key)) for key, label in _FACTS if project_text(results, key))
     return (
         *given,
         ("Program", f"{results.program.name} {results.program.version}"),
@@ -110,33 +116,33 @@ def _facts(results: Results) -> tuple[tuple[str, str], ...]:
     )
 
 
-def project(results: Results, key: str) -> str:
+def project_text(results: Results, key: str) -> str:
     """A text of the project file, empty where it gives none."""
     found = results.project.get(key)
     return "" if found is None or found.value is None else str(found.value)
 
 
-def stem(name: str, place: int) -> str:
+def file_stem(name: str, place: int) -> str:
     """A unique and safe beginning for the file names of a mechanism: its place and what is plain in its name."""
     plain = re.sub(r"[^a-z0-9]+", "-", name.lower()).strip("-")[:40].strip("-")
     return f"{place:02d}-{plain}" if plain else f"{place:02d}"
 
 
 def _paper(results: Results) -> Literal["A4", "letter"]:
-    return "letter" if project(results, "report.paper").lower() == "letter" else "A4"
+    return "letter" if project_text(results, "report.paper").lower() == "letter" else "A4"
 
 
 def _units(results: Results) -> Literal["SI", "US"]:
-    return "US" if project(results, "report.units") == "US" else "SI"
+    return "US" if project_text(results, "report.units") == "US" else "SI"
 
 
 def _annex(results: Results) -> Section:
     """The inputs, whole."""
-    title, notes = project(results, "title"), project(results, "notes")
+    title, notes = project_text(results, "title"), project_text(results, "notes")
     blocks: list[Block] = []
     blocks += [Text((f"Title in full: {title}",))] if len(title) > LONG else []
     blocks += [Text((f"Notes: {notes}",))] if notes else []
-    blocks += [*filled(inputs.inputs(results)), *filled(inputs.values_set(results))]
+    blocks += [*nonempty(inputs.inputs(results)), *nonempty(inputs.values_present(results))]
     return Section("Annex: inputs", 0, tuple(blocks), starts_page=True)
 
 
@@ -148,8 +154,8 @@ def _site(results: Results) -> list[Section]:
             f"and of the records as scaled to it{_fitted(results)}."
         )
         blocks.append(Figure("spectrum", caption, partial(spectrum.draw, results.spectrum, results.records)))
-        blocks += filled(site.site(results))
-    blocks += [*filled(site.records(results)), *suite.blocks(results), *filled(site.trails(results))]
+        blocks += nonempty(site.site(results))
+    blocks += [*nonempty(site.records(results)), *suite.blocks(results), *nonempty(site.processing_history(results))]
     return [Section("Site and ground motion", 0, tuple(blocks))] if blocks else []
 
 
@@ -175,16 +181,16 @@ def _mechanism(results: Results, mechanism: MechanismResult, name: str, *, sibli
 def _shape(mechanism: MechanismResult, name: str, *, sibling: str) -> Section:
     blocks = (
         Text((sentences.description(mechanism),)),
-        *sweeps.weakest(mechanism, name=name),
-        Figure(f"{name}-sketch", sentences.sketch(mechanism), partial(sketch.draw, mechanism)),
+        *sweeps.weakest_direction(mechanism, name=name),
+        Figure(f"{name}-sketch", sentences.sketch_caption(mechanism), partial(sketch.draw, mechanism)),
         *_view(mechanism, name, sibling=sibling),
-        *filled(parameters.loads(mechanism, name=f"{name}-loads")),
+        *nonempty(parameters.loads(mechanism, name=f"{name}-loads")),
         parameters.parameters(mechanism, name=f"{name}-parameters"),
-        Figure(f"{name}-capacity", sentences.capacity(mechanism), partial(capacity.draw, mechanism)),
+        Figure(f"{name}-capacity", sentences.capacity_caption(mechanism), partial(capacity.draw, mechanism)),
         *interfaces.blocks(mechanism, name=name),
-        *filled(parameters.hinge_forces(mechanism, name=f"{name}-hinge-forces")),
+        *nonempty(parameters.hinge_forces(mechanism, name=f"{name}-hinge-forces")),
     )
-    return Section(f"Mechanism: {tables.name_of(mechanism)}", 0, blocks, starts_page=True)
+    return Section(f"Mechanism: {mechanism_title(mechanism)}", 0, blocks, starts_page=True)
 
 
 def _view(mechanism: MechanismResult, name: str, *, sibling: str) -> list[Block]:
@@ -195,8 +201,8 @@ def _view(mechanism: MechanismResult, name: str, *, sibling: str) -> list[Block]
     if sibling:
         return [Text((f"Its bodies in space are those of {sibling}, drawn there.",))]
     positive = len(mechanism.drawing.displaced.hinges)
-    model = of_view(seen, positive=positive)
-    return [Figure(f"{name}-view", sentences.view(seen), partial(view.draw, seen, positive), model)]
+    model = model_of_view(seen, positive=positive)
+    return [Figure(f"{name}-view", sentences.view_caption(seen), partial(view.draw, seen, positive), model)]
 
 
 def _answer(results: Results, mechanism: MechanismResult, name: str) -> Section:
@@ -208,17 +214,17 @@ def _answer(results: Results, mechanism: MechanismResult, name: str) -> Section:
     blocks: list[Block] = []
     if mechanism.checks:
         blocks.append(Figure(f"{name}-pga-rotation", caption, partial(pga_rotation.draw, mechanism)))
-    unlike = sentences.inputs(mechanism)
+    unlike = sentences.input_locations(mechanism)
     blocks += [Text((unlike,))] if unlike else []
-    blocks += filled(tables.demands(mechanism, name=f"{name}-demand-capacity"))
-    blocks += filled(tables.answers(mechanism, governing.site_pga(results), name=f"{name}-remarks"))
+    blocks += nonempty(tables.demands(mechanism, name=f"{name}-demand-capacity"))
+    blocks += nonempty(tables.answers(mechanism, governing.site_pga(results), name=f"{name}-remarks"))
     return Section("Demand and capacity", 1, tuple(blocks))
 
 
 def _histories(mechanism: MechanismResult, name: str) -> Section:
     blocks: list[Block] = [
         *_amplification(mechanism, name),
-        *filled(histories.suites(mechanism, name=f"{name}-suites")),
+        *nonempty(histories.suites(mechanism, name=f"{name}-suites")),
     ]
     found = governing.history(mechanism)
     if found is not None:
@@ -230,7 +236,7 @@ def _histories(mechanism: MechanismResult, name: str) -> Section:
             f"{one.impacts} impacts. Above the acceleration, below the rotation."
         )
         blocks.append(Figure(f"{name}-history", caption, draw))
-    blocks += filled(histories.histories(mechanism, name=f"{name}-histories"))
+    blocks += nonempty(histories.histories(mechanism, name=f"{name}-histories"))
     return Section("Time histories", 1, tuple(blocks))
 
 
@@ -239,17 +245,17 @@ def _amplification(mechanism: MechanismResult, name: str) -> list[Block]:
     found = mechanism.amplification
     if found.height_m is None:
         return []
-    said = Text(sentences.amplification(mechanism))
+    explanation = Text(sentences.amplification(mechanism))
     if found.motion is None:
-        return [said]
+        return [explanation]
     draw = partial(amplification.draw, found.motion)
-    return [said, Figure(f"{name}-amplification", sentences.carried_motion(mechanism), draw)]
+    return [explanation, Figure(f"{name}-amplification", sentences.amplification_caption(mechanism), draw)]
 
 
 def _sheets(results: Results, mechanism: MechanismResult, name: str) -> Section:
-    label = tables.name_of(mechanism)
+    label = mechanism_title(mechanism)
     made = [
-        sheets.sheet(check, name=f"{name}-sheet-{place:02d}", mechanism=label)
+        calculation_sheets.calculation_sheet(check, name=f"{name}-sheet-{place:02d}", mechanism=label)
         for place, check in enumerate(governing.worst_per_procedure(governing.at_site(results, mechanism)), start=1)
         if check.steps
     ]
@@ -260,23 +266,23 @@ def _sheets(results: Results, mechanism: MechanismResult, name: str) -> Section:
 def _comparison(results: Results) -> list[Section]:
     if not results.comparison:
         return []
-    names = {mechanism.name: tables.name_of(mechanism) for mechanism in results.mechanisms}
-    draw = partial(comparison.draw, governing.drawn(results), names, governing.overturned(results))
+    names = {mechanism.name: mechanism_title(mechanism) for mechanism in results.mechanisms}
+    draw = partial(comparison.draw, governing.rows_to_draw(results), names, governing.overturned_rows(results))
     caption = (
         "Demand over capacity of every mechanism by every procedure; right of the line the check fails. Open markers "
         "are readings of the thesis, a cross marks overturning, an arrow a ratio beyond the axis or the end of "
         "the spectrum."
     )
-    standing = sweeps.standing(results.sweeps, names)
-    unlike = sentences.amplified(results)
+    standing = sweeps.controlling_cases(results.sweeps, names)
+    unlike = sentences.unequal_inputs(results)
     blocks = (
         *standing,
         *((Text(unlike),) if unlike else ()),
         Figure("comparison", caption, draw),
-        *filled(comparisons.capacities(results)),
+        *nonempty(comparisons.capacities(results)),
         comparisons.side_by_side(results),
-        *filled(comparisons.rotations(results)),
-        *siblings.blocks(results, name="interfaces"),
+        *nonempty(comparisons.rotations(results)),
+        *interface_variants.blocks(results, name="interfaces"),
     )
     return [Section("Comparison of the mechanisms", 0, blocks, starts_page=True)]
 
@@ -290,5 +296,5 @@ def _signatures(results: Results) -> Section:
         "The results above follow from the inputs and assumptions listed in this report. They become an assessment by "
         "the judgement of the engineer who signs it."
     )
-    places = (("Engineer", project(results, "engineer")), ("Checker", project(results, "checker")))
+    places = (("Engineer", project_text(results, "engineer")), ("Checker", project_text(results, "checker")))
     return Section("Signatures", 0, (Text((statement,)), Signatures(places)))

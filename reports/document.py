@@ -169,7 +169,7 @@ SIGNATURE_HEADS = ("", "Name", "Signature", "Place and date")
 Block = Text | Items | Code | Table | Figure | Sheet | Signatures | Banner
 
 
-def filled(table: Table) -> list[Block]:
+def nonempty(table: Table) -> list[Block]:
     """The table as blocks: none where it has no rows."""
     return [table] if table.rows else []
 
@@ -221,7 +221,7 @@ class Document:
         """Where it comes from: the program, and the stamp of the results."""
         return f"{self.program}, {STAMP} {self.stamp}" if self.stamp else self.program
 
-    def said(self, text: str) -> str:
+    def translate(self, text: str) -> str:
         """A word of a renderer in the language of the document."""
         return self.words.get(text, text)
 
@@ -254,5 +254,5 @@ class Document:
             if isinstance(block, Figure | Table | Sheet):
                 kind = type(block).__name__
                 count[kind] += 1
-                titles[kind, block.name] = f"{self.said(kind)} {count[kind]}"
+                titles[kind, block.name] = f"{self.translate(kind)} {count[kind]}"
         return titles

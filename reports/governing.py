@@ -6,7 +6,7 @@ from dataclasses import replace
 from math import inf, isclose
 
 from assess.codes.check import Check, Outcome
-from assess.codes.family import of_histories
+from assess.codes.families import uses_histories
 from assess.results import ComparisonRow, HistoryResult, MechanismResult, Results, Trace
 
 DAMAGE = "SLD"
@@ -14,7 +14,7 @@ SAME = 1e-9  # relative difference of levels that are one
 SILENT = (Outcome.NOT_ANSWERED, Outcome.NOT_APPLICABLE)
 
 
-def fell(check: Check) -> bool:
+def is_overturned(check: Check) -> bool:
     """Whether the check failed because the body overturned."""
     return check.unbounded == "overturned"
 
@@ -34,7 +34,7 @@ def worst(checks: tuple[Check, ...]) -> Check | None:
     return ranked[0] if ranked else None
 
 
-def letters(checks: tuple[Check, ...]) -> tuple[Check, ...]:
+def code_checks(checks: tuple[Check, ...]) -> tuple[Check, ...]:
     """The checks by the letter of a code: no readings of the thesis, none that only inform."""
     return tuple(check for check in checks if check.reading == "letter" and not check.informs)
 
@@ -73,7 +73,7 @@ def worst_per_procedure(checks: tuple[Check, ...]) -> tuple[Check, ...]:
     return tuple(check for check in map(worst, groups) if check is not None)
 
 
-def named(check: Check, among: tuple[Check, ...]) -> str:
+def procedure_label(check: Check, among: tuple[Check, ...]) -> str:
     """The procedure of a check, with its limit state where `among` has others of the same procedure."""
     states = {other.limit_state for other in among if other.procedure == check.procedure}
     return f"{check.procedure} {check.limit_state}".strip() if len(states) > 1 else check.procedure
@@ -90,7 +90,7 @@ def history(mechanism: MechanismResult) -> tuple[HistoryResult, Trace] | None:
 def allowable(mechanism: MechanismResult, level_pga_g: float) -> float | None:
     """Allowable rotation / phi_ov [-] of the mechanism's history procedure at a level; None without one."""
     checks = at_level(mechanism.checks, level_pga_g)
-    found = (check.capacity_rotation_ratio for check in checks if of_histories(check.procedure))
+    found = (check.capacity_rotation_ratio for check in checks if uses_histories(check.procedure))
     return next((ratio for ratio in found if ratio is not None), None)
 
 
@@ -101,13 +101,13 @@ def check_of(results: Results, row: ComparisonRow) -> Check | None:
     return worst(tuple(check for check in checks if check.procedure == row.procedure))
 
 
-def overturned(results: Results) -> frozenset[ComparisonRow]:
+def overturned_rows(results: Results) -> frozenset[ComparisonRow]:
     """The rows of the comparison where the body overturned."""
     pairs = ((row, check_of(results, row)) for row in results.comparison)
-    return frozenset(row for row, check in pairs if check is not None and fell(check))
+    return frozenset(row for row, check in pairs if check is not None and is_overturned(check))
 
 
-def drawn(results: Results) -> tuple[ComparisonRow, ...]:
+def rows_to_draw(results: Results) -> tuple[ComparisonRow, ...]:
     """The rows of the comparison, those whose demand lies beyond the end of the spectrum with an infinite one."""
     pairs = ((row, check_of(results, row)) for row in results.comparison)
     beyond = [check is not None and check.unbounded == "beyond the spectrum" for _, check in pairs]
@@ -116,7 +116,7 @@ def drawn(results: Results) -> tuple[ComparisonRow, ...]:
     )
 
 
-def of_collapse(checks: tuple[Check, ...]) -> tuple[Check, ...]:
+def collapse_checks(checks: tuple[Check, ...]) -> tuple[Check, ...]:
     """The checks of each procedure but those of damage, where it has others: SLD comes before collapse."""
     ultimate = {check.procedure for check in checks if check.limit_state != DAMAGE}
     return tuple(check for check in checks if check.limit_state != DAMAGE or check.procedure not in ultimate)
@@ -125,13 +125,13 @@ def of_collapse(checks: tuple[Check, ...]) -> tuple[Check, ...]:
 def capacities(checks: tuple[Check, ...]) -> dict[str, float]:
     """The least PGA at capacity of each procedure that knows one [g], of its limit states of collapse."""
     found: dict[str, float] = {}
-    for check in of_collapse(checks):
+    for check in collapse_checks(checks):
         if check.capacity_pga_g is not None:
             found[check.procedure] = min(check.capacity_pga_g, found.get(check.procedure, inf))
     return found
 
 
-def by_procedure(checks: tuple[Check, ...]) -> dict[str, tuple[Check, ...]]:
+def group_by_procedure(checks: tuple[Check, ...]) -> dict[str, tuple[Check, ...]]:
     """The checks of each procedure, in order of appearance."""
     names = dict.fromkeys(check.procedure for check in checks)
     return {name: tuple(check for check in checks if check.procedure == name) for name in names}

@@ -10,21 +10,21 @@ from assess.codes.check import BranchName
 from assess.results import HistoryResult, MechanismResult
 
 
-def yielding(mechanism: MechanismResult) -> list[dict[str, Any]]:
+def deformable_joints(mechanism: MechanismResult) -> list[dict[str, Any]]:
     """The joints of both branches that open or crush; none where all are rigid."""
     return [interface for interface in mechanism.interfaces if interface["curve"] is not None]
 
 
-def of_branch(mechanism: MechanismResult, branch: BranchName) -> list[dict[str, Any]]:
+def joints_of_branch(mechanism: MechanismResult, branch: BranchName) -> list[dict[str, Any]]:
     """The joints of one branch that open or crush: the hinges of the positive branch stand first."""
     first = len(mechanism.drawing.displaced.hinges)
     part = mechanism.interfaces[first:] if branch == "negative" else mechanism.interfaces[:first]
     return [interface for interface in part if interface["curve"] is not None]
 
 
-def model(mechanism: MechanismResult) -> str:
+def model_name(mechanism: MechanismResult) -> str:
     """What its joints are, in a word or two."""
-    models = dict.fromkeys(interface["model"] for interface in yielding(mechanism))
+    models = dict.fromkeys(interface["model"] for interface in deformable_joints(mechanism))
     names = {"rigid": "rigid with crushing"}
     return ", ".join(names.get(each, each) for each in models) or "rigid"
 
@@ -39,7 +39,7 @@ def peak_rotation(mechanism: MechanismResult, history: HistoryResult) -> float:
     return max(0.0, abs(history.max_rotation_rad or 0.0) + rest)
 
 
-def rotation_when(interface: dict[str, Any], key: str) -> float | None:
+def event_rotation(interface: dict[str, Any], key: str) -> float | None:
     """Rotation of the mechanism at which a joint opens or crushes, by "opening_rad" or "crushing_rad" [rad].
 
     None where it never does, where it does from the start, and where that lies beyond its curve.

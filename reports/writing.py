@@ -9,17 +9,17 @@ from pathlib import Path
 from typing import Literal
 
 from assess.results import Results
-from reports.asked import as_asked
 from reports.assessment import assessment
-from reports.csv import write_csv
 from reports.document import Document
-from reports.html import write_html
-from reports.pdf import write_pdf
-from reports.png import write_png
-from reports.processes import processes
-from reports.spreadsheet import write_xlsx
-from reports.svg import Picture, picture, write_svg
-from reports.vector import Traced, traced
+from reports.localisation import localise
+from reports.render.csv import write_csv
+from reports.render.html import write_html
+from reports.render.pdf import write_pdf
+from reports.render.png import write_png
+from reports.render.processes import processes
+from reports.render.spreadsheet import write_xlsx
+from reports.render.svg import Picture, picture, write_svg
+from reports.render.vector import FigureMarks, trace_figures
 
 Form = Literal["svg", "png"]
 
@@ -55,12 +55,12 @@ def write_document(
     progress: Callable[[str], None] | None = None,
 ) -> Path:
     """Write a document in its units and language into the empty `folder` in every form; the path of its PDF, `name`."""
-    document, say = as_asked(document), progress or (lambda _: None)
+    document, say = localise(document), progress or (lambda _: None)
     for name_of_folder in ("tables", "figures"):
         (folder / name_of_folder).mkdir(exist_ok=True)
     with processes(jobs or os.cpu_count() or 1, document) as pool:
         say("figures")
-        drawings = traced(document, pool=pool)
+        drawings = trace_figures(document, pool=pool)
         tables = pool.submit(_write_tables, folder)
         say("report")
         path = write_pdf(document, folder / name, drawings=drawings)
@@ -78,7 +78,7 @@ def _write_tables(document: Document, folder: Path) -> None:
 
 
 def _write_figures(
-    drawings: Mapping[str, Traced],
+    drawings: Mapping[str, FigureMarks],
     pictures: Mapping[str, Picture],
     folder: Path,
     *,

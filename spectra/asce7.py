@@ -8,145 +8,19 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import Literal
 
 import numpy as np
 from scipy.constants import g
 
 from spectra.arrays import FloatArray
+from spectra.asce7_editions import Edition, SiteTable, edition_of
 from spectra.damping import asce7_b_factor
 from spectra.errors import SpectrumError
-from spectra.spectrum import Spectrum, checked_periods, implausible, positive
-
-Hazard = Literal["design", "mce"]
+from spectra.spectrum import Spectrum, check_periods, check_positive, plausibility_warnings
 
 ZERO_PERIOD_RATIO = 0.4  # S_a(0) / S_DS
 ROUNDING = 1e-9  # of a mapped acceleration [g]
 HAZARD_FACTOR: Mapping[str, float] = {"design": 1.0, "mce": 1.5}
-
-
-Rows = Mapping[str, tuple[float, ...]]
-
-
-@dataclass(frozen=True)
-class SiteTable:
-    """A site coefficient over a mapped acceleration: columns [g], a row of coefficients [-] for each site class."""
-
-    clause: str
-    columns: tuple[float, ...]
-    rows: Rows
-
-
-@dataclass(frozen=True)
-class StudyRule:
-    """When the standard asks for a study of the site: its classes, the least mapped value [g], the clause in words."""
-
-    classes: tuple[str, ...]
-    parameter: Literal["s_s", "s_1"]
-    least: float
-    text: str
-
-
-@dataclass(frozen=True)
-class Edition:
-    """Where an edition keeps the design spectrum, the MCE spectrum and damping; its site coefficients and studies."""
-
-    design: str
-    mce: str
-    damping: str
-    f_a: SiteTable
-    f_v: SiteTable
-    study: str
-    rules: tuple[StudyRule, ...] = ()
-
-
-F_A_2005: Rows = {
-    "A": (0.8, 0.8, 0.8, 0.8, 0.8),
-    "B": (1.0, 1.0, 1.0, 1.0, 1.0),
-    "C": (1.2, 1.2, 1.1, 1.0, 1.0),
-    "D": (1.6, 1.4, 1.2, 1.1, 1.0),
-    "E": (2.5, 1.7, 1.2, 0.9, 0.9),
-}
-F_V_2005: Rows = {
-    "A": (0.8, 0.8, 0.8, 0.8, 0.8),
-    "B": (1.0, 1.0, 1.0, 1.0, 1.0),
-    "C": (1.7, 1.6, 1.5, 1.4, 1.3),
-    "D": (2.4, 2.0, 1.8, 1.6, 1.5),
-    "E": (3.5, 3.2, 2.8, 2.4, 2.4),
-}
-F_A_2016: Rows = {
-    "A": (0.8, 0.8, 0.8, 0.8, 0.8, 0.8),
-    "B": (0.9, 0.9, 0.9, 0.9, 0.9, 0.9),
-    "B-unmeasured": (1.0, 1.0, 1.0, 1.0, 1.0, 1.0),  # 11.4.3: no shear wave velocity measured
-    "C": (1.3, 1.3, 1.2, 1.2, 1.2, 1.2),
-    "D": (1.6, 1.4, 1.2, 1.1, 1.0, 1.0),
-    "D-default": (1.6, 1.4, 1.2, 1.2, 1.2, 1.2),  # 11.4.4: site class D taken by default
-    "E": (2.4, 1.7, 1.3, 1.2, 1.2, 1.2),  # from S_S = 1.0 the value of class C, exception 1 of 11.4.8
-}
-F_V_2016: Rows = {
-    "A": (0.8, 0.8, 0.8, 0.8, 0.8, 0.8),
-    "B": (0.8, 0.8, 0.8, 0.8, 0.8, 0.8),
-    "B-unmeasured": (1.0, 1.0, 1.0, 1.0, 1.0, 1.0),
-    "C": (1.5, 1.5, 1.5, 1.5, 1.5, 1.4),
-    "D": (2.4, 2.2, 2.0, 1.9, 1.8, 1.7),
-    "D-default": (2.4, 2.2, 2.0, 1.9, 1.8, 1.7),
-    "E": (4.2, 3.3, 2.8, 2.4, 2.2, 2.0),
-}
-STUDIES_2016 = (
-    StudyRule(
-        ("E",),
-        "s_s",
-        1.0,
-        "ASCE 7-16 §11.4.8 asks for a ground motion hazard analysis for site class E with S_S >= 1.0 g; F_a is that of "
-        "class C by its exception 1",
-    ),
-    StudyRule(
-        ("D", "D-default", "E"),
-        "s_1",
-        0.2,
-        "ASCE 7-16 §11.4.8 asks for a ground motion hazard analysis for site classes D and E with S_1 >= 0.2 g; the "
-        "spectrum by Table 11.4-2 can be low at long periods (Supplement 3 raises S_M1 of class D by half); "
-        'give that of the study with code = "table"',
-    ),
-)
-_COLUMNS_2005 = ((0.25, 0.5, 0.75, 1.0, 1.25), (0.1, 0.2, 0.3, 0.4, 0.5))  # S_S, S_1 [g]
-_COLUMNS_2016 = ((0.25, 0.5, 0.75, 1.0, 1.25, 1.5), (0.1, 0.2, 0.3, 0.4, 0.5, 0.6))
-
-EDITIONS: Mapping[str, Edition] = {
-    "asce7-05": Edition(
-        "ASCE 7-05 §11.4.5",
-        "ASCE 7-05 §11.4.6",
-        "ASCE 7-05 Table 18.6-1",
-        SiteTable("ASCE 7-05 Table 11.4-1", _COLUMNS_2005[0], F_A_2005),
-        SiteTable("ASCE 7-05 Table 11.4-2", _COLUMNS_2005[1], F_V_2005),
-        "ASCE 7-05 §11.4.7",
-    ),
-    "ibc2009": Edition(
-        "IBC 2009 §1613.5 with ASCE 7-05 §11.4.5",
-        "IBC 2009 §1613.5 with ASCE 7-05 §11.4.6",
-        "ASCE 7-05 Table 18.6-1",
-        SiteTable("IBC 2009 Table 1613.5.3(1)", _COLUMNS_2005[0], F_A_2005),
-        SiteTable("IBC 2009 Table 1613.5.3(2)", _COLUMNS_2005[1], F_V_2005),
-        "ASCE 7-05 §11.4.7",
-    ),
-    "asce7-10": Edition(
-        "ASCE 7-10 §11.4.5",
-        "ASCE 7-10 §11.4.6",
-        "ASCE 7-10 Table 18.6-1",
-        SiteTable("ASCE 7-10 Table 11.4-1", _COLUMNS_2005[0], F_A_2005),
-        SiteTable("ASCE 7-10 Table 11.4-2", _COLUMNS_2005[1], F_V_2005),
-        "ASCE 7-10 §11.4.7",
-    ),
-    "asce7-16": Edition(
-        "ASCE 7-16 §11.4.6",
-        "ASCE 7-16 §11.4.7",
-        "ASCE 7-16 Table 18.7-1",
-        SiteTable("ASCE 7-16 Table 11.4-1", _COLUMNS_2016[0], F_A_2016),
-        SiteTable("ASCE 7-16 Table 11.4-2", _COLUMNS_2016[1], F_V_2016),
-        "ASCE 7-16 §11.4.8",
-        STUDIES_2016,
-    ),
-}
 
 
 def mapped_spectrum(
@@ -158,12 +32,12 @@ def mapped_spectrum(
 
     site_class : "A" to "E"; ASCE 7-16 also "B-unmeasured" (§11.4.3) and "D-default" (§11.4.4)
 
-    What the standard leaves to a study of the site and yet has coefficients for stands in `cautions`. Raises
+    What the standard leaves to a study of the site and yet has coefficients for stands in `warnings`. Raises
     SpectrumError for site class F, and for what `design_spectrum` refuses.
     Source: ASCE 7-16 §11.4.4-11.4.5, 7-10 and 7-05 §11.4.3-11.4.4, with Tables 11.4-1 and 11.4-2 of each.
     """
-    edition = _edition(code)
-    positive(code, s_s=s_s, s_1=s_1)
+    edition = edition_of(code)
+    check_positive(code, s_s=s_s, s_1=s_1)
     F_a = site_coefficient(s_s, table=edition.f_a, site_class=site_class, study=edition.study)
     F_v = site_coefficient(s_1, table=edition.f_v, site_class=site_class, study=edition.study)
     S_MS, S_M1 = F_a * s_s, F_v * s_1
@@ -178,11 +52,11 @@ def mapped_spectrum(
         "s_m1": S_M1,
     }
     given = {"s_s": s_s / g, "s_1": s_1 / g}
-    cautions = [r.text for r in edition.rules if site_class in r.classes and given[r.parameter] >= r.least - ROUNDING]
+    warnings = [r.text for r in edition.rules if site_class in r.classes and given[r.parameter] >= r.least - ROUNDING]
     if s_1 > s_s:
-        cautions.append(f"S_1 = {s_1 / g:.4g} g is above S_S = {s_s / g:.4g} g, which no map has; are they exchanged?")
-    doubts = implausible(s_s=s_s, s_1=s_1)
-    return replace(spectrum, parameters={**mapped, **spectrum.parameters}, cautions=(*doubts, *cautions))
+        warnings.append(f"S_1 = {s_1 / g:.4g} g is above S_S = {s_s / g:.4g} g, which no map has; are they exchanged?")
+    doubts = plausibility_warnings(s_s=s_s, s_1=s_1)
+    return replace(spectrum, parameters={**mapped, **spectrum.parameters}, warnings=(*doubts, *warnings))
 
 
 def site_coefficient(mapped: float, *, table: SiteTable, site_class: str, study: str) -> float:
@@ -217,10 +91,10 @@ def design_spectrum(
     Raises SpectrumError for an unknown code or hazard, for values that are not positive, and where T_S > T_L.
     Source: ASCE 7-16 §11.4.6-11.4.7, 7-10 and 7-05 §11.4.5-11.4.6; damping Table 18.7-1 (18.6-1).
     """
-    edition = _edition(code)
+    edition = edition_of(code)
     if hazard not in HAZARD_FACTOR:
         raise SpectrumError(f'hazard "{hazard}" is not known; choose one of {", ".join(HAZARD_FACTOR)}')
-    positive(code, s_ds=s_ds, s_d1=s_d1, t_l=t_l)
+    check_positive(code, s_ds=s_ds, s_d1=s_d1, t_l=t_l)
     t_s = s_d1 / s_ds
     if t_s > t_l:
         raise SpectrumError(
@@ -234,14 +108,8 @@ def design_spectrum(
         damping_rule=_damping_rule(edition),
         ordinates=lambda period, damping: factor * shape.ordinates(period, damping),
         clause=edition.design if hazard == "design" else edition.mce,
-        cautions=implausible(s_ds=s_ds, s_d1=s_d1),
+        warnings=plausibility_warnings(s_ds=s_ds, s_d1=s_d1),
     )
-
-
-def _edition(code: str) -> Edition:
-    if code not in EDITIONS:
-        raise SpectrumError(f'"{code}" is no edition of ASCE 7 known here; choose one of {", ".join(EDITIONS)}')
-    return EDITIONS[code]
 
 
 def _damping_rule(edition: Edition) -> str:
@@ -267,7 +135,7 @@ class _Shape:
     def ordinates(self, period: FloatArray, damping: float) -> FloatArray:
         """S_a [m/s2] at `period` [s] (same shape) and `damping` [-]."""
         S_DS, S_D1, T_L, T_0, B = self.s_ds, self.s_d1, self.t_l, self.t_0, asce7_b_factor(damping)
-        T = np.maximum(checked_periods(period), T_0)
+        T = np.maximum(check_periods(period), T_0)
         falling = np.minimum(S_DS, S_D1 / T * np.minimum(1.0, T_L / T)) / B
         rising = S_DS * (ZERO_PERIOD_RATIO + (1.0 / B - ZERO_PERIOD_RATIO) * period / T_0)
         return np.asarray(np.where(period < T_0, rising, falling), dtype=np.float64)

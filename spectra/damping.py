@@ -18,7 +18,7 @@ def asce7_b_factor(damping: float) -> float:
     Raises SpectrumError for a negative damping or one that is not a number.
     Source: ASCE 7-16 Table 18.7-1 (7-05 and 7-10 Table 18.6-1); not checked against the printed standard.
     """
-    return float(np.interp(checked_damping(damping), B_DAMPING, B_FACTOR))
+    return float(np.interp(check_damping(damping), B_DAMPING, B_FACTOR))
 
 
 def ec8_eta(damping: float) -> float:
@@ -27,11 +27,11 @@ def ec8_eta(damping: float) -> float:
     `damping` is the ratio xi / 100 [-]. Raises SpectrumError for a negative damping or one that is not a number.
     Source: EN 1998-1:2004, 3.2.2.2(3), eq. (3.6).
     """
-    xi = 100.0 * checked_damping(damping)
+    xi = 100.0 * check_damping(damping)
     return max(float(np.sqrt(10.0 / (5.0 + xi))), ETA_FLOOR)
 
 
-def checked_damping(damping: float) -> float:
+def check_damping(damping: float) -> float:
     """`damping` [-] itself, once it is known to be a finite number that is not negative."""
     if not (np.isfinite(damping) and damping >= 0.0):
         raise SpectrumError(f"damping ratio {damping}: it must be a number from 0 up (0.05 is 5 % of critical)")

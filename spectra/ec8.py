@@ -13,7 +13,7 @@ from math import inf
 
 from spectra.errors import SpectrumError
 from spectra.four_branches import FourBranches
-from spectra.spectrum import Spectrum, implausible, positive
+from spectra.spectrum import Spectrum, check_positive, plausibility_warnings
 
 AMPLIFICATION, VERTICAL_AMPLIFICATION = 2.5, 3.0  # of the level branch, (3.3) and (3.9)
 DAMPING_RULE = "EN 1998-1 eq. (3.6): eta = √(10 / (5 + ξ)) ≥ 0.55; not checked against the printed standard"
@@ -63,7 +63,7 @@ def elastic_spectrum(
     Raises SpectrumError for values that are not positive, for an unknown type or ground, and for S1 and S2.
     Source: EN 1998-1:2004, 3.2.2.2, (3.2)-(3.7), Tables 3.2 and 3.3; Annex A; importance 3.2.1(3).
     """
-    positive("ec8", a_g=a_g, importance_factor=importance_factor)
+    check_positive("ec8", a_g=a_g, importance_factor=importance_factor)
     ground = _ground(ground_type, spectrum_type)
     design = importance_factor * a_g
     shape = FourBranches(design * ground.s, AMPLIFICATION, ground.t_b, ground.t_c, ground.t_d)
@@ -79,7 +79,7 @@ def elastic_spectrum(
         ordinates=shape.ordinates,
         clause="EN 1998-1:2004, 3.2.2.2, recommended values",
         displacements=partial(shape.displacements, t_e=ground.t_e, t_f=ground.t_f) if long else None,
-        cautions=implausible(a_g=a_g),
+        warnings=plausibility_warnings(a_g=a_g),
     )
 
 
@@ -90,7 +90,7 @@ def vertical_spectrum(
 
     Source: EN 1998-1:2004, 3.2.2.3, (3.8)-(3.11), Table 3.4.
     """
-    positive("ec8", a_g=a_g, importance_factor=importance_factor)
+    check_positive("ec8", a_g=a_g, importance_factor=importance_factor)
     _ground(ground_type, spectrum_type)
     a_vg = VERTICAL_RATIO[spectrum_type] * importance_factor * a_g
     t_b, t_c, t_d = VERTICAL_CORNERS
@@ -107,7 +107,7 @@ def vertical_spectrum(
         damping_rule=DAMPING_RULE,
         ordinates=FourBranches(a_vg, VERTICAL_AMPLIFICATION, t_b, t_c, t_d).ordinates,
         clause="EN 1998-1:2004, 3.2.2.3 (vertical), recommended values",
-        cautions=implausible(a_g=a_g),
+        warnings=plausibility_warnings(a_g=a_g),
     )
 
 

@@ -48,7 +48,7 @@ def ec8_resonance(height: float, *, building_height: float) -> float:
     return ec8_floor_factor(height, building_height=building_height, period_ratio=1.0)
 
 
-def ec8_printed(height: float, *, building_height: float, soil_factor: float) -> float:
+def ec8_at_resonance_with_soil(height: float, *, building_height: float, soil_factor: float) -> float:
     """S [3 (1 + z/H) - 0.5] [-]: thesis eq. 3.49, with the soil factor S.
 
     It is the clause at resonance (T_a = T_1). On a motion of the surface it counts the soil twice.

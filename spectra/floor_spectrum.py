@@ -10,11 +10,11 @@ from numpy.typing import ArrayLike
 from scipy.constants import g
 
 from spectra.arrays import FloatArray
-from spectra.damping import checked_damping, ec8_eta
+from spectra.damping import check_damping, ec8_eta
 from spectra.errors import SpectrumError
 from spectra.floor import ec8_floor_factors, height_ratio
 from spectra.floor import nzs1170_5 as floor_height_coefficient
-from spectra.spectrum import Spectrum, checked_periods
+from spectra.spectrum import Spectrum, check_periods
 
 PART_DUCTILITIES = (1.0, 1.25, 1.5, 1.75, 2.0, 3.0)  # NZS 1170.5 Table 8.2; 1.5 and 1.75 after its commentary
 PART_RESPONSE_FACTORS = (1.00, 0.85, 0.75, 0.65, 0.55, 0.45)
@@ -143,7 +143,7 @@ def circolare2019_first_mode(
 
 def first_mode_peak(first: ArrayLike, *, spectrum: Spectrum, mode_damping: float, share: float) -> FloatArray:
     """a_Z [m/s2] under one mode, for each of its periods `first` [s] (same shape). Source: C7.2.7, C7.2.8."""
-    xi = 100.0 * checked_damping(mode_damping)
+    xi = 100.0 * check_damping(mode_damping)
     ordinate = spectrum.acceleration(first, damping=mode_damping)
     return np.asarray(ordinate * abs(share) * np.sqrt(1.0 + 0.0004 * xi**2))
 
@@ -173,7 +173,7 @@ def circolare2019_modal(
 
 def part_amplification(period_ratio: ArrayLike, damping: float, *, beta: float) -> FloatArray:
     """R = [(2 xi_a r)^2 + (1 - r^2)^2]^-beta [-] at r = T_a / T_i (same shape); 1 for a rigid part (C7.2.4)."""
-    r, xi = np.asarray(period_ratio, dtype=np.float64), checked_damping(damping)
+    r, xi = np.asarray(period_ratio, dtype=np.float64), check_damping(damping)
     return np.asarray(((2.0 * xi * r) ** 2 + (1.0 - r**2) ** 2) ** -beta)
 
 
@@ -236,7 +236,7 @@ def _some(modes: Sequence[Mode]) -> Sequence[Mode]:
 
 
 def _periods(period: ArrayLike) -> FloatArray:
-    return checked_periods(np.asarray(period, dtype=np.float64))
+    return check_periods(np.asarray(period, dtype=np.float64))
 
 
 def _first_period(building_period: float, *, clause: str) -> float:

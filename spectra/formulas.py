@@ -18,7 +18,7 @@ def is_formula(text: str) -> bool:
     return text != "-" and text.lstrip(" \n\v\f").startswith(SIGNS)
 
 
-def harmless(text: str, *, shown: str) -> str:
+def harmless_cell(text: str, *, shown: str) -> str:
     """`text`, as it is `shown`, for a cell between commas: behind an apostrophe where it or a part of it would run.
 
     A spreadsheet in a language of decimal commas parts the cells at semicolons.
@@ -26,11 +26,11 @@ def harmless(text: str, *, shown: str) -> str:
     return _AFTER_SEMICOLON.sub(r"\1'", f"'{shown}" if is_formula(text) else shown)
 
 
-def marked(line: str) -> str:
+def mark_formulas(line: str) -> str:
     """A line of free text, with an apostrophe before each part that a spreadsheet would take for a cell and run."""
     return _PARTS.sub(r"\1'", line)
 
 
-def unmarked(line: str) -> str:
-    """The text of which `marked` made `line`."""
+def unmark_formulas(line: str) -> str:
+    """The text of which `mark_formulas` made `line`."""
     return _MARKED.sub(r"\1", line)

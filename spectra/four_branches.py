@@ -8,7 +8,7 @@ import numpy as np
 
 from spectra.arrays import FloatArray
 from spectra.damping import ec8_eta
-from spectra.spectrum import checked_periods
+from spectra.spectrum import check_periods
 
 DISPLACEMENT_FACTOR = 0.025  # of d_g = 0.025 a_g S T_C T_D; 1 / (2 pi)^2 rounded, so that S_De steps by 1.3 % at T_E
 
@@ -39,7 +39,7 @@ class FourBranches:
         Source: EN 1998-1:2004 (3.2)-(3.5); NTC 2018 (3.2.2), whose first branch is the same in other letters.
         """
         a, F, T_B = self.ground, ec8_eta(damping) * self.amplification, self.t_b
-        T = np.maximum(checked_periods(period), T_B)
+        T = np.maximum(check_periods(period), T_B)
         falling = a * F * np.minimum(1.0, self.t_c / T) * np.minimum(1.0, self.t_d / T)
         return np.asarray(np.where(period < T_B, a * (1.0 + period / T_B * (F - 1.0)), falling), dtype=np.float64)
 
@@ -48,7 +48,7 @@ class FourBranches:
 
         Source: EN 1998-1:2004 (3.7), Annex A (A.1), (A.2), (3.12); NTC 2018 (3.2.10)-(3.2.12).
         """
-        F, T = ec8_eta(damping) * self.amplification, checked_periods(period)
+        F, T = ec8_eta(damping) * self.amplification, check_periods(period)
         d_g = DISPLACEMENT_FACTOR * self.ground * self.t_c * self.t_d
         towards = np.clip((T - t_e) / (t_f - t_e), 0.0, 1.0)
         short = self.ordinates(np.minimum(T, t_e), damping) * (np.minimum(T, t_e) / (2.0 * np.pi)) ** 2

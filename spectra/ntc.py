@@ -17,7 +17,7 @@ from scipy.constants import g
 
 from spectra.errors import SpectrumError
 from spectra.four_branches import FourBranches
-from spectra.spectrum import Spectrum, implausible, positive
+from spectra.spectrum import Spectrum, check_positive, plausibility_warnings
 
 LEAST_F_0 = 2.2  # 3.2 [-]
 SHORTEST_LIFE = 35.0  # years: least V_R, NTC 2008 2.4.3; under NTC 2018 by Table C2.4.I of Circolare 7/2019
@@ -81,7 +81,7 @@ def elastic_spectrum(hazard: Hazard, *, place: Place, code: str = "ntc2018") -> 
     Raises SpectrumError for an unknown code, soil or topography and for values outside the clause.
     Source: NTC 2018 §3.2.3.2.1, (3.2.2)-(3.2.7), §3.2.3.2.3, (3.2.10)-(3.2.12); NTC 2008 §3.2.3.2.1.
     """
-    clause = _checked(hazard, place, code)
+    clause = _check(hazard, place, code)
     S_S, S_T = soil_factor(hazard, place.soil), topographic_factor(place)
     C_C = period_coefficient(hazard, place.soil)
     T_C, T_D = C_C * hazard.t_c_star, 4.0 * hazard.a_g / g + 1.6
@@ -105,7 +105,7 @@ def elastic_spectrum(hazard: Hazard, *, place: Place, code: str = "ntc2018") -> 
         ordinates=shape.ordinates,
         clause=clause,
         displacements=partial(shape.displacements, t_e=LONG_PERIODS[place.soil], t_f=T_F),
-        cautions=implausible(a_g=hazard.a_g),
+        warnings=plausibility_warnings(a_g=hazard.a_g),
     )
 
 
@@ -114,7 +114,7 @@ def vertical_spectrum(hazard: Hazard, *, place: Place, code: str = "ntc2018") ->
 
     Source: NTC 2018 §3.2.3.2.2, (3.2.8), (3.2.9).
     """
-    clause = _checked(hazard, place, code)
+    clause = _check(hazard, place, code)
     S_T, F_V = topographic_factor(place), 1.35 * hazard.f_0 * (hazard.a_g / g) ** 0.5
     T_B, T_C, T_D = VERTICAL_CORNERS
     shape = FourBranches(hazard.a_g * S_T * F_V / hazard.f_0, hazard.f_0, T_B, T_C, T_D)
@@ -132,7 +132,7 @@ def vertical_spectrum(hazard: Hazard, *, place: Place, code: str = "ntc2018") ->
         damping_rule=_damping_rule(code),
         ordinates=shape.ordinates,
         clause=f"{clause} (vertical)",
-        cautions=implausible(a_g=hazard.a_g),
+        warnings=plausibility_warnings(a_g=hazard.a_g),
     )
 
 
@@ -158,7 +158,7 @@ def topographic_factor(place: Place) -> float:
 def reference_life(nominal_life: float, *, use_class: str) -> float:
     """V_R = V_N C_U [years], at least 35. Source: NTC 2018 §2.4.3, (2.4.1)."""
     _known("use_class", use_class, USE_FACTORS)
-    positive("ntc", nominal_life=nominal_life)
+    check_positive("ntc", nominal_life=nominal_life)
     return max(nominal_life * USE_FACTORS[use_class], SHORTEST_LIFE)
 
 
@@ -199,10 +199,10 @@ def limit_state_hazard(
     return hazard_at(table, return_period=return_period(limit_state, reference_life=life))
 
 
-def _checked(hazard: Hazard, place: Place, code: str) -> str:
+def _check(hazard: Hazard, place: Place, code: str) -> str:
     """The clause of the `code`, once the values are within it."""
     _known("code", code, CLAUSES)
-    positive(code, a_g=hazard.a_g, f_0=hazard.f_0, t_c_star=hazard.t_c_star)
+    check_positive(code, a_g=hazard.a_g, f_0=hazard.f_0, t_c_star=hazard.t_c_star)
     if hazard.f_0 < LEAST_F_0:
         raise SpectrumError(f"{code} spectrum: f_0 = {hazard.f_0:.4g}; {CLAUSES[code]} has at least {LEAST_F_0}")
     if place.soil in STUDIED:

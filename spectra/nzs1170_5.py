@@ -16,7 +16,7 @@ from scipy.constants import g
 from spectra.arrays import FloatArray
 from spectra.damping import ec8_eta
 from spectra.errors import SpectrumError
-from spectra.spectrum import Spectrum, checked_periods, positive
+from spectra.spectrum import Spectrum, check_periods, check_positive
 
 LARGEST_ZR = 0.7  # Z R need not be taken larger, 3.1.1
 LARGEST_Z = 2.0  # beyond it is a slip: Table 3.3 ends at 0.6
@@ -77,11 +77,11 @@ def site_spectrum(*, subsoil: str, z: float, r: float, near_fault_distance: floa
     near_fault_distance : D, to the nearest major fault of Table 3.6 [m]; None where there is none
 
     Table 3.1 ends at 4.5 s; beyond, its last branch continues.
-    What Z R loses by this stands in `cautions`.
+    What Z R loses by this stands in `warnings`.
     Raises SpectrumError for an unknown class, for numbers that are not positive, and for Z above 2.
     Source: NZS 1170.5:2004, 3.1.1, eq. 3.1(1), Table 3.1 (commentary C3.1.2), 3.1.6.
     """
-    positive("nzs1170.5", z=z, r=r)
+    check_positive("nzs1170.5", z=z, r=r)
     if z > LARGEST_Z:
         raise SpectrumError(
             f"nzs1170.5 spectrum: z = {z:.4g}; the hazard factor is at most 0.6 (Table 3.3), a number without unit; is "
@@ -91,7 +91,7 @@ def site_spectrum(*, subsoil: str, z: float, r: float, near_fault_distance: floa
     zr = min(z * r, LARGEST_ZR)
 
     def ordinates(period: FloatArray, damping: float) -> FloatArray:
-        N = near_fault_factor(checked_periods(period), distance=distance, r=r)
+        N = near_fault_factor(check_periods(period), distance=distance, r=r)
         return soil.shape(period, ec8_eta(damping)) * zr * g * N
 
     return Spectrum(
@@ -108,7 +108,7 @@ def site_spectrum(*, subsoil: str, z: float, r: float, near_fault_distance: floa
         damping_rule=DAMPING_RULE,
         ordinates=ordinates,
         clause="NZS 1170.5:2004, 3.1.1",
-        cautions=_capped(z, r),
+        warnings=_capped(z, r),
     )
 
 
@@ -125,7 +125,7 @@ def vertical_spectrum(*, subsoil: str, z: float, r: float, near_fault_distance: 
         damping_rule=level.damping_rule,
         ordinates=lambda period, damping: VERTICAL_RATIO * level.ordinates(period, damping),
         clause="NZS 1170.5:2004, 3.2 (vertical)",
-        cautions=level.cautions,
+        warnings=level.warnings,
     )
 
 

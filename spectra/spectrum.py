@@ -34,7 +34,7 @@ class Spectrum:
     longest_period : up to which ordinates are known [s]
     displacements : f(period [s], damping [-]) -> spectral displacement [m], before `factor`, where the code gives
         one of its own for long periods; None where it is S_a (T / 2 pi)^2 throughout
-    cautions : what the engineer has to know before using it, with the clause, one sentence each
+    warnings : what the engineer has to know before using it, with the clause, one sentence each
     """
 
     code: str
@@ -46,7 +46,11 @@ class Spectrum:
     factor: float = 1.0
     longest_period: float = inf
     displacements: Ordinates | None = None
-    cautions: tuple[str, ...] = ()
+    warnings: tuple[str, ...] = ()
+
+    def __repr__(self) -> str:
+        """Return one line: code, PGA and damping."""
+        return f"Spectrum(code={self.code!r}, pga={self.pga:.4g} m/s2, damping={self.damping:g})"
 
     def acceleration(self, period: ArrayLike, *, damping: float | None = None) -> FloatArray:
         """Pseudo-acceleration [m/s2] at `period` [s] (same shape), at `damping` [-] (default: the spectrum's own)."""
@@ -69,21 +73,21 @@ class Spectrum:
         return float(self.acceleration(0.0))
 
 
-def checked_periods(period: FloatArray) -> FloatArray:
+def check_periods(period: FloatArray) -> FloatArray:
     """`period` [s] itself, once every one of them is known to be a number from 0 up."""
     if not np.all(period >= 0.0):
         raise SpectrumError(f"period {np.min(period)} s: a spectrum is asked at periods from 0 up")
     return period
 
 
-def positive(code: str, **values: float) -> None:
+def check_positive(code: str, **values: float) -> None:
     """Raise SpectrumError, naming the `code`, for the first of `values` that is not a positive number."""
     for name, value in values.items():
         if not (np.isfinite(value) and value > 0.0):
             raise SpectrumError(f"{code} spectrum: {name} = {value}; it must be a positive number")
 
 
-def implausible(**values: float) -> tuple[str, ...]:
+def plausibility_warnings(**values: float) -> tuple[str, ...]:
     """A sentence for each of `values` [m/s2], accelerations by name, that is larger than any site has."""
     return tuple(
         f"{name} = {value / g:.4g} g is beyond any plausible site, {LARGEST_PLAUSIBLE:g} g; is it in another unit?"
@@ -92,6 +96,6 @@ def implausible(**values: float) -> tuple[str, ...]:
     )
 
 
-def scaled_to_pga(spectrum: Spectrum, pga: float) -> Spectrum:
+def scale_to_pga(spectrum: Spectrum, pga: float) -> Spectrum:
     """The same shape with its zero-period ordinate at `pga` [m/s2]; corner periods stay fixed."""
     return replace(spectrum, factor=spectrum.factor * pga / spectrum.pga)

@@ -11,9 +11,9 @@ from numpy.typing import ArrayLike
 
 from spectra.arrays import FloatArray
 from spectra.columns import ACCELERATION_UNITS, TIME_UNITS, ColumnError, factor_of, read_columns
-from spectra.damping import checked_damping, ec8_eta
+from spectra.damping import check_damping, ec8_eta
 from spectra.errors import SpectrumError
-from spectra.spectrum import Spectrum, implausible
+from spectra.spectrum import Spectrum, plausibility_warnings
 
 DAMPING_RULE = (
     "EN 1998-1 eq. (3.6), applied to a table, which states no rule of its own: zero-period ordinate kept, eta in full "
@@ -27,14 +27,14 @@ def table_spectrum(
     """A spectrum linear between its points: `acceleration` [n] [m/s2] at rising `period` [n] [s], at `damping` [-].
 
     The entry at T = 0 is the peak ground acceleration; only where the table has none, `pga` [m/s2] is it. (To scale
-    a whole table to a PGA: `scaled_to_pga`.) Beyond the last period nothing is known: asking there raises
+    a whole table to a PGA: `scale_to_pga`.) Beyond the last period nothing is known: asking there raises
     SpectrumError. Other damping: see `DAMPING_RULE`; a table sampled from EN 1998-1 then gives EN 1998-1.
 
     Raises SpectrumError for points that are not finite, not positive, not rising in period, or lack a PGA.
     """
-    points = _with_pga(*_checked(period, acceleration), pga=pga)
+    points = _with_pga(*_check(period, acceleration), pga=pga)
     T_max = float(points.period[-1])
-    checked_damping(damping)
+    check_damping(damping)
     return Spectrum(
         code="table",
         parameters={"points": float(points.period.size), "period_max": T_max, "pga": float(points.acceleration[0])},
@@ -43,7 +43,7 @@ def table_spectrum(
         ordinates=lambda at, other: points.ordinates(at, ec8_eta(other) / ec8_eta(damping)),
         clause="table given by the user",
         longest_period=T_max,
-        cautions=implausible(**{"S_a(0) of the table": float(points.acceleration[0])}),
+        warnings=plausibility_warnings(**{"S_a(0) of the table": float(points.acceleration[0])}),
     )
 
 
@@ -97,7 +97,7 @@ class _Points:
         return np.asarray((1.0 + tau * (amplification * eta - 1.0)) / (1.0 + tau * (amplification - 1.0)))
 
 
-def _checked(period: ArrayLike, acceleration: ArrayLike) -> tuple[FloatArray, FloatArray]:
+def _check(period: ArrayLike, acceleration: ArrayLike) -> tuple[FloatArray, FloatArray]:
     """Both columns as arrays [n], once they make a spectrum."""
     T, S_a = np.array(period, dtype=np.float64), np.array(acceleration, dtype=np.float64)
     if T.ndim != 1 or T.shape != S_a.shape or T.size == 0:

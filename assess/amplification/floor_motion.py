@@ -21,7 +21,7 @@ from assess.amplification.pulse_spectrum import largest_pseudo, largest_relative
 from assess.errors import MechanismError
 from records.errors import RecordError
 from records.floor_motion import floor_motion
-from records.record import Record, scaled
+from records.record import Record, scale
 from records.response import response_spectrum
 from spectra.arrays import FloatArray
 
@@ -99,33 +99,33 @@ Amplification = Unamplified | FloorFactor | Srss | SrssRelative | ModalFilter
 
 
 @dataclass(frozen=True)
-class Carried:
+class BaseMotion:
     """A ground motion as it acts at the base of a mechanism; factor: its peak there over its peak at the ground [-]."""
 
     record: Record
     factor: float
 
 
-def carried(amplification: Amplification, record: Record) -> Carried:
+def base_motion(amplification: Amplification, record: Record) -> BaseMotion:
     """The ground motion `record` at the base of the mechanism.
 
     Raises RecordError for a record without motion, or one whose step does not show the structure's period.
     """
     match amplification:
         case Unamplified():
-            return Carried(record, 1.0)
+            return BaseMotion(record, 1.0)
         case FloorFactor(factor=factor):
-            return Carried(scaled(record, factor), factor)
+            return BaseMotion(scale(record, factor), factor)
         case Srss(mode=mode, height=height) | SrssRelative(mode=mode, height=height):
-            factor = factor_3_48(mode, record, height=height)
-            return Carried(scaled(record, factor), factor)
+            factor = srss_factor(mode, record, height=height)
+            return BaseMotion(scale(record, factor), factor)
         case ModalFilter(mode=mode, height=height):
             at = floor_motion(record, frequency=mode.frequency, shape=mode.shape(height), damping=mode.damping)
-            return Carried(at, at.pga / _moving(record))
+            return BaseMotion(at, at.pga / _moving(record))
     assert_never(amplification)
 
 
-def factor_3_48(mode: FirstMode, record: Record, *, height: float) -> float:
+def srss_factor(mode: FirstMode, record: Record, *, height: float) -> float:
     """SF = sqrt((S_a(T_n) / a_g h / h_e)^2 + 1) [-], S_a the pseudo-acceleration of the record, a_g its peak.
 
     Source: thesis eq. 3.48.
@@ -134,7 +134,7 @@ def factor_3_48(mode: FirstMode, record: Record, *, height: float) -> float:
     return float(np.hypot(S_a / _moving(record) * mode.shape(height), 1.0))
 
 
-def factor_3_47(response: FloatArray, *, shape: float) -> FloatArray:
+def srss_relative_factor(response: FloatArray, *, shape: float) -> FloatArray:
     """a_sc / a_g = sqrt((a_r / a_g h / h_e)^2 + 1) [-] for largest responses a_r / a_g [-] (same shape).
 
     Source: thesis eq. 3.47.
@@ -142,7 +142,7 @@ def factor_3_47(response: FloatArray, *, shape: float) -> FloatArray:
     return np.hypot(response * shape, 1.0)
 
 
-def factor_over_frequency(amplification: Amplification, frequency: ArrayLike) -> FloatArray:
+def pulse_factor(amplification: Amplification, frequency: ArrayLike) -> FloatArray:
     """What the amplitude of a one-sine pulse of each `frequency` [Hz] is multiplied by (same shape) [-].
 
     Of the modal filter it is the ratio of the peaks alone: that the structure swings on after the pulse is left out.
@@ -155,9 +155,13 @@ def factor_over_frequency(amplification: Amplification, frequency: ArrayLike) ->
         case FloorFactor(factor=factor):
             return np.full(f.shape, factor)
         case Srss(mode=mode, height=height):
-            return factor_3_47(largest_pseudo(f / mode.frequency, damping=mode.damping), shape=mode.shape(height))
+            return srss_relative_factor(
+                largest_pseudo(f / mode.frequency, damping=mode.damping), shape=mode.shape(height)
+            )
         case SrssRelative(mode=mode, height=height):
-            return factor_3_47(largest_relative(f / mode.frequency, damping=mode.damping), shape=mode.shape(height))
+            return srss_relative_factor(
+                largest_relative(f / mode.frequency, damping=mode.damping), shape=mode.shape(height)
+            )
         case ModalFilter(mode=mode, height=height):
             return largest_total(f / mode.frequency, shape=mode.shape(height), damping=mode.damping)
     assert_never(amplification)

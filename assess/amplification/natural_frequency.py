@@ -18,7 +18,7 @@ import numpy as np
 from scipy.constants import g
 
 from assess.errors import GeometryError
-from assess.geometry.slices import section_moments
+from assess.geometry.section_moments import section_moments
 from assess.geometry.solid import Solid
 from spectra.arrays import FloatArray
 
@@ -55,7 +55,7 @@ class Rayleigh:
     effective_height: float
 
 
-def cantilever(solids: Sequence[Solid], young_modulus: Sequence[float], *, direction: Sequence[float]) -> Slices:
+def slice_cantilever(solids: Sequence[Solid], young_modulus: Sequence[float], *, direction: Sequence[float]) -> Slices:
     """SLICES level slices of bodies that stand as one, bent in the horizontal `direction` [3].
 
     young_modulus : E of each body [Pa]. A section of several bodies is one section, each part with its E.
@@ -74,7 +74,7 @@ def cantilever(solids: Sequence[Solid], young_modulus: Sequence[float], *, direc
     return Slices(np.full(SLICES, h), mass, bending, SHEAR_MODULUS * SHEAR_AREA * EA)
 
 
-def rayleigh(slices: Slices, *, top_mass: float = 0.0) -> Rayleigh:
+def rayleigh_mode(slices: Slices, *, top_mass: float = 0.0) -> Rayleigh:
     """Rayleigh's quotient of `slices`, with a point mass [kg] on top.
 
     Raises GeometryError where a slice has no mass or no stiffness: nothing carries what is above.

@@ -12,7 +12,7 @@ import sys
 from typing import NoReturn
 
 from assess.errors import AssessError
-from assess.outputs.signals import Terminated, orderly
+from assess.outputs.signals import Terminated, raise_on_signals
 from records.errors import RecordError
 from spectra.errors import SpectrumError
 
@@ -26,7 +26,7 @@ def main(arguments: list[str] | None = None) -> NoReturn:
     """Run one command with `arguments`, those of the process if None, and end the process."""
     gc.set_threshold(MADE_BETWEEN_COLLECTIONS)
     try:
-        with orderly():
+        with raise_on_signals():
             from assess.cli.app import app
 
             code = app(args=arguments, prog_name="assess", standalone_mode=False)

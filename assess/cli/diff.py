@@ -33,7 +33,7 @@ def diff(
         raise typer.BadParameter("--json and --csv exclude each other")
     from assess.cli.diff_table import changes_text, csv_text, json_text
     from assess.cli.reading import results_at
-    from assess.results.comparison import changes
+    from assess.results.diff import changes
 
     first, second = results_at(before), results_at(after)
     with first.believed(), second.believed():

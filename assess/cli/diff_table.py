@@ -8,10 +8,10 @@ from itertools import groupby
 from typing import Any
 
 from assess.cli.text_table import on_one_line, text_table
-from assess.messages.plural import counted
+from assess.messages.plural import count_noun
 from assess.project.messages import printable
-from assess.results.comparison import Change, Kind, is_number
-from reports.csv import csv_lines
+from assess.results.diff import Change, Kind, is_number
+from reports.render.csv import csv_lines
 
 HEADINGS: Mapping[Kind, str] = {
     "verdict": "verdicts",
@@ -48,7 +48,7 @@ def changes_text(changes: Sequence[Change]) -> str:
     if not changes:
         return "no differences\n"
     tables = (TEXTS.get(kind, _table)(kind, list(each)) for kind, each in groupby(changes, key=lambda each: each.kind))
-    return "\n".join(tables) + f"\n{counted(len(changes), 'difference')}\n"
+    return "\n".join(tables) + f"\n{count_noun(len(changes), 'difference')}\n"
 
 
 def csv_text(changes: Sequence[Change]) -> str:

@@ -44,7 +44,7 @@ def envelope(
     from assess.cli.processes import cores, processes
     from assess.cli.progress import progress
     from assess.cli.warning import tell
-    from assess.outputs.folder import staged
+    from assess.outputs.folder import output_folder
     from assess.outputs.manifest import ENVELOPES
     from assess.project.build import build
     from assess.results.json import dumps
@@ -54,18 +54,18 @@ def envelope(
     place = (
         nullcontext()
         if output is None
-        else staged(output, command="assess envelope", owner=ENVELOPES, wanted=wanted, tell=tell)
+        else output_folder(output, command="assess envelope", owner=ENVELOPES, wanted=wanted, tell=tell)
     )
     with place as stage, progress() as said:
         with processes(jobs) as executor:
             study = build(loaded, executor=executor)
         results = of_study(study, jobs=jobs or cores(), progress=said.count)
         if stage is not None:
-            from reports.assessment import of_envelopes
+            from reports.assessment import envelope_report
             from reports.writing import write_document
 
             (stage / ENVELOPES).write_bytes(dumps(results).encode())
-            write_document(of_envelopes(results), stage, name="envelopes.pdf", jobs=jobs or 0, progress=said.step)
+            write_document(envelope_report(results), stage, name="envelopes.pdf", jobs=jobs or 0, progress=said.step)
     if as_json or as_csv:  # the table ends with them
         print(warned(results.warnings), end="", file=sys.stderr)
     print((json_text if as_json else csv_text if as_csv else table_text)(results), end="")

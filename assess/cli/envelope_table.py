@@ -6,8 +6,8 @@ from assess.cli.description import warned
 from assess.cli.text_table import text_table
 from assess.results import CriticalResult, EnvelopeResult, Results
 from assess.results.json import dumps_envelopes
-from reports.csv import csv_lines
 from reports.document import Cell
+from reports.render.csv import csv_lines
 
 SHOWN = 8  # frequencies in the table for reading
 

@@ -9,11 +9,11 @@ from pathlib import Path
 from typing import Any
 
 from assess.cli.text_table import text_table
-from assess.geometry.formats.elements import listed, one_line
-from assess.geometry.formats.parts import Element
+from assess.geometry.formats.element_selection import list_names, one_line
+from assess.geometry.formats.mesh_file import Element
 from assess.geometry.inventory import Entry
 from assess.project.messages import printable
-from reports.csv import csv_lines
+from reports.render.csv import csv_lines
 
 Listed = Sequence[tuple[Path, Sequence[Entry] | Exception]]
 _SHORT = ("part", "class", "storey", "GlobalId", "t x l x h [m]", "V [m3]", "at x, y, z [m]", "closed", "thin [deg]")
@@ -54,7 +54,7 @@ def _said(found: Sequence[Entry]) -> str:
 
 
 def _whose(names: Sequence[str]) -> str:
-    return one_line(names[0]) if len(names) == 1 else f"{len(names)} parts ({listed(names)})"
+    return one_line(names[0]) if len(names) == 1 else f"{len(names)} parts ({list_names(names)})"
 
 
 def _short(entry: Entry) -> list[str]:

@@ -8,7 +8,7 @@ from dataclasses import fields
 from assess.cli.text_table import text_table
 from assess.project.messages import printable
 from assess.results import DirectionSweep, HingeForceResult, LinearisedResult, MechanismResult, OscillatorResult
-from reports.csv import csv_lines
+from reports.render.csv import csv_lines
 
 _SHORT = (
     "mechanism",

@@ -24,8 +24,8 @@ def processes(jobs: int | None) -> Iterator[Executor | None]:
     if number == 1:
         yield None
         return
-    from assess.workers import SpawnedPool, ended_on_error
+    from assess.workers import SpawnedPool, end_on_error
 
     pool = SpawnedPool(number)
-    with ended_on_error(pool):
+    with end_on_error(pool):
         yield pool

@@ -10,10 +10,10 @@ from pathlib import Path
 from assess.cli.warning import tell
 from assess.errors import AssessError, ResultsError
 from assess.messages.message import warning
-from assess.outputs.manifest import changed
-from assess.outputs.settling import settled
+from assess.outputs.manifest import is_changed
+from assess.outputs.recovery import recover_for_reading
 from assess.results import Results
-from assess.results.json import located, read
+from assess.results.json import find_results, read
 
 
 @dataclass(frozen=True)
@@ -43,9 +43,9 @@ class Found:
 def results_at(path: Path) -> Found:
     """The results that a file or folder names; results changed since they were written are told and carry a warning."""
     for folder in (path, *sorted(path.glob("*-results"))) if path.is_dir() else (path.parent,):
-        settled(folder, tell=tell)
-    file = located(path)
-    results, differs = read(file), changed(file)
+        recover_for_reading(folder, tell=tell)
+    file = find_results(path)
+    results, differs = read(file), is_changed(file)
     if differs:
         doubt = warning("results-changed", str(file))
         tell(doubt)

@@ -8,11 +8,11 @@ from math import isfinite, radians
 from pathlib import Path
 
 from assess.errors import AssessError
-from assess.outputs.single import written
+from assess.outputs.single import write_file
 from records.orientation import is_vertical
-from records.processing import baseline_corrected, butterworth, resampled, trimmed
-from records.record import Record, scaled
-from records.rotation import at_azimuth, rotd
+from records.processing import butterworth, correct_baseline, resample, trim
+from records.record import Record, scale
+from records.rotation import rotate_to_azimuth, rotd
 from records.writing import at2_text, csv_text
 from spectra.columns import ColumnError
 
@@ -63,26 +63,26 @@ def _plain(component: str) -> str:
 
 
 def processed(records: tuple[Record, ...], wanted: Processing) -> Record:
-    """One record: turned, baseline corrected, filtered, trimmed, resampled and scaled, as far as asked for."""
+    """One record: turned, baseline corrected, filtered, trim, resampled and scaled, as far as asked for."""
     record = records[0]
     if wanted.azimuth is not None:
-        record = at_azimuth(*records, azimuth=radians(wanted.azimuth))
+        record = rotate_to_azimuth(*records, azimuth=radians(wanted.azimuth))
     if wanted.rotd is not None:
         record = rotd(*records, percentile=wanted.rotd)
     if wanted.baseline is not None:
-        record = baseline_corrected(record, degree=wanted.baseline)
+        record = correct_baseline(record, degree=wanted.baseline)
     record = butterworth(record, low=wanted.low_cut, high=wanted.high_cut, order=wanted.order)
     if wanted.trim is not None:
-        record = trimmed(record, start=wanted.trim[0], end=wanted.trim[1])
+        record = trim(record, start=wanted.trim[0], end=wanted.trim[1])
     if wanted.step is not None:
-        record = resampled(record, dt=wanted.step)
+        record = resample(record, dt=wanted.step)
     return record if wanted.scale is None else _scaled(record, wanted.scale)
 
 
 def _scaled(record: Record, factor: float) -> Record:
     if not isfinite(factor) or factor == 0.0:
         raise AssessError(f"--scale {factor}: it must be a finite number, not zero")
-    return scaled(record, factor)
+    return scale(record, factor)
 
 
 def text_of(record: Record, path: Path, *, unit: str | None, stamp: str = "") -> str:
@@ -104,5 +104,5 @@ def write(text: str, path: Path, *, inputs: Sequence[Path]) -> None:
     """The text in the file at `path`, whole or not at all."""
     if path.is_dir() or any(path.exists() and path.samefile(each) for each in inputs):
         raise AssessError(f"{path}: is a folder or a file that is read; give another name with -o")
-    with written(path, command="assess records convert") as made:
+    with write_file(path, command="assess records convert") as made:
         made.write_text(text, encoding="utf-8", newline="\n")

@@ -16,7 +16,7 @@ from records.intensity import Measures, measures
 from records.orientation import is_vertical
 from records.record import Record
 from records.response import response_spectrum
-from reports.csv import csv_lines
+from reports.render.csv import csv_lines
 
 PERIODS = np.concatenate(([0.0], np.geomspace(0.01, 10.0, 160)))  # s, of the spectra, as in results.json
 _COLUMNS = (
@@ -51,7 +51,9 @@ def csv_text(records: Sequence[Record]) -> str:
 
 def json_text(records: Sequence[Record]) -> str:
     """The `records` of results.json, unscaled, with what else is known and measured."""
-    listed = [_known(record) | {"trail": list(record.trail), "spectrum": _spectrum(record)} for record in records]
+    listed = [
+        _known(record) | {"trail": list(record.processing_history), "spectrum": _spectrum(record)} for record in records
+    ]
     return json.dumps(listed, ensure_ascii=False, allow_nan=False, indent=1) + "\n"
 
 

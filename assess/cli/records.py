@@ -54,11 +54,11 @@ def list_records(
         raise typer.BadParameter("--json and --csv exclude each other")
     from assess.cli.record_table import csv_text, json_text, table_text
     from assess.cli.warning import warn
-    from records.plausibility import doubt_of, doubts_among
-    from records.reading import read
+    from records.plausibility import record_warning, warnings_among
+    from records.reading import read_records
 
-    found = [record for file in files for record in read(file, unit=unit, step=step, response=response)]
-    warn([*map(doubt_of, found), *doubts_among(found)])
+    found = [record for file in files for record in read_records(file, unit=unit, step=step, response=response)]
+    warn([*map(record_warning, found), *warnings_among(found)])
     text = json_text if as_json else csv_text if as_csv else table_text
     print(text(found), end="")
 
@@ -98,14 +98,14 @@ def convert(
     from assess.cli.record_conversion import Processing, chosen, processed, text_of, write
     from assess.cli.warning import warn
     from assess.results.stamp import stamp_of_files
-    from records.plausibility import doubt_of, doubts_among
-    from records.reading import read
+    from records.plausibility import record_warning, warnings_among
+    from records.reading import read_records
 
-    found = [record for file in files for record in read(file, unit=unit, step=step, response=response)]
+    found = [record for file in files for record in read_records(file, unit=unit, step=step, response=response)]
     wanted = Processing(azimuth, rotd, baseline, low_cut, high_cut, order, trim, resample, scale)
     used = chosen(found, component=component, turned=wanted.turns)
-    warn([*map(doubt_of, used), *doubts_among(used)])
+    warn([*map(record_warning, used), *warnings_among(used)])
     record = processed(used, wanted)
     stamp = stamp_of_files("records convert", files, wanted, component, unit, step, to_unit)
     write(text_of(record, output, unit=to_unit, stamp=stamp), output, inputs=files)
-    print(f"{output}: {record.npts} samples at {record.dt:.6g} s; {'; '.join(record.trail)}")
+    print(f"{output}: {record.npts} samples at {record.dt:.6g} s; {'; '.join(record.processing_history)}")

@@ -37,19 +37,19 @@ def index(
     from assess.cli.index_table import json_text, table_text
     from assess.cli.progress import progress
     from assess.cli.warning import warn
-    from records.catalogue import NAME, candidates, opened, take
-    from records.flatfile import merged, read_flatfile
-    from records.formats.stated import Stated
+    from records.catalogue import NAME, candidates, open_catalogue, take
+    from records.flatfile import match_summary, read_flatfile
+    from records.formats.header_overrides import HeaderOverrides
     from records.indexing import files_below
     from records.indexing import index as brought_up
-    from records.plausibility import doubt_of_candidate
+    from records.plausibility import candidate_warning
 
     table = None if flatfile is None else read_flatfile(flatfile)
     next(files_below(folder), None)  # a folder that is none is told before a catalogue is made
     place = catalogue or folder / NAME
     with (
         progress() as said,
-        opened(place) as connection,
+        open_catalogue(place) as connection,
         processes(jobs) as executor,
     ):
         if table is not None:
@@ -57,12 +57,12 @@ def index(
         found = brought_up(
             folder,
             connection,
-            stated=Stated(unit, step, response),
+            overrides=HeaderOverrides(unit, step, response),
             executor=executor,
             progress=lambda done, total: said.count("records", done, total),
         )
         listed = candidates(connection)
     described = sum(one.magnitude is not None for one in listed)
-    met = None if table is None else merged(listed, table)
-    warn(["" if met is None else met.doubt, *(doubt_of_candidate(one) for one in listed)])
+    met = None if table is None else match_summary(listed, table)
+    warn(["" if met is None else met.warning, *(candidate_warning(one) for one in listed)])
     print((json_text if as_json else table_text)(found, place, described=described, merged=met), end="")

@@ -40,24 +40,26 @@ def scale(
         raise typer.BadParameter("--at and --to exclude each other")
     from assess.cli.suite_table import csv_text, json_text, table_text
     from assess.cli.warning import tell
-    from assess.outputs.folder import staged
+    from assess.outputs.folder import output_folder
     from assess.outputs.manifest import RECORDS
     from assess.project.choosing import scaled_files
     from assess.results.stamp import stamp_of_files
-    from records.formats.stated import Stated
-    from records.record import scaled
+    from records.formats.header_overrides import HeaderOverrides
+    from records.record import scale
     from records.writing import csv_text as record_text
 
-    stated = Stated(unit, step, response)
+    overrides = HeaderOverrides(unit, step, response)
     place = (
-        nullcontext() if output is None else staged(output, command="assess records scale", owner=RECORDS, tell=tell)
+        nullcontext()
+        if output is None
+        else output_folder(output, command="assess records scale", owner=RECORDS, tell=tell)
     )
     with place as stage:
-        motions, suite = scaled_files(target, files, to=to, at=at, periods=periods, stated=stated)
+        motions, suite = scaled_files(target, files, to=to, at=at, periods=periods, overrides=overrides)
         stamp = stamp_of_files("records scale", files, json_text(suite))
         for number, motion in enumerate(motions, start=1):
             if stage is not None:
-                text = record_text(scaled(motion.record, motion.scaling.factor), stamp=stamp)
+                text = record_text(scale(motion.record, motion.scaling.factor), stamp=stamp)
                 name = "".join(c if c.isascii() and (c.isalnum() or c in "-._") else "-" for c in motion.record.id)
                 (stage / f"{number:02d}-{name[:60]}.csv").write_text(text, encoding="utf-8")
     print((json_text if as_json else csv_text if as_csv else table_text)(suite), end="")

@@ -84,7 +84,7 @@ def select(
     from assess.cli.description import warned
     from assess.cli.suite_table import csv_text, drawn, json_text, table_text
     from assess.project.choosing import Wanted, of_project, of_target
-    from records.formats.stated import Stated
+    from records.formats.header_overrides import HeaderOverrides
 
     if target is None:
         with processes(jobs) as executor:
@@ -93,10 +93,10 @@ def select(
         spans = {"magnitude": magnitude, "distance": distance, "vs30": vs30, "pga": pga, "duration": duration}
         one_per_event, events = not several_per_event, tuple(event or ())
         wanted = Wanted(count, periods, scale_limits, fit, components, scale_to, one_per_event, spans, events)
-        stated = Stated(unit, step, response)
+        overrides = HeaderOverrides(unit, step, response)
         with processes(jobs) as executor:
             found = of_target(
-                target, places, wanted, stated=stated, flatfile=flatfile, kept=catalogue, executor=executor
+                target, places, wanted, overrides=overrides, flatfile=flatfile, kept=catalogue, executor=executor
             )
     if output is not None:
         drawn(found, output)

@@ -33,11 +33,11 @@ def spectra(
     """Print pseudo-acceleration spectra of records; those of a folder come from its catalogue."""
     refuse_figure(output)
     from assess.cli.spectra_table import csv_text, drawn, found_in, table_text
-    from records.formats.stated import Stated
+    from records.formats.header_overrides import HeaderOverrides
 
     with processes(jobs) as executor:
-        stated = Stated(unit, step, response)
-        found = found_in(places, damping=damping, stated=stated, kept=catalogue, executor=executor)
+        overrides = HeaderOverrides(unit, step, response)
+        found = found_in(places, damping=damping, overrides=overrides, kept=catalogue, executor=executor)
     if output is not None:
         drawn(found, output)
     print((csv_text if as_csv else table_text)(found), end="")

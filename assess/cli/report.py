@@ -36,12 +36,12 @@ def report(
     found = read.results
     from assess.cli.progress import progress
     from assess.cli.warning import tell
-    from assess.outputs.folder import staged
+    from assess.outputs.folder import output_folder
     from assess.outputs.manifest import ENVELOPES, RESULTS
-    from reports.assessment import of_envelopes, project
+    from reports.assessment import envelope_report, project_text
     from reports.writing import Form, write_all, write_document
 
-    spoken = language or _known(project(found, "report.language"), source=results)
+    spoken = language or _known(project_text(found, "report.language"), source=results)
     folder = output or read.path.parent
     alone = found.critical is not None and not any(mechanism.checks for mechanism in found.mechanisms)
     name, stem = (ENVELOPES, "envelopes") if alone else (RESULTS, "report")
@@ -49,12 +49,12 @@ def report(
     wanted = (f"{stem}.pdf", f"{stem}.html", "tables.xlsx", *copied)
     figures: tuple[Form, ...] = ("svg", "png") if png else ("svg",)
     with (
-        staged(folder, command="assess report", owner=name, wanted=wanted, tell=tell) as stage,
+        output_folder(folder, command="assess report", owner=name, wanted=wanted, tell=tell) as stage,
         progress() as said,
         read.believed(),
     ):
         if alone:
-            envelopes = replace(of_envelopes(found), language=spoken)
+            envelopes = replace(envelope_report(found), language=spoken)
             pdf = write_document(envelopes, stage, name="envelopes.pdf", figures=figures, progress=said.step)
         else:
             pdf = write_all(found, stage, language=spoken, figures=figures, progress=said.step)
@@ -66,7 +66,7 @@ def report(
 def _known(language: str, *, source: Path) -> str:
     """The language of results, English where they have none. Raises ResultsError for one without a catalogue."""
     from assess.errors import ResultsError
-    from reports.catalogue import ENGLISH, languages
+    from reports.language.catalogue import ENGLISH, languages
 
     if language in ("", *languages()):
         return language or ENGLISH

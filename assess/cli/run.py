@@ -55,7 +55,7 @@ def _assessed(project: Path, output: Path | None, jobs: int | None, report: Begi
     from assess.cli.processes import cores, processes
     from assess.cli.progress import progress
     from assess.cli.warning import tell
-    from assess.outputs.folder import staged
+    from assess.outputs.folder import output_folder
     from assess.outputs.manifest import RESULTS
     from assess.project.build import build
     from assess.results.json import dumps
@@ -63,7 +63,7 @@ def _assessed(project: Path, output: Path | None, jobs: int | None, report: Begi
 
     folder = output or loaded.folder / f"{loaded.path.stem}-results"
     wanted = (RESULTS, *(WRITTEN if report else ()))
-    with staged(folder, command="assess run", wanted=wanted, tell=tell) as stage, progress() as said:
+    with output_folder(folder, command="assess run", wanted=wanted, tell=tell) as stage, progress() as said:
         with processes(jobs) as executor:
             study = build(loaded, executor=executor)
         results = run_study(study, jobs=jobs or cores(), progress=said.count)

@@ -16,12 +16,12 @@ from assess.errors import AssessError
 from assess.project.record_set import offered
 from assess.results.stamp import origin
 from records.candidates import DAMPING, PERIODS
-from records.formats.stated import Stated
-from records.indexing import read_stated
+from records.formats.header_overrides import HeaderOverrides
+from records.reading import read_with
 from records.response import response_spectrum
-from reports.csv import csv_lines
-from reports.figure_file import write_figure
 from reports.figures import record_spectra
+from reports.render.csv import csv_lines
+from reports.render.figure_file import write_figure
 
 ROUND = (0.1, 0.2, 0.3, 0.5, 1.0, 2.0, 3.0, 5.0, 10.0)  # s
 
@@ -36,18 +36,23 @@ class Spectra:
 
 
 def found_in(
-    places: Sequence[Path], *, damping: float, stated: Stated, kept: Path | None, executor: Executor | None = None
+    places: Sequence[Path],
+    *,
+    damping: float,
+    overrides: HeaderOverrides,
+    kept: Path | None,
+    executor: Executor | None = None,
 ) -> Spectra:
     """The spectra of the records of `places`; AssessError where a catalogue does not have the damping."""
     folders = [place for place in places if place.is_dir()]
     if folders and damping != DAMPING:
         raise AssessError(f"{folders[0]}: a folder's catalogue holds spectra of 5 % damping; give its files instead")
     if not folders:
-        records = [record for place in places for record in read_stated(place, stated)]
+        records = [record for place in places for record in read_with(place, overrides)]
         ordinates = [response_spectrum(record, PERIODS, damping=damping) for record in records]
         pga = np.array([record.pga for record in records])
         return Spectra(tuple(record.id for record in records), pga, np.array(ordinates))
-    found = offered(places, stated=stated, kept=kept, executor=executor).candidates
+    found = offered(places, overrides=overrides, kept=kept, executor=executor).candidates
     if not found:
         raise AssessError(f"{folders[0]}: no records in the folder that can be read; `assess records index` says why")
     pga = np.array([one.measures["pga"] for one in found])

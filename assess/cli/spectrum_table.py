@@ -13,8 +13,8 @@ from assess.messages.message import Message, warning
 from assess.results.json import dumps_spectrum
 from assess.results.stamp import origin
 from assess.study.outcome import spectrum_result
-from reports.csv import csv_lines
-from reports.spectrum_parameters import ACCELERATION, corners, named
+from reports.language.spectrum_parameters import ACCELERATION, corners, parameter_rows
+from reports.render.csv import csv_lines
 from spectra.spectrum import Spectrum
 
 ROUND = (0.0, 0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.8, 1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0)  # s
@@ -25,7 +25,7 @@ def table_text(spectrum: Spectrum) -> str:
     scale = "" if spectrum.factor == 1.0 else f", ordinates scaled by {spectrum.factor:.4g}"
     peak = f"PGA {spectrum.pga / g:.4g} g{scale}"
     heading = f"{spectrum.code}: {spectrum.clause}; damping {spectrum.damping:g}, {peak}\n"
-    parameters = [[words, *_shown(value, unit)] for words, unit, value in named(spectrum.parameters)]
+    parameters = [[words, *_shown(value, unit)] for words, unit, value in parameter_rows(spectrum.parameters)]
     period = periods_of(spectrum)
     columns = zip(period, spectrum.acceleration(period) / g, spectrum.displacement(period), strict=True)
     ordinates = [[f"{T:.4g}", f"{S_a:.4f}", f"{1e3 * S_d:.2f}"] for T, S_a, S_d in columns]
@@ -58,14 +58,14 @@ def json_text(spectrum: Spectrum) -> str:
 
 def told(spectrum: Spectrum, *, doubts: tuple[Message, ...] = ()) -> None:
     """What the engineer has to know before using the spectrum, on stderr; doubts: of what was typed."""
-    notices = tuple(warning("site-study", "site.spectrum", text=text) for text in spectrum.cautions)
+    notices = tuple(warning("site-study", "site.spectrum", text=text) for text in spectrum.warnings)
     print(warned((*doubts, *notices)), end="", file=sys.stderr)
 
 
 def draw(spectrum: Spectrum, path: Path) -> Path:
     """The figure of the spectrum at `path`."""
-    from reports.figure_file import write_figure
     from reports.figures import design_spectrum
+    from reports.render.figure_file import write_figure
 
     return write_figure(
         design_spectrum.draw(spectrum_result(spectrum)), path, creator=origin("spectrum", json_text(spectrum))

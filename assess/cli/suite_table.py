@@ -10,11 +10,11 @@ from assess.project.choosing import Suite
 from assess.results import RecordResult
 from assess.results.json import dumps_suite
 from assess.results.stamp import origin
-from reports.csv import csv_lines
-from reports.figure_file import write_figure
+from reports.chapters.site import event_name
+from reports.chapters.suite import requirements, sentences
 from reports.figures import record_spectra
-from reports.site import event_of
-from reports.suite import requirements, sentences
+from reports.render.csv import csv_lines
+from reports.render.figure_file import write_figure
 
 _COLUMNS = ("record", "event", "NGA", "M", "comp.", "misfit", "factor", "PGA [g]")
 
@@ -66,7 +66,7 @@ def drawn(suite: Suite, path: Path) -> None:
 def _row(record: RecordResult) -> list[str]:
     known = ["-" if each is None else f"{each:g}" for each in (record.nga, record.magnitude)]
     numbers = [f"{record.mse:.4f}", f"{record.scale_factor:.4g}", f"{record.pga_g:.4g}"]
-    return [record.id, event_of(record), *known, record.component, *numbers]
+    return [record.id, event_name(record), *known, record.component, *numbers]
 
 
 def _short(row: tuple[object, ...]) -> list[object]:

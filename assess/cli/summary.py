@@ -9,11 +9,11 @@ from assess.cli.text_table import on_one_line, text_table
 from assess.codes.verdict import Answer, Decision, MechanismVerdict, Verdict
 from assess.codes.verdict_text import (
     action_text,
-    bearing,
     building_index_text,
     figures,
     index_text,
     outcome_text,
+    relevant_warnings,
     target_text,
     toml_lines,
 )
@@ -38,7 +38,7 @@ def summary(results: Results) -> str:
     if found is None:
         return "no verdict\n"
     pairs = [(one, answer) for one in found.mechanisms for answer in one.answers]
-    told = bearing(results.warnings)
+    told = relevant_warnings(results.warnings)
     notes = [each for each in results.warnings if each not in told]
     lines = [
         *_reasons(found),

@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING
 
 from assess.cli.processes import cores
 from assess.outputs.signals import ENDING
-from assess.workers import end_with_parent, hear_signals, signals_held_back
+from assess.workers import end_with_parent, hear_signals, hold_signals
 
 if TYPE_CHECKING:
     from assess.results import Results
@@ -49,7 +49,7 @@ class _Process:
         context = get_context("fork")
         self._connection, theirs = context.Pipe()
         self._process = context.Process(target=_serve, args=(theirs, self._connection, jobs))
-        with signals_held_back():
+        with hold_signals():
             self._process.start()
         theirs.close()
         self._asked = self._answered = False

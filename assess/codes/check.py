@@ -6,8 +6,9 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 from typing import Literal
 
-from assess.codes.step import Bound, Input, Step, step
+from assess.codes.calculation_step import Bound, Input, Step, step
 from assess.messages.message import Message, Severity, Value, message
+from assess.short_repr import ShortRepr
 
 __all__ = [
     "Bound",
@@ -21,8 +22,8 @@ __all__ = [
     "Reason",
     "Role",
     "Step",
-    "because",
-    "not_by_name",
+    "missing_ordinate",
+    "reason_message",
     "step",
 ]
 
@@ -108,20 +109,20 @@ class Reason(StrEnum):
     SLIDING_UNBOUNDED = "sliding-unbounded"
 
 
-def because(reason: Reason, **values: Value) -> Message:
+def reason_message(reason: Reason, **values: Value) -> Message:
     """The message of a reason."""
     return message(reason, values, severity=Severity.NOTE)
 
 
-def not_by_name(clause: str, symbol: str, key: str) -> Message:
+def missing_ordinate(clause: str, symbol: str, key: str) -> Message:
     """That a clause asks for a number which a table of ordinates does not state, with its key."""
     line = f'{key.rpartition(".")[2]} = "…"  # {symbol} in g'
     values = {"clause": clause, "symbol": symbol, "key": key, "toml": f"# {line}"}
     return message(Reason.NOT_BY_NAME, values, severity=Severity.NOTE, where=key)
 
 
-@dataclass(frozen=True)
-class PgaCurve:
+@dataclass(frozen=True, repr=False)
+class PgaCurve(ShortRepr):
     """Peak ground acceleration that takes the mechanism to each rotation, by one procedure.
 
     rotation_ratio [n]: rotation / rigid overturning rotation; pga_g [n]: in g.
@@ -131,8 +132,8 @@ class PgaCurve:
     pga_g: tuple[float, ...]
 
 
-@dataclass(frozen=True, kw_only=True)
-class Check:
+@dataclass(frozen=True, kw_only=True, repr=False)
+class Check(ShortRepr):
     """Demand, capacity, ratio and verdict of one procedure at one level, with the steps that led there.
 
     `demand`, `capacity` are in `unit` and measure `quantity`; None where there is no finite value (a body that

@@ -15,7 +15,7 @@ from spectra.spectrum import Spectrum
 Support = Literal["free", "spanning", "hinged"]
 
 PLINTH, PLINTH_SHARE = 0.5, 0.05  # m, and of the building's height: a support no higher than either is on the ground
-Carried = Literal["not", "by a factor", "by a filter"]
+Transfer = Literal["not", "by a factor", "by a filter"]
 """How the motion of histories reaches a mechanism: as it is at the ground, times one number, or through a mode."""
 Kind = Literal["break", "seat"]
 
@@ -40,7 +40,7 @@ class Gravity:
     own_excitation: float
 
 
-def counts_as_above(support: float, height: float) -> bool:
+def is_above_ground(support: float, height: float) -> bool:
     """Whether what holds a mechanism, `support` [m] high in a building of `height` [m], is above the ground."""
     return support > max(PLINTH, PLINTH_SHARE * height)
 
@@ -190,7 +190,7 @@ class Context:
     incremental: tuple[Suite, ...] = ()
     linearised: bool = False
     histories_at: InputAt = "ground"
-    carried: Carried = "not"
+    transfer: Transfer = "not"
     starting: Oscillator | None = None
     breaking: Oscillator | None = None
     limits: tuple[LocalLimit, ...] = ()
@@ -201,7 +201,7 @@ class Context:
     floor_spectrum: Spectrum | None = None
     impossible: tuple[Message, ...] = ()
     impossible_by_histories: tuple[Message, ...] = ()
-    unheld: tuple[Message, ...] = ()
+    not_lasting: tuple[Message, ...] = ()
     suite_faults: Mapping[str, tuple[Message, ...]] = field(default_factory=dict)
     amplification: float = 1.0
     support: Support = "free"
@@ -210,7 +210,7 @@ class Context:
     wall: Wall | None = None
     hazard: Hazard | None = None
     free_period: FreePeriod | None = None
-    besides: tuple[Suite, ...] = ()
+    extra_suites: tuple[Suite, ...] = ()
     hinges: tuple[HingeForces, ...] = ()
     rise: float = 0.0
 
@@ -222,7 +222,7 @@ class Context:
     @property
     def above_ground(self) -> bool:
         """Whether what holds the mechanism is above the ground; a plinth is ground."""
-        return counts_as_above(self.support_height, 0.0 if self.building is None else self.building.height)
+        return is_above_ground(self.support_height, 0.0 if self.building is None else self.building.height)
 
     @property
     def above_building(self) -> bool:

@@ -8,7 +8,7 @@ from scipy.constants import g
 
 from assess.codes.check import PgaCurve
 from assess.codes.context import Suite
-from assess.codes.governing import least
+from assess.codes.worst_branch import least_known
 from assess.messages.message import Message, Quantity, message
 from assess.oscillator import Oscillator, linearise, threshold
 
@@ -20,7 +20,7 @@ def uplift_multiplier(oscillator: Oscillator, *, linearised: bool) -> float | No
     """
     if linearised:
         return min(linearise(branch).multiplier for branch in oscillator.branches)
-    return least([threshold(branch) for branch in oscillator.branches])
+    return least_known([threshold(branch) for branch in oscillator.branches])
 
 
 def pga_curve(incremental: Sequence[Suite]) -> PgaCurve:
@@ -51,7 +51,7 @@ def pga_before_failure(
     return None
 
 
-def islands(at_collapse: float | None, level: float) -> tuple[Message, ...]:
+def fails_below(at_collapse: float | None, level: float) -> tuple[Message, ...]:
     """A remark where a level passes above the least PGA at which the scan fails, both in g."""
     if at_collapse is None or level <= at_collapse:
         return ()

@@ -13,9 +13,9 @@ from math import inf
 
 from scipy.constants import g
 
-from assess.codes.check import Check, Outcome, Reason, Step, because, step
+from assess.codes.check import Check, Outcome, Reason, Step, reason_message, step
 from assess.codes.context import Context
-from assess.codes.governing import least
+from assess.codes.worst_branch import least_known
 from assess.hinge_forces import HingeForces
 from assess.messages.message import Message, Quantity
 from assess.oscillator import Oscillator, threshold
@@ -35,22 +35,22 @@ def assess(oscillator: Oscillator, context: Context) -> tuple[Check, ...]:
 
     It decides only where the friction of every hinge is known, and every hinge presses.
     """
-    silent = unanswerable(context.hinges)
+    silent = reason_unanswerable(context.hinges)
     checks = [_unanswered(level, context, silent) if silent else _judged(level, context) for level in context.levels]
-    lifts = least([threshold(branch) for branch in oscillator.branches])
+    lifts = least_known([threshold(branch) for branch in oscillator.branches])
     return tuple(replace(check, uplift_pga_g=lifts and lifts / context.amplification) for check in checks)
 
 
-def unanswerable(hinges: Sequence[HingeForces]) -> Message | None:
+def reason_unanswerable(hinges: Sequence[HingeForces]) -> Message | None:
     """Why nothing can be said of sliding, with the remedy; None where something can."""
     if not hinges:
-        return because(Reason.NO_HINGE_FORCES)
+        return reason_message(Reason.NO_HINGE_FORCES)
     for each in _resting_on_friction(hinges):
         if each.friction is None:
-            return because(Reason.FRICTION_UNKNOWN, hinge=each.hinge, remedy=each.remedy)
+            return reason_message(Reason.FRICTION_UNKNOWN, hinge=each.hinge, remedy=each.remedy)
         pull = -min(each.starting.normal, each.resting.normal)
         if pull >= 0.0:
-            return because(Reason.HINGE_PULLS, hinge=each.hinge, pull=Quantity(pull, "force"))
+            return reason_message(Reason.HINGE_PULLS, hinge=each.hinge, pull=Quantity(pull, "force"))
     return None
 
 
@@ -58,9 +58,9 @@ def _resting_on_friction(hinges: Sequence[HingeForces]) -> tuple[HingeForces, ..
     return tuple(each for each in hinges if not each.held)
 
 
-def used(hinge: HingeForces, acceleration: float) -> float:
+def friction_utilisation(hinge: HingeForces, acceleration: float) -> float:
     """The friction needed up to a ground acceleration [m/s2] over that of the joint [-]."""
-    mobilised = hinge.mobilised(acceleration)
+    mobilised = hinge.mobilised_friction(acceleration)
     if mobilised is None:
         return inf
     if hinge.friction:
@@ -70,20 +70,24 @@ def used(hinge: HingeForces, acceleration: float) -> float:
 
 def sliding_pga(context: Context) -> float | None:
     """The least PGA [m/s2] at which a hinge slides before the mechanism rocks; None where none does."""
-    found = [each.sliding for each in _resting_on_friction(context.hinges) if each.sliding is not None]
+    found = [
+        each.sliding_acceleration
+        for each in _resting_on_friction(context.hinges)
+        if each.sliding_acceleration is not None
+    ]
     return min(found) / context.amplification if found else None
 
 
 def _judged(level: float, context: Context) -> Check:
     acceleration = level * context.amplification
-    hinge = max(_resting_on_friction(context.hinges), key=lambda each: used(each, acceleration))
-    ratio, slides_at = used(hinge, acceleration), sliding_pga(context)
+    hinge = max(_resting_on_friction(context.hinges), key=lambda each: friction_utilisation(each, acceleration))
+    ratio, slides_at = friction_utilisation(hinge, acceleration), sliding_pga(context)
     verdict = Outcome.PASS if ratio <= 1.0 else Outcome.FAIL
     return _check(
         level,
         context,
         hinge,
-        demand=hinge.mobilised(acceleration),
+        demand=hinge.mobilised_friction(acceleration),
         ratio=ratio if ratio < inf else None,
         verdict=verdict,
         reason=_reason(hinge, slides_at, verdict),
@@ -94,10 +98,10 @@ def _judged(level: float, context: Context) -> Check:
 
 def _reason(hinge: HingeForces, slides_at: float | None, verdict: Outcome) -> Message:
     if verdict == Outcome.FAIL:
-        return because(Reason.SLIDES_FIRST, hinge=hinge.hinge)
+        return reason_message(Reason.SLIDES_FIRST, hinge=hinge.hinge)
     if slides_at is not None:
-        return because(Reason.SLIDES_LATER, pga=Quantity(slides_at / g, "ground acceleration", 3))
-    return because(Reason.ROCKS_FIRST, hinge=hinge.hinge)
+        return reason_message(Reason.SLIDES_LATER, pga=Quantity(slides_at / g, "ground acceleration", 3))
+    return reason_message(Reason.ROCKS_FIRST, hinge=hinge.hinge)
 
 
 def _unanswered(level: float, context: Context, reason: Message) -> Check:
@@ -151,7 +155,7 @@ def _steps(hinge: HingeForces, level: float, context: Context, slides_at: float 
     """The hinge that governs, from its forces on."""
     held = [each for each in context.hinges if each.held and each.branch == hinge.branch]
     return (
-        *starting_steps(hinge),
+        *incipient_motion_steps(hinge),
         *_level_steps(hinge, level, context),
         *_sliding_steps(hinge, slides_at),
         *(step for each in held for step in _held_steps(each)),
@@ -172,10 +176,10 @@ def _held_steps(top: HingeForces) -> tuple[Step, ...]:
 def _friction_step(symbol: str, words: str, hinge: HingeForces) -> Step:
     """The friction a hinge needs when the mechanism starts to rock."""
     pressed = {"T": (hinge.starting.shear, "N"), "N": (hinge.starting.normal, "N")}
-    return step(symbol, words, EDITION, "|T| / N", hinge.needed, given=pressed)
+    return step(symbol, words, EDITION, "|T| / N", hinge.required_friction, given=pressed)
 
 
-def starting_steps(hinge: HingeForces) -> tuple[Step, ...]:
+def incipient_motion_steps(hinge: HingeForces) -> tuple[Step, ...]:
     """H, V, N and T of a hinge when the mechanism starts to rock, and the friction they need."""
     H, V, (n_x, n_z), name = hinge.horizontal, hinge.vertical, hinge.face, hinge.hinge
     N, T = hinge.starting.normal, hinge.starting.shear
@@ -206,7 +210,7 @@ def _horizontal_step(hinge: HingeForces) -> Step:
 def _level_steps(hinge: HingeForces, level: float, context: Context) -> tuple[Step, ...]:
     """The same at the acceleration of the level, or at the one that starts rocking where that is less."""
     a = min(level * context.amplification, hinge.acceleration)
-    now, rest, start, name = hinge.at(a), hinge.resting, hinge.starting, hinge.hinge
+    now, rest, start, name = hinge.pressure_at(a), hinge.resting, hinge.starting, hinge.hinge
     reached = {"a": (a, "m/s2"), "a_r": (hinge.acceleration, "m/s2")}
     pushed = {"PGA": (level, "m/s2"), "f": (context.amplification, "-"), "a_r": (hinge.acceleration, "m/s2")}
     pressed = {"N_0": (rest.normal, "N"), f"N_{name}": (start.normal, "N"), **reached}
@@ -224,7 +228,7 @@ def _level_steps(hinge: HingeForces, level: float, context: Context) -> tuple[St
         step("N_a", "square to the faces at a", EDITION, f"N_0 + (N_{name} − N_0) a / a_r", now.normal, "N",
              given=pressed),
         step("T_a", "along the faces at a", EDITION, f"T_0 + (T_{name} − T_0) a / a_r", now.shear, "N", given=sheared),
-        step("μ_d", words, EDITION, formula, hinge.mobilised(a), given=needed),
+        step("μ_d", words, EDITION, formula, hinge.mobilised_friction(a), given=needed),
     )  # fmt: skip
 
 

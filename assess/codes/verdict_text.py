@@ -57,12 +57,12 @@ def action_text(action: Action) -> str:
     return ", ".join(known)
 
 
-def holds_text(one: MechanismVerdict, action: Action) -> str:
+def margin_text(one: MechanismVerdict, action: Action) -> str:
     """Up to which PGA a mechanism holds: "0.18 g = 2.7 x the site's"; empty where that is not known."""
     return "" if one.margin is None else f"{figures(one.margin * action.pga_g)} g = {figures(one.margin)} x the site's"
 
 
-def bearing(warnings: Sequence[Message]) -> tuple[Message, ...]:
+def relevant_warnings(warnings: Sequence[Message]) -> tuple[Message, ...]:
     """The warnings that bear on a verdict: all but notes."""
     return tuple(each for each in warnings if each.severity != Severity.NOTE)
 

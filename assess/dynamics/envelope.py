@@ -22,11 +22,11 @@ from math import ceil, log, sqrt
 import numpy as np
 from scipy.constants import g
 
-from assess.dynamics import kernel
+from assess.dynamics.kernel import exact, linearised, sine
 from assess.dynamics.packing import Equation, packed, tables_of
 from assess.dynamics.pulse_response import TOLERANCE, check_frequency, closed, polynomials
-from assess.dynamics.sine.kernel import envelope_sine
 from assess.oscillator import Branch, Oscillator, energy, linearise
+from assess.short_repr import ShortRepr
 from records.pulses import Shape
 from spectra.arrays import BoolArray, FloatArray, IntArray
 
@@ -41,8 +41,8 @@ CHUNK = 3
 """Frequencies given to a thread at a time: slow pulses cost more than quick ones."""
 
 
-@dataclass(frozen=True)
-class Envelope:
+@dataclass(frozen=True, repr=False)
+class Envelope(ShortRepr):
     """Outcome over the amplitude of the ground at n frequencies and m amplitudes.
 
     frequency [n] [Hz], amplitude [m] [m/s2]
@@ -104,11 +104,11 @@ def _filling(oscillator: Oscillator, shape: Shape, equation: Equation) -> Callab
     """The kernel's envelope of the oscillator and the shape."""
     one = packed(oscillator, equation)
     if closed(shape, equation):
-        return partial(envelope_sine, one.branches, shape.end)
+        return partial(sine.envelope_sine, one.branches, shape.end)
     if equation == "linearised":
-        return partial(kernel.envelope_linearised, one.branches, *polynomials(shape))
+        return partial(linearised.envelope_linearised, one.branches, *polynomials(shape))
     table, smooth, (span,) = tables_of([one])
-    return partial(kernel.envelope_exact, one.branches, table, smooth, span, TOLERANCE, *polynomials(shape))
+    return partial(exact.envelope_exact, one.branches, table, smooth, span, TOLERANCE, *polynomials(shape))
 
 
 def _scan(oscillator: Oscillator, factor: FloatArray, *, equation: Equation, highest: float) -> FloatArray:

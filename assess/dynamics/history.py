@@ -20,9 +20,10 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import ArrayLike
 
-from assess.dynamics import kernel
+from assess.dynamics.kernel import columns, exact, linearised
 from assess.dynamics.packing import Equation, Packed, branches_of, check_jobs, packed, tables_of
 from assess.oscillator import Oscillator
+from assess.short_repr import ShortRepr
 from records.record import Record, make_record
 from spectra.arrays import BoolArray, FloatArray, IntArray
 
@@ -39,8 +40,8 @@ MOST_EVENTS = 100_000
 """Events that `free_rocking` keeps."""
 
 
-@dataclass(frozen=True)
-class Jobs:
+@dataclass(frozen=True, repr=False)
+class Jobs(ShortRepr):
     """What to run, one entry per job.
 
     oscillator, motion : indices into the sequences given beside [n]
@@ -52,8 +53,8 @@ class Jobs:
     scale: FloatArray
 
 
-@dataclass(frozen=True)
-class Peaks:
+@dataclass(frozen=True, repr=False)
+class Peaks(ShortRepr):
     """Largest response of each job [n].
 
     Attributes
@@ -77,8 +78,8 @@ class Peaks:
     uplifted: BoolArray
 
 
-@dataclass(frozen=True)
-class Trace:
+@dataclass(frozen=True, repr=False)
+class Trace(ShortRepr):
     """A history at the record's samples, as far as overturning.
 
     time [s], rotation [rad], velocity [rad/s], signed.
@@ -89,8 +90,8 @@ class Trace:
     velocity: FloatArray
 
 
-@dataclass(frozen=True)
-class FreeRocking:
+@dataclass(frozen=True, repr=False)
+class FreeRocking(ShortRepr):
     """Free motion after a release: instants of impacts and peaks [s], velocity before each impact [rad/s], peaks [rad].
 
     Signed by the side they happen on. The release itself is no peak.
@@ -144,7 +145,7 @@ def prepared(
 
     def answer(jobs: Jobs) -> Peaks:
         checked = _checked(jobs, oscillators=len(oscillators), motions=len(motions))
-        found = np.empty((checked.scale.size, kernel.FOUND))
+        found = np.empty((checked.scale.size, columns.FOUND))
 
         def work(part: slice) -> None:
             path, events = np.empty((0, 3)), np.zeros((1, 4))
@@ -178,7 +179,7 @@ def trace(
     path = np.zeros((motion.npts, 3))
     first = np.zeros(1, dtype=np.int64)
     start = _released(one, release) if release else 0.0
-    samples = run(first, first, np.array([scale]), start, np.empty((1, kernel.FOUND)), path, np.zeros((1, 4)))
+    samples = run(first, first, np.array([scale]), start, np.empty((1, columns.FOUND)), path, np.zeros((1, 4)))
     y, v, on = path[:samples].T
     rotation, velocity = np.zeros(samples), np.zeros(samples)
     for side, coordinate in enumerate(one.sides):
@@ -200,14 +201,14 @@ def free_rocking(
 ) -> FreeRocking:
     """Released from rest at `rotation` [rad] of the positive branch, for `duration` [s] on still ground."""
     one = packed(oscillator, equation)
-    samples = 2 + math.ceil(4.0 * one.branches[0, kernel.RATE] * duration)
+    samples = 2 + math.ceil(4.0 * one.branches[0, columns.RATE] * duration)
     still = make_record("still ground", np.zeros(samples), duration / (samples - 1))
     run = _RUNS[equation]([one], [still], tolerance)
     first, events = np.zeros(1, dtype=np.int64), np.zeros((MOST_EVENTS + 1, 4))
-    run(first, first, np.ones(1), _released(one, rotation), np.empty((1, kernel.FOUND)), np.empty((0, 3)), events)
+    run(first, first, np.ones(1), _released(one, rotation), np.empty((1, columns.FOUND)), np.empty((0, 3)), events)
     happened = events[1 : 1 + int(events[0, 0])]
-    time, kind, value, on = happened[happened[:, kernel.HAPPENED] <= duration].T  # the last swing goes to its peak
-    impact, peak = kind == kernel.IMPACT, kind == kernel.PEAK
+    time, kind, value, on = happened[happened[:, columns.HAPPENED] <= duration].T  # the last swing goes to its peak
+    impact, peak = kind == columns.IMPACT, kind == columns.PEAK
     signed = value.copy()
     for side, coordinate in enumerate(one.sides):
         sign = 1.0 - 2.0 * side
@@ -232,14 +233,14 @@ def _released(one: Packed, rotation: float) -> float:
 
 def _linearised(oscillators: Sequence[Packed], motions: Sequence[Record], tolerance: float) -> Run:
     """The linearised kernel with oscillators and motions filled in; it makes no error to tolerate."""
-    return partial(kernel.rock_linearised, branches_of(oscillators), *_motions(motions))
+    return partial(linearised.rock_linearised, branches_of(oscillators), *_motions(motions))
 
 
 def _exact(oscillators: Sequence[Packed], motions: Sequence[Record], tolerance: float) -> Run:
     """The exact kernel with oscillators and motions filled in."""
     ground, offset, dt, _ = _motions(motions)
     tables = tables_of(oscillators)
-    return partial(kernel.rock_exact, branches_of(oscillators), *tables, tolerance, ground, offset, dt)
+    return partial(exact.rock_exact, branches_of(oscillators), *tables, tolerance, ground, offset, dt)
 
 
 _RUNS: dict[Equation, Callable[[Sequence[Packed], Sequence[Record], float], Run]] = {
@@ -277,21 +278,21 @@ def _peaks(found: FloatArray, jobs: Jobs, oscillators: Sequence[Oscillator], eac
     for number in np.unique(jobs.oscillator):
         here = np.flatnonzero(jobs.oscillator == number)
         for side, (branch, of) in enumerate(zip(oscillators[number].branches, each[number].sides, strict=True)):
-            reached = of.rotation(found[here, kernel.LARGEST + side])
+            reached = of.rotation(found[here, columns.LARGEST + side])
             share = reached / (of.rotation(np.ones(1)) * branch.overturning / branch.unstable)
             larger = share > ratio[here]
             at = here[larger]
             ratio[at], rotation[at] = share[larger], (1 - 2 * side) * reached[larger]
-            time[at] = found[at, kernel.WHEN + side]
-    overturned = found[:, kernel.OVERTURNED] > 0.0
+            time[at] = found[at, columns.WHEN + side]
+    overturned = found[:, columns.OVERTURNED] > 0.0
     return Peaks(
         _frozen(rotation),
         _frozen(ratio),
         _frozen(time),
-        _frozen(found[:, kernel.IMPACTS].astype(np.int64)),
+        _frozen(found[:, columns.IMPACTS].astype(np.int64)),
         _frozen(overturned),
-        _frozen(np.where(overturned, found[:, kernel.PASSED], np.nan)),
-        _frozen(found[:, kernel.UPLIFTED] > 0.0),
+        _frozen(np.where(overturned, found[:, columns.PASSED], np.nan)),
+        _frozen(found[:, columns.UPLIFTED] > 0.0),
     )
 
 

@@ -10,8 +10,8 @@ from typing import Literal, TypeVar
 import numpy as np
 from scipy.constants import g
 
-from assess.dynamics import kernel
 from assess.dynamics.canonical import Canonical, canonical, scaled
+from assess.dynamics.kernel import columns
 from assess.errors import MechanismError
 from assess.oscillator import Branch, Oscillator, elastic_frequency, energy, linearise
 from spectra.arrays import FloatArray, IntArray
@@ -25,7 +25,7 @@ FASTEST = 1e5  # Hz: faster motions on joints would take minutes a record; mason
 class Packed:
     """An oscillator for one equation.
 
-    branches : the columns of `kernel.branch` [2, 6]
+    branches : the columns of `branch` in `kernel.columns` [2, 6]
     sides : what the kernel's y is on each side there is, with the cubics of the exact equation
     """
 
@@ -49,9 +49,9 @@ def _exact(oscillator: Oscillator) -> Packed:
     rows = _rows(oscillator, sides)
     for row, branch, side in zip(rows, oscillator.branches, sides, strict=False):
         E = _positive(float(energy(branch, np.array(branch.unstable))), "work up to the overturning rotation", "J")
-        row[kernel.THRESHOLD] = branch.restoring[0] / branch.excitation[0]
-        row[kernel.RATE] = math.sqrt(2.0 * E / branch.inertia[0]) / side.turn
-        row[[kernel.LIMIT, kernel.TAIL_LIMIT]] = side.y[-1]
+        row[columns.THRESHOLD] = branch.restoring[0] / branch.excitation[0]
+        row[columns.RATE] = math.sqrt(2.0 * E / branch.inertia[0]) / side.turn
+        row[[columns.LIMIT, columns.TAIL_LIMIT]] = side.y[-1]
     return Packed(rows, sides)
 
 
@@ -66,8 +66,8 @@ def _linearised(oscillator: Oscillator) -> Packed:
     sides = tuple(scaled(form.overturning) for form in forms)
     rows = _rows(oscillator, sides)
     for row, form in zip(rows, forms, strict=False):
-        row[kernel.THRESHOLD], row[kernel.RATE] = g * form.multiplier, form.p
-        row[[kernel.LIMIT, kernel.TAIL_LIMIT]] = 1.0
+        row[columns.THRESHOLD], row[columns.RATE] = g * form.multiplier, form.p
+        row[[columns.LIMIT, columns.TAIL_LIMIT]] = 1.0
     return Packed(rows, sides)
 
 
@@ -90,11 +90,11 @@ def branches_of(oscillators: Sequence[Packed]) -> FloatArray:
 def _rows(oscillator: Oscillator, sides: Sequence[Canonical]) -> FloatArray:
     """What the two equations share: restitution, and the branch that follows an impact."""
     rows = np.zeros((2, 6))
-    rows[:, kernel.THRESHOLD] = math.inf  # a side that is not there never lifts
+    rows[:, columns.THRESHOLD] = math.inf  # a side that is not there never lifts
     for side, branch in enumerate(oscillator.branches):
         partner = 1 - side if oscillator.negative is not None else side
-        rows[side, kernel.BOUNCE] = branch.restitution * sides[side].turn / sides[partner].turn
-        rows[side, kernel.PARTNER] = partner
+        rows[side, columns.BOUNCE] = branch.restitution * sides[side].turn / sides[partner].turn
+        rows[side, columns.PARTNER] = partner
     return rows
 
 

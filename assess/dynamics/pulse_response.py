@@ -2,7 +2,7 @@
 
 A pulse is one of `records.pulses`, exact but for 1e-12: its acceleration goes to the kernel as polynomials of the fifth
 degree that have its value, slope and curvature at the ends of short pieces. A sine by the linearised equation is closed
-from event to event (`assess.dynamics.sine`) and needs no pieces. Outcomes are told at the end of the pulse
+from event to event (`kernel.sine`) and needs no pieces. Outcomes are told at the end of the pulse
 from the energy that is left (reference: the body overturns where y + y' / p > 1, linearised), so no free motion is run.
 """
 
@@ -19,9 +19,8 @@ from math import ceil, pi
 import numpy as np
 from scipy.interpolate import BPoly, PPoly
 
-from assess.dynamics import kernel
+from assess.dynamics.kernel import columns, exact, linearised, sine
 from assess.dynamics.packing import Equation, Packed, branches_of, check_jobs, packed, tables_of
-from assess.dynamics.sine.kernel import sine_outcomes
 from assess.oscillator import Oscillator
 from records.pulses import Shape
 from spectra.arrays import BoolArray, FloatArray, IntArray
@@ -86,7 +85,7 @@ def prepared(
     check_frequency(frequency)
     each = [packed(oscillator, equation) for oscillator in oscillators]
     if closed(shape, equation):
-        run: Run = partial(sine_outcomes, branches_of(each), shape.end, np.ascontiguousarray(frequency))
+        run: Run = partial(sine.sine_outcomes, branches_of(each), shape.end, np.ascontiguousarray(frequency))
     else:
         run = _KERNELS[equation](each, (*polynomials(shape), np.ascontiguousarray(frequency)))
 
@@ -96,7 +95,7 @@ def prepared(
             name="amplitude",
             number=jobs.amplitude,
         )
-        found = np.empty((jobs.amplitude.size, kernel.FOUND))
+        found = np.empty((jobs.amplitude.size, columns.FOUND))
         each, of = np.ascontiguousarray(jobs.oscillator), np.ascontiguousarray(jobs.frequency)
         amplitude = np.ascontiguousarray(jobs.amplitude)
 
@@ -107,9 +106,9 @@ def prepared(
         with ThreadPoolExecutor(threads or os.cpu_count() or 1) as pool:
             list(pool.map(work, [slice(first, last) for first, last in pairwise(cuts)]))
         return Outcomes(
-            found[:, kernel.UPLIFTED] > 0.0,
-            found[:, kernel.OVERTURNED] > 0.0,
-            found[:, kernel.IMPACTS].astype(np.int64),
+            found[:, columns.UPLIFTED] > 0.0,
+            found[:, columns.OVERTURNED] > 0.0,
+            found[:, columns.IMPACTS].astype(np.int64),
         )
 
     return answer
@@ -128,11 +127,11 @@ def closed(shape: Shape, equation: Equation) -> bool:
 
 
 def _linearised(oscillators: Sequence[Packed], pulse: tuple[FloatArray, float, FloatArray]) -> Run:
-    return partial(kernel.pulse_linearised, branches_of(oscillators), *pulse)
+    return partial(linearised.pulse_linearised, branches_of(oscillators), *pulse)
 
 
 def _exact(oscillators: Sequence[Packed], pulse: tuple[FloatArray, float, FloatArray]) -> Run:
-    return partial(kernel.pulse_exact, branches_of(oscillators), *tables_of(oscillators), TOLERANCE, *pulse)
+    return partial(exact.pulse_exact, branches_of(oscillators), *tables_of(oscillators), TOLERANCE, *pulse)
 
 
 _KERNELS = {"linearised": _linearised, "exact": _exact}

@@ -146,7 +146,7 @@ def misfit(wall: Wall, targets: Sequence[Target]) -> FloatArray:
     return np.array(differences)
 
 
-def solved(form: Callable[[FloatArray], Wall], guess: Sequence[float], targets: Sequence[Target]) -> Wall:
+def solve(form: Callable[[FloatArray], Wall], guess: Sequence[float], targets: Sequence[Target]) -> Wall:
     """The wall of a `form` with as many free sizes as it takes to meet the targets."""
 
     def distance(sizes: FloatArray) -> FloatArray:
@@ -180,7 +180,7 @@ def wall_on(
         lengths = below | above
         return Wall(tuple(lengths), tuple(lengths.values()), thickness, (band,), lean, broken, seed)
 
-    return solved(form, (0.0, 2.0 * target.radius * cos(target.slenderness), 0.0), (target,))
+    return solve(form, (0.0, 2.0 * target.radius * cos(target.slenderness), 0.0), (target,))
 
 
 def wall_0() -> Wall:
@@ -193,7 +193,7 @@ def wall_0() -> Wall:
         bands = (_band(whole, foot, 0.6), _band(top, neck, 0.7))
         return Wall(elevations, (2.4, *lengths), 1.0, bands, 0.05, 0.1, 0.0)
 
-    return solved(form, (0.0, 0.0, 0.95, 2.2, 1.8, 1.4), (whole, top))
+    return solve(form, (0.0, 0.0, 0.95, 2.2, 1.8, 1.4), (whole, top))
 
 
 def walls() -> dict[str, Wall]:

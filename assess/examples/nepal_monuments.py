@@ -4,7 +4,7 @@ Mehrotra gives the ring at the foot of the shaft and the tower's weight (Table 7
 shaft was built in a discrete-element model, its "tapering form", and the density (section 4.3.2). The shape stands in
 figures only. What is left open, how the ring becomes the shaft, is closed by the weight, in two ways:
 
-- `tapered`: the ring shrinks evenly with height, its outline and its hole alike;
+- `tapered_tower`: the ring shrinks evenly with height, its outline and its hole alike;
 - `even`: the outer radius stays, the wall is even and thinner than the ring at the foot.
 """
 
@@ -15,7 +15,7 @@ from math import pi, sqrt, tan
 import numpy as np
 from scipy.constants import g
 
-from assess.examples.surface import Surface, revolved
+from assess.examples.surface import Surface, revolve
 from spectra.arrays import FloatArray
 
 OUTER, INNER = 3.99, 2.12  # m: radii of the ring at the foot, Table 7.1
@@ -29,7 +29,7 @@ AREA = WEIGHT / (g * DENSITY * HEIGHT)  # m2: of the shaft's section, on average
 ROUND = FACES * tan(pi / FACES)  # area of the prism's section over r^2, in place of pi
 
 
-def tapered() -> Surface:
+def tapered_tower() -> Surface:
     """The ring times a factor that falls evenly from 1 at the foot to q at the top: mean area A (1 + q + q^2) / 3."""
     foot = ROUND * (OUTER**2 - INNER**2)
     q = (sqrt(12.0 * AREA / foot - 3.0) - 1.0) / 2.0
@@ -45,9 +45,9 @@ def even() -> Surface:
 def _shell(outer: FloatArray, inner: FloatArray) -> Surface:
     """The shell between two radii at the joints of the layers [LAYERS + 1] [m]."""
     z = np.linspace(0.0, HEIGHT, LAYERS + 1)
-    return revolved([*zip(outer, z, strict=True), *zip(inner[::-1], z[::-1], strict=True)], faces=FACES)
+    return revolve([*zip(outer, z, strict=True), *zip(inner[::-1], z[::-1], strict=True)], faces=FACES)
 
 
 def meshes() -> dict[str, Surface]:
     """The tower's surfaces, by the file that the project names."""
-    return {"tower/tapered.ply": tapered(), "tower/even.ply": even()}
+    return {"tower/tapered.ply": tapered_tower(), "tower/even.ply": even()}

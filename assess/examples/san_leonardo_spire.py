@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from assess.examples.surface import Surface, revolved
+from assess.examples.surface import Surface, revolve
 
 FOOT, HEIGHT = 18.25, 4.0  # m: Table 5.1
 RADIUS, WALL = 0.76, 0.23  # m: radius of the foot, and level thickness of the wall
@@ -23,7 +23,7 @@ def spire(*, radius: float = RADIUS, wall: float = WALL) -> Surface:
     outer, inner = np.linspace(radius, 0.0, ROWS), np.linspace(0.0, radius - wall, ROWS)
     hollow = HEIGHT * (1.0 - wall / radius)
     up, down = np.linspace(0.0, HEIGHT, ROWS), np.linspace(hollow, 0.0, ROWS)
-    return revolved([*zip(outer, FOOT + up, strict=True), *zip(inner, FOOT + down, strict=True)], faces=FACES)
+    return revolve([*zip(outer, FOOT + up, strict=True), *zip(inner, FOOT + down, strict=True)], faces=FACES)
 
 
 def meshes() -> dict[str, Surface]:

@@ -34,7 +34,7 @@ def slab(front: ArrayLike, back: ArrayLike) -> Surface:
     return Surface(faces.reshape(-1, 3), np.concatenate([sides, bottom, top]))
 
 
-def revolved(profile: ArrayLike, *, faces: int) -> Surface:
+def revolve(profile: ArrayLike, *, faces: int) -> Surface:
     """The body that a polygon of (radius, elevation) sweeps about the vertical axis, as a prism of so many `faces`.
 
     Faces touch the circles, an even number of them: the middles of two are at x = -r and x = r, and a section has the

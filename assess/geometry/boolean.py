@@ -13,15 +13,15 @@ from scipy.spatial import KDTree
 
 from assess.errors import GeometryError
 from assess.geometry.solid import THINNEST, Solid
-from assess.geometry.surface import Surface, merged, volume
+from assess.geometry.surface import Surface, merge_vertices, volume
 from spectra.arrays import BoolArray, FloatArray
 
-CLEAR = 0.05  # m: how far apart fine meshes are looked at face by face
-FINE = 1e8  # pairs of triangles: to look at more of them takes seconds
+NEAR = 0.05  # m: how far apart fine meshes are looked at face by face
+MANY_PAIRS = 1e8  # pairs of triangles: to look at more of them takes seconds
 
 
 @dataclass(frozen=True)
-class Common:
+class Intersection:
     """What two bodies share.
 
     corners : of the triangles of its surface, anticlockwise seen from outside [m, 3, 3] [m]
@@ -50,7 +50,7 @@ def split(surface: Surface, *, where: str) -> tuple[Surface, Surface]:
     return upper, lower
 
 
-def united(shells: Sequence[Surface], *, where: str) -> Surface:
+def unite(shells: Sequence[Surface], *, where: str) -> Surface:
     """One surface around what closed shells stand for, the larger laid down first, each over those before it.
 
     Shells that face outwards add material, those that face inwards (cavities) take it away; so a cavity empties the
@@ -62,13 +62,13 @@ def united(shells: Sequence[Surface], *, where: str) -> Surface:
     sized = sorted(((volume(*shell), shell) for shell in shells), key=lambda each: -abs(each[0]))
     whole = Manifold()
     for material, group in groupby(sized, key=lambda each: each[0] > 0.0):
-        bodies = [_manifold(_towards((v - middle, t), outwards=material), where=where) for _, (v, t) in group]
+        bodies = [_manifold(_orient((v - middle, t), outwards=material), where=where) for _, (v, t) in group]
         whole = Manifold.batch_boolean([whole, *bodies], OpType.Add if material else OpType.Subtract)
     vertices, triangles = _surface(whole)
-    return merged(vertices + middle, triangles)
+    return merge_vertices(vertices + middle, triangles)
 
 
-def common(first: Solid, second: Solid) -> Common | None:
+def intersect(first: Solid, second: Solid) -> Intersection | None:
     """What two bodies share, None where they share nothing.
 
     Raises
@@ -78,7 +78,7 @@ def common(first: Solid, second: Solid) -> Common | None:
     if _bounds_gap(first, second) > 0.0:
         return None
     origin = (first.vertices.min(axis=0) + first.vertices.max(axis=0)) / 2.0
-    one, two = (_placed(solid, origin).as_original() for solid in (first, second))
+    one, two = (_manifold_of_solid(solid, origin).as_original() for solid in (first, second))
     shared = one ^ two
     volume, smaller = float(shared.volume()), min(float(one.volume()), float(two.volume()))
     if volume <= THINNEST * smaller:  # faces that only touch leave a film
@@ -87,10 +87,10 @@ def common(first: Solid, second: Solid) -> Common | None:
     corners = np.array(mesh.vert_properties, dtype=np.float64)[:, :3][np.array(mesh.tri_verts, dtype=np.int64)]
     ends = np.array(mesh.run_index, dtype=np.int64) // 3
     of_second = np.repeat(np.array(mesh.run_original_id, dtype=np.int64) == two.original_id(), ends[1:] - ends[:-1])
-    return Common(corners + origin, of_second, volume, volume / smaller)
+    return Intersection(corners + origin, of_second, volume, volume / smaller)
 
 
-def gap(first: Solid, second: Solid, *, limit: float = inf) -> float:
+def shortest_distance(first: Solid, second: Solid, *, limit: float = inf) -> float:
     """The shortest distance between two bodies [m]; 0 where they touch or overlap, `limit` where they are farther.
 
     Between fine meshes that are clearly apart it is that of their vertices.
@@ -102,10 +102,10 @@ def gap(first: Solid, second: Solid, *, limit: float = inf) -> float:
     if _bounds_gap(first, second) >= limit:
         return limit
     origin = (first.vertices.min(axis=0) + first.vertices.max(axis=0)) / 2.0
-    one, two = (_placed(solid, origin) for solid in (first, second))
+    one, two = (_manifold_of_solid(solid, origin) for solid in (first, second))
     reach = min(limit, float(np.min(KDTree(first.vertices).query(second.vertices)[0])) * (1.0 + THINNEST))
-    fine = len(first.triangles) * len(second.triangles) > FINE
-    looked = min(reach, CLEAR) if fine else reach
+    fine = len(first.triangles) * len(second.triangles) > MANY_PAIRS
+    looked = min(reach, NEAR) if fine else reach
     found = float(one.min_gap(two, looked)) if looked > 0.0 else 0.0
     return found if found < looked else reach
 
@@ -118,12 +118,12 @@ def _bounds_gap(first: Solid, second: Solid) -> float:
     return float(np.maximum(low_b - high_a, low_a - high_b).max())
 
 
-def _placed(solid: Solid, origin: FloatArray) -> Any:
+def _manifold_of_solid(solid: Solid, origin: FloatArray) -> Any:
     """The body about an origin [3], as manifold3d has it."""
     return _manifold((solid.vertices - origin, solid.triangles), where=f'body "{solid.name}"')
 
 
-def _towards(surface: Surface, *, outwards: bool) -> Surface:
+def _orient(surface: Surface, *, outwards: bool) -> Surface:
     vertices, triangles = surface
     return vertices, triangles if outwards else triangles[:, ::-1]
 

@@ -18,8 +18,8 @@ from spectra.arrays import FloatArray, IntArray
 
 FLATTEST = 1e-6  # vertical part of a unit normal: below this a plane is upright and has no side above
 ON_PLANE = 1e-9  # of the bodies' size: faces this near the plane lie in it
-EMPTY = 1e-15  # of the bodies' size squared: triangles smaller than this are lines
-_NOTHING: Surface = (np.empty((0, 3)), np.empty((0, 3), dtype=np.int64))
+DEGENERATE = 1e-15  # of the bodies' size squared: triangles smaller than this are lines
+_EMPTY: Surface = (np.empty((0, 3)), np.empty((0, 3), dtype=np.int64))
 
 
 @dataclass(frozen=True)
@@ -40,7 +40,7 @@ class Plane:
 
 
 @dataclass(frozen=True)
-class Parts:
+class Division:
     """What lies above and below a cut.
 
     above, below : the bodies on each side, each as cut; foot : corners of the section between them [k, 3] [m]
@@ -55,12 +55,12 @@ class Parts:
     region: shapely.MultiPolygon
 
 
-def level(elevation: float) -> Plane:
+def level_plane(elevation: float) -> Plane:
     """The level plane at an elevation [m]."""
     return Plane(np.array([0.0, 0.0, float(elevation)]), np.array([0.0, 0.0, 1.0]))
 
 
-def inclined(point: ArrayLike, normal: ArrayLike, *, where: str) -> Plane:
+def inclined_plane(point: ArrayLike, normal: ArrayLike, *, where: str) -> Plane:
     """The plane through a point [3] [m] square to a normal [3] of any length, which points to the mechanism.
 
     Raises
@@ -80,7 +80,7 @@ def inclined(point: ArrayLike, normal: ArrayLike, *, where: str) -> Plane:
     return Plane(at, unit / length)
 
 
-def divide(solids: Sequence[Solid], plane: Plane, *, where: str) -> Parts:
+def divide(solids: Sequence[Solid], plane: Plane, *, where: str) -> Division:
     """The bodies of one block on both sides of the plane, cut where it crosses them.
 
     The foot is where masonry above the plane lies on masonry below it, so that an overhang whose underside lies in
@@ -102,18 +102,18 @@ def divide(solids: Sequence[Solid], plane: Plane, *, where: str) -> Parts:
     middle = (low + high) / 2.0 - plane.point
     origin = plane.point + (middle - (middle @ plane.normal) * plane.normal)  # in the plane, near the bodies
     axes = _axes(plane.normal)
-    placed = [_snapped((solid.vertices - origin) @ axes.T, size=size) for solid in solids]
+    placed = [_snap_to_plane((solid.vertices - origin) @ axes.T, size=size) for solid in solids]
     _refuse_miss([at[:, 2] for at in placed], plane, (float(low[2]), float(high[2])), where=where)
     over: list[Solid] = []
     under: list[Solid] = []
     feet, heads = [], []
     for solid, at in zip(solids, placed, strict=True):
         upper, lower = _split(solid, at, where=f'{where}: body "{solid.name}"')
-        feet.append(_in_plane(*upper, size=size))
-        heads.append(_in_plane(*lower, size=size))
+        feet.append(_area_in_plane(*upper, size=size))
+        heads.append(_area_in_plane(*lower, size=size))
         for side, (vertices, triangles), other in ((over, upper, lower), (under, lower, upper)):
             if len(triangles):
-                side.append(_part(solid, vertices @ axes + origin, triangles) if len(other[1]) else solid)
+                side.append(_cut_solid(solid, vertices @ axes + origin, triangles) if len(other[1]) else solid)
     touching = all(at[:, 2].min() >= 0.0 for at in placed)
     contact = shapely.union_all(feet) if touching else shapely.union_all(feet).intersection(shapely.union_all(heads))
     areas = [part for part in shapely.get_parts(contact) if part.area > THINNEST * size**2]
@@ -125,10 +125,10 @@ def divide(solids: Sequence[Solid], plane: Plane, *, where: str) -> Parts:
     foot, *section = (np.column_stack([each, np.zeros(len(each))]) @ axes + origin for each in (corners, *rings))
     shift = (axes @ (origin - plane.point))[:2]
     region = shapely.transform(shapely.MultiPolygon(areas), lambda points: points + shift)
-    return Parts(tuple(over), tuple(under), foot, tuple(section), region)
+    return Division(tuple(over), tuple(under), foot, tuple(section), region)
 
 
-def halves(solid: Solid, *, point: ArrayLike, normal: ArrayLike) -> tuple[Solid, ...]:
+def split_upright(solid: Solid, *, point: ArrayLike, normal: ArrayLike) -> tuple[Solid, ...]:
     """The parts of a body behind and before an upright plane through a point [3]; normal: unit vector [3].
 
     Raises
@@ -139,10 +139,10 @@ def halves(solid: Solid, *, point: ArrayLike, normal: ArrayLike) -> tuple[Solid,
     origin = np.asarray(point, dtype=np.float64)
     placed = (solid.vertices - origin) @ axes.T
     front, back = _split(solid, placed, where=f'body "{solid.name}"')
-    return tuple(_part(solid, points @ axes + origin, faces) for points, faces in (back, front) if len(faces))
+    return tuple(_cut_solid(solid, points @ axes + origin, faces) for points, faces in (back, front) if len(faces))
 
 
-def in_plane(plane: Plane, vector: ArrayLike) -> FloatArray:
+def project_on_plane(plane: Plane, vector: ArrayLike) -> FloatArray:
     """A vector [3] as it is seen in the coordinates [2] of a cut's region."""
     return np.asarray((_axes(plane.normal) @ np.asarray(vector, dtype=np.float64))[:2], dtype=np.float64)
 
@@ -157,9 +157,9 @@ def heading(plane: Plane, vector: ArrayLike, *, axis: ArrayLike | None = None) -
     vector : [3], to whose side it points; axis : [3], default the horizontal one square to the vector
     """
     wanted = np.asarray(vector, dtype=np.float64)
-    along, up = in_plane(plane, np.cross([0.0, 0.0, 1.0], wanted) if axis is None else axis)
+    along, up = project_on_plane(plane, np.cross([0.0, 0.0, 1.0], wanted) if axis is None else axis)
     unit = np.array([up, -along]) / np.hypot(along, up)
-    return np.asarray(np.copysign(1.0, unit @ in_plane(plane, wanted)) * unit, dtype=np.float64)
+    return np.asarray(np.copysign(1.0, unit @ project_on_plane(plane, wanted)) * unit, dtype=np.float64)
 
 
 def _axes(normal: FloatArray) -> FloatArray:
@@ -171,7 +171,7 @@ def _axes(normal: FloatArray) -> FloatArray:
     return np.array([first, np.cross(normal, first), normal])
 
 
-def _snapped(points: FloatArray, *, size: float) -> FloatArray:
+def _snap_to_plane(points: FloatArray, *, size: float) -> FloatArray:
     """The points [n, 3] with those put into the plane that are only rounding away from it.
 
     Files in single precision hold a level of 4.77 m as 4.7699999809 m; the sliver between would be cut as a section.
@@ -194,21 +194,21 @@ def _split(solid: Solid, points: FloatArray, *, where: str) -> tuple[Surface, Su
     """Closed surfaces above and below z = 0 of a body whose vertices stand at the points [n, 3]."""
     whole: Surface = (points, solid.triangles)
     if points[:, 2].min() >= 0.0:
-        return whole, _NOTHING
+        return whole, _EMPTY
     if points[:, 2].max() <= 0.0:
-        return _NOTHING, whole
+        return _EMPTY, whole
     return split(whole, where=where)
 
 
-def _part(whole: Solid, vertices: FloatArray, triangles: IntArray) -> Solid:
+def _cut_solid(whole: Solid, vertices: FloatArray, triangles: IntArray) -> Solid:
     """The part of a body inside a closed surface, of the body's density."""
     volume = polyhedron(whole.vertices, whole.triangles, density=1.0, name=whole.name).mass
     return polyhedron(vertices, triangles, density=whole.mass / volume, name=whole.name)
 
 
-def _in_plane(points: FloatArray, triangles: IntArray, *, size: float) -> shapely.Geometry:
+def _area_in_plane(points: FloatArray, triangles: IntArray, *, size: float) -> shapely.Geometry:
     """The triangles that lie in z = 0, as one area of the plane."""
     corners = points[triangles]
     flat = corners[np.all(np.abs(corners[:, :, 2]) <= ON_PLANE * size, axis=1), :, :2]
     (ax, ay), (bx, by) = (flat[:, 1] - flat[:, 0]).T, (flat[:, 2] - flat[:, 0]).T
-    return shapely.union_all(shapely.polygons(flat[np.abs(ax * by - ay * bx) > EMPTY * size**2]))
+    return shapely.union_all(shapely.polygons(flat[np.abs(ax * by - ay * bx) > DEGENERATE * size**2]))

@@ -7,7 +7,7 @@ import shapely
 
 from spectra.arrays import FloatArray
 
-MOST = 180  # edges: the shortest of a finer hull change its support by less than one part in a thousand
+MAX_EDGES = 180  # edges: the shortest of a finer hull change its support by less than one part in a thousand
 SHORT = 1e-9  # of the hull's size: edges shorter than this are rounding
 
 
@@ -28,7 +28,7 @@ def edge_normals(points: FloatArray) -> FloatArray:
     corners = shapely.get_coordinates(shapely.orient_polygons(hull))
     edges = np.diff(corners, axis=0)
     length = np.hypot(*edges.T)
-    longest = np.argsort(-length, kind="stable")[:MOST]
+    longest = np.argsort(-length, kind="stable")[:MAX_EDGES]
     kept = edges[longest[length[longest] > SHORT * length.sum()]]
     outward = np.degrees(np.arctan2(-kept[:, 0], kept[:, 1]))  # anticlockwise: the outside lies to the right
     return np.unique(np.round(outward, 12) % 360.0)  # rounded, for -1e-15 % 360 is 360

@@ -8,11 +8,11 @@ from dataclasses import dataclass
 import numpy as np
 import shapely
 
-from assess.geometry.surface import Surface, border, edges_of
+from assess.geometry.surface import Surface, find_edges, open_edges
 from spectra.arrays import FloatArray, IntArray
 
 LARGEST = 0.2  # of the surface, holes closed: more than this is not closed by a guess
-DOUBT = 0.01  # of the volume: by how much the plane that closes a hole may be wrong
+UNCERTAINTY = 0.01  # of the volume: by how much the plane that closes a hole may be wrong
 LEVEL = 1e-6  # of a loop's size: loops this near one plane bound one hole, a ring
 
 
@@ -51,14 +51,14 @@ class _Ring:
     deviation: float
 
 
-def holes_of(surface: Surface) -> list[Hole]:
+def find_holes(surface: Surface) -> list[Hole]:
     """The holes of a surface. Loops in one plane, one within the other, bound one hole, like the foot of a tube."""
     vertices, triangles = surface
-    rings = [_ring(vertices, loop) for loop in loops(border(edges_of(triangles))[:, ::-1])]
+    rings = [_ring(vertices, loop) for loop in closed_loops(open_edges(find_edges(triangles))[:, ::-1])]
     rings.sort(key=lambda ring: -float(np.linalg.norm(ring.normal)))
     groups: list[list[_Ring]] = []
     for ring in rings:
-        around = next((group for group in groups if _inner(ring, group[0])), None)
+        around = next((group for group in groups if _is_inner(ring, group[0])), None)
         if around is None:
             groups.append([ring])
         else:
@@ -66,7 +66,7 @@ def holes_of(surface: Surface) -> list[Hole]:
     return [_hole(group) for group in groups]
 
 
-def loops(edges: IntArray) -> list[IntArray]:
+def closed_loops(edges: IntArray) -> list[IntArray]:
     """Closed loops of vertices, each once in its loop, along directed edges [b, 2]; a way that ends is left out."""
     onwards: dict[int, list[int]] = {}
     for start, end in edges.tolist():
@@ -74,11 +74,11 @@ def loops(edges: IntArray) -> list[IntArray]:
     found = []
     for start in onwards:
         while onwards[start]:
-            found += _walk(start, onwards)
+            found += _trace_loops(start, onwards)
     return found
 
 
-def _walk(start: int, onwards: dict[int, list[int]]) -> list[IntArray]:
+def _trace_loops(start: int, onwards: dict[int, list[int]]) -> list[IntArray]:
     """The loops met on one way that begins at a vertex; what has been walked is taken from `onwards`."""
     found = []
     path, place = [start], {start: 0}
@@ -107,7 +107,7 @@ def _ring(vertices: FloatArray, loop: IntArray) -> _Ring:
     return _Ring(loop, points, normal, centre, float(np.ptp(points, axis=0).max()), float(off.max()))
 
 
-def _inner(ring: _Ring, outer: _Ring) -> bool:
+def _is_inner(ring: _Ring, outer: _Ring) -> bool:
     """Whether a loop lies in the plane of another, within it, and runs round the other way."""
     if ring.normal @ outer.normal >= 0.0:
         return False
@@ -125,10 +125,10 @@ def _hole(rings: Sequence[_Ring]) -> Hole:
     loops = tuple(ring.loop for ring in rings)
     area = max(float(np.linalg.norm(sum((ring.normal for ring in rings), start=np.zeros(3)))), 0.0)
     deviation = max(ring.deviation for ring in rings)
-    return Hole(loops, _closing(rings), area, deviation, outer.centre)
+    return Hole(loops, _triangulate(rings), area, deviation, outer.centre)
 
 
-def _closing(rings: Sequence[_Ring]) -> IntArray:
+def _triangulate(rings: Sequence[_Ring]) -> IntArray:
     """Triangles [k, 3] between the loops, by constrained Delaunay triangulation in the plane; none if they cross."""
     outer = rings[0]
     if len(rings) == 1 and len(outer.loop) == 3:

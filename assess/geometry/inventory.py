@@ -8,13 +8,13 @@ from pathlib import Path
 import numpy as np
 
 from assess.errors import GeometryError
-from assess.geometry.formats.elements import places_of
-from assess.geometry.formats.parts import Element, Part, Up
-from assess.geometry.formats.reading import meshed, read
-from assess.geometry.magnitude import suspicious
-from assess.geometry.mesh import placed, solid_of
+from assess.geometry.formats.element_selection import select_elements
+from assess.geometry.formats.mesh_file import Element, Part, Up
+from assess.geometry.formats.readers import mesh_elements, read
+from assess.geometry.mesh import assemble_mesh, solid_of
 from assess.geometry.models import Model
-from assess.geometry.thickness import sizes, thin_direction
+from assess.geometry.plausibility import size_warning
+from assess.geometry.thickness import extents, thin_direction
 
 Sizes = tuple[float, float, float]
 
@@ -65,10 +65,10 @@ def inventory(
     GeometryError : the file as a whole cannot be read, has no parts, or no such element
     """
     content = read(file, where=str(file))
-    places = places_of(content.elements, element, where=str(file))
+    places = select_elements(content.elements, element, where=str(file))
     if not places:
         raise GeometryError(f"{file}: there are no meshes in it, and no solids or surfaces to mesh")
-    parts = meshed(content, places, file=file, where=str(file))
+    parts = mesh_elements(content, places, file=file, where=str(file))
     return tuple(
         _entry(
             Model(file, (part,), content.unit, content.up, (part.doubt,) if part.doubt else ()),
@@ -86,7 +86,7 @@ def _entry(model: Model, part: Part, *, scale: float | None, up: Up | None) -> E
     if part.fault:
         return Entry(name, element, why_not=part.fault)
     try:
-        vertices, triangles = placed(model, model.parts, scale=scale, up=up, where="")
+        vertices, triangles = assemble_mesh(model, model.parts, scale=scale, up=up, where="")
     except GeometryError as problem:
         return Entry(name, element, len(part.triangles), why_not=_reason(problem, name))
     thin, used = thin_direction(vertices, triangles), vertices[np.unique(triangles)]
@@ -94,7 +94,7 @@ def _entry(model: Model, part: Part, *, scale: float | None, up: Up | None) -> E
     middle = (low + high) / 2.0
     try:
         solid = solid_of(model, density=1.0, name="", scale=scale, up=up)
-        doubt = suspicious(solid, unit=scale or (1.0 if model.unit is None else None))
+        doubt = size_warning(solid, unit=scale or (1.0 if model.unit is None else None))
         told, why = (*solid.trail, *([_plain(doubt, name)] if doubt else [])), ""
         volume = solid.mass
     except GeometryError as problem:
@@ -103,7 +103,7 @@ def _entry(model: Model, part: Part, *, scale: float | None, up: Up | None) -> E
         name,
         element,
         len(triangles),
-        size=sizes(used, thin),
+        size=extents(used, thin),
         place=(float(middle[0]), float(middle[1]), float(low[2])),
         volume=volume,
         closed=volume is not None,

@@ -10,15 +10,15 @@ from pathlib import Path
 import numpy as np
 
 from assess.errors import GeometryError
-from assess.geometry.formats.elements import shown
-from assess.geometry.formats.parts import Part, Up, together
-from assess.geometry.formats.reading import WITHOUT_UNIT
-from assess.geometry.magnitude import refuse_implausible
+from assess.geometry.formats.element_selection import short_name
+from assess.geometry.formats.mesh_file import Part, Up, join_parts
+from assess.geometry.formats.readers import WITHOUT_UNIT
 from assess.geometry.models import Model, read_models
-from assess.geometry.repair import mended
+from assess.geometry.plausibility import refuse_implausible
+from assess.geometry.repair import repair
+from assess.geometry.self_overlap import self_overlap_warnings
 from assess.geometry.solid import Solid, polyhedron
-from assess.geometry.sounding import doubts_of
-from assess.geometry.surface import Surface, merged
+from assess.geometry.surface import Surface, merge_vertices
 from spectra.arrays import FloatArray, IntArray
 
 FARTHEST = 1e12  # of any unit: no coordinate of a map in any unit is larger
@@ -70,7 +70,7 @@ def solid_of(model: Model, *, density: float, name: str, scale: float | None = N
     try:
         return _solid(model, model.parts, density=density, name=name, scale=scale, up=up, where=where)
     except GeometryError as problem:
-        raise _blamed(model, density=density, name=name, scale=scale, up=up, where=where) or problem from None
+        raise _error_of_element(model, density=density, name=name, scale=scale, up=up, where=where) or problem from None
 
 
 def _solid(
@@ -84,38 +84,44 @@ def _solid(
     where: str,
 ) -> Solid:
     """The solid inside some of a model's meshes."""
-    _, doubts = _unit(model, scale, where=where)
-    surface = merged(*placed(model, parts, scale=scale, up=up, where=where))
+    _, doubts = _resolve_unit(model, scale, where=where)
+    surface = merge_vertices(*assemble_mesh(model, parts, scale=scale, up=up, where=where))
     if not len(surface[1]):
         raise GeometryError(f"{where}: all its triangles have shrunk to lines or points; export it with more digits")
-    surface, told = mended(surface, where=where)
+    surface, told = repair(surface, where=where)
     solid = polyhedron(*surface, density=density, name=name)
     unit = scale or model.unit or 1.0
-    refuse_implausible(solid, unit=unit, given=scale is not None, single=_single(model.file), where=where)
-    trail = (*model.told, *doubts, *_turned(model, given=up), *told, *doubts_of(surface, where=where))
+    refuse_implausible(solid, unit=unit, given=scale is not None, single=_is_single_precision(model.file), where=where)
+    trail = (
+        *model.told,
+        *doubts,
+        *_axis_warnings(model, given=up),
+        *told,
+        *self_overlap_warnings(surface, where=where),
+    )
     return replace(solid, trail=trail)
 
 
-def placed(model: Model, parts: Sequence[Part], *, scale: float | None, up: Up | None, where: str) -> Surface:
+def assemble_mesh(model: Model, parts: Sequence[Part], *, scale: float | None, up: Up | None, where: str) -> Surface:
     """Some of a model's meshes as one, upright [m]: vertices [n, 3] as they are, triangles [m, 3].
 
     Raises
     ------
     GeometryError : there is no triangle, or one of a corner that is not there or not finite; scale is not positive
     """
-    unit, _ = _unit(model, scale, where=where)
-    vertices, triangles = together(parts)
-    sound = _sound(vertices, triangles, where=where)
-    return _upright(sound if unit == 1.0 else sound * unit, up=up or model.up or "z"), triangles
+    unit, _ = _resolve_unit(model, scale, where=where)
+    vertices, triangles = join_parts(parts)
+    sound = _check_vertices(vertices, triangles, where=where)
+    return _rotate_upright(sound if unit == 1.0 else sound * unit, up=up or model.up or "z"), triangles
 
 
-def _blamed(
+def _error_of_element(
     model: Model, *, density: float, name: str, scale: float | None, up: Up | None, where: str
 ) -> GeometryError | None:
     """The error of the first element that is no body by itself; None where that is none of several, or all."""
     wrong = []
     for part in model.parts if len(model.parts) > 1 else ():
-        at = f'{where}: element "{shown(part.element.shown)}"'
+        at = f'{where}: element "{short_name(part.element.shown)}"'
         try:
             _solid(model, [part], density=density, name=name, scale=scale, up=up, where=at)
         except GeometryError as problem:
@@ -123,7 +129,7 @@ def _blamed(
     return wrong[0] if 0 < len(wrong) < len(model.parts) else None
 
 
-def _single(file: Path) -> bool:
+def _is_single_precision(file: Path) -> bool:
     """Whether a file holds its coordinates in single precision."""
     with file.open("rb") as content:
         head = content.read(HEAD)
@@ -133,18 +139,18 @@ def _single(file: Path) -> bool:
     return ending in SINGLE or (ending == ".ply" and re.search(rb"property\s+float(32)?\s+x\s", head) is not None)
 
 
-def _upright(vertices: FloatArray, *, up: Up) -> FloatArray:
+def _rotate_upright(vertices: FloatArray, *, up: Up) -> FloatArray:
     """The vertices [n, 3] with z up, whichever axis is in the file: a quarter turn about x."""
     return vertices if up == "z" else vertices[:, [0, 2, 1]] * [1.0, -1.0, 1.0]
 
 
-def _turned(content: Model, *, given: Up | None) -> tuple[str, ...]:
+def _axis_warnings(content: Model, *, given: Up | None) -> tuple[str, ...]:
     """A sentence where a mesh is turned upright because its format says so, which exporters do not always heed."""
     turned = given is None and content.up == "y"
     return ('taken as y-up, as glTF prescribes; write mesh_up = "z" if it is not',) if turned else ()
 
 
-def _unit(content: Model, given: float | None, *, where: str) -> tuple[float, tuple[str, ...]]:
+def _resolve_unit(content: Model, given: float | None, *, where: str) -> tuple[float, tuple[str, ...]]:
     """Length of the mesh's unit [m]: the one given, the file's own or the metre; and a sentence where they differ."""
     if given is not None and not (np.isfinite(given) and given > 0.0):
         raise GeometryError(f"{where}: its unit is {given:g} m; give a positive finite length")
@@ -159,7 +165,7 @@ def _unit(content: Model, given: float | None, *, where: str) -> tuple[float, tu
     )
 
 
-def _sound(vertices: FloatArray, triangles: IntArray, *, where: str) -> FloatArray:
+def _check_vertices(vertices: FloatArray, triangles: IntArray, *, where: str) -> FloatArray:
     """The vertices, if there are triangles, all between vertices that are there and finite."""
     if not len(triangles):
         raise GeometryError(f"{where}: no triangles found; is it a closed triangle mesh, and whole?")

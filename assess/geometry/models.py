@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from assess.errors import GeometryError
-from assess.geometry.formats.elements import listed, places_of, shown
-from assess.geometry.formats.parts import Part, Up
-from assess.geometry.formats.reading import meshed, read
+from assess.geometry.formats.element_selection import list_names, select_elements, short_name
+from assess.geometry.formats.mesh_file import Part, Up
+from assess.geometry.formats.readers import mesh_elements, read
 
 
 @dataclass(frozen=True)
@@ -30,11 +30,13 @@ class Model:
     told: tuple[str, ...] = ()
 
 
-Asked = tuple[Path, str | None]  # a file, and which of its elements: a name, identifier, class or pattern; None: all
-Models = Mapping[Asked, Model]
+Selection = tuple[
+    Path, str | None
+]  # a file, and which of its elements: a name, identifier, class or pattern; None: all
+Models = Mapping[Selection, Model]
 
 
-def read_models(asked: Mapping[str, Asked]) -> Models:
+def read_models(asked: Mapping[str, Selection]) -> Models:
     """What each body takes of its file, by what is asked for; every file is read once, whoever asks.
 
     Parameters
@@ -45,42 +47,46 @@ def read_models(asked: Mapping[str, Asked]) -> Models:
     ------
     GeometryError : a file cannot be read, has no such elements, or has no mesh for one of those asked for
     """
-    found: dict[Asked, Model] = {}
+    found: dict[Selection, Model] = {}
     for file in dict.fromkeys(path for path, _ in asked.values()):
-        found |= _of_one({name: element for name, (path, element) in asked.items() if path == file}, file)
+        found |= _read_one({name: element for name, (path, element) in asked.items() if path == file}, file)
     return found
 
 
-def _of_one(elements: Mapping[str, str | None], file: Path) -> Models:
+def _read_one(elements: Mapping[str, str | None], file: Path) -> Models:
     """What bodies take of one file; elements: those asked for, by name of the body."""
     places_named = {name: f'body "{name}": mesh {file.name}' for name in elements}
     first = next(iter(places_named.values()))
     content = read(file, where=first)
     places = {
-        name: places_of(content.elements, element, where=places_named[name]) for name, element in elements.items()
+        name: select_elements(content.elements, element, where=places_named[name]) for name, element in elements.items()
     }
     wanted = sorted({place for each in places.values() for place in each})
-    parts = dict(zip(wanted, meshed(content, wanted, file=file, where=first), strict=True))
+    parts = dict(zip(wanted, mesh_elements(content, wanted, file=file, where=first), strict=True))
     found = {}
     for name, element in elements.items():
         taken = tuple(parts[place] for place in places[name])
         _refuse_unmeshed(taken, where=places_named[name])
         found[file, element] = Model(
-            file, taken, content.unit, content.up, (*(() if element is None else _joined(taken)), *_doubts(taken))
+            file,
+            taken,
+            content.unit,
+            content.up,
+            (*(() if element is None else _join_warnings(taken)), *_mesh_warnings(taken)),
         )
     return found
 
 
-def _joined(parts: Sequence[Part]) -> tuple[str, ...]:
+def _join_warnings(parts: Sequence[Part]) -> tuple[str, ...]:
     """A sentence where several elements become one body."""
     if len(parts) < 2:
         return ()
-    return (f"{len(parts)} elements joined: {listed([each.element.shown for each in parts])}",)
+    return (f"{len(parts)} elements joined: {list_names([each.element.shown for each in parts])}",)
 
 
-def _doubts(parts: Sequence[Part]) -> tuple[str, ...]:
+def _mesh_warnings(parts: Sequence[Part]) -> tuple[str, ...]:
     """What may be missing of elements."""
-    return tuple(f'element "{shown(each.element.shown)}": {each.doubt}' for each in parts if each.doubt)
+    return tuple(f'element "{short_name(each.element.shown)}": {each.doubt}' for each in parts if each.doubt)
 
 
 def _refuse_unmeshed(parts: Sequence[Part], *, where: str) -> None:
@@ -89,5 +95,7 @@ def _refuse_unmeshed(parts: Sequence[Part], *, where: str) -> None:
     if bare:
         one = bare[0].element
         known = f" ({one.identifier})" if one.identifier and one.shown != one.identifier else ""
-        more = f" (and {len(bare) - 1} more: {listed([each.element.shown for each in bare[1:]])})" if bare[1:] else ""
-        raise GeometryError(f'{where}: element "{shown(one.shown)}"{known}{more}: {bare[0].fault}')
+        more = (
+            f" (and {len(bare) - 1} more: {list_names([each.element.shown for each in bare[1:]])})" if bare[1:] else ""
+        )
+        raise GeometryError(f'{where}: element "{short_name(one.shown)}"{known}{more}: {bare[0].fault}')

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import shapely
 
-from assess.geometry.surface import changes
+from assess.geometry.surface import marks_changes
 from spectra.arrays import BoolArray, FloatArray, IntArray
 
 Point = tuple[float, float]
@@ -13,10 +13,10 @@ Outline = tuple[tuple[Point, ...], ...]
 
 FLAT = 1e-12  # of the body's size squared: triangles smaller than this in projection are seen edge-on
 STRAIGHT = 1e-9  # of the body's size: corners flatter than this are no corners
-FEW = 1500  # edges of the contour that are made to cross one another however they lie
-MANY = 20_000  # edges that are so where they seldom meet:
+FEW_EDGES = 1500  # edges of the contour that are made to cross one another however they lie
+MANY_EDGES = 20_000  # edges that are so where they seldom meet:
 MEETINGS = 4  # of one edge with others; its neighbours are two
-AT_ONCE = 1000  # triangles united at least, before others are looked up in their union
+BATCH = 1000  # triangles united at least, before others are looked up in their union
 SQUARES = 64  # of the coarse grid, along the body
 PER_CELL = 4  # triangles in a cell of the grid that finds the rim
 
@@ -40,8 +40,8 @@ def outline(points: FloatArray, triangles: IntArray) -> Outline:
     placed = points - middle
     facing = _facing(placed, triangles, smallest=FLAT * size**2)
     edges = placed[_contour(facing, len(points))]
-    whole = _enclosed(edges) if _seldom_cross(edges) else _united(placed[facing], size=size)
-    rings = [_ring(part, straight=STRAIGHT * size) + middle for part in shapely.get_parts(whole)]
+    whole = _enclose(edges) if _seldom_cross(edges) else _unite_triangles(placed[facing], size=size)
+    rings = [_exterior_ring(part, straight=STRAIGHT * size) + middle for part in shapely.get_parts(whole)]
     return tuple(sorted(tuple((float(x), float(z)) for x, z in ring) for ring in rings))
 
 
@@ -71,7 +71,7 @@ def _contour(facing: IntArray, count: int) -> IntArray:
     key *= 2
     key += start < end
     key.sort()
-    key = key[changes(key)]
+    key = key[marks_changes(key)]
     both = np.flatnonzero(key[1:] - key[:-1] == 1)
     both = both[key[both] % 2 == 0]  # one edge, either way
     alone = np.ones(len(key), dtype=np.bool_)
@@ -81,20 +81,20 @@ def _contour(facing: IntArray, count: int) -> IntArray:
 
 def _seldom_cross(edges: FloatArray) -> bool:
     """Whether the edges [k, 2, 2] are few, or not many and lie apart but for neighbours, by their boxes."""
-    if not FEW < len(edges) <= MANY:
-        return len(edges) <= FEW
+    if not FEW_EDGES < len(edges) <= MANY_EDGES:
+        return len(edges) <= FEW_EDGES
     lines = np.asarray(shapely.linestrings(edges), dtype=np.object_)
     return len(shapely.STRtree(lines).query(lines)[0]) <= (MEETINGS + 1) * len(edges)
 
 
-def _enclosed(edges: FloatArray) -> shapely.Geometry:
+def _enclose(edges: FloatArray) -> shapely.Geometry:
     """What edges [k, 2, 2] enclose, without holes. Quick unless thousands of edges cross one another."""
     crossing = shapely.union_all(shapely.linestrings(edges))
     faces = shapely.get_parts(shapely.polygonize([crossing]))
-    return _without_holes(shapely.coverage_union_all(faces))
+    return _fill_holes(shapely.coverage_union_all(faces))
 
 
-def _united(corners: FloatArray, *, size: float) -> shapely.Geometry:
+def _unite_triangles(corners: FloatArray, *, size: float) -> shapely.Geometry:
     """The union of triangles [k, 3, 2], without holes.
 
     A scan has hundreds of thousands of triangles, nearly all of them far from the border, and its rough skin seen
@@ -103,9 +103,9 @@ def _united(corners: FloatArray, *, size: float) -> shapely.Geometry:
     union or was found covered by one.
     """
     rim = _rim(corners.mean(axis=1), size=size)
-    body = _grown(shapely.MultiPolygon(), corners[rim])
+    body = _extend(shapely.MultiPolygon(), corners[rim])
     others = corners[~rim]
-    return _grown(body, others[~_well_inside(body, others, size=size)])
+    return _extend(body, others[~_covered_by_grid(body, others, size=size)])
 
 
 def _rim(centres: FloatArray, *, size: float) -> BoolArray:
@@ -114,16 +114,16 @@ def _rim(centres: FloatArray, *, size: float) -> BoolArray:
     column, row = (centres * (cells / size) + cells / 2.0).astype(np.int64).T + 2
     occupied = np.zeros((cells + 5, cells + 5), dtype=np.bool_)
     occupied[column, row] = True
-    return np.asarray(_spread(~occupied)[column, row], dtype=np.bool_)
+    return np.asarray(_dilate(~occupied)[column, row], dtype=np.bool_)
 
 
-def _spread(cells: BoolArray) -> BoolArray:
+def _dilate(cells: BoolArray) -> BoolArray:
     """The cells and their eight neighbours."""
     wide = cells | np.roll(cells, 1, axis=0) | np.roll(cells, -1, axis=0)
     return np.asarray(wide | np.roll(wide, 1, axis=1) | np.roll(wide, -1, axis=1), dtype=np.bool_)
 
 
-def _well_inside(body: shapely.Geometry, corners: FloatArray, *, size: float) -> BoolArray:
+def _covered_by_grid(body: shapely.Geometry, corners: FloatArray, *, size: float) -> BoolArray:
     """Which of the triangles [k, 3, 2] lie in squares of a coarse grid that the body covers: a quick look [k]."""
     edges = np.linspace(-0.5, 0.5, SQUARES + 1) * size
     low, high = np.meshgrid(edges[:-1], edges[:-1], indexing="ij"), np.meshgrid(edges[1:], edges[1:], indexing="ij")
@@ -139,7 +139,7 @@ def _well_inside(body: shapely.Geometry, corners: FloatArray, *, size: float) ->
     return np.asarray(all_four & (k - i <= 1) & (m - j <= 1), dtype=np.bool_)
 
 
-def _grown(body: shapely.Geometry, corners: FloatArray) -> shapely.Geometry:
+def _extend(body: shapely.Geometry, corners: FloatArray) -> shapely.Geometry:
     """The union of a body and triangles [k, 3, 2], without its holes.
 
     The larger triangles first, because they cover many of the smaller.
@@ -151,16 +151,16 @@ def _grown(body: shapely.Geometry, corners: FloatArray) -> shapely.Geometry:
         left = left[~shapely.covers(body, left)]
         if not len(left):
             return body
-        many = max(AT_ONCE, len(left) // 3)
-        body, left = _without_holes(shapely.union_all([body, *left[:many]])), left[many:]
+        many = max(BATCH, len(left) // 3)
+        body, left = _fill_holes(shapely.union_all([body, *left[:many]])), left[many:]
 
 
-def _without_holes(polygons: shapely.Geometry) -> shapely.Geometry:
+def _fill_holes(polygons: shapely.Geometry) -> shapely.Geometry:
     """One or several polygons as one geometry, their holes filled."""
     return shapely.union_all(shapely.polygons(shapely.get_exterior_ring(shapely.get_parts(polygons))))
 
 
-def _ring(polygon: shapely.Geometry, *, straight: float) -> FloatArray:
+def _exterior_ring(polygon: shapely.Geometry, *, straight: float) -> FloatArray:
     """The outer ring [k, 2], anticlockwise from its leftmost (then lowest) point, no points on straight lines."""
     ring = shapely.get_coordinates(shapely.get_exterior_ring(shapely.orient_polygons(polygon)))[:-1]
     start = np.lexsort((ring[:, 1], ring[:, 0]))[0]  # an extreme point: a true corner, which may stay

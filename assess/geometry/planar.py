@@ -45,7 +45,7 @@ class PlanarBody:
     base: Base | None
 
 
-def planar(solid: Solid, *, direction: Sequence[float]) -> PlanarBody:
+def planar_body(solid: Solid, *, direction: Sequence[float]) -> PlanarBody:
     """The solid seen in the vertical plane of `direction` [3], a horizontal vector of any length.
 
     Raises
@@ -55,10 +55,10 @@ def planar(solid: Solid, *, direction: Sequence[float]) -> PlanarBody:
     along = _horizontal(direction)
     points = np.column_stack([solid.vertices @ along, solid.vertices[:, 2]])
     rings = outline(points, solid.triangles[:, ::-1])  # x to z turns away from a viewer who looks across `along`
-    return replace(planar_unseen(solid, direction=direction), outline=rings)
+    return replace(planar_body_without_outline(solid, direction=direction), outline=rings)
 
 
-def planar_unseen(solid: Solid, *, direction: Sequence[float]) -> PlanarBody:
+def planar_body_without_outline(solid: Solid, *, direction: Sequence[float]) -> PlanarBody:
     """The same without an outline, which takes most of the time.
 
     Raises
@@ -78,7 +78,7 @@ def planar_unseen(solid: Solid, *, direction: Sequence[float]) -> PlanarBody:
     )
 
 
-def planar_direct(*, mass: float, centroid: Point, inertia: float, name: str) -> PlanarBody:
+def planar_body_from_values(*, mass: float, centroid: Point, inertia: float, name: str) -> PlanarBody:
     """A body given by its values alone: mass [kg], centroid x, z [m], inertia about the centroid [kg m2]; no geometry.
 
     Raises
@@ -94,7 +94,7 @@ def planar_direct(*, mass: float, centroid: Point, inertia: float, name: str) ->
     return PlanarBody(name, float(mass), (float(centroid[0]), float(centroid[1])), float(inertia), (), None)
 
 
-def planar_joined(bodies: Sequence[PlanarBody], *, name: str) -> PlanarBody:
+def join_planar(bodies: Sequence[PlanarBody], *, name: str) -> PlanarBody:
     """Several planar bodies that move as one block, with or without geometry: the parallel-axis theorem in the plane.
 
     The base is that of the lowest body; bodies that stand equally low share one.
@@ -116,7 +116,7 @@ def planar_joined(bodies: Sequence[PlanarBody], *, name: str) -> PlanarBody:
     return PlanarBody(name, float(m.sum()), (float(centre[0]), float(centre[1])), J, rings, _lowest(bases, size))
 
 
-def top(body: PlanarBody) -> Base | None:
+def top_edge(body: PlanarBody) -> Base | None:
     """(x, z) of the extreme two of the highest points of the outline, in the order of x; None without geometry."""
     points = [(x, -z) for ring in body.outline for x, z in ring]
     if not points:

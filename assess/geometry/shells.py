@@ -9,30 +9,30 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from assess.geometry.boolean import united
-from assess.geometry.seams import OVERLAP, beside_seams
+from assess.geometry.boolean import unite
+from assess.geometry.intersection_segments import OVERLAP, points_beside_intersections
 from assess.geometry.solid import THINNEST
 from assess.geometry.surface import (
     Edges,
     Surface,
     area_vectors,
-    edges_of,
-    linked,
-    linked_across,
-    merged,
-    moved_by,
+    connected_groups,
+    connected_groups_across,
+    find_edges,
+    merge_vertices,
     neighbours,
-    place,
+    point_text,
     volume,
+    volume_change_text,
 )
-from assess.geometry.winding import layers
-from assess.messages.plural import counted
+from assess.geometry.winding_number import winding_numbers
+from assess.messages.plural import count_noun
 from spectra.arrays import FloatArray, IntArray
 
-ASKED = 64  # triangles of a shell beside which the others are looked up
+SAMPLES = 64  # triangles of a shell beside which the others are looked up
 
 
-def counted_once(
+def unify_shells(
     surface: Surface, across: NDArray[np.int32] | None = None, *, where: str
 ) -> tuple[Surface, tuple[str, ...]]:
     """The closed surface with its material counted once, and what was done to it; a good one comes back as it is.
@@ -55,37 +55,37 @@ def counted_once(
             (surface[0], surface[1][:, ::-1]),
             ("its triangles faced inwards and were turned (volume +0 %)",),
         )
-    shells = separated(surface, across)
+    shells = separate_shells(surface, across)
     if len(shells) == 1:
         return surface, told
-    for step in (_without_flat, _turned, _overlaps_united):
+    for step in (_drop_flat, _reverse_inverted, _unite_overlapping):
         shells, more = step(shells, where=where)
         told = (*told, *more)
-    return (_together(shells) if told else surface), told
+    return (_join_shells(shells) if told else surface), told
 
 
-def separated(surface: Surface, across: NDArray[np.int32] | None = None) -> list[Surface]:
+def separate_shells(surface: Surface, across: NDArray[np.int32] | None = None) -> list[Surface]:
     """The closed shells of a closed surface; across : its `neighbours_across`, where they are known.
 
     Triangles that alone share an edge share a shell. At an edge of more triangles those shells stay together that are
     not closed there by themselves: boxes that touch along an edge are two.
     """
     vertices, triangles = surface
-    group = linked_across(across) if across is not None else _linked_at_edges(triangles)
+    group = connected_groups_across(across) if across is not None else _group_by_edges(triangles)
     if group.max() == 0:
         return [surface]
     ends = np.cumsum(np.bincount(group))[:-1]
     return [(vertices, part) for part in np.split(triangles[np.argsort(group, kind="stable")], ends)]
 
 
-def _linked_at_edges(triangles: IntArray) -> IntArray:
+def _group_by_edges(triangles: IntArray) -> IntArray:
     """The shell [m] of each triangle of any closed surface."""
-    edges = edges_of(triangles)
-    group = linked(neighbours(edges)[0], count=len(triangles))
-    return group if edges.plain else _rejoined(group, edges)
+    edges = find_edges(triangles)
+    group = connected_groups(neighbours(edges)[0], count=len(triangles))
+    return group if edges.plain else _rejoin(group, edges)
 
 
-def _rejoined(group: IntArray, edges: Edges) -> IntArray:
+def _rejoin(group: IntArray, edges: Edges) -> IntArray:
     """The groups of triangles, linked in pairs at edges of more than two where by themselves they are not closed.
 
     Groups are paired in their order in the file, where parts stand one after another.
@@ -97,15 +97,15 @@ def _rejoined(group: IntArray, edges: Edges) -> IntArray:
     pairs, index = np.unique(np.column_stack([at, group[edge // 3]]), axis=0, return_inverse=True)
     excess = np.bincount(index.ravel(), weights=way, minlength=len(pairs)).astype(np.int64)
     ups, downs = (np.repeat(pairs[:, 1], (sign * excess).clip(0)) for sign in (1, -1))
-    return linked(np.column_stack([ups, downs]), count=int(group.max()) + 1)[group]
+    return connected_groups(np.column_stack([ups, downs]), count=int(group.max()) + 1)[group]
 
 
-def _without_flat(shells: list[Surface], *, where: str) -> tuple[list[Surface], tuple[str, ...]]:
+def _drop_flat(shells: list[Surface], *, where: str) -> tuple[list[Surface], tuple[str, ...]]:
     """The shells that enclose something; all where none does."""
     good = [shell for shell in shells if not _flat(shell)]
     if len(good) in (0, len(shells)):
         return shells, ()
-    return good, (f"{counted(len(shells) - len(good), 'closed shell')} without volume left out (volume +0 %)",)
+    return good, (f"{count_noun(len(shells) - len(good), 'closed shell')} without volume left out (volume +0 %)",)
 
 
 def _flat(shell: Surface) -> bool:
@@ -113,62 +113,62 @@ def _flat(shell: Surface) -> bool:
     return abs(volume(*shell)) <= THINNEST * float(np.ptp(corners, axis=(0, 1)).max()) ** 3
 
 
-def _turned(shells: list[Surface], *, where: str) -> tuple[list[Surface], tuple[str, ...]]:
+def _reverse_inverted(shells: list[Surface], *, where: str) -> tuple[list[Surface], tuple[str, ...]]:
     """The shells, with those that face inwards turned where they lie in no material."""
     solid = [shell for shell in shells if volume(*shell) > 0.0]
     parts, boxes = _parts(solid)
-    alone = [k for k, shell in enumerate(shells) if volume(*shell) < 0.0 and not _within(shell, parts, boxes)]
+    alone = [k for k, shell in enumerate(shells) if volume(*shell) < 0.0 and not _lies_in_material(shell, parts, boxes)]
     if not alone:
         return shells, ()
-    centre = place(shells[alone[0]][0][shells[alone[0]][1]].mean(axis=(0, 1)))
+    centre = point_text(shells[alone[0]][0][shells[alone[0]][1]].mean(axis=(0, 1)))
     after = sum(abs(volume(*shell)) if k in alone else volume(*shell) for k, shell in enumerate(shells))
-    moved = moved_by(sum(volume(*shell) for shell in shells), after)
-    told = f"{counted(len(alone), 'closed shell')} inside out turned (the first around {centre} m; {moved})"
+    moved = volume_change_text(sum(volume(*shell) for shell in shells), after)
+    told = f"{count_noun(len(alone), 'closed shell')} inside out turned (the first around {centre} m; {moved})"
     return [(v, t[:, ::-1]) if k in alone else (v, t) for k, (v, t) in enumerate(shells)], (told,)
 
 
-def _within(shell: Surface, parts: list[FloatArray], boxes: FloatArray) -> bool:
+def _lies_in_material(shell: Surface, parts: list[FloatArray], boxes: FloatArray) -> bool:
     """Whether most of what an inward shell encloses at its faces lies inside others."""
     vertices, triangles = shell
-    corners = vertices[triangles[:: max(1, len(triangles) // ASKED)]]
+    corners = vertices[triangles[:: max(1, len(triangles) // SAMPLES)]]
     normals = area_vectors(corners)
     depth = OVERLAP * float(np.ptp(vertices[triangles], axis=(0, 1)).max())
     inside = corners.mean(axis=1) + depth * normals / np.linalg.norm(normals, axis=1, keepdims=True).clip(1e-300)
-    return bool(np.mean(layers(inside, parts, boxes) > 0) > 0.5)
+    return bool(np.mean(winding_numbers(inside, parts, boxes) > 0) > 0.5)
 
 
-def _overlaps_united(shells: list[Surface], *, where: str) -> tuple[list[Surface], tuple[str, ...]]:
+def _unite_overlapping(shells: list[Surface], *, where: str) -> tuple[list[Surface], tuple[str, ...]]:
     """The shells, united where the material of some would count twice."""
-    at = _counted_wrongly(shells)
+    at = _find_overlap(shells)
     if at is None:
         return shells, ()
-    whole = united(shells, where=where)
+    whole = unite(shells, where=where)
     before = sum(volume(*shell) for shell in shells)
     told = (
-        f"its {len(shells)} closed shells, some of which overlap (near {place(at)} m), united, so that what they share "
-        f"counts once; a cavity would face inwards ({moved_by(before, volume(*whole))})"
+        f"its {len(shells)} closed shells, some of which overlap (near {point_text(at)} m), united, so that what "
+        f"they share counts once; a cavity would face inwards ({volume_change_text(before, volume(*whole))})"
     )
     return [whole], (told,)
 
 
-def _counted_wrongly(shells: list[Surface]) -> FloatArray | None:
+def _find_overlap(shells: list[Surface]) -> FloatArray | None:
     """A point [3] that the shells together enclose twice, or less than never; None where there is none.
 
     Shells that enter one another by less than `OVERLAP` of the body's size touch.
     """
     parts, boxes = _parts(shells)
     size = float(np.ptp(boxes, axis=(0, 1)).max())
-    behind = np.array([_behind(part, depth=OVERLAP * size) for part in parts])
-    hidden = layers(behind, parts, boxes) != 1
+    behind = np.array([_point_behind(part, depth=OVERLAP * size) for part in parts])
+    hidden = winding_numbers(behind, parts, boxes) != 1
     if hidden.any():
         return np.asarray(behind[hidden][0], dtype=np.float64)
-    beside = beside_seams(parts, boxes, size=size)
-    found = layers(beside, parts, boxes)
+    beside = points_beside_intersections(parts, boxes, size=size)
+    found = winding_numbers(beside, parts, boxes)
     wrong = (found < 0) | (found > 1)
     return np.asarray(beside[wrong][0], dtype=np.float64) if wrong.any() else None
 
 
-def _behind(part: FloatArray, *, depth: float) -> FloatArray:
+def _point_behind(part: FloatArray, *, depth: float) -> FloatArray:
     """The point [3] at a depth [m] behind the middle of the largest triangle of a shell [m, 3, 3]."""
     normals = area_vectors(part)
     area = np.linalg.norm(normals, axis=1)
@@ -183,6 +183,6 @@ def _parts(shells: list[Surface]) -> tuple[list[FloatArray], FloatArray]:
     return parts, np.array(boxes).reshape(-1, 2, 3)
 
 
-def _together(shells: list[Surface]) -> Surface:
+def _join_shells(shells: list[Surface]) -> Surface:
     """The shells as one surface; all have the same vertices."""
-    return merged(shells[0][0], np.concatenate([triangles for _, triangles in shells]))
+    return merge_vertices(shells[0][0], np.concatenate([triangles for _, triangles in shells]))

@@ -11,7 +11,7 @@ COARSER = 1.15  # each grid that still leaves too many triangles is followed by 
 SHARP = 0.05  # of a cell's largest curvature: flatter directions do not move its vertex
 
 
-def simplified(vertices: FloatArray, triangles: IntArray, *, limit: int) -> tuple[FloatArray, IntArray]:
+def simplify(vertices: FloatArray, triangles: IntArray, *, limit: int) -> tuple[FloatArray, IntArray]:
     """The surface itself where it has no more than `limit` triangles, else one that has not.
 
     Each cell's vertex lies where the squared distance to the planes of its triangles is least, so that faces stay
@@ -26,24 +26,24 @@ def simplified(vertices: FloatArray, triangles: IntArray, *, limit: int) -> tupl
     cell = size * np.sqrt(2.0 / limit)  # about as many cells on a cube's face as there may be triangles
     points, faces = vertices, triangles
     while len(faces) > limit:
-        points, faces = _clustered(vertices, triangles, cell=cell)
+        points, faces = _cluster_vertices(vertices, triangles, cell=cell)
         cell *= COARSER
     return points, faces
 
 
-def _clustered(vertices: FloatArray, triangles: IntArray, *, cell: float) -> tuple[FloatArray, IntArray]:
+def _cluster_vertices(vertices: FloatArray, triangles: IntArray, *, cell: float) -> tuple[FloatArray, IntArray]:
     """The surface with one vertex for each occupied cell of a grid of a width [m]."""
     column = np.floor((vertices - vertices.min(axis=0)) / cell).astype(np.int64)
     across = column.max(axis=0) + 1
     _, group = np.unique((column[:, 0] * across[1] + column[:, 1]) * across[2] + column[:, 2], return_inverse=True)
     corners = group[triangles]
     a, b, c = corners.T
-    faces = _single(corners[(a != b) & (b != c) & (c != a)])
+    faces = _drop_duplicates(corners[(a != b) & (b != c) & (c != a)])
     used, index = np.unique(faces, return_inverse=True)
-    return _places(vertices, triangles, group, cell=cell)[used], index.reshape(-1, 3)
+    return _cluster_points(vertices, triangles, group, cell=cell)[used], index.reshape(-1, 3)
 
 
-def _single(faces: IntArray) -> IntArray:
+def _drop_duplicates(faces: IntArray) -> IntArray:
     """The triangles [m, 3] once each, without those that lie back to back, as where a thin part has closed."""
     first = np.argmin(faces, axis=1)[:, None] if len(faces) else np.empty((0, 1), dtype=np.int64)
     turned = np.take_along_axis(faces, (first + np.arange(3)) % 3, axis=1)  # the least corner first
@@ -54,7 +54,7 @@ def _single(faces: IntArray) -> IntArray:
     return np.asarray(either[sense != 0.0], dtype=np.int64)
 
 
-def _places(vertices: FloatArray, triangles: IntArray, group: IntArray, *, cell: float) -> FloatArray:
+def _cluster_points(vertices: FloatArray, triangles: IntArray, group: IntArray, *, cell: float) -> FloatArray:
     """Where each group's vertex lies [k, 3]: nearest the planes of its triangles, within a cell of its mean."""
     count = np.bincount(group)
     mean = np.column_stack([np.bincount(group, weights=x) for x in vertices.T]) / count[:, None]

@@ -12,7 +12,7 @@ products are the positive integrals).
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations_with_replacement
 
@@ -21,7 +21,7 @@ import shapely
 from numpy.typing import ArrayLike
 
 from assess.errors import GeometryError
-from assess.geometry.crossing import crossing, without_repeats
+from assess.geometry.simple_polygon import find_crossing, remove_repeats
 from assess.geometry.surface import tetrahedra
 from spectra.arrays import FloatArray, IntArray
 
@@ -52,6 +52,10 @@ class Solid:
     trail: tuple[str, ...] = ()
 
 
+Solids = Mapping[str, Solid | None]
+"""Bodies by name; None of those without geometry."""
+
+
 def box(*, thickness: float, length: float, height: float, base: Sequence[float], density: float, name: str) -> Solid:
     """A rectangular box: thickness along x, length along y, height along z [m]; density [kg/m3].
 
@@ -63,14 +67,14 @@ def box(*, thickness: float, length: float, height: float, base: Sequence[float]
     """
     sizes = {"thickness": thickness, "length": length, "height": height}
     for quantity, value in sizes.items():
-        _positive(value, quantity=quantity, unit="m", name=name)
-    _positive(density, quantity="density", unit="kg/m3", name=name)
-    foot = _finite(base, shape=(3,), quantity="base", wanted="three finite numbers x, y, z", name=name)
+        _check_positive(value, quantity=quantity, unit="m", name=name)
+    _check_positive(density, quantity="density", unit="kg/m3", name=name)
+    foot = _check_finite(base, shape=(3,), quantity="base", wanted="three finite numbers x, y, z", name=name)
     mass = density * thickness * length * height
     x2, y2, z2 = (mass * size**2 / 12.0 for size in sizes.values())
     half = thickness / 2.0
     footprint = np.array([[-half, 0.0], [half, 0.0], [half, height], [-half, height]])
-    vertices, triangles = _extruded(footprint, np.array([[0, 1, 2], [0, 2, 3]]), length=length)
+    vertices, triangles = _extrude(footprint, np.array([[0, 1, 2], [0, 2, 3]]), length=length)
     return _solid(
         name,
         mass,
@@ -95,15 +99,15 @@ def profile(points: ArrayLike, *, length: float, density: float, name: str) -> S
     GeometryError : the polygon crosses or touches itself, has no area, fewer than three corners, or a number is
         not finite; length or density is not positive
     """
-    _positive(length, quantity="length", unit="m", name=name)
-    _positive(density, quantity="density", unit="kg/m3", name=name)
-    corners = _corners(points, name=name)
+    _check_positive(length, quantity="length", unit="m", name=name)
+    _check_positive(density, quantity="density", unit="kg/m3", name=name)
+    corners = _check_corners(points, name=name)
     area, centre, (xx, zz, xz) = _polygon_moments(corners)
     mass = density * length * area
     yy = mass * length**2 / 12.0
     xx, zz, xz = (density * length * moment for moment in (xx, zz, xz))
     inertia = np.array([[yy + zz, 0.0, -xz], [0.0, xx + zz, 0.0], [-xz, 0.0, xx + yy]])
-    vertices, triangles = _extruded(corners, _triangulated(corners), length=length)
+    vertices, triangles = _extrude(corners, _triangulate(corners), length=length)
     return _solid(name, mass, np.array([centre[0], 0.0, centre[1]]), inertia, vertices, triangles)
 
 
@@ -125,11 +129,11 @@ def polyhedron(vertices: ArrayLike, triangles: ArrayLike, *, density: float, nam
     ------
     GeometryError : no volume, a negative one (the triangles face inwards), or density is not positive
     """
-    _positive(density, quantity="density", unit="kg/m3", name=name)
+    _check_positive(density, quantity="density", unit="kg/m3", name=name)
     at, faces = np.asarray(vertices, dtype=np.float64), np.asarray(triangles, dtype=np.int64)
     low, high = at.min(axis=0), at.max(axis=0)
     middle = (low + high) / 2.0
-    volume, first, second = _moments(at, faces, origin=middle)
+    volume, first, second = _volume_moments(at, faces, origin=middle)
     size = float(np.linalg.norm(high - low))
     rounding = THINNEST * size**3 + 4.0 * np.finfo(np.float64).eps * float(np.abs(at).max()) * size**2
     _refuse_volume(volume, rounding=rounding, name=name)
@@ -139,7 +143,7 @@ def polyhedron(vertices: ArrayLike, triangles: ArrayLike, *, density: float, nam
     return _solid(name, density * volume, middle + centre, inertia, at, faces)
 
 
-def joined(solids: Sequence[Solid], *, name: str) -> Solid:
+def join(solids: Sequence[Solid], *, name: str) -> Solid:
     """Several bodies that move as one block: masses add, inertias by the parallel-axis theorem.
 
     Bodies that overlap are counted twice where they do.
@@ -176,7 +180,7 @@ def _solid(
     return Solid(name, float(mass), copies[0], copies[1], copies[2], faces)
 
 
-def _extruded(corners: FloatArray, faces: IntArray, *, length: float) -> tuple[FloatArray, IntArray]:
+def _extrude(corners: FloatArray, faces: IntArray, *, length: float) -> tuple[FloatArray, IntArray]:
     """Vertices [2 n, 3], outward triangles: an anticlockwise x-z polygon [n, 2] extruded over y = -+ length / 2."""
     n = len(corners)
     near = np.column_stack([corners[:, 0], np.full(n, -length / 2.0), corners[:, 1]])
@@ -189,11 +193,11 @@ def _extruded(corners: FloatArray, faces: IntArray, *, length: float) -> tuple[F
     return np.concatenate([near, far]), triangles.astype(np.int64)
 
 
-def _corners(points: ArrayLike, *, name: str) -> FloatArray:
+def _check_corners(points: ArrayLike, *, name: str) -> FloatArray:
     """The polygon's corners, anticlockwise, without repeated points [n, 2] [m]."""
     wanted = "corners [x, z] of finite numbers"
-    given = _finite(points, shape=(-1, 2), quantity="profile", wanted=wanted, name=name)
-    corners = without_repeats(given)
+    given = _check_finite(points, shape=(-1, 2), quantity="profile", wanted=wanted, name=name)
+    corners = remove_repeats(given)
     if len(corners) < 3:
         found = f"{len(corners)} distinct corners" if len(corners) else "no corners"
         raise GeometryError(f'body "{name}": the profile has {found}; give three or more')
@@ -203,7 +207,7 @@ def _corners(points: ArrayLike, *, name: str) -> FloatArray:
             f'body "{name}": the profile has no area, its {len(corners)} corners lie on a line; '
             "give corners that enclose one"
         )
-    meet = crossing(corners)
+    meet = find_crossing(corners)
     if meet is not None:
         raise GeometryError(
             f'body "{name}": the profile crosses or touches itself at x = {meet[0]:.4g} m, z = {meet[1]:.4g} m; '
@@ -229,7 +233,7 @@ def _polygon_moments(corners: FloatArray) -> tuple[float, FloatArray, tuple[floa
     return area, middle + np.array([cx, cz]), (xx, zz, xz)
 
 
-def _triangulated(corners: FloatArray) -> IntArray:
+def _triangulate(corners: FloatArray) -> IntArray:
     """Anticlockwise triangles [n - 2, 3] of a simple polygon [n, 2], by constrained Delaunay triangulation."""
     pieces = shapely.get_parts(shapely.constrained_delaunay_triangles(shapely.Polygon(corners)))
     index = {(x, z): i for i, (x, z) in enumerate(corners.tolist())}
@@ -237,7 +241,7 @@ def _triangulated(corners: FloatArray) -> IntArray:
     return np.array([[index[x, z] for x, z in ring] for ring in rings], dtype=np.int64)
 
 
-def _moments(points: FloatArray, faces: IntArray, *, origin: FloatArray) -> tuple[float, FloatArray, FloatArray]:
+def _volume_moments(points: FloatArray, faces: IntArray, *, origin: FloatArray) -> tuple[float, FloatArray, FloatArray]:
     """Volume [m3], first moment [3] [m4], second moment [3, 3] [m5] inside a surface, about a point [3]."""
     volume, first, second = 0.0, np.zeros(3), np.zeros((3, 3))
     for corners, D in tetrahedra(points, faces, origin):
@@ -261,13 +265,13 @@ def _refuse_volume(volume: float, *, rounding: float, name: str) -> None:
         )
 
 
-def _positive(value: float, *, quantity: str, unit: str, name: str) -> None:
+def _check_positive(value: float, *, quantity: str, unit: str, name: str) -> None:
     """Raise unless the value is a positive finite number."""
     if not (np.isfinite(value) and value > 0.0):
         raise GeometryError(f'body "{name}": {quantity} is {value:g} {unit}; give a positive finite number')
 
 
-def _finite(values: ArrayLike, *, shape: tuple[int, ...], quantity: str, wanted: str, name: str) -> FloatArray:
+def _check_finite(values: ArrayLike, *, shape: tuple[int, ...], quantity: str, wanted: str, name: str) -> FloatArray:
     """The values as floats of `shape` (-1: any number), or raise."""
     try:
         array = np.asarray(values, dtype=np.float64)

@@ -15,9 +15,9 @@ from scipy.sparse.csgraph import connected_components
 
 from spectra.arrays import BoolArray, FloatArray, IntArray
 
-MIX = (1.6180339887, 2.7182818284)  # weights that keep different points apart
-SPREAD = np.uint64(0x9E3779B97F4A7C15)  # 2^64 / golden ratio: times it, a number's lower bits reach its upper ones
-AT_ONCE = 1 << 13  # triangles: what is computed of them then stays in the processor's cache
+HASH_WEIGHTS = (1.6180339887, 2.7182818284)  # weights that keep different points apart
+HASH_FACTOR = np.uint64(0x9E3779B97F4A7C15)  # 2^64 / golden ratio: times it, a number's lower bits reach its upper ones
+BATCH = 1 << 13  # triangles: what is computed of them then stays in the processor's cache
 Surface = tuple[FloatArray, IntArray]  # vertices [n, 3] [m], triangles as indices into them [m, 3]
 
 
@@ -49,7 +49,7 @@ class Edges:
         return self.closed and not (self.count != 2).any()
 
 
-def merged(vertices: FloatArray, triangles: IntArray) -> Surface:
+def merge_vertices(vertices: FloatArray, triangles: IntArray) -> Surface:
     """The same surface with each position once, no unused vertices, no triangle that uses one position twice.
 
     Positions are one when their coordinates are equal; nothing is moved. They are numbered by z, then y, then x.
@@ -64,49 +64,49 @@ def merged(vertices: FloatArray, triangles: IntArray) -> Surface:
     if not used.all():
         vertices, triangles = vertices[used], (np.cumsum(used) - 1)[triangles]
     columns = [np.ascontiguousarray(vertices[:, axis]) for axis in range(3)]
-    first, group = _alike(columns)
+    first, group = _group_equal(columns)
     kept = [values[first] + 0.0 for values in columns]  # -0.0 becomes 0.0
-    by_place = _by_place(kept)
+    by_place = _order_points(kept)
     rank = np.empty(len(first), dtype=np.int64)
     rank[by_place] = np.arange(len(first))
-    return np.stack([values[by_place] for values in kept]).T, without_lines(rank[group[triangles]])
+    return np.stack([values[by_place] for values in kept]).T, drop_degenerate(rank[group[triangles]])
 
 
-def _alike(columns: list[FloatArray]) -> tuple[IntArray, IntArray]:
+def _group_equal(columns: list[FloatArray]) -> tuple[IntArray, IntArray]:
     """The first of each set of equal points x, y, z [n]: its number [k], and for every point which of these it is [n].
 
     Points are brought together by one number mixed from the three. Those that share it with another point and differ
     from it are brought together again among themselves.
     """
-    first, group = _by_mixture(columns)
+    first, group = _group_by_hash(columns)
     kept = [values[first] for values in columns]
     (x, y, z), (u, v, w) = columns, (values[group] for values in kept)
     other = np.flatnonzero((x != u) | (y != v) | (z != w))
     if not len(other):
         return first, group
-    second, again = _alike([values[other] for values in columns])
+    second, again = _group_equal([values[other] for values in columns])
     group[other] = len(first) + again
     return np.concatenate([first, other[second]]), group
 
 
-def _by_mixture(columns: list[FloatArray]) -> tuple[IntArray, IntArray]:
-    """As `_alike`, of points with equal mixtures: their number is packed into its lower bits, and all are sorted."""
+def _group_by_hash(columns: list[FloatArray]) -> tuple[IntArray, IntArray]:
+    """Group points of equal hash as `_group_equal` does: numbers are packed into its lower bits, and all are sorted."""
     x, y, z = columns
     bits = np.uint64(len(x).bit_length())
     lower = (np.uint64(1) << bits) - np.uint64(1)
-    key = (y * MIX[0] + x + z * MIX[1] + 0.0).view(np.uint64)
-    key *= SPREAD
+    key = (y * HASH_WEIGHTS[0] + x + z * HASH_WEIGHTS[1] + 0.0).view(np.uint64)
+    key *= HASH_FACTOR
     key &= ~lower
     key |= np.arange(len(x), dtype=np.uint64)
     key.sort()
     order = (key & lower).astype(np.int64)
-    new = changes(key >> bits)
+    new = marks_changes(key >> bits)
     group = np.empty(len(order), dtype=np.int64)
     group[order] = np.cumsum(new) - 1
     return order[new], group
 
 
-def _by_place(columns: list[FloatArray]) -> IntArray:
+def _order_points(columns: list[FloatArray]) -> IntArray:
     """The order [n] of different points x, y, z [n] by z, then y, then x: what lexsort gives, which sorts slower."""
     x, y, z = columns
     upper = _ranks(_ranks(z) * len(z) + _ranks(y))
@@ -117,25 +117,25 @@ def _ranks(values: NDArray[np.float64] | IntArray) -> IntArray:
     """The place [n] of each value among the different values, from 0."""
     order = np.argsort(values)
     rank = np.empty(len(order), dtype=np.int64)
-    rank[order] = np.cumsum(changes(values[order])) - 1
+    rank[order] = np.cumsum(marks_changes(values[order])) - 1
     return rank
 
 
-def changes(values: NDArray[np.generic]) -> BoolArray:
+def marks_changes(values: NDArray[np.generic]) -> BoolArray:
     """Which values [n] differ from the one before; the first does."""
     new = np.ones(len(values), dtype=np.bool_)
     np.not_equal(values[1:], values[:-1], out=new[1:])
     return new
 
 
-def without_lines(triangles: IntArray) -> IntArray:
+def drop_degenerate(triangles: IntArray) -> IntArray:
     """The triangles that use three different vertices."""
     a, b, c = triangles.T
     real = (a != b) & (b != c) & (c != a)
     return triangles if real.all() else np.asarray(triangles[real], dtype=np.int64)
 
 
-def neighbours_across(triangles: IntArray) -> NDArray[np.int32] | None:
+def adjacent_triangles(triangles: IntArray) -> NDArray[np.int32] | None:
     """The triangle across each edge [m, 3] where all edges belong to two triangles that run along them oppositely.
 
     None of any other surface. Edges are sorted by a number that packs lower vertex, higher vertex, sense and edge.
@@ -147,7 +147,7 @@ def neighbours_across(triangles: IntArray) -> NDArray[np.int32] | None:
     key += np.maximum(start, end)
     key *= 2
     key += start < end
-    edge, order = _sorted(key, bits=2 * count.bit_length() + 1)
+    edge, order = _sort_packed(key, bits=2 * count.bit_length() + 1)
     down, up = edge[:-1:2], edge[1::2]
     if len(key) % 2 or (down & 1).any() or (up - down != 1).any() or (down[1:] == down[:-1]).any():
         return None
@@ -157,7 +157,7 @@ def neighbours_across(triangles: IntArray) -> NDArray[np.int32] | None:
     return across.reshape(-1, 3)
 
 
-def _sorted(key: IntArray, *, bits: int) -> tuple[IntArray, IntArray]:
+def _sort_packed(key: IntArray, *, bits: int) -> tuple[IntArray, IntArray]:
     """Whole numbers [n] of so many bits in rising order, and their order; sorted with their places packed in."""
     places = len(key).bit_length()
     if bits + places > 63:
@@ -168,19 +168,19 @@ def _sorted(key: IntArray, *, bits: int) -> tuple[IntArray, IntArray]:
     return key >> places, key & ((1 << places) - 1)
 
 
-def edges_of(triangles: IntArray) -> Edges:
+def find_edges(triangles: IntArray) -> Edges:
     """The edges of at least one triangle."""
     directed = triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2)
     start, end = directed.T
     key = np.minimum(start, end) * (triangles.max() + 1) + np.maximum(start, end)
     order = np.argsort(key, kind="stable")
-    first = np.flatnonzero(changes(key[order]))
+    first = np.flatnonzero(marks_changes(key[order]))
     count = np.diff(np.append(first, len(order)))
     way = np.where(start < end, 1, -1)
     return Edges(directed, order, first, count, np.add.reduceat(way[order], first))
 
 
-def border(edges: Edges) -> IntArray:
+def open_edges(edges: Edges) -> IntArray:
     """The directed edges [b, 2] that have no counterpart: of one triangle only."""
     return np.asarray(edges.directed[edges.order[edges.first[edges.count == 1]]], dtype=np.int64)
 
@@ -193,13 +193,13 @@ def neighbours(edges: Edges) -> tuple[IntArray, BoolArray]:
     return pairs, edges.balance[two] == 0
 
 
-def linked(pairs: IntArray, *, count: int) -> IntArray:
+def connected_groups(pairs: IntArray, *, count: int) -> IntArray:
     """Number, from 0, of the group [count] to which each of `count` things belongs when pairs [e, 2] are linked."""
     links = coo_array((np.ones(len(pairs), dtype=np.int8), (pairs[:, 0], pairs[:, 1])), shape=(count, count))
     return np.asarray(connected_components(links, directed=False)[1], dtype=np.int64)
 
 
-def linked_across(across: NDArray[np.int32]) -> IntArray:
+def connected_groups_across(across: NDArray[np.int32]) -> IntArray:
     """Number, from 0, of the group [m] to which each triangle belongs, by their neighbours [m, 3]."""
     m = len(across)
     starts = np.arange(0, 3 * m + 1, 3, dtype=np.int32)
@@ -227,8 +227,8 @@ def tetrahedra(
     corners : seen from the point: axis, corner, triangle [3, 3, k] [m]
     D : a . (b x c) [k] [m3]
     """
-    for start in range(0, len(triangles), AT_ONCE):
-        at = triangles[start : start + AT_ONCE].T
+    for start in range(0, len(triangles), BATCH):
+        at = triangles[start : start + BATCH].T
         x, y, z = corners = np.stack([vertices[:, axis][at] - origin[axis] for axis in range(3)])
         turn = (y[1] * z[2] - z[1] * y[2], z[1] * x[2] - x[1] * z[2], x[1] * y[2] - y[1] * x[2])
         yield corners, x[0] * turn[0] + y[0] * turn[1] + z[0] * turn[2]
@@ -264,11 +264,11 @@ def areas_and_normals(corners: FloatArray) -> tuple[FloatArray, FloatArray]:
     return length / 2.0, normals / np.where(length > 0.0, length, 1.0)[:, None]
 
 
-def place(point: FloatArray) -> str:
+def point_text(point: FloatArray) -> str:
     """A point for a sentence, to a tenth of a millimetre: (x, y, z)."""
     return "(" + ", ".join(f"{round(float(value), 4) + 0.0:.12g}" for value in point) + ")"
 
 
-def moved_by(before: float, after: float) -> str:
+def volume_change_text(before: float, after: float) -> str:
     """By how much a repair moved the volume [m3], as a share of what it is now."""
     return f"volume {100.0 * (after - before) / after:+.3g} %" if after else "no volume left"

@@ -25,15 +25,15 @@ def thin_direction(vertices: FloatArray, triangles: IntArray) -> FloatArray | No
     (low, high), axes = np.linalg.eigh(tensor)
     if not high > 0.0 or high - low < ALIKE * high:
         return None
-    return _forwards(axes[:, 1])
+    return _normalise_sign(axes[:, 1])
 
 
-def sizes(vertices: FloatArray, thin: FloatArray | None) -> tuple[float, float, float]:
+def extents(vertices: FloatArray, thin: FloatArray | None) -> tuple[float, float, float]:
     """Extents [m] along `thin` [2], level across it, and upright; without it by the smallest rectangle around."""
     along = _shorter_side(vertices) if thin is None else thin
     across = np.array([-along[1], along[0]])
-    extents = [float(np.ptp(vertices[:, :2] @ axis)) for axis in (along, across)]
-    return extents[0], extents[1], float(np.ptp(vertices[:, 2]))
+    sides = [float(np.ptp(vertices[:, :2] @ axis)) for axis in (along, across)]
+    return sides[0], sides[1], float(np.ptp(vertices[:, 2]))
 
 
 def _shorter_side(vertices: FloatArray) -> FloatArray:
@@ -44,10 +44,10 @@ def _shorter_side(vertices: FloatArray) -> FloatArray:
     sides = np.diff(shapely.get_coordinates(around)[:3], axis=0)
     lengths = np.hypot(*sides.T)
     shorter = int(np.argmin(lengths))
-    return _forwards(sides[shorter] / lengths[shorter]) if lengths[shorter] > 0.0 else np.array([1.0, 0.0])
+    return _normalise_sign(sides[shorter] / lengths[shorter]) if lengths[shorter] > 0.0 else np.array([1.0, 0.0])
 
 
-def _forwards(axis: FloatArray) -> FloatArray:
+def _normalise_sign(axis: FloatArray) -> FloatArray:
     """The axis without rounding, towards +x, or +y where it lies along y."""
     clean = np.where(np.abs(axis) < ROUNDING, 0.0, axis)
     clean = clean / np.hypot(*clean)

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from assess.errors import InterfaceError
-from assess.interfaces import kernel
+from assess.interfaces.kernel.equilibrium import crushing_depth, touch
 from assess.interfaces.law import Law
 from assess.interfaces.section import Section, mirrored
 from spectra.arrays import FloatArray
@@ -73,7 +73,7 @@ def contact(
     columns = np.empty((11, max(turns.size, forces.size)))
     columns[0], columns[1] = turns, forces
     found = np.empty((columns.shape[1], 9))
-    kernel.touch(section.table, float(law.stiffness), float(law.strength), columns[1], columns[0], found)
+    touch(section.table, float(law.stiffness), float(law.strength), columns[1], columns[0], found)
     columns[2:] = found.T
     columns.setflags(write=False)
     return Contact(*columns)
@@ -99,10 +99,10 @@ def thresholds(section: Section, law: Law, *, normal_force: float, where: str = 
     if f == inf:
         return opening, inf
     if opening * k * section.depth <= f:
-        return opening, f / (k * kernel.crushing_depth(section.table, N / f))
+        return opening, f / (k * crushing_depth(section.table, N / f))
     missing = f * section.area - N
     crushing = missing / (k * section.area * section.centroid)
-    return f / (k * kernel.crushing_depth(mirrored(section).table, missing / f)), crushing
+    return f / (k * crushing_depth(mirrored(section).table, missing / f)), crushing
 
 
 def semi_flexible_shift(section: Section, law: Law, *, normal_force: float, where: str = "interface") -> float:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from assess.interfaces import kernel
+from assess.interfaces.kernel import moments
 from spectra.arrays import FloatArray
 
 
@@ -25,7 +25,7 @@ class Section:
     area : [m2]
     centroid : its distance from the compressed edge [m]
     pieces : begin of each piece, its width and the integral of the offset over the width as polynomials from there,
-        moments up to there; a last row for the far edge; none where there are only discs: see `kernel` [m + 1, 12]
+        moments up to there; a last row for the far edge; no rows for discs alone; see `kernel.moments` [m + 1, 12]
     discs : radius [m], depth of the disc's own edge [m] and 1 or -1 where it adds or takes away [d, 3]
     """
 
@@ -37,7 +37,7 @@ class Section:
     discs: FloatArray
 
     @property
-    def table(self) -> kernel.Table:
+    def table(self) -> moments.Table:
         """What the kernel reads."""
         return self.pieces, self.discs, self.depth, self.area, self.centroid
 
@@ -80,7 +80,7 @@ def mirrored(section: Section) -> Section:
     """The same region rocking the other way."""
     if not section.pieces.size:
         return section  # discs are concentric
-    X, (W0, W1, V0, V1, V2) = section.pieces[::-1, kernel.BEGIN], section.pieces[-2::-1, kernel.W0 : kernel.A].T
+    X, (W0, W1, V0, V1, V2) = section.pieces[::-1, moments.BEGIN], section.pieces[-2::-1, moments.W0 : moments.A].T
     L = -np.diff(X)
     widths = np.column_stack([W0 + W1 * L, W0])
     sides = np.column_stack([V0 + d * (V1 + d * V2) for d in (L, L / 2.0, 0.0 * L)])

@@ -9,9 +9,9 @@ import numpy as np
 from scipy.constants import g
 
 from assess.errors import GeometryError
-from assess.geometry.boolean import gap
+from assess.geometry.boolean import shortest_distance
+from assess.geometry.contact import TOLERANCE, Contact, find_contact, join_contacts
 from assess.geometry.solid import Solid
-from assess.geometry.touch import TOLERANCE, Contact, together, touch
 from spectra.arrays import FloatArray
 
 ACROSS = 0.7  # cosine: an upright face within 45 degrees of square to the axis of a vault is one it springs from
@@ -41,16 +41,16 @@ def support(
     body: Solid, *, block: Sequence[Solid], others: Iterable[Solid], tolerance: float = TOLERANCE
 ) -> Support | None:
     """How a body meets the solids of a block and the other solids; None where it does not touch the block."""
-    met = (touch(solid, body, tolerance=tolerance) for solid in block)
-    contact = together([each for each in met if each is not None])
+    met = (find_contact(solid, body, tolerance=tolerance) for solid in block)
+    contact = join_contacts([each for each in met if each is not None])
     if contact is None:
         return None
     found: dict[str, list[Contact]] = {}
     for other in others:
-        each = touch(other, body, tolerance=tolerance)
+        each = find_contact(other, body, tolerance=tolerance)
         if each is not None:
             found.setdefault(other.name, []).append(each)
-    joined = {name: together(each) for name, each in found.items()}
+    joined = {name: join_contacts(each) for name, each in found.items()}
     return Support(contact, {name: each for name, each in joined.items() if each is not None})
 
 
@@ -120,9 +120,9 @@ def overburden(
 
 def nearest(body: Solid, *, block: Sequence[Solid]) -> str:
     """How far a body that does not load the block is from it, and what to do."""
-    if any((touch(body, solid) or _NONE).bearing for solid in block):
+    if any((find_contact(body, solid) or _NONE).bearing for solid in block):
         return "the block stands on it, so it is no load of the block; remove it from `loads`"
-    distance = min(gap(solid, body) for solid in block)
+    distance = min(shortest_distance(solid, body) for solid in block)
     if distance == 0.0:
         return "they meet along an edge or at a point only; move it onto or into the block"
     return f"it lies {distance:.3g} m away; move it, or raise `tolerance`"

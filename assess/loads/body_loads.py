@@ -9,15 +9,15 @@ import numpy as np
 from scipy.constants import g
 
 from assess.errors import GeometryError
-from assess.geometry.covering import extent
+from assess.geometry.contact import find_contact
+from assess.geometry.overlap import OVERLAP, SAME_PLACE, shared_with
+from assess.geometry.roof_shape import extent
 from assess.geometry.solid import Solid
-from assess.geometry.touch import touch
 from assess.loads.bearing import Support, carries, carrying, nearest, share_of, support
 from assess.loads.coverings import Arch, Thrust, arch_of, thrust_of, weight
+from assess.loads.definitions import BodyLoad
 from assess.loads.load import Force, Load, Point, PointMass
 from assess.loads.plane import point_in_plane
-from assess.model.overlaps import OVERLAP, SAME_PLACE, shared_with
-from assess.project import sections
 from spectra.arrays import FloatArray
 
 BETWEEN = 1 / 8  # of the span: a contact this near its middle holds both feet of a roof or vault
@@ -60,7 +60,7 @@ class Case:
         motion [-]
     """
 
-    load: sections.BodyLoad
+    load: BodyLoad
     body: Solid | None
     found: Support | None
     arch: Arch | None
@@ -86,7 +86,7 @@ class Meeting:
     doubts: tuple[str, ...] = ()
 
 
-Meet = Callable[[sections.BodyLoad, Solid | None, Surroundings], Meeting]
+Meet = Callable[[BodyLoad, Solid | None, Surroundings], Meeting]
 
 
 @dataclass(frozen=True)
@@ -98,7 +98,7 @@ class Part:
     doubts: tuple[str, ...] = ()
 
 
-def meeting(load: sections.BodyLoad, body: Solid | None, around: Surroundings) -> Meeting:
+def meeting(load: BodyLoad, body: Solid | None, around: Surroundings) -> Meeting:
     """Where a body meets the block and what else carries it, whichever way the motion goes; and what is doubtful.
 
     Raises GeometryError where the body touches nothing of the block, or has no geometry where it needs one.
@@ -109,13 +109,13 @@ def meeting(load: sections.BodyLoad, body: Solid | None, around: Surroundings) -
         return beside_the_block(found, around=around)
     if body is None or given:
         return Meeting(None)
-    below = any(touch(solid, body, tolerance=load.tolerance) for solid in around.fixed)
+    below = any(find_contact(solid, body, tolerance=load.tolerance) for solid in around.fixed)
     why = BELOW_THE_CUT if below else nearest(body, block=around.block)
     raise GeometryError(f'{around.where}: load "{load.body}" touches nothing of the block: {why}, or {BY_ITSELF[0]}')
 
 
 def body_loads(
-    load: sections.BodyLoad,
+    load: BodyLoad,
     *,
     block: int,
     body: Solid | None,
@@ -154,12 +154,12 @@ def body_loads(
     return Brought((carried, *pushed), told_of(load, (*met_by.doubts, *part.doubts)))
 
 
-def told_of(load: sections.BodyLoad, doubts: Iterable[str]) -> tuple[str, ...]:
+def told_of(load: BodyLoad, doubts: Iterable[str]) -> tuple[str, ...]:
     """Sentences with the name of the load that they are about."""
     return tuple(f'load "{load.body}": {text}' for text in doubts)
 
 
-def met(load: sections.BodyLoad, body: Solid | None, *, given: bool, around: Surroundings) -> Support | None:
+def met(load: BodyLoad, body: Solid | None, *, given: bool, around: Surroundings) -> Support | None:
     """Where the body meets the block and others; None where it does not, or where nothing can tell.
 
     given : whether the user says all that follows from it
@@ -247,7 +247,7 @@ def alone(case: Case) -> Part:
     return Part(1.0, f"share 1 ({nothing})", (f"{nothing}, so its whole weight is on the block: else give share",))
 
 
-def place_of(load: sections.BodyLoad, found: Support | None, *, along: FloatArray) -> Point:
+def place_of(load: BodyLoad, found: Support | None, *, along: FloatArray) -> Point:
     """Where the load acts, in the plane of motion [m]."""
     at = load.at
     if at is None:
@@ -256,7 +256,7 @@ def place_of(load: sections.BodyLoad, found: Support | None, *, along: FloatArra
     return point_in_plane(at, along.tolist())
 
 
-def placed(load: sections.BodyLoad, found: Support | None, *, along: FloatArray) -> list[str]:
+def placed(load: BodyLoad, found: Support | None, *, along: FloatArray) -> list[str]:
     """A clause where the user's own place stands for that of the contact."""
     if load.at is None:
         return []

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from assess.geometry.covering import extent, height, lever, slope, underside
+from assess.geometry.roof_shape import extent, height, mean_lever_arm, slope, underside
 from assess.geometry.solid import Solid
+from assess.loads.definitions import BodyLoad
 from assess.loads.thrust import CONSTRUCTIONS, even_lever, thrust
-from assess.project import sections
 from spectra.arrays import FloatArray
 
 SINGLE = 0.5  # one-sidedness above which a roof has a single slope
@@ -37,7 +37,7 @@ class Thrust:
     source: str
 
 
-def arch_of(load: sections.BodyLoad, body: Solid, *, along: FloatArray) -> Arch | None:
+def arch_of(load: BodyLoad, body: Solid, *, along: FloatArray) -> Arch | None:
     """A roof or vault as an arch, None where it is flat or slopes one way only: a beam, without thrust.
 
     A barrel vault or gable roof thrusts along its slope, a quadripartite vault or hipped roof along any motion.
@@ -59,7 +59,7 @@ def arch_of(load: sections.BodyLoad, body: Solid, *, along: FloatArray) -> Arch 
     return Arch(axis, span, rise, own, source)
 
 
-def weight(load: sections.BodyLoad, body: Solid | None, *, mass: float) -> tuple[float, str]:
+def weight(load: BodyLoad, body: Solid | None, *, mass: float) -> tuple[float, str]:
     """The mass of the whole body [kg], and where it is from; mass: by its volume or direct values [kg]."""
     if load.mass is not None:
         return load.mass, f"{load.mass:.4g} kg (given; by its table {mass:.4g} kg)"
@@ -78,7 +78,7 @@ def weight(load: sections.BodyLoad, body: Solid | None, *, mass: float) -> tuple
     return shell + fill, f"{shell + fill:.4g} kg ({own})"
 
 
-def thrust_of(load: sections.BodyLoad, arch: Arch | None, *, along: FloatArray, V: float) -> Thrust:
+def thrust_of(load: BodyLoad, arch: Arch | None, *, along: FloatArray, V: float) -> Thrust:
     """The thrust along the motion of a covering that stands on the block with the vertical reaction V [N]."""
     if load.thrust is not None:
         return Thrust(load.thrust, "thrust (given)")
@@ -95,7 +95,7 @@ def thrust_of(load: sections.BodyLoad, arch: Arch | None, *, along: FloatArray, 
     return Thrust(H * cosine, words if cosine > 0.9999 else f"{words}; {H * cosine / 1e3:.4g} kN along the motion")
 
 
-def _spread(load: sections.BodyLoad, arch: Arch, *, V: float) -> str:
+def _spread(load: BodyLoad, arch: Arch, *, V: float) -> str:
     """How the weight lies on the span, and what it would thrust if it were spread evenly over the plan."""
     if load.role == "roof":
         return "rafters: x = L / 4"
@@ -103,15 +103,15 @@ def _spread(load: sections.BodyLoad, arch: Arch, *, V: float) -> str:
     return f"x to the weight of half the vault from its springing (L / 4 would give {even / 1e3:.4g} kN)"
 
 
-def _vault_lever(load: sections.BodyLoad, body: Solid, *, axis: FloatArray, span: float) -> float:
+def _vault_lever(load: BodyLoad, body: Solid, *, axis: FloatArray, span: float) -> float:
     """Distance of the weight of half a vault from its springing [m]: of the mesh, and of fill spread over the plan."""
     low, high = extent(body, axis=axis)
-    own = lever(body, axis=axis) * span / (high - low)
+    own = mean_lever_arm(body, axis=axis) * span / (high - low)
     shell, fill = _vault_masses(load, body)
     return (shell * own + fill * even_lever(span)) / (shell + fill)
 
 
-def _vault_masses(load: sections.BodyLoad, body: Solid) -> tuple[float, float]:
+def _vault_masses(load: BodyLoad, body: Solid) -> tuple[float, float]:
     """Mass of a vault itself, and of what lies on it [kg]."""
     area, plan = underside(body)
     shell = body.mass if load.construction is None else area * CONSTRUCTIONS[load.construction].mass_per_area

@@ -7,16 +7,16 @@ from dataclasses import dataclass
 from math import inf
 
 from assess.errors import GeometryError
-from assess.geometry.boolean import gap
+from assess.geometry.boolean import shortest_distance
+from assess.geometry.contact import Contact, find_contact, join_contacts
 from assess.geometry.outline import distance
+from assess.geometry.piece import Piece
 from assess.geometry.solid import Solid
-from assess.geometry.touch import Contact, together, touch
 from assess.loads.bearing import carries
 from assess.loads.coverings import arch_of
+from assess.loads.definitions import BodyLoad
 from assess.loads.load import Point
 from assess.loads.plane import point_in_plane
-from assess.model.pieces import Piece
-from assess.project import sections
 from spectra.arrays import FloatArray
 
 
@@ -46,9 +46,7 @@ class Loaded:
 Found = tuple[tuple[Loaded, ...], tuple[str, ...]]  # and sentences on what is doubtful
 
 
-def loaded_blocks(
-    load: sections.BodyLoad, body: Solid | None, *, among: Blocks, taken: Collection[int | None] = ()
-) -> Found:
+def loaded_blocks(load: BodyLoad, body: Solid | None, *, among: Blocks, taken: Collection[int | None] = ()) -> Found:
     """The blocks that a body loads: as `block` says, else all that it bears on, or the one that it pushes against.
 
     taken : the blocks that `loads` puts it on
@@ -72,7 +70,7 @@ def loaded_blocks(
     return tuple(Loaded(number, number) for number in found), ()
 
 
-def contacts_of(load: sections.BodyLoad, body: Solid | None, pieces: Sequence[Piece]) -> dict[int, Contact]:
+def contacts_of(load: BodyLoad, body: Solid | None, pieces: Sequence[Piece]) -> dict[int, Contact]:
     """Where a body meets each block that it touches, by the number of the block."""
     if body is None:
         return {}
@@ -81,7 +79,7 @@ def contacts_of(load: sections.BodyLoad, body: Solid | None, pieces: Sequence[Pi
 
 
 def as_given(
-    load: sections.BodyLoad,
+    load: BodyLoad,
     given: int,
     contacts: Mapping[int, Contact],
     touched: int,
@@ -113,7 +111,7 @@ def _left_out(number: int) -> str:
 
 
 def refuse_doubtful(
-    load: sections.BodyLoad,
+    load: BodyLoad,
     found: Sequence[int],
     contacts: Mapping[int, Contact],
     bears: Sequence[int],
@@ -144,19 +142,23 @@ def at_one_place(contacts: Mapping[int, Contact], *, tolerance: float) -> bool:
     return len(heights) > 1 and max(heights) - min(heights) <= tolerance
 
 
-def springing(load: sections.BodyLoad, body: Solid | None, *, along: FloatArray) -> FloatArray | None:
+def springing(load: BodyLoad, body: Solid | None, *, along: FloatArray) -> FloatArray | None:
     """The axis along which a vault springs from upright faces too [3]; None for other bodies."""
     arch = arch_of(load, body, along=along) if body is not None and load.role == "vault" else None
     return None if arch is None else arch.axis
 
 
-def nearest_block(load: sections.BodyLoad, body: Solid | None, among: Blocks) -> int:
+def nearest_block(load: BodyLoad, body: Solid | None, among: Blocks) -> int:
     """The block nearest to the place that is given, else to the body, where no contact tells.
 
     Raises GeometryError where that is not known either.
     """
     if load.at is None:
-        away = [min((gap(solid, body) for solid in piece.solids), default=inf) for piece in among.pieces if body]
+        away = [
+            min((shortest_distance(solid, body) for solid in piece.solids), default=inf)
+            for piece in among.pieces
+            if body
+        ]
         return away.index(min(away)) if away else 0  # `met` says what is missing
     x, z = at = point_in_plane(load.at, among.along.tolist())
     if among.crack is not None:
@@ -175,5 +177,5 @@ def _off(piece: Piece, at: Point) -> float:
 
 
 def _met(solids: Sequence[Solid], body: Solid, tolerance: float) -> Contact | None:
-    met = (touch(solid, body, tolerance=tolerance) for solid in solids)
-    return together([each for each in met if each is not None])
+    met = (find_contact(solid, body, tolerance=tolerance) for solid in solids)
+    return join_contacts([each for each in met if each is not None])

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from assess.mechanisms.chain import Point
+from assess.loads.load import Point
 
 
 def point_in_plane(at: Sequence[float], direction: Sequence[float]) -> Point:

@@ -13,7 +13,7 @@ from itertools import combinations, islice, pairwise
 import numpy as np
 
 from assess.errors import MechanismError
-from assess.geometry.planar import PlanarBody, planar_joined
+from assess.geometry.planar import PlanarBody, join_planar
 from assess.mechanisms.chain import Block, Chain, Point
 from spectra.arrays import ComplexArray, FloatArray, IntArray
 
@@ -71,7 +71,7 @@ def weakest(voussoirs: Sequence[Block], joints: Sequence[Joint], *, name: str) -
 def hinged(voussoirs: Sequence[PlanarBody], hinging: Hinging) -> tuple[list[PlanarBody], Chain]:
     """The three blocks between the hinging joints, and their chain."""
     spans = list(pairwise(hinging.joints))
-    bodies = [planar_joined(voussoirs[a:b], name=f"block {n}") for n, (a, b) in enumerate(spans, start=1)]
+    bodies = [join_planar(voussoirs[a:b], name=f"block {n}") for n, (a, b) in enumerate(spans, start=1)]
     numbers = [next((n for n, (a, b) in enumerate(spans) if a <= i < b), None) for i in range(len(voussoirs))]
     parts = tuple((block_of(part), number) for part, number in zip(voussoirs, numbers, strict=True))
     return bodies, Chain(tuple(block_of(body) for body in bodies), hinging.hinges, parts=parts)

@@ -14,7 +14,7 @@ about the edge of the crack behind; the top slides on the vertical at its edge i
 from __future__ import annotations
 
 from assess.errors import MechanismError
-from assess.geometry.planar import PlanarBody, top
+from assess.geometry.planar import PlanarBody, top_edge
 from assess.loads.load import Load
 from assess.mechanisms.assembly import assembled
 from assess.mechanisms.chain import Block, Chain, Point, mirrored_chain, written
@@ -72,7 +72,7 @@ def two_block(
 
 def edges(lower: PlanarBody, upper: PlanarBody, *, ahead: bool, name: str) -> Hinges:
     """Hinges A, B, C at the edges of the base, of the joint and of the top, for motion ahead or back."""
-    head = top(upper)
+    head = top_edge(upper)
     if lower.base is None or upper.base is None or head is None:
         raise MechanismError(
             f'mechanism "{name}": a body without geometry has no edges; give hinges = {{ A = [x, z], B = [x, z], '

@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 
 from assess.messages.texts import TEXTS
+from assess.short_repr import ShortRepr
 
 UNITS: Mapping[str, str] = {
     "ratio": "-",
@@ -60,8 +61,8 @@ class Quantity:
 Value = Quantity | str
 
 
-@dataclass(frozen=True)
-class Message:
+@dataclass(frozen=True, repr=False)
+class Message(ShortRepr):
     """Something the engineer should know. `text` is the English sentence, in SI."""
 
     key: str

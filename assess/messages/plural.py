@@ -3,6 +3,6 @@
 from __future__ import annotations
 
 
-def counted(number: int, noun: str) -> str:
+def count_noun(number: int, noun: str) -> str:
     """1 wall, 2 walls."""
     return f"{number} {noun}{'' if number == 1 else 's'}"

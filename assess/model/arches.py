@@ -10,15 +10,16 @@ from typing import Any
 import numpy as np
 
 from assess.errors import GeometryError, MechanismError
-from assess.geometry.cut import Parts, Plane, divide
-from assess.geometry.planar import PlanarBody, planar
+from assess.geometry.cut import Division, Plane, divide
+from assess.geometry.piece import Piece
+from assess.geometry.planar import PlanarBody, planar_body
 from assess.geometry.solid import Solid
 from assess.mechanisms.arch import Hinging, Joint, block_of, hinged, weakest
 from assess.mechanisms.assembly import assembled
 from assess.mechanisms.chain import Chain, Point, mirrored, mirrored_chain, written
 from assess.mechanisms.mechanism import Mechanism, Sides
-from assess.model.pieces import Piece, as_one
-from assess.project import sections
+from assess.model.definitions import FourHinge, RadialJoints
+from assess.model.pieces import as_one
 from spectra.arrays import FloatArray
 
 Line = tuple[Point, Point]
@@ -29,7 +30,7 @@ SKEW = 0.35  # rad: a joint farther off square to the arch is told
 
 
 def hinged_arch(
-    name: str, section: sections.FourHinge, piece: Piece, *, sides: Sides, **common: Any
+    name: str, definition: FourHinge, piece: Piece, *, sides: Sides, **common: Any
 ) -> tuple[Mechanism, list[Piece]]:
     """The four-hinge mechanism of one body that opens at the joints where it resists least, for each direction.
 
@@ -38,7 +39,7 @@ def hinged_arch(
 
     Raises MechanismError or GeometryError where a joint misses the body, or no four joints make a mechanism.
     """
-    pieces, joints = voussoirs_of(piece, lines_of(section), section.towards, where=f'mechanism "{name}"')
+    pieces, joints = voussoirs_of(piece, lines_of(definition), definition.towards, where=f'mechanism "{name}"')
     doubts = tuple(doubtful(pieces, joints))
     try:
         made = hinged_at(name, [each.body for each in pieces], joints, sides=sides, **common)
@@ -103,10 +104,10 @@ def told(found: Hinging, rotation: str, joints: int, *, flip: bool) -> str:
     )
 
 
-def lines_of(section: sections.FourHinge) -> list[Line]:
+def lines_of(definition: FourHinge) -> list[Line]:
     """The joints in the plane of motion, from one springing to the other."""
-    joints = section.joints
-    if not isinstance(joints, sections.RadialJoints):
+    joints = definition.joints
+    if not isinstance(joints, RadialJoints):
         return list(joints or ())
     x, z = joints.centre
     angles = np.linspace(max(joints.first, joints.last), min(joints.first, joints.last), joints.count + 1)
@@ -155,7 +156,7 @@ def require_apart(lines: Sequence[Line], *, where: str) -> None:
             )
 
 
-def side(solids: Sequence[Solid], line: Line, normal: FloatArray, along: FloatArray, *, where: str) -> Parts:
+def side(solids: Sequence[Solid], line: Line, normal: FloatArray, along: FloatArray, *, where: str) -> Division:
     """The solids on the two sides of the upright sheet through a line of the plane of motion."""
     point = line[0][0] * along + np.array([0.0, 0.0, line[0][1]])
     return divide(solids, Plane(point, normal[0] * along + np.array([0.0, 0.0, normal[1]])), where=where)
@@ -185,4 +186,4 @@ def ahead(lines: Sequence[Line]) -> list[FloatArray]:
 
 def as_voussoir(solids: Sequence[Solid], direction: Sequence[float], number: int) -> PlanarBody:
     """What lies between two joints."""
-    return replace(as_one([planar(solid, direction=direction) for solid in solids]), name=f"voussoir {number}")
+    return replace(as_one([planar_body(solid, direction=direction) for solid in solids]), name=f"voussoir {number}")

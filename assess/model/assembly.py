@@ -1,4 +1,4 @@
-"""The tables [mechanisms.NAME] as mechanisms: hinges and defaults of each kind."""
+"""Mechanisms from their definitions: hinges and defaults of each kind."""
 
 from __future__ import annotations
 
@@ -7,9 +7,10 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from assess.errors import CrackError, MechanismError
+from assess.geometry.piece import Piece
 from assess.geometry.scene import Scene
+from assess.loads.definitions import Place
 from assess.loads.load import Load
-from assess.loads.loading import loads_of
 from assess.loads.plane import point_in_plane
 from assess.mechanisms.chain import Point
 from assess.mechanisms.equivalent_block import equivalent_block
@@ -18,11 +19,13 @@ from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.two_block import two_block
 from assess.model.arches import hinged_arch
+from assess.model.body import Bodies
+from assess.model.definitions import Chained, Definition, EquivalentBlock, FourHinge, SingleBlock, TwoBlock
 from assess.model.faces import faces_of
 from assess.model.joints import put_on_joints
-from assess.model.pieces import Piece, Solids, doubts_of, pieces_of, scene_of
+from assess.model.loading import loads_of
+from assess.model.pieces import doubts_of, pieces_of, scene_of
 from assess.model.walls import Crack, blocks_at, crack_of, require_as_found
-from assess.project import sections
 
 Parted = tuple[Mechanism, Sequence[Piece]]  # a mechanism, and the piece of masonry of each of its outlines
 
@@ -35,76 +38,88 @@ class Built:
     scene: Scene | None
 
 
-def mechanism_of(name: str, section: sections.Mechanism, content: sections.Content, solids: Solids) -> Built:
+def mechanism_of(name: str, definition: Definition, bodies: Bodies) -> Built:
     """The mechanism of one table [mechanisms.NAME]."""
-    if isinstance(section, sections.EquivalentBlock):
-        own = section.model_dump(include={"p", "uplift", "radius", "mass", "elevation", "label", "sides"})
-        return Built(equivalent_block(name, **own, restitution=restitution_of(section)), None)
-    rigid, members = on_rigid_hinges(name, section, content, solids)
-    told = put_on_joints(rigid, section, members, content, restitution=restitution_of(section))
-    told = replace(told, faces=faces_of(told, section, members, content), direction=section.towards)
-    return Built(told, scene_of(members, section.towards))
+    if isinstance(definition, EquivalentBlock):
+        return Built(of_parameters(name, definition), None)
+    rigid, members = on_rigid_hinges(name, definition, bodies)
+    told = put_on_joints(rigid, definition, members, bodies, restitution=restitution_of(definition))
+    told = replace(told, faces=faces_of(told, definition, members, bodies), direction=definition.towards)
+    return Built(told, scene_of(members, definition.towards))
 
 
-def on_rigid_hinges(name: str, section: sections.Chained, content: sections.Content, solids: Solids) -> Parted:
+def of_parameters(name: str, definition: EquivalentBlock) -> Mechanism:
+    """Return the mechanism of published parameters."""
+    return equivalent_block(
+        name,
+        p=definition.p,
+        uplift=definition.uplift,
+        radius=definition.radius,
+        mass=definition.mass,
+        label=definition.label,
+        sides=definition.sides,
+        elevation=definition.elevation,
+        restitution=restitution_of(definition),
+    )
+
+
+def on_rigid_hinges(name: str, definition: Chained, bodies: Bodies) -> Parted:
     """The mechanism of one table before it is put on its joints."""
     try:
-        pieces, told = parted(name, section, content, solids)
-        brought = loads_of(name, section, pieces, content, solids)
+        pieces, told = parted(name, definition, bodies)
+        brought = loads_of(name, definition, pieces, bodies)
         require_as_found(told, brought.loads)
-        mechanism, members = BUILDERS[type(section)](name, section, pieces, content, loads=brought.loads)
+        mechanism, members = BUILDERS[type(definition)](name, definition, pieces, bodies, loads=brought.loads)
     except CrackError as error:
         raise MechanismError(f'mechanism "{name}": {error}') from None
     notices = mechanism.notices if told is None else (*told.notices, *mechanism.notices)
     return replace(mechanism, notices=(*notices, *brought.doubts)), members
 
 
-def parted(
-    name: str, section: sections.Chained, content: sections.Content, solids: Solids
-) -> tuple[Sequence[Piece], Crack | None]:
+def parted(name: str, definition: Chained, bodies: Bodies) -> tuple[Sequence[Piece], Crack | None]:
     """The blocks of one table, and the crack of a wall of one body, which parts it in two."""
-    pieces = pieces_of(name, section, content, solids)
-    if not isinstance(section, sections.TwoBlock) or len(pieces) == 2:
+    pieces = pieces_of(name, definition, bodies)
+    if not isinstance(definition, TwoBlock) or len(pieces) == 2:
         return pieces, None
-    front = hinges_of(section.hinges, section)
-    found = crack_of(section, pieces[0], content, lambda: loads_of(name, section, pieces, content, solids), front=front)
-    return blocks_at(found.elevation, name, section, pieces[0]), found
+    front = hinges_of(definition.given_hinges, definition)
+    found = crack_of(definition, pieces[0], bodies, lambda: loads_of(name, definition, pieces, bodies), front=front)
+    return blocks_at(found.elevation, name, definition, pieces[0]), found
 
 
 def of_one_block(
     name: str,
-    section: sections.SingleBlock,
+    definition: SingleBlock,
     pieces: Sequence[Piece],
-    content: sections.Content,
+    bodies: Bodies,
     *,
     loads: tuple[Load, ...],
 ) -> Parted:
     """A single block about the edges of its base."""
-    front, back = hinges_of(section.hinges, section), hinges_of(section.hinges_negative, section)
+    front, back = hinges_of(definition.given_hinges, definition), hinges_of(definition.hinges_negative, definition)
     mechanism = single_block(
         name,
         pieces[0].body,
         hinge=front[0] if front else None,
         hinge_negative=back[0] if back else None,
         loads=loads,
-        notices=() if front else tuple(doubts_of(pieces[0], section.towards)),
-        **common(section),
+        notices=() if front else tuple(doubts_of(pieces[0], definition.towards)),
+        **common(definition),
     )
     return mechanism, pieces
 
 
 def of_two_blocks(
     name: str,
-    section: sections.TwoBlock,
+    definition: TwoBlock,
     pieces: Sequence[Piece],
-    content: sections.Content,
+    bodies: Bodies,
     *,
     loads: tuple[Load, ...],
 ) -> Parted:
     """A wall held at base and top, of two bodies or of one that is cracked."""
-    front, back = hinges_of(section.hinges, section), hinges_of(section.hinges_negative, section)
+    front, back = hinges_of(definition.given_hinges, definition), hinges_of(definition.hinges_negative, definition)
     lower, upper = pieces
-    doubts = () if front else tuple(text for piece in pieces for text in doubts_of(piece, section.towards))
+    doubts = () if front else tuple(text for piece in pieces for text in doubts_of(piece, definition.towards))
     mechanism = two_block(
         name,
         lower.body,
@@ -113,57 +128,57 @@ def of_two_blocks(
         hinges_negative=back,
         loads=loads,
         notices=tuple(dict.fromkeys(doubts)),
-        **common(section),
+        **common(definition),
     )
     return mechanism, pieces
 
 
 def of_four_hinges(
     name: str,
-    section: sections.FourHinge,
+    definition: FourHinge,
     pieces: Sequence[Piece],
-    content: sections.Content,
+    bodies: Bodies,
     *,
     loads: tuple[Load, ...],
 ) -> Parted:
     """Three blocks between four hinges that are given, or an arch whose hinges are looked for."""
-    if not isinstance(section.hinges, sections.FourHinges):
-        return hinged_arch(name, section, pieces[0], **common(section))
+    if definition.hinges == "minimum":
+        return hinged_arch(name, definition, pieces[0], **common(definition))
     mechanism = four_hinge(
         name,
         [piece.body for piece in pieces],
-        hinges=hinges_of(section.hinges, section),
-        hinges_negative=hinges_of(section.hinges_negative, section),
+        hinges=hinges_of(definition.given_hinges, definition),
+        hinges_negative=hinges_of(definition.hinges_negative, definition),
         loads=loads,
-        **common(section),
+        **common(definition),
     )
     return mechanism, pieces
 
 
-BUILDERS: dict[type[sections.Chained], Callable[..., Parted]] = {
-    sections.SingleBlock: of_one_block,
-    sections.TwoBlock: of_two_blocks,
-    sections.FourHinge: of_four_hinges,
+BUILDERS: dict[type[Chained], Callable[..., Parted]] = {
+    SingleBlock: of_one_block,
+    TwoBlock: of_two_blocks,
+    FourHinge: of_four_hinges,
 }
 
 
-def common(section: sections.Chained) -> dict[str, Any]:
+def common(definition: Chained) -> dict[str, Any]:
     """What every kind of chain takes as it is."""
     return {
-        "label": section.label,
-        "sides": "two" if section.two_sided else "one",
-        "restitution": restitution_of(section),
+        "label": definition.label,
+        "sides": "two" if definition.two_sided else "one",
+        "restitution": restitution_of(definition),
     }
 
 
-def restitution_of(section: sections.Chained | sections.EquivalentBlock) -> tuple[Any, Any]:
+def restitution_of(definition: Chained | EquivalentBlock) -> tuple[Any, Any]:
     """The choices for the impacts that end the positive and the negative branch."""
-    return (section.restitution.positive, section.restitution.negative)
+    return (definition.restitution.positive, definition.restitution.negative)
 
 
-def hinges_of(hinges: sections.Hinges | None, section: sections.Chained) -> Any:
+def hinges_of(hinges: Sequence[Place] | None, definition: Chained) -> Any:
     """Hinges A, B, ... as (distance along `direction` from the origin, elevation) [m]; None where not given."""
     if hinges is None:
         return None
-    points: tuple[Point, ...] = tuple(point_in_plane(at, section.towards) for _, at in hinges)
+    points: tuple[Point, ...] = tuple(point_in_plane(at, definition.towards) for at in hinges)
     return points

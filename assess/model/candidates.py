@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from math import inf
+from typing import Any
 
 import numpy as np
 from scipy.constants import g
@@ -23,12 +24,11 @@ from assess.mechanisms.lasting import collapse_branch
 from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.virtual_work import virtual_work
 from assess.model.assembly import on_rigid_hinges
+from assess.model.body import Bodies
+from assess.model.definitions import Chained, CutAngle, Restitution, SingleBlock, TwoBlock
 from assess.model.directions import S, block_towards, facing, normals_of, standing_block, standing_of
 from assess.model.obstacles import Obstacle, obstacles_of, stopping
-from assess.model.pieces import Solids
 from assess.oscillator import displacement
-from assess.project import sections
-from assess.project.sections.mechanisms import Restitution
 from spectra.arrays import FloatArray
 
 NEAR = 1.1  # multipliers up to this many times the least are compared by d0*
@@ -44,15 +44,14 @@ Towards = Callable[[Vector], Mechanism]
 class Look:
     """One mechanism as its directions are compared.
 
-    section : its table; foot : corners [k, 3] of what it stands on [m]; obstacles : the bodies beside it
+    definition : as stated; foot : corners [k, 3] of what it stands on [m]; obstacles : the bodies beside it
     ways : angles of the candidates [deg]
     at : the mechanism towards a direction, of one side and on rigid hinges
     """
 
     name: str
-    section: sections.SingleBlock | sections.TwoBlock
-    content: sections.Content
-    solids: Solids
+    definition: SingleBlock | TwoBlock
+    bodies: Bodies
     foot: FloatArray
     obstacles: tuple[Obstacle, ...]
     ways: tuple[float, ...]
@@ -64,45 +63,43 @@ class Look:
         return f"mechanisms.{self.name}"
 
 
-def looking(
-    name: str, section: sections.SingleBlock | sections.TwoBlock, content: sections.Content, solids: Solids
-) -> Look:
+def looking(name: str, definition: SingleBlock | TwoBlock, bodies: Bodies) -> Look:
     """The candidates of a mechanism and what stands beside it."""
-    standing, bare = standing_of(name, section, solids), plain(section)
-    if isinstance(bare, sections.SingleBlock) and not isinstance(bare.cut, sections.CutAngle):
+    standing, bare = standing_of(name, definition, bodies), plain(definition)
+    if isinstance(bare, SingleBlock) and not isinstance(bare.cut, CutAngle):
         block = standing_block(name, bare, standing)
-        standing, foot, at = block.solids, block.foot, block_towards(name, bare, block, content, solids)
+        standing, foot, at = block.solids, block.foot, block_towards(name, bare, block, bodies)
     else:
         foot = lowest_corners(standing)
 
         def at(way: Vector) -> Mechanism:
-            return on_rigid_hinges(name, facing(bare, way), content, solids)[0]
+            return on_rigid_hinges(name, facing(bare, way), bodies)[0]
 
-    ways = ways_of(section, foot, np.concatenate([solid.vertices for solid in standing]))
-    return Look(name, section, content, solids, foot, obstacles_of(section, standing, solids), ways, at)
+    ways = ways_of(definition, foot, np.concatenate([solid.vertices for solid in standing]))
+    return Look(name, definition, bodies, foot, obstacles_of(definition, standing, bodies), ways, at)
 
 
-def ways_of(section: sections.Chained, foot: FloatArray, corners: FloatArray) -> tuple[float, ...]:
+def ways_of(definition: Chained, foot: FloatArray, corners: FloatArray) -> tuple[float, ...]:
     """The angles [deg] of the candidates, rising, from the corners of what a mechanism stands on, and of all of it."""
     plan = edge_normals(corners)
-    if isinstance(section, sections.TwoBlock):
+    if isinstance(definition, TwoBlock):
         normals = across(corners[:, :2], plan)
     else:
-        normals = plan if isinstance(section.cut, sections.CutAngle) else normals_of(foot)
+        normals = plan if isinstance(definition.cut, CutAngle) else normals_of(foot)
     normals = normals if normals.size else plan
     return tuple(np.unique(np.round(np.concatenate([normals, normals + 180.0]), 9) % 360.0).tolist())
 
 
-def plain(section: S) -> S:
+def plain(definition: S) -> S:
     """The same table for one side, whatever its impacts keep, without what is measured along the direction."""
-    changes: dict[str, object] = {"sides": "one", "restitution": Restitution(positive=0.0, negative=0.0)}
-    if section.direction is None:
-        keys = set(section.turning())
+    changes: dict[str, Any] = {"sides": "one", "restitution": Restitution(positive=0.0, negative=0.0)}
+    if definition.direction is None:
+        keys = set(definition.turning())
         flat = {key[1] for key in keys if key[0] == "loads"}
-        changes["loads"] = tuple(load for place, load in enumerate(section.loads) if place not in flat)
+        changes["loads"] = tuple(load for place, load in enumerate(definition.loads) if place not in flat)
         if any(key[0] == "hinges" for key in keys):
             changes["hinges"] = None
-    return section.model_copy(update={**changes, "hinges_negative": None})
+    return replace(definition, **{**changes, "hinges_negative": None})
 
 
 def across(plan: FloatArray, normals: FloatArray) -> FloatArray:
@@ -126,7 +123,7 @@ def evaluate(angle: float, look: Look) -> Candidate:
     try:
         return replace(asked, multiplier=uplift(look.at(asked.way).positive))
     except FallingError as error:
-        if look.section.direction is None and not asked.touching:
+        if look.definition.direction is None and not asked.touching:
             raise FallingError(
                 f"{error} (towards {vector_text(asked.way)}, looked at as `direction` is absent)"
             ) from None
@@ -137,12 +134,12 @@ def evaluate(angle: float, look: Look) -> Candidate:
 
 def on_side(look: Look, way: Vector) -> bool:
     """Whether a hinge that is given in space lies on the side of the base towards `way`; true where none is given."""
-    hinges = look.section.hinges
-    if hinges is None or len(hinges.A) == 2:
+    hinges = look.definition.given_hinges
+    if hinges is None or len(hinges[0]) == 2:
         return True
     reach = look.foot @ np.array(way)
     low, high = float(reach.min()), float(reach.max())
-    out = (point_in_plane(hinges.A, way)[0] - (low + high) / 2.0) / ((high - low) / 2.0)
+    out = (point_in_plane(hinges[0], way)[0] - (low + high) / 2.0) / ((high - low) / 2.0)
     return ON_SIDE[0] < out < ON_SIDE[1]
 
 

@@ -11,21 +11,24 @@ import numpy as np
 from assess.errors import AssessError, MechanismError
 from assess.geometry.cut import divide
 from assess.geometry.footprint import edge_normals
-from assess.geometry.planar import base_of_section, lowest_corners, planar_unseen
+from assess.geometry.piece import Piece
+from assess.geometry.planar import base_of_section, lowest_corners, planar_body_without_outline
 from assess.geometry.solid import Solid
 from assess.loads.body_loads import Meeting, Surroundings, meeting
-from assess.loads.loading import loads_of
+from assess.loads.definitions import BodyLoad
 from assess.mechanisms.directions import Directions, Vector, towards
 from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.table import branch
 from assess.model.assembly import Built, mechanism_of, of_one_block
-from assess.model.pieces import ASKEW, LEVEL, Piece, Solids, as_one, cut_of
+from assess.model.body import Bodies
+from assess.model.definitions import Chained, CutAngle, FourHinge, SingleBlock, TwoBlock
+from assess.model.loading import loads_of
+from assess.model.pieces import ASKEW, LEVEL, as_one, cut_of
 from assess.oscillator import linearise, multiplier
-from assess.project import sections
 from spectra.arrays import FloatArray
 
-Sought = sections.SingleBlock | sections.TwoBlock | sections.FourHinge
-S = TypeVar("S", bound=sections.Chained)
+Sought = SingleBlock | TwoBlock | FourHinge
+S = TypeVar("S", bound=Chained)
 
 CORNER = (
     "the cut slopes, so in most directions the block turns about one corner of it and slides along the crack beyond: "
@@ -37,30 +40,30 @@ SAME = 1e-6  # deg: directions this near are one
 TIE = 1e-9  # multipliers this near the least are as weak
 
 
-def swept_directions(name: str, section: Sought, content: sections.Content, solids: Solids) -> Built:
+def swept_directions(name: str, definition: Sought, bodies: Bodies) -> Built:
     """The mechanism of one table [mechanisms.NAME] in the weakest of many directions."""
-    standing = standing_of(name, section, solids)
+    standing = standing_of(name, definition, bodies)
     told: tuple[str, ...] = ()
-    if isinstance(section, sections.SingleBlock) and not isinstance(section.cut, sections.CutAngle):
-        block = standing_block(name, section, standing)
-        found = directions(block_towards(name, section, block, content, solids), angles(normals_of(block.foot)))
+    if isinstance(definition, SingleBlock) and not isinstance(definition.cut, CutAngle):
+        block = standing_block(name, definition, standing)
+        found = directions(block_towards(name, definition, block, bodies), angles(normals_of(block.foot)))
         told = (CORNER,) if sloping(block.foot) else ()
     else:  # the crack turns with the direction, and with it the blocks
         plan = np.concatenate([solid.vertices for solid in standing])
         found = directions(
-            lambda way: mechanism_of(name, facing(section, way), content, solids).mechanism,
+            lambda way: mechanism_of(name, facing(definition, way), bodies).mechanism,
             angles(edge_normals(plan)),
         )
-    built = mechanism_of(name, facing(section, towards(found.weakest)), content, solids)
+    built = mechanism_of(name, facing(definition, towards(found.weakest)), bodies)
     kept = (text for text in built.mechanism.notices if text != ASKEW)  # every direction has been looked at
     return replace(built, mechanism=replace(built.mechanism, directions=found, notices=(*kept, *told)))
 
 
-def standing_of(name: str, section: sections.Chained, solids: Solids) -> tuple[Solid, ...]:
+def standing_of(name: str, definition: Chained, bodies: Bodies) -> tuple[Solid, ...]:
     """The solids of all blocks; raises MechanismError for a body of direct values, which has one plane only."""
     found = []
-    for body in (body for block in section.blocks for body in block):
-        solid = solids[body]
+    for body in (body for block in definition.blocks for body in block):
+        solid = bodies[body].solid
         if solid is None:
             raise MechanismError(
                 f'mechanism "{name}": direction = "sweep", but body "{body}" has no geometry; give it a mesh, box or '
@@ -108,9 +111,9 @@ class Standing:
     fixed: tuple[Solid, ...] = ()
 
 
-def standing_block(name: str, section: sections.SingleBlock, solids: tuple[Solid, ...]) -> Standing:
+def standing_block(name: str, definition: SingleBlock, solids: tuple[Solid, ...]) -> Standing:
     """The block above its cut, which is the same in every direction."""
-    plane = cut_of(section, where=f'mechanism "{name}"')
+    plane = cut_of(definition, where=f'mechanism "{name}"')
     if plane is None:
         return Standing(solids, lowest_corners(solids))
     parts = divide(solids, plane, where=f'mechanism "{name}"')
@@ -118,30 +121,30 @@ def standing_block(name: str, section: sections.SingleBlock, solids: tuple[Solid
 
 
 def block_towards(
-    name: str, section: sections.SingleBlock, standing: Standing, content: sections.Content, solids: Solids
+    name: str, definition: SingleBlock, standing: Standing, bodies: Bodies
 ) -> Callable[[Vector], Mechanism]:
     """The single block towards any direction; cut once, met by its loads once, and not drawn."""
     known: dict[str, Meeting] = {}
 
-    def meet(load: sections.BodyLoad, body: Solid | None, around: Surroundings) -> Meeting:
+    def meet(load: BodyLoad, body: Solid | None, around: Surroundings) -> Meeting:
         if load.body not in known:
             known[load.body] = meeting(load, body, around)
         return known[load.body]
 
     def block(direction: Vector) -> Mechanism:
-        body = as_one([planar_unseen(solid, direction=direction) for solid in standing.solids])
+        body = as_one([planar_body_without_outline(solid, direction=direction) for solid in standing.solids])
         body = replace(body, base=base_of_section(standing.foot, direction=direction))
         pieces = [Piece(body, standing.solids, None, fixed=standing.fixed)]
-        faced = facing(section, direction)
-        brought = loads_of(name, faced, pieces, content, solids, meet=meet)
-        return of_one_block(name, faced, pieces, content, loads=brought.loads)[0]
+        faced = facing(definition, direction)
+        brought = loads_of(name, faced, pieces, bodies, meet=meet)
+        return of_one_block(name, faced, pieces, bodies, loads=brought.loads)[0]
 
     return block
 
 
-def facing(section: S, direction: Vector) -> S:
+def facing(definition: S, direction: Vector) -> S:
     """The same table with its direction given."""
-    return section.model_copy(update={"direction": direction})
+    return replace(definition, direction=direction)
 
 
 def directions(mechanism_towards: Callable[[Vector], Mechanism], around: Sequence[float]) -> Directions:

@@ -5,27 +5,31 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from assess.errors import GeometryError
+from assess.geometry.piece import Piece
 from assess.mechanisms.chain import Chain
 from assess.mechanisms.face import Face
 from assess.mechanisms.flexible import FlexibleChain
 from assess.mechanisms.joint import PAIRS
 from assess.mechanisms.mechanism import Mechanism
+from assess.model.body import Bodies, Material
+from assess.model.definitions import Chained
 from assess.model.joint_planes import DOWN, UP, Vector, View, normal_at
-from assess.model.pieces import Piece
-from assess.project import sections
 
 STEEP = 0.5  # vertical part of a unit normal: of a face 60 degrees off level
 
 
 def faces_of(
-    mechanism: Mechanism, section: sections.Chained, pieces: Sequence[Piece], content: sections.Content
+    mechanism: Mechanism, definition: Chained, pieces: Sequence[Piece], bodies: Bodies
 ) -> tuple[tuple[Face, ...], ...]:
     """Those of the positive and of the negative branch, each in its own sign."""
-    frictions = [friction_at(number, section, content) for number in range(len(mechanism.positive.hinges))]
+    frictions = [friction_at(number, definition, bodies) for number in range(len(mechanism.positive.hinges))]
     chains = [chain for chain in (mechanism.positive, mechanism.negative) if chain is not None]
     return tuple(
         tuple(
-            Face(*normal_of(number, chain, section, pieces, View.of(section.towards, sign=sign)), *frictions[number])
+            Face(
+                *normal_of(number, chain, definition, pieces, View.of(definition.towards, sign=sign)),
+                *frictions[number],
+            )
             for number in range(len(chain.hinges))
         )
         for chain, sign in zip(chains, (1.0, -1.0), strict=False)
@@ -33,7 +37,7 @@ def faces_of(
 
 
 def normal_of(
-    number: int, chain: Chain, section: sections.Chained, pieces: Sequence[Piece], view: View
+    number: int, chain: Chain, definition: Chained, pieces: Sequence[Piece], view: View
 ) -> tuple[Vector, bool]:
     """The normal at a hinge, to the block that presses, and whether the geometry says so; it is upright otherwise.
 
@@ -45,30 +49,30 @@ def normal_of(
         return (normal.real, normal.imag), True
     upright = DOWN if len(chain.blocks) == number == 2 else UP
     try:
-        found = normal_at(number, chain.hinges[number], section, pieces, view, where="")
+        found = normal_at(number, chain.hinges[number], definition, pieces, view, where="")
     except GeometryError:
         return upright, False
     return (upright, False) if ground and found[1] * upright[1] < STEEP else (found, True)
 
 
-def friction_at(number: int, section: sections.Chained, content: sections.Content) -> tuple[float | None, str]:
+def friction_at(number: int, definition: Chained, bodies: Bodies) -> tuple[float | None, str]:
     """The least coefficient of friction of the blocks that meet at a hinge, None where one has none; and the remedy."""
     least: float | None = None
-    for block in PAIRS[section.moving][number]:
+    for block in PAIRS[definition.moving][number]:
         if block is None:
             continue
-        names = dict.fromkeys(materials_of(section.blocks[min(block, len(section.blocks) - 1)], content))
-        given = [mu for name in names if (mu := content.materials[name].friction) is not None]
+        materials = dict.fromkeys(materials_of(definition.blocks[min(block, len(definition.blocks) - 1)], bodies))
+        given = [mu for material in materials if (mu := material.friction) is not None]
         if not given:
-            keys = " or ".join(f"materials.{name}.friction" for name in names)
+            keys = " or ".join(f"materials.{material.name}.friction" for material in materials)
             return None, f"give {keys}" if keys else "give its bodies geometry and a material with friction"
         least = min(given) if least is None else min(least, *given)
     return least, ""
 
 
-def materials_of(block: Sequence[str], content: sections.Content) -> Iterator[str]:
+def materials_of(block: Sequence[str], bodies: Bodies) -> Iterator[Material]:
     """The materials of the bodies of a block that have geometry."""
     for name in block:
-        body = content.bodies[name]
-        if not isinstance(body, sections.DirectBody):
-            yield body.material
+        material = bodies[name].material
+        if material is not None:
+            yield material

@@ -7,34 +7,35 @@ from itertools import combinations, pairwise, product
 
 import numpy as np
 
-from assess.geometry.boolean import gap
+from assess.geometry.boolean import shortest_distance
+from assess.geometry.contact import TOLERANCE
 from assess.geometry.solid import Solid
-from assess.geometry.surface import linked
-from assess.geometry.touch import TOLERANCE
+from assess.geometry.surface import connected_groups
 from assess.messages.message import Message, Quantity, Value, warning
-from assess.project import sections
+from assess.model.body import Bodies
+from assess.model.definitions import Chained, Definition
 
 Gap = dict[str, Value]
 """The values of a warning of two bodies that lie apart."""
 
 
-def gaps_of(content: sections.Content, solids: Mapping[str, Solid | None]) -> Iterator[Message]:
+def gaps_of(definitions: Mapping[str, Definition], bodies: Bodies) -> Iterator[Message]:
     """A notice for each gap in a block of several bodies, and between blocks that a hinge joins.
 
     Bodies are looked at whole, also where a cut leaves their foot behind.
     """
-    for name, section in content.mechanisms.items():
-        chained = () if isinstance(section, sections.EquivalentBlock) else section.blocks
-        blocks = [known(block, solids) for block in chained]
+    for name, definition in definitions.items():
+        chained = definition.blocks if isinstance(definition, Chained) else ()
+        blocks = [known(block, bodies) for block in chained]
         where = f"mechanisms.{name}"
         yield from (warning("gap", where, **each) for block in blocks for each in loose(block))
         pairs = pairwise(blocks)
         yield from (warning("gap-at-hinge", where, **each) for one, other in pairs for each in parted(one, other))
 
 
-def known(block: Sequence[str], solids: Mapping[str, Solid | None]) -> list[Solid]:
+def known(block: Sequence[str], bodies: Bodies) -> list[Solid]:
     """The solids of a block; none where a body has direct values, for nobody knows where that one reaches."""
-    found = [solid for body in block if (solid := solids[body]) is not None]
+    found = [solid for body in block if (solid := bodies[body].solid) is not None]
     return found if len(found) == len(block) else []
 
 
@@ -43,8 +44,8 @@ def loose(block: Sequence[Solid]) -> Iterator[Gap]:
     pairs = list(combinations(range(len(block)), 2))
     joined = [(i, j) for i, j in pairs if touching(block[i], block[j])]
     while len(block) > 1:
-        group = linked(np.array(joined, dtype=np.int64).reshape(-1, 2), count=len(block))
-        across = [(gap(block[i], block[j]), (i, j)) for i, j in pairs if group[i] != group[j]]
+        group = connected_groups(np.array(joined, dtype=np.int64).reshape(-1, 2), count=len(block))
+        across = [(shortest_distance(block[i], block[j]), (i, j)) for i, j in pairs if group[i] != group[j]]
         if not across:
             return
         distance, (i, j) = min(across)
@@ -57,13 +58,13 @@ def parted(one: Sequence[Solid], other: Sequence[Solid]) -> Iterator[Gap]:
     pairs = list(product(one, other))
     if not pairs or any(touching(*pair) for pair in pairs):
         return
-    distances = [gap(*pair) for pair in pairs]
+    distances = [shortest_distance(*pair) for pair in pairs]
     yield said(*pairs[int(np.argmin(distances))], min(distances))
 
 
 def touching(one: Solid, other: Solid) -> bool:
     """Whether two bodies are as near as a joint is thick."""
-    return gap(one, other, limit=TOLERANCE) < TOLERANCE
+    return shortest_distance(one, other, limit=TOLERANCE) < TOLERANCE
 
 
 def said(one: Solid, other: Solid, distance: float) -> Gap:

@@ -10,13 +10,14 @@ import numpy as np
 import shapely
 
 from assess.errors import GeometryError
-from assess.geometry.cut import Plane, divide, heading, in_plane
+from assess.geometry.cut import Plane, divide, heading, project_on_plane
+from assess.geometry.piece import Piece
 from assess.geometry.solid import Solid
 from assess.geometry.surface import areas_and_normals
 from assess.mechanisms.chain import Point
 from assess.mechanisms.joint import PAIRS
-from assess.model.pieces import Piece, cut_of
-from assess.project import sections
+from assess.model.definitions import Chained
+from assess.model.pieces import cut_of
 from spectra.arrays import FloatArray
 
 Vector = tuple[float, float]
@@ -74,18 +75,16 @@ class Bed:
 
     def beyond(self, hinge: FloatArray, out: FloatArray) -> float:
         """How far the contact reaches beyond a hinge [3] in a direction of the plane [2] [m]."""
-        at = in_plane(self.plane, hinge - self.plane.point) @ out
+        at = project_on_plane(self.plane, hinge - self.plane.point) @ out
         return float((shapely.get_coordinates(self.region) @ out).max() - at)
 
 
-def bed_at(
-    number: int, hinge: Point, section: sections.Chained, pieces: Sequence[Piece], view: View, *, where: str
-) -> Bed:
+def bed_at(number: int, hinge: Point, definition: Chained, pieces: Sequence[Piece], view: View, *, where: str) -> Bed:
     """Where a hinge presses: on the ground or the cut, on the support at the top, or on the block beside it.
 
     Raises GeometryError where no faces meet at the hinge.
     """
-    blocks = section.moving
+    blocks = definition.moving
     face, pressing = PAIRS[blocks][number]
     ordered = pieces if view.sign > 0.0 or len(pieces) == blocks else pieces[::-1]
     if not all(piece.solids for piece in ordered):
@@ -98,26 +97,26 @@ def bed_at(
     piece = ordered[-1 if pressing == blocks - 1 else 0]
     if blocks == number == 2:
         return bed_on_face(piece.solids, hinge, view, UP, where=where)
-    plane = cut_of(section, where=where) if piece.cut and len(pieces) == blocks else None
+    plane = cut_of(definition, where=where) if piece.cut and len(pieces) == blocks else None
     if plane is None:
         return bed_on_face(piece.solids, hinge, view, DOWN, where=where)
     return Bed(view.seen(plane.normal), plane, divide(piece.solids, plane, where=where).region)
 
 
 def normal_at(
-    number: int, hinge: Point, section: sections.Chained, pieces: Sequence[Piece], view: View, *, where: str
+    number: int, hinge: Point, definition: Chained, pieces: Sequence[Piece], view: View, *, where: str
 ) -> Vector:
     """The normal of the bed at a hinge, from the held face to the pressing block; a cut is not made again for it.
 
     Raises GeometryError where no faces meet at the hinge.
     """
-    face, pressing = PAIRS[section.moving][number]
+    face, pressing = PAIRS[definition.moving][number]
     piece = pieces[min(pressing, len(pieces) - 1)]
-    if face is None and not (section.moving == number == 2) and piece.cut and len(pieces) == section.moving:
-        plane = cut_of(section, where=where)
+    if face is None and not (definition.moving == number == 2) and piece.cut and len(pieces) == definition.moving:
+        plane = cut_of(definition, where=where)
         if plane is not None:
             return view.seen(plane.normal)
-    return bed_at(number, hinge, section, pieces, view, where=where).normal
+    return bed_at(number, hinge, definition, pieces, view, where=where).normal
 
 
 def bed_on_face(solids: Sequence[Solid], hinge: Point, view: View, side: Vector, *, where: str) -> Bed:
@@ -195,7 +194,7 @@ def normals_at(solids: Sequence[Solid], at: FloatArray, view: View) -> list[Floa
 def faces_in(solids: Sequence[Solid], plane: Plane, *, seen_in: Plane | None = None) -> shapely.Geometry:
     """The faces of solids that lie in a plane and look to the side of its normal, in the coordinates of `seen_in`."""
     shown, pieces = seen_in or plane, []
-    axes = np.column_stack([in_plane(shown, unit) for unit in np.eye(3)])
+    axes = np.column_stack([project_on_plane(shown, unit) for unit in np.eye(3)])
     for corners, normal, _ in map(_faces, solids):
         off = np.abs((corners - plane.point) @ plane.normal).max(axis=1)
         lying = (normal @ plane.normal >= 1.0 - ALIKE) & (off <= TOUCH)

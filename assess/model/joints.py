@@ -11,20 +11,23 @@ import shapely
 
 from assess.errors import GeometryError, MechanismError
 from assess.geometry.cut import heading
+from assess.geometry.piece import Piece
 from assess.interfaces.contact import contact, sideways_doubt
+from assess.interfaces.definition import Interface, Shape
 from assess.interfaces.law import Law
 from assess.interfaces.section import Section
 from assess.interfaces.shapes import annulus, circle, hollow_rectangle, polygon, rectangle
-from assess.loads.overburden import THROUGH_TOP, through_joint, through_of, under_loads
+from assess.loads.overburden import through_of
 from assess.mechanisms.assembly import on_joints
 from assess.mechanisms.chain import Chain, hinge_names
 from assess.mechanisms.flexible import FlexibleChain
 from assess.mechanisms.impact import RestitutionChoice
 from assess.mechanisms.joint import Joint
 from assess.mechanisms.mechanism import Mechanism
+from assess.mechanisms.through_joint import THROUGH_TOP, through_joint, under_loads
+from assess.model.body import Bodies, Material
+from assess.model.definitions import Chained
 from assess.model.joint_planes import DOWN, UP, Vector, View, bed_at
-from assess.model.pieces import Piece
-from assess.project import sections
 
 NEAR = 0.02  # of the depth of a contact: a hinge farther from its edge is told
 TURNED = 0.05  # rad: where the resultant of an unsymmetric contact is looked at
@@ -32,9 +35,9 @@ TURNED = 0.05  # rad: where the resultant of an unsymmetric contact is looked at
 
 def put_on_joints(
     mechanism: Mechanism,
-    section: sections.Chained,
+    definition: Chained,
     pieces: Sequence[Piece],
-    content: sections.Content,
+    bodies: Bodies,
     *,
     restitution: tuple[RestitutionChoice, RestitutionChoice],
 ) -> Mechanism:
@@ -43,16 +46,16 @@ def put_on_joints(
     Raises GeometryError where a contact is not found, MechanismError or InterfaceError where one cannot carry its load.
     """
     chains = [chain for chain in (mechanism.positive, mechanism.negative) if chain is not None]
-    interfaces = [section.interface_at(letter) for letter in hinge_names(mechanism.positive)]
+    interfaces = [definition.interface_at(letter) for letter in hinge_names(mechanism.positive)]
     doubts: list[str] = []
     joints = [
         tuple(
-            joint_at(number, chain, mechanism.name, section, interface, pieces, content, sign=sign, doubts=doubts)
+            joint_at(number, chain, mechanism.name, definition, interface, pieces, bodies, sign=sign, doubts=doubts)
             for number, interface in enumerate(interfaces)
         )
         for chain, sign in zip(chains, (1.0, -1.0), strict=False)
     ]
-    through = through_of(section.loads)
+    through = through_of(definition.loads)
     moved = [through_joint(chain, side[-1], through) for chain, side in zip(chains, joints, strict=True)]
     joints = [under_loads(chain, side, through) for chain, side in zip(moved, joints, strict=True)]
     loaded = replace(mechanism, positive=moved[0], negative=moved[1] if len(moved) > 1 else None)
@@ -86,10 +89,10 @@ def joint_at(
     number: int,
     chain: Chain,
     name: str,
-    section: sections.Chained,
-    interface: sections.Interface,
+    definition: Chained,
+    interface: Interface,
     pieces: Sequence[Piece],
-    content: sections.Content,
+    bodies: Bodies,
     *,
     sign: float,
     doubts: list[str],
@@ -101,21 +104,21 @@ def joint_at(
     letter = hinge_names(chain)[number]
     what = f"interface {letter}" + "'" * (sign < 0)
     where = f'mechanism "{name}", {what}'
-    law = law_of(interface, material_of(section, content), where=where)
+    law = law_of(interface, material_of(definition, bodies), where=where)
     if law is None:
         return None
     if interface.model != "rigid" and law.strength == inf and interface.strength is None:
         doubts.append(f"interface {letter}: no strength is known, so its joint never crushes; give strength")
-    view = View.of(section.towards, sign=sign)
+    view = View.of(definition.towards, sign=sign)
     sense = float(FlexibleChain(chain, name).sense[number])
-    if isinstance(interface.shape, sections.Shape):
+    if isinstance(interface.shape, Shape):
         normal = DOWN if at_top(chain, number) else UP
         try:
-            normal = bed_at(number, chain.hinges[number], section, pieces, view, where=where).normal
+            normal = bed_at(number, chain.hinges[number], definition, pieces, view, where=where).normal
         except GeometryError:
             doubts.append(f"{what}: no faces meet at its hinge, so its joint is taken level")
         return Joint(_inward(normal, sense), shaped(interface.shape, view), law, interface.model)
-    bed = bed_at(number, chain.hinges[number], section, pieces, view, where=where)
+    bed = bed_at(number, chain.hinges[number], definition, pieces, view, where=where)
     inward = _inward(bed.normal, sense)
     out = heading(bed.plane, -view.world(inward), axis=view.axis)
     found = polygon(bed.region, direction=out)
@@ -128,7 +131,7 @@ def joint_at(
     return Joint(inward, found, law, interface.model)
 
 
-def law_of(interface: sections.Interface, material: sections.Material | None, *, where: str) -> Law | None:
+def law_of(interface: Interface, material: Material | None, *, where: str) -> Law | None:
     """Stiffness and strength, None for a rigid joint without limit of strength."""
     strength = interface.strength
     if interface.model == "rigid":
@@ -144,16 +147,9 @@ def law_of(interface: sections.Interface, material: sections.Material | None, *,
     return Law(material.young_modulus / (interface.course_thickness or inf), strength)
 
 
-def material_of(section: sections.Chained, content: sections.Content) -> sections.Material | None:
+def material_of(definition: Chained, bodies: Bodies) -> Material | None:
     """That of the first body of a mechanism that has one."""
-    name = material_name(section, content)
-    return None if name is None else content.materials[name]
-
-
-def material_name(section: sections.Chained, content: sections.Content) -> str | None:
-    """Its name."""
-    bodies = (content.bodies[name] for block in section.blocks for name in block)
-    return next((body.material for body in bodies if not isinstance(body, sections.DirectBody)), None)
+    return next((material for name in definition.bodies if (material := bodies[name].material) is not None), None)
 
 
 def at_top(chain: Chain, number: int) -> bool:
@@ -161,7 +157,7 @@ def at_top(chain: Chain, number: int) -> bool:
     return len(chain.blocks) == number == 2
 
 
-def shaped(shape: sections.Shape, view: View) -> Section:
+def shaped(shape: Shape, view: View) -> Section:
     """A contact of given sizes, seen in the direction of motion."""
     if shape.rectangle is not None:
         return rectangle(*shape.rectangle)

@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
+from assess.geometry.contact import TOLERANCE, Patches, facing_patches
 from assess.geometry.solid import Solid
-from assess.geometry.touch import TOLERANCE, Patches, beside
+from assess.loads.definitions import bodies_of
 from assess.mechanisms.directions import Vector
-from assess.project import sections
-from assess.project.grounding import carried
+from assess.model.body import Bodies
+from assess.model.definitions import Chained, TwoBlock
 
 FOOT = 0.1  # of the height of the masonry: what touches it lower, as a pavement does, does not stop it
 AHEAD = 0.7  # cosine between a touched face and the motion that the contact stops: within 45 degrees
@@ -31,19 +32,15 @@ class Obstacle:
         return float(self.faces.area[ahead].sum()) > SMALLEST
 
 
-def obstacles_of(
-    section: sections.Chained, standing: Sequence[Solid], solids: Mapping[str, Solid | None]
-) -> tuple[Obstacle, ...]:
+def obstacles_of(definition: Chained, standing: Sequence[Solid], bodies: Bodies) -> tuple[Obstacle, ...]:
     """The bodies that touch what moves, `standing`; those of the mechanism and those that load it are none."""
     low = min(float(solid.vertices[:, 2].min()) for solid in standing)
     high = max(float(solid.vertices[:, 2].max()) for solid in standing)
     foot = low + FOOT * (high - low)
-    head = (
-        high - FOOT * (high - low) if isinstance(section, sections.TwoBlock) else np.inf
-    )  # held there by what touches
-    own = {body for block in section.blocks for body in block}
-    own |= {body for load in section.loads for body in carried(load)}
-    others = [solid for name, solid in solids.items() if solid is not None and name not in own]
+    head = high - FOOT * (high - low) if isinstance(definition, TwoBlock) else np.inf  # held there by what touches
+    own = set(definition.bodies)
+    own |= {body for load in definition.loads for body in bodies_of(load)}
+    others = [each.solid for name, each in bodies.items() if each.solid is not None and name not in own]
     found = ((other, _touched(standing, other, foot=foot, head=head)) for other in others if _near(standing, other))
     return tuple(Obstacle(other.name, faces) for other, faces in found if float(faces.area.sum()) > SMALLEST)
 
@@ -66,7 +63,7 @@ def _touched(standing: Sequence[Solid], other: Solid, *, foot: float, head: floa
 
     A body drawn in the same place, another state of it or simply put at the origin too, is not beside it.
     """
-    met = [beside(solid, other) for solid in standing]
+    met = [facing_patches(solid, other) for solid in standing]
     area, centroid, normal = (
         np.concatenate([getattr(each, key) for each in met]) for key in ("area", "centroid", "normal")
     )

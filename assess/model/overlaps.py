@@ -2,43 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from itertools import combinations
+from collections.abc import Iterator, Mapping
 
-from assess.geometry.boolean import common
-from assess.geometry.solid import Solid
-from assess.messages.message import Message, Quantity, warning
-from assess.project import sections
-
-OVERLAP = 5e-3  # of the smaller body's volume: bodies that share less are taken to touch
-SAME_PLACE = 0.1  # of the smaller body's volume: a body that shares more with a block is another state of it
+from assess.geometry.overlap import overlaps
+from assess.messages.message import Message
+from assess.model.body import Bodies
+from assess.model.definitions import Chained, Definition
 
 
-def overlaps(bodies: Sequence[Solid], *, where: str = "") -> Iterator[Message]:
-    """A warning for each two of the bodies that overlap, so that what they share is weighed twice."""
-    for one, other in combinations(bodies, 2):
-        shared = common(one, other)
-        if shared is not None and shared.part > OVERLAP:
-            yield warning(
-                "overlap",
-                where,
-                one=one.name,
-                other=other.name,
-                volume=Quantity(shared.volume, "volume", 3),
-                share=Quantity(100.0 * shared.part, "percent", 3),
-            )
-
-
-def shared_with(block: Sequence[Solid], other: Solid) -> tuple[float, float]:
-    """What a body shares with the solids of a block: the largest part of the smaller [-], and the volume [m3]."""
-    shared = [each for solid in block if (each := common(solid, other)) is not None]
-    return max((each.part for each in shared), default=0.0), sum(each.volume for each in shared)
-
-
-def overlaps_of(content: sections.Content, solids: Mapping[str, Solid | None]) -> Iterator[Message]:
-    """A notice for each two bodies of a mechanism's blocks that overlap."""
-    for name, section in content.mechanisms.items():
-        blocks = () if isinstance(section, sections.EquivalentBlock) else section.blocks
-        names = dict.fromkeys(body for block in blocks for body in block)
-        known = [solid for body in names if (solid := solids[body]) is not None]
+def overlaps_of(definitions: Mapping[str, Definition], bodies: Bodies) -> Iterator[Message]:
+    """Return a warning for each two bodies of a mechanism's blocks that overlap."""
+    for name, definition in definitions.items():
+        names = dict.fromkeys(definition.bodies if isinstance(definition, Chained) else ())
+        known = [solid for body in names if (solid := bodies[body].solid) is not None]
         yield from overlaps(known, where=f"mechanisms.{name}")

@@ -11,10 +11,11 @@ import numpy as np
 from scipy.constants import g
 
 from assess.errors import CrackError
-from assess.geometry.cut import Parts, divide, level
-from assess.geometry.planar import base_of_section, planar, top
+from assess.geometry.contact import TOLERANCE
+from assess.geometry.cut import Division, divide, level_plane
+from assess.geometry.piece import Piece
+from assess.geometry.planar import base_of_section, planar_body, top_edge
 from assess.geometry.solid import Solid
-from assess.geometry.touch import TOLERANCE
 from assess.loads.body_loads import Brought
 from assess.loads.load import Force, Load, PointMass
 from assess.loads.overburden import UPPER
@@ -24,8 +25,9 @@ from assess.mechanisms.crack import ARM, MARGIN, crack_ratio, least
 from assess.mechanisms.motion import move
 from assess.mechanisms.two_block import Hinges
 from assess.mechanisms.virtual_work import virtual_work
-from assess.model.pieces import Piece, as_one, standing_on
-from assess.project import sections
+from assess.model.body import Bodies, Material
+from assess.model.definitions import TwoBlock
+from assess.model.pieces import as_one, standing_on
 
 
 @dataclass(frozen=True)
@@ -66,9 +68,9 @@ class Panel:
 
 
 def crack_of(
-    section: sections.TwoBlock,
+    definition: TwoBlock,
     whole: Piece,
-    content: sections.Content,
+    bodies: Bodies,
     loads: Callable[[], Brought],
     *,
     front: Hinges | None,
@@ -79,27 +81,27 @@ def crack_of(
     """
     if not whole.solids:
         raise CrackError("its body has no geometry to crack; give it a mesh, box or profile, or two bodies")
-    crack = section.crack
+    crack = definition.crack
     if crack is None:
         crack = front[1][1] if front is not None else "sorrentino"
     if isinstance(crack, float):
         return Crack(crack)
     find = by_formula if crack == "sorrentino" else by_search
     brought = loads()
-    strength = content.materials[material_of(section.blocks[0], content)].tensile_strength or 0.0
-    elevation, notice = find(section, whole, brought, strength=strength)
+    strength = material_of(definition.blocks[0], bodies).tensile_strength or 0.0
+    elevation, notice = find(definition, whole, brought, strength=strength)
     return Crack(elevation, (notice,), over(brought, elevation))
 
 
-def blocks_at(elevation: float, name: str, section: sections.TwoBlock, whole: Piece) -> tuple[Piece, Piece]:
+def blocks_at(elevation: float, name: str, definition: TwoBlock, whole: Piece) -> tuple[Piece, Piece]:
     """The two blocks of a wall that cracks at an elevation [m].
 
     Raises CrackError where the crack does not lie in the wall.
     """
-    parts = divide(whole.solids, level(elevation), where=f'mechanism "{name}", crack')
+    parts = divide(whole.solids, level_plane(elevation), where=f'mechanism "{name}", crack')
     if not parts.below:
         raise CrackError(f"the crack at z = {elevation:.4g} m is at the foot of the wall; give one above it")
-    return below(parts, whole, section.towards), standing_on(parts, section.towards)
+    return below(parts, whole, definition.towards), standing_on(parts, definition.towards)
 
 
 def over(brought: Brought, elevation: float) -> tuple[Load, ...]:
@@ -122,16 +124,15 @@ def require_as_found(crack: Crack | None, loads: Sequence[Load]) -> None:
         )
 
 
-def material_of(block: Sequence[str], content: sections.Content) -> str:
+def material_of(block: Sequence[str], bodies: Bodies) -> Material:
     """The material of the first body of a block that has geometry."""
-    bodies = (content.bodies[name] for name in block)
-    return next(body.material for body in bodies if not isinstance(body, sections.DirectBody))
+    return next(material for name in block if (material := bodies[name].material) is not None)
 
 
-def panel_of(section: sections.TwoBlock, whole: Piece, loads: Sequence[Load], *, strength: float) -> Panel:
+def panel_of(definition: TwoBlock, whole: Piece, loads: Sequence[Load], *, strength: float) -> Panel:
     """The box around a wall and the load on it: forces and bearing masses of the upper block, as if at the top."""
     points = np.concatenate([solid.vertices for solid in whole.solids])
-    along = np.array(section.towards) / np.linalg.norm(section.towards)
+    along = np.array(definition.towards) / np.linalg.norm(definition.towards)
     x, y = points @ along, points @ np.array([-along[1], along[0], 0.0])
     upper = [load for load in loads if load.block == UPPER]
     pressing = [(-load.force[1], load.at[0]) for load in upper if isinstance(load, Force)]
@@ -152,7 +153,7 @@ def panel_of(section: sections.TwoBlock, whole: Piece, loads: Sequence[Load], *,
     )
 
 
-def by_formula(section: sections.TwoBlock, whole: Piece, brought: Brought, *, strength: float) -> tuple[float, str]:
+def by_formula(definition: TwoBlock, whole: Piece, brought: Brought, *, strength: float) -> tuple[float, str]:
     """The crack by 3.27 with the loads that stand above it: elevation [m] and how it was found.
 
     The crack depends on what stands above it, and that on the crack: each set of loads is tried that a crack can leave
@@ -160,7 +161,7 @@ def by_formula(section: sections.TwoBlock, whole: Piece, brought: Brought, *, st
 
     Raises CrackError where none does, or where one puts the crack at the very top.
     """
-    found = list(agreeing(section, whole, brought, strength=strength))
+    found = list(agreeing(definition, whole, brought, strength=strength))
     if not found:
         raise CrackError(
             'crack = "sorrentino": wherever the formula puts the crack, other loads stand above it than it was found '
@@ -171,7 +172,7 @@ def by_formula(section: sections.TwoBlock, whole: Piece, brought: Brought, *, st
 
 
 def agreeing(
-    section: sections.TwoBlock, whole: Piece, brought: Brought, *, strength: float
+    definition: TwoBlock, whole: Piece, brought: Brought, *, strength: float
 ) -> Iterator[tuple[float, float, str]]:
     """The cracks by 3.27 above which the loads stand that they are found with: uplift multiplier, elevation, and how.
 
@@ -180,18 +181,18 @@ def agreeing(
     heights = sorted({load.at[1] for load, follows in zip(brought.loads, brought.follows, strict=True) if follows})
     for lowest, next_one in pairwise((-inf, *heights, inf)):
         loads = over(brought, next_one)
-        panel = panel_of(section, whole, loads, strength=strength)
+        panel = panel_of(definition, whole, loads, strength=strength)
         on_top = panel.base + (1.0 - MARGIN) * panel.height
         if lowest > on_top:
             return
         try:
-            elevation, notice = of_panel(panel, sides="two" if section.two_sided else "one")
+            elevation, notice = of_panel(panel, sides="two" if definition.two_sided else "one")
         except CrackError:
             if next_one < on_top:
                 continue
             raise
         if lowest < elevation <= next_one:
-            yield uplift(section, whole, panel, loads, elevation), elevation, notice
+            yield uplift(definition, whole, panel, loads, elevation), elevation, notice
 
 
 def of_panel(panel: Panel, *, sides: str) -> tuple[float, str]:
@@ -219,16 +220,16 @@ def of_panel(panel: Panel, *, sides: str) -> tuple[float, str]:
     )
 
 
-def by_search(section: sections.TwoBlock, whole: Piece, brought: Brought, *, strength: float) -> tuple[float, str]:
+def by_search(definition: TwoBlock, whole: Piece, brought: Brought, *, strength: float) -> tuple[float, str]:
     """The crack of least uplift multiplier: elevation [m] and how it was found.
 
     The multiplier jumps where the crack passes a load, from one block to the other; there it is looked for on both
     sides, out of reach of the contact.
     """
-    panel = panel_of(section, whole, over(brought, -inf), strength=strength)
+    panel = panel_of(definition, whole, over(brought, -inf), strength=strength)
 
     def multiplier(elevation: float) -> float:
-        return uplift(section, whole, panel, over(brought, elevation), elevation)
+        return uplift(definition, whole, panel, over(brought, elevation), elevation)
 
     jumps = [load.at[1] for load, follows in zip(brought.loads, brought.follows, strict=True) if follows]
     elevation = least(multiplier, low=panel.base, high=panel.base + panel.height, jumps=jumps, apart=2.0 * TOLERANCE)
@@ -240,15 +241,15 @@ def by_search(section: sections.TwoBlock, whole: Piece, brought: Brought, *, str
     )
 
 
-def uplift(section: sections.TwoBlock, whole: Piece, panel: Panel, loads: tuple[Load, ...], elevation: float) -> float:
+def uplift(definition: TwoBlock, whole: Piece, panel: Panel, loads: tuple[Load, ...], elevation: float) -> float:
     """The multiplier that opens a crack at `elevation` [m], the least of the sides that rock."""
-    parts = divide(whole.solids, level(elevation), where="crack")
-    blocks = (weight_of(parts.below, section.towards), weight_of(parts.above, section.towards))
-    base, joint, head = whole.body.base, base_of_section(parts.foot, direction=section.towards), top(whole.body)
+    parts = divide(whole.solids, level_plane(elevation), where="crack")
+    blocks = (weight_of(parts.below, definition.towards), weight_of(parts.above, definition.towards))
+    base, joint, head = whole.body.base, base_of_section(parts.foot, direction=definition.towards), top_edge(whole.body)
     assert base is not None  # a piece with solids has a base and a top
     assert head is not None
     found = []
-    for ahead in (True, False) if section.two_sided else (True,):
+    for ahead in (True, False) if definition.two_sided else (True,):
         hinges = (base[ahead], joint[not ahead], head[ahead])
         chain = Chain(blocks, hinges, loads) if ahead else mirrored_chain(blocks, hinges, loads)
         work, turning = virtual_work(chain, np.zeros(1)), move(chain, np.zeros(1)).rate[:, 0]
@@ -264,7 +265,7 @@ def weight_of(solids: Sequence[Solid], direction: Sequence[float]) -> Block:
     return Block(float(masses.sum()), point_in_plane(centre.tolist(), direction), 0.0)
 
 
-def below(parts: Parts, whole: Piece, direction: Sequence[float]) -> Piece:
+def below(parts: Division, whole: Piece, direction: Sequence[float]) -> Piece:
     """The lower side of a crack as a block, on the base of the whole."""
-    body = as_one([planar(solid, direction=direction) for solid in parts.below])
+    body = as_one([planar_body(solid, direction=direction) for solid in parts.below])
     return replace(whole, body=replace(body, base=whole.body.base), solids=parts.below)

@@ -16,6 +16,7 @@ from assess.mechanisms.directions import Candidate, Vector, angle_of
 from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message, Quantity, Severity, Value, message
 from assess.model.assembly import Built, mechanism_of
+from assess.model.body import Bodies
 from assess.model.candidates import (
     OTHER_SIDE,
     Look,
@@ -31,37 +32,36 @@ from assess.model.candidates import (
     with_displacement,
     worth,
 )
+from assess.model.definitions import Chained, Definition, EquivalentBlock, FourHinge, SingleBlock, TwoBlock
 from assess.model.directions import S, facing, swept_directions
 from assess.model.obstacles import AHEAD, stopping
-from assess.model.pieces import Solids
-from assess.project import sections
 
 CLEARLY = 0.95  # of a given direction's multiplier: a candidate below it is clearly weaker
 LISTED = 4
 
 
-def directed(name: str, section: sections.Mechanism, content: sections.Content, solids: Solids) -> Built:
+def directed(name: str, definition: Definition, bodies: Bodies) -> Built:
     """The mechanism of one table [mechanisms.NAME], in its weakest direction where none is given."""
-    if isinstance(section, sections.EquivalentBlock | sections.FourHinge):
-        return swept_or_given(name, section, content, solids)
-    if section.direction == "sweep" or not drawn(section, solids):
-        return swept_or_given(name, section, content, solids)
-    look = looking(name, section, content, solids)
-    if section.direction is None:
+    if isinstance(definition, EquivalentBlock | FourHinge):
+        return swept_or_given(name, definition, bodies)
+    if definition.direction == "sweep" or not drawn(definition, bodies):
+        return swept_or_given(name, definition, bodies)
+    look = looking(name, definition, bodies)
+    if definition.direction is None:
         return in_weakest(look)
     return in_given(look)
 
 
-def swept_or_given(name: str, section: sections.Mechanism, content: sections.Content, solids: Solids) -> Built:
+def swept_or_given(name: str, definition: Definition, bodies: Bodies) -> Built:
     """The mechanism where no candidates are compared; a body of direct values has one plane only, taken as +x."""
-    if not isinstance(section, sections.EquivalentBlock) and section.direction == "sweep":
-        return swept_directions(name, section, content, solids)
-    return mechanism_of(name, section, content, solids)
+    if not isinstance(definition, EquivalentBlock) and definition.direction == "sweep":
+        return swept_directions(name, definition, bodies)
+    return mechanism_of(name, definition, bodies)
 
 
-def drawn(section: sections.Chained, solids: Solids) -> bool:
+def drawn(definition: Chained, bodies: Bodies) -> bool:
     """Whether all its bodies have geometry."""
-    return all(solids[body] is not None for block in section.blocks for body in block)
+    return all(bodies[body].solid is not None for body in definition.bodies)
 
 
 def in_weakest(look: Look) -> Built:
@@ -69,31 +69,31 @@ def in_weakest(look: Look) -> Built:
     candidates = evaluated(look)
     known = [each for each in candidates if each.multiplier is not None]
     if not known:  # nor can it be built towards any: say why
-        return mechanism_of(look.name, facing(look.section, candidates[0].way), look.content, look.solids)
-    reason = next(must_be_given(look.section), "")
+        return mechanism_of(look.name, facing(look.definition, candidates[0].way), look.bodies)
+    reason = next(must_be_given(look.definition), "")
     if reason:
         raise ProjectError(f"{look.where}.direction: missing; {reason}; the candidates are {listed(known)}")
     pool, held = free_of(known)
     found = weakest_of([with_displacement(each, look) for each in near_least(pool)])
     candidates = tuple(found if each.angle == found.angle else each for each in candidates)
     behind = () if held else stopping(look.obstacles, opposite(found.way))
-    section = sided(facing(look.section, found.way), behind)
-    built = mechanism_of(look.name, section, look.content, look.solids)
+    definition = sided(facing(look.definition, found.way), behind)
+    built = mechanism_of(look.name, definition, look.bodies)
     told = [*of_obstacles(candidates, found, held=held, where=look.where), *of_sides(behind, look)]
     told += [cannot_rock(each, look.where) for each in candidates if each.why not in ("", OTHER_SIDE)]
     return with_messages(built, candidates, told, look)
 
 
-def sided(section: S, behind: Sequence[str]) -> S:
+def sided(definition: S, behind: Sequence[str]) -> S:
     """The same table with its sides: those given, else one where bodies stand behind."""
-    return section.model_copy(update={"sides": section.sides or ("one" if behind else "two")})
+    return replace(definition, sides=definition.sides or ("one" if behind else "two"))
 
 
-def must_be_given(section: sections.SingleBlock | sections.TwoBlock) -> Iterator[str]:
+def must_be_given(definition: SingleBlock | TwoBlock) -> Iterator[str]:
     """Why a direction cannot be found for the user."""
-    if section.sides == "one":
+    if definition.sides == "one":
         yield 'with sides = "one" it says which way the mechanism is free'
-    for key in section.turning():
+    for key in definition.turning():
         yield f"{dotted(key)} is measured along it"
 
 
@@ -116,12 +116,12 @@ def opposite(way: Vector) -> Vector:
 
 def in_given(look: Look) -> Built:
     """The mechanism in the direction that is given, with a warning where another is clearly weaker."""
-    ahead = Candidate(angle_of(look.section.towards)).way
+    ahead = Candidate(angle_of(look.definition.towards)).way
     into = stopping(look.obstacles, ahead)
     behind = () if into else stopping(look.obstacles, opposite(ahead))
-    built = mechanism_of(look.name, sided(look.section, behind), look.content, look.solids)
+    built = mechanism_of(look.name, sided(look.definition, behind), look.bodies)
     told = [*of_direction(into, ahead, look), *of_sides(behind, look)]
-    if look.section.hinges is not None or next(look.section.turning(), None) is not None:
+    if look.definition.hinges is not None or next(look.definition.turning(), None) is not None:
         return with_messages(built, (), told, look)
     candidates = evaluated(look)
     told += weaker_than(built.mechanism, candidates, look)
@@ -137,7 +137,7 @@ def of_direction(into: Sequence[str], ahead: Vector, look: Look) -> Iterator[Mes
 
 def weaker_than(given: Mechanism, candidates: Sequence[Candidate], look: Look) -> Iterator[Message]:
     """A warning where a candidate that nothing stops is clearly weaker than the mechanism in its given direction."""
-    ahead = np.array(Candidate(angle_of(look.section.towards)).way)
+    ahead = np.array(Candidate(angle_of(look.definition.towards)).way)
     open_ways = [each for each in candidates if each.multiplier is not None and not each.touching]
     if given.sides == "one":  # what stops it stands behind
         open_ways = [each for each in open_ways if np.array(each.way) @ ahead > -AHEAD]
@@ -177,7 +177,7 @@ def of_obstacles(candidates: Sequence[Candidate], found: Candidate, *, held: boo
 
 def of_sides(behind: Sequence[str], look: Look) -> Iterator[Message]:
     """That it rocks to one side for what stands behind it."""
-    if behind and look.section.sides is None:
+    if behind and look.definition.sides is None:
         yield message("sides-by-contact", {"bodies": ", ".join(behind)}, where=look.where)
 
 

@@ -11,10 +11,10 @@ from assess.messages.message import Message
 from assess.outputs import journal
 from assess.outputs.digest import digest
 from assess.outputs.journal import Move
-from assess.outputs.lock import locked
+from assess.outputs.lock import hold_lock
 from assess.outputs.manifest import MANIFEST, RESULTS, Manifest, link_above, read, state
-from assess.outputs.settling import Tell, kept_beside, settle
-from assess.outputs.signals import deferred
+from assess.outputs.recovery import Tell, keep_beside, recover
+from assess.outputs.signals import defer_signals
 from assess.outputs.stage import MADE, files_in, flush, stage
 
 _TOLD = 5  # names of files in a line
@@ -25,7 +25,7 @@ def _silent(_: Message) -> None:
 
 
 @contextmanager
-def staged(
+def output_folder(
     folder: Path, *, command: str, owner: str = RESULTS, wanted: Sequence[str] = (), tell: Tell = _silent
 ) -> Iterator[Path]:
     """A temporary folder; what the block leaves in it stands in `folder` afterwards, if the block raised nothing.
@@ -39,17 +39,17 @@ def staged(
     """
     if folder.exists() and not folder.is_dir():
         raise OutputError(f"{folder}: is a file; give a folder for the output")
-    with _made(folder), locked(folder, command=command):
-        settle(folder, tell=tell)
+    with _make_folder(folder), hold_lock(folder, command=command):
+        recover(folder, tell=tell)
         manifest = read(folder)
-        _refuse(folder, _in_the_way(folder, manifest, owner, wanted))
+        _refuse(folder, _obstacles(folder, manifest, owner, wanted))
         with stage(folder, command=command) as place:
             yield place / MADE
             _commit(place, folder, manifest, owner)
 
 
 @contextmanager
-def _made(folder: Path) -> Iterator[None]:
+def _make_folder(folder: Path) -> Iterator[None]:
     """The folder, made with those above it where there is none; such as nothing came into are removed again."""
     absent = [place for place in (folder, *folder.parents) if not place.exists()]
     try:
@@ -64,7 +64,7 @@ def _made(folder: Path) -> Iterator[None]:
                 place.rmdir()
 
 
-def _in_the_way(folder: Path, manifest: Manifest, owner: str, wanted: Sequence[str]) -> dict[str, str]:
+def _obstacles(folder: Path, manifest: Manifest, owner: str, wanted: Sequence[str]) -> dict[str, str]:
     """Why files in the folder cannot be replaced or removed, by their names.
 
     wanted : files to be written; those of the set that are not among them go, but for its results
@@ -99,10 +99,10 @@ def _commit(place: Path, folder: Path, manifest: Manifest, owner: str) -> None:
     files = {name: digest(made / name) for name in files_in(made)}
     kept = {name: old for name, old in manifest.of(owner).items() if name == owner and name not in files}
     listed = Manifest({**manifest.sets, owner: {**files, **kept}}).known(folder)
-    wrong = _in_the_way(folder, manifest, owner, list(files))
+    wrong = _obstacles(folder, manifest, owner, list(files))
     _write(listed if not wrong else Manifest({owner: files}), made / MANIFEST)
     if wrong:
-        left = kept_beside(place, folder)
+        left = keep_beside(place, folder)
         _refuse(folder, wrong, kept=f"; nothing there was touched, and what was made is in {left}")
     gone = [name for name in manifest.of(owner) if name not in files and name != owner]
     _move([*files, *gone, *manifest.earlier, MANIFEST], place, folder)
@@ -116,7 +116,7 @@ def _move(names: Sequence[str], place: Path, folder: Path) -> None:
     made = place / MADE
     moves = [Move(name, digest(made / name), digest(folder / name)) for name in names]
     moves = [move for move in moves if move.new != move.old or move.new is not None]
-    with deferred():  # from here on it is all or nothing
+    with defer_signals():  # from here on it is all or nothing
         try:
             for path in (made / name for name in names):
                 if path.exists():
@@ -125,7 +125,7 @@ def _move(names: Sequence[str], place: Path, folder: Path) -> None:
             journal.finish(place, folder, moves)
         except OSError as error:
             journal.take_back(place, folder, moves)
-            left = kept_beside(place, folder)
+            left = keep_beside(place, folder)
             where = error.filename2 or error.filename or folder
             raise OutputError(
                 f"{where}: cannot be written ({error.strerror}); nothing in {folder} was changed, and what was made is "

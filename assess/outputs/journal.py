@@ -76,7 +76,7 @@ def take_back(stage: Path, folder: Path, moves: Sequence[Move]) -> None:
     _close(stage, folder, moves)
 
 
-def found(stage: Path) -> list[Move] | None:
+def read_moves(stage: Path) -> list[Move] | None:
     """The moves of the journal of a stage; None where it cannot be read."""
     try:
         content = json.loads((stage / JOURNAL).read_text(encoding="utf-8"))
@@ -98,7 +98,7 @@ def can_finish(stage: Path, folder: Path, moves: Sequence[Move]) -> bool:
     return True
 
 
-def guessed(stage: Path, folder: Path) -> list[Move]:
+def guess_moves(stage: Path, folder: Path) -> list[Move]:
     """What was done, as the files tell it where the journal is damaged: what is in `old` stood in the folder."""
     moves = []
     for name in files_in(stage / OLD) if (stage / OLD).is_dir() else []:

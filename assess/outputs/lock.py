@@ -55,14 +55,14 @@ class Holder:
 
 
 @contextmanager
-def locked(folder: Path, *, command: str, patient: bool = False) -> Iterator[None]:
+def hold_lock(folder: Path, *, command: str, patient: bool = False) -> Iterator[None]:
     """Hold the lock of `folder` while the block runs.
 
     command : what holds it, for others to be told; patient : wait a while for a holder that lives
     Raises HeldError that names the holder.
     """
     file = folder / LOCK
-    handle = _acquired(file, patient=patient)
+    handle = _acquire(file, patient=patient)
     try:
         _sign(handle, command)
         yield
@@ -70,14 +70,14 @@ def locked(folder: Path, *, command: str, patient: bool = False) -> Iterator[Non
         _release(handle, file)
 
 
-def abandoned(file: Path, *, unsigned: bool = True) -> bool:
+def is_abandoned(file: Path, *, unsigned: bool = True) -> bool:
     """Whether nobody holds the lock `file`; raises OSError where there is none.
 
     unsigned : what to say of one that nobody has signed and nobody holds, whose holder may be about to
     """
     handle = os.open(file, _OPENED & ~os.O_CREAT)
     try:
-        granted = _granted(handle)
+        granted = _try_lock(handle)
         holder = _holder(handle)
         if holder is None:
             return unsigned and granted is not False
@@ -86,12 +86,12 @@ def abandoned(file: Path, *, unsigned: bool = True) -> bool:
         os.close(handle)
 
 
-def _acquired(file: Path, *, patient: bool) -> int:
+def _acquire(file: Path, *, patient: bool) -> int:
     """The open lock file, locked."""
     deadline = time.monotonic() + PATIENCE
     while True:
         handle = os.open(file, _OPENED, 0o644)
-        granted, holder = _granted(handle), _holder(handle)
+        granted, holder = _try_lock(handle), _holder(handle)
         if granted and not _is(handle, file):  # its last holder has just removed it
             os.close(handle)
             continue
@@ -102,17 +102,17 @@ def _acquired(file: Path, *, patient: bool) -> int:
         os.close(handle)
         waits = patient or holder is None or holder.ended
         if granted or not waits or time.monotonic() > deadline:
-            raise HeldError(_told(file, holder, certain=granted is False))
+            raise HeldError(_held_text(file, holder, certain=granted is False))
         time.sleep(_PAUSE)
 
 
-def _told(file: Path, holder: Holder | None, *, certain: bool) -> str:
+def _held_text(file: Path, holder: Holder | None, *, certain: bool) -> str:
     who = "another command" if holder is None else str(holder)
     unless = "" if certain else f"; if it is certain that it has ended, delete {file.name} in that folder"
     return f"{file.parent}: is being written by {who}; wait until that has ended, or give another folder{unless}"
 
 
-def _granted(handle: int) -> bool | None:
+def _try_lock(handle: int) -> bool | None:
     """Whether the kernel gives the lock; None where the disk has none."""
     try:
         if sys.platform == "win32":

@@ -68,7 +68,7 @@ def state(path: Path, sha256: str | None) -> str:
     return "unchanged" if sha256 is None or now == sha256 else "changed"
 
 
-def changed(path: Path) -> bool | None:
+def is_changed(path: Path) -> bool | None:
     """Whether a file is another than the program wrote there; None where no manifest tells."""
     written = [files.get(path.name) for files in read(path.parent).sets.values() if path.name in files]
     return None if not written or written[0] is None else state(path, written[0]) == "changed"

@@ -27,7 +27,7 @@ def _terminate(number: int, _: object) -> None:
 
 
 @contextmanager
-def orderly() -> Iterator[None]:
+def raise_on_signals() -> Iterator[None]:
     """Let signals that ask for the end raise Terminated while the block runs."""
     if threading.current_thread() is not threading.main_thread():
         yield
@@ -42,7 +42,7 @@ def orderly() -> Iterator[None]:
 
 
 @contextmanager
-def deferred() -> Iterator[None]:
+def defer_signals() -> Iterator[None]:
     """Hold back signals that ask for the end until the block has ended."""
     if threading.current_thread() is not threading.main_thread():
         yield

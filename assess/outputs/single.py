@@ -13,7 +13,7 @@ from assess.outputs.stage import MADE, clear, flush, stage
 
 
 @contextmanager
-def written(path: Path, *, command: str) -> Iterator[Path]:
+def write_file(path: Path, *, command: str) -> Iterator[Path]:
     """A path to write to; what stands there after the block stands at `path`, if the block raised nothing.
 
     A file that is there already stays; that is right where it holds the same. Raises OutputError where it does not.

@@ -11,8 +11,8 @@ from pathlib import Path
 from secrets import token_hex
 
 from assess.errors import OutputError
-from assess.outputs.lock import LOCK, abandoned, locked
-from assess.outputs.signals import deferred
+from assess.outputs.lock import LOCK, hold_lock, is_abandoned
+from assess.outputs.signals import defer_signals
 
 PREFIX = ".assess-partial-"
 MADE, OLD, JOURNAL = "made", "old", "journal.json"
@@ -28,15 +28,15 @@ def stage(place: Path, *, command: str) -> Iterator[Path]:
     folder = place / f"{PREFIX}{token_hex(6)}"
     try:
         _make(folder)
-        with locked(folder, command=command):
+        with hold_lock(folder, command=command):
             try:
                 (folder / MADE).mkdir()
                 yield folder
             finally:
-                with deferred():
+                with defer_signals():
                     _empty(folder)
     finally:
-        with deferred():
+        with defer_signals():
             if not (folder / JOURNAL).exists():
                 remove(folder)
 
@@ -71,7 +71,7 @@ def _left(found: Path, *, alone: bool) -> bool:
     lock = found / LOCK
     try:
         if lock.is_file():
-            return abandoned(lock, unsigned=alone or _old(lock))
+            return is_abandoned(lock, unsigned=alone or _old(lock))
         return alone or _old(found)
     except OSError:
         return False

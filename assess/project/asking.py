@@ -23,10 +23,11 @@ from assess.codes.registry import LIMIT_STATES, CodeOptions
 from assess.codes.verdict import methods_of
 from assess.errors import ProjectError
 from assess.project import sections
-from assess.project.deciding import question_of, states_of
+from assess.project.deciding import question_of
 from assess.project.messages import shown
 from assess.project.section import Section
 from assess.results import Resolved
+from assess.study.verdict import states_of
 
 ASCE43 = ("asce43-05-spectrum", "asce43-05-spectrum-thesis", "asce43-05-history")
 DMI2008 = ("dmi2008-linear", "dmi2008-nonlinear", "dmi2008-nonlinear-thesis")

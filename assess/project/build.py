@@ -12,20 +12,21 @@ from pathlib import Path
 import numpy as np
 
 from assess.codes.context import Building, FirstMode
-from assess.errors import ProjectError
+from assess.errors import ProjectError, locate_errors
 from assess.geometry.models import Models
 from assess.geometry.solid import Solid
 from assess.messages.message import Message, warning
-from assess.model.pieces import models_of, solid_of
 from assess.model.weakest import directed
 from assess.project import record_set, sections
-from assess.project.amplification import Standing, amplified
+from assess.project.amplification import amplifying_of, structure_of
 from assess.project.asking import as_asked, free_periods_of, knowledge_of, options_of, procedures_of
+from assess.project.bodies import bodies_of, models_of, solid_of
 from assess.project.components import horizontal, left_out
-from assess.project.deciding import facts_of, levels_with_site, question_of
+from assess.project.deciding import facts_of, question_of
+from assess.project.definitions import definitions_of
 from assess.project.dependents import dependents
-from assess.project.grounding import grounded
-from assess.project.messages import located, shown
+from assess.project.grounding import base_elevation_of, ground_of, grounded
+from assess.project.messages import shown
 from assess.project.notices import notices_of
 from assess.project.record_set import RecordSet
 from assess.project.schema import Project, relative, resolved
@@ -34,7 +35,9 @@ from assess.project.survey import survey_of
 from assess.project.variables import variables_of
 from assess.project.variations import Variant, Variation
 from assess.results import Input
+from assess.study.amplification import Standing, amplify
 from assess.study.study import Artificial, Case, Equation, Fitting, PulseGrid, Study, Sweep
+from assess.study.verdict import levels_with_site
 from records.pulses import shape as pulse_shape
 from records.record import Record
 from spectra.spectrum import Spectrum
@@ -57,7 +60,7 @@ def build(project: Project, *, executor: Executor | None = None) -> Study:
 
     Raises AssessError, SpectrumError or RecordError, each one line with the file, for what cannot be assessed.
     """
-    with located(str(project.path)):
+    with locate_errors(str(project.path)):
         return study_of(project, executor=executor)
 
 
@@ -88,7 +91,7 @@ def study_of(project: Project, *, executor: Executor | None = None) -> Study:
         resolved=as_asked(resolved(project), content),
         notices=(
             *project.doubts,
-            *(warning("site-study", "site.spectrum", text=text) for text in (spectrum.cautions if spectrum else ())),
+            *(warning("site-study", "site.spectrum", text=text) for text in (spectrum.warnings if spectrum else ())),
             *notices_of(content, solids, study),
             *notices,
         ),
@@ -105,7 +108,10 @@ def part_of(content: sections.Content, files: Files, *, names: Iterable[str]) ->
     """The study of the mechanisms `names` of a project, without what is said about its file."""
     site, building, synthetic = site_in(content), content.building, content.records.synthetic
     chosen = {name: content.mechanisms[name] for name in names}
-    built = [directed(name, section, content, files.solids) for name, section in chosen.items()]
+    definitions, bodies = definitions_of(content), bodies_of(content, files.solids)
+    ground = ground_of(building, definitions, files.solids)
+    built = {name: directed(name, definitions[name], bodies) for name in chosen}
+    structure = structure_of(content.building)
     own = files.spectrum
     question = question_of(content, site_pga=own.pga if own else 0.0, scale=own.factor if own else 1.0)
     return Study(
@@ -120,18 +126,26 @@ def part_of(content: sections.Content, files: Files, *, names: Iterable[str]) ->
         levels=levels_of(content.analysis.levels, files.spectrum),
         question=question,
         facts=facts_of(content, question, tuple(chosen), files.spectrum),
-        grounded={
-            name: grounded(section, one.mechanism, content, files.solids)
-            for (name, section), one in zip(chosen.items(), built, strict=True)
-        },
+        grounded={name: grounded(section, built[name].mechanism, ground) for name, section in chosen.items()},
         procedures=procedures_of(content),
         offered=content.offered,
         options=options_of(content),
-        mechanisms=tuple(each.mechanism for each in built),
-        scenes={each.mechanism.name: each.scene for each in built if each.scene is not None},
+        mechanisms=tuple(each.mechanism for each in built.values()),
+        scenes={each.mechanism.name: each.scene for each in built.values() if each.scene is not None},
         amplified={
-            name: amplified(Standing(name, section, one, content, files.solids))
-            for (name, section), one in zip(chosen.items(), built, strict=True)
+            name: amplify(
+                amplifying_of(section),
+                Standing(
+                    name=name,
+                    definition=definitions[name],
+                    built=built[name],
+                    bodies=bodies,
+                    ground=ground,
+                    structure=structure,
+                    base_elevation=base_elevation_of(section),
+                ),
+            )
+            for name, section in chosen.items()
         },
         equations={name: equation_of(section, content) for name, section in chosen.items()},
         inputs=(),
@@ -157,7 +171,7 @@ def sweep_of(variation: Variation, project: Project, files: Files, *, beside: Ma
 
 def case_of(variant: Variant, project: Project, files: Files, *, names: tuple[str, ...]) -> Case:
     """One case of a sweep: the mechanisms `names` with its value."""
-    with located(variant.name):
+    with locate_errors(variant.name):
         study = part_of(variant.content, reread(variant.content, project, files), names=names)
     return Case(variant.value, variant.name, study)
 

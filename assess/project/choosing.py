@@ -19,15 +19,15 @@ from assess.project.components import horizontal
 from assess.project.schema import load
 from assess.project.site_spectrum import site_of, spectrum_of
 from assess.results import GroundMotionResult, RecordResult
-from assess.study.ground_motion import ground_motion, suite_result
-from assess.study.motions import Motion, motions_of, scaled_together
+from assess.study.ground_motion import ground_motion, ground_motion_result
+from assess.study.motions import ScaledRecord, motions_of, scale_together
 from assess.study.outcome import record_result
-from assess.study.run import required_spectrum
+from assess.study.run import require_spectrum
 from assess.study.study import Fitting
-from records.band import band, up_to
+from records.band import band, truncate_band
 from records.candidates import PERIODS
-from records.formats.stated import Stated
-from records.indexing import read_stated
+from records.formats.header_overrides import HeaderOverrides
+from records.reading import read_with
 from records.scaling import Scaling, misfit, scale_to_ordinate
 from records.selection import Components, Criteria, Filters, Fit, Range, ScaleTo, select
 from spectra.spectrum import Spectrum
@@ -64,7 +64,7 @@ class Wanted:
 def of_project(path: Path, *, executor: Executor | None = None) -> Suite:
     """The records of a project as it selects and scales them, without artificial ones."""
     study = build(load(path), executor=executor)
-    spectrum = required_spectrum(study)
+    spectrum = require_spectrum(study)
     if not study.records:
         raise AssessError(f"{path}: records.files: missing; add the files or the folder to select from")
     motions = motions_of(replace(study, artificial=None), spectrum)
@@ -79,7 +79,7 @@ def of_target(
     places: Sequence[Path],
     wanted: Wanted,
     *,
-    stated: Stated,
+    overrides: HeaderOverrides,
     flatfile: Path | None,
     kept: Path | None,
     executor: Executor | None = None,
@@ -88,11 +88,11 @@ def of_target(
     spectrum, criteria = spectrum_at(target), criteria_of(wanted)
     if kept is not None and sum(place.is_dir() for place in places) > 1:
         raise AssessError(f"--catalogue {kept}: one catalogue is of one folder; give one folder")
-    offer = record_set.offered(places, stated=stated, flatfile=flatfile, kept=kept, executor=executor)
+    offer = record_set.offered(places, overrides=overrides, flatfile=flatfile, kept=kept, executor=executor)
     found = select(offer.candidates, spectrum, criteria)
     chosen = record_set.record_set(found, criteria.band, folder=Path.cwd())
-    motions = scaled_together(chosen.records, spectrum, chosen.fitting, scale_to=criteria.scale_to)
-    motion = suite_result(motions, spectrum, chosen.fitting, source="given", equivalent={})
+    motions = scale_together(chosen.records, spectrum, chosen.fitting, scale_to=criteria.scale_to)
+    motion = ground_motion_result(motions, spectrum, chosen.fitting, source="given", equivalent={})
     return Suite(
         results_of(motions, spectrum, chosen.fitting),
         motion,
@@ -125,21 +125,21 @@ def criteria_of(wanted: Wanted) -> Criteria:
 
 
 def scaled_files(
-    target: Path, files: Sequence[Path], *, to: str, at: float | None, periods: Range, stated: Stated
-) -> tuple[tuple[Motion, ...], Suite]:
+    target: Path, files: Sequence[Path], *, to: str, at: float | None, periods: Range, overrides: HeaderOverrides
+) -> tuple[tuple[ScaledRecord, ...], Suite]:
     """Every record of `files` scaled to the spectrum of `target`: as `to` says, or to its ordinate `at` a period."""
     _check_period(at)
     spectrum, fitting = spectrum_at(target), Fitting(band(*periods))
-    found = record_set.uniquely_named([record for file in files for record in read_stated(file, stated)])
+    found = record_set.uniquely_named([record for file in files for record in read_with(file, overrides)])
     records = horizontal(found)
     if at is None:
-        motions = scaled_together(records, spectrum, fitting, scale_to=_one_of("to", to, ScaleTo))
+        motions = scale_together(records, spectrum, fitting, scale_to=_one_of("to", to, ScaleTo))
     else:
         factors = [scale_to_ordinate(record, spectrum, period=at) for record in records]
-        over = vars(up_to(fitting.band, spectrum.longest_period))
+        over = vars(truncate_band(fitting.band, spectrum.longest_period))
         scalings = [Scaling(f, misfit(r, spectrum, factor=f, **over)) for r, f in zip(records, factors, strict=True)]
-        motions = tuple(Motion(record, scaling) for record, scaling in zip(records, scalings, strict=True))
-    motion = suite_result(motions, spectrum, fitting, source="given", equivalent={})
+        motions = tuple(ScaledRecord(record, scaling) for record, scaling in zip(records, scalings, strict=True))
+    motion = ground_motion_result(motions, spectrum, fitting, source="given", equivalent={})
     return motions, Suite(results_of(motions, spectrum, fitting), motion, tuple(record_set.doubts_of(records)))
 
 
@@ -163,7 +163,7 @@ def spectrum_at(target: Path) -> Spectrum:
     return spectrum_of(site_of(target))
 
 
-def results_of(motions: Sequence[Motion], spectrum: Spectrum, fitting: Fitting) -> tuple[RecordResult, ...]:
+def results_of(motions: Sequence[ScaledRecord], spectrum: Spectrum, fitting: Fitting) -> tuple[RecordResult, ...]:
     """The records as results.json has them."""
     numbers = dict(fitting.nga)
     return tuple(record_result(motion, spectrum, nga=numbers.get(motion.record.id)) for motion in motions)

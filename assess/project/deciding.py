@@ -3,33 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import replace
-from math import isclose
 
 from scipy.constants import g
 
 from assess.codes.bases import BASES, BY_SITE
 from assess.codes.basis import Basis, Premise
-from assess.codes.check import Family
-from assess.codes.family import FAMILIES
 from assess.codes.verdict import (
     Action,
-    Judged,
     Missing,
     Question,
-    Verdict,
-    deciding_states,
-    methods_of,
-    verdict,
-    with_roles,
 )
 from assess.codes.verdict.question import SOURCES
 from assess.errors import ProjectError
 from assess.messages.message import Message, Quantity, Severity, message
 from assess.project import sections
 from assess.project.sources import shown_by
-from assess.results import MechanismResult
-from assess.study.study import Study
 from spectra import ntc
 from spectra.spectrum import Spectrum
 
@@ -115,17 +103,6 @@ def use_class_of(content: sections.Content) -> str | None:
     return of_site or of_building
 
 
-def by_motion(question: Question) -> bool:
-    """Whether a method may decide that follows the motion of the ground, or whether nothing tells what decides."""
-    methods = methods_of(question)
-    return not methods or any(FAMILIES[name] in (Family.HISTORY, Family.ENERGY) for name in methods)
-
-
-def states_of(question: Question) -> tuple[str, ...]:
-    """The limit states that decide, as checks name them."""
-    return tuple(state.checked_as for state in deciding_states(question)[0])
-
-
 def facts_of(
     content: sections.Content, question: Question, names: Sequence[str], spectrum: Spectrum | None = None
 ) -> Mapping[str, Facts]:
@@ -189,30 +166,8 @@ def _conditions(content: sections.Content, name: str, premises: Sequence[Premise
     return (*own, *(message("thrust-is-tied", {"what": body}, severity=Severity.WARNING) for body in tied))
 
 
-def decided(
-    study: Study, mechanisms: Sequence[MechanismResult], tolerance: Mapping[str, float] | None = None
-) -> Verdict:
-    """Decide on the checks of the mechanisms; tolerance: what the survey may take from the index of each, by name."""
-    near = tolerance or {}
-    judged = [Judged(m.name, m.checks, *study.facts.get(m.name, ((), ())), near.get(m.name, 0.0)) for m in mechanisms]
-    return verdict(study.question, judged)
-
-
-def marked(found: Verdict, question: Question, mechanism: MechanismResult) -> MechanismResult:
-    """The mechanism with the checks that decide marked as such."""
-    one = next(each for each in found.mechanisms if each.mechanism == mechanism.name)
-    return replace(mechanism, checks=with_roles(mechanism.checks, one, question.basis, question.action))
-
-
 def own_basis(section: sections.VerdictSection) -> Basis:
     """The basis that a project states itself: what it lists, by its own rule."""
     from assess.codes.bases.own import own
 
     return own(section.procedures or (), rule=section.rule or "all", statement=section.statement)
-
-
-def levels_with_site(levels: tuple[float, ...], site_pga: float) -> tuple[float, ...]:
-    """The levels of the study with the site's own action among them, rising [m/s2]."""
-    if any(isclose(level, site_pga, rel_tol=1e-9) for level in levels):
-        return tuple(site_pga if isclose(level, site_pga, rel_tol=1e-9) else level for level in levels)
-    return tuple(sorted((*levels, site_pga)))

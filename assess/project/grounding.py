@@ -1,107 +1,40 @@
-"""Where the ground is, and how high above it each mechanism stands."""
+"""Where the ground is, by the tables [building] and [mechanisms.NAME] and the lowest body."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
-from assess.codes.check import Reason, because
-from assess.codes.context import counts_as_above
-from assess.geometry.solid import Solid
-from assess.mechanisms.lasting import rise_of
+from assess.geometry.solid import Solids
+from assess.loads.definitions import bodies_of
 from assess.mechanisms.mechanism import Mechanism
-from assess.messages.message import Message, Quantity
+from assess.model.definitions import Chained, Definition
 from assess.project import sections
-
-DOUBTFUL = 0.5  # m: a lowest body farther from elevation 0 does not tell where the ground is
-BY_BUILDING = "by building.ground_elevation"
-BY_MECHANISM = "by its base_elevation"
-BY_TABLE = "by its elevation, the ground at 0"
-BY_BODIES = "by the lowest body, which stands near elevation 0"
-UNKNOWN = "not known where the ground is: give building.ground_elevation, or its base_elevation"
+from assess.study.grounding import Ground, Grounded, stand_on
 
 
-@dataclass(frozen=True)
-class Grounded:
-    """A mechanism over the ground.
-
-    base : of its base [m]; support : of what holds it, the mean of base and far support where it is held twice [m]
-    above : whether that counts as above the ground; source : where the ground is known from
-    unknown : why no check can be answered, where it is not
-    """
-
-    base: float
-    support: float
-    above: bool
-    source: str
-    unknown: tuple[Message, ...] = ()
+def ground_of(building: sections.Building | None, definitions: Mapping[str, Definition], solids: Solids) -> Ground:
+    """Return what the project says of the ground."""
+    lowest = lowest_of(definitions, solids)
+    if building is None:
+        return Ground(lowest=lowest)
+    return Ground(building.ground_elevation, lowest, building.height or 0.0)
 
 
-def ground_of(content: sections.Content) -> float:
-    """Elevation of the ground [m]: given, or 0."""
-    given = None if content.building is None else content.building.ground_elevation
-    return given or 0.0
+def base_elevation_of(section: sections.Mechanism) -> float | None:
+    """Return the elevation of the base above the ground [m] that the table of a mechanism gives for it alone."""
+    return section.base_elevation if isinstance(section, sections.Chained) else None
 
 
-def base_above_ground(section: sections.Mechanism, mechanism: Mechanism, content: sections.Content) -> float:
-    """How high the base of a mechanism is above the ground [m]: given for it alone, or by its elevation."""
-    given = section.base_elevation if isinstance(section, sections.Chained) else None
-    return mechanism.elevation - ground_of(content) if given is None else given
+def grounded(section: sections.Mechanism, mechanism: Mechanism, ground: Ground) -> Grounded:
+    """Return where a mechanism stands over the ground."""
+    by_table = isinstance(section, sections.EquivalentBlock) and section.given("elevation")
+    return stand_on(ground, mechanism, base_elevation=base_elevation_of(section), by_table=by_table)
 
 
-def grounded(
-    section: sections.Mechanism, mechanism: Mechanism, content: sections.Content, solids: Mapping[str, Solid | None]
-) -> Grounded:
-    """Where a mechanism stands over the ground."""
-    base = base_above_ground(section, mechanism, content)
-    support = max(base, 0.0) + rise_of(mechanism) / 2.0
-    height = 0.0 if content.building is None or content.building.height is None else content.building.height
-    source = known_from(section, content)
-    lowest = lowest_of(content, solids, default=mechanism.elevation)
-    if not source:
-        source = BY_BODIES if abs(lowest) <= DOUBTFUL else UNKNOWN
-    unknown: tuple[Message, ...] = (
-        (because(Reason.GROUND_UNKNOWN, height=Quantity(lowest, "length")),) if source == UNKNOWN else ()
-    )
-    if source == BY_MECHANISM and not unknown:
-        unknown = _contradicted(base, mechanism.elevation - ground_of(content), lowest, mechanism, content)
-    return Grounded(base, support, counts_as_above(support, height), source, unknown)
-
-
-def _contradicted(
-    base: float, drawn: float, lowest: float, mechanism: Mechanism, content: sections.Content
-) -> tuple[Message, ...]:
-    """Why a base_elevation below where the mechanism is drawn does not hold: the file says where the ground is.
-
-    It does by its ground_elevation, or by bodies under the mechanism, which then is not drawn alone.
-    """
-    said = content.building is not None and content.building.ground_elevation is not None
-    alone = lowest > mechanism.elevation - DOUBTFUL
-    if base >= drawn - DOUBTFUL or (alone and not said):
-        return ()
-    return (because(Reason.GROUND_CONTRADICTED, given=Quantity(base, "length"), drawn=Quantity(drawn, "length")),)
-
-
-def known_from(section: sections.Mechanism, content: sections.Content) -> str:
-    """Which key says where the ground is; empty where none does."""
-    if isinstance(section, sections.Chained) and section.base_elevation is not None:
-        return BY_MECHANISM
-    if content.building is not None and content.building.ground_elevation is not None:
-        return BY_BUILDING
-    return BY_TABLE if isinstance(section, sections.EquivalentBlock) and section.given("elevation") else ""
-
-
-def lowest_of(content: sections.Content, solids: Mapping[str, Solid | None], *, default: float) -> float:
-    """Elevation of the lowest body [m], those left out that are no more than loads; the default where none is left."""
-    chained = [each for each in content.mechanisms.values() if isinstance(each, sections.Chained)]
-    used = {body for each in chained for block in each.blocks for body in block}
-    loads = {body for each in chained for load in each.loads for body in carried(load)}
+def lowest_of(definitions: Mapping[str, Definition], solids: Solids) -> float | None:
+    """Return the elevation of the lowest body [m] that is more than a load; None where there is none."""
+    chained = [each for each in definitions.values() if isinstance(each, Chained)]
+    used = {body for each in chained for body in each.bodies}
+    loads = {body for each in chained for load in each.loads for body in bodies_of(load)}
     bodies = [solid for name, solid in solids.items() if solid is not None and (name in used or name not in loads)]
-    return min((float(solid.vertices[:, 2].min()) for solid in bodies), default=default)
-
-
-def carried(load: sections.LoadTable) -> tuple[str, ...]:
-    """The bodies that a load stands for."""
-    if isinstance(load, sections.OverburdenLoad):
-        return load.bodies
-    return (load.body,) if isinstance(load, sections.BodyLoad) else ()
+    return min((float(solid.vertices[:, 2].min()) for solid in bodies), default=None)

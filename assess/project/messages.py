@@ -3,15 +3,11 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from pydantic import ValidationError
 from pydantic_core import ErrorDetails
-
-from assess.errors import AssessError
-from spectra.errors import SpectrumError
 
 _LONGEST = 60
 Key = tuple[str | int, ...]
@@ -31,15 +27,6 @@ _SENTENCES: dict[str, Callable[[Mapping[str, Any]], str]] = {
     "too_long": lambda c: f"too many; give at most {c['max_length']}",
     "missing": lambda c: "missing; the list is too short",
 }
-
-
-@contextmanager
-def located(where: str) -> Iterator[None]:
-    """Within it, what the user can mend is reported with `where` in front."""
-    try:
-        yield
-    except (AssessError, SpectrumError) as error:
-        raise type(error)(f"{where}: {error}") from None
 
 
 def one_line(error: ValidationError, *, raw: Mapping[str, Any]) -> str:

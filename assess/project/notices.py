@@ -6,8 +6,8 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from assess.codes.italian.confidence import LEAST_KNOWN
 from assess.codes.verdict import Question
-from assess.geometry.formats.reading import WITHOUT_UNIT
-from assess.geometry.magnitude import suspicious
+from assess.geometry.formats.readers import WITHOUT_UNIT
+from assess.geometry.plausibility import size_warning
 from assess.geometry.solid import Solid
 from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message, Quantity, note, warning
@@ -15,9 +15,11 @@ from assess.model.gaps import gaps_of
 from assess.model.overlaps import overlaps_of
 from assess.project import sections
 from assess.project.asking import procedures_of
-from assess.project.deciding import by_motion
-from assess.study.endurance import left_out
+from assess.project.bodies import bodies_of
+from assess.project.definitions import definitions_of
+from assess.study.endurance import load_messages
 from assess.study.study import Amplified, Equation, Study
+from assess.study.verdict import by_motion
 
 CIRCULARS = {"dmi2008": "Circolare 617/2009", "ntc2018": "Circolare 7/2019"}
 SAME_MODE = 0.05  # by how much two first modes of one building may differ
@@ -33,12 +35,13 @@ def notices_of(
     for name, solid in solids.items():
         if solid is not None:
             yield from _of_body(name, solid, content.bodies[name])
-    yield from overlaps_of(content, solids)
-    yield from gaps_of(content, solids)
+    definitions, bodies = definitions_of(content), bodies_of(content, solids)
+    yield from overlaps_of(definitions, bodies)
+    yield from gaps_of(definitions, bodies)
     for mechanism in mechanisms:
         for text in mechanism.notices:
             yield warning("mechanism", f"mechanisms.{mechanism.name}", text=text)
-        yield from left_out(mechanism)
+        yield from load_messages(mechanism)
         yield from mechanism.messages
     yield from _of_equation(content.analysis.equation, mechanisms)
     raised = [mechanism.name for mechanism in mechanisms if study.grounded[mechanism.name].above]
@@ -106,7 +109,7 @@ def _of_body(name: str, solid: Solid, body: sections.Body) -> Iterator[Message]:
     """What was done to the mesh of a body, and a size or place that suggests a slip."""
     if isinstance(body, sections.MeshBody) and solid.trail:
         yield note("mesh", f"bodies.{name}", file=body.mesh.name, trail="; ".join(solid.trail))
-    doubt = suspicious(solid, unit=mesh_unit_of(body))
+    doubt = size_warning(solid, unit=mesh_unit_of(body))
     if doubt:
         yield warning("size", f"bodies.{name}", text=doubt)
 

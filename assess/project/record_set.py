@@ -13,19 +13,20 @@ import numpy as np
 from assess.errors import ProjectError
 from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message, warning
-from assess.messages.plural import counted
+from assess.messages.plural import count_noun
 from assess.project import sections
 from assess.project.schema import relative
-from assess.study.periods import ABOVE, BELOW, ends, equivalent_periods
+from assess.study.periods import ABOVE, BELOW, equivalent_periods, extreme_periods
 from assess.study.study import Fitting
 from records import catalogue
 from records.band import Band, band
-from records.candidates import NOTHING, PERIODS, Candidate
+from records.candidates import PERIODS, Candidate
 from records.errors import RecordError
-from records.flatfile import BadCell, Merged, described_by, merged, read_flatfile
-from records.formats.stated import Stated
-from records.indexing import candidates_of, index, read_stated
-from records.plausibility import doubt_of, doubts_among
+from records.flatfile import BadCell, MatchSummary, describe_by, match_summary, read_flatfile
+from records.formats.header_overrides import NO_OVERRIDES, HeaderOverrides
+from records.indexing import candidates_of, index
+from records.plausibility import record_warning, warnings_among
+from records.reading import read_with
 from records.record import Record
 from records.scaling import SCALING_PERIODS
 from records.selection import Criteria, Filters, Selection, select
@@ -50,19 +51,19 @@ class Offer:
 
     candidates: tuple[Candidate, ...]
     problems: tuple[tuple[str, str], ...]
-    merged: Merged | None = None
+    merged: MatchSummary | None = None
 
 
 def all_of(section: sections.Records, folder: Path) -> RecordSet:
     """Every record that [records] names; `folder` is that of the project file."""
-    found = [record for path in section.files for record in read_stated(path, stated_in(section))]
+    found = [record for path in section.files for record in read_with(path, overrides_of(section))]
     records = uniquely_named([replace(one, path=relative(Path(one.path), folder)) for one in found])
     return RecordSet(records, Fitting(EVERYWHERE))
 
 
-def stated_in(section: sections.Records) -> Stated:
+def overrides_of(section: sections.Records) -> HeaderOverrides:
     """What [records] says of files that do not say it themselves."""
-    return Stated(section.unit, section.step, section.response)
+    return HeaderOverrides(section.unit, section.step, section.response)
 
 
 def chosen(
@@ -78,8 +79,8 @@ def chosen(
 
     executor : of processes, that read where files are many
     """
-    stated = stated_in(section)
-    offer = offered(section.files, stated=stated, flatfile=section.flatfile, executor=executor)
+    overrides = overrides_of(section)
+    offer = offered(section.files, overrides=overrides, flatfile=section.flatfile, executor=executor)
     try:
         over = band(*periods_of(wanted, spectrum, mechanisms), weights=wanted.weights)
         found = select(offer.candidates, spectrum, criteria_of(section, wanted, over))
@@ -93,7 +94,7 @@ def periods_of(wanted: sections.Select, spectrum: Spectrum, mechanisms: Iterable
     """The range given; else 0.2 times the least to 1.2 times the largest equivalent period, where spectra reach [s]."""
     if wanted.periods is not None:
         return wanted.periods
-    least, largest = ends(equivalent_periods(mechanisms))
+    least, largest = extreme_periods(equivalent_periods(mechanisms))
     longest = min(float(PERIODS[-1]), spectrum.longest_period)
     return max(BELOW * least, float(PERIODS[0])), min(ABOVE * largest, longest)
 
@@ -116,7 +117,7 @@ def criteria_of(section: sections.Records, wanted: sections.Select, over: Band) 
 def offered(
     files: Sequence[Path],
     *,
-    stated: Stated = NOTHING,
+    overrides: HeaderOverrides = NO_OVERRIDES,
     flatfile: Path | None = None,
     kept: Path | None = None,
     executor: Executor | None = None,
@@ -131,17 +132,17 @@ def offered(
     problems: list[tuple[str, str]] = []
     table = None if flatfile is None else read_flatfile(flatfile)
     for place in (path for path in files if path.is_dir()):
-        with catalogue.opened(kept or catalogue_of(place)) as connection:
-            indexed = index(place, connection, stated=stated, executor=executor)
+        with catalogue.open_catalogue(kept or catalogue_of(place)) as connection:
+            indexed = index(place, connection, overrides=overrides, executor=executor)
             problems += [(str(place / path), why) for path, why in indexed.problems]
             listed = catalogue.candidates(connection)
         found += [replace(one, path=str(catalogue.inside(place, one.path))) for one in listed]
     alone = [path for path in files if not path.is_dir()]
-    made = candidates_of(alone, stated=stated, executor=executor)
+    made = candidates_of(alone, overrides=overrides, executor=executor)
     offer = (*found, *made)
     if table is None:
         return Offer(offer, tuple(problems))
-    return Offer(described_by(offer, table.recordings), tuple(problems), merged(offer, table))
+    return Offer(describe_by(offer, table.recordings), tuple(problems), match_summary(offer, table))
 
 
 def catalogue_of(folder: Path) -> Path | None:
@@ -168,7 +169,7 @@ def record_set(found: Selection, over: Band, *, folder: Path) -> RecordSet:
 
 def _record(one: Candidate, *, folder: Path) -> Record:
     """The record of a candidate, with what a flatfile knows of it and its path as the project file writes it."""
-    record = read_stated(Path(one.path), one.stated)[one.position]
+    record = read_with(Path(one.path), one.overrides)[one.position]
     return replace(
         record,
         path=relative(Path(one.path), folder),
@@ -184,12 +185,12 @@ def notices_of(offer: Offer) -> Iterator[Message]:
     """What to know of the files that were not read, and of a flatfile that does not fit."""
     if offer.problems:
         told = _first([f"{path}: {why}" for path, why in offer.problems])
-        yield warning("files-not-read", "records.files", files=counted(len(offer.problems), "file"), told=told)
-    if offer.merged is not None and offer.merged.doubt:
-        yield warning("flatfile", "records.flatfile", text=offer.merged.doubt)
+        yield warning("files-not-read", "records.files", files=count_noun(len(offer.problems), "file"), told=told)
+    if offer.merged is not None and offer.merged.warning:
+        yield warning("flatfile", "records.flatfile", text=offer.merged.warning)
     if offer.merged is not None and offer.merged.bad:
         told = _first([cell_text(cell) for cell in offer.merged.bad])
-        cells = counted(len(offer.merged.bad), "cell")
+        cells = count_noun(len(offer.merged.bad), "cell")
         yield warning("cells-passed-over", "records.flatfile", cells=cells, told=told)
 
 
@@ -200,7 +201,7 @@ def cell_text(cell: BadCell) -> str:
 
 def doubts_of(records: Sequence[Record]) -> Iterator[Message]:
     """Which records have peaks or steps that ground hardly has, or files that contradict themselves."""
-    doubts = [*(doubt for record in records if (doubt := doubt_of(record))), *doubts_among(records)]
+    doubts = [*(doubt for record in records if (doubt := record_warning(record))), *warnings_among(records)]
     if doubts:
         yield warning("implausible-record", "records.unit", text=_first(doubts))
 

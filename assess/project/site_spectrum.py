@@ -8,14 +8,13 @@ from functools import singledispatch
 from pathlib import Path
 
 from assess.codes.context import Hazard
-from assess.errors import ProjectError
+from assess.errors import ProjectError, locate_errors
 from assess.project import sections
 from assess.project.deciding import limit_state_of, use_class_of
-from assess.project.messages import located
 from assess.project.schema import load
 from spectra import asce7, ec8, ntc, nzs1170_5
 from spectra.errors import SpectrumError
-from spectra.spectrum import Spectrum, implausible, scaled_to_pga
+from spectra.spectrum import Spectrum, plausibility_warnings, scale_to_pga
 from spectra.table import read_table
 
 DEFAULT_STATE = "SLV"
@@ -52,11 +51,13 @@ def spectrum_of(site: sections.Site) -> Spectrum:
     if isinstance(section, sections.TableSpectrum):
         spectrum = read_table(section.file, damping=section.damping, pga=site.pga)
     else:
-        with located("site.spectrum"):
+        with locate_errors("site.spectrum"):
             spectrum = replace(horizontal(section), damping=section.damping)
     if site.pga is None:
         return spectrum
-    return scaled_to_pga(replace(spectrum, cautions=(*spectrum.cautions, *implausible(pga=site.pga))), site.pga)
+    return scale_to_pga(
+        replace(spectrum, warnings=(*spectrum.warnings, *plausibility_warnings(pga=site.pga))), site.pga
+    )
 
 
 def vertical_of(site: sections.Site) -> Spectrum:
@@ -64,7 +65,7 @@ def vertical_of(site: sections.Site) -> Spectrum:
 
     Raises SpectrumError for the codes that have none here.
     """
-    with located("site.spectrum"):
+    with locate_errors("site.spectrum"):
         spectrum = replace(vertical(site.spectrum), damping=site.spectrum.damping)
     return replace(spectrum, factor=spectrum_of(site).factor)
 
@@ -173,7 +174,7 @@ def hazard_over_periods(site: sections.Site) -> Hazard | None:
     section = site.spectrum
     if not isinstance(section, sections.NtcHazardSpectrum):
         return None
-    with located("site.spectrum"):
+    with locate_errors("site.spectrum"):
         place, factor = place_of(section), spectrum_of(site).factor
         amplified = [ntc.soil_factor(row, place.soil) * row.a_g for row in rows_of(section)]
         spectra = {state: found for state in ntc.EXCEEDANCE if (found := state_spectrum(section, state)) is not None}

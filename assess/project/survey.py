@@ -1,35 +1,26 @@
 """What the survey's tolerance may change: the numbers it bears on, and the index at their bad ends.
 
 Thicknesses and the places of given hinges are known to `[verdict] survey_tolerance`, loads to 5 %. Each is varied
-alone; what they take from the index is added up. Answers by histories have a spread of their own and are left out.
+alone.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 
-from assess.codes.check import Check
-from assess.codes.family import of_histories
-from assess.codes.verdict import Answer, Decision, MechanismVerdict, Question, Verdict, deciding_check
-from assess.errors import AssessError
 from assess.geometry.solid import Solid
 from assess.mechanisms.mechanism import Mechanism
 from assess.project import sections
+from assess.project.definitions import definition_of
 from assess.project.keys import Key, with_value
 from assess.project.messages import written
 from assess.project.schema import Project
 from assess.project.variables import Alone, Subject, at_key, facing, of_loads, thickness
-from assess.results import MechanismResult
-from assess.study.sensitivity import checked
 from assess.study.study import Study, Variable
-from spectra.errors import SpectrumError
-from spectra.spectrum import Spectrum
+from assess.study.survey import Survey
 
 OF_LOADS = 0.05  # share
-FAR = 0.5  # of the threshold: an index farther from it is not "at the limit", whatever the survey's tolerance
-Survey = Callable[[str], tuple[Variable, ...]]
 
 
 def survey_of(project: Project, study: Study, solids: Mapping[str, Solid | None], alone: Alone) -> Survey:
@@ -62,7 +53,7 @@ def _hinges(subject: Subject, section: sections.Chained, tolerance: float) -> It
             continue
         for letter, place in given.entries().items():
             path: Key = ("mechanisms", subject.name, table, letter)
-            move = partial(_moved, subject, path, place, section.towards)
+            move = partial(_moved, subject, path, place, definition_of(section).towards)
             yield Variable(subject.name, "hinge", written(path), "m", 0.0, -tolerance, tolerance, move)
 
 
@@ -74,74 +65,3 @@ def _moved(subject: Subject, path: Key, place: tuple[float, ...], direction: Seq
     raw = with_value(project.raw, path, moved, project.content)
     content = sections.Content.model_validate(raw, context={"folder": project.folder})
     return subject.alone(subject.name, content, {})
-
-
-def tolerances(
-    survey: Survey,
-    spectrum: Spectrum,
-    question: Question,
-    found: Verdict,
-    mechanisms: Sequence[MechanismResult],
-) -> dict[str, float]:
-    """Find, for each mechanism whose index is not far from its threshold, what the tolerance takes from the index."""
-    checks = {mechanism.name: mechanism.checks for mechanism in mechanisms}
-    falls: dict[str, float] = {}
-    for one in found.mechanisms:
-        near = [answer for answer in one.answers if _matters(answer, found.target)]
-        if near:
-            known = checks[one.mechanism]
-            falls[one.mechanism] = max(_fall(survey, spectrum, question, one, answer, known) for answer in near)
-    return falls
-
-
-def _matters(answer: Answer, target: float | None) -> bool:
-    if answer.outcome == Decision.INCOMPLETE or of_histories(answer.procedure) or target is None:
-        return False
-    good = _goodness(answer)
-    return good is not None and abs(good / target - 1.0) <= FAR
-
-
-def _goodness(answer: Answer) -> float | None:
-    """The larger the better: the index, or capacity over demand."""
-    if answer.index is None or answer.index.value == 0.0:
-        return None
-    return 1.0 / answer.index.value if answer.index.name == "D/C" else answer.index.value
-
-
-def _fall(
-    survey: Survey,
-    spectrum: Spectrum,
-    question: Question,
-    one: MechanismVerdict,
-    answer: Answer,
-    checks: Sequence[Check],
-) -> float:
-    """The share of the index that the tolerance takes, all numbers together."""
-    base = deciding_check(checks, answer, question.basis, question.action)
-    if base is None:
-        return 0.0
-    total = 0.0
-    for variable in survey(one.mechanism):
-        ends = [_at(variable, value, spectrum, question, answer) for value in (variable.low, variable.high)]
-        worst = min((_share(end, base) for end in ends), default=1.0)
-        total += max(0.0, 1.0 - worst)
-    return total
-
-
-def _share(end: Check | None, base: Check) -> float:
-    """Capacity over demand of a case over that of the base; 0 where the case has no answer any more."""
-    if end is None:
-        return 0.0
-    if end.capacity_pga_g is not None and base.capacity_pga_g:
-        return end.capacity_pga_g / base.capacity_pga_g
-    return base.ratio / end.ratio if base.ratio and end.ratio else 1.0
-
-
-def _at(variable: Variable, value: float, spectrum: Spectrum, question: Question, answer: Answer) -> Check | None:
-    """The deciding check with one value of a number; None where the mechanism cannot be assessed there."""
-    try:
-        study = replace(variable.study_at(value), procedures=(answer.procedure,), levels=(spectrum.pga,))
-        found = checked(study, spectrum, (), jobs=1)
-    except (AssessError, SpectrumError):
-        return None
-    return deciding_check(found, answer, question.basis, question.action)

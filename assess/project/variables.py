@@ -12,13 +12,15 @@ from functools import partial
 from math import inf
 from typing import Any
 
-from assess.geometry.solid import Solid
-from assess.geometry.stretch import stretched
+from assess.geometry.affine import scale_along
+from assess.geometry.solid import Solid, Solids
 from assess.mechanisms.chain import hinge_names
 from assess.mechanisms.mechanism import Mechanism
-from assess.model.joints import material_name
-from assess.model.pieces import Solids, pieces_of
+from assess.model.definitions import Chained
+from assess.model.pieces import pieces_of
 from assess.project import sections
+from assess.project.bodies import bodies_of
+from assess.project.definitions import definition_of
 from assess.project.dependents import dependents
 from assess.project.keys import Key, value_at, with_value
 from assess.project.messages import written
@@ -133,10 +135,13 @@ def numbers_of(subject: Subject) -> Iterator[Number]:
 
 def of_joints(subject: Subject, section: sections.Chained) -> Iterator[Number]:
     """Strength and stiffness of the joints, where they stand."""
-    name = material_name(section, subject.project.content)
-    material = None if name is None else subject.project.content.materials[name]
+    content = subject.project.content
+    bodies = (content.bodies[name] for block in section.blocks for name in block)
+    name = next((body.material for body in bodies if not isinstance(body, sections.DirectBody)), None)
+    material = None if name is None else content.materials[name]
+    definition = definition_of(section)
     for letter in hinge_names(subject.mechanism.positive):
-        joint = section.interface_at(letter)
+        joint = definition.interface_at(letter)
         own = ("interfaces", letter) if letter in section.interfaces else ("interface",)
         table = ("mechanisms", subject.name, *own)
         if joint.strength is not None and joint.strength < inf:
@@ -225,7 +230,8 @@ def thickness(subject: Subject, section: sections.Chained, change: sections.Chan
     why = stiff_geometry(subject, section)
     if why:
         return Unvaried(subject.name, "thickness", why)
-    foot = pieces_of(subject.name, section, subject.project.content, subject.solids)[0].body.base
+    definition: Chained = definition_of(section)
+    foot = pieces_of(subject.name, definition, bodies_of(subject.project.content, subject.solids))[0].body.base
     assert foot is not None  # every body has geometry
     (low, _), (high, _) = foot
     if high <= low:
@@ -245,8 +251,9 @@ def stiff_geometry(subject: Subject, section: sections.Chained) -> str:
     hinges = (getattr(section, key, None) for key in ("hinges", "hinges_negative"))
     if any(each is not None for each in hinges):
         return "its hinges are given as points, which do not move with the faces"
-    joints = (section.interface_at(letter) for letter in hinge_names(subject.mechanism.positive))
-    if any(isinstance(joint.shape, sections.Shape) for joint in joints):
+    definition: Chained = definition_of(section)
+    joints = (definition.interface_at(letter) for letter in hinge_names(subject.mechanism.positive))
+    if any(joint.shape != "outline" for joint in joints):
         return "the shape of a joint is given by its sizes, which do not follow"
     return ""
 
@@ -255,7 +262,7 @@ def thickened(subject: Subject, section: sections.Chained, value: float, *, widt
     """The study of the mechanism with blocks as thick as `value` [m] at a base that is `width` wide."""
     bodies = {name: solid for block in section.blocks for name in block if (solid := subject.solids[name]) is not None}
     thick = {
-        name: stretched(solid, direction=section.towards, middle=middle, factor=value / width)
+        name: scale_along(solid, direction=definition_of(section).towards, middle=middle, factor=value / width)
         for name, solid in bodies.items()
     }
     return subject.alone(subject.name, subject.project.content, thick)

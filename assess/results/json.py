@@ -89,7 +89,7 @@ def _at_once(text: str) -> Results | None:
 
 
 def _step_by_step(text: str, source: str) -> Results:
-    data = _parsed(text, source)
+    data = _parse(text, source)
     version = data.get("schema_version") if isinstance(data, dict) else None
     if version is None:
         raise ResultsError(f"{source}: not a results file of assess (no schema_version); {_REMEDY}")
@@ -125,7 +125,7 @@ def read(path: Path) -> Results:
     return loads(text, source=str(path))
 
 
-def located(path: Path) -> Path:
+def find_results(path: Path) -> Path:
     """The results file that `path` names: itself, or that of the folder, or of the one NAME-results below a project's.
 
     Raises ResultsError where there is none, or more than one.
@@ -190,7 +190,7 @@ def _infinite(where: str, value: Any) -> Iterator[tuple[str, float]]:
             yield from _infinite(f"{where}[{index}]", item)
 
 
-def _parsed(text: str, source: str) -> Any:
+def _parse(text: str, source: str) -> Any:
     def refuse(constant: str) -> NoReturn:
         raise ResultsError(f"{source}: holds {constant}, which is not JSON; {_REMEDY}")
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from assess.geometry.outline import Outline, outline
 from assess.geometry.scene import Scene
-from assess.geometry.simplify import simplified
+from assess.geometry.simplify import simplify
 from assess.loads.load import Force, Load, PointMass
 from assess.mechanisms.chain import Chain, Point, hinge_names, mirrored
 from assess.mechanisms.mechanism import Mechanism
@@ -26,7 +26,7 @@ FIXED = -1  # the block of what does not move
 DOWN = (0.0, -1.0)
 
 
-def drawing(mechanism: Mechanism, oscillator: Oscillator, scene: Scene | None = None) -> Drawing:
+def draw(mechanism: Mechanism, oscillator: Oscillator, scene: Scene | None = None) -> Drawing:
     """The mechanism at rest, and turned to the sides to which it rocks; the scene tells what stays."""
     chain = mechanism.positive
     mass = sum(block.mass for block in chain.blocks)
@@ -39,18 +39,18 @@ def drawing(mechanism: Mechanism, oscillator: Oscillator, scene: Scene | None = 
         centroid=(x, z),
         block_of=tuple(block for _, block in pieces),
         centroids=tuple(block.centroid for block in chain.blocks),
-        displaced=displaced(chain, oscillator.positive, pieces, mark=""),
-        displaced_negative=turned_back(mechanism, oscillator),
+        displaced=draw_displaced(chain, oscillator.positive, pieces, mark=""),
+        displaced_negative=draw_negative_side(mechanism, oscillator),
         fixed=() if scene is None else fixed_outlines(scene),
     )
 
 
 def pieces_of(chain: Chain, outlines: Sequence[Outline]) -> list[Piece]:
     """Every ring of the outlines with its block, FIXED where it does not move."""
-    return [(ring, block) for block, outline in zip(owners(chain), outlines, strict=True) for ring in outline]
+    return [(ring, block) for block, outline in zip(block_numbers(chain), outlines, strict=True) for ring in outline]
 
 
-def owners(chain: Chain) -> tuple[int, ...]:
+def block_numbers(chain: Chain) -> tuple[int, ...]:
     """The block of each outline of a mechanism, FIXED where it does not move."""
     if not chain.parts:
         return tuple(range(len(chain.blocks)))
@@ -61,19 +61,19 @@ def fixed_outlines(scene: Scene) -> tuple[Ring, ...]:
     """Outlines in the plane of motion of the bodies that do not move, simplified where they are scans."""
     rings: list[Ring] = []
     for solid in scene.fixed:
-        vertices, triangles = simplified(solid.vertices, solid.triangles, limit=LIMIT)
+        vertices, triangles = simplify(solid.vertices, solid.triangles, limit=LIMIT)
         points = np.column_stack([vertices @ scene.direction, vertices[:, 2]])
         rings += outline(points, triangles[:, ::-1])
     return tuple(rings)
 
 
-def turned_back(mechanism: Mechanism, oscillator: Oscillator) -> Displaced | None:
+def draw_negative_side(mechanism: Mechanism, oscillator: Oscillator) -> Displaced | None:
     """The mechanism turned to its negative side, None where it rocks to one side only."""
     chain, branch = mechanism.negative, oscillator.negative
     if chain is None or branch is None:
         return None
     outlines = [tuple(tuple(mirrored(point) for point in ring) for ring in outline) for outline in mechanism.outlines]
-    seen = displaced(chain, branch, pieces_of(chain, outlines), mark="'")
+    seen = draw_displaced(chain, branch, pieces_of(chain, outlines), mark="'")
     return Displaced(
         rotation_rad=seen.rotation_rad,
         blocks=tuple(tuple(mirrored(point) for point in ring) for ring in seen.blocks),
@@ -89,22 +89,22 @@ def turned_back(mechanism: Mechanism, oscillator: Oscillator) -> Displaced | Non
 
 def hinges_of(mechanism: Mechanism) -> tuple[NamedPoint, ...]:
     """Hinges A, B, … of the positive branch and A', B', … of the negative one, at rest, not mirrored."""
-    negative = () if mechanism.negative is None else named_hinges(mechanism.negative, "'")
+    negative = () if mechanism.negative is None else hinges_of_chain(mechanism.negative, "'")
     back = (NamedPoint(hinge.name, mirrored(hinge.at)) for hinge in negative)
-    return (*named_hinges(mechanism.positive, ""), *back)
+    return (*hinges_of_chain(mechanism.positive, ""), *back)
 
 
-def named_hinges(chain: Chain, mark: str) -> tuple[NamedPoint, ...]:
+def hinges_of_chain(chain: Chain, mark: str) -> tuple[NamedPoint, ...]:
     """Hinges A, B, … of a chain, in its own sign."""
     return tuple(NamedPoint(f"{name}{mark}", at) for name, at in zip(hinge_names(chain), chain.hinges, strict=True))
 
 
-def displaced(chain: Chain, branch: Branch, pieces: Sequence[Piece], *, mark: str) -> Displaced:
+def draw_displaced(chain: Chain, branch: Branch, pieces: Sequence[Piece], *, mark: str) -> Displaced:
     """The chain after the rotation at which it is shown, in its own sign."""
-    rotation = shown_rotation(chain, branch.overturning, pieces)
+    rotation = display_rotation(chain, branch.overturning, pieces)
 
     def at(points: Sequence[Point], block: int) -> Ring:
-        return as_points(carried(chain, np.array(points), block=block, rotation=rotation))
+        return as_points(move_points(chain, np.array(points), block=block, rotation=rotation))
 
     return Displaced(
         rotation_rad=rotation,
@@ -112,20 +112,20 @@ def displaced(chain: Chain, branch: Branch, pieces: Sequence[Piece], *, mark: st
         block_of=tuple(block for _, block in pieces),
         hinges=tuple(
             NamedPoint(hinge.name, at([hinge.at], max(before, 0))[0])
-            for before, hinge in enumerate(named_hinges(chain, mark), start=-1)
+            for before, hinge in enumerate(hinges_of_chain(chain, mark), start=-1)
         ),
         loads=tuple(drawn_load(load, at([load.at], load.block)[0]) for load in chain.loads),
         centroids=tuple(at([block.centroid], number)[0] for number, block in enumerate(chain.blocks)),
     )
 
 
-def shown_rotation(chain: Chain, overturning: float, pieces: Sequence[Piece]) -> float:
+def display_rotation(chain: Chain, overturning: float, pieces: Sequence[Piece]) -> float:
     """The rotation [rad] at which the farthest point has moved by SEEN, or overturning; two figures, rounded down."""
     sets = [(np.array(ring), block) for ring, block in pieces]
     sets += [(np.array([block.centroid]), number) for number, block in enumerate(chain.blocks)]
     size = float(np.ptp(np.concatenate([*(points for points, _ in sets), chain.hinges]), axis=0).max())
     way = max(
-        float(np.linalg.norm(carried(chain, points, block=block, rotation=overturning) - points, axis=1).max())
+        float(np.linalg.norm(move_points(chain, points, block=block, rotation=overturning) - points, axis=1).max())
         for points, block in sets
     )
     wanted = overturning * min(1.0, SEEN * size / way)
@@ -133,7 +133,7 @@ def shown_rotation(chain: Chain, overturning: float, pieces: Sequence[Piece]) ->
     return round(floor(wanted / step + 1e-9) * step, 12)
 
 
-def carried(chain: Chain, points: FloatArray, *, block: int, rotation: float) -> FloatArray:
+def move_points(chain: Chain, points: FloatArray, *, block: int, rotation: float) -> FloatArray:
     """Points [k, 2] of a block where they are after a rotation [rad]: where two of its points are gives all."""
     if block == FIXED:
         return points
@@ -149,13 +149,13 @@ def drawn_load(load: Load, at: Point) -> DrawnLoad:
     if isinstance(load, PointMass):
         return DrawnLoad(load.name, at, "mass", DOWN if load.bearing else None)
     if isinstance(load, Force):
-        return DrawnLoad(load.name, at, "force", unit(load.force))
+        return DrawnLoad(load.name, at, "force", unit_vector(load.force))
     if load.anchor is not None:
-        return DrawnLoad(load.name, at, "tie", unit((load.anchor[0] - at[0], load.anchor[1] - at[1])))
+        return DrawnLoad(load.name, at, "tie", unit_vector((load.anchor[0] - at[0], load.anchor[1] - at[1])))
     return DrawnLoad(load.name, at, "tie", load.direction)
 
 
-def unit(vector: Point) -> Point | None:
+def unit_vector(vector: Point) -> Point | None:
     """The unit vector along a vector, None where it has no length."""
     length = float(np.hypot(*vector))
     return (vector[0] / length, vector[1] / length) if length else None

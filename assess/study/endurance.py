@@ -21,7 +21,7 @@ def load_results(mechanism: Mechanism) -> tuple[LoadResult, ...]:
     for load in mechanism.positive.loads:
         one = load_result(load)
         if not isinstance(load, PointMass):
-            one = enduring(mechanism, number, one)
+            one = with_duration(mechanism, number, one)
             number += 1
         found.append(one)
     return tuple(found)
@@ -39,7 +39,7 @@ def load_result(load: Load) -> LoadResult:
     return LoadResult(load.name, "tie", load.block, at, None, None, pull_at_rest(load), source, missing=missing)
 
 
-def enduring(mechanism: Mechanism, number: int, load: LoadResult) -> LoadResult:
+def with_duration(mechanism: Mechanism, number: int, load: LoadResult) -> LoadResult:
     """A force or tie, by its number, with how long it is there on the branch where it ends first."""
     sides = list(zip(acting_of(mechanism), variants(mechanism).ends, strict=True))
     resisting = [(one, kept[number]) for one, kept in sides if one.ever_resists(number)]
@@ -63,7 +63,7 @@ def _lasting(lasts: bool, broken: bool) -> Lasting:
     return "to its end" if broken else "not shown"
 
 
-def left_out(mechanism: Mechanism) -> Iterator[Message]:
+def load_messages(mechanism: Mechanism) -> Iterator[Message]:
     """A warning for each tie, and force that drives neither way, that is not shown to last; and where all stands by it.
 
     A force that drives one way and resists the other is a thrust: there is nothing to give.
@@ -76,10 +76,10 @@ def left_out(mechanism: Mechanism) -> Iterator[Message]:
         if load.lasting == "not shown" and load.name not in thrusts:
             values = {"load": load.name, "missing": ", ".join(load.missing)}
             yield message("not-lasting", values, severity=Severity.WARNING, where=where)
-    yield from unheld(mechanism, where=where)
+    yield from unheld_messages(mechanism, where=where)
 
 
-def unheld(mechanism: Mechanism, *, where: str = "") -> tuple[Message, ...]:
+def unheld_messages(mechanism: Mechanism, *, where: str = "") -> tuple[Message, ...]:
     """Why no displacement can be asked: the mechanism stands only by what is not shown to last."""
     loads = variants(mechanism).standing_by
     if not loads:

@@ -15,10 +15,10 @@ from functools import lru_cache
 
 import numpy as np
 
-from assess.amplification.floor_motion import Carried, FirstMode, ModalFilter
+from assess.amplification.floor_motion import BaseMotion, FirstMode, ModalFilter
 from assess.codes.context import Building
-from assess.study.motions import Motion
-from records.record import Record, scaled
+from assess.study.motions import ScaledRecord
+from records.record import Record, scale
 from records.response import response_spectrum
 from spectra.arrays import FloatArray
 from spectra.floor_spectrum import Mode, circolare2019, first_mode_factor
@@ -34,13 +34,13 @@ SUITE = "envelope of the response spectra of the suite at the mechanism's base, 
 CIRCULAR = "Circolare 7/2019, C7.2.5, first mode"
 
 
-def floor_spectrum_of(
+def floor_spectrum(
     ground: Spectrum,
     *,
     height: float,
     filtered: ModalFilter | None,
-    base: Sequence[Carried],
-    motions: Sequence[Motion],
+    base: Sequence[BaseMotion],
+    motions: Sequence[ScaledRecord],
     building: Building | None,
 ) -> Spectrum | None:
     """The spectrum at a `height` above the ground [m], at the PGA of `ground`; None where nothing gives one.
@@ -48,7 +48,7 @@ def floor_spectrum_of(
     filtered : how the motions got to `base`, where it was through a mode and the suite holds
     """
     if filtered is not None and len(motions) >= LEAST_RECORDS:
-        records = [scaled(at.record, motion.scaling.factor) for at, motion in zip(base, motions, strict=True)]
+        records = [scale(at.record, motion.scaling.factor) for at, motion in zip(base, motions, strict=True)]
         return suite_spectrum(ground, records, mode=filtered.mode)
     if building is not None and building.storeys is not None and height <= building.height:
         return circular_spectrum(ground, height=height, building=building, storeys=building.storeys)
@@ -57,7 +57,7 @@ def floor_spectrum_of(
 
 def suite_spectrum(ground: Spectrum, records: Sequence[Record], *, mode: FirstMode) -> Spectrum:
     """The envelope of the motions at the base, scaled to the site, with its peaks widened."""
-    periods = np.unique(np.concatenate(([0.0], _spaced(), NEAR_MODE / mode.frequency)))
+    periods = np.unique(np.concatenate(([0.0], _sample_periods(), NEAR_MODE / mode.frequency)))
 
     @lru_cache(maxsize=8)
     def widened(damping: float) -> FloatArray:
@@ -98,6 +98,6 @@ def widen(period: FloatArray, acceleration: FloatArray) -> FloatArray:
     return np.array([acceleration[a:b].max() for a, b in zip(low, high, strict=True)])
 
 
-def _spaced() -> FloatArray:
+def _sample_periods() -> FloatArray:
     count = int(np.ceil(np.log(LONGEST / SHORTEST) / np.log(APART))) + 1
     return np.geomspace(SHORTEST, LONGEST, count)

@@ -9,13 +9,13 @@ import numpy as np
 from scipy.constants import g
 
 from assess.results import EquivalentPeriods, GroundMotionResult, Remaining, RequirementResult, SelectionResult
-from assess.study.motions import Motion
+from assess.study.motions import ScaledRecord
 from assess.study.oscillator_results import floats
-from assess.study.outcome import periods_of
-from assess.study.periods import ABOVE, BELOW, ends, equivalent_periods
+from assess.study.outcome import display_periods
+from assess.study.periods import ABOVE, BELOW, equivalent_periods, extreme_periods
 from assess.study.study import Fitting, Study
 from assess.study.suite_rules import RULES
-from records.band import Band, up_to
+from records.band import Band, truncate_band
 from records.compliance.registry import all_requirements
 from records.compliance.requirement import Requirement
 from records.compliance.suite import DAMPING, suite_of
@@ -25,11 +25,11 @@ from records.selection import Selection
 from spectra.spectrum import Spectrum
 
 
-def ground_motion(study: Study, spectrum: Spectrum, motions: Sequence[Motion]) -> GroundMotionResult | None:
+def ground_motion(study: Study, spectrum: Spectrum, motions: Sequence[ScaledRecord]) -> GroundMotionResult | None:
     """The suite of a study as scaled; None without records."""
     if not motions:
         return None
-    return suite_result(
+    return ground_motion_result(
         motions,
         spectrum,
         study.fitting,
@@ -39,8 +39,8 @@ def ground_motion(study: Study, spectrum: Spectrum, motions: Sequence[Motion]) -
     )
 
 
-def suite_result(
-    motions: Sequence[Motion],
+def ground_motion_result(
+    motions: Sequence[ScaledRecord],
     spectrum: Spectrum,
     fitting: Fitting,
     *,
@@ -53,9 +53,9 @@ def suite_result(
     own : the shortest and the longest period [s] by the code of requirements that defines its own
     Without mechanisms the codes are asked for the periods whose multiples the range is.
     """
-    low, high = up_to(fitting.band, spectrum.longest_period).ends
-    shortest, longest = ends(equivalent) if equivalent else (low / BELOW, high / ABOVE)
-    period = periods_of(spectrum)
+    low, high = truncate_band(fitting.band, spectrum.longest_period).ends
+    shortest, longest = extreme_periods(equivalent) if equivalent else (low / BELOW, high / ABOVE)
+    period = display_periods(spectrum)
     spectra = np.array([m.scaling.factor * response_spectrum(m.record, period, damping=DAMPING) for m in motions])
     return GroundMotionResult(
         from_s=low,
@@ -82,9 +82,9 @@ def source_of(study: Study) -> str:
     return f"{BELOW} times the least to {ABOVE} times the largest equivalent period of the mechanisms"
 
 
-def misfit_of_mean(motions: Sequence[Motion], spectrum: Spectrum, band: Band) -> float:
+def misfit_of_mean(motions: Sequence[ScaledRecord], spectrum: Spectrum, band: Band) -> float:
     """Mean squared natural-log difference between the mean spectrum and the target over the band [-]."""
-    over = up_to(band, spectrum.longest_period)
+    over = truncate_band(band, spectrum.longest_period)
     ratios = [
         m.scaling.factor * np.exp(-log_ratio(m.record, spectrum, period=over.period, nodes=over.nodes)) for m in motions
     ]
@@ -92,7 +92,7 @@ def misfit_of_mean(motions: Sequence[Motion], spectrum: Spectrum, band: Band) ->
 
 
 def requirements_of(
-    motions: Sequence[Motion],
+    motions: Sequence[ScaledRecord],
     spectrum: Spectrum,
     shortest: float,
     longest: float,

@@ -9,48 +9,48 @@ from statistics import mean
 
 from assess.study.study import Fitting, ScaleTo, Study
 from assess.study.suite_rules import made_band
-from records.band import Band, up_to
+from records.band import Band, truncate_band
 from records.compliance.asce43_05 import fit_of_mean
 from records.compliance.requirement import factor_that_does
 from records.compliance.suite import suite_of
-from records.record import Record
+from records.record import Record, with_step
 from records.scaling import Scaling, misfit, scale_to_pga, scale_to_spectrum
 from records.synthetic import artificial
 from spectra.spectrum import Spectrum
 
 
 @dataclass(frozen=True)
-class Motion:
+class ScaledRecord:
     """A record as read, the factor that brings it to the target, and the misfit left (mean squared log)."""
 
     record: Record
     scaling: Scaling
 
 
-def motions_of(study: Study, spectrum: Spectrum, *, jobs: int = 1) -> tuple[Motion, ...]:
+def motions_of(study: Study, spectrum: Spectrum, *, jobs: int = 1) -> tuple[ScaledRecord, ...]:
     """Every record of the study, files first, each with its scaling; `jobs` threads, 0 for all cores.
 
     Artificial records alone are raised together where their mean falls short of the target, unless scaled otherwise.
     """
     made = study.artificial
     if made is None:
-        return multiplied(scaled_of(study, study.records, spectrum), spectrum, study)
+        return multiply(scale_records(study, study.records, spectrum), spectrum, study)
     band = made_band(study, spectrum, duration=made.duration)
     own = artificial(spectrum, count=made.count, seed=made.seed, duration=made.duration, band=band, threads=jobs)
-    motions = scaled_of(study, (*study.records, *own), spectrum)
+    motions = scale_records(study, (*study.records, *own), spectrum)
     if not study.records and study.scale_to == "spectrum":
-        motions = raised(motions, spectrum, band, fitting=study.fitting)
-    return multiplied(motions, spectrum, study)
+        motions = raise_artificial(motions, spectrum, band, fitting=study.fitting)
+    return multiply(motions, spectrum, study)
 
 
-def scaled_of(study: Study, records: Sequence[Record], spectrum: Spectrum) -> tuple[Motion, ...]:
+def scale_records(study: Study, records: Sequence[Record], spectrum: Spectrum) -> tuple[ScaledRecord, ...]:
     """The records as the study scales them."""
-    return scaled_together(records, spectrum, study.fitting, scale_to=study.scale_to)
+    return scale_together(records, spectrum, study.fitting, scale_to=study.scale_to)
 
 
-def raised(
-    motions: tuple[Motion, ...], spectrum: Spectrum, band: tuple[float, float], *, fitting: Fitting
-) -> tuple[Motion, ...]:
+def raise_artificial(
+    motions: tuple[ScaledRecord, ...], spectrum: Spectrum, band: tuple[float, float], *, fitting: Fitting
+) -> tuple[ScaledRecord, ...]:
     """Artificial motions, multiplied by the least factor with which their mean meets ASCE 43-05, 2.4 over the `band`.
 
     That asks more of the mean than the other codes do: no ordinate a tenth below the target, no ten running below it.
@@ -60,38 +60,41 @@ def raised(
     if factor <= 1.0:
         return motions
     said = f"the suite raised by {factor:.6g}, with which its mean meets ASCE 43-05, 2.4, to {band[1]:.3g} s"
-    noted = tuple(replace(each, record=replace(each.record, trail=(*each.record.trail, said))) for each in motions)
-    return _times(noted, factor, spectrum, fitting.band)
+    noted = tuple(replace(each, record=with_step(each.record, said)) for each in motions)
+    return _multiply_all(noted, factor, spectrum, fitting.band)
 
 
-def multiplied(motions: tuple[Motion, ...], spectrum: Spectrum, study: Study) -> tuple[Motion, ...]:
+def multiply(motions: tuple[ScaledRecord, ...], spectrum: Spectrum, study: Study) -> tuple[ScaledRecord, ...]:
     """Every motion with the further factor of the study."""
     if study.record_factor == 1.0:
         return motions
-    return _times(motions, study.record_factor, spectrum, study.fitting.band)
+    return _multiply_all(motions, study.record_factor, spectrum, study.fitting.band)
 
 
-def _times(motions: tuple[Motion, ...], factor: float, spectrum: Spectrum, band: Band) -> tuple[Motion, ...]:
+def _multiply_all(
+    motions: tuple[ScaledRecord, ...], factor: float, spectrum: Spectrum, band: Band
+) -> tuple[ScaledRecord, ...]:
     return tuple(
-        Motion(each.record, _scaling(each.record, spectrum, band, each.scaling.factor * factor)) for each in motions
+        ScaledRecord(each.record, _scaling(each.record, spectrum, band, each.scaling.factor * factor))
+        for each in motions
     )
 
 
-def scaled_together(
+def scale_together(
     records: Sequence[Record], spectrum: Spectrum, given: Fitting, *, scale_to: ScaleTo
-) -> tuple[Motion, ...]:
+) -> tuple[ScaledRecord, ...]:
     """Each record with its scaling; those that `given` keeps together share the geometric mean of their factors.
 
     That is the factor of least misfit, or to the PGA, of the geometric mean of their spectra. Artificial ones are made
     for the target and stay as they are.
     """
-    band = up_to(given.band, spectrum.longest_period)
+    band = truncate_band(given.band, spectrum.longest_period)
     alone = {
         record.id: SCALINGS["none" if record.artificial else scale_to](record, spectrum, band) for record in records
     }
     shared = {id: exp(mean(log(alone[each].factor) for each in ids)) for ids in given.together for id in ids}
     return tuple(
-        Motion(one, _scaling(one, spectrum, band, shared[one.id]) if one.id in shared else alone[one.id])
+        ScaledRecord(one, _scaling(one, spectrum, band, shared[one.id]) if one.id in shared else alone[one.id])
         for one in records
     )
 
@@ -110,7 +113,7 @@ def to_pga(record: Record, spectrum: Spectrum, band: Band) -> Scaling:
     return _scaling(record, spectrum, band, scale_to_pga(record, spectrum.pga))
 
 
-def as_it_is(record: Record, spectrum: Spectrum, band: Band) -> Scaling:
+def unscaled(record: Record, spectrum: Spectrum, band: Band) -> Scaling:
     """The record as it is."""
     return _scaling(record, spectrum, band, 1.0)
 
@@ -118,5 +121,5 @@ def as_it_is(record: Record, spectrum: Spectrum, band: Band) -> Scaling:
 SCALINGS: dict[ScaleTo, Callable[[Record, Spectrum, Band], Scaling]] = {
     "spectrum": to_spectrum,
     "pga": to_pga,
-    "none": as_it_is,
+    "none": unscaled,
 }

@@ -78,7 +78,7 @@ def curve_of(oscillator: Oscillator) -> Curve:
     return Curve(branch_curve(positive, mass=mass), None if negative is None else branch_curve(negative, mass=mass))
 
 
-def overturning_of(oscillator: Oscillator) -> tuple[float, float | None]:
+def overturning_rotations(oscillator: Oscillator) -> tuple[float, float | None]:
     """The overturning rotations of both branches on rigid joints [rad]."""
     return oscillator.positive.overturning, None if oscillator.negative is None else oscillator.negative.overturning
 

@@ -8,7 +8,7 @@ from math import ceil
 import numpy as np
 from scipy.constants import g
 
-from assess.amplification.floor_motion import Carried, ModalFilter
+from assess.amplification.floor_motion import BaseMotion, ModalFilter
 from assess.codes.check import Check
 from assess.geometry.scene import Scene
 from assess.hinge_forces import HingeForces
@@ -19,7 +19,6 @@ from assess.mechanisms.mechanism import Mechanism
 from assess.oscillator import (
     Oscillator,
 )
-from assess.project.grounding import Grounded
 from assess.results import (
     AmplificationResult,
     CarriedMotion,
@@ -35,15 +34,16 @@ from assess.results import (
     SpectrumResult,
     SuiteResult,
 )
-from assess.study.drawing import drawing
+from assess.study.drawing import draw
 from assess.study.endurance import load_results
+from assess.study.grounding import Grounded
 from assess.study.joint_results import interface_curves, interface_results
-from assess.study.motions import Motion
-from assess.study.oscillator_results import curve_of, floats, oscillator_result, overturning_of, rigid_branches
+from assess.study.motions import ScaledRecord
+from assess.study.oscillator_results import curve_of, floats, oscillator_result, overturning_rotations, rigid_branches
 from assess.study.study import Amplified, Equation
 from assess.study.view import view
 from records.candidates import sequence_number
-from records.record import Record, scaled
+from records.record import Record, scale
 from records.response import response_spectrum
 from spectra.arrays import FloatArray
 from spectra.spectrum import Spectrum
@@ -56,7 +56,7 @@ SAME_PERIOD = 1e-9  # relative difference of periods that are one
 LONGEST_PERIOD = 10.0  # s, of the spectra in the results, where the spectrum reaches so far
 
 
-def periods_of(spectrum: Spectrum) -> FloatArray:
+def display_periods(spectrum: Spectrum) -> FloatArray:
     """Periods [s] at which spectra are shown: 0, evenly in the logarithm, round ones, and the corners of the code."""
     longest = min(LONGEST_PERIOD, spectrum.longest_period)
     corners = [float(value) for key, value in spectrum.parameters.items() if key.startswith("t_") and value != "none"]
@@ -68,7 +68,7 @@ def periods_of(spectrum: Spectrum) -> FloatArray:
 
 def spectrum_result(spectrum: Spectrum) -> SpectrumResult:
     """The site's spectrum, ordinate by ordinate."""
-    period = periods_of(spectrum)
+    period = display_periods(spectrum)
     scale = {} if spectrum.factor == 1.0 else {"scale": spectrum.factor}
     return SpectrumResult(
         code=spectrum.code,
@@ -82,10 +82,10 @@ def spectrum_result(spectrum: Spectrum) -> SpectrumResult:
     )
 
 
-def record_result(motion: Motion, spectrum: Spectrum, *, nga: int | None = None) -> RecordResult:
+def record_result(motion: ScaledRecord, spectrum: Spectrum, *, nga: int | None = None) -> RecordResult:
     """A record as used: scaled to the site's target; nga: its number in the NGA database."""
-    used = scaled(motion.record, motion.scaling.factor)
-    period = periods_of(spectrum)
+    used = scale(motion.record, motion.scaling.factor)
+    period = display_periods(spectrum)
     return RecordResult(
         id=used.id,
         path=used.path,
@@ -97,7 +97,7 @@ def record_result(motion: Motion, spectrum: Spectrum, *, nga: int | None = None)
         pga_g=used.pga / g,
         scale_factor=motion.scaling.factor,
         mse=motion.scaling.mse,
-        trail=used.trail,
+        trail=used.processing_history,
         spectrum=RecordSpectrum(floats(period), floats(response_spectrum(used, period) / g)),
         date=used.earthquake.time,
         magnitude=used.earthquake.magnitude,
@@ -122,7 +122,7 @@ def mechanism_result(
     positive, negative, mass = oscillator.positive, oscillator.negative, oscillator.mass
     deciding = variants(mechanism).deciding
     same = deciding is oscillator
-    drawn = drawing(mechanism, oscillator, scene)
+    drawn = draw(mechanism, oscillator, scene)
     rigid = rigid_branches(mechanism, oscillator)
     return MechanismResult(
         name=mechanism.name,
@@ -144,12 +144,12 @@ def mechanism_result(
         amplification=amplification,
         checks=tuple(checks),
         histories=tuple(history for level in histories for history in level),
-        suites=tuple(suite_result(level) for level in histories),
+        suites=tuple(suite_statistics(level) for level in histories),
         envelope=None,
         loads=load_results(mechanism),
         hinge_forces=tuple(hinge_force_result(each) for each in hinge_forces(mechanism)),
         deciding_curve=None if same else curve_of(deciding),
-        deciding_overturning_rad=None if same else overturning_of(deciding),
+        deciding_overturning_rad=None if same else overturning_rotations(deciding),
         direction=mechanism.direction,
         candidates=tuple(
             DirectionCandidate(each.angle, each.multiplier, each.displacement, each.touching)
@@ -163,7 +163,7 @@ def mechanism_result(
 
 
 def amplification_result(
-    amplified: Amplified, motions: Sequence[Motion] = (), base: Sequence[Carried] = ()
+    amplified: Amplified, motions: Sequence[ScaledRecord] = (), base: Sequence[BaseMotion] = ()
 ) -> AmplificationResult:
     """How the motions reached the base of a mechanism; `base` as they act there."""
     filtered = isinstance(amplified.amplification, ModalFilter) and len(base) > 0
@@ -173,11 +173,11 @@ def amplification_result(
         factors=tuple(Factor(each.record.id, each.factor) for each in base),
         height_m=amplified.height,
         said=(*amplified.said, *amplified.assumed),
-        motion=carried_motion(motions[most], base[most].record) if filtered else None,
+        motion=carried_motion_result(motions[most], base[most].record) if filtered else None,
     )
 
 
-def carried_motion(motion: Motion, base: Record) -> CarriedMotion:
+def carried_motion_result(motion: ScaledRecord, base: Record) -> CarriedMotion:
     """A motion scaled to the target, at the ground and at the base of a mechanism, on the steps of the latter."""
     ground, scale = motion.record, motion.scaling.factor
     period = np.geomspace(SHORTEST_PERIOD, LONGEST_DRAWN, 120)
@@ -199,14 +199,14 @@ def hinge_force_result(forces: HingeForces) -> HingeForceResult:
         branch=forces.branch,
         horizontal_n=forces.horizontal,
         vertical_n=forces.vertical,
-        needed_friction=forces.needed,
+        needed_friction=forces.required_friction,
         friction=forces.friction,
         normal_n=forces.starting.normal,
         shear_n=forces.starting.shear,
         face=forces.face,
         face_found=forces.found,
         activation_g=forces.acceleration / g,
-        sliding_g=None if forces.sliding is None else forces.sliding / g,
+        sliding_g=None if forces.sliding_acceleration is None else forces.sliding_acceleration / g,
         held=forces.held,
     )
 
@@ -224,7 +224,7 @@ def direction_sweep(found: Directions) -> DirectionSweep:
     )
 
 
-def suite_result(histories: Sequence[HistoryResult]) -> SuiteResult:
+def suite_statistics(histories: Sequence[HistoryResult]) -> SuiteResult:
     """All records at one level."""
     standing = [history.max_rotation_ratio for history in histories if history.max_rotation_ratio is not None]
     overturned = len(histories) - len(standing)
@@ -240,7 +240,7 @@ def suite_result(histories: Sequence[HistoryResult]) -> SuiteResult:
     )
 
 
-def comparison(mechanisms: Sequence[MechanismResult]) -> tuple[ComparisonRow, ...]:
+def comparison_rows(mechanisms: Sequence[MechanismResult]) -> tuple[ComparisonRow, ...]:
     """Every check of every mechanism on one line."""
     return tuple(
         ComparisonRow(

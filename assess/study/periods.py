@@ -11,7 +11,7 @@ from collections.abc import Iterable
 import numpy as np
 
 from assess.codes.asce43_05.clauses import HALF, effective_frequency
-from assess.codes.italian.curves import curves_alone
+from assess.codes.italian.curves import curves_of_all_actions
 from assess.codes.ntc2018.clauses import capacity_of
 from assess.errors import ProjectError
 from assess.mechanisms.lasting import variants
@@ -40,13 +40,13 @@ def limit_state_periods(mechanisms: Iterable[Mechanism], *, state: str) -> dict[
     """T_SLV or T_SLC of NTC 2018 (C8.7.1.10, 11), the shortest and the longest [s] of each mechanism, by name."""
     found = {}
     for mechanism in mechanisms:
-        alone = curves_alone(variants(mechanism).deciding)
+        alone = curves_of_all_actions(variants(mechanism).deciding)
         periods = [capacity_of(curves, state=state, confidence_factor=LARGEST_FC).T for curves in alone]
         found[mechanism.name] = (min(periods), max(periods))
     return found
 
 
-def ends(periods: dict[str, tuple[float, float]]) -> tuple[float, float]:
+def extreme_periods(periods: dict[str, tuple[float, float]]) -> tuple[float, float]:
     """The least and the largest of all [s]."""
     if not periods:
         raise ProjectError("mechanisms: none to take periods from; add one, or give records.select periods")

@@ -11,8 +11,8 @@ from collections.abc import Iterator, Sequence
 
 from assess.messages.message import Message, Quantity, warning
 from assess.oscillator import Oscillator, elastic_frequency, linearise
-from assess.study.envelopes import Rocker
-from assess.study.motions import Motion
+from assess.study.envelopes import EnvelopeCase
+from assess.study.motions import ScaledRecord
 from assess.study.study import Equation
 
 FEWEST = 6.0
@@ -23,7 +23,7 @@ NAMED = 3
 """Records that a notice names."""
 
 
-def coarse_notices(rockers: Sequence[Rocker], motions: Sequence[Motion]) -> Iterator[Message]:
+def coarse_record_messages(rockers: Sequence[EnvelopeCase], motions: Sequence[ScaledRecord]) -> Iterator[Message]:
     """One for each mechanism, by name, that some record is too coarse for."""
     for rocker in rockers:
         longest, why = longest_step(rocker.oscillator, equation=rocker.equation)

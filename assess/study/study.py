@@ -13,8 +13,8 @@ from assess.codes.verdict import Missing, Question
 from assess.geometry.scene import Scene
 from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message
-from assess.project.grounding import Grounded
 from assess.results import Input, Resolved
+from assess.study.grounding import Grounded
 from records.band import Band
 from records.pulses import Shape
 from records.record import Record

@@ -6,10 +6,10 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import ceil, floor
 
-from assess.codes.family import CODES
+from assess.codes.families import SUITE_CODES
 from assess.codes.verdict import methods_of
 from assess.messages.message import Message, Quantity, Severity, Value, count, message
-from assess.study.motions import Motion
+from assess.study.motions import ScaledRecord
 from assess.study.study import Artificial, Study
 from assess.study.suite_rules import HELD, RULES, spectrum_of_rules
 from records.compliance.requirement import Requirement, Rule, factor_that_does
@@ -33,7 +33,7 @@ class Remedy:
 
 
 @dataclass(frozen=True)
-class Judged:
+class SuiteReview:
     """A suite with the project that it is of, and all that its code asks."""
 
     study: Study
@@ -46,7 +46,9 @@ class Judged:
         return tuple(one for one in self.found if one.verdict == "not met")
 
 
-def suite_faults(study: Study, spectrum: Spectrum, motions: Sequence[Motion]) -> Mapping[str, tuple[Message, ...]]:
+def suite_faults(
+    study: Study, spectrum: Spectrum, motions: Sequence[ScaledRecord]
+) -> Mapping[str, tuple[Message, ...]]:
     """Find by code the rules for suites that the records miss; an empty tuple where they meet them all.
 
     Also of codes whose histories nobody asks for: a floor spectrum is made of the same suite.
@@ -54,36 +56,36 @@ def suite_faults(study: Study, spectrum: Spectrum, motions: Sequence[Motion]) ->
     return {code: tuple(_faults(code, study, spectrum, motions)) for code in RULES}
 
 
-def _faults(code: str, study: Study, spectrum: Spectrum, motions: Sequence[Motion]) -> Iterator[Message]:
+def _faults(code: str, study: Study, spectrum: Spectrum, motions: Sequence[ScaledRecord]) -> Iterator[Message]:
     if not motions:
-        yield _told("suite-empty", {}, Remedy("records.files", "give records", FILES))
+        yield _message("suite-empty", {}, Remedy("records.files", "give records", FILES))
         return
     rules, target = RULES[code], spectrum_of_rules(code, study, spectrum)
     suite = suite_on(motions, spectrum, target)
     shortest, longest = rules.periods(study)
-    judged = Judged(study, suite, rules.requirements(suite, shortest=shortest, longest=longest))
+    judged = SuiteReview(study, suite, rules.requirements(suite, shortest=shortest, longest=longest))
     yield from _not_named(code, judged)
-    yield from (_missed(one, REMEDIES[one.rule](one, judged)) for one in judged.unmet)
+    yield from (_unmet_message(one, REMEDIES[one.rule](one, judged)) for one in judged.unmet)
     yield from (_out_of_reach(one, judged) for one in judged.found if one.verdict == "not answered")
 
 
-def suite_on(motions: Sequence[Motion], spectrum: Spectrum, target: Spectrum) -> Suite:
+def suite_on(motions: Sequence[ScaledRecord], spectrum: Spectrum, target: Spectrum) -> Suite:
     """The suite as it is run for the limit state of `target`, at the PGA of that, not at the site's."""
     share = target.pga / spectrum.pga
     return suite_of([m.record for m in motions], [m.scaling.factor * share for m in motions], target)
 
 
-def _not_named(code: str, judged: Judged) -> Iterator[Message]:
+def _not_named(code: str, judged: SuiteReview) -> Iterator[Message]:
     """Artificial records decide only where the project names the method."""
     question = judged.study.question
-    deciding = [name for name in methods_of(question) if CODES.get(name) == code]
+    deciding = [name for name in methods_of(question) if SUITE_CODES.get(name) == code]
     silent = [name for name in deciding if name not in (question.procedures or ())]
     if judged.suite.artificial.any() and silent:
         line = f'procedures = ["{silent[0]}"]'
-        yield _told("suite-not-named", {"procedure": silent[0]}, Remedy("verdict.procedures", "name it there", line))
+        yield _message("suite-not-named", {"procedure": silent[0]}, Remedy("verdict.procedures", "name it there", line))
 
 
-def _missed(one: Requirement, remedy: Remedy) -> Message:
+def _unmet_message(one: Requirement, remedy: Remedy) -> Message:
     """A rule that is not met."""
     low, high = one.periods or (0.0, 0.0)
     values: dict[str, Value] = {
@@ -94,19 +96,19 @@ def _missed(one: Requirement, remedy: Remedy) -> Message:
         "low": Quantity(low, "time", 3),
         "high": Quantity(high, "time", 3),
     }
-    return _told(f"suite-{one.rule}", values, remedy)
+    return _message(f"suite-{one.rule}", values, remedy)
 
 
-def _out_of_reach(one: Requirement, judged: Judged) -> Message:
+def _out_of_reach(one: Requirement, judged: SuiteReview) -> Message:
     """A rule over periods that the target or what is compared does not reach."""
     assert one.periods is not None
     low, high = (Quantity(period, "time", 3) for period in one.periods)
-    ends = Quantity(judged.suite.covered[1], "time", 3)
+    ends = Quantity(judged.suite.period_range[1], "time", 3)
     values: dict[str, Value] = {"code": one.code, "clause": one.clause, "low": low, "high": high, "end": ends}
-    return _told("suite-out-of-reach", values, Remedy("site.spectrum", "extend its table"))
+    return _message("suite-out-of-reach", values, Remedy("site.spectrum", "extend its table"))
 
 
-def _told(key: str, values: Mapping[str, Value], remedy: Remedy) -> Message:
+def _message(key: str, values: Mapping[str, Value], remedy: Remedy) -> Message:
     said = {**values, "remedy": remedy.text, "toml": remedy.toml}
     return message(key, said, severity=Severity.WARNING, where=remedy.key)
 
@@ -115,30 +117,30 @@ def _number(one: Requirement, value: float) -> Quantity:
     return count(round(value)) if one.rule in WHOLE else Quantity(value, DIMENSIONS[one.unit], 3)
 
 
-def more_records(one: Requirement, judged: Judged) -> Remedy:
+def more_records(one: Requirement, judged: SuiteReview) -> Remedy:
     """As many more as are missing."""
     missing = round(one.limit - (one.value or 0.0))
     text = f"give {missing} more record{'s' if missing > 1 else ''}"
-    return _made_anew(text, judged) or Remedy("records.files", text, FILES)
+    return _remake(text, judged) or Remedy("records.files", text, FILES)
 
 
-def longer_records(one: Requirement, judged: Judged) -> Remedy:
+def longer_records(one: Requirement, judged: SuiteReview) -> Remedy:
     """Artificial records of another duration."""
     text = f"records must last {_duration(one, judged):g} s"
-    return _made_anew(text, judged) or Remedy("records.files", text)
+    return _remake(text, judged) or Remedy("records.files", text)
 
 
-def finer_records(one: Requirement, judged: Judged) -> Remedy:
+def finer_records(one: Requirement, judged: SuiteReview) -> Remedy:
     """Records of a smaller step."""
     return Remedy("records.files", f"give artificial records at {one.limit:g} s or less")
 
 
-def other_records(one: Requirement, judged: Judged) -> Remedy:
+def other_records(one: Requirement, judged: SuiteReview) -> Remedy:
     """Records that hold longer periods."""
     return Remedy("records.files", "give records whose processing kept longer periods")
 
 
-def another_factor(one: Requirement, judged: Judged) -> Remedy:
+def another_factor(one: Requirement, judged: SuiteReview) -> Remedy:
     """One further factor on every record, beside that which the project has; where none does, other records.
 
     Artificial records that are too short for the periods asked are made longer instead.
@@ -153,7 +155,7 @@ def another_factor(one: Requirement, judged: Judged) -> Remedy:
     return Remedy("records.factor", f"scale every record by {rounded:g}", f"factor = {whole:.6g}")
 
 
-REMEDIES: Mapping[Rule, Callable[[Requirement, Judged], Remedy]] = {
+REMEDIES: Mapping[Rule, Callable[[Requirement, SuiteReview], Remedy]] = {
     Rule.COUNT: more_records,
     Rule.STEP: finer_records,
     Rule.DURATION: longer_records,
@@ -165,24 +167,24 @@ REMEDIES: Mapping[Rule, Callable[[Requirement, Judged], Remedy]] = {
 }
 
 
-def _made_anew(text: str, judged: Judged) -> Remedy | None:
+def _remake(text: str, judged: SuiteReview) -> Remedy | None:
     """The line that makes the artificial records as all rules ask; None where records come from files."""
     made = judged.study.artificial
     if made is None:
         return None
-    wanted = better(made, judged)
+    wanted = improve_artificial(made, judged)
     line = f'synthetic = {{ count = {wanted.count}, seed = {wanted.seed}, duration = "{wanted.duration:g} s" }}'
     return Remedy("records.synthetic", text, line)
 
 
-def better(made: Artificial, judged: Judged) -> Artificial:
+def improve_artificial(made: Artificial, judged: SuiteReview) -> Artificial:
     """The artificial records with the number and the duration that the rules ask for."""
     few = [round(one.limit - (one.value or 0.0)) for one in judged.unmet if one.rule == Rule.COUNT]
     long = [_duration(one, judged) for one in judged.unmet]
     return replace(made, count=made.count + max(few, default=0), duration=max([made.duration, *long]))
 
 
-def _duration(one: Requirement, judged: Judged) -> float:
+def _duration(one: Requirement, judged: SuiteReview) -> float:
     """Duration that a rule asks of artificial records: on itself, on its level part, on periods to be held; else 0."""
     if one.rule == Rule.DURATION:
         return one.limit

@@ -9,13 +9,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Protocol
 
-from assess.codes.family import CODES, of_histories
+from assess.codes.families import SUITE_CODES, uses_histories
 from assess.codes.ntc2018.clauses import ULTIMATE
 from assess.codes.verdict import methods_of
 from assess.mechanisms.mechanism import Mechanism
-from assess.project.deciding import states_of
-from assess.study.periods import ends, equivalent_periods, limit_state_periods
+from assess.study.periods import equivalent_periods, extreme_periods, limit_state_periods
 from assess.study.study import Study
+from assess.study.verdict import states_of
 from records.compliance import asce43_05, ntc2018
 from records.compliance.registry import Requirements
 from records.compliance.suite import FINE
@@ -27,7 +27,7 @@ Range = tuple[float, float]
 HELD = 3.0  # artificial records hold periods up to their duration over this, well within what can be fitted
 
 
-class Fitted(Protocol):
+class FittedRange(Protocol):
     """Range of periods over which artificial records have to fit the target [s]."""
 
     def __call__(self, *, longest: float) -> Range:
@@ -47,25 +47,25 @@ class SuiteRules:
 
     code: str
     requirements: Requirements
-    fitted: Fitted
+    fitted: FittedRange
     periods: PeriodsOf
 
 
 def at_allowable(study: Study) -> Range:
     """Periods of equal work at half of the rotation that overturns [s], for ASCE 43-05."""
-    return ends(equivalent_periods(study.mechanisms))
+    return extreme_periods(equivalent_periods(study.mechanisms))
 
 
 def at_limit_state(study: Study) -> Range:
     """T_SLV or T_SLC, with the building's T_1 where a mechanism stands above the ground [s], for NTC 2018."""
     state = deciding_state(study)
-    low, high = ends(limit_state_periods(study.mechanisms, state=state))
-    if study.building is None or not any(is_raised(each, study) for each in study.mechanisms):
+    low, high = extreme_periods(limit_state_periods(study.mechanisms, state=state))
+    if study.building is None or not any(is_above_ground(each, study) for each in study.mechanisms):
         return low, high
     return min(low, study.building.period), max(high, study.building.period)
 
 
-def is_raised(mechanism: Mechanism, study: Study) -> bool:
+def is_above_ground(mechanism: Mechanism, study: Study) -> bool:
     """Whether a mechanism stands above the ground, be it on a plinth."""
     return study.grounded[mechanism.name].base > 0.0
 
@@ -76,21 +76,21 @@ def deciding_state(study: Study) -> str:
 
 
 RULES: Mapping[str, SuiteRules] = {
-    "asce43-05": SuiteRules(asce43_05.CODE, asce43_05.requirements, asce43_05.periods_fitted, at_allowable),
-    "ntc2018": SuiteRules(ntc2018.CODE, ntc2018.requirements, ntc2018.periods_fitted, at_limit_state),
+    "asce43-05": SuiteRules(asce43_05.CODE, asce43_05.requirements, asce43_05.fit_periods, at_allowable),
+    "ntc2018": SuiteRules(ntc2018.CODE, ntc2018.requirements, ntc2018.fit_periods, at_limit_state),
 }
-"""By the code of a procedure, as `assess.codes.family.CODES` names it."""
+"""By the code of a procedure, as `assess.codes.families.CODES` names it."""
 
 
-def codes_asked(study: Study) -> tuple[str, ...]:
+def codes_of_histories(study: Study) -> tuple[str, ...]:
     """The codes whose histories are asked for."""
-    return tuple(dict.fromkeys(CODES[name] for name in study.procedures if of_histories(name)))
+    return tuple(dict.fromkeys(SUITE_CODES[name] for name in study.procedures if uses_histories(name)))
 
 
 def codes_that_decide(study: Study) -> tuple[str, ...]:
     """The codes whose histories may decide; where none does, those asked for."""
-    deciding = [CODES[name] for name in methods_of(study.question) if of_histories(name)]
-    return tuple(dict.fromkeys(deciding)) or codes_asked(study)
+    deciding = [SUITE_CODES[name] for name in methods_of(study.question) if uses_histories(name)]
+    return tuple(dict.fromkeys(deciding)) or codes_of_histories(study)
 
 
 def spectrum_of_rules(code: str, study: Study, spectrum: Spectrum) -> Spectrum:

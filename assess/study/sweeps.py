@@ -16,20 +16,21 @@ from math import inf
 
 from assess.codes.check import Check, Outcome
 from assess.codes.verdict import Decision, MechanismVerdict
+from assess.errors import locate_errors
 from assess.messages.message import Message, count, note, warning
-from assess.project.deciding import decided, marked
-from assess.project.messages import located
 from assess.results import MechanismResult, OscillatorResult, SweepResult
-from assess.study.checks import Progress, mechanisms_assessed
-from assess.study.motions import Motion, motions_of
+from assess.study.mechanisms import assess_mechanisms
+from assess.study.motions import ScaledRecord, motions_of
+from assess.study.progress import Progress, silent
 from assess.study.study import Case, Study, Sweep
 from assess.study.suite_faults import suite_faults
+from assess.study.verdict import decide, mark_result
 
 RANKS = (Decision.PASS, Decision.INCOMPLETE, Decision.FAIL)
 
 
 @dataclass(frozen=True)
-class Judged:
+class CaseResult:
     """One mechanism in one case, with its verdict."""
 
     result: MechanismResult
@@ -37,11 +38,11 @@ class Judged:
 
 
 @dataclass(frozen=True)
-class Swept:
+class MechanismSweep:
     """One mechanism in all cases of one sweep [n]: what was found, and the case that controls, from 0."""
 
     sweep: Sweep
-    judged: tuple[Judged, ...]
+    judged: tuple[CaseResult, ...]
     controlling: int
 
     @property
@@ -65,24 +66,26 @@ class Swept:
         return self.sweep.cases[self.controlling]
 
 
-def swept(study: Study, motions: tuple[Motion, ...], *, jobs: int, progress: Progress) -> tuple[Swept, ...]:
+def run_sweeps(
+    study: Study, motions: tuple[ScaledRecord, ...], *, jobs: int, progress: Progress
+) -> tuple[MechanismSweep, ...]:
     """Every mechanism that a sweep changes, in all its cases, sweep after sweep."""
     total = sum(len(sweep.cases) for sweep in study.sweeps)
-    found: list[Swept] = []
+    found: list[MechanismSweep] = []
     done = 0
     for sweep in study.sweeps:
         cases = []
         for case in sweep.cases:
             progress("cases of sweeps", done, total)
-            with located(case.name):
-                cases.append(case_assessed(case, study, motions, jobs=jobs))
+            with locate_errors(case.name):
+                cases.append(assess_case(case, study, motions, jobs=jobs))
             done += 1
         each = zip(*cases, strict=True)  # mechanism by mechanism
-        found += [Swept(sweep, judged, controlling(judged)) for judged in each]
+        found += [MechanismSweep(sweep, judged, controlling_index(judged)) for judged in each]
     return tuple(found)
 
 
-def case_assessed(case: Case, study: Study, motions: tuple[Motion, ...], *, jobs: int) -> tuple[Judged, ...]:
+def assess_case(case: Case, study: Study, motions: tuple[ScaledRecord, ...], *, jobs: int) -> tuple[CaseResult, ...]:
     """The mechanisms of one case under its motions, those of the study where the case does not change them."""
     spectrum = case.study.spectrum
     assert spectrum is not None  # no number takes the site away
@@ -91,39 +94,39 @@ def case_assessed(case: Case, study: Study, motions: tuple[Motion, ...], *, jobs
     moving = motions if shared else motions_of(case.study, spectrum, jobs=jobs)
     faults = study.suite_faults if shared else suite_faults(case.study, spectrum, moving)
     judged = replace(case.study, suite_faults=faults)
-    done = mechanisms_assessed(judged, spectrum, moving, jobs=jobs, progress=lambda stage, done, total: None)
-    found = decided(judged, done)
+    done = assess_mechanisms(judged, spectrum, moving, jobs=jobs, progress=silent)
+    found = decide(judged, done)
     each = zip(done, found.mechanisms, strict=True)
-    return tuple(Judged(marked(found, judged.question, result), one) for result, one in each)
+    return tuple(CaseResult(mark_result(found, judged.question, result), one) for result, one in each)
 
 
-def controlling(cases: Sequence[Judged]) -> int:
+def controlling_index(cases: Sequence[CaseResult]) -> int:
     """Which of the cases controls, from 0: the first of the most severe."""
     return max(range(len(cases)), key=lambda place: (severity(cases[place]), -place))
 
 
-def severity(case: Judged) -> tuple[float, ...]:
+def severity(case: CaseResult) -> tuple[float, ...]:
     """What the controlling case has the largest of: outcome, then less margin, ratio, less PGA, less multiplier."""
     outcome, margin = case.verdict.outcome, case.verdict.margin
-    checks = telling(case.result)
+    checks = deciding_checks(case.result)
     ratio, capacity = worst_ratio(checks), least_capacity(checks)
-    uplift = weaker(case.result).uplift_multiplier
+    uplift = weaker_branch(case.result).uplift_multiplier
     unknown = 0.0 if outcome == Decision.FAIL else inf  # what fails at an unknown PGA may do so at any
     return (
         float(RANKS.index(outcome)),
-        -(unknown if margin is None else rounded(margin)),
-        -1.0 if ratio is None else rounded(ratio),
-        -inf if capacity is None else -rounded(capacity),
-        -inf if uplift is None else -rounded(uplift),
+        -(unknown if margin is None else round_figures(margin)),
+        -1.0 if ratio is None else round_figures(ratio),
+        -inf if capacity is None else -round_figures(capacity),
+        -inf if uplift is None else -round_figures(uplift),
     )
 
 
-def rounded(value: float) -> float:
+def round_figures(value: float) -> float:
     """To nine figures, so that cases that differ by rounding are equals."""
     return float(f"{value:.9g}")
 
 
-def telling(mechanism: MechanismResult) -> list[Check]:
+def deciding_checks(mechanism: MechanismResult) -> list[Check]:
     """The checks that decide; where none does, all by the letter of a code."""
     letters = [check for check in mechanism.checks if check.reading == "letter" and not check.informs]
     return [check for check in letters if check.role == "deciding"] or letters
@@ -146,16 +149,16 @@ def ratio_of(check: Check) -> float:
     return inf if check.verdict == Outcome.FAIL else 0.0
 
 
-def weaker(mechanism: MechanismResult) -> OscillatorResult:
+def weaker_branch(mechanism: MechanismResult) -> OscillatorResult:
     """The branch that uplifts first, the positive one of equals."""
     branches = [mechanism.oscillator, mechanism.oscillator_negative]
     known = [branch for branch in branches if branch is not None]
     return min(known, key=lambda branch: inf if branch.uplift_multiplier is None else branch.uplift_multiplier)
 
 
-def controlling_cases(sweeps: Sequence[Swept]) -> dict[str, Swept]:
+def controlling_cases(sweeps: Sequence[MechanismSweep]) -> dict[str, MechanismSweep]:
     """By mechanism the sweep whose controlling case stands for it: the most severe, the first of equals."""
-    standing: dict[str, Swept] = {}
+    standing: dict[str, MechanismSweep] = {}
     for one in sweeps:
         before = standing.get(one.mechanism)
         if before is None or severity(one.judged[one.controlling]) > severity(before.judged[before.controlling]):
@@ -163,7 +166,7 @@ def controlling_cases(sweeps: Sequence[Swept]) -> dict[str, Swept]:
     return standing
 
 
-def case_notices(swept: Swept) -> Iterator[Message]:
+def case_messages(swept: MechanismSweep) -> Iterator[Message]:
     """Which case stands for the mechanism, and the notices of that case."""
     where, sweep = f"mechanisms.{swept.mechanism}", swept.sweep
     case = f"{sweep.key} = {value_text(sweep, swept.case)}"
@@ -186,15 +189,15 @@ def value_text(sweep: Sweep, case: Case) -> str:
     return f"{case.value:.6g}" + ("" if sweep.unit == "-" else f" {sweep.unit}")
 
 
-def sweep_results(sweeps: Sequence[Swept], standing: Mapping[str, Swept]) -> tuple[SweepResult, ...]:
+def sweep_results(sweeps: Sequence[MechanismSweep], standing: Mapping[str, MechanismSweep]) -> tuple[SweepResult, ...]:
     """The sweeps as the results hold them."""
     return tuple(sweep_result(one, governs=standing[one.mechanism] is one) for one in sweeps)
 
 
-def sweep_result(swept: Swept, *, governs: bool) -> SweepResult:
+def sweep_result(swept: MechanismSweep, *, governs: bool) -> SweepResult:
     """One mechanism over the values of one sweep, by the branch that uplifts first in each case."""
-    branches = [weaker(result) for result in swept.results]
-    checks = [telling(result) for result in swept.results]
+    branches = [weaker_branch(result) for result in swept.results]
+    checks = [deciding_checks(result) for result in swept.results]
     ratios = [worst_ratio(each) for each in checks]
     return SweepResult(
         mechanism=swept.mechanism,

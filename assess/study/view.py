@@ -8,11 +8,11 @@ from math import floor, log10
 import numpy as np
 
 from assess.geometry.scene import Scene
-from assess.geometry.simplify import simplified
+from assess.geometry.simplify import simplify
 from assess.geometry.solid import Solid
 from assess.mechanisms.mechanism import Mechanism
 from assess.results import Axis, Place, View
-from assess.study.drawing import FIXED, hinges_of, owners
+from assess.study.drawing import FIXED, block_numbers, hinges_of
 from spectra.arrays import FloatArray, IntArray
 
 LIMIT = 4000  # triangles of a view
@@ -22,12 +22,12 @@ CORNERS = 300  # of a section's ring
 
 def view(mechanism: Mechanism, scene: Scene) -> View:
     """The bodies with their axes of rotation, at rest."""
-    members = [*zip(scene.members, owners(mechanism.positive), strict=True), (scene.fixed, FIXED)]
+    members = [*zip(scene.members, block_numbers(mechanism.positive), strict=True), (scene.fixed, FIXED)]
     surfaces = [(*surface(solids), owner) for solids, owner in members if solids]
     corners = np.concatenate([vertices for vertices, _, _ in surfaces])
     size = np.ptp(corners, axis=0)
     decimals = FIGURES - 1 - floor(log10(float(size.max())))
-    drawn = lightened(surfaces)
+    drawn = simplify_surfaces(surfaces)
     starts = np.cumsum([0, *(len(vertices) for vertices, _, _ in drawn)])
     return View(
         vertices=places(np.concatenate([vertices for vertices, _, _ in drawn]), decimals),
@@ -38,7 +38,7 @@ def view(mechanism: Mechanism, scene: Scene) -> View:
         ),
         block_of=tuple(owner for _, triangles, owner in drawn for _ in range(len(triangles))),
         axes=axes(mechanism, scene, decimals),
-        sections=tuple(places(thinned(ring), decimals) for ring in scene.sections),
+        sections=tuple(places(thin_ring(ring), decimals) for ring in scene.sections),
         direction=as_place(scene.direction),
         size=places(size[None], decimals)[0],
         given=sum(len(triangles) for _, triangles, _ in surfaces),
@@ -52,14 +52,14 @@ def surface(solids: Sequence[Solid]) -> tuple[FloatArray, IntArray]:
     return np.concatenate([solid.vertices for solid in solids]), np.concatenate(triangles)
 
 
-def lightened(surfaces: Sequence[tuple[FloatArray, IntArray, int]]) -> list[tuple[FloatArray, IntArray, int]]:
+def simplify_surfaces(surfaces: Sequence[tuple[FloatArray, IntArray, int]]) -> list[tuple[FloatArray, IntArray, int]]:
     """The surfaces with no more than LIMIT triangles in all, shared out by area."""
     if sum(len(triangles) for _, triangles, _ in surfaces) <= LIMIT:
         return list(surfaces)
     areas = np.array([area(vertices[triangles]) for vertices, triangles, _ in surfaces])
     shares = np.maximum(12, (LIMIT * areas / areas.sum()).astype(np.int64))
     return [
-        (*simplified(vertices, triangles, limit=int(share)), owner)
+        (*simplify(vertices, triangles, limit=int(share)), owner)
         for (vertices, triangles, owner), share in zip(surfaces, shares, strict=True)
     ]
 
@@ -83,7 +83,7 @@ def axes(mechanism: Mechanism, scene: Scene, decimals: int) -> tuple[Axis, ...]:
     return tuple(made)
 
 
-def thinned(ring: FloatArray) -> FloatArray:
+def thin_ring(ring: FloatArray) -> FloatArray:
     """A closed ring [k, 3] with no more than CORNERS corners, evenly left out."""
     step = -(-(len(ring) - 1) // CORNERS)
     return np.concatenate([ring[:-1:step], ring[:1]])

@@ -12,13 +12,13 @@ from numpy.lib.stride_tricks import sliding_window_view
 from records.compliance.requirement import (
     Requirement,
     Rule,
-    lifted,
+    check_limit,
     mean_at_least,
     mean_at_most,
     mean_ratio,
-    not_answered,
-    required,
+    no_answer,
     usable_to,
+    with_least_factor,
 )
 from records.compliance.suite import Suite
 from spectra.arrays import FloatArray
@@ -50,7 +50,7 @@ def requirements(suite: Suite, *, shortest: float, longest: float) -> tuple[Requ
     )
 
 
-def periods_fitted(*, longest: float) -> tuple[float, float]:
+def fit_periods(*, longest: float) -> tuple[float, float]:
     """Range of periods over which artificial records have to fit the target [s]."""
     return PERIODS[0], max(PERIODS[1], longest)
 
@@ -68,23 +68,23 @@ def _fitted(suite: Suite, *, longest: float) -> tuple[Requirement, ...]:
     made = suite.artificial
     step, duration = suite.dt[made].max(), suite.duration[made].min()
     return (
-        required(CODE, CLAUSE, Rule.STEP, "largest time step", step, "<=", LONGEST_STEP, unit="s"),
-        required(CODE, CLAUSE, Rule.DURATION, "shortest duration", duration, ">=", SHORTEST, unit="s"),
-        *fit_of_mean(suite, periods_fitted(longest=longest)),
+        check_limit(CODE, CLAUSE, Rule.STEP, "largest time step", step, "<=", LONGEST_STEP, unit="s"),
+        check_limit(CODE, CLAUSE, Rule.DURATION, "shortest duration", duration, ">=", SHORTEST, unit="s"),
+        *fit_of_mean(suite, fit_periods(longest=longest)),
         *usable_to(suite, CODE, METHOD, longest=longest),
     )
 
 
 def _number(suite: Suite, least: int, remark: str) -> Requirement:
-    return required(CODE, METHOD, Rule.COUNT, "number of records", suite.count, ">=", least, remark=remark)
+    return check_limit(CODE, METHOD, Rule.COUNT, "number of records", suite.count, ">=", least, remark=remark)
 
 
 def _running_below(suite: Suite, periods: tuple[float, float]) -> Requirement:
     what, ratio = "points side by side below the target", mean_ratio(suite, periods)
     if ratio is None:
-        return not_answered(CODE, CLAUSE, Rule.RUN_BELOW, what, "<=", ADJACENT, periods, suite)
-    found = required(CODE, CLAUSE, Rule.RUN_BELOW, what, longest_run(ratio < 1.0), "<=", ADJACENT, periods=periods)
-    return lifted(found, factor_against_runs(ratio))
+        return no_answer(CODE, CLAUSE, Rule.RUN_BELOW, what, "<=", ADJACENT, periods, suite)
+    found = check_limit(CODE, CLAUSE, Rule.RUN_BELOW, what, longest_run(ratio < 1.0), "<=", ADJACENT, periods=periods)
+    return with_least_factor(found, factor_against_runs(ratio))
 
 
 def longest_run(below: np.ndarray) -> int:

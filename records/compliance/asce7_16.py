@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from records.compliance.requirement import Requirement, Rule, mean_at_least, required
+from records.compliance.requirement import Requirement, Rule, check_limit, mean_at_least
 from records.compliance.suite import Suite
 
 CODE = "ASCE 7-16"
@@ -21,6 +21,6 @@ def requirements(suite: Suite, *, shortest: float, longest: float) -> tuple[Requ
     """
     periods = (0.2 * shortest, 2.0 * longest)
     return (
-        required(CODE, "16.2.2", Rule.COUNT, "number of ground motions", suite.count, ">=", LEAST_RECORDS),
+        check_limit(CODE, "16.2.2", Rule.COUNT, "number of ground motions", suite.count, ">=", LEAST_RECORDS),
         mean_at_least(suite, CODE, "16.2.3.2", share=BELOW, periods=periods, remark=REMARK),
     )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from records.compliance.requirement import Requirement, Rule, mean_at_least, required
+from records.compliance.requirement import Requirement, Rule, check_limit, mean_at_least
 from records.compliance.suite import Suite
 
 CODE = "EN 1998-1:2004"
@@ -18,9 +18,9 @@ def requirements(suite: Suite, *, shortest: float, longest: float) -> tuple[Requ
     seven = "from seven on the mean of the responses may be taken, else the largest (4.3.3.4.3(3))"
     peaks = float(np.mean(suite.pga)) / suite.target_pga
     return (
-        required(
+        check_limit(
             CODE, f"{clause}a", Rule.COUNT, "number of accelerograms", suite.count, ">=", LEAST_RECORDS, remark=seven
         ),
-        required(CODE, f"{clause}b", Rule.PEAK, "mean zero-period ordinate over a_g S", peaks, ">=", 1.0),
+        check_limit(CODE, f"{clause}b", Rule.PEAK, "mean zero-period ordinate over a_g S", peaks, ">=", 1.0),
         mean_at_least(suite, CODE, f"{clause}c", share=BELOW, periods=periods),
     )

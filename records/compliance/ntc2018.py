@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from records.compliance.requirement import Requirement, Rule, mean_at_least, mean_at_most, required, usable_to
+from records.compliance.requirement import Requirement, Rule, check_limit, mean_at_least, mean_at_most, usable_to
 from records.compliance.suite import Suite
 
 CODE = "NTC 2018"
@@ -28,7 +28,7 @@ def requirements(suite: Suite, *, shortest: float, longest: float) -> tuple[Requ
     return (_number(suite), *artificial, *natural)
 
 
-def periods_fitted(*, longest: float) -> tuple[float, float]:
+def fit_periods(*, longest: float) -> tuple[float, float]:
     """Range of periods over which artificial records have to fit the target at ultimate limit states [s]."""
     return FITTED_FROM, max(FITTED_TO, 2.0 * longest)
 
@@ -47,14 +47,14 @@ def _artificial(suite: Suite, *, longest: float) -> tuple[Requirement, ...]:
     """25 s, 10 s of them stationary, and the mean no more than 10 % below up to 2 s or twice the longest period."""
     made, level = suite.artificial, "shortest stationary part"
     return (
-        required(
+        check_limit(
             CODE, CLAUSE, Rule.DURATION, "shortest duration", suite.duration[made].min(), ">=", SHORTEST, unit="s"
         ),
-        required(CODE, CLAUSE, Rule.STATIONARY, level, suite.stationary[made].min(), ">=", STATIONARY, unit="s"),
-        mean_at_least(suite, CODE, CLAUSE, share=BELOW, periods=periods_fitted(longest=longest)),
+        check_limit(CODE, CLAUSE, Rule.STATIONARY, level, suite.stationary[made].min(), ">=", STATIONARY, unit="s"),
+        mean_at_least(suite, CODE, CLAUSE, share=BELOW, periods=fit_periods(longest=longest)),
     )
 
 
 def _number(suite: Suite) -> Requirement:
     least, remark = (LEAST_ARTIFICIAL, ARTIFICIAL) if suite.artificial.any() else (LEAST_RECORDS, SEVEN)
-    return required(CODE, "7.3.5", Rule.COUNT, "number of time histories", suite.count, ">=", least, remark=remark)
+    return check_limit(CODE, "7.3.5", Rule.COUNT, "number of time histories", suite.count, ">=", least, remark=remark)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from records.compliance.requirement import Requirement, Rule, not_answered, required
+from records.compliance.requirement import Requirement, Rule, check_limit, no_answer
 from records.compliance.suite import Suite
 from spectra.arrays import FloatArray
 
@@ -25,16 +25,18 @@ def requirements(suite: Suite, *, shortest: float, longest: float) -> tuple[Requ
     periods = (0.4 * max(shortest, LEAST_PERIOD), 1.3 * max(longest, LEAST_PERIOD))
     least, most = suite.factor.min(), suite.factor.max()
     few = "k_1 is the factor in use, by least squares over the logarithm of the period"
-    number = required(CODE, "5.5.1", Rule.COUNT, "number of records", suite.count, ">=", LEAST_RECORDS)
+    number = check_limit(CODE, "5.5.1", Rule.COUNT, "number of records", suite.count, ">=", LEAST_RECORDS)
     factors = (
-        required(CODE, "5.5.2", Rule.FACTOR, "least record scale factor k_1", least, ">=", LEAST_FACTOR, remark=few),
-        required(CODE, "5.5.2", Rule.FACTOR, "largest record scale factor k_1", most, "<=", LARGEST_FACTOR, remark=few),
+        check_limit(CODE, "5.5.2", Rule.FACTOR, "least record scale factor k_1", least, ">=", LEAST_FACTOR, remark=few),
+        check_limit(
+            CODE, "5.5.2", Rule.FACTOR, "largest record scale factor k_1", most, "<=", LARGEST_FACTOR, remark=few
+        ),
     )
     what = ("largest misfit D_1 of a record", "family scale factor k_2")
     inside = (suite.period >= periods[0]) & (suite.period <= periods[1])
-    if periods[0] < suite.covered[0] or periods[1] > suite.covered[1] or inside.sum() < 2:
+    if periods[0] < suite.period_range[0] or periods[1] > suite.period_range[1] or inside.sum() < 2:
         missing = (
-            not_answered(CODE, "5.5.2", Rule.FIT, w, "<=", limit, periods, suite)
+            no_answer(CODE, "5.5.2", Rule.FIT, w, "<=", limit, periods, suite)
             for w, limit in zip(what, (LOG_FIT, FAMILY), strict=True)
         )
         return (number, *factors, *missing)
@@ -43,8 +45,10 @@ def requirements(suite: Suite, *, shortest: float, longest: float) -> tuple[Requ
     return (
         number,
         *factors,
-        required(CODE, "5.5.2", Rule.FIT, what[0], worst, "<=", LOG_FIT, periods=periods),
-        required(CODE, "5.5.2", Rule.FIT, what[1], family, "<=", FAMILY, periods=periods, remark="k_2 is not applied"),
+        check_limit(CODE, "5.5.2", Rule.FIT, what[0], worst, "<=", LOG_FIT, periods=periods),
+        check_limit(
+            CODE, "5.5.2", Rule.FIT, what[1], family, "<=", FAMILY, periods=periods, remark="k_2 is not applied"
+        ),
     )
 
 

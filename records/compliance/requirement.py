@@ -60,7 +60,7 @@ class Requirement:
     factors: tuple[float, float] = (0.0, inf)
 
 
-def required(
+def check_limit(
     code: str,
     clause: str,
     rule: Rule,
@@ -79,7 +79,7 @@ def required(
     return Requirement(code, clause, rule, what, float(value), sense, limit, unit, verdict, periods, remark)
 
 
-def not_answered(
+def no_answer(
     code: str,
     clause: str,
     rule: Rule,
@@ -90,7 +90,7 @@ def not_answered(
     suite: Suite,
 ) -> Requirement:
     """Return a requirement on a range of periods that the target or the records do not cover."""
-    low, high = suite.covered
+    low, high = suite.period_range
     remark = f"the target is known from {low:.3g} to {high:.4g} s only"
     return Requirement(code, clause, rule, what, None, sense, limit, "-", "not answered", periods, remark)
 
@@ -101,10 +101,10 @@ def mean_at_least(
     """Require that the mean spectrum nowhere in the range falls below `share` of the target."""
     what, ratio = "least ratio of mean spectrum to target", mean_ratio(suite, periods)
     if ratio is None:
-        return not_answered(code, clause, Rule.MEAN_LOW, what, ">=", share, periods, suite)
+        return no_answer(code, clause, Rule.MEAN_LOW, what, ">=", share, periods, suite)
     least = float(ratio.min())
-    found = required(code, clause, Rule.MEAN_LOW, what, least, ">=", share, periods=periods, remark=remark)
-    return lifted(found, share / least)
+    found = check_limit(code, clause, Rule.MEAN_LOW, what, least, ">=", share, periods=periods, remark=remark)
+    return with_least_factor(found, share / least)
 
 
 def mean_at_most(
@@ -113,16 +113,16 @@ def mean_at_most(
     """Require that the mean spectrum nowhere in the range exceeds `share` of the target."""
     what, ratio = "largest ratio of mean spectrum to target", mean_ratio(suite, periods)
     if ratio is None:
-        return not_answered(code, clause, Rule.MEAN_HIGH, what, "<=", share, periods, suite)
+        return no_answer(code, clause, Rule.MEAN_HIGH, what, "<=", share, periods, suite)
     most = float(ratio.max())
-    found = required(code, clause, Rule.MEAN_HIGH, what, most, "<=", share, periods=periods, remark=remark)
-    return lowered(found, share / most)
+    found = check_limit(code, clause, Rule.MEAN_HIGH, what, most, "<=", share, periods=periods, remark=remark)
+    return with_largest_factor(found, share / most)
 
 
 def usable_to(suite: Suite, code: str, clause: str, *, longest: float) -> tuple[Requirement, ...]:
     """Require that every record is usable up to the longest period [s]; nothing where no source says how far it is."""
     what, least = "longest usable period of the records", float(suite.usable.min())
-    return (required(code, clause, Rule.USABLE, what, least, ">=", longest, unit="s"),) if least < inf else ()
+    return (check_limit(code, clause, Rule.USABLE, what, least, ">=", longest, unit="s"),) if least < inf else ()
 
 
 def factor_that_does(found: Iterable[Requirement]) -> float | None:
@@ -135,12 +135,12 @@ def factor_that_does(found: Iterable[Requirement]) -> float | None:
     return min(max(1.0, least), most) if least <= most else None
 
 
-def lifted(one: Requirement, factor: float) -> Requirement:
+def with_least_factor(one: Requirement, factor: float) -> Requirement:
     """Add the further factor on every record from which on a requirement is met."""
     return replace(one, factors=(factor, inf), remark=_with(one, factor))
 
 
-def lowered(one: Requirement, factor: float) -> Requirement:
+def with_largest_factor(one: Requirement, factor: float) -> Requirement:
     """Add the further factor on every record up to which a requirement is met."""
     return replace(one, factors=(0.0, factor), remark=_with(one, factor))
 
@@ -152,7 +152,7 @@ def _with(one: Requirement, factor: float) -> str:
 
 def mean_ratio(suite: Suite, periods: tuple[float, float]) -> FloatArray | None:
     """Mean spectrum over target at the periods of the range, ends included; None where it is not all covered."""
-    low, high = suite.covered
+    low, high = suite.period_range
     if not low * (1 - 1e-9) <= periods[0] <= periods[1] <= high * (1 + 1e-9):
         return None
     inside = (suite.period > periods[0]) & (suite.period < periods[1])

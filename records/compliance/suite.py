@@ -51,7 +51,7 @@ class Suite:
         return np.asarray(self.spectra.mean(axis=0), dtype=np.float64)
 
     @property
-    def covered(self) -> tuple[float, float]:
+    def period_range(self) -> tuple[float, float]:
         """Shortest and longest period [s]."""
         return float(self.period[0]), float(self.period[-1])
 

@@ -20,7 +20,7 @@ from records.formats import (
     plain,
     smc,
 )
-from records.formats.stated import Stated
+from records.formats.header_overrides import HeaderOverrides
 from records.record import Record
 
 
@@ -29,7 +29,7 @@ class Format:
     """One format: whether the first bytes of a file are of it, and how every record of the whole is read."""
 
     looks_like: Callable[[bytes], bool]
-    read: Callable[[Path, Stated], tuple[Record, ...]]
+    read: Callable[[Path, HeaderOverrides], tuple[Record, ...]]
 
 
 FORMATS: Mapping[str, Format] = {

@@ -14,8 +14,8 @@ from pathlib import Path
 
 from records.errors import RecordError
 from records.formats.agreement import check_count, check_peak
-from records.formats.samples import acceleration_factor, formatted_numbers, number, positive, text_lines
-from records.formats.stated import Stated
+from records.formats.header_overrides import HeaderOverrides
+from records.formats.samples import acceleration_factor, number, positive_number, text_lines, uniform_numbers
 from records.formats.times import iso_of
 from records.orientation import azimuth_of
 from records.record import Earthquake, Record, Site, make_record
@@ -37,7 +37,7 @@ def looks_like(head: bytes) -> bool:
     return TITLE.match(head) is not None
 
 
-def read(path: Path, stated: Stated) -> tuple[Record, ...]:
+def read(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
     """The three records in the file at `path`; its header says all that is needed.
 
     Raises RecordError, naming the file, for a key that is absent, rows that are not three numbers, a count or peak that
@@ -50,7 +50,7 @@ def read(path: Path, stated: Stated) -> tuple[Record, ...]:
     if not names or absent:
         raise RecordError(f"{path}: the header of {NAME} has no {(*absent, 'columns')[0]}; it is cut short or damaged")
     unit, peaks = _peaks(text, path=path)
-    dt = positive(text["SAMPLING INTERVAL (sec)"], name="SAMPLING INTERVAL", line=after, path=path)
+    dt = positive_number(text["SAMPLING INTERVAL (sec)"], name="SAMPLING INTERVAL", line=after, path=path)
     columns, uneven = _columns(lines, after, path=path)
     check_count(text["NUMBER OF DATA"], len(columns), path=path, name="NUMBER OF DATA")
     told = [
@@ -59,13 +59,13 @@ def read(path: Path, stated: Stated) -> tuple[Record, ...]:
     ]
     factor = acceleration_factor(unit, line=after, path=path)
     return tuple(
-        _record(text, name, factor * column, dt, unit, doubts, path=path)
-        for name, column, doubts in zip(names, columns.T, told, strict=True)
+        _record(text, name, factor * column, dt, unit, warnings, path=path)
+        for name, column, warnings in zip(names, columns.T, told, strict=True)
     )
 
 
 def _record(
-    text: dict[str, str], name: str, samples: FloatArray, dt: float, unit: str, doubts: tuple[str, ...], *, path: Path
+    text: dict[str, str], name: str, samples: FloatArray, dt: float, unit: str, warnings: tuple[str, ...], *, path: Path
 ) -> Record:
     """The component `name` of the header's station."""
     return make_record(
@@ -75,12 +75,12 @@ def _record(
         path=str(path),
         station=text.get("STATION ID", ""),
         component=name,
-        trail=(f"read from {NAME}, unit {unit}",),
+        processing_history=(f"read from {NAME}, unit {unit}",),
         azimuth=azimuth_of(name),
         earthquake=_earthquake(text),
         site=_site(text),
         start=iso_of(text.get("RECORD TIME", "")),
-        doubts=doubts,
+        warnings=warnings,
     )
 
 
@@ -94,15 +94,15 @@ def _columns_named(lines: list[str]) -> tuple[int, tuple[str, ...]]:
 
 
 def _columns(lines: list[str], after: int, *, path: Path) -> tuple[FloatArray, str]:
-    """Every row of three numbers [n, 3], and a doubt about how they stand."""
+    """Every row of three numbers [n, 3], and a warning about how they stand."""
     uneven = next((i for i, line in enumerate(lines[after:]) if line.strip() and len(line.split()) != 3), None)
     if uneven is not None:
         line = after + 1 + uneven
         raise RecordError(f'{path}: line {line}: "{lines[line - 1].strip()[:40]}" is not three numbers')
-    values, doubt = formatted_numbers(lines[after:], first=after + 1, path=path)
+    values, warning = uniform_numbers(lines[after:], first=after + 1, path=path)
     if values.size % 3:
         raise RecordError(f"{path}: {values.size} numbers below the header; they are not three in every line")
-    return values.reshape(-1, 3), doubt
+    return values.reshape(-1, 3), warning
 
 
 def _header(lines: list[str]) -> dict[str, str]:

@@ -1,7 +1,7 @@
 """What a file says twice: the header against itself and against the samples below it.
 
 What contradicts the step, the count, the unit or the direction is refused, since nothing tells which of the two is
-right. What is merely odd is a doubt: one line for the engineer, "" where there is none.
+right. What is merely odd is a warning: one line for the engineer, "" where there is none.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ def check_count(stated: str, held: int, *, path: Path, name: str = "NPTS") -> No
 
 
 def check_peak(stated: float | None, samples: FloatArray, *, unit: str, digits: float, path: Path) -> str:
-    """Refuse samples whose peak is another than `stated` in the header by 2 %; return a doubt above 0.05 %.
+    """Refuse samples whose peak is another than `stated` in the header by 2 %; return a warning above 0.05 %.
 
     Both are in `unit`, and what is printed is rounded to `digits`. Nothing is known where the header states none or
     zero.
@@ -47,9 +47,9 @@ def check_peak(stated: float | None, samples: FloatArray, *, unit: str, digits: 
             f"{path}: the header states a peak of {abs(stated):.6g} {unit}, the samples have {found:.6g}; "
             "the unit or the data are damaged, get the file again"
         )
-    return (
-        "" if off <= SAME_PEAK * abs(stated) + digits else unlike("stated peak", abs(stated), "largest sample", found)
-    )
+    if off <= SAME_PEAK * abs(stated) + digits:
+        return ""
+    return describe_disagreement("stated peak", abs(stated), "largest sample", found)
 
 
 def check_same(
@@ -60,14 +60,14 @@ def check_same(
         raise RecordError(f"{path}: {name} is {value:.10g}, {other_name} {other:.10g}; {REMEDY}")
 
 
-def doubt_same(name: str, value: float | None, other_name: str, other: float | None, *, slack: float) -> str:
-    """Return a doubt about two values of one thing, where both are known, that differ by more than `slack`."""
+def disagreement(name: str, value: float | None, other_name: str, other: float | None, *, slack: float) -> str:
+    """Return a warning about two values of one thing, where both are known, that differ by more than `slack`."""
     known = value is not None and other is not None
-    return unlike(name, value, other_name, other) if known and not abs(value - other) <= slack else ""  # type: ignore[operator]
+    return describe_disagreement(name, value, other_name, other) if known and not abs(value - other) <= slack else ""  # type: ignore[operator]
 
 
-def unlike(name: str, value: object, other_name: str, other: object) -> str:
-    """Word a doubt about two values of one thing."""
+def describe_disagreement(name: str, value: object, other_name: str, other: object) -> str:
+    """Word a warning about two values of one thing."""
     one, two = (f"{each:.10g}" if isinstance(each, float) else str(each)[:40] for each in (value, other))
     return f"its {name} is {one}, but its {other_name} is {two}; one of them may be damaged"
 
@@ -98,7 +98,7 @@ def check_time_of_peak(stated: float | None, samples: FloatArray, dt: float, *, 
 
 
 def check_integral(velocity: FloatArray, acceleration: FloatArray, dt: float, *, path: Path, name: str) -> str:
-    """Refuse accelerations whose step by the velocities beside them is not `dt` [s]; return a doubt.
+    """Refuse accelerations whose step by the velocities beside them is not `dt` [s]; return a warning.
 
     Both are in one unit of length. Gains of velocity over BLOCK steps are fitted by the trapezoidal rule. In files of
     GeoNet and CSMIP, which have other rules, the step so found is up to 3.4 % high, and one gain is off by at most 0.22

@@ -20,8 +20,8 @@ from typing import Any
 import numpy as np
 
 from records.errors import RecordError
+from records.formats.header_overrides import GIVE_UNIT, HeaderOverrides
 from records.formats.samples import acceleration_factor, number
-from records.formats.stated import GIVE_UNIT, Stated
 from records.orientation import azimuth_of
 from records.record import Earthquake, Record, Site, make_record
 
@@ -55,40 +55,40 @@ def looks_like_sac(head: bytes) -> bool:
     return False
 
 
-def read_miniseed(path: Path, stated: Stated) -> tuple[Record, ...]:
-    """Every channel in the file at `path`, by the unit or response stated.
+def read_miniseed(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
+    """Every channel in the file at `path`, by the unit or response given.
 
     Raises RecordError, naming the file, for neither of them, what obspy cannot read, and channels with gaps.
     """
-    return _read(path, stated, form="MSEED", name=MINISEED)
+    return _read(path, overrides, form="MSEED", name=MINISEED)
 
 
-def read_sac(path: Path, stated: Stated) -> tuple[Record, ...]:
-    """The one record in the file at `path`, by the unit or response stated.
+def read_sac(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
+    """The one record in the file at `path`, by the unit or response given.
 
     Raises RecordError, naming the file, for neither of them, what obspy cannot read, and what is not acceleration.
     """
-    return _read(path, stated, form="SAC", name=SAC)
+    return _read(path, overrides, form="SAC", name=SAC)
 
 
-def _read(path: Path, stated: Stated, *, form: str, name: str) -> tuple[Record, ...]:
-    if stated.unit is None and stated.response is None:
+def _read(path: Path, overrides: HeaderOverrides, *, form: str, name: str) -> tuple[Record, ...]:
+    if overrides.unit is None and overrides.response is None:
         raise RecordError(
             f"{path}: {name} does not state the unit of its samples; {GIVE_UNIT}, or response (StationXML)"
         )
     import obspy
 
-    with warnings.catch_warnings(record=True) as doubts:
+    with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         try:
             with _raised():
                 traces = list(obspy.read(str(path), format=form, check_compression=False))
         except Exception as error:
             raise RecordError(f"{path}: obspy cannot read it as {name}: {_one_line(error)}") from None
-        _check_damage([str(doubt.message) for doubt in doubts], path=path)
+        _check_damage([str(warning.message) for warning in caught], path=path)
         _check(traces, path=path)
-        response = None if stated.response is None else _response(obspy, stated.response)
-        return tuple(_record(trace, stated, response, name=name, path=path) for trace in traces)
+        response = None if overrides.response is None else _response(obspy, overrides.response)
+        return tuple(_record(trace, overrides, response, name=name, path=path) for trace in traces)
 
 
 @contextmanager
@@ -104,12 +104,12 @@ def _raised() -> Iterator[None]:
         raise ValueError(str(found[0].exc_value))
 
 
-def _check_damage(doubts: list[str], *, path: Path) -> None:
+def _check_damage(texts: list[str], *, path: Path) -> None:
     """Refuses what libmseed only warns of: samples that do not end where their block says, bytes that are no block."""
-    damage = next((doubt for doubt in doubts if DAMAGE.search(doubt)), None)
+    damage = next((text for text in texts if DAMAGE.search(text)), None)
     if damage is not None:
-        told = " ".join(damage.replace("Warning:", "").split())
-        raise RecordError(f"{path}: damaged: {told[:120]}; get the file again")
+        text = " ".join(damage.replace("Warning:", "").split())
+        raise RecordError(f"{path}: damaged: {text[:120]}; get the file again")
 
 
 def _check_ends(trace: Any, *, path: Path) -> None:
@@ -152,14 +152,17 @@ def _check(traces: list[Any], *, path: Path) -> None:
             raise RecordError(f"{path}: channel {trace.id} holds no numbers; it is not a motion")
 
 
-def _record(trace: Any, stated: Stated, response: Any, *, name: str, path: Path) -> Record:
+def _record(trace: Any, overrides: HeaderOverrides, response: Any, *, name: str, path: Path) -> Record:
     """One channel in m/s2."""
     if response is None:
-        unit = str(stated.unit)
+        unit = str(overrides.unit)
         factor = acceleration_factor(unit, line=0, path=path)
         samples, said = factor * np.asarray(trace.data, dtype=np.float64), f"unit {unit} as given"
     else:
-        samples, said = _without_response(trace, response, path=path), f"response of {Path(stated.response or '').name}"
+        samples, said = (
+            _without_response(trace, response, path=path),
+            f"response of {Path(overrides.response or '').name}",
+        )
     channel = trace.stats.channel
     return make_record(
         f"{path.stem} {trace.id}",
@@ -169,7 +172,7 @@ def _record(trace: Any, stated: Stated, response: Any, *, name: str, path: Path)
         event=_text(trace, "kevnm"),
         station=".".join(part for part in (trace.stats.network, trace.stats.station) if part),
         component=channel,
-        trail=(f"read from {name}, {said}", *(["mean taken off"] if response is not None else [])),
+        processing_history=(f"read from {name}, {said}", *(["mean taken off"] if response is not None else [])),
         azimuth=_azimuth(trace, channel),
         distance=None if (km := _number(trace, "dist")) is None else 1000.0 * km,
         earthquake=Earthquake(

@@ -11,7 +11,7 @@ from typing import Any
 from records.formats.samples import number
 from records.orientation import azimuth_of
 from records.record import Earthquake, Record, Site
-from spectra.formulas import marked, unmarked
+from spectra.formulas import mark_formulas, unmark_formulas
 
 COMMENT = re.compile(r"\s*#\s*([a-z][a-z0-9 ]*(?:\[[^\]]*\])?)\s*:\s*(.*?)\s*")
 LONGEST = 2000  # characters of a comment
@@ -34,7 +34,7 @@ KNOWN: Mapping[str, Callable[[Record], str | float | None]] = {
     "component": lambda record: record.component,
     "azimuth [deg]": lambda record: None if record.azimuth is None else degrees(record.azimuth),
     "samples": lambda record: float(record.npts),
-    "trail": lambda record: "; ".join(record.trail),
+    "trail": lambda record: "; ".join(record.processing_history),
 }
 """What is written, in this order, where it is known."""
 
@@ -45,17 +45,17 @@ def comments(record: Record) -> Iterator[str]:
         value = of(record)
         text = f"{value:.12g}" if isinstance(value, float | int) else value
         if text:
-            yield f"# {key}: {marked(_on_one_line(text))}\n"
+            yield f"# {key}: {mark_formulas(_on_one_line(text))}\n"
 
 
-def said(lines: Sequence[str]) -> dict[str, str]:
+def parse_comments(lines: Sequence[str]) -> dict[str, str]:
     """What the comments before the first row say, by key."""
     above = takewhile(lambda line: not line.strip() or line.lstrip().startswith("#"), lines)
     found = (COMMENT.fullmatch(line) for line in above)
-    return {match[1]: unmarked(match[2])[:LONGEST] for match in found if match}
+    return {match[1]: unmark_formulas(match[2])[:LONGEST] for match in found if match}
 
 
-def described(text: Mapping[str, str]) -> dict[str, Any]:
+def record_fields(text: Mapping[str, str]) -> dict[str, Any]:
     """The same as `make_record` takes it; what is no number, or cannot be, is not known."""
     known = {key: number(text.get(key, "")) for key in KNOWN}
     component, azimuth = text.get("component", ""), known["azimuth [deg]"]

@@ -11,12 +11,12 @@ HIGH_SHARE = 5e-3  # of the power of accelerations; 7e-4 at most in fifteen filt
 LOW_SHARE = 0.25  # of the power of displacements; 0.06 at most in the same
 
 
-def doubt_of_filter(samples: FloatArray, dt: float, *, low: float | None, high: float | None) -> str:
+def filter_warning(samples: FloatArray, dt: float, *, low: float | None, high: float | None) -> str:
     """One line where a motion [n] at a step [s] goes on beyond the corners [Hz] of its filter; else "".
 
     With another step a motion has other frequencies. None is a corner that is not known.
     """
-    odd = beyond_nyquist(high, dt)
+    odd = nyquist_warning(high, dt)
     if odd or not (low or high) or samples.size < 2:
         return odd
     size = 2 * samples.size  # with zeros behind it
@@ -29,8 +29,8 @@ def doubt_of_filter(samples: FloatArray, dt: float, *, low: float | None, high: 
     return ""
 
 
-def beyond_nyquist(corner: float | None, dt: float) -> str:
-    """Return a doubt about a filter's upper corner [Hz] that a step [s] cannot hold."""
+def nyquist_warning(corner: float | None, dt: float) -> str:
+    """Return a warning about a filter's upper corner [Hz] that a step [s] cannot hold."""
     if corner is None or corner <= 1.02 * 0.5 / dt:
         return ""
     return f"its filter ends at {corner:.6g} Hz, its step of {dt:.6g} s holds {0.5 / dt:.6g} Hz at most; check the step"

@@ -17,8 +17,8 @@ from pathlib import Path
 from records.errors import RecordError
 from records.formats.agreement import check_count, check_peak
 from records.formats.cosmos_header import check_header
-from records.formats.samples import acceleration_factor, formatted_numbers, numbers, numeric_end, text_lines
-from records.formats.stated import Stated
+from records.formats.header_overrides import HeaderOverrides
+from records.formats.samples import acceleration_factor, numbers, numeric_end, text_lines, uniform_numbers
 from records.formats.times import iso
 from records.orientation import azimuth_of
 from records.record import Earthquake, Record, Site, make_record
@@ -47,7 +47,7 @@ def looks_like(head: bytes) -> bool:
     return FIRST.match(head.decode("latin-1").split("\n", 1)[0]) is not None
 
 
-def read(path: Path, stated: Stated) -> tuple[Record, ...]:
+def read(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
     """Every acceleration record in the file at `path`; its headers say all that is needed.
 
     Raises RecordError, naming the file, for a header cut short, a step that is absent or does not fit the duration,
@@ -81,11 +81,11 @@ def _channel(lines: list[str], start: int, end: int, *, path: Path) -> Record | 
         return None
     integers, reals = _block(lines, start, at, "Integer", path=path), _block(lines, start, at, "Real", path=path)
     factor = acceleration_factor(series[4], line=at + 1, path=path)
-    samples, uneven = formatted_numbers(lines[at + 1 : numeric_end(lines, at + 1)], first=at + 2, path=path)
+    samples, uneven = uniform_numbers(lines[at + 1 : numeric_end(lines, at + 1)], first=at + 2, path=path)
     check_count(series[1], samples.size, path=path, name=f"line {at + 1}")
     odd = check_peak(_known(reals, PEAK), samples, unit=series[4], digits=1e-3, path=path)
     dt = _step(reals, samples.size, float(series[3]), path=path)
-    doubts = check_header(lines[start:at], integers, reals, samples, dt, path=path, line=start + 1)
+    warnings = check_header(lines[start:at], integers, reals, samples, dt, path=path, line=start + 1)
     station, component = _names(lines[start:at])
     degrees = _known(integers, AZIMUTH)
     return make_record(
@@ -96,12 +96,12 @@ def _channel(lines: list[str], start: int, end: int, *, path: Path) -> Record | 
         event=_title(lines[start + 1]),
         station=station,
         component=component,
-        trail=(f"read from {NAME}, unit {series[4]}", lines[start].split("(")[0].strip()),
+        processing_history=(f"read from {NAME}, unit {series[4]}", lines[start].split("(")[0].strip()),
         azimuth=azimuth_of(f"{degrees:.0f}") if degrees and 0 < degrees <= 360 else azimuth_of(component),
         distance=_metres(_known(reals, DISTANCE)),
         earthquake=_earthquake(lines[start:at], reals),
         site=Site(_known(reals, STATION), _known(reals, STATION + 1), _known(reals, STATION + 2)),
-        doubts=(uneven, odd, *doubts),
+        warnings=(uneven, odd, *warnings),
     )
 
 

@@ -9,8 +9,14 @@ import re
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from records.formats.agreement import check_duration, check_same, check_time_of_peak, doubt_same, unlike
-from records.formats.corners import beyond_nyquist
+from records.formats.agreement import (
+    check_duration,
+    check_same,
+    check_time_of_peak,
+    describe_disagreement,
+    disagreement,
+)
+from records.formats.corners import nyquist_warning
 from records.formats.samples import number
 from records.formats.times import iso
 from spectra.arrays import FloatArray
@@ -46,7 +52,7 @@ def check_header(
     path: Path,
     line: int,
 ) -> list[str]:
-    """Refuse step [s], length, peak and azimuth that are not the same everywhere; return doubts about the rest.
+    """Refuse step [s], length, peak and azimuth that are not the same everywhere; return warnings about the rest.
 
     Parameters
     ----------
@@ -70,7 +76,7 @@ def check_header(
     return [
         *_places(words, reals),
         _start(words, integers, reals),
-        beyond_nyquist(number(passed[1]) if passed else None, dt),
+        nyquist_warning(number(passed[1]) if passed else None, dt),
     ]
 
 
@@ -79,16 +85,16 @@ def _known(values: FloatArray, index: int) -> float | None:
 
 
 def _places(words: str, reals: FloatArray) -> Iterator[str]:
-    """Doubts about where the site and the epicentre are, sign and all."""
+    """Warnings about where the site and the epicentre are, sign and all."""
     for *names, pattern, at in PLACES:
         found = pattern.search(words)
         for i, name in enumerate(names):
             told = number(found[i + 1]) if found else None
-            yield doubt_same(name, told, NUMBER, _known(reals, at + i), slack=1e-3)
+            yield disagreement(name, told, NUMBER, _known(reals, at + i), slack=1e-3)
 
 
 def _start(words: str, integers: FloatArray, reals: FloatArray) -> str:
-    """A doubt about when the recorder started, to the second."""
+    """A warning about when the recorder started, to the second."""
     found = RECORDER.search(words)
     seconds, numbers = _known(reals, SECONDS), [_known(integers, STARTED + i) for i in (0, 2, 3, 4, 5)]
     if found is None or seconds is None or None in numbers:
@@ -96,4 +102,4 @@ def _start(words: str, integers: FloatArray, reals: FloatArray) -> str:
     again = iso(*(f"{each:.0f}" for each in numbers), str(seconds))
     one, two, three, *clock = found.groups()
     told = iso(one, two, three, *clock) if len(one) == 4 else iso(three, one, two, *clock)
-    return unlike("start", told, NUMBER, again) if told[:19] != again[:19] else ""
+    return describe_disagreement("start", told, NUMBER, again) if told[:19] != again[:19] else ""

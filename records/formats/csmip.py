@@ -17,16 +17,16 @@ import numpy as np
 from records.errors import RecordError
 from records.formats.agreement import check_count, check_integral, check_peak
 from records.formats.csmip_header import check_header
+from records.formats.header_overrides import HeaderOverrides
 from records.formats.samples import (
     acceleration_factor,
-    formatted_numbers,
     number,
     numbers,
     numeric_end,
-    positive,
+    positive_number,
     text_lines,
+    uniform_numbers,
 )
-from records.formats.stated import Stated
 from records.formats.times import iso
 from records.orientation import azimuth_of
 from records.record import Earthquake, Record, Site, make_record
@@ -62,7 +62,7 @@ def looks_like(head: bytes) -> bool:
     return titled or any(VOLUME_1.match(line) or VOLUME_2.match(line) for line in lines)
 
 
-def read(path: Path, stated: Stated) -> tuple[Record, ...]:
+def read(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
     """The acceleration of every channel in the file at `path`; its headers say all that is needed.
 
     Raises RecordError, naming the file, for a header without its channel, a step or unit that is none, a count or peak
@@ -99,7 +99,7 @@ def _channel(header: list[str], found: re.Match[str], lines: list[str], at: int,
     unit = (parts["unit"] or parts.get("in") or "").strip().rstrip(".")
     factor = acceleration_factor(unit, line=at + 1, path=path)
     end = numeric_end(lines, at + 1)
-    samples, uneven = formatted_numbers(lines[at + 1 : end], first=at + 2, path=path)
+    samples, uneven = uniform_numbers(lines[at + 1 : end], first=at + 2, path=path)
     check_count(parts["n"], samples.size, path=path, name=f"line {at + 1}")
     peak = (PEAK_1 if first else PEAK_2).search("\n".join(header))
     odd = ""
@@ -108,7 +108,7 @@ def _channel(header: list[str], found: re.Match[str], lines: list[str], at: int,
         odd = check_peak(number(peak[1]), samples * (factor / own), unit=peak[2], digits=6e-4, path=path)
     chan = _named(header, CHANNEL_1 if first else OF_CHANNEL, path=path, line=at + 1)
     dt = _step(parts, line=at + 1, path=path)
-    doubts = check_header(header, chan[2], samples, dt, path=path, first=first)
+    warnings = check_header(header, chan[2], samples, dt, path=path, first=first)
     integral = check_integral(
         _velocity(lines, end, path=path), factor * samples, dt, path=path, name=f"channel {chan[1]}"
     )
@@ -120,11 +120,14 @@ def _channel(header: list[str], found: re.Match[str], lines: list[str], at: int,
         event=_column(header, NAME_OF_EVENT - first).removeprefix("Record of "),
         station=_station(header, NAME_OF_STATION - first),
         component=chan[2],
-        trail=(f"read from {NAME} volume {1 if first else 2}, unit {unit}", *(["uncorrected"] if first else [])),
+        processing_history=(
+            f"read from {NAME} volume {1 if first else 2}, unit {unit}",
+            *(["uncorrected"] if first else []),
+        ),
         azimuth=azimuth_of(chan[2]),
         earthquake=_earthquake(header),
         site=_site(header),
-        doubts=(uneven, odd, *doubts, integral),
+        warnings=(uneven, odd, *warnings, integral),
     )
 
 
@@ -138,8 +141,8 @@ def _velocity(lines: list[str], at: int, *, path: Path) -> FloatArray:
 def _step(parts: dict[str, str], *, line: int, path: Path) -> float:
     """The step [s], from itself or from the rate."""
     if "step" in parts:
-        return positive(parts["step"], name="step", line=line, path=path)
-    return float(f"{1.0 / positive(parts['rate'], name='rate', line=line, path=path):.10g}")
+        return positive_number(parts["step"], name="step", line=line, path=path)
+    return float(f"{1.0 / positive_number(parts['rate'], name='rate', line=line, path=path):.10g}")
 
 
 def _named(header: list[str], at: int, *, path: Path, line: int) -> re.Match[str]:

@@ -12,9 +12,9 @@ from pathlib import Path
 import numpy as np
 
 from records.errors import RecordError
-from records.formats.comments import described, said
+from records.formats.comments import parse_comments, record_fields
+from records.formats.header_overrides import GIVE_UNIT, HeaderOverrides
 from records.formats.samples import number
-from records.formats.stated import GIVE_UNIT, Stated
 from records.record import Record, make_record
 from spectra.arrays import FloatArray
 from spectra.columns import (
@@ -55,8 +55,8 @@ def looks_like(head: bytes) -> bool:
     return bool(first) and all(len(row) == 2 for row in first) and is_row(first[0])
 
 
-def read(path: Path, stated: Stated) -> tuple[Record, ...]:
-    """The one record in the file at `path`; the unit stated is that of the accelerations where the header has none.
+def read(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
+    """The one record in the file at `path`; the unit given is that of the accelerations where the header has none.
 
     Raises RecordError, naming the file, for a missing unit, times that are not uniform to 5 % of a step, and for
     what cannot be read.
@@ -65,13 +65,17 @@ def read(path: Path, stated: Stated) -> tuple[Record, ...]:
         columns = read_columns(path)
     except ColumnError as error:
         raise RecordError(str(error)) from None
-    seconds, si, words = _units(columns, stated.unit, path=path)
+    seconds, si, words = _units(columns, overrides.unit, path=path)
     dt = _step(seconds * columns.values[:, 0], path=path)
-    known = said(columns.comments)
+    known = parse_comments(columns.comments)
     _refuse_cut(known.get("samples", ""), len(columns.values), path=path)
     before = (f"before that: {known['trail']}",) if known.get("trail") else ()
-    trail = (f"read from {NAME}, {words}", *before)
-    return (make_record(path.stem, si * columns.values[:, 1], dt, path=str(path), trail=trail, **described(known)),)
+    history = (f"read from {NAME}, {words}", *before)
+    return (
+        make_record(
+            path.stem, si * columns.values[:, 1], dt, path=str(path), processing_history=history, **record_fields(known)
+        ),
+    )
 
 
 def _refuse_cut(stated: str, found: int, *, path: Path) -> None:

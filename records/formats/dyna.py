@@ -18,17 +18,17 @@ from records.formats.agreement import (
     check_duration,
     check_peak,
     check_time_of_peak,
-    unlike,
+    describe_disagreement,
 )
-from records.formats.corners import doubt_of_filter
+from records.formats.corners import filter_warning
+from records.formats.header_overrides import HeaderOverrides
 from records.formats.samples import (
     acceleration_factor,
-    formatted_numbers,
     number,
-    positive,
+    positive_number,
     text_lines,
+    uniform_numbers,
 )
-from records.formats.stated import Stated
 from records.formats.times import iso_of
 from records.orientation import azimuth_of
 from records.record import Earthquake, Record, Site, make_record, usable_period
@@ -45,7 +45,7 @@ def looks_like(head: bytes) -> bool:
     return head.lstrip().startswith(b"EVENT_NAME:") and b"\nSAMPLING_INTERVAL_S:" in head and b"\nNDATA:" in head
 
 
-def read(path: Path, stated: Stated) -> tuple[Record, ...]:
+def read(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
     """The one record in the file at `path`; its header says all that is needed.
 
     Raises RecordError, naming the file, for what is not acceleration, a key that is absent, a count or peak that the
@@ -58,8 +58,10 @@ def read(path: Path, stated: Stated) -> tuple[Record, ...]:
     text = {key: value for key, (_, value) in header.items()}
     unit = text["UNITS"]
     factor = acceleration_factor(unit, line=at["UNITS"], path=path)
-    dt = positive(text["SAMPLING_INTERVAL_S"], name="SAMPLING_INTERVAL_S", line=at["SAMPLING_INTERVAL_S"], path=path)
-    samples, uneven = formatted_numbers(lines[after:], first=after + 1, path=path)
+    dt = positive_number(
+        text["SAMPLING_INTERVAL_S"], name="SAMPLING_INTERVAL_S", line=at["SAMPLING_INTERVAL_S"], path=path
+    )
+    samples, uneven = uniform_numbers(lines[after:], first=after + 1, path=path)
     check_count(text["NDATA"], samples.size, path=path, name="NDATA")
     peak = number(text.get("PGA_CM/S^2", ""))
     odd = check_peak(peak, samples * (factor / 0.01), unit="cm/s2", digits=1e-6, path=path)
@@ -76,17 +78,17 @@ def read(path: Path, stated: Stated) -> tuple[Record, ...]:
             event=_event(text),
             station=_station(text),
             component=text.get("STREAM", ""),
-            trail=(f"read from {NAME}, unit {unit}", *_processing(text)),
+            processing_history=(f"read from {NAME}, unit {unit}", *_processing(text)),
             longest_period=usable_period(low),
             azimuth=azimuth_of(text.get("STREAM", "")),
             distance=_metres(text.get("EPICENTRAL_DISTANCE_KM", "")),
             earthquake=_earthquake(text),
             site=_site(text),
             start=iso_of(text.get("DATE_TIME_FIRST_SAMPLE_YYYYMMDD_HHMMSS", "")),
-            doubts=(
+            warnings=(
                 uneven,
                 odd,
-                doubt_of_filter(samples, dt, low=low, high=high),
+                filter_warning(samples, dt, low=low, high=high),
                 _misnamed(text, path),
             ),
         ),
@@ -134,9 +136,11 @@ def _processing(text: dict[str, str]) -> tuple[str, ...]:
 
 
 def _misnamed(text: dict[str, str], path: Path) -> str:
-    """A doubt where the name of the file, network.station.location.stream.…, has another stream."""
+    """A warning where the name of the file, network.station.location.stream.…, has another stream."""
     stream, named = text.get("STREAM", ""), NAMED.match(path.name)
-    return unlike("STREAM", stream, "file's name", named[1]) if stream and named and named[1] != stream else ""
+    if not stream or named is None or named[1] == stream:
+        return ""
+    return describe_disagreement("STREAM", stream, "file's name", named[1])
 
 
 def _metres(kilometres: str) -> float | None:

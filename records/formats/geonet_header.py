@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 
 from records.errors import RecordError
-from records.formats.agreement import check_duration, check_peak, check_same, check_time_of_peak, doubt_same
+from records.formats.agreement import check_duration, check_peak, check_same, check_time_of_peak, disagreement
 from records.formats.samples import number
 from records.orientation import azimuth_of
 from spectra.arrays import FloatArray
@@ -33,7 +33,7 @@ DEGREES = re.compile(r"(\d+)\s+(\d+)\s+(\d+)\s*([NS])\s+(\d+)\s+(\d+)\s+(\d+)\s*
 def check_header(
     header: Sequence[str], name: str, samples: FloatArray, dt: float, *, path: Path, line: int
 ) -> list[str]:
-    """Refuse step [s], size, peak and azimuth that `header`, from `line` on, does not say alike; return doubts.
+    """Refuse step [s], size, peak and azimuth that `header`, from `line` on, does not say alike; return warnings.
 
     Parameters
     ----------
@@ -60,7 +60,7 @@ def check_header(
     found = float(np.sqrt(np.mean(samples**2))) if samples.size else 0.0
     return [
         check_peak(peak, samples, unit=UNIT, digits=0.06, path=path),
-        doubt_same("stated rms", rms, "rms of the samples", found, slack=0.01 * found + 0.06),
+        disagreement("stated rms", rms, "rms of the samples", found, slack=0.01 * found + 0.06),
         *_places(header[1], numbers),
     ]
 
@@ -93,9 +93,9 @@ def _check_azimuth(name: str, again: float | None, *, path: Path, line: int) -> 
 
 
 def _places(line: str, numbers: Sequence[float | None]) -> Iterator[str]:
-    """Doubts about the site's latitude and longitude, which the numbers repeat without a sign."""
+    """Warnings about the site's latitude and longitude, which the numbers repeat without a sign."""
     for words, value, at in zip(("latitude", "longitude"), coordinates(line), (LATITUDE, LONGITUDE), strict=True):
         parts = [each or 0.0 for each in numbers[at : at + 3]]
         again = parts[0] + parts[1] / 60.0 + parts[2] / 3600.0
         if value is not None and again:
-            yield doubt_same(words, abs(value), "number in the header", again, slack=MINUTE)
+            yield disagreement(words, abs(value), "number in the header", again, slack=MINUTE)

@@ -18,17 +18,17 @@ from pathlib import Path
 from records.errors import RecordError
 from records.formats.agreement import check_count, check_integral
 from records.formats.geonet_header import COLUMNS, NUMBER_LINES, TEXT_LINES, UNIT, check_header, coordinates
+from records.formats.header_overrides import HeaderOverrides
 from records.formats.samples import (
     acceleration_factor,
     count,
-    formatted_numbers,
     number,
     numbers,
     numeric_end,
-    positive,
+    positive_number,
     text_lines,
+    uniform_numbers,
 )
-from records.formats.stated import Stated
 from records.formats.times import iso
 from records.orientation import azimuth_of
 from records.record import Earthquake, Record, Site, make_record
@@ -52,7 +52,7 @@ def looks_like(head: bytes) -> bool:
     return INTERVAL.match(lines[10]) is not None or UNCORRECTED.match(lines[10]) is not None
 
 
-def read(path: Path, stated: Stated) -> tuple[Record, ...]:
+def read(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
     """The records in the file at `path`; its headers say all that is needed.
 
     Raises RecordError, naming the file, for a header without points, interval, component or unit, and blocks or a peak
@@ -78,10 +78,10 @@ def _component(lines: list[str], start: int, *, path: Path) -> Record:
     peak = _found(PEAK, lines, start + 13, path=path)
     if peak[2] != UNIT:
         raise RecordError(f'{path}: line {start + 14}: unit "{peak[2][:20]}"; {NAME} is in {UNIT}, the file is damaged')
-    dt = positive(interval, name="interval", line=start + 11, path=path)
+    dt = positive_number(interval, name="interval", line=start + 11, path=path)
     samples, velocity, uneven = _samples(lines, start, path=path)
     header = lines[start : start + TEXT_LINES + NUMBER_LINES]
-    doubts = check_header(header, name, samples, dt, path=path, line=start + 1)
+    warnings = check_header(header, name, samples, dt, path=path, line=start + 1)
     return make_record(
         f"{path.stem} {name}",
         acceleration_factor(UNIT, line=start + 14, path=path) * samples,
@@ -90,17 +90,17 @@ def _component(lines: list[str], start: int, *, path: Path) -> Record:
         event=_place(lines[start + 6]),
         station=_station(lines[start + 1]),
         component=name,
-        trail=(f"read from {NAME}, unit {UNIT}", lines[start + 11].strip()),
+        processing_history=(f"read from {NAME}, unit {UNIT}", lines[start + 11].strip()),
         azimuth=azimuth_of(name),
         distance=_kilometres(lines[start + 8], "Dist"),
         earthquake=_earthquake(lines[start + 7], lines[start + 8]),
         site=Site(*coordinates(lines[start + 1])),
-        doubts=(uneven, *doubts, check_integral(velocity, samples, dt, path=path, name=name)),
+        warnings=(uneven, *warnings, check_integral(velocity, samples, dt, path=path, name=name)),
     )
 
 
 def _samples(lines: list[str], start: int, *, path: Path) -> tuple[FloatArray, FloatArray, str]:
-    """Accelerations and velocities of the component at index `start`, as printed, and a doubt; all must be whole."""
+    """Accelerations and velocities of the component at index `start`, as printed, and a warning; all must be whole."""
     points = _found(POINTS, lines, start + 9, path=path)[1]
     size = count(points, name="Number of points", line=start + 10, path=path)
     first = start + TEXT_LINES + NUMBER_LINES
@@ -111,7 +111,7 @@ def _samples(lines: list[str], start: int, *, path: Path) -> tuple[FloatArray, F
             f"{path}: line {first + 1}: {held} lines of numbers, {size} points three times are {3 * height}; "
             f"the file is {'cut short' if held < 3 * height else 'damaged'}"
         )
-    samples, uneven = formatted_numbers(lines[first : first + height], first=first + 1, path=path)
+    samples, uneven = uniform_numbers(lines[first : first + height], first=first + 1, path=path)
     check_count(str(size), samples.size, path=path, name="Number of points")
     velocity = numbers(lines[first + height : first + 2 * height], first=first + height + 1, path=path)
     return samples, velocity, uneven

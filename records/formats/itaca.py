@@ -15,15 +15,15 @@ from pathlib import Path
 
 from records.errors import RecordError
 from records.formats.agreement import check_count, check_peak
-from records.formats.corners import doubt_of_filter
+from records.formats.corners import filter_warning
+from records.formats.header_overrides import HeaderOverrides
 from records.formats.samples import (
     acceleration_factor,
-    formatted_numbers,
     number,
-    positive,
+    positive_number,
     text_lines,
+    uniform_numbers,
 )
-from records.formats.stated import Stated
 from records.formats.times import iso_of
 from records.orientation import azimuth_of
 from records.record import Earthquake, Record, Site, make_record, usable_period
@@ -40,7 +40,7 @@ def looks_like(head: bytes) -> bool:
     return any(SERIES.fullmatch(line) for line in head.decode("latin-1").splitlines()[:LONGEST_HEADER])
 
 
-def read(path: Path, stated: Stated) -> tuple[Record, ...]:
+def read(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
     """The one record in the file at `path`; its header says all that is needed.
 
     Raises RecordError, naming the file, for a key that is absent, a count or peak that the samples do not have.
@@ -53,8 +53,8 @@ def read(path: Path, stated: Stated) -> tuple[Record, ...]:
     if found is None or absent:
         raise RecordError(f"{path}: the header of {NAME} has no {(*absent, 'unit')[0]}; it is cut short or damaged")
     factor = acceleration_factor(found[1], line=after, path=path)
-    dt = positive(text["Time Increment (s)"], name="Time Increment", line=after, path=path)
-    samples, uneven = formatted_numbers(lines[after:], first=after + 1, path=path)
+    dt = positive_number(text["Time Increment (s)"], name="Time Increment", line=after, path=path)
+    samples, uneven = uniform_numbers(lines[after:], first=after + 1, path=path)
     check_count(text["Number of Data"], samples.size, path=path, name="Number of Data")
     peak = check_peak(number(text.get("PGA (m/s/s)", "")), factor * samples, unit="m/s2", digits=1e-9, path=path)
     component = text.get("Orientation", "")
@@ -68,12 +68,15 @@ def read(path: Path, stated: Stated) -> tuple[Record, ...]:
             path=str(path),
             station=text.get("Station Code / Name", ""),
             component=component,
-            trail=(f"read from {NAME}, unit {found[1]}", *([f"filtered by the source: {cut} Hz"] if cut else [])),
+            processing_history=(
+                f"read from {NAME}, unit {found[1]}",
+                *([f"filtered by the source: {cut} Hz"] if cut else []),
+            ),
             azimuth=azimuth_of(component),
             earthquake=Earthquake(time=iso_of(text.get("Event Date & Time", ""))),
             site=Site(),
             longest_period=usable_period(number(low)),
-            doubts=(uneven, peak, doubt_of_filter(samples, dt, low=number(low), high=number(high))),
+            warnings=(uneven, peak, filter_warning(samples, dt, low=number(low), high=number(high))),
         ),
     )
 

@@ -17,9 +17,9 @@ import numpy as np
 
 from records.errors import RecordError
 from records.formats.agreement import check_count, check_peak
+from records.formats.header_overrides import HeaderOverrides
 from records.formats.layout import check_layout
-from records.formats.samples import acceleration_factor, number, numbers, positive, text_lines
-from records.formats.stated import Stated
+from records.formats.samples import acceleration_factor, number, numbers, positive_number, text_lines
 from records.formats.times import iso_of
 from records.orientation import azimuth_of
 from records.record import Earthquake, Record, Site, make_record
@@ -40,7 +40,7 @@ def looks_like(head: bytes) -> bool:
     return head.startswith(b"Origin Time") and b"\nScale Factor" in head
 
 
-def read(path: Path, stated: Stated) -> tuple[Record, ...]:
+def read(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
     """The one record in the file at `path`; its header says all that is needed.
 
     Raises RecordError, naming the file, for a header cut short, a step, scale or duration that is none, samples fewer
@@ -48,10 +48,10 @@ def read(path: Path, stated: Stated) -> tuple[Record, ...]:
     """
     lines = text_lines(path)
     header = _header(lines, path=path)
-    rate = positive(re.sub(r"\s*Hz$", "", header["Sampling Freq(Hz)"]), name="Sampling Freq", line=11, path=path)
+    rate = positive_number(re.sub(r"\s*Hz$", "", header["Sampling Freq(Hz)"]), name="Sampling Freq", line=11, path=path)
     unit, scale = _scale(header["Scale Factor"], path=path)
     counts = numbers(lines[HEADER_LINES:], first=HEADER_LINES + 1, path=path)
-    duration = positive(header["Duration Time(s)"], name="Duration Time", line=12, path=path)
+    duration = positive_number(header["Duration Time(s)"], name="Duration Time", line=12, path=path)
     check_count(f"{duration * rate:.0f}", counts.size, path=path, name=f"Duration Time of {duration:.6g} s")
     if not counts.size or not np.all(np.isfinite(counts)):
         raise RecordError(f"{path}: no samples below the header, or some that are not finite; the file is damaged")
@@ -68,11 +68,11 @@ def read(path: Path, stated: Stated) -> tuple[Record, ...]:
             path=str(path),
             station=header["Station Code"],
             component=component,
-            trail=(f"read from {NAME}, unit {unit}", f"mean of {scale * offset:.6g} {unit} taken off"),
+            processing_history=(f"read from {NAME}, unit {unit}", f"mean of {scale * offset:.6g} {unit} taken off"),
             azimuth=azimuth_of(component),
             earthquake=_earthquake(header),
             site=_site(header, component),
-            doubts=(peak, check_layout(lines[HEADER_LINES:], first=HEADER_LINES + 1, path=path)),
+            warnings=(peak, check_layout(lines[HEADER_LINES:], first=HEADER_LINES + 1, path=path)),
         ),
     )
 
@@ -106,7 +106,7 @@ def _scale(text: str, *, path: Path) -> tuple[str, float]:
     found = SCALE.fullmatch(text)
     if found is None:
         raise RecordError(f'{path}: line 14: scale factor "{text[:30]}"; it must be like 3920(gal)/6182761')
-    full, counts = (positive(found[i], name="Scale Factor", line=14, path=path) for i in (1, 3))
+    full, counts = (positive_number(found[i], name="Scale Factor", line=14, path=path) for i in (1, 3))
     return found[2].strip(), full / counts
 
 

@@ -33,7 +33,7 @@ class Form(NamedTuple):
 
 
 def check_layout(lines: Sequence[str], *, first: int, path: Path) -> str:
-    """Refuse a number that is printed otherwise than all the others; return a doubt about columns that are uneven.
+    """Refuse a number that is printed otherwise than all the others; return a warning about columns that are uneven.
 
     Nothing is said of files that no one format printed, and a 0 may be printed as programs please, unless it is the
     last number. `first` is the number of the first line in the file.

@@ -19,10 +19,10 @@ from pathlib import Path
 import numpy as np
 
 from records.errors import RecordError
-from records.formats.agreement import check_count, check_same, unlike
-from records.formats.corners import doubt_of_filter
-from records.formats.samples import acceleration_factor, formatted_numbers, number, text_lines
-from records.formats.stated import Stated
+from records.formats.agreement import check_count, check_same, describe_disagreement
+from records.formats.corners import filter_warning
+from records.formats.header_overrides import HeaderOverrides
+from records.formats.samples import acceleration_factor, number, text_lines, uniform_numbers
 from records.formats.times import iso
 from records.orientation import azimuth_of
 from records.record import Earthquake, Record, make_record
@@ -59,7 +59,7 @@ def looks_like(head: bytes) -> bool:
     return len(lines) > 2 and UNITS.match(lines[2]) is not None
 
 
-def read(path: Path, stated: Stated) -> tuple[Record, ...]:
+def read(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
     """The one record in the file at `path`; its header says all that is needed.
 
     Raises RecordError, naming the file, for a header without NPTS and DT, for more or fewer samples than NPTS says
@@ -71,12 +71,12 @@ def read(path: Path, stated: Stated) -> tuple[Record, ...]:
         raise RecordError(f"{path}: the header is cut short; PEER AT2 has four lines before the accelerations")
     npts, dt = _steps(lines[3].strip(), path=path)
     factor = acceleration_factor(found[1], line=3, path=path)
-    samples, uneven = formatted_numbers(lines[HEADER_LINES:], first=HEADER_LINES + 1, path=path)
+    samples, uneven = uniform_numbers(lines[HEADER_LINES:], first=HEADER_LINES + 1, path=path)
     check_count(npts, samples.size, path=path)
     _check_beside(dt, path=path)
     low, high = _corners(lines[3])
     title = parse_title(lines[1].strip())
-    trail = (f"read from {NAME}, unit {found[1].lower()}" + (f", event of {title.date}" if title.date else ""),)
+    history = (f"read from {NAME}, unit {found[1].lower()}" + (f", event of {title.date}" if title.date else ""),)
     return (
         make_record(
             path.stem,
@@ -86,10 +86,10 @@ def read(path: Path, stated: Stated) -> tuple[Record, ...]:
             event=title.event,
             station=title.station,
             component=title.component,
-            trail=trail,
+            processing_history=history,
             azimuth=azimuth_of(title.component),
             earthquake=Earthquake(time=_iso(title.date)),
-            doubts=(uneven, doubt_of_filter(samples, dt, low=low, high=high), _misnamed(title.component, path)),
+            warnings=(uneven, filter_warning(samples, dt, low=low, high=high), _misnamed(title.component, path)),
         ),
     )
 
@@ -113,11 +113,11 @@ def _corners(line: str) -> tuple[float | None, float | None]:
 
 
 def _misnamed(component: str, path: Path) -> str:
-    """A doubt where the name of the file, as PEER gives it, has another direction than the header."""
+    """A warning where the name of the file, as PEER gives it, has another direction than the header."""
     named = NAMED.fullmatch(path.stem)
     if named is None or not component.isdigit() or int(component) % 360 == int(named[1]) % 360:
         return ""
-    return unlike("component", component, "file's name", named[1])
+    return describe_disagreement("component", component, "file's name", named[1])
 
 
 def _check_beside(dt: float, *, path: Path) -> None:

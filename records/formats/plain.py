@@ -19,8 +19,8 @@ import numpy as np
 from records.errors import RecordError
 from records.formats import peer_at2
 from records.formats.agreement import check_count, check_same
-from records.formats.samples import acceleration_factor, formatted_numbers, number, positive, text_lines
-from records.formats.stated import GIVE_STEP, GIVE_UNIT, Stated
+from records.formats.header_overrides import GIVE_STEP, GIVE_UNIT, HeaderOverrides
+from records.formats.samples import acceleration_factor, number, positive_number, text_lines, uniform_numbers
 from records.record import Record, make_record
 from spectra.arrays import FloatArray
 from spectra.columns import CONTROL
@@ -61,7 +61,7 @@ def looks_like(head: bytes) -> bool:
     return bool(rows) and all(VALUE.fullmatch(field) for field in rows[0])
 
 
-def read(path: Path, stated: Stated) -> tuple[Record, ...]:
+def read(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
     """The one record in the file at `path`, of the unit and step that it or the caller states.
 
     Raises RecordError, naming the file, for a unit or step that nobody states, a first column that is time, samples
@@ -74,7 +74,7 @@ def read(path: Path, stated: Stated) -> tuple[Record, ...]:
     body = lines[header.length :]
     while body and END.fullmatch(body[-1]):
         body = body[:-1]
-    samples, uneven = formatted_numbers(body, first=header.length + 1, path=path)
+    samples, uneven = uniform_numbers(body, first=header.length + 1, path=path)
     if header.count:
         check_count(header.count, samples.size, path=path)
     else:
@@ -84,10 +84,10 @@ def read(path: Path, stated: Stated) -> tuple[Record, ...]:
             told = (float(found[1]), number(found[2]))
             check_same("the header's count", float(header.count), f"that of line {line}", told[0], slack=0.0, path=path)
             check_same("the header's step", number(header.step), f"that of line {line}", told[1], slack=1e-6, path=path)
-    unit = header.unit or stated.unit
+    unit = header.unit or overrides.unit
     if unit is None:
         raise RecordError(f"{path}: the file does not state the unit of its accelerations; {GIVE_UNIT}")
-    dt = _step(header, stated, path=path)
+    dt = _step(header, overrides, path=path)
     said = f"unit {unit}" + ("" if header.unit else " as given, for the file does not say")
     return (
         make_record(
@@ -95,8 +95,8 @@ def read(path: Path, stated: Stated) -> tuple[Record, ...]:
             acceleration_factor(unit, line=1, path=path) * samples,
             dt,
             path=str(path),
-            trail=(f"read from {NAME} numbers, {said}",),
-            doubts=(uneven,),
+            processing_history=(f"read from {NAME} numbers, {said}",),
+            warnings=(uneven,),
         ),
     )
 
@@ -122,12 +122,12 @@ def _is_row(line: str) -> bool:
     return bool(fields) and all(VALUE.fullmatch(field) for field in fields)
 
 
-def _step(header: Header, stated: Stated, *, path: Path) -> float:
+def _step(header: Header, overrides: HeaderOverrides, *, path: Path) -> float:
     if header.step:
-        return positive(header.step, name="step", line=header.length, path=path)
-    if stated.step is None:
+        return positive_number(header.step, name="step", line=header.length, path=path)
+    if overrides.step is None:
         raise RecordError(f"{path}: the file does not state its time step; {GIVE_STEP}")
-    return stated.step
+    return overrides.step
 
 
 def _refuse_tables(body: Sequence[str], samples: FloatArray, *, path: Path) -> None:

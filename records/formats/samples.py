@@ -49,8 +49,8 @@ def _parsed(text: str) -> FloatArray | None:
     return None
 
 
-def formatted_numbers(lines: Sequence[str], *, first: int, path: Path) -> tuple[FloatArray, str]:
-    """The same of numbers printed alike, and a doubt about columns that are not; one printed otherwise is refused."""
+def uniform_numbers(lines: Sequence[str], *, first: int, path: Path) -> tuple[FloatArray, str]:
+    """The same of numbers printed alike, and a warning about columns that are not; one printed otherwise is refused."""
     values = numbers(lines, first=first, path=path)
     return values, check_layout(lines, first=first, path=path)
 
@@ -69,7 +69,7 @@ def count(text: str, *, name: str, line: int, path: Path) -> int:
     return int(text)
 
 
-def positive(text: str, *, name: str, line: int, path: Path) -> float:
+def positive_number(text: str, *, name: str, line: int, path: Path) -> float:
     """A finite number above zero."""
     value = number(text)
     if value is None or value <= 0.0:

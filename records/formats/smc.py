@@ -15,9 +15,9 @@ from pathlib import Path
 import numpy as np
 
 from records.errors import RecordError
-from records.formats.agreement import check_count, check_peak, check_same, check_time_of_peak, doubt_same
-from records.formats.samples import formatted_numbers, number, numbers, text_lines
-from records.formats.stated import Stated
+from records.formats.agreement import check_count, check_peak, check_same, check_time_of_peak, disagreement
+from records.formats.header_overrides import HeaderOverrides
+from records.formats.samples import number, numbers, text_lines, uniform_numbers
 from records.formats.times import iso
 from records.orientation import azimuth_of
 from records.record import Earthquake, Record, Site, make_record
@@ -44,7 +44,7 @@ def looks_like(head: bytes) -> bool:
     return len(lines) > 6 and lines[5].startswith("station =") and lines[6].startswith("epicentral dist")
 
 
-def read(path: Path, stated: Stated) -> tuple[Record, ...]:
+def read(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
     """The one record in the file at `path`; its header says all that is needed.
 
     Raises RecordError, naming the file, for what is not acceleration, a header cut short, a rate that is none, a count
@@ -59,7 +59,7 @@ def read(path: Path, stated: Stated) -> tuple[Record, ...]:
     if not 0.0 < rate < float("inf"):
         raise RecordError(f"{path}: line 18: rate of {rate:.6g} samples a second; it must be positive")
     dt = float(f"{1.0 / rate:.10g}")
-    samples, doubts = _samples(lines, integers, reals, dt, path=path)
+    samples, warnings = _samples(lines, integers, reals, dt, path=path)
     station = STATION.fullmatch(lines[5])
     event = EVENT.fullmatch(lines[3])
     component = station[2] if station else ""
@@ -72,12 +72,12 @@ def read(path: Path, stated: Stated) -> tuple[Record, ...]:
             event=event[6] if event else "",
             station=station[1] if station else "",
             component=component,
-            trail=(f"read from {NAME}, unit {UNIT} by the format", lines[0].strip(" 0123456789").lower()),
+            processing_history=(f"read from {NAME}, unit {UNIT} by the format", lines[0].strip(" 0123456789").lower()),
             azimuth=azimuth_of(component),
             distance=_metres(_known(reals, 16)),
             earthquake=_earthquake(event, reals),
             site=Site(latitude=_known(reals, 10), longitude=_known(reals, 11), elevation=_known(reals, 12)),
-            doubts=(*doubts, *_doubts(lines, event, component, integers, reals, path=path)),
+            warnings=(*warnings, *_warnings(lines, event, component, integers, reals, path=path)),
         ),
     )
 
@@ -85,23 +85,23 @@ def read(path: Path, stated: Stated) -> tuple[Record, ...]:
 def _samples(
     lines: list[str], integers: FloatArray, reals: FloatArray, dt: float, *, path: Path
 ) -> tuple[FloatArray, tuple[str, ...]]:
-    """What stands below the comments, as printed, held against count, peaks and their times; and doubts."""
+    """What stands below the comments, as printed, held against count, peaks and their times; and warnings."""
     after = TEXT_LINES + INTEGER_LINES + REAL_LINES
     after = next((i for i in range(after, len(lines)) if not lines[i].startswith("|")), len(lines))
-    samples, uneven = formatted_numbers(lines[after:], first=after + 1, path=path)
+    samples, uneven = uniform_numbers(lines[after:], first=after + 1, path=path)
     check_count(f"{integers[POINTS]:.0f}", samples.size, path=path, name="integer 17 of the header")
     peak = max((abs(value) for i in PEAKS if (value := _known(reals, i)) is not None), default=None)
-    doubts = [uneven, check_peak(peak, samples, unit=UNIT, digits=1e-3, path=path)]
+    warnings = [uneven, check_peak(peak, samples, unit=UNIT, digits=1e-3, path=path)]
     for i, side in zip(PEAKS, (1.0, -1.0), strict=True):
         value = _known(reals, i)
         if value is not None and side * value > 0.0:
             one_sided = np.maximum(side * samples, 0.0)
             check_time_of_peak(_known(reals, i - 1), one_sided, dt, slack=0.5 * dt, path=path)
-            doubts.append(check_peak(value, one_sided, unit=UNIT, digits=1e-3, path=path))
-    return samples, tuple(doubts)
+            warnings.append(check_peak(value, one_sided, unit=UNIT, digits=1e-3, path=path))
+    return samples, tuple(warnings)
 
 
-def _doubts(
+def _warnings(
     lines: list[str],
     event: re.Match[str] | None,
     component: str,
@@ -110,7 +110,7 @@ def _doubts(
     *,
     path: Path,
 ) -> Iterator[str]:
-    """Refuse a direction that is another in the integers; doubts about what the text says again."""
+    """Refuse a direction that is another in the integers; warnings about what the text says again."""
     azimuth = number(component)
     known = _known(integers, AZIMUTH) if _known(integers, VERTICAL) == 90.0 else None
     if azimuth is not None and known is not None:
@@ -120,10 +120,10 @@ def _doubts(
     text = TEXT_PEAK.match(lines[6])
     if text:
         peak = max((value for i in PEAKS if (value := _known(reals, i)) is not None), key=abs, default=None)
-        yield doubt_same("distance", number(text[1]), "number in the header", _known(reals, DISTANCE), slack=0.06)
-        yield doubt_same("peak", number(text[2]), "number in the header", peak, slack=0.06)
+        yield disagreement("distance", number(text[1]), "number in the header", _known(reals, DISTANCE), slack=0.06)
+        yield disagreement("peak", number(text[2]), "number in the header", peak, slack=0.06)
     if event:
-        yield doubt_same("year", number(event[1]), "number in the header", _known(integers, YEAR), slack=0.0)
+        yield disagreement("year", number(event[1]), "number in the header", _known(integers, YEAR), slack=0.0)
 
 
 def _values(lines: list[str], start: int, height: int, size: int, *, path: Path) -> FloatArray:

@@ -6,7 +6,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from assess.results import CarriedMotion
-from reports.style import INK, sheet, styled
+from reports.figures.style import INK, report_style, sheet
 
 _BASE = "#d55e00"
 _PERIODS = (0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 4.0)
@@ -14,7 +14,7 @@ _PERIODS = (0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 4.0)
 
 def draw(motion: CarriedMotion) -> Figure:
     """Acceleration [g] over time [s], and response spectra [g] over period [s], at the ground and at the base."""
-    with styled():
+    with report_style():
         figure = sheet(4.2)
         time, spectrum = figure.subplots(2, 1, height_ratios=(1.2, 1))
         _pair(time, motion.time_s, motion.ground_acceleration_g, motion.base_acceleration_g, linewidth=0.6)

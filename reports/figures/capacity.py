@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from scipy.constants import g
 
 from assess.results import BranchCurve, MechanismResult
-from reports.style import FAIL, MUTED, NEGATIVE, POSITIVE, sheet, styled
+from reports.figures.style import FAIL, MUTED, NEGATIVE, POSITIVE, report_style, sheet
 
 _UNITS = ((1e6, "MN m"), (1e3, "kN m"), (1.0, "N m"))
 
@@ -18,7 +18,7 @@ _UNITS = ((1e6, "MN m"), (1e3, "kN m"), (1.0, "N m"))
 def draw(mechanism: MechanismResult) -> Figure:
     """Restoring moment (left) and lambda = restoring / (g B) (right) over rotation, both branches as mirrored."""
     positive, negative = mechanism.curve.positive, mechanism.curve.negative
-    with styled():
+    with report_style():
         figure = sheet(2.35)
         moment, multiplier = figure.subplots(1, 2)
         branches = [(positive, POSITIVE, "-", "positive branch")]

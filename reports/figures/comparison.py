@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from assess.results import ComparisonRow
-from reports.style import FAIL, GRID, folded, label, pen, sheet, styled
+from reports.figures.style import FAIL, GRID, fold, label, pen, report_style, sheet
 
 BEYOND = 2.5  # larger ratios are drawn at the edge [-]
 
@@ -24,7 +24,7 @@ def draw(rows: tuple[ComparisonRow, ...], names: dict[str, str], overturned: fro
     levels = sorted({row.level_pga_g for row in rows})
     columns = min(3, len(levels)) or 1
     lines = -(-len(levels) // columns) or 1
-    with styled():
+    with report_style():
         figure = sheet(min(8.6, lines * (0.75 + 0.3 * len(names)) + 0.65))
         panels = figure.subplots(lines, columns, squeeze=False, sharey=True, sharex=True)
         for axes, level in zip(panels.flat, levels, strict=False):
@@ -32,16 +32,16 @@ def draw(rows: tuple[ComparisonRow, ...], names: dict[str, str], overturned: fro
             axes.set_title(f"PGA {level:.3g} g", loc="left")
         for axes in list(panels.flat)[len(levels) :]:
             axes.set_visible(False)
-        panels[0, 0].set_yticks(range(len(names)), captions(names))
+        panels[0, 0].set_yticks(range(len(names)), line_labels(names))
         panels[0, 0].set_ylim(len(names) - 0.5, -0.5)
         figure.supxlabel("demand / capacity [-]", fontsize=7.5)
         _legend(figure, rows)
         return figure
 
 
-def captions(names: dict[str, str]) -> list[str]:
+def line_labels(names: dict[str, str]) -> list[str]:
     """What stands beside each line: the label on two lines, or where that tells two apart no more, the name."""
-    short = {name: folded(text, width=24) for name, text in names.items()}
+    short = {name: fold(text, width=24) for name, text in names.items()}
     times = Counter(short.values())
     return [text if times[text] == 1 else label(name, 24) for name, text in short.items()]
 
@@ -58,13 +58,13 @@ def _panel(axes: Axes, rows: list[ComparisonRow], order: list[str], overturned: 
         height = order.index(row.mechanism) - 0.31 + spread * procedures.index(row.procedure)
         if row in overturned or row.demand_capacity is not None:
             at = BEYOND if row in overturned else min(row.demand_capacity or 0.0, BEYOND)
-            places.setdefault((row.procedure, look(row, overturned)), []).append((at, height))
+            places.setdefault((row.procedure, marker_kind(row, overturned)), []).append((at, height))
     for (procedure, seen), dots in places.items():
         _dots(axes, procedure, seen, dots)
     axes.grid(visible=False, axis="y")
 
 
-def look(row: ComparisonRow, overturned: frozenset[ComparisonRow]) -> str:
+def marker_kind(row: ComparisonRow, overturned: frozenset[ComparisonRow]) -> str:
     """How a row is drawn: "overturned", "beyond" the scale or "inside" it."""
     if row in overturned:
         return "overturned"

@@ -12,8 +12,8 @@ from matplotlib.ticker import FuncFormatter, NullFormatter
 from assess.codes.check import BranchName
 from assess.results import MechanismResult
 from reports import joints
-from reports.numerals import numeral
-from reports.style import MUTED, label, sheet, styled
+from reports.figures.style import MUTED, label, report_style, sheet
+from reports.language.numerals import numeral
 
 COLOURS = ("#c1121f", "#0072b2", "#009e73", "#e69f00")  # of the hinges A, B, C, D
 BEFORE = 0.5  # of the rotation at which a joint opens
@@ -28,15 +28,15 @@ def draw(mechanism: MechanismResult) -> Figure:
     end = max(
         side.overturning_rad for side in (mechanism.oscillator, mechanism.oscillator_negative) if side is not None
     )
-    with styled():
+    with report_style():
         figure = sheet(2.35)
         for axes, (key, size, name) in zip(figure.subplots(1, 2), _PANELS, strict=True):
-            for interface, colour, dash, hinges in lines(mechanism):
+            for interface, colour, dash, hinges in distinct_curves(mechanism):
                 curve = interface["curve"]
                 rotation, values = np.asarray(curve["mechanism_rotation_rad"]), np.asarray(curve[key]) / size
                 axes.plot(rotation, values, dash, color=colour, label=label(hinges))
             axes.set(xlabel="rotation φ [rad]", ylabel=name, xscale="log")
-            axes.set_xlim(first(mechanism, end), end)
+            axes.set_xlim(axis_start(mechanism, end), end)
             axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: numeral(value, digits=1)))
             axes.xaxis.set_minor_formatter(NullFormatter())
             axes.set_ylim(bottom=0.0)
@@ -45,19 +45,19 @@ def draw(mechanism: MechanismResult) -> Figure:
         return figure
 
 
-def first(mechanism: MechanismResult, end: float) -> float:
+def axis_start(mechanism: MechanismResult, end: float) -> float:
     """Where the axis of rotations begins [rad]: before any joint opens, and never above a thousandth of its end."""
-    opening = [float(found["opening_rad"]) for found in joints.yielding(mechanism) if found["opening_rad"]]
+    opening = [float(found["opening_rad"]) for found in joints.deformable_joints(mechanism) if found["opening_rad"]]
     return min([*(BEFORE * at for at in opening), SHORTEST * end])
 
 
-def lines(mechanism: MechanismResult) -> list[tuple[dict[str, Any], str, str, str]]:
+def distinct_curves(mechanism: MechanismResult) -> list[tuple[dict[str, Any], str, str, str]]:
     """Of each joint that is unlike those before it: itself, colour, line, and the hinges that it stands for."""
     found: list[tuple[dict[str, Any], str, str, list[str]]] = []
     branches: tuple[tuple[BranchName, str], ...] = (("positive", "-"), ("negative", "--"))
     for branch, dash in branches:
-        for place, interface in enumerate(joints.of_branch(mechanism, branch)):
-            like = next((hinges for other, _, _, hinges in found if alike(interface, other)), None)
+        for place, interface in enumerate(joints.joints_of_branch(mechanism, branch)):
+            like = next((hinges for other, _, _, hinges in found if are_alike(interface, other)), None)
             if like is None:
                 found.append((interface, COLOURS[place % len(COLOURS)], dash, [interface["hinge"]]))
             else:
@@ -65,19 +65,19 @@ def lines(mechanism: MechanismResult) -> list[tuple[dict[str, Any], str, str, st
     return [(interface, colour, dash, ", ".join(hinges)) for interface, colour, dash, hinges in found]
 
 
-def alike(one: dict[str, Any], other: dict[str, Any]) -> bool:
+def are_alike(one: dict[str, Any], other: dict[str, Any]) -> bool:
     """Whether two joints have the same curves, to the eye."""
-    return all(_same(one["curve"], other["curve"], key) for key, _, _ in _PANELS)
+    return all(_same_curve(one["curve"], other["curve"], key) for key, _, _ in _PANELS)
 
 
-def _same(one: dict[str, Any], other: dict[str, Any], key: str) -> bool:
+def _same_curve(one: dict[str, Any], other: dict[str, Any], key: str) -> bool:
     values = np.asarray(one[key])
     between = np.interp(one["mechanism_rotation_rad"], other["mechanism_rotation_rad"], other[key])
     return bool(np.abs(values - between).max() <= LEAST * np.abs(values).max())
 
 
 def _strength(axes: Axes, mechanism: MechanismResult) -> None:
-    for strength in sorted({found["strength_pa"] for found in joints.yielding(mechanism)} - {None}):
+    for strength in sorted({found["strength_pa"] for found in joints.deformable_joints(mechanism)} - {None}):
         axes.axhline(strength / 1e6, color=MUTED, linewidth=0.8, linestyle=":")
         axes.annotate(
             "strength", (1.0, strength / 1e6), xycoords=axes.get_yaxis_transform(), ha="right", va="bottom", color=MUTED

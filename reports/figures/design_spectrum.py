@@ -5,8 +5,8 @@ from __future__ import annotations
 from matplotlib.figure import Figure
 
 from assess.results import SpectrumResult
-from reports.spectrum_parameters import corners
-from reports.style import INK, MUTED, label, sheet, styled
+from reports.figures.style import INK, MUTED, label, report_style, sheet
+from reports.language.spectrum_parameters import corners
 
 LONGEST = 4.0  # s: of the period axis, as far as most codes give their spectra
 
@@ -14,7 +14,7 @@ LONGEST = 4.0  # s: of the period axis, as far as most codes give their spectra
 def draw(spectrum: SpectrumResult) -> Figure:
     """Pseudo-acceleration [g] over period [s], with the corner periods marked."""
     end = min(LONGEST, max(spectrum.period_s))
-    with styled():
+    with report_style():
         figure = sheet(3.3)
         axes = figure.subplots()
         for corner in corners(spectrum.parameters):

@@ -7,7 +7,7 @@ from matplotlib.figure import Figure
 from matplotlib.projections.polar import PolarAxes
 
 from assess.results import DirectionSweep
-from reports.style import FAIL, sheet, styled
+from reports.figures.style import FAIL, report_style, sheet
 
 
 def draw(found: DirectionSweep) -> Figure:
@@ -15,7 +15,7 @@ def draw(found: DirectionSweep) -> Figure:
     angle = np.radians([*found.angle_deg, found.angle_deg[0]])
     multiplier = [*found.uplift_multiplier, found.uplift_multiplier[0]]
     least = min(found.uplift_multiplier)
-    with styled():
+    with report_style():
         figure = sheet(3.1, width=3.6)
         axes = figure.add_subplot(projection="polar")
         assert isinstance(axes, PolarAxes)

@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import FormatStrFormatter, LogLocator, NullLocator
 
 from assess.results import CriticalResult, EnvelopeResult, RecordResult
-from reports.style import FAIL, GRID, INK, MUTED, label, sheet, styled
+from reports.figures.style import FAIL, GRID, INK, MUTED, label, report_style, sheet
 from spectra.arrays import FloatArray
 
 ROCKS, FALLS = "#e7edf3", "#f2c1ad"
@@ -27,7 +27,7 @@ MOST_NAMES = 36
 def draw(one: EnvelopeResult, records: Sequence[RecordResult]) -> Figure:
     """Outcome of pulses [g] over frequency [Hz]: white at rest, grey rocking, red overturned; dots: primary pulses."""
     frequency, amplitude = np.array(one.frequency_hz), np.array(one.amplitude_g)
-    with styled():
+    with report_style():
         figure = sheet(3.1)
         axes = figure.subplots()
         top = float(amplitude[-1])
@@ -82,7 +82,7 @@ def bounds(mapped: Sequence[tuple[str, EnvelopeResult]], critical: CriticalResul
     """
     frequency = np.array(critical.frequency_hz)
     pens = {name: (COLOURS[k % 9], DASHES[k // 9 % 4]) for k, (name, _) in enumerate(mapped[:MOST_NAMES])}
-    with styled():
+    with report_style():
         figure = sheet(3.9)
         axes, band = figure.subplots(2, 1, sharex=True, height_ratios=(14, 1))
         for name, one in mapped:

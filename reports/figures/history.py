@@ -7,14 +7,14 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from assess.results import HistoryResult, MechanismResult, Trace
-from reports.style import FAIL, INK, MUTED, sheet, styled
+from reports.figures.style import FAIL, INK, MUTED, report_style, sheet
 
 _LIMIT = 1.3  # of the rotation axis [-]
 
 
 def draw(mechanism: MechanismResult, history: HistoryResult, trace: Trace, allowable: float | None) -> Figure:
     """Acceleration [g], also at the base where amplified, and rotation / phi_ov [-] over time [s], with its limits."""
-    with styled():
+    with report_style():
         figure = sheet(3.4)
         ground, rotation = figure.subplots(2, 1, sharex=True, height_ratios=(1, 1.5))
         _motion(ground, trace)

@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 
 from assess.results import MechanismResult
 from reports import joints
-from reports.style import MUTED, label, sheet, styled
+from reports.figures.style import MUTED, label, report_style, sheet
 from spectra.arrays import FloatArray
 
 FIXED, OWN = "#0072b2", "#c1121f"
@@ -20,7 +20,7 @@ def draw(mechanism: MechanismResult) -> Figure:
     rest, own, simpler = mechanism.oscillator.equilibrium_rad, mechanism.curve.positive, mechanism.interface_curves
     largest = max(own.restoring_n_m if simpler is None else simpler.rigid.restoring_n_m)
     rotation, moment = np.asarray(own.rotation_rad) + rest, np.asarray(own.restoring_n_m) / largest
-    with styled():
+    with report_style():
         figure = sheet(2.9)
         axes = figure.subplots()
         if simpler is not None:
@@ -29,7 +29,7 @@ def draw(mechanism: MechanismResult) -> Figure:
                 (simpler.fixed_hinges, FIXED, "--", "hinges fixed at a_SF"),
             ):
                 axes.plot(one.rotation_rad, np.asarray(one.restoring_n_m) / largest, dash, color=colour, label=name)
-        axes.plot(rotation, moment, color=OWN, label=label(f"its joints: {joints.model(mechanism)}"))
+        axes.plot(rotation, moment, color=OWN, label=label(f"its joints: {joints.model_name(mechanism)}"))
         axes.axhline(0.0, color=MUTED, linewidth=0.7)
         _marks(axes, mechanism, rotation, moment)
         axes.set(xlabel="rotation φ [rad]", ylabel="moment / largest rigid moment [-]")
@@ -54,8 +54,8 @@ def places(
 ) -> list[tuple[float, float, list[str]]]:
     """Rotation [rad] and moment [-] at which joints of the positive branch open or crush, with the hinges of each."""
     found: list[tuple[float, float, list[str]]] = []
-    for interface in joints.of_branch(mechanism, "positive"):
-        at = joints.rotation_when(interface, key)
+    for interface in joints.joints_of_branch(mechanism, "positive"):
+        at = joints.event_rotation(interface, key)
         if at is None:
             continue
         height = float(np.interp(at, rotation, moment))

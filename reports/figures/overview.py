@@ -9,8 +9,8 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Polygon
 
 from assess.results import Drawing, MechanismResult, Point
-from reports.style import BLOCKS, FIXED, POSITIVE, STONE_EDGE, WIDTH, bare_sheet, folded, styled
-from reports.tables import name_of
+from reports.figures.style import BLOCKS, FIXED, POSITIVE, STONE_EDGE, WIDTH, bare_sheet, fold, report_style
+from reports.mechanism_title import mechanism_title
 
 MOST = 24  # mechanisms in one figure
 COLUMNS = 6
@@ -29,7 +29,7 @@ def draw(mechanisms: tuple[MechanismResult, ...]) -> Figure:
     tall = max(high - low for _, (low, high) in spans) * 1.06
     scale = min(wide_panel / wide, min(TALLEST, HIGHEST / rows - NAME) / tall)
     high_panel = max(LOWEST, tall * scale)
-    with styled():
+    with report_style():
         figure = bare_sheet(rows * (high_panel + NAME) + 0.1)
         for place, (mechanism, span) in enumerate(zip(mechanisms, spans, strict=True)):
             row, column = divmod(place, columns)
@@ -64,7 +64,7 @@ def _panel(
     for hinge in drawing.hinges:
         if not hinge.name.endswith("'"):
             axes.plot(*hinge.at, marker="o", markersize=2.6, color=POSITIVE, markerfacecolor="white", clip_on=False)
-    axes.set_title(folded(name_of(mechanism), width=22), fontsize=6.4, loc="center", pad=3)
+    axes.set_title(fold(mechanism_title(mechanism), width=22), fontsize=6.4, loc="center", pad=3)
     axes.set_xticks([])
     axes.grid(visible=False)
     axes.tick_params(labelsize=5.8)

@@ -9,19 +9,19 @@ from matplotlib.figure import Figure
 
 from assess.codes.check import Check
 from assess.results import HistoryResult, MechanismResult
-from reports.governing import named
-from reports.style import FAIL, INK, MUTED, pen, sheet, styled
+from reports.figures.style import FAIL, INK, MUTED, pen, report_style, sheet
+from reports.governing import procedure_label
 
 OVERTURNED = 1.06  # where a record that overturned is drawn [-]
 
 
 def draw(mechanism: MechanismResult) -> Figure:
     """phi / phi_ov [-] over PGA [g]: a curve per procedure, its allowable, the levels, and every record's maximum."""
-    with styled():
+    with report_style():
         figure = sheet(3.7)
         axes = figure.subplots()
         for check in one_per_procedure(mechanism.checks):
-            _procedure(axes, check, named(check, mechanism.checks))
+            _procedure(axes, check, procedure_label(check, mechanism.checks))
         _histories(axes, mechanism.histories)
         levels = sorted({check.level_pga_g for check in mechanism.checks})
         _levels(axes, levels)

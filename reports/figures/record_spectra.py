@@ -11,13 +11,13 @@ from numpy.typing import NDArray
 
 from assess.results import GroundMotionResult, RecordResult
 from reports.figures.spectrum import COLOURS, NAMED
+from reports.figures.style import INK, MUTED, legend_above, record_label, report_style, sheet
 from reports.figures.suite import SHORTEST, means
-from reports.style import INK, MUTED, legend_above, record_label, sheet, styled
 
 
 def draw(names: Sequence[str], period: NDArray[np.float64], ordinates: NDArray[np.float64]) -> Figure:
     """Pseudo-acceleration [n, k] [g] over period [k] [s], logarithmic; more than seven records alike, without names."""
-    with styled():
+    with report_style():
         figure = sheet(3.3)
         axes = figure.subplots()
         _lines(axes, names, period, ordinates)
@@ -30,7 +30,7 @@ def beside_target(motion: GroundMotionResult, records: Sequence[RecordResult]) -
     period = np.array(motion.period_s)
     shown = period >= SHORTEST
     ordinates = np.array([record.spectrum.acceleration_g for record in records])
-    with styled():
+    with report_style():
         figure = sheet(6.0)
         above, below = figure.subplots(2, 1, sharex=True)
         _lines(above, [record.id for record in records], period[shown], ordinates[:, shown])
@@ -43,8 +43,8 @@ def beside_target(motion: GroundMotionResult, records: Sequence[RecordResult]) -
 def _lines(axes: Axes, names: Sequence[str], period: NDArray[np.float64], ordinates: NDArray[np.float64]) -> None:
     named = len(names) <= NAMED
     for place, (name, of) in enumerate(zip(names, ordinates, strict=True)):
-        said = record_label(name, 24) if named else (f"{len(names)} records" if place == 0 else "_")
-        axes.plot(period, of, color=COLOURS[place] if named else MUTED, linewidth=0.8, alpha=0.8, label=said)
+        name_shown = record_label(name, 24) if named else (f"{len(names)} records" if place == 0 else "_")
+        axes.plot(period, of, color=COLOURS[place] if named else MUTED, linewidth=0.8, alpha=0.8, label=name_shown)
 
 
 def _dress(axes: Axes, longest: float) -> None:

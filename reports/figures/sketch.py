@@ -15,8 +15,8 @@ from matplotlib.patches import Polygon
 from matplotlib.ticker import MaxNLocator
 
 from assess.results import Displaced, Drawing, DrawnLoad, MechanismResult, NamedPoint, Point
-from reports.labels import Label, write
-from reports.style import (
+from reports.figures.labels import Label, write
+from reports.figures.style import (
     BLOCKS,
     FIXED,
     INK,
@@ -28,7 +28,7 @@ from reports.style import (
     WIDTH,
     bare_sheet,
     label,
-    styled,
+    report_style,
 )
 
 INCH = 72.0  # pt
@@ -67,40 +67,40 @@ def draw(mechanism: MechanismResult) -> Figure:
     drawing = mechanism.drawing
     turned = [each for each in (drawing.displaced, drawing.displaced_negative) if each is not None]
     count = 1 + len(turned)
-    window = shown(drawing)
-    layout = arranged(count, window.size)
+    window = common_window(drawing)
+    layout = arrange_panels(count, window.size)
     rows = ceil(count / layout.columns)
-    with styled():
+    with report_style():
         figure = bare_sheet(rows * (layout.panel[1] + BOTTOM + TOP))
-        panels = [panel(figure, place, layout, rows, window) for place in range(count)]
+        panels = [add_panel(figure, place, layout, rows, window) for place in range(count)]
         _at_rest(panels[0], drawing, window, layout)
         for axes, displaced, colour in zip(panels[1:], turned, (POSITIVE, NEGATIVE), strict=False):
             _turned(axes, drawing, displaced, colour, window, layout)
         return figure
 
 
-def shown(drawing: Drawing) -> Window:
+def common_window(drawing: Drawing) -> Window:
     """The window that holds the mechanism at rest and displaced, the masonry beside it, and room for names."""
     scenes = [each for each in (drawing, drawing.displaced, drawing.displaced_negative) if each is not None]
-    points = np.array([point for scene in scenes for point in corners(scene)])
+    points = np.array([point for scene in scenes for point in drawn_points(scene)])
     arrow = ARROW * float(np.ptp(points, axis=0).max())
     ends = [end for scene in scenes for load in scene.loads for end in arrow_ends(load, arrow)]
     points = np.concatenate([points, np.array(ends).reshape(-1, 2)])
     size = float(np.ptp(points, axis=0).max())
     (left, low), (right, high) = points.min(axis=0).tolist(), points.max(axis=0).tolist()
-    beside = [x for ring in drawing.fixed for x in level_with(ring, low, high)]
+    beside = [x for ring in drawing.fixed for x in extent_between(ring, low, high)]
     left = max(min([left, *beside]), left - BESIDE * size)
     right = min(max([right, *beside]), right + BESIDE * size)
     return Window((left - 0.1 * size, low - 0.09 * size), (right + 0.1 * size, high + 0.06 * size), arrow)
 
 
-def level_with(ring: Sequence[Point], low: float, high: float) -> tuple[float, ...]:
+def extent_between(ring: Sequence[Point], low: float, high: float) -> tuple[float, ...]:
     """How far [m] a ring reaches to both sides between two elevations [m]; nothing where it does not."""
     part = shapely.intersection(shapely.Polygon(ring), shapely.box(-1e9, low, 1e9, high))
     return () if part.is_empty else (part.bounds[0], part.bounds[2])
 
 
-def corners(scene: Drawing | Displaced) -> Iterator[Point]:
+def drawn_points(scene: Drawing | Displaced) -> Iterator[Point]:
     """Every point that is drawn, but for arrows."""
     yield from (point for ring in scene.blocks for point in ring)
     yield from (hinge.at for hinge in scene.hinges)
@@ -118,7 +118,7 @@ def arrow_ends(load: DrawnLoad, length: float) -> tuple[Point, ...]:
     return (far, load.at) if load.kind == "force" else (load.at, far)
 
 
-def arranged(count: int, size: tuple[float, float]) -> Layout:
+def arrange_panels(count: int, size: tuple[float, float]) -> Layout:
     """The number of columns in which `count` panels of a window's size [m] are drawn largest."""
     wide, high = size
     made = []
@@ -131,7 +131,7 @@ def arranged(count: int, size: tuple[float, float]) -> Layout:
     return max(made, key=lambda layout: layout.scale)
 
 
-def panel(figure: Figure, place: int, layout: Layout, rows: int, window: Window) -> Axes:
+def add_panel(figure: Figure, place: int, layout: Layout, rows: int, window: Window) -> Axes:
     """The axes of one panel: equal scale, in metres."""
     wide, high = layout.panel
     row, column = divmod(place, layout.columns)
@@ -159,7 +159,7 @@ def _at_rest(axes: Axes, drawing: Drawing, window: Window, layout: Layout) -> No
     if len(drawing.centroids) > 1:
         axes.plot(*drawing.centroid, marker="x", markersize=5, markeredgewidth=1.2, color=INK)
     _loads(axes, drawing.loads, window)
-    for hinge, colour in coloured(drawing):
+    for hinge, colour in hinges_with_colour(drawing):
         _hinge(axes, hinge, colour)
     _direction(axes, layout)
     shafts = [end for load in drawing.loads for end in shaft(arrow_ends(load, window.arrow))]
@@ -167,7 +167,7 @@ def _at_rest(axes: Axes, drawing: Drawing, window: Window, layout: Layout) -> No
     write(axes, _labels(axes, names(drawing, window), layout), window=_points(layout), drawn=drawn)
 
 
-def coloured(drawing: Drawing) -> list[tuple[NamedPoint, str]]:
+def hinges_with_colour(drawing: Drawing) -> list[tuple[NamedPoint, str]]:
     """The hinges with the colour of their branch."""
     count = len(drawing.displaced.hinges)
     colours = [POSITIVE] * count + [NEGATIVE] * (len(drawing.hinges) - count)
@@ -176,7 +176,7 @@ def coloured(drawing: Drawing) -> list[tuple[NamedPoint, str]]:
 
 def names(drawing: Drawing, window: Window) -> list[tuple[Point, str, str]]:
     """What is named at rest, where, and in which colour: hinges, centroids, loads (an arrow at its free end)."""
-    made = [(hinge.at, label(hinge.name, 14), colour) for hinge, colour in coloured(drawing)]
+    made = [(hinge.at, label(hinge.name, 14), colour) for hinge, colour in hinges_with_colour(drawing)]
     if len(drawing.centroids) > 1:
         made += [(at, f"G{place}", INK) for place, at in enumerate(drawing.centroids, start=1)]
     made.append((drawing.centroid, "G", INK))

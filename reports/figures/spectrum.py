@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from assess.results import RecordResult, SpectrumResult
-from reports.style import FAIL, INK, MUTED, record_label, sheet, styled
+from reports.figures.style import FAIL, INK, MUTED, record_label, report_style, sheet
 
 LONGEST = 5.0  # end of the axis of periods [s]; results.json has more
 NAMED = 7  # more records than this are drawn alike, without names
@@ -16,7 +16,7 @@ COLOURS = ("#0072b2", "#e69f00", "#009e73", "#cc79a7", "#56b4e9", "#d55e00", "#6
 
 def draw(target: SpectrumResult, records: tuple[RecordResult, ...]) -> Figure:
     """Pseudo-acceleration [g] over period [s]: target, each record as scaled, and the records' geometric mean."""
-    with styled():
+    with report_style():
         figure = sheet(3.3)
         axes = figure.subplots()
         _records(axes, records)

@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from assess.results import GroundMotionResult
-from reports.style import FAIL, GRID, INK, MUTED, legend_above, sheet, styled
+from reports.figures.style import FAIL, GRID, INK, MUTED, legend_above, report_style, sheet
 
 BELOW, ABOVE = 0.9, 1.3  # of the target
 SHORTEST = 0.02  # s
@@ -16,7 +16,7 @@ MEAN = "#0072b2"
 
 def draw(motion: GroundMotionResult) -> Figure:
     """Pseudo-acceleration [g] over period [s], logarithmic: target, means, and limits over the range fitted."""
-    with styled():
+    with report_style():
         figure = sheet(3.0)
         means(figure.subplots(), motion)
         return figure

@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
 from assess.results import SweepResult
-from reports.style import FAIL, label, sheet, styled
+from reports.figures.style import FAIL, label, report_style, sheet
 
 Values = Sequence[float | None]
 
@@ -17,7 +17,7 @@ Values = Sequence[float | None]
 def draw(sweep: SweepResult) -> Figure:
     """What changes over the values, a panel for each quantity that is known of any case."""
     shown = panels(sweep)
-    with styled():
+    with report_style():
         figure = sheet(2.3)
         for axes, (values, name) in zip(figure.subplots(1, len(shown), squeeze=False)[0], shown, strict=True):
             _curve(axes, sweep, values)

@@ -11,7 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
-from reports.style import FAIL, INK, folded, label, sheet, styled
+from reports.figures.style import FAIL, INK, fold, label, report_style, sheet
 
 LOW, HIGH = "#56b4e9", "#d55e00"  # the number at its low and at its high value
 MARGIN = 0.12  # of what is shown, beside the ends of the bars
@@ -26,13 +26,13 @@ class Bar:
     """One number: the two lines that stand beside it, and the answer at its low and its high value.
 
     low, high : infinite where the body overturns, None where nothing is known
-    said : in a word, what the verdict turns to at the low and at the high value; empty where it stays
+    verdicts : new verdict at the low and at the high value, in a word; empty where it does not change
     """
 
     lines: tuple[str, str]
     low: float | None
     high: float | None
-    said: tuple[str, str] = ("", "")
+    verdicts: tuple[str, str] = ("", "")
 
 
 @dataclass(frozen=True)
@@ -51,7 +51,7 @@ class Panel:
 def draw(panels: Sequence[Panel]) -> Figure:
     """A panel for each answer; all have the rows of the first."""
     rows = panels[0].bars
-    with styled():
+    with report_style():
         figure = sheet(1.1 + LINE * len(rows))
         beside = figure.subplots(1, len(panels), squeeze=False, sharey=True)[0]
         for axes, panel in zip(beside, panels, strict=True):
@@ -69,22 +69,24 @@ def _panel(axes: Axes, panel: Panel) -> None:
     low, high = span([value for value in (*ends, panel.base, limit) if _is_drawn(value)])
     axes.set_xlim(low, high)
     for row, bar in enumerate(panel.bars):
-        for value, colour, side, said in zip((bar.low, bar.high), (LOW, HIGH), (-0.5, 0.5), bar.said, strict=True):
+        for value, colour, side, verdict in zip(
+            (bar.low, bar.high), (LOW, HIGH), (-0.5, 0.5), bar.verdicts, strict=True
+        ):
             if value is not None and panel.base is not None:
-                _half(axes, panel.base, value, height=row + side * HALF, colour=colour, said=said)
+                _half(axes, panel.base, value, height=row + side * HALF, colour=colour, verdict=verdict)
     if _is_drawn(panel.base):
         axes.axvline(panel.base, color=INK, linewidth=0.9)
     if panel.limit is not None:
         at, name = panel.limit
         axes.axvline(at, color=FAIL, linewidth=1.1, linestyle="--")
         axes.text(at, 1.01, name, transform=axes.get_xaxis_transform(), ha="center", fontsize=6.5, color=FAIL)
-    axes.set_xlabel("\n".join(folded(line, width=26) for line in panel.name))
+    axes.set_xlabel("\n".join(fold(line, width=26) for line in panel.name))
     axes.xaxis.set_major_locator(MaxNLocator(4, steps=[1, 2, 2.5, 5, 10]))
     axes.grid(visible=False, axis="y")
     axes.tick_params(axis="y", length=0)
 
 
-def _half(axes: Axes, base: float, value: float, *, height: float, colour: str, said: str) -> None:
+def _half(axes: Axes, base: float, value: float, *, height: float, colour: str, verdict: str) -> None:
     """From the answer as assessed to the one at a low or high value; an arrow at the edge where the body overturns."""
     low, high = axes.get_xlim()
     start, end = min(base, high), min(value, high)
@@ -95,7 +97,7 @@ def _half(axes: Axes, base: float, value: float, *, height: float, colour: str, 
     aside = 3 if end >= start else -3
     side: Literal["left", "right"] = "left" if aside > 0 else "right"
     at = (start if inside else end, height)
-    axes.annotate(said, at, (aside, -0.3), textcoords="offset points", fontsize=6.3, ha=side, va="center", color=INK)
+    axes.annotate(verdict, at, (aside, -0.3), textcoords="offset points", fontsize=6.3, ha=side, va="center", color=INK)
 
 
 def _is_drawn(value: float | None) -> TypeGuard[float]:

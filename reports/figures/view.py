@@ -14,8 +14,19 @@ from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 
 from assess.results import View
-from reports.faces import Faces, drawn_edges, farthest_first, front
-from reports.style import BLOCKS, FIXED, INK, NEGATIVE, POSITIVE, STONE_EDGE, WIDTH, bare_sheet, label, styled
+from reports.figures.faces import Faces, front_faces, painting_order, visible_edges
+from reports.figures.style import (
+    BLOCKS,
+    FIXED,
+    INK,
+    NEGATIVE,
+    POSITIVE,
+    STONE_EDGE,
+    WIDTH,
+    bare_sheet,
+    label,
+    report_style,
+)
 from spectra.arrays import BoolArray, FloatArray
 
 INCH = 72.0  # pt
@@ -47,10 +58,10 @@ def draw(view: View, positive: int) -> Figure:
     """The bodies, the axes of rotation (the first `positive` of them of the positive branch), sections, direction."""
     vertices = np.array(view.vertices)
     size = float(max(view.size))
-    lines = [extended(np.array(axis.ends), BEYOND * size) for axis in view.axes]
-    arrow = direction(vertices, np.array(view.direction), size)
-    camera, (wide, high) = framed(np.array(view.direction), [vertices, arrow, *lines])
-    with styled():
+    lines = [extend_line(np.array(axis.ends), BEYOND * size) for axis in view.axes]
+    arrow = direction_arrow(vertices, np.array(view.direction), size)
+    camera, (wide, high) = fit_camera(np.array(view.direction), [vertices, arrow, *lines])
+    with report_style():
         figure = bare_sheet(high)
         axes = figure.add_axes((0.5 * (1.0 - wide / WIDTH), 0.0, wide / WIDTH, 1.0))
         axes.set(xlim=(0.0, wide * INCH), ylim=(0.0, high * INCH))
@@ -64,7 +75,7 @@ def draw(view: View, positive: int) -> Figure:
         return figure
 
 
-def framed(direction: FloatArray, sets: Sequence[FloatArray]) -> tuple[Camera, tuple[float, float]]:
+def fit_camera(direction: FloatArray, sets: Sequence[FloatArray]) -> tuple[Camera, tuple[float, float]]:
     """The camera that shows all points of the sets as large as the picture may be, and the picture's size [in]."""
     along, up = direction, np.array([0.0, 0.0, 1.0])
     across = np.array([-along[1], along[0], 0.0])
@@ -80,14 +91,14 @@ def framed(direction: FloatArray, sets: Sequence[FloatArray]) -> tuple[Camera, t
     return Camera(frame, low - np.array([margin + triad, margin]) / scale, scale), (float(wide) + triad, float(tall))
 
 
-def extended(ends: FloatArray, length: float) -> FloatArray:
+def extend_line(ends: FloatArray, length: float) -> FloatArray:
     """A line by its ends [2, 3], made longer by a length [m] at both."""
     way = ends[1] - ends[0]
     step = way * length / (float(np.linalg.norm(way)) or 1.0)
     return np.array([ends[0] - step, ends[1] + step])
 
 
-def direction(vertices: FloatArray, along: FloatArray, size: float) -> FloatArray:
+def direction_arrow(vertices: FloatArray, along: FloatArray, size: float) -> FloatArray:
     """The ends [2, 3] of the arrow along the direction of motion, out of the leading face."""
     low, high = vertices.min(axis=0), vertices.max(axis=0)
     middle = 0.5 * (low + high)
@@ -100,17 +111,17 @@ def _bodies(axes: Axes, view: View, camera: Camera) -> None:
     """The faces that look at the eye, farthest first, each with the edges that belong to it."""
     vertices, triangles = np.array(view.vertices), np.array(view.triangles)
     sharp = SHARP if len(triangles) == view.given else SHARP_IN_SCANS
-    edges = drawn_edges(vertices, triangles, eye=camera.frame[2], sharp=sharp)
+    edges = visible_edges(vertices, triangles, eye=camera.frame[2], sharp=sharp)
     every = Faces(vertices[triangles], edges, np.array(view.block_of))
-    faces = front(every, camera.frame[2])
+    faces = front_faces(every, camera.frame[2])
     seen = camera.seen(faces.corners.reshape(-1, 3))[:, :2].reshape(-1, 3, 2)
-    order = farthest_first(faces.corners @ camera.frame.T)
-    shapes, inks = painted(seen[order], faces.edges[order], shaded(faces, camera)[order])
+    order = painting_order(faces.corners @ camera.frame.T)
+    shapes, inks = paint_faces(seen[order], faces.edges[order], shade_faces(faces, camera)[order])
     faced = PolyCollection(cast("Any", shapes), facecolors=inks, edgecolors=inks, linewidths=LINE, joinstyle="round")
     axes.add_collection(faced, autolim=False)
 
 
-def painted(corners: FloatArray, drawn: BoolArray, colours: FloatArray) -> tuple[FloatArray, FloatArray]:
+def paint_faces(corners: FloatArray, drawn: BoolArray, colours: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Triangles [k, 3, 2] and their colours [k, 3]: each face, then its drawn edges as triangles without area.
 
     Shapes of equal length in one array are what matplotlib makes paths of fastest.
@@ -123,7 +134,7 @@ def painted(corners: FloatArray, drawn: BoolArray, colours: FloatArray) -> tuple
     return shapes[there], np.concatenate([colours[:, None], inks], axis=1)[there]
 
 
-def shaded(faces: Faces, camera: Camera) -> FloatArray:
+def shade_faces(faces: Faces, camera: Camera) -> FloatArray:
     """The colour [m, 3] of each face: of its block, darker the less it looks to the light."""
     light = np.array(LIGHT) / np.linalg.norm(LIGHT) @ camera.frame
     bright = DARKEST + (1.0 - DARKEST) * np.clip(faces.normals @ light, 0.0, 1.0)
@@ -142,11 +153,11 @@ def _axes(axes: Axes, view: View, camera: Camera, lines: Sequence[FloatArray], p
         axes.plot(*seen[:, :2].T, color=colour, linestyle=dash, linewidth=1.5)
         out = (near - far) / (float(np.linalg.norm(near - far)) or 1.0)
         name = label(axis.name, 14)
-        named.append(freed(near + (5.0 + 2.0 * len(name)) * out, named))
+        named.append(avoid_names(near + (5.0 + 2.0 * len(name)) * out, named))
         axes.annotate(name, tuple(named[-1]), ha="center", va="center", color=colour, fontsize=7.5)
 
 
-def freed(at: FloatArray, taken: Sequence[FloatArray]) -> FloatArray:
+def avoid_names(at: FloatArray, taken: Sequence[FloatArray]) -> FloatArray:
     """The place of a name [pt], lowered where one of those taken is too near to read both."""
     while any((np.abs(at - other) < NAME).all() for other in taken):
         at = at - np.array([0.0, 1.0])

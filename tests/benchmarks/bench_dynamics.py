@@ -20,7 +20,7 @@ for in up to 300 amplitudes, 1 % apart; a coarser scan would step over thin band
 
 All cores: batches of jobs and envelopes, in seconds. A batch of a tenth of the jobs is scaled, and says so. The error
 stands beside the speed: of the linearised equation and the block against scipy's DOP853 at rtol 3e-14; of tables
-against the same table at a tolerance of 1e-15; of envelopes against `assess.dynamics.sine.branches`.
+against the same table at a tolerance of 1e-15; of envelopes against `assess.dynamics.sine_branches`.
 """
 
 from __future__ import annotations
@@ -43,10 +43,11 @@ from scipy.integrate import solve_ivp
 from assess.dynamics.critical import critical
 from assess.dynamics.envelope import envelope
 from assess.dynamics.history import _RUNS, Jobs, Peaks, peaks, product
-from assess.dynamics.kernel import FOUND, REST
+from assess.dynamics.kernel.columns import FOUND
+from assess.dynamics.kernel.events import REST
 from assess.dynamics.packing import Equation, packed
-from assess.dynamics.sine.branches import least
-from assess.geometry.planar import planar_direct
+from assess.dynamics.sine_branches import least
+from assess.geometry.planar import planar_body_from_values
 from assess.interfaces.law import Law
 from assess.interfaces.shapes import rectangle
 from assess.mechanisms.assembly import on_joints
@@ -208,7 +209,7 @@ def steps_and_scipy(equation: Equation, target: str) -> list[Row]:
 def wall(stiffness: float) -> Oscillator:
     """6 m high, 1 m thick, on a joint of this stiffness [Pa/m] that crushes at 1.5 MPa."""
     mass, joint = 21600.0, Joint((-1.0, 0.0), rectangle(1.0, 2.0), Law(stiffness, 1.5e6), "flexible")
-    body = planar_direct(mass=mass, centroid=(0.0, 3.0), inertia=mass * 37 / 12, name="wall")
+    body = planar_body_from_values(mass=mass, centroid=(0.0, 3.0), inertia=mass * 37 / 12, name="wall")
     rigid = single_block("w", body, hinge=(0.5, 0.0), hinge_negative=(-0.5, 0.0))
     return oscillator(on_joints(rigid, (joint,), (joint,), restitution=(0.9, 0.9)))
 

@@ -16,7 +16,7 @@ import numpy as np
 import trimesh
 
 from assess.geometry.mesh import load
-from assess.geometry.planar import planar
+from assess.geometry.planar import planar_body
 from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block
 
@@ -75,7 +75,7 @@ def row(kind: str, make: Callable[[int], Grid], count: int, file: Path) -> str:
         times = [time.perf_counter()]
         solid = load(file, density=2000.0, name=kind)
         times.append(time.perf_counter())
-        body = planar(solid, direction=[0.8, 0.6, 0.0])
+        body = planar_body(solid, direction=[0.8, 0.6, 0.0])
         times.append(time.perf_counter())
         oscillator(single_block(kind, body))
         times.append(time.perf_counter())

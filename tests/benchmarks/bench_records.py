@@ -36,9 +36,9 @@ from scipy.signal import cont2discrete, lfilter
 
 from records.band import band
 from records.candidates import PERIODS, Candidate
-from records.catalogue import NAME, candidates, opened
+from records.catalogue import NAME, candidates, open_catalogue
 from records.indexing import index
-from records.reading import read
+from records.reading import read_records
 from records.record import Record, make_record
 from records.response import response_spectrum
 from records.rotation import rotd_spectrum
@@ -56,7 +56,7 @@ Spectrum = Callable[[Record], np.ndarray]
 def motions() -> list[Record]:
     """With a sample of zero put at both ends, so that no program has to choose what comes before and after."""
     files = [REAL / f"{name}.AT2" for name in NAMES]
-    found = [read(file)[0] for file in files] if all(file.is_file() for file in files) else [violent()]
+    found = [read_records(file)[0] for file in files] if all(file.is_file() for file in files) else [violent()]
     return [make_record(record.id, np.pad(record.acceleration, 1), record.dt) for record in found]
 
 
@@ -165,7 +165,7 @@ def catalogue(count: int = 1000, npts: int = 4000) -> list[Row]:
         for number in range(count):
             record = make_record(str(number), g * 0.1 * rng.standard_normal(npts), 0.005, event="noise", component="0")
             (folder / f"{number}.AT2").write_text(at2_text(record), encoding="utf-8")
-        with opened(folder / NAME) as connection:
+        with open_catalogue(folder / NAME) as connection:
             marks = [time.perf_counter()]
             for _ in range(2):
                 index(folder, connection)

@@ -11,7 +11,7 @@ from pypdf import PdfReader
 
 from assess import cli
 from assess.results import json as results_io
-from records.reading import read
+from records.reading import read_records
 from records.response import response_spectrum
 
 PROJECT = """
@@ -90,7 +90,7 @@ def report(outputs) -> str:
 
 
 def test_the_factors_are_those_of_the_formulas(outputs, found):
-    (record,) = read(outputs.parent / "motion.csv", unit=None)
+    (record,) = read_records(outputs.parent / "motion.csv", unit=None)
     by_3_48 = np.hypot(float(response_spectrum(record, 0.4)) / record.pga * 4.77 / 6.01, 1.0)
     for name, method, factor in (("ground", "none", 1.0), ("srss", "srss", by_3_48), ("code", "nzs1170.5", 1.795)):
         amplification = found[name]["amplification"]

@@ -15,8 +15,9 @@ from openpyxl import load_workbook
 from pypdf import PdfReader
 
 from assess import cli
-from reports.csv import field
-from reports.lettering import printable, visible
+from reports.figures.font import printable
+from reports.language.lettering import visible
+from reports.render.csv import field
 
 FIELDS = ("title", "engineer", "checker", "reference", "client", "date", "notes", "masonry_quality")
 NAMES = ("stone", "wall", "floor", "topple", "label", "source")

@@ -84,11 +84,11 @@ def _run(arguments: list[str], folder: Path) -> Answer:
 
 def _samples(arguments: list[str]) -> tuple[Samples, ...]:
     """What the reader finds in the file that was listed."""
-    from records.reading import read
+    from records.reading import read_records
 
     stated = dict(pairwise(arguments))
     step = stated.get("--step")
-    found = read(Path(arguments[2]), unit=stated.get("--unit"), step=None if step is None else float(step))
+    found = read_records(Path(arguments[2]), unit=stated.get("--unit"), step=None if step is None else float(step))
     return tuple((record.dt, np.array(record.acceleration)) for record in found)
 
 

@@ -88,7 +88,7 @@ def _module(path: str) -> Any:
 
 @cache
 def _mesh_files() -> dict[str, bytes]:
-    plain, trimesh = _module("assess/geometry/test_mesh.py"), _module("assess/geometry/formats/test_by_trimesh.py")
+    plain, trimesh = _module("assess/geometry/test_mesh.py"), _module("assess/geometry/formats/test_gltf.py")
     wall = plain.WALL.vertices, plain.WALL.triangles
     made = {name.lower(): write(*wall) for name, write in plain.WRITERS.items()}
     header, content = trimesh.gltf(*wall, [{"mesh": 0}])

@@ -23,11 +23,11 @@ from tempfile import TemporaryDirectory
 
 import numpy as np
 
-from assess.outputs.folder import staged
+from assess.outputs.folder import output_folder
 from assess.outputs.lock import LOCK
 from assess.outputs.manifest import MANIFEST, RECORDS
-from assess.outputs.settling import settled
-from records.catalogue import candidates, opened
+from assess.outputs.recovery import recover_for_reading
+from records.catalogue import candidates, open_catalogue
 
 STRIKE = Path(__file__).with_name("strike.py")
 SIGNALS = (signal.SIGKILL, signal.SIGKILL, signal.SIGTERM, signal.SIGINT)
@@ -165,12 +165,12 @@ def kill_runs(place: Path, kills: int, dice: random.Random, count: Count) -> Non
         blow = Blow(dice.choice(SIGNALS), aimed, dice.uniform(0.1, 1.1 * seconds))
         code, told, _ = struck(["run", str(projects[1 - now]), "-o", str(out), "--jobs", "2"], out, blow)
         judged(count, "run", blow, code, told)
-        settled(out, tell=lambda _: None)
+        recover_for_reading(out, tell=lambda _: None)
         found = outputs(out)
         if found not in whole:
             count.faults.append(f"run {blow}: neither the old outputs nor the new: {sorted(found)}")
         count.ends[f"run: {'old' if found == whole[now] else 'new'} outputs after it"] += 1
-        with staged(out, command="the study", owner=RECORDS):
+        with output_folder(out, command="the study", owner=RECORDS):
             pass  # a command that writes clears what is left
         if left := [path.name for path in out.iterdir() if path.name.startswith(".assess") and path.name != MANIFEST]:
             count.faults.append(f"run {blow}: left behind: {left}")
@@ -205,7 +205,7 @@ def kill_indexes(place: Path, kills: int, dice: random.Random, count: Count) -> 
 
 def listed(catalogue: Path) -> dict[str, tuple[float, ...]]:
     """The measures and ordinates of every record of a catalogue."""
-    with opened(catalogue) as connection:
+    with open_catalogue(catalogue) as connection:
         return {each.path: (*each.measures.values(), *each.spectrum.tolist()) for each in candidates(connection)}
 
 

@@ -9,12 +9,12 @@ import sys
 from pathlib import Path
 
 from assess.results.json import read
-from reports.untranslated import untranslated
+from reports.missing_translations import missing_sentences
 
 
 def main(language: str, *paths: str) -> None:
     """Print what is missing for the results at `paths`."""
-    missing = dict.fromkeys(text for path in paths for text in untranslated(read(Path(path)), language=language))
+    missing = dict.fromkeys(text for path in paths for text in missing_sentences(read(Path(path)), language=language))
     sys.stdout.writelines(f"{text!r}\n" for text in missing)
 
 

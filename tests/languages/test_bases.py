@@ -5,15 +5,15 @@ from __future__ import annotations
 import pytest
 
 from assess.codes.bases import BASES
-from reports.catalogue import catalogue, languages
-from reports.translation import Speech
+from reports.language.catalogue import catalogue, languages
+from reports.language.translation import Translator
 
 
 @pytest.mark.parametrize("language", languages()[1:])
 @pytest.mark.parametrize("name", BASES)
 def test_rules_clauses_and_reservations_are_known(language: str, name: str) -> None:
-    basis, speech = BASES[name], Speech(catalogue(language), frozenset())
+    basis, translator = BASES[name], Translator(catalogue(language), frozenset())
     states = [state.name for state in basis.states]
     for text in (*states, *(part for pair in basis.clauses for part in pair), *basis.uncompared):
-        speech.said(text)
-    assert not speech.unknown
+        translator.translate(text)
+    assert not translator.unknown

@@ -1,8 +1,8 @@
 """Every message is known in every language: those of `messages.texts` key by key, and the texts that stand within them.
 
 The latter are read out of the functions that make them. A text is a literal of the source with 7 in its gaps;
-`counted(n, "hole")` gives "1 hole" and "7 holes". Literals of what is raised, of `where` it would be, and those of one
-word, are none. What stands only within others is in COMPOSED, with the sentences that it makes.
+`count_noun(n, "hole")` gives "1 hole" and "7 holes". Literals of what is raised, of `where` it would be, and those of
+one word, are none. What stands only within others is in COMPOSED, with the sentences that it makes.
 """
 
 from __future__ import annotations
@@ -19,19 +19,25 @@ import pytest
 
 from assess.geometry.mesh import load
 from assess.messages.texts import TEXTS
-from reports.catalogue import FOLDER, catalogue, languages
-from reports.translation import Speech
+from reports.language.catalogue import FOLDER, catalogue, languages
+from reports.language.translation import Translator
 
 ROOT = Path(__file__).parents[2]
 FILLED = "7"
 MAKERS = ("message", "warning", "note")
 SOURCES: Mapping[str, tuple[str, ...]] = {
-    "assess/geometry/magnitude.py": ("_likely_unit", "suspicious"),
-    "assess/geometry/mesh.py": ("_turned", "_unit"),
-    "assess/geometry/repair.py": ("_filled", "_single", "_split", "_welded", "_wound_alike"),
-    "assess/geometry/shells.py": ("_overlaps_united", "_turned", "_without_flat", "counted_once"),
-    "assess/geometry/sounding.py": ("doubts_of",),
-    "assess/geometry/surface.py": ("moved_by",),
+    "assess/geometry/plausibility.py": ("_likely_unit", "size_warning"),
+    "assess/geometry/mesh.py": ("_axis_warnings", "_resolve_unit"),
+    "assess/geometry/repair.py": (
+        "_drop_double_triangles",
+        "_fill_holes",
+        "_orient_consistently",
+        "_split_edges",
+        "_weld_borders",
+    ),
+    "assess/geometry/shells.py": ("_drop_flat", "_reverse_inverted", "_unite_overlapping", "unify_shells"),
+    "assess/geometry/self_overlap.py": ("self_overlap_warnings",),
+    "assess/geometry/surface.py": ("volume_change_text",),
     "assess/interfaces/contact.py": ("sideways_doubt",),
     "assess/mechanisms/doubts.py": ("across_the_crack", "loose_hinges", "pulling_supports"),
     "assess/mechanisms/equivalent_block.py": ("equivalent_block",),
@@ -50,14 +56,15 @@ SOURCES: Mapping[str, tuple[str, ...]] = {
     "assess/study/sampling.py": ("longest_step",),
     "assess/model/walls.py": ("by_formula", "by_search"),
     "records/flatfile.py": ("_reason",),
-    "records/arrival.py": ("doubt_of_arrival",),
-    "records/formats/agreement.py": ("check_integral", "unlike"),
-    "records/formats/corners.py": ("beyond_nyquist", "doubt_of_filter"),
+    "records/arrival.py": ("arrival_warning",),
+    "records/formats/agreement.py": ("check_integral", "describe_disagreement"),
+    "records/formats/corners.py": ("nyquist_warning", "filter_warning"),
     "records/formats/layout.py": ("check_layout",),
-    "records/plausibility.py": ("_doubt", "_impossible", "_likely", "_of_frequencies", "_of_step", "_of_steps"),
-    "spectra/asce7.py": ("STUDIES_2016", "mapped_spectrum"),
+    "records/plausibility.py": ("_peak_warning", "_impossible", "_likely", "_of_frequencies", "_of_step", "_of_steps"),
+    "spectra/asce7.py": ("mapped_spectrum",),
+    "spectra/asce7_editions.py": ("STUDIES_2016",),
     "spectra/nzs1170_5.py": ("_capped",),
-    "spectra/spectrum.py": ("implausible",),
+    "spectra/spectrum.py": ("plausibility_warnings",),
 }
 """Files with the functions and constants in which texts are written that messages take as they are."""
 
@@ -105,7 +112,7 @@ def texts(node: ast.AST) -> Iterator[str]:
     for child in ast.iter_child_nodes(node):
         if isinstance(child, ast.Raise) or _is_docstring(child) or _is_place(child):
             continue
-        if isinstance(child, ast.Call) and isinstance(child.func, ast.Name) and child.func.id == "counted":
+        if isinstance(child, ast.Call) and isinstance(child.func, ast.Name) and child.func.id == "count_noun":
             noun = ast.literal_eval(child.args[1])
             yield from (f"1 {noun}", f"{FILLED} {noun}s")
         elif (text := _written(child)) is not None:
@@ -160,9 +167,9 @@ def called() -> set[str]:
 
 def unknown(text: str, *, language: str, verbatim: frozenset[str] = frozenset()) -> list[str]:
     """The parts of a text that the catalogue of a language does not know."""
-    speech = Speech(catalogue(language), verbatim)
-    speech.said(text)
-    return list(speech.unknown)
+    translator = Translator(catalogue(language), verbatim)
+    translator.translate(text)
+    return list(translator.unknown)
 
 
 @pytest.mark.parametrize("language", languages()[1:])
@@ -200,10 +207,10 @@ def test_names_that_are_words_of_the_catalogue_are_kept(name: str) -> None:
     text = (
         f'load "{name}": nothing else in the project carries it, so its whole weight is on the block: else give share'
     )
-    speech = Speech(catalogue("it"), frozenset({name}))
-    assert speech.said(text).startswith(f'carico "{name}": nient’altro')
-    assert speech.said(f'share 0.5 (statics; the rest on "{name}", "{name}")').endswith(f'"{name}", "{name}")')
-    assert not speech.unknown
+    translator = Translator(catalogue("it"), frozenset({name}))
+    assert translator.translate(text).startswith(f'carico "{name}": nient’altro')
+    assert translator.translate(f'share 0.5 (statics; the rest on "{name}", "{name}")').endswith(f'"{name}", "{name}")')
+    assert not translator.unknown
 
 
 @pytest.mark.parametrize("language", languages()[1:])

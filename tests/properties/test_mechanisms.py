@@ -11,7 +11,7 @@ from scipy.constants import g
 from scipy.integrate import quad
 
 from assess.dynamics.history import free_rocking
-from assess.geometry.planar import planar_direct, planar_joined
+from assess.geometry.planar import join_planar, planar_body_from_values
 from assess.loads.load import Force, PointMass, Tie, pull_at_rest
 from assess.loads.load import mirrored as mirrored_load
 from assess.mechanisms.arch import hinged, weakest
@@ -58,7 +58,7 @@ class Case:
 
 
 def body_of(block):
-    return planar_direct(mass=block.mass, centroid=block.centroid, inertia=block.inertia, name="b")
+    return planar_body_from_values(mass=block.mass, centroid=block.centroid, inertia=block.inertia, name="b")
 
 
 def rectangle(x, z, width, height, *, density=2000.0):
@@ -275,10 +275,12 @@ def welded(body):
     arms[2] = -(masses[:2] @ arms[:2]) / masses[2]
     left = (J - masses @ (arms**2).sum(axis=1)) / 3
     parts = [
-        planar_direct(mass=float(mass), centroid=(float(x + dx), float(z + dz)), inertia=float(left), name="part")
+        planar_body_from_values(
+            mass=float(mass), centroid=(float(x + dx), float(z + dz)), inertia=float(left), name="part"
+        )
         for mass, (dx, dz) in zip(masses, arms, strict=True)
     ]
-    return planar_joined(parts, name=body.name)
+    return join_planar(parts, name=body.name)
 
 
 @EVERY
@@ -295,8 +297,8 @@ def test_a_bearing_mass_is_a_body_welded_on(case):
     last = len(case.blocks) - 1
     at = tuple(x + d for x, d in zip(case.blocks[last].centroid, (0.1, 0.5), strict=True))
     mass = case.blocks[last].mass / 5
-    bodies = [body_of(case.blocks[last]), planar_direct(mass=mass, centroid=at, inertia=0.0, name="floor")]
-    joint = planar_joined(bodies, name="b")
+    bodies = [body_of(case.blocks[last]), planar_body_from_values(mass=mass, centroid=at, inertia=0.0, name="floor")]
+    joint = join_planar(bodies, name="b")
     block = Block(joint.mass, joint.centroid, joint.inertia)
     heavier = replace(case, blocks=(*case.blocks[:-1], block))
     loaded = replace(case, loads=(*case.loads, PointMass("floor", mass, at, True, last)))

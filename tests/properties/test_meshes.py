@@ -10,11 +10,11 @@ from scipy.constants import g
 from scipy.spatial import ConvexHull
 from scipy.spatial.transform import Rotation
 
-from assess.geometry.cut import divide, level
-from assess.geometry.planar import PlanarBody, planar, planar_joined
-from assess.geometry.repair import mended
+from assess.geometry.cut import divide, level_plane
+from assess.geometry.planar import PlanarBody, join_planar, planar_body
+from assess.geometry.repair import repair
 from assess.geometry.solid import Solid, box, polyhedron, profile
-from assess.geometry.surface import merged
+from assess.geometry.surface import merge_vertices
 from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block
 from assess.oscillator import Branch, Oscillator
@@ -59,13 +59,13 @@ EVERY = pytest.mark.parametrize("body", BODIES.values(), ids=BODIES)
 
 def rocking(*bodies: Solid, direction: tuple[float, float, float] = X) -> Oscillator:
     """The bodies as one block on the ground."""
-    seen = [planar(each, direction=direction) for each in bodies]
-    return oscillator(single_block("m", seen[0] if len(seen) == 1 else planar_joined(seen, name="block")))
+    seen = [planar_body(each, direction=direction) for each in bodies]
+    return oscillator(single_block("m", seen[0] if len(seen) == 1 else join_planar(seen, name="block")))
 
 
 def meshed(vertices: np.ndarray, triangles: np.ndarray) -> Solid:
     """A body by the way of a mesh file."""
-    surface, told = mended(merged(vertices, triangles), where="mesh")
+    surface, told = repair(merge_vertices(vertices, triangles), where="mesh")
     assert told == ()
     return polyhedron(*surface, density=DENSITY, name="mesh")
 
@@ -130,7 +130,7 @@ def test_lengths_times_s_divide_p_squared_by_s_and_leave_lambda(body: Solid, s: 
 @EVERY
 def test_a_block_split_into_welded_bodies_changes_nothing(body: Solid) -> None:
     """Cut at a level by manifold3d; the parts joined again."""
-    parts = divide([body], level(0.4 * float(body.vertices[:, 2].max())), where="split")
+    parts = divide([body], level_plane(0.4 * float(body.vertices[:, 2].max())), where="split")
     alike(rocking(*parts.below, *parts.above), rocking(body))
 
 
@@ -148,7 +148,7 @@ def test_a_mesh_of_twenty_thousand_triangles_is_quick() -> None:
 def test_planar_bodies_know_their_outline() -> None:
     """The mesh's outline is that of the body, whatever its triangles."""
     body = BODIES["boulder"]
-    coarse, fine = (planar(each, direction=X) for each in (body, meshed(*finer(body, times=2))))
+    coarse, fine = (planar_body(each, direction=X) for each in (body, meshed(*finer(body, times=2))))
     assert isinstance(coarse, PlanarBody)
     assert len(coarse.outline) == len(fine.outline) == 1
     np.testing.assert_allclose(fine.outline[0], coarse.outline[0], rtol=0.0, atol=1e-9)

@@ -9,14 +9,14 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.codes.admission import admitted
+from assess.codes.applicability import apply_procedure
 from assess.codes.asce41_13.clauses import Options as Asce41Options
 from assess.codes.asce43_05.clauses import Options as Asce43Options
 from assess.codes.check import Reason
 from assess.codes.context import Building, Context, Suite, Wall
 from assess.codes.registry import PROCEDURES, CodeOptions, procedure
 from assess.errors import ProcedureError
-from assess.geometry.planar import planar_direct
+from assess.geometry.planar import planar_body_from_values
 from assess.loads.load import Force
 from assess.mechanisms.equivalent_block import equivalent_block
 from assess.mechanisms.face import Face
@@ -83,7 +83,7 @@ def asked_of(name, *, size=1.0):
 
 def allowed(name, rocker=None, context=None):
     """The same as its admission lets it stand."""
-    return admitted(name, asked_of(name), rocker or wall(), context or site())
+    return apply_procedure(name, asked_of(name), rocker or wall(), context or site())
 
 
 @EVERY
@@ -129,7 +129,7 @@ def test_a_wall_twice_as_large_under_a_spectrum_of_longer_periods_fares_the_same
 
 @ROCKING
 def test_the_worse_branch_is_the_answer(name):
-    leaning = planar_direct(mass=1000.0, centroid=(0.1, 2.0), inertia=900.0, name="w")
+    leaning = planar_body_from_values(mass=1000.0, centroid=(0.1, 2.0), inertia=900.0, name="w")
     towards = single_block("w", leaning, hinge=(0.5, 0.0), hinge_negative=(-0.5, 0.0))
     upright = single_block(
         "w", dataclasses.replace(leaning, centroid=(0.0, 2.0)), hinge=(0.5, 0.0), hinge_negative=(-0.5, 0.0)
@@ -225,7 +225,9 @@ def test_a_wider_base_never_makes_an_answer_worse(name):
     for support, elevation in (("free", 0.0), ("spanning", 0.0), ("spanning", 4.0)):
         before = None
         for t in (0.2, 0.3, 0.45, 0.7, 1.0):
-            body = planar_direct(mass=5000.0, centroid=(0.0, 2.0), inertia=5000.0 * (t**2 + 16.0) / 12.0, name="w")
+            body = planar_body_from_values(
+                mass=5000.0, centroid=(0.0, 2.0), inertia=5000.0 * (t**2 + 16.0) / 12.0, name="w"
+            )
             rocker = oscillator(single_block("w", body, hinge=(t / 2, 0.0), hinge_negative=(-t / 2, 0.0)))
             context = dataclasses.replace(
                 site(),
@@ -252,7 +254,9 @@ def worse(now, before):
 
 def held_wall(force, *, thickness=0.45):
     """A wall that rocks one way, with an inward force at its top [N] that is always there."""
-    body = planar_direct(mass=5000.0, centroid=(0.0, 2.0), inertia=5000.0 * (thickness**2 + 16.0) / 12.0, name="w")
+    body = planar_body_from_values(
+        mass=5000.0, centroid=(0.0, 2.0), inertia=5000.0 * (thickness**2 + 16.0) / 12.0, name="w"
+    )
     loads = (Force("held", (-force, 0.0), (0.0, 4.0)),) if force else ()
     return oscillator(single_block("w", body, sides="one", hinge=(thickness / 2, 0.0), loads=loads))
 
@@ -295,7 +299,7 @@ def test_a_record_that_turns_farther_never_makes_an_answer_better(name):
         before = None
         for turned in (first, 1.1 * first, 1.2 * first, None):
             suite = Suite(LEVELS[0], (turned, *others), "positive")
-            where = dataclasses.replace(site(levels=LEVELS[:1]), suites=(suite,), incremental=(), besides=(suite,))
+            where = dataclasses.replace(site(levels=LEVELS[:1]), suites=(suite,), incremental=(), extra_suites=(suite,))
             checks = answers(name, context=where)
             assert before is None or not any(worse(then, now) for then, now in zip(before, checks, strict=True))
             before = checks

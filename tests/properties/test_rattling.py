@@ -15,10 +15,12 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.dynamics import kernel
 from assess.dynamics.history import _RUNS, Jobs, peaks
+from assess.dynamics.kernel import exact, linearised
+from assess.dynamics.kernel.columns import IMPACTS
+from assess.dynamics.kernel.march import make_march
 from assess.dynamics.packing import Equation, packed
-from assess.geometry.planar import planar_direct
+from assess.geometry.planar import planar_body_from_values
 from assess.interfaces.law import Law
 from assess.interfaces.shapes import rectangle
 from assess.mechanisms.assembly import on_joints
@@ -44,7 +46,7 @@ def rigid(rng: np.random.Generator) -> Oscillator:
 def on_a_joint(rng: np.random.Generator) -> Oscillator:
     """A wall of 6 m by 1 m on a joint of 0.03 to 20 GPa/m."""
     mass, joint = 21600.0, Joint((-1.0, 0.0), rectangle(1.0, 2.0), Law(10 ** rng.uniform(7.5, 10.3), 1.5e6), "flexible")
-    body = planar_direct(mass=mass, centroid=(0.0, 3.0), inertia=mass * 37 / 12, name="wall")
+    body = planar_body_from_values(mass=mass, centroid=(0.0, 3.0), inertia=mass * 37 / 12, name="wall")
     wall = single_block("w", body, hinge=(0.5, 0.0), hinge_negative=(-0.5, 0.0))
     restitution = rng.uniform(0.6, 1.0)
     return oscillator(on_joints(wall, (joint,), (joint,), restitution=(restitution, restitution)))
@@ -89,16 +91,17 @@ def counted(step: Callable[..., object], count: list[int]) -> Callable[..., obje
 def print_steps(kind: str) -> None:
     """Of each job: steps of the kernel outside its quick path, samples, impacts. In plain Python, without numba."""
     count = [0]
-    exact, linearised = (counted(step, count) for step in (kernel.exact_step, kernel.linearised_step))
-    kernel.march_exact = kernel.marching(kernel.exact_glide, exact, kernel.exact_potential)
-    kernel.march_linearised = kernel.marching(kernel.linearised_glide, linearised, kernel.linearised_potential)
+    step = counted(exact.exact_step, count)
+    exact.march_exact = make_march(exact.exact_advance, step, exact.exact_potential)
+    step = counted(linearised.linearised_step, count)
+    linearised.march_linearised = make_march(linearised.linearised_advance, step, linearised.linearised_potential)
     bodies, motions, jobs = problem(kind, jobs=150, npts=100)
     run = _RUNS[KINDS[kind]]([packed(body, KINDS[kind]) for body in bodies], motions, 1e-10)
     for k in range(jobs.scale.size):
         count[0], found = 0, np.empty((1, 8))
         columns = (column[k : k + 1] for column in (jobs.oscillator, jobs.motion, jobs.scale))
         samples = run(*columns, 0.0, found, np.empty((0, 3)), np.zeros((1, 4)))
-        print(count[0], samples, int(found[0, kernel.IMPACTS]))  # noqa: T201
+        print(count[0], samples, int(found[0, IMPACTS]))  # noqa: T201
 
 
 @pytest.mark.parametrize("kind", KINDS)

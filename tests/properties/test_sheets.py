@@ -12,8 +12,8 @@ from dataclasses import replace
 
 import pytest
 
+from assess.codes.calculation_step import Input, Step, substitute
 from assess.codes.registry import PROCEDURES
-from assess.codes.step import Input, Step, substitute
 from tests.support.formula import NoFormulaError, evaluate
 from tests.support.readings import LINES
 from tests.support.sheet import Sheet

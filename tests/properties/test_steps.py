@@ -7,8 +7,8 @@ from collections.abc import Iterator
 import numpy as np
 import pytest
 
+from assess.codes.calculation_step import Step
 from assess.codes.registry import PROCEDURES
-from assess.codes.step import Step
 from tests.support.formula import NoFormulaError, evaluate
 from tests.support.subjects import subjects
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from assess.codes.bases import BASES
-from assess.codes.check import Check, Outcome, Reason, because
-from assess.codes.verdict import Action, Judged, Missing, Question, Verdict, verdict
+from assess.codes.check import Check, Outcome, Reason, reason_message
+from assess.codes.verdict import Action, MechanismChecks, Missing, Question, Verdict, verdict
 
 SITE = 0.2  # g
 RATIOS = {Outcome.PASS: 0.5, Outcome.FAIL: 2.0}
@@ -36,7 +36,7 @@ def check(procedure: str, outcome: Outcome | None, *, state: str = "SLV", ratio:
         limit_state=state,
         verdict=outcome,
         ratio=ratio,
-        reason=because(reason, **values),
+        reason=reason_message(reason, **values),
         **{**given, **more},
     )
 
@@ -48,4 +48,4 @@ def question(basis: str | None, *, state: str | None = "SLV", periods: bool = Fa
 
 def decide(asked: Question, checks: Iterable[Check], *, missing: Iterable[Missing] = (), **more) -> Verdict:
     """The verdict on one mechanism."""
-    return verdict(asked, [Judged("wall", tuple(checks), tuple(missing), **more)])
+    return verdict(asked, [MechanismChecks("wall", tuple(checks), tuple(missing), **more)])

@@ -11,7 +11,7 @@ from math import acosh, atan2, hypot, inf, pi, sqrt
 import numpy as np
 from scipy.constants import g
 
-from assess.codes.governing import branch_named
+from assess.codes.worst_branch import branch_of
 from assess.oscillator import Branch, interpolant
 from tests.support.readings import floor_demands
 from tests.support.sheet import Sheet
@@ -42,7 +42,7 @@ def secant(sheet: Sheet) -> float:
 def breaking(sheet: Sheet) -> Branch:
     """The branch with actions until they end."""
     rocker = sheet.subject.context.breaking or sheet.subject.rocker
-    return branch_named(rocker, sheet.subject.check.branch)
+    return branch_of(rocker, sheet.subject.check.branch)
 
 
 def largest(sheet: Sheet) -> float:

@@ -13,9 +13,9 @@ from assess.codes.asce41_13.clauses import Options as Asce41Options
 from assess.codes.asce43_05.clauses import Options as Asce43Options
 from assess.codes.check import Check
 from assess.codes.context import Building, Context, FirstMode, FreePeriod, Hazard, LocalLimit, Suite
-from assess.codes.governing import branch_named
 from assess.codes.registry import CodeOptions, procedure
-from assess.geometry.planar import planar
+from assess.codes.worst_branch import branch_of
+from assess.geometry.planar import planar_body
 from assess.geometry.solid import box
 from assess.interfaces.law import Law
 from assess.interfaces.shapes import rectangle
@@ -59,12 +59,12 @@ class Subject:
     @property
     def branch(self) -> Branch:
         """That of the answer."""
-        return branch_named(self.rocker, self.check.branch)
+        return branch_of(self.rocker, self.check.branch)
 
 
 def part(base: float, height: float, thickness: float):
     body = box(thickness=thickness, length=1.0, height=height, base=(0, 0, base), density=1800.0, name="part")
-    return planar(body, direction=(1, 0, 0))
+    return planar_body(body, direction=(1, 0, 0))
 
 
 def mechanisms() -> Iterator[Mechanism]:

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from pathlib import Path
 
-from assess.outputs.folder import staged
+from assess.outputs.folder import output_folder
 from assess.outputs.lock import LOCK
 from assess.outputs.manifest import MANIFEST, RESULTS
-from assess.outputs.settling import Tell
+from assess.outputs.recovery import Tell
 
 
 def content(folder: Path) -> dict[str, str]:
@@ -28,5 +28,5 @@ def write(folder: Path, files: Mapping[str, str]) -> None:
 
 def run(folder: Path, files: Mapping[str, str], *, owner: str = RESULTS, tell: Tell = lambda _: None) -> None:
     """Write the files into `folder` as a command does that is known to write them all."""
-    with staged(folder, command="a test", owner=owner, wanted=[*files], tell=tell) as stage:
+    with output_folder(folder, command="a test", owner=owner, wanted=[*files], tell=tell) as stage:
         write(stage, files)

@@ -14,19 +14,19 @@ from hypothesis import strategies as st
 from openpyxl import load_workbook
 
 from assess.cli import main
-from records.formats.comments import said
-from records.reading import read
+from records.formats.comments import parse_comments
+from records.reading import read_records
 from records.record import Earthquake, Site, make_record
 from records.writing import csv_text
-from reports.csv import csv_lines
 from reports.document import Column, Document, Section, Table
-from reports.spreadsheet import write_xlsx
-from spectra.formulas import SIGNS, is_formula, marked, unmarked
+from reports.render.csv import csv_lines
+from reports.render.spreadsheet import write_xlsx
+from spectra.formulas import SIGNS, is_formula, mark_formulas, unmark_formulas
 
 ROOT = Path(__file__).parents[2]
 WRITERS = {  # what may write tables; `csv_lines` escapes every cell, `write_xlsx` writes text as text, quoted
-    r"csv\.(writer|DictWriter)|to_csv|savetxt": {"reports/csv.py"},
-    r"xlsxwriter|openpyxl|to_excel": {"reports/spreadsheet.py"},
+    r"csv\.(writer|DictWriter)|to_csv|savetxt": {"reports/render/csv.py"},
+    r"xlsxwriter|openpyxl|to_excel": {"reports/render/spreadsheet.py"},
 }
 HOSTILE = "=cmd|'/c calc'!A1"
 PROJECT = """
@@ -98,7 +98,7 @@ def test_names_of_records_in_every_table_of_records(tmp_path: Path, capsys: pyte
     record = make_record("x", np.sin(time) * np.sin(30 * time), 0.01, **texts, **place)  # type: ignore[arg-type]
     name.write_text(csv_text(record), encoding="utf-8")
     assert run_cells(name.read_text(encoding="utf-8")) == []
-    (again,) = read(name)
+    (again,) = read_records(name)
     assert [getattr(again, key) for key in texts] == list(texts.values())
     assert (again.site, again.earthquake) == (place["site"], place["earthquake"])
     scaled = ("scale", name, "--target", tmp_path / "target.csv")
@@ -119,10 +119,10 @@ def test_any_text_is_a_cell_of_text_and_numbers_stand_as_they_are(texts: list[st
 @example("x,'=1")
 @example('x, "=1"')
 def test_free_text_in_comments_is_read_as_it_was_written(text: str) -> None:
-    assert unmarked(marked(text)) == text
+    assert unmark_formulas(mark_formulas(text)) == text
     line = " ".join(text.split())  # comments have no tabs
-    assert run_cells(f"# event: {marked(line)}".replace('"', "")) == []
-    assert said([f"# event: {marked(line)}"]) == {"event": line}
+    assert run_cells(f"# event: {mark_formulas(line)}".replace('"', "")) == []
+    assert parse_comments([f"# event: {mark_formulas(line)}"]) == {"event": line}
 
 
 def test_text_in_a_workbook_stays_text_when_its_cell_is_edited(tmp_path: Path) -> None:

@@ -21,10 +21,10 @@ from assess.codes.asce41_13.clauses import (
     permissible,
     position_of,
 )
-from assess.codes.check import BranchName, Check, Outcome, Reason, Step, because, not_by_name, step
+from assess.codes.check import BranchName, Check, Outcome, Reason, Step, missing_ordinate, reason_message, step
 from assess.codes.context import Context, Wall
-from assess.codes.family import GIVEN, foreign
-from assess.codes.governing import governing
+from assess.codes.families import TABLE_SPECTRUM, other_spectrum_note
+from assess.codes.worst_branch import check_worst_branch
 from assess.messages.message import Message, Quantity, Severity, message
 from assess.oscillator import Branch, Oscillator, threshold
 
@@ -40,7 +40,7 @@ def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tup
     def one(branch: Branch, name: BranchName, level: float) -> Check:
         return _check(branch, name, context, options, level)
 
-    return governing(oscillator, context.levels, one)
+    return check_worst_branch(oscillator, context.levels, one)
 
 
 def _check(branch: Branch, name: BranchName, context: Context, options: Options, level: float) -> Check:
@@ -59,7 +59,7 @@ def _check(branch: Branch, name: BranchName, context: Context, options: Options,
         verdict=verdict,
         reason=reason,
         uplift_pga_g=threshold(branch),
-        caveat=(CAVEAT_PARAPET if parapet else CAVEAT) + foreign(NAME, context.spectrum.code),
+        caveat=(CAVEAT_PARAPET if parapet else CAVEAT) + other_spectrum_note(NAME, context.spectrum.code),
         conditions=() if options.masonry else (message("premise-coursed", severity=Severity.WARNING),),
         steps=(step("h/t", "slenderness", CLAUSE, "h / t", None, remark=reason.text),),
     )
@@ -72,18 +72,18 @@ def _silence(context: Context, options: Options) -> tuple[Outcome, Message]:
     """Why nothing can be said; a pass where something can."""
     not_for = Outcome.NOT_APPLICABLE
     if context.support != "spanning" and not is_parapet(context):
-        return not_for, because(Reason.NOT_SPANNING, clause=CLAUSE)
+        return not_for, reason_message(Reason.NOT_SPANNING, clause=CLAUSE)
     if context.wall is None:
-        return not_for, because(Reason.NO_WALL_SIZE, clause=CLAUSE)
+        return not_for, reason_message(Reason.NO_WALL_SIZE, clause=CLAUSE)
     if options.masonry == "rubble":
-        return not_for, because(Reason.RUBBLE, clause=CLAUSE)
+        return not_for, reason_message(Reason.RUBBLE, clause=CLAUSE)
     if context.support == "spanning" and options.s_x1 is None:
-        if context.spectrum.code == GIVEN:
-            return Outcome.NOT_ANSWERED, not_by_name(CLAUSE, "S_X1", KEY)
+        if context.spectrum.code == TABLE_SPECTRUM:
+            return Outcome.NOT_ANSWERED, missing_ordinate(CLAUSE, "S_X1", KEY)
         if context.spectrum.longest_period < PERIOD:
             end = Quantity(context.spectrum.longest_period, "time")
-            return Outcome.NOT_ANSWERED, because(Reason.SPECTRUM_TOO_SHORT, period="S_X1 at 1 s", end=end)
-    return Outcome.PASS, because(Reason.WITHIN, capacity="the permissible h/t")
+            return Outcome.NOT_ANSWERED, reason_message(Reason.SPECTRUM_TOO_SHORT, period="S_X1 at 1 s", end=end)
+    return Outcome.PASS, reason_message(Reason.WITHIN, capacity="the permissible h/t")
 
 
 def _of_parapet(check: Check, wall: Wall, options: Options) -> Check:
@@ -102,7 +102,7 @@ def _of_wall(check: Check, wall: Wall, context: Context, options: Options) -> Ch
     strict, mild = (_in_row(check, wall, context, options, row) for row in (STRICTEST, MILDEST))
     if strict.verdict == mild.verdict:
         return strict
-    reason = because(Reason.STOREY_UNKNOWN, clause=CLAUSE)
+    reason = reason_message(Reason.STOREY_UNKNOWN, clause=CLAUSE)
     return replace(strict, verdict=Outcome.NOT_ANSWERED, provisional=strict.verdict, reason=reason)
 
 
@@ -135,7 +135,7 @@ def s_x1_over_pga(context: Context, options: Options) -> float:
 
 def _answered(check: Check, slenderness: float, most: float, permitted: str) -> Check:
     verdict = Outcome.PASS if slenderness <= most else Outcome.FAIL
-    reason = because(Reason.WITHIN if verdict == Outcome.PASS else Reason.BEYOND, capacity=permitted)
+    reason = reason_message(Reason.WITHIN if verdict == Outcome.PASS else Reason.BEYOND, capacity=permitted)
     return replace(check, demand=slenderness, capacity=most, ratio=slenderness / most, verdict=verdict, reason=reason)
 
 

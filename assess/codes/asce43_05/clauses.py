@@ -17,7 +17,7 @@ import numpy as np
 from scipy.constants import g
 from scipy.optimize import brentq
 
-from assess.codes.relation import PgaOf, PgaRelation, floor_relation, relation
+from assess.codes.pga_rotation import PgaOf, PgaRotation, floor_pga_rotation, pga_rotation
 from assess.oscillator import Branch, SingleBlock, block_at, energy
 from spectra.arrays import FloatArray
 from spectra.spectrum import Spectrum
@@ -97,12 +97,14 @@ def thesis_limit(branch: Branch, *, mass: float) -> float:
     return float(brentq(excess, low, high, xtol=1e-12)) if excess(low) < 0.0 < excess(high) else high
 
 
-def pga_relation(branch: Branch, spectrum: Spectrum, *, damping: float, f_v: float, uplift: float) -> PgaRelation:
+def spectral_pga_rotation(
+    branch: Branch, spectrum: Spectrum, *, damping: float, f_v: float, uplift: float
+) -> PgaRotation:
     """PGA(theta): where SA_H,CAP equals the spectrum's ordinate at f_e and `damping`, scaled with its PGA.
 
     Nothing rocks below `uplift` [m/s2].
     """
-    return relation(
+    return pga_rotation(
         _pga_of(branch, spectrum, damping=damping, f_v=f_v, pga=spectrum.pga),
         overturning=branch.unstable,
         uplift=uplift,
@@ -111,14 +113,14 @@ def pga_relation(branch: Branch, spectrum: Spectrum, *, damping: float, f_v: flo
     )
 
 
-def floor_pga_relation(
+def floor_spectral_pga_rotation(
     branch: Branch, floor: Spectrum, *, damping: float, f_v: float, uplift: float, pga: float
-) -> PgaRelation:
+) -> PgaRotation:
     """The same on the spectrum of a `floor` where the ground has the peak acceleration `pga` [m/s2]: PGA of the ground.
 
     Nothing rocks before the floor's own peak acceleration reaches `uplift` [m/s2].
     """
-    return floor_relation(
+    return floor_pga_rotation(
         _pga_of(branch, floor, damping=damping, f_v=f_v, pga=pga),
         overturning=branch.unstable,
         uplift=uplift * pga / floor.pga,

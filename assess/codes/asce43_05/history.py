@@ -11,12 +11,12 @@ from dataclasses import dataclass
 
 from scipy.constants import g
 
+from assess.codes.asce43_05.at_height import warn_at_height
 from assess.codes.asce43_05.clauses import EDITION, HALF, Options
-from assess.codes.asce43_05.height import with_height
-from assess.codes.check import Check, Outcome, PgaCurve, Reason, Step, because, step
+from assess.codes.check import Check, Outcome, PgaCurve, Reason, Step, reason_message, step
 from assess.codes.context import Context, Suite
-from assess.codes.governing import branch_named
-from assess.codes.incremental import islands, pga_before_failure, pga_curve, uplift_multiplier
+from assess.codes.incremental import fails_below, pga_before_failure, pga_curve, uplift_multiplier
+from assess.codes.worst_branch import branch_of
 from assess.messages.message import Message, count
 from assess.oscillator import Branch, Oscillator
 
@@ -26,7 +26,7 @@ LEAST_RECORDS = 5
 
 
 @dataclass(frozen=True)
-class Scanned:
+class ScanResult:
     """What suites at rising PGA tell: their curve, the PGA before the first failure and at uplift [g]."""
 
     curve: PgaCurve
@@ -42,18 +42,20 @@ def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tup
         return share is not None and share <= HALF
 
     lifts = uplift_multiplier(oscillator, linearised=context.linearised)
-    scanned = Scanned(
+    scanned = ScanResult(
         pga_curve(context.incremental),
         pga_before_failure(context.incremental, passes, least_records=LEAST_RECORDS),
         None if lifts is None else lifts / context.amplification,
     )
-    return with_height(tuple(_check(oscillator, suite, context, scanned) for suite in context.suites), context=context)
+    return warn_at_height(
+        tuple(_check(oscillator, suite, context, scanned) for suite in context.suites), context=context
+    )
 
 
 def shares(suite: Suite, oscillator: Oscillator) -> tuple[float | None, ...]:
     """Largest rotation of each record over what overturns the mechanism in its branch [-]; None where it overturned."""
     names = suite.branches or (suite.branch,) * len(suite.ratio)
-    branches = [branch_named(oscillator, name) for name in names]
+    branches = [branch_of(oscillator, name) for name in names]
     return tuple(
         None if ratio is None else ratio * branch.overturning / branch.unstable
         for ratio, branch in zip(suite.ratio, branches, strict=True)
@@ -67,9 +69,9 @@ def mean_share(suite: Suite, oscillator: Oscillator) -> float | None:
     return sum(standing) / len(standing) if len(standing) == len(found) > 0 else None
 
 
-def _check(oscillator: Oscillator, suite: Suite, context: Context, scanned: Scanned) -> Check:
+def _check(oscillator: Oscillator, suite: Suite, context: Context, scanned: ScanResult) -> Check:
     """Demand and capacity are rotations of the branch of the worst record, as if all had happened there."""
-    branch, share = branch_named(oscillator, suite.branch), mean_share(suite, oscillator)
+    branch, share = branch_of(oscillator, suite.branch), mean_share(suite, oscillator)
     verdict, reason = _verdict(suite, share)
     demand, capacity = None if share is None else share * branch.unstable, HALF * branch.unstable
     return Check(
@@ -87,7 +89,7 @@ def _check(oscillator: Oscillator, suite: Suite, context: Context, scanned: Scan
         ratio=None if share is None else share / HALF,
         verdict=verdict,
         reason=reason,
-        remarks=islands(scanned.at_collapse, suite.pga / g) if verdict == Outcome.PASS else (),
+        remarks=fails_below(scanned.at_collapse, suite.pga / g) if verdict == Outcome.PASS else (),
         capacity_pga_g=scanned.at_collapse,
         uplift_pga_g=scanned.uplift,
         capacity_rotation_ratio=capacity / branch.overturning,
@@ -102,14 +104,14 @@ def _verdict(suite: Suite, share: float | None) -> tuple[Outcome, Message]:
     n, fallen = len(suite.ratio), suite.overturned
     if n < LEAST_RECORDS:
         few = {"n": count(n), "fallen": count(fallen), "least": count(LEAST_RECORDS)}
-        return Outcome.NOT_ANSWERED, because(Reason.TOO_FEW_RECORDS, clause="the method", **few)
+        return Outcome.NOT_ANSWERED, reason_message(Reason.TOO_FEW_RECORDS, clause="the method", **few)
     if share is None:
-        return Outcome.FAIL, because(Reason.RECORDS_OVERTURN, fallen=count(fallen), n=count(n))
+        return Outcome.FAIL, reason_message(Reason.RECORDS_OVERTURN, fallen=count(fallen), n=count(n))
     if share == 0.0:
-        return Outcome.PASS, because(Reason.NO_ROCKING)
+        return Outcome.PASS, reason_message(Reason.NO_ROCKING)
     if share <= HALF:
-        return Outcome.PASS, because(Reason.WITHIN, capacity="the allowable mean of the maxima")
-    return Outcome.FAIL, because(Reason.BEYOND, capacity="the allowable mean of the maxima")
+        return Outcome.PASS, reason_message(Reason.WITHIN, capacity="the allowable mean of the maxima")
+    return Outcome.FAIL, reason_message(Reason.BEYOND, capacity="the allowable mean of the maxima")
 
 
 def _steps(suite: Suite, found: tuple[float | None, ...], share: float | None, branch: Branch) -> tuple[Step, ...]:

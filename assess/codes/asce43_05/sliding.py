@@ -17,12 +17,12 @@ import numpy as np
 from scipy.constants import g
 from scipy.optimize import brentq
 
+from assess.codes.asce43_05.at_height import warn_at_height
 from assess.codes.asce43_05.clauses import EDITION, Options
-from assess.codes.asce43_05.height import with_height
-from assess.codes.check import Check, Outcome, Reason, Step, because, step
+from assess.codes.check import Check, Outcome, Reason, Step, reason_message, step
 from assess.codes.context import Context
-from assess.codes.governing import least
 from assess.codes.sliding import sliding_pga
+from assess.codes.worst_branch import least_known
 from assess.hinge_forces import HingeForces
 from assess.messages.message import Message, Severity, message
 from assess.oscillator import Oscillator, threshold
@@ -38,9 +38,9 @@ LEVEL = 1e-6  # of a unit normal: faces less inclined are level
 
 def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tuple[Check, ...]:
     """One check for each level, against `options.allowable_sliding`; without that for information only."""
-    lifts = least([threshold(branch) for branch in oscillator.branches])
+    lifts = least_known([threshold(branch) for branch in oscillator.branches])
     checks = tuple(_check(level, context, oscillator.mass, options.allowable_sliding) for level in context.levels)
-    return tuple(replace(check, uplift_pga_g=lifts) for check in with_height(checks, context=context))
+    return tuple(replace(check, uplift_pga_g=lifts) for check in warn_at_height(checks, context=context))
 
 
 def effective_friction(mu: float, *, vertical: float) -> float:
@@ -103,24 +103,26 @@ def pga_at(context: Context, mu: float, allowable: float) -> float | None:
     return None if best_estimate(context, high, mu) is None else low
 
 
-def unanswerable(context: Context) -> tuple[Outcome, Message] | None:
+def reason_unanswerable(context: Context) -> tuple[Outcome, Message] | None:
     """Why A.1 says nothing of this mechanism, with the remedy; None where it does."""
     if not context.hinges:
-        return Outcome.NOT_ANSWERED, because(Reason.NO_HINGE_FORCES)
+        return Outcome.NOT_ANSWERED, reason_message(Reason.NO_HINGE_FORCES)
     first = context.hinges[0]
     if not first.single:
-        return Outcome.NOT_APPLICABLE, because(Reason.ONE_BLOCK_ONLY, clause=CLAUSE)
+        return Outcome.NOT_APPLICABLE, reason_message(Reason.ONE_BLOCK_ONLY, clause=CLAUSE)
     if context.actions:
-        return Outcome.NOT_APPLICABLE, because(Reason.WEIGHT_ONLY, clause=CLAUSE, loads=", ".join(context.actions))
+        return Outcome.NOT_APPLICABLE, reason_message(
+            Reason.WEIGHT_ONLY, clause=CLAUSE, loads=", ".join(context.actions)
+        )
     if any(abs(each.face[0]) > LEVEL for each in context.hinges):
-        return Outcome.NOT_APPLICABLE, because(Reason.LEVEL_BASE_ONLY, clause=CLAUSE)
+        return Outcome.NOT_APPLICABLE, reason_message(Reason.LEVEL_BASE_ONLY, clause=CLAUSE)
     if first.friction is None:
-        return Outcome.NOT_ANSWERED, because(Reason.FRICTION_UNKNOWN, hinge=first.hinge, remedy=first.remedy)
+        return Outcome.NOT_ANSWERED, reason_message(Reason.FRICTION_UNKNOWN, hinge=first.hinge, remedy=first.remedy)
     return None
 
 
 def _check(level: float, context: Context, mass: float, allowable: float | None) -> Check:
-    silent = unanswerable(context)
+    silent = reason_unanswerable(context)
     if silent is not None:
         verdict, reason = silent
         steps = (step("δ_s", "best estimate of sliding", CLAUSE, "-", None, "m", remark=reason.text),)
@@ -151,16 +153,16 @@ def _check(level: float, context: Context, mass: float, allowable: float | None)
 def _verdict(found: float | None, allowable: float | None, at_capacity: float | None) -> tuple[Outcome, Message]:
     """What the estimate means; where the spectrum does not tell it, a smaller PGA may tell that it is too much."""
     if found is None and at_capacity is None:
-        return Outcome.NOT_ANSWERED, because(Reason.SLIDING_UNBOUNDED)
+        return Outcome.NOT_ANSWERED, reason_message(Reason.SLIDING_UNBOUNDED)
     if found is None:
-        return Outcome.FAIL, because(Reason.SLIDING_BEYOND_BEFORE)
+        return Outcome.FAIL, reason_message(Reason.SLIDING_BEYOND_BEFORE)
     if allowable is None:
-        return Outcome.NOT_ANSWERED, because(Reason.NO_ALLOWABLE_SLIDING)
+        return Outcome.NOT_ANSWERED, reason_message(Reason.NO_ALLOWABLE_SLIDING)
     if found == 0.0:
-        return Outcome.PASS, because(Reason.NO_SLIDING)
+        return Outcome.PASS, reason_message(Reason.NO_SLIDING)
     verdict = Outcome.PASS if found <= allowable else Outcome.FAIL
     within = Reason.WITHIN if verdict == Outcome.PASS else Reason.BEYOND
-    return verdict, because(within, capacity="the allowable sliding")
+    return verdict, reason_message(within, capacity="the allowable sliding")
 
 
 def _answer(

@@ -10,6 +10,7 @@ from collections.abc import Callable
 import numpy as np
 from scipy.constants import g
 
+from assess.codes.asce43_05.at_height import warn_at_height
 from assess.codes.asce43_05.clauses import (
     CAVEAT,
     EDITION,
@@ -20,15 +21,14 @@ from assess.codes.asce43_05.clauses import (
     thesis_limit,
     vertical_factor,
 )
-from assess.codes.asce43_05.height import with_height
-from assess.codes.asce43_05.reading import A2, Reading, letter, thesis
-from assess.codes.check import BranchName, Check, Outcome, Reason, Step, because, step
+from assess.codes.asce43_05.interpretations import A2, Reading, clause_interpretation, thesis_interpretation
+from assess.codes.check import BranchName, Check, Outcome, Reason, Step, reason_message, step
 from assess.codes.context import Context
-from assess.codes.governing import branch_named, governing
-from assess.codes.plain import plain
-from assess.codes.relation import PgaRelation, as_curve, demand
-from assess.codes.spectral import Answer, spectral_answer
-from assess.codes.worked import multiplier_step
+from assess.codes.equivalent_blocks import to_equivalent_blocks
+from assess.codes.multiplier_step import multiplier_step
+from assess.codes.pga_rotation import PgaRotation, rotation_demand, to_pga_curve
+from assess.codes.rotation_verdict import Answer, rotation_verdict
+from assess.codes.worst_branch import branch_of, check_worst_branch
 from assess.oscillator import Branch, Oscillator, energy, multiplier, resisted, threshold
 
 DEMANDED = "at the demand"
@@ -39,7 +39,7 @@ def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tup
     """A.2 with the demand at f_e and beta_e, from true uplift on; one check for each level, on the worse branch."""
 
     def reading(branch: Branch, f_v: float) -> Reading:
-        return letter(branch, context, f_v=f_v)
+        return clause_interpretation(branch, context, f_v=f_v)
 
     return _checks(oscillator, context, reading, own=oscillator)
 
@@ -48,9 +48,9 @@ def assess_thesis(oscillator: Oscillator, context: Context, *, options: Options)
     """The thesis' reading (8.3.2): 5 % damping, limit k alpha / sin 2 alpha, no threshold of uplift."""
 
     def reading(branch: Branch, f_v: float) -> Reading:
-        return thesis(branch, context, f_v=f_v, mass=oscillator.mass)
+        return thesis_interpretation(branch, context, f_v=f_v, mass=oscillator.mass)
 
-    like = plain(oscillator, lambda branch: thesis_limit(branch, mass=oscillator.mass))
+    like = to_equivalent_blocks(oscillator, lambda branch: thesis_limit(branch, mass=oscillator.mass))
     return _checks(like, context, reading, own=oscillator)
 
 
@@ -58,11 +58,11 @@ def _checks(oscillator: Oscillator, context: Context, reading_of: ReadingOf, *, 
     """Of the oscillator as it is read; own: the mechanism's, which says where it lifts off."""
 
     def one(branch: Branch, name: BranchName, level: float) -> Check:
-        lifts = threshold(branch_named(own, name))
+        lifts = threshold(branch_of(own, name))
         f_v = vertical_factor(resisted(branch), context.vertical_ratio)
         return _check(oscillator, branch, name, context, reading_of(branch, f_v), level, f_v=f_v, lifts=lifts)
 
-    return with_height(governing(oscillator, context.levels, one), context=context)
+    return warn_at_height(check_worst_branch(oscillator, context.levels, one), context=context)
 
 
 def _check(
@@ -77,11 +77,11 @@ def _check(
     lifts: float | None,
 ) -> Check:
     curve, allowable, spectrum = reading.curve, reading.limit, reading.spectrum
-    rotation = demand(curve, level)
+    rotation = rotation_demand(curve, level)
     uplift = None if lifts is None else lifts * reading.pga / spectrum.pga
-    answer = spectral_answer(rotation, allowable, curve=curve, level=level, uplift=uplift, context=context)
+    answer = rotation_verdict(rotation, allowable, curve=curve, level=level, uplift=uplift, context=context)
     if not reading.in_range:
-        answer = Answer(Outcome.NOT_APPLICABLE, because(Reason.LIMIT_BEYOND_OVERTURNING), None)
+        answer = Answer(Outcome.NOT_APPLICABLE, reason_message(Reason.LIMIT_BEYOND_OVERTURNING), None)
     return Check(
         procedure=reading.procedure,
         edition=EDITION,
@@ -103,7 +103,7 @@ def _check(
         uplift_pga_g=uplift,
         capacity_rotation_ratio=allowable / branch.overturning,
         rotation_ratio=None if rotation is None else rotation / branch.overturning,
-        pga_curve=as_curve(curve, branch),
+        pga_curve=to_pga_curve(curve, branch),
         steps=_steps(oscillator, branch, context, reading, level=level, f_v=f_v, rotation=rotation),
         caveat=CAVEAT,
     )
@@ -150,7 +150,7 @@ def _body_steps(oscillator: Oscillator, branch: Branch, context: Context, *, f_v
     )
 
 
-def _resting_steps(curve: PgaRelation, level: float) -> tuple[Step, ...]:
+def _resting_steps(curve: PgaRotation, level: float) -> tuple[Step, ...]:
     """Why the demand is no rotation: less PGA than takes the body to any."""
     words = "at the demand: none, the PGA is no more than the least that takes it to a lasting θ"
     remark = f"{level / g:.4g} g ≤ {float(curve.least[0]) / g:.4g} g"

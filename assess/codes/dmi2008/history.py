@@ -11,7 +11,7 @@ from assess.codes.dmi2008.clauses import EDITION
 from assess.codes.dmi2008.clauses import RULE as LIMIT
 from assess.codes.italian import history
 from assess.codes.italian.edition import Options
-from assess.codes.italian.limit_state import rated
+from assess.codes.italian.limit_state import add_safety_index
 from assess.oscillator import Oscillator
 
 RULE = history.Rule(
@@ -26,4 +26,4 @@ STATES = tuple(RULE.limits)
 def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tuple[Check, ...]:
     """The suites of time histories against 0.4 d0*."""
     checks = history.assess(oscillator, context, rule=RULE, options=options)
-    return tuple(rated(check, context) for check in checks)
+    return tuple(add_safety_index(check, context) for check in checks)

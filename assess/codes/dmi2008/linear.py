@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from assess.codes.calculation_step import Given
 from assess.codes.check import Check, Step, step
 from assess.codes.context import Context
 from assess.codes.dmi2008.clauses import DAMPING, EDITION, floor_acceleration, uplift
@@ -9,8 +10,7 @@ from assess.codes.italian.acceleration import acceleration_check, ratio_steps
 from assess.codes.italian.edition import Options
 from assess.codes.italian.floor import Demands, floor_of
 from assess.codes.italian.kinematic import activation, activation_steps
-from assess.codes.italian.limit_state import Case, at_each, rated
-from assess.codes.step import Given
+from assess.codes.italian.limit_state import Case, add_safety_index, check_each_limit_state
 from assess.oscillator import Oscillator
 
 PROCEDURE = "dmi2008-linear"
@@ -20,8 +20,10 @@ STATES = ("SLD", "SLV")
 
 def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tuple[Check, ...]:
     """C8A.4.2.1: a0* against the demand (over q at SLV), at the ground and, above it, at the floor."""
-    checks = at_each(oscillator, context, EDITION, options, known=STATES, one=lambda case: _check(case, options))
-    return tuple(rated(check, context) for check in checks)
+    checks = check_each_limit_state(
+        oscillator, context, EDITION, options, known=STATES, one=lambda case: _check(case, options)
+    )
+    return tuple(add_safety_index(check, context) for check in checks)
 
 
 def _check(case: Case, options: Options) -> Check:
@@ -53,7 +55,7 @@ def demands_of(context: Context, *, pga: float, q: float) -> Demands | None:
         return Demands(pga / q, 0.0)
     if context.spectrum.longest_period < floor.T1:
         return None
-    return Demands(1.0, floor_acceleration(context, floor) / context.spectrum.pga).times(pga / q)
+    return Demands(1.0, floor_acceleration(context, floor) / context.spectrum.pga).scale(pga / q)
 
 
 def _demand_steps(case: Case, demands: Demands | None, *, q: float) -> tuple[Step, ...]:

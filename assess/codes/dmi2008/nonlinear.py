@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from assess.codes.calculation_step import Given
 from assess.codes.check import Check, Step, step
 from assess.codes.context import Context
 from assess.codes.dmi2008.clauses import (
@@ -19,9 +20,8 @@ from assess.codes.italian.displacement import Answer, displacement_check, ground
 from assess.codes.italian.edition import Options
 from assess.codes.italian.floor import Demands, floor_of
 from assess.codes.italian.kinematic import activation_steps, curve_step
-from assess.codes.italian.limit_state import Case, at_each, rated
+from assess.codes.italian.limit_state import Case, add_safety_index, check_each_limit_state
 from assess.codes.italian.thresholds import break_conditions, seat_conditions, threshold_steps
-from assess.codes.step import Given
 from assess.oscillator import Oscillator
 
 PROCEDURE = "dmi2008-nonlinear"
@@ -40,8 +40,10 @@ def demands(context: Context, Ts: float) -> Demands | None:
 
 def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tuple[Check, ...]:
     """C8A.4.2.2-2.3 to the letter: du* against S_De(Ts), and against the floor's displacement above ground."""
-    checks = at_each(oscillator, context, EDITION, options, known=STATES, one=lambda case: _check(case.as_lasting))
-    return tuple(rated(check, context) for check in checks)
+    checks = check_each_limit_state(
+        oscillator, context, EDITION, options, known=STATES, one=lambda case: _check(case.at_ultimate)
+    )
+    return tuple(add_safety_index(check, context) for check in checks)
 
 
 def _check(case: Case) -> Check:

@@ -11,16 +11,16 @@ from scipy.constants import g
 from assess.codes.check import BranchName, Check, Step, step
 from assess.codes.context import Context
 from assess.codes.dmi2008.clauses import DAMPING, EDITION, ULTIMATE
-from assess.codes.governing import branch_named, governing
+from assess.codes.equivalent_blocks import to_equivalent_blocks
 from assess.codes.italian.edition import Options
-from assess.codes.plain import plain
-from assess.codes.relation import PgaRelation, as_curve, demand, relation
-from assess.codes.spectral import spectral_answer
+from assess.codes.pga_rotation import PgaRotation, pga_rotation, rotation_demand, to_pga_curve
+from assess.codes.rotation_verdict import rotation_verdict
+from assess.codes.worst_branch import branch_of, check_worst_branch
 from assess.oscillator import Branch, Oscillator, displacement, linearise, threshold
 from spectra.arrays import FloatArray
 
 
-def thesis_relation(branch: Branch, context: Context, *, mass: float) -> PgaRelation:
+def thesis_pga_rotation(branch: Branch, context: Context, *, mass: float) -> PgaRotation:
     """PGA(phi) of the thesis' reading: a_s = lambda g (1 - 0.4 x) at d_s = 0.4 d_u, T = 2 pi sqrt(d_u / a_s).
 
     x = phi / phi_ov, d_u = x d0, lambda and the curve linearised, rigid. The clause has d_s, not d_u, under the
@@ -39,7 +39,7 @@ def thesis_relation(branch: Branch, context: Context, *, mass: float) -> PgaRela
         ordinate = context.spectrum.acceleration(period_of(rotation), damping=DAMPING)
         return secant(rotation) * context.spectrum.pga / ordinate
 
-    return relation(
+    return pga_rotation(
         pga_of,
         overturning=branch.unstable,
         period_of=period_of,
@@ -49,14 +49,14 @@ def thesis_relation(branch: Branch, context: Context, *, mass: float) -> PgaRela
 
 def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tuple[Check, ...]:
     """The thesis' reading (8.3.2), at the ground, FC = 1, no threshold of uplift; informative."""
-    like = plain(oscillator, lambda branch: ULTIMATE * branch.unstable)
+    like = to_equivalent_blocks(oscillator, lambda branch: ULTIMATE * branch.unstable)
 
     def one(branch: Branch, name: BranchName, level: float) -> Check:
-        curve = thesis_relation(branch, context, mass=oscillator.mass)
+        curve = thesis_pga_rotation(branch, context, mass=oscillator.mass)
         allowable = ULTIMATE * branch.unstable
-        rotation = demand(curve, level)
-        lifts = threshold(branch_named(oscillator, name))
-        answer = spectral_answer(rotation, allowable, curve=curve, level=level, uplift=lifts, context=context)
+        rotation = rotation_demand(curve, level)
+        lifts = threshold(branch_of(oscillator, name))
+        answer = rotation_verdict(rotation, allowable, curve=curve, level=level, uplift=lifts, context=context)
         return Check(
             procedure="dmi2008-nonlinear-thesis",
             edition=EDITION.name,
@@ -77,12 +77,12 @@ def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tup
             uplift_pga_g=lifts,
             capacity_rotation_ratio=allowable / branch.overturning,
             rotation_ratio=None if rotation is None else rotation / branch.overturning,
-            pga_curve=as_curve(curve, branch),
+            pga_curve=to_pga_curve(curve, branch),
             steps=_steps(like, branch, context, level=level, rotation=rotation, at_collapse=answer.capacity_pga_g),
             caveat=EDITION.caveat,
         )
 
-    return governing(like, context.levels, one)
+    return check_worst_branch(like, context.levels, one)
 
 
 def _steps(

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 
 from scipy.constants import g
 
-from assess.codes.check import BranchName, Check, Outcome, Reason, Step, because, not_by_name, step
+from assess.codes.check import BranchName, Check, Outcome, Reason, Step, missing_ordinate, reason_message, step
 from assess.codes.context import Context
 from assess.codes.en1998_1.clauses import (
     BEHAVIOUR,
@@ -21,9 +21,9 @@ from assess.codes.en1998_1.clauses import (
     period_ratio,
     uplift_pga,
 )
-from assess.codes.family import GIVEN, foreign
-from assess.codes.governing import governing
-from assess.codes.worked import multiplier_step
+from assess.codes.families import TABLE_SPECTRUM, other_spectrum_note
+from assess.codes.multiplier_step import multiplier_step
+from assess.codes.worst_branch import check_worst_branch
 from assess.oscillator import Branch, Oscillator, resisted
 
 NAME = "ec8-element"
@@ -48,12 +48,12 @@ def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tup
 
     def one(branch: Branch, name: BranchName, level: float) -> Check:
         check = _check(branch, name, context, options, level)
-        if context.spectrum.code != GIVEN or options.alpha_s is not None:
+        if context.spectrum.code != TABLE_SPECTRUM or options.alpha_s is not None:
             return check
-        why = not_by_name(CLAUSE, "alpha S", "procedures.ec8.alpha_s")
+        why = missing_ordinate(CLAUSE, "alpha S", "procedures.ec8.alpha_s")
         return replace(check, verdict=Outcome.NOT_ANSWERED, reason=why)
 
-    return governing(oscillator, context.levels, one)
+    return check_worst_branch(oscillator, context.levels, one)
 
 
 def demand_of(branch: Branch, context: Context, options: Options, level: float) -> Demand:
@@ -86,11 +86,13 @@ def _check(branch: Branch, name: BranchName, context: Context, options: Options,
         capacity=resistance,
         ratio=ratio,
         verdict=verdict,
-        reason=because(Reason.WITHIN if verdict == Outcome.PASS else Reason.BEYOND, capacity="what the weight resists"),
+        reason=reason_message(
+            Reason.WITHIN if verdict == Outcome.PASS else Reason.BEYOND, capacity="what the weight resists"
+        ),
         capacity_pga_g=level * resistance / found.force / g,
         uplift_pga_g=None if lifts is None else lifts / g,
         steps=_steps(branch, context, found),
-        caveat=CAVEAT + foreign(NAME, context.spectrum.code),
+        caveat=CAVEAT + other_spectrum_note(NAME, context.spectrum.code),
     )
 
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from scipy.constants import g
 
-from assess.codes.check import Check, Outcome, Reason, Step, because, step
+from assess.codes.check import Check, Outcome, Reason, Step, reason_message, step
 from assess.codes.italian.edition import Edition
-from assess.codes.italian.floor import Demands, floor_of, judged
+from assess.codes.italian.floor import Demands, floor_of, outcome_of
 from assess.codes.italian.limit_state import Case
 from assess.messages.message import Message, Quantity, Severity, message
 from assess.oscillator import resisted
@@ -64,9 +64,9 @@ def _conditions(case: Case) -> tuple[Message, ...]:
 def _verdict(case: Case, demanded: float | None, capacity: float, *, needs: str) -> tuple[Outcome, Message]:
     if demanded is None:
         end = Quantity(case.context.spectrum.longest_period, "time")
-        return Outcome.NOT_ANSWERED, because(Reason.SPECTRUM_TOO_SHORT, period=needs, end=end)
-    verdict = judged(demanded / capacity)
-    return verdict, because(Reason.WITHIN if verdict == Outcome.PASS else Reason.BEYOND, capacity="a0*")
+        return Outcome.NOT_ANSWERED, reason_message(Reason.SPECTRUM_TOO_SHORT, period=needs, end=end)
+    verdict = outcome_of(demanded / capacity)
+    return verdict, reason_message(Reason.WITHIN if verdict == Outcome.PASS else Reason.BEYOND, capacity="a0*")
 
 
 def ratio_steps(clause: str, demands: Demands | None, *, capacity: float) -> tuple[Step, ...]:

@@ -26,7 +26,7 @@ class Confidence:
     instead_of: float | None = None
 
 
-def confidences(options: Options, *, crushing: bool, level: str | None) -> tuple[Confidence, ...]:
+def confidence_factors(options: Options, *, crushing: bool, level: str | None) -> tuple[Confidence, ...]:
     """Find the factor that decides, then the one given where it is lower, which informs.
 
     crushing : whether the mechanism models it; level : of knowledge, None where none is given
@@ -53,7 +53,7 @@ def confidence_step(confidence: Confidence, edition: Edition) -> Step:
     return step("FC", words, edition.confidence, "of the level of knowledge", confidence.factor, remark=confidence.why)
 
 
-def as_asked(check: Check, confidence: Confidence) -> Check:
+def mark_informative(check: Check, confidence: Confidence) -> Check:
     """The check as it is, or marked as one that informs where its factor is below the code's."""
     if confidence.instead_of is None:
         return check

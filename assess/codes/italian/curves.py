@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 from assess.codes.check import BranchName
 from assess.codes.context import Context, LocalLimit
-from assess.codes.governing import NAMES, branch_named
+from assess.codes.worst_branch import NAMES, branch_of
 from assess.oscillator import Branch, Oscillator
 
 
@@ -30,7 +30,7 @@ class Curves:
     mass: float
 
     @property
-    def as_lasting(self) -> Curves:
+    def at_ultimate(self) -> Curves:
         """The same, at rest too with what is shown to last to collapse alone.
 
         What an ultimate limit state is held by: no wall is kept from moving by a tie that is gone after a millimetre.
@@ -49,18 +49,18 @@ def curves_of(oscillator: Oscillator, context: Context) -> tuple[Curves, ...]:
     return tuple(_of(name, states, context.limits, oscillator.mass) for name in names)
 
 
-def curves_alone(oscillator: Oscillator) -> tuple[Curves, ...]:
+def curves_of_all_actions(oscillator: Oscillator) -> tuple[Curves, ...]:
     """Return the curves of each branch of an oscillator that stands for every set of actions."""
     names = NAMES[:1] if oscillator.negative is None or oscillator.symmetric else NAMES
     return tuple(_of(name, (oscillator,) * 3, (), oscillator.mass) for name in names)
 
 
-def curves_named(oscillator: Oscillator, context: Context, name: BranchName) -> Curves:
+def branch_curves(oscillator: Oscillator, context: Context, name: BranchName) -> Curves:
     """Return the curves of one branch; those of the positive one where there is no other."""
     found = curves_of(oscillator, context)
     return next((each for each in found if each.name == name), found[0])
 
 
 def _of(name: BranchName, states: Sequence[Oscillator], limits: Sequence[LocalLimit], mass: float) -> Curves:
-    lasting, starting, breaking = (branch_named(each, name) for each in states)
+    lasting, starting, breaking = (branch_of(each, name) for each in states)
     return Curves(name, lasting, starting, breaking, tuple(each for each in limits if each.branch == name), mass)

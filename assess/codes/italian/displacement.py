@@ -7,12 +7,12 @@ from math import isclose, pi
 
 from scipy.constants import g
 
-from assess.codes.check import Check, Outcome, PgaCurve, Reason, Step, because, step
+from assess.codes.check import Check, Outcome, PgaCurve, Reason, Step, reason_message, step
 from assess.codes.italian.edition import Edition
-from assess.codes.italian.floor import Demands, judged
+from assess.codes.italian.floor import Demands, outcome_of
 from assess.codes.italian.kinematic import rotation_at
 from assess.codes.italian.limit_state import Case
-from assess.codes.relation import as_curve, relation
+from assess.codes.pga_rotation import pga_rotation, to_pga_curve
 from assess.messages.message import Message, Quantity
 from assess.oscillator import displacement
 from spectra.arrays import FloatArray
@@ -118,14 +118,14 @@ def _curve(case: Case, answer: Answer) -> PgaCurve:
     def pga_of(rotation: FloatArray) -> FloatArray:
         return displacement(branch, rotation, mass=case.curves.mass) / (answer.e * wanted.largest)
 
-    return as_curve(relation(pga_of, overturning=branch.unstable, uplift=answer.starts), branch)
+    return to_pga_curve(pga_rotation(pga_of, overturning=branch.unstable, uplift=answer.starts), branch)
 
 
 def _verdict(case: Case, answer: Answer, demanded: float | None) -> tuple[Outcome, Message]:
     if demanded is None:
         end = Quantity(case.context.spectrum.longest_period, "time")
-        return Outcome.NOT_ANSWERED, because(Reason.SPECTRUM_TOO_SHORT, period=answer.needs, end=end)
+        return Outcome.NOT_ANSWERED, reason_message(Reason.SPECTRUM_TOO_SHORT, period=answer.needs, end=end)
     if demanded == 0.0:
-        return Outcome.PASS, because(Reason.NO_ROCKING)
-    verdict = judged(demanded / answer.ultimate)
-    return verdict, because(Reason.WITHIN if verdict == Outcome.PASS else Reason.BEYOND, capacity=answer.symbol)
+        return Outcome.PASS, reason_message(Reason.NO_ROCKING)
+    verdict = outcome_of(demanded / answer.ultimate)
+    return verdict, reason_message(Reason.WITHIN if verdict == Outcome.PASS else Reason.BEYOND, capacity=answer.symbol)

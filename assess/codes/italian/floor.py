@@ -26,7 +26,7 @@ class Demands:
     ground: float
     floor: float
 
-    def times(self, factor: float) -> Demands:
+    def scale(self, factor: float) -> Demands:
         """Both multiplied by a factor."""
         return Demands(self.ground * factor, self.floor * factor)
 
@@ -55,6 +55,6 @@ def floor_of(context: Context) -> Floor | None:
     return Floor(context.support_height / building.height, gamma, building.period, building.damping)
 
 
-def judged(ratio: float) -> Outcome:
+def outcome_of(ratio: float) -> Outcome:
     """Pass or fail of a ratio of demand to capacity."""
     return Outcome.FAIL if ratio > 1.0 else Outcome.PASS

@@ -16,18 +16,18 @@ from math import isclose
 import numpy as np
 from scipy.constants import g
 
-from assess.codes.check import Check, Outcome, PgaCurve, Reason, Step, because, step
+from assess.codes.calculation_step import Given
+from assess.codes.check import Check, Outcome, PgaCurve, Reason, Step, reason_message, step
 from assess.codes.context import Context, Hazard, Suite
-from assess.codes.incremental import islands, pga_before_failure, pga_curve, uplift_multiplier
-from assess.codes.italian.confidence import Confidence, as_asked, confidence_step, confidences
-from assess.codes.italian.curves import Curves, curves_named
+from assess.codes.incremental import fails_below, pga_before_failure, pga_curve, uplift_multiplier
+from assess.codes.italian.confidence import Confidence, confidence_factors, confidence_step, mark_informative
+from assess.codes.italian.curves import Curves, branch_curves
 from assess.codes.italian.edition import Edition, Options
-from assess.codes.italian.floor import judged
+from assess.codes.italian.floor import outcome_of
 from assess.codes.italian.kinematic import rotation_at
-from assess.codes.italian.limit_state import pga_step, share
+from assess.codes.italian.limit_state import pga_ratio, pga_step
 from assess.codes.italian.thresholds import Rule as Limit
 from assess.codes.italian.thresholds import Threshold, seat_conditions, threshold_of, threshold_steps
-from assess.codes.step import Given
 from assess.messages.message import Message, count
 from assess.oscillator import Oscillator, displacement, participation_ratio
 from spectra.spectrum import Spectrum
@@ -47,7 +47,7 @@ class Rule:
 
 
 @dataclass(frozen=True)
-class Displaced:
+class DisplacementRatios:
     """One record: d*/d0* and d*/d_LS [-] of the branch of its maximum; None where the body overturned."""
 
     of_collapse: float | None
@@ -64,54 +64,54 @@ class Found:
 
     suite: Suite
     pga: float
-    displaced: tuple[Displaced, ...]
+    displacements: tuple[DisplacementRatios, ...]
 
     @property
-    def standing(self) -> tuple[float, ...]:
+    def limit_ratios(self) -> tuple[float, ...]:
         """d*/d_LS of the records that leave the body standing [-]."""
-        return tuple(each.of_limit for each in self.displaced if each.of_limit is not None)
+        return tuple(each.of_limit for each in self.displacements if each.of_limit is not None)
 
     @property
-    def farthest(self) -> float | None:
+    def largest_collapse_ratio(self) -> float | None:
         """The largest d*/d0* of those [-]; None where all overturn it."""
-        return max((each.of_collapse for each in self.displaced if each.of_collapse is not None), default=None)
+        return max((each.of_collapse for each in self.displacements if each.of_collapse is not None), default=None)
 
     @property
-    def largest(self) -> bool:
+    def uses_largest(self) -> bool:
         """Whether the largest is judged: few records, or one that passes d0*."""
-        return len(self.displaced) < FOR_THE_MEAN or (self.farthest or 0.0) > 1.0
+        return len(self.displacements) < FOR_THE_MEAN or (self.largest_collapse_ratio or 0.0) > 1.0
 
     @property
-    def judged(self) -> float | None:
+    def governing_ratio(self) -> float | None:
         """d*/d_LS that is judged [-]; None where a record overturned."""
-        if len(self.standing) < len(self.displaced) or not self.standing:
+        if len(self.limit_ratios) < len(self.displacements) or not self.limit_ratios:
             return None
-        return max(self.standing) if self.largest else sum(self.standing) / len(self.standing)
+        return max(self.limit_ratios) if self.uses_largest else sum(self.limit_ratios) / len(self.limit_ratios)
 
 
 def assess(oscillator: Oscillator, context: Context, *, rule: Rule, options: Options) -> tuple[Check, ...]:
     """One check for each limit state and level that has a suite of time histories."""
     checks: list[Check] = []
     known = context.knowledge.get(rule.edition.code)
-    for confidence in confidences(options, crushing=context.crushing, level=known):
+    for confidence in confidence_factors(options, crushing=context.crushing, level=known):
         for state in options.among(rule.limits):
             for level in context.levels:
-                pga = level * share(context.hazard, context.spectrum, state)
+                pga = level * pga_ratio(context.hazard, context.spectrum, state)
                 suite = suite_at(context, pga * confidence.factor)
                 if suite is not None:
-                    found = Found(suite, pga, displaced(oscillator, context, suite, rule.limits[state]))
+                    found = Found(suite, pga, displacement_ratios(oscillator, context, suite, rule.limits[state]))
                     made = _check(oscillator, context, rule, found, state=state, level=level, confidence=confidence)
-                    checks.append(as_asked(made, confidence))
+                    checks.append(mark_informative(made, confidence))
     return tuple(checks)
 
 
 def suite_at(context: Context, pga: float) -> Suite | None:
     """The suite that was run at a PGA [m/s2]; None where there is none."""
-    suites = (*context.suites, *context.besides)
+    suites = (*context.suites, *context.extra_suites)
     return next((suite for suite in suites if isclose(suite.pga, pga, rel_tol=1e-9)), None)
 
 
-def suites_needed(
+def required_pga(
     levels: Sequence[float],
     hazard: Hazard | None,
     spectrum: Spectrum,
@@ -122,38 +122,40 @@ def suites_needed(
 ) -> tuple[float, ...]:
     """PGA [m/s2] at which `assess` wants suites, besides those of the `levels`, with confidence `factors` FC [-]."""
     states = options.among(rule.limits)
-    shares = [share(hazard, spectrum, state) * factor for factor in dict.fromkeys(factors) for state in states]
+    shares = [pga_ratio(hazard, spectrum, state) * factor for factor in dict.fromkeys(factors) for state in states]
     wanted = [level * each for each in shares for level in levels]
     return tuple(pga for pga in wanted if not any(isclose(pga, level, rel_tol=1e-9) for level in levels))
 
 
-def rising(context: Context) -> tuple[Suite, ...]:
+def scan_suites(context: Context) -> tuple[Suite, ...]:
     """All suites at rising PGA, those that limit states of their own asked for among them; none without a scan."""
     if not context.incremental:
         return ()
-    return tuple(sorted((*context.incremental, *context.besides), key=lambda suite: suite.pga))
+    return tuple(sorted((*context.incremental, *context.extra_suites), key=lambda suite: suite.pga))
 
 
-def displaced(oscillator: Oscillator, context: Context, suite: Suite, limit: Limit) -> tuple[Displaced, ...]:
+def displacement_ratios(
+    oscillator: Oscillator, context: Context, suite: Suite, limit: Limit
+) -> tuple[DisplacementRatios, ...]:
     """d*/d0* and d*/d_LS of each record [-], each by the branch of its maximum."""
     names = suite.branches or (suite.branch,) * len(suite.ratio)
     of_collapse, of_limit = np.zeros(len(names)), np.zeros(len(names))
     for name in dict.fromkeys(names):
-        curves, here = curves_named(oscillator, context, name), [i for i, each in enumerate(names) if each == name]
+        curves, here = branch_curves(oscillator, context, name), [i for i, each in enumerate(names) if each == name]
         threshold, branch = threshold_of(curves, limit), curves.lasting
         rotation = np.array([(suite.ratio[place] or 0.0) * branch.overturning for place in here])
         *moved, collapse = displacement(branch, np.append(rotation, branch.unstable), mass=1.0)
         of_collapse[here] = moved / collapse
         of_limit[here] = of_collapse[here] * threshold.collapse / threshold.moved
     return tuple(
-        Displaced(None, None) if ratio is None else Displaced(far, near)
+        DisplacementRatios(None, None) if ratio is None else DisplacementRatios(far, near)
         for ratio, far, near in zip(suite.ratio, of_collapse.tolist(), of_limit.tolist(), strict=True)
     )
 
 
 def passes(found: Found) -> bool:
     """Whether all records leave the body standing short of d0* and what is judged stays within d_LS."""
-    return found.judged is not None and found.judged <= 1.0 and not _beyond_collapse(found)
+    return found.governing_ratio is not None and found.governing_ratio <= 1.0 and not _beyond_collapse(found)
 
 
 def _check(
@@ -166,11 +168,11 @@ def _check(
     level: float,
     confidence: Confidence,
 ) -> Check:
-    curves, limit, FC = curves_named(oscillator, context, found.suite.branch), rule.limits[state], confidence.factor
+    curves, limit, FC = branch_curves(oscillator, context, found.suite.branch), rule.limits[state], confidence.factor
     threshold, branch = threshold_of(curves, limit), curves.lasting
     scanned = pga_before_failure(
-        rising(context),
-        lambda suite: passes(Found(suite, suite.pga, displaced(oscillator, context, suite, limit))),
+        scan_suites(context),
+        lambda suite: passes(Found(suite, suite.pga, displacement_ratios(oscillator, context, suite, limit))),
         least_records=LEAST_RECORDS,
     )
     lifts = uplift_multiplier(context.starting or oscillator, linearised=context.linearised)
@@ -185,14 +187,14 @@ def _check(
         level_pga_g=level / g,
         input_at=context.histories_at,
         damping=None,
-        quantity=f"{'largest' if found.largest else 'mean'} d*",
+        quantity=f"{'largest' if found.uses_largest else 'mean'} d*",
         unit="m",
-        demand=None if found.judged is None else found.judged * threshold.moved,
+        demand=None if found.governing_ratio is None else found.governing_ratio * threshold.moved,
         capacity=threshold.moved,
-        ratio=found.judged,
+        ratio=found.governing_ratio,
         verdict=verdict,
         reason=reason,
-        remarks=islands(at_collapse, found.pga / g) if verdict == Outcome.PASS else (),
+        remarks=fails_below(at_collapse, found.pga / g) if verdict == Outcome.PASS else (),
         conditions=seat_conditions(context, state, threshold.moved) if state == "SLV" else (),
         capacity_pga_g=at_collapse,
         uplift_pga_g=None if lifts is None else lifts / context.amplification / FC,
@@ -218,55 +220,55 @@ def _over(curve: PgaCurve, FC: float) -> PgaCurve:
 def _rotation(found: Found) -> float | None:
     """The rotation ratio that goes with what is judged; None where a record overturned."""
     standing = [ratio for ratio in found.suite.ratio if ratio is not None]
-    if found.judged is None:
+    if found.governing_ratio is None:
         return None
-    return max(standing) if found.largest else found.suite.mean
+    return max(standing) if found.uses_largest else found.suite.mean
 
 
 def _verdict(found: Found, *, state: str) -> tuple[Outcome, Message]:
-    n, fallen, passed = len(found.displaced), found.suite.overturned, _beyond_collapse(found)
+    n, fallen, passed = len(found.displacements), found.suite.overturned, _beyond_collapse(found)
     if n < LEAST_RECORDS:
         few = {"n": count(n), "fallen": count(fallen), "least": count(LEAST_RECORDS)}
-        return Outcome.NOT_ANSWERED, because(Reason.TOO_FEW_RECORDS, clause=NUMBER_CLAUSE, **few)
+        return Outcome.NOT_ANSWERED, reason_message(Reason.TOO_FEW_RECORDS, clause=NUMBER_CLAUSE, **few)
     if fallen:
-        return Outcome.FAIL, because(Reason.RECORDS_OVERTURN, fallen=count(fallen), n=count(n))
+        return Outcome.FAIL, reason_message(Reason.RECORDS_OVERTURN, fallen=count(fallen), n=count(n))
     if passed:
-        return Outcome.FAIL, because(Reason.RECORDS_BEYOND_COLLAPSE, fallen=count(passed), n=count(n))
-    value = found.judged or 0.0
+        return Outcome.FAIL, reason_message(Reason.RECORDS_BEYOND_COLLAPSE, fallen=count(passed), n=count(n))
+    value = found.governing_ratio or 0.0
     if value == 0.0:
-        return Outcome.PASS, because(Reason.NO_ROCKING)
-    verdict = judged(value)
-    return verdict, because(Reason.WITHIN if verdict == Outcome.PASS else Reason.BEYOND, capacity=f"d_{state}")
+        return Outcome.PASS, reason_message(Reason.NO_ROCKING)
+    verdict = outcome_of(value)
+    return verdict, reason_message(Reason.WITHIN if verdict == Outcome.PASS else Reason.BEYOND, capacity=f"d_{state}")
 
 
 def _beyond_collapse(found: Found) -> int:
-    return sum(1 for each in found.displaced if each.of_collapse is not None and each.of_collapse > 1.0)
+    return sum(1 for each in found.displacements if each.of_collapse is not None and each.of_collapse > 1.0)
 
 
 def _record_steps(found: Found, rule: Rule, *, FC: float) -> tuple[Step, ...]:
-    n, fallen, run = float(len(found.displaced)), float(found.suite.overturned), found.suite.pga
+    n, fallen, run = float(len(found.displacements)), float(found.suite.overturned), found.suite.pga
     words = "PGA at which the records are run, as fitted to the site's spectrum; FC goes with the motion"
     counted = f"records, both polarities; at least {LEAST_RECORDS}, {FOR_THE_MEAN} for the mean"
     collapse, over = "largest of those that stand; at most 1", "records that overturn; none may"
     given: Given = {"PGA": (found.pga, "m/s2"), "FC": FC}
-    stand = f"{len(found.standing)} records"
+    stand = f"{len(found.limit_ratios)} records"
     return (
         step("FC · PGA", words, rule.clause, "FC · PGA", run, "m/s2", given=given),
         step("n", counted, NUMBER_CLAUSE, "count", n),
         step("n_ov", over, rule.clause, "count", fallen),
-        step("d_max / d0*", collapse, rule.clause, "largest d* / d0*", found.farthest, remark=stand),
+        step("d_max / d0*", collapse, rule.clause, "largest d* / d0*", found.largest_collapse_ratio, remark=stand),
     )
 
 
 def _ratio_steps(found: Found, rule: Rule, curves: Curves, threshold: Threshold, *, state: str) -> tuple[Step, ...]:
     """The ratio that is judged: each record by the d_LS of its branch."""
-    every = ", ".join("overturned" if each.of_limit is None else f"{each.of_limit:.4g}" for each in found.displaced)
+    every = ", ".join("overturned" if each.of_limit is None else f"{each.of_limit:.4g}" for each in found.displacements)
     mean = f"mean of d* / d_{state} of the records"
-    words = f"largest of d* / d_{state} of the records" if found.largest else mean
-    ratio = step(f"d / d_{state}", words, rule.clause, words.split(" of ")[0], found.judged, remark=every)
-    if found.judged is None:
+    words = f"largest of d* / d_{state} of the records" if found.uses_largest else mean
+    ratio = step(f"d / d_{state}", words, rule.clause, words.split(" of ")[0], found.governing_ratio, remark=every)
+    if found.governing_ratio is None:
         return (ratio,)
-    given: Given = {f"d / d_{state}": found.judged, f"d_{state}": (threshold.moved, "m")}
+    given: Given = {f"d / d_{state}": found.governing_ratio, f"d_{state}": (threshold.moved, "m")}
     said = f"demand, at d_{state} of the {curves.name} branch"
-    value = found.judged * threshold.moved
+    value = found.governing_ratio * threshold.moved
     return ratio, step("d", said, rule.clause, f"d / d_{state} · d_{state}", value, "m", given=given)

@@ -10,11 +10,11 @@ import numpy as np
 from scipy.constants import g
 from scipy.optimize import brentq
 
+from assess.codes.calculation_step import Given
 from assess.codes.check import Step, step
 from assess.codes.italian.confidence import confidence_step
 from assess.codes.italian.edition import Edition
 from assess.codes.italian.limit_state import Case
-from assess.codes.step import Given
 from assess.oscillator import (
     Branch,
     displacement,

@@ -15,10 +15,10 @@ from scipy.constants import g
 
 from assess.codes.check import Bound, Check, Step, step
 from assess.codes.context import Context, Hazard
-from assess.codes.governing import worst_of
-from assess.codes.italian.confidence import Confidence, as_asked, confidences
+from assess.codes.italian.confidence import Confidence, confidence_factors, mark_informative
 from assess.codes.italian.curves import Curves, curves_of
 from assess.codes.italian.edition import Edition, Options
+from assess.codes.worst_branch import worst_branch_check
 from assess.oscillator import Oscillator
 from spectra.spectrum import Spectrum
 
@@ -43,15 +43,15 @@ class Case:
     pga_step: Step
 
     @property
-    def as_lasting(self) -> Case:
+    def at_ultimate(self) -> Case:
         """The same, at rest too with what is shown to last to collapse alone."""
-        return replace(self, curves=self.curves.as_lasting)
+        return replace(self, curves=self.curves.at_ultimate)
 
 
 OneCase = Callable[[Case], Check]
 
 
-def at_each(
+def check_each_limit_state(
     oscillator: Oscillator,
     context: Context,
     edition: Edition,
@@ -67,11 +67,11 @@ def at_each(
     branches, states = curves_of(oscillator, context), options.among(known)
     checks: list[Check] = []
     known_level = context.knowledge.get(edition.code)
-    for confidence in confidences(options, crushing=context.crushing, level=known_level):
+    for confidence in confidence_factors(options, crushing=context.crushing, level=known_level):
         for state in states:
             for level in context.levels:
                 cases = [case_of(curves, confidence, context, state=state, level=level) for curves in branches]
-                checks.append(as_asked(worst_of([one(case) for case in cases]), confidence))
+                checks.append(mark_informative(worst_branch_check([one(case) for case in cases]), confidence))
     return tuple(checks)
 
 
@@ -79,7 +79,7 @@ def case_of(curves: Curves, confidence: Confidence, context: Context, *, state: 
     """The case on the spectrum of its limit state, or on that of the site at the level's PGA."""
     own = own_spectrum(context.hazard, state)
     used = context if own is None else replace(context, spectrum=own)
-    pga = level * share(context.hazard, context.spectrum, state)
+    pga = level * pga_ratio(context.hazard, context.spectrum, state)
     line = pga_step(context, state=state, level=level, pga=pga)
     return Case(curves, confidence, state, used, level, pga, line)
 
@@ -89,7 +89,7 @@ def own_spectrum(hazard: Hazard | None, state: str) -> Spectrum | None:
     return None if hazard is None else hazard.spectra.get(state)
 
 
-def share(hazard: Hazard | None, spectrum: Spectrum, state: str) -> float:
+def pga_ratio(hazard: Hazard | None, spectrum: Spectrum, state: str) -> float:
     """PGA of a limit state over that of the site's `spectrum` [-]; 1 where the limit state has none of its own."""
     own = own_spectrum(hazard, state)
     return 1.0 if own is None else own.pga / spectrum.pga
@@ -107,12 +107,12 @@ def pga_step(context: Context, *, state: str, level: float, pga: float) -> Step:
     return step(symbol, said, HAZARD_CLAUSE, f"level · S a_g,{state} / PGA", pga, "m/s2", given=given)
 
 
-def rated(check: Check, context: Context) -> Check:
+def add_safety_index(check: Check, context: Context) -> Check:
     """The check with its safety index zeta_E, capacity over demand as PGA, and the return period of its capacity."""
     capacity = check.capacity_pga_g
     if capacity is None:
         return check
-    demanded = check.level_pga_g * share(context.hazard, context.spectrum, check.limit_state)
+    demanded = check.level_pga_g * pga_ratio(context.hazard, context.spectrum, check.limit_state)
     index, given = capacity / demanded, {"PGA_C": (capacity, "g"), "PGA": (demanded, "g")}
     words = f"safety index at {check.limit_state}: PGA at capacity over PGA demanded"
     line = step("ζ_E", words, INDEX_CLAUSE, "PGA_C / PGA", index, given=given)

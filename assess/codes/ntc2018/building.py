@@ -154,6 +154,6 @@ def ground_period(context: Context, *, T0: float, T: float, damping: float) -> f
     return float(period[np.argmax(moved >= moved.max() * (1 - 1e-12))])
 
 
-def longest_asked(modes: FirstModes | None, T: float) -> float:
+def longest_period_used(modes: FirstModes | None, T: float) -> float:
     """Longest period at which the spectrum is asked [s]: T, and above the ground b times the building's."""
     return T if modes is None else max(T, PLATEAU[1] * modes.longest)

@@ -30,7 +30,7 @@ from assess.codes.ntc2018.building import (
     floor_acceleration,
     floor_demand,
     ground_period,
-    longest_asked,
+    longest_period_used,
     peak_acceleration,
 )
 from assess.oscillator import Branch, elastic_frequency, participation_ratio
@@ -158,7 +158,7 @@ def displacement_demands(
     Source: C8.7.1.2.1.8, C8.7.1.12.
     """
     spectrum = context.spectrum
-    if longest_asked(modes, T) > spectrum.longest_period:
+    if longest_period_used(modes, T) > spectrum.longest_period:
         return None
     ground = float(spectrum.displacement(ground_period(context, T0=T0, T=T, damping=damping), damping=damping))
     floor = 0.0 if modes is None else floor_demand(context, modes, T0=T0, T=T, damping=damping).largest

@@ -6,7 +6,7 @@ from assess.codes.check import Check
 from assess.codes.context import Context
 from assess.codes.italian import history
 from assess.codes.italian.edition import Options
-from assess.codes.italian.limit_state import rated
+from assess.codes.italian.limit_state import add_safety_index
 from assess.codes.ntc2018.clauses import EDITION, ULTIMATE
 from assess.oscillator import Oscillator
 
@@ -22,4 +22,4 @@ STATES = tuple(RULE.limits)
 def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tuple[Check, ...]:
     """The suites of time histories against d0* and d_SLV or d_SLC."""
     checks = history.assess(oscillator, context, rule=RULE, options=options)
-    return tuple(rated(check, context) for check in checks)
+    return tuple(add_safety_index(check, context) for check in checks)

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from assess.codes.calculation_step import Given
 from assess.codes.check import Check, Step, step
 from assess.codes.context import Context
 from assess.codes.italian.acceleration import acceleration_check, ratio_steps
 from assess.codes.italian.edition import Options
 from assess.codes.italian.floor import Demands
 from assess.codes.italian.kinematic import activation, activation_steps
-from assess.codes.italian.limit_state import Case, at_each, rated
+from assess.codes.italian.limit_state import Case, add_safety_index, check_each_limit_state
 from assess.codes.ntc2018.building import ELASTIC_DAMPING, FirstModes, elastic_modes, floor_acceleration
 from assess.codes.ntc2018.clauses import EDITION, acceleration_demands, activation_pga, period_of, uplift
 from assess.codes.ntc2018.sheet import (
@@ -19,7 +20,6 @@ from assess.codes.ntc2018.sheet import (
     period_steps,
     share_steps,
 )
-from assess.codes.step import Given
 from assess.oscillator import Oscillator
 
 PROCEDURE = "ntc2018-linear"
@@ -29,8 +29,10 @@ STATES = tuple(CLAUSES)
 
 def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tuple[Check, ...]:
     """a0* against the peak acceleration of ground and floor (S_eZ(T0) of free elements); a_g,SLV = q a_g,SLD."""
-    checks = at_each(oscillator, context, EDITION, options, known=STATES, one=lambda case: _check(case, options))
-    return tuple(rated(check, context) for check in checks)
+    checks = check_each_limit_state(
+        oscillator, context, EDITION, options, known=STATES, one=lambda case: _check(case, options)
+    )
+    return tuple(add_safety_index(check, context) for check in checks)
 
 
 def _check(case: Case, options: Options) -> Check:
@@ -38,7 +40,7 @@ def _check(case: Case, options: Options) -> Check:
     context, branch, modes = case.context, case.curves.starting, elastic_modes(case.context)
     T0 = period_of(branch, context)
     over_pga = acceleration_demands(context, modes, T0=T0)
-    demands = None if over_pga is None else over_pga.times(case.pga / q)
+    demands = None if over_pga is None else over_pga.scale(case.pga / q)
     a0 = activation(branch, mass=case.curves.mass, confidence_factor=FC)
     return acceleration_check(
         case,

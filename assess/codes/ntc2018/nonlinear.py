@@ -6,13 +6,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from assess.codes.calculation_step import Given
 from assess.codes.check import Check, Step, step
 from assess.codes.context import Context
 from assess.codes.italian.displacement import Answer, displacement_check, ground_step, ratio_step
 from assess.codes.italian.edition import Options
 from assess.codes.italian.floor import Demands
 from assess.codes.italian.kinematic import activation_steps, curve_step
-from assess.codes.italian.limit_state import Case, at_each, rated
+from assess.codes.italian.limit_state import Case, add_safety_index, check_each_limit_state
 from assess.codes.italian.thresholds import break_conditions, seat_conditions, threshold_steps
 from assess.codes.ntc2018.building import (
     SHOWN_DAMPING,
@@ -20,7 +21,7 @@ from assess.codes.ntc2018.building import (
     FloorDemand,
     floor_demand,
     ground_period,
-    longest_asked,
+    longest_period_used,
     modes_at,
     ordinate,
 )
@@ -37,7 +38,6 @@ from assess.codes.ntc2018.clauses import (
 )
 from assess.codes.ntc2018.linear import demand_steps
 from assess.codes.ntc2018.sheet import first_mode_steps, ordinate_steps, peak_steps, period_steps, share_steps
-from assess.codes.step import Given
 from assess.oscillator import Oscillator
 from spectra.floor_spectrum import PLATEAU
 
@@ -59,8 +59,10 @@ class Worked:
 
 def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tuple[Check, ...]:
     """d_SLV and d_SLC against the displacements of ground and floor; at least a_g,SLD is stood."""
-    checks = at_each(oscillator, context, EDITION, options, known=STATES, one=lambda case: _check(case.as_lasting))
-    return tuple(rated(check, context) for check in checks)
+    checks = check_each_limit_state(
+        oscillator, context, EDITION, options, known=STATES, one=lambda case: _check(case.at_ultimate)
+    )
+    return tuple(add_safety_index(check, context) for check in checks)
 
 
 def _check(case: Case) -> Check:
@@ -93,7 +95,7 @@ def _answer(case: Case, worked: Worked) -> Answer:
         activated = elastic = 0.0
     else:
         activated, elastic = activation_pga(cap.a0, over_pga), over_pga.largest * (cap.T0 / (2 * np.pi)) ** 2
-    symbol, longest = f"T_{case.state}", longest_asked(worked.modes, cap.T)
+    symbol, longest = f"T_{case.state}", longest_period_used(worked.modes, cap.T)
     return Answer(
         ultimate=cap.d,
         symbol=f"d_{case.state}",

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from assess.codes.calculation_step import Given
 from assess.codes.check import Step, step
 from assess.codes.italian.limit_state import Case
 from assess.codes.ntc2018.building import FirstModes, ordinate, peak_acceleration
-from assess.codes.step import Given
 from spectra.damping import ec8_eta
 from spectra.floor_spectrum import PLATEAU
 

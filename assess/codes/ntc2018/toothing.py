@@ -13,7 +13,7 @@ FRICTION = 0.577  # mu of reference [-]
 LEVER = 1.0 / 3.0  # height of the resultant over the foot of the turning part, of the height of the crack
 
 
-def toothed_friction(
+def toothing_friction(
     *,
     height: float,
     unit_height: float,

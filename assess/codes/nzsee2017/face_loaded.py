@@ -6,14 +6,14 @@ from dataclasses import replace
 
 from scipy.constants import g
 
-from assess.codes.check import BranchName, Check, Outcome, PgaCurve, Reason, because, not_by_name, step
+from assess.codes.check import BranchName, Check, Outcome, PgaCurve, Reason, missing_ordinate, reason_message, step
 from assess.codes.context import Context
-from assess.codes.family import GIVEN, foreign
-from assess.codes.governing import governing
+from assess.codes.families import TABLE_SPECTRUM, other_spectrum_note
 from assess.codes.nzsee2017.clauses import CAVEAT, CAVEAT_FREE, EDITION, USABLE, Options
-from assess.codes.nzsee2017.response import Response, overloaded, response
+from assess.codes.nzsee2017.response import Response, is_overloaded, response
 from assess.codes.nzsee2017.sheet import CLAUSE, sheet
-from assess.codes.relation import as_curve, relation
+from assess.codes.pga_rotation import pga_rotation, to_pga_curve
+from assess.codes.worst_branch import check_worst_branch
 from assess.messages.message import Message, Quantity, message
 from assess.oscillator import Branch, Oscillator
 from spectra.arrays import FloatArray
@@ -44,14 +44,14 @@ def _checks(oscillator: Oscillator, context: Context, options: Options) -> tuple
         empty = _check(name, context, level)
         if context.support == "hinged":
             return empty
-        if context.spectrum.code == GIVEN and options.c_0 is None:
-            why = not_by_name(CLAUSE, "C(0)", "procedures.nzsee2017.c_0")
+        if context.spectrum.code == TABLE_SPECTRUM and options.c_0 is None:
+            why = missing_ordinate(CLAUSE, "C(0)", "procedures.nzsee2017.c_0")
             return replace(empty, verdict=Outcome.NOT_ANSWERED, reason=why)
-        if overloaded(name, context):
-            return replace(empty, verdict=Outcome.NOT_ANSWERED, reason=because(Reason.OVERLOADED, clause=CLAUSE))
+        if is_overloaded(name, context):
+            return replace(empty, verdict=Outcome.NOT_ANSWERED, reason=reason_message(Reason.OVERLOADED, clause=CLAUSE))
         return _answered(empty, branch, context, response(branch, name, context, options), level)
 
-    return tuple(_scored(check) for check in governing(oscillator, context.levels, one))
+    return tuple(_scored(check) for check in check_worst_branch(oscillator, context.levels, one))
 
 
 def _check(name: BranchName, context: Context, level: float) -> Check:
@@ -66,26 +66,26 @@ def _check(name: BranchName, context: Context, level: float) -> Check:
         quantity="rotation",
         unit="rad",
         verdict=Outcome.NOT_APPLICABLE,
-        reason=because(Reason.NOT_A_WALL, clause=CLAUSE),
-        caveat=CAVEAT + CAVEAT_FREE * (context.support == "free") + foreign(NAME, context.spectrum.code),
+        reason=reason_message(Reason.NOT_A_WALL, clause=CLAUSE),
+        caveat=CAVEAT + CAVEAT_FREE * (context.support == "free") + other_spectrum_note(NAME, context.spectrum.code),
     )
 
 
 def _answered(check: Check, branch: Branch, context: Context, found: Response, level: float) -> Check:
     demanded = 0.0 if level <= (found.uplift or 0.0) else found.per_pga * level
-    ratio = demanded / found.allowed
+    ratio = demanded / found.usable_rotation
     verdict = Outcome.PASS if ratio <= 1.0 else Outcome.FAIL
     stands = demanded < found.instability
     return replace(
         check,
         demand=demanded,
-        capacity=found.allowed,
+        capacity=found.usable_rotation,
         ratio=ratio,
         verdict=verdict,
         reason=_reason(demanded, verdict),
         capacity_pga_g=found.capacity / g,
         uplift_pga_g=None if found.uplift is None else found.uplift / g,
-        capacity_rotation_ratio=found.allowed / branch.overturning,
+        capacity_rotation_ratio=found.usable_rotation / branch.overturning,
         rotation_ratio=demanded / branch.overturning if stands else None,
         pga_curve=_curve(branch, found),
         steps=sheet(branch, context, found, level=level),
@@ -94,15 +94,15 @@ def _answered(check: Check, branch: Branch, context: Context, found: Response, l
 
 def _reason(demanded: float, verdict: Outcome) -> Message:
     if demanded == 0.0:
-        return because(Reason.NO_ROCKING)
-    return because(Reason.WITHIN if verdict == Outcome.PASS else Reason.BEYOND, capacity="the usable rotation")
+        return reason_message(Reason.NO_ROCKING)
+    return reason_message(Reason.WITHIN if verdict == Outcome.PASS else Reason.BEYOND, capacity="the usable rotation")
 
 
 def _curve(branch: Branch, found: Response) -> PgaCurve:
     def pga_of(rotation: FloatArray) -> FloatArray:
         return rotation / found.per_pga
 
-    return as_curve(relation(pga_of, overturning=found.instability, uplift=found.uplift or 0.0), branch)
+    return to_pga_curve(pga_rotation(pga_of, overturning=found.instability, uplift=found.uplift or 0.0), branch)
 
 
 def _scored(check: Check) -> Check:

@@ -57,14 +57,14 @@ class Response:
         return self.part.line.instability
 
     @property
-    def allowed(self) -> float:
+    def usable_rotation(self) -> float:
         """phi_m [rad]."""
         return self.usable * self.instability
 
     @property
     def capacity(self) -> float:
         """PGA at 100 %NBS [m/s2]."""
-        return max(self.allowed / self.per_pga, self.uplift or 0.0)
+        return max(self.usable_rotation / self.per_pga, self.uplift or 0.0)
 
 
 def response(branch: Branch, name: BranchName, context: Context, options: Options) -> Response:
@@ -90,7 +90,7 @@ def response(branch: Branch, name: BranchName, context: Context, options: Option
     )
 
 
-def overloaded(name: BranchName, context: Context) -> bool:
+def is_overloaded(name: BranchName, context: Context) -> bool:
     """Whether what presses on the wall leaves it no effective thickness."""
     gravity = {} if context.wall is None else context.wall.gravity
     return name in gravity and thickness_factor(gravity[name].overburden_ratio) == 0.0

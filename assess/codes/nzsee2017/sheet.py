@@ -72,7 +72,7 @@ def _capacity_steps(context: Context, found: Response) -> tuple[Step, ...]:
     usable = {"s": (found.usable, "-"), "φ_i": (found.instability, "rad")}
     turned = {"c": (factor, "-"), "J": (part.J, "kg m2"), "a": (part.line.a, "N m/rad")}
     return (
-        step("φ_m", "usable rotation, its share of that at instability", CLAUSE, "s φ_i", found.allowed, "rad",
+        step("φ_m", "usable rotation, its share of that at instability", CLAUSE, "s φ_i", found.usable_rotation, "rad",
              given=usable),
         step("T_p", f"period of the part, c = {factor:.3g}", CLAUSE, "c √(J / a)", found.Tp, "s", given=turned),
     )  # fmt: skip
@@ -127,7 +127,7 @@ def _displacement_steps(context: Context, found: Response, phi_d: float) -> tupl
 
     return (
         line("Δ_i", "φ_i", "displacement at instability", found.instability),
-        line("Δ_m", "φ_m", "usable displacement", found.allowed),
+        line("Δ_m", "φ_m", "usable displacement", found.usable_rotation),
         line("D_ph", "φ_D", "displacement demand", phi_d),
     )
 
@@ -136,13 +136,13 @@ def _end_steps(found: Response, level: float) -> tuple[Step, ...]:
     phi_d, uplift = found.per_pga * level, found.uplift
     rocks = uplift is None or level > uplift
     capable = {
-        "φ_m": (found.allowed, "rad"),
+        "φ_m": (found.usable_rotation, "rad"),
         "PGA": (level / g, "g"),
         "φ_D": (phi_d, "rad"),
         "PGA_u": ((uplift or 0.0) / g, "g"),
     }
-    held = {"φ_D": (phi_d, "rad"), "φ_m": (found.allowed, "rad")}
-    ratio = phi_d / found.allowed
+    held = {"φ_D": (phi_d, "rad"), "φ_m": (found.usable_rotation, "rad")}
+    ratio = phi_d / found.usable_rotation
     return (
         _uplift_step(found),
         step("PGA_100", "PGA at 100 %NBS", CLAUSE, "max(φ_m PGA / φ_D, PGA_u)", found.capacity / g, "g", given=capable),

@@ -12,11 +12,11 @@ roles.py      the checks that decide, marked as such
 """
 
 from assess.codes.verdict.answer import Answer, Index, grade
+from assess.codes.verdict.deciding_checks import find_deciding_check, mark_deciding
 from assess.codes.verdict.decision import MechanismVerdict, Verdict, verdict
-from assess.codes.verdict.methods import deciding_states, methods_of
+from assess.codes.verdict.methods import find_limit_states, methods_of
 from assess.codes.verdict.outcome import Decision, worst
-from assess.codes.verdict.question import Action, Judged, Missing, Question
-from assess.codes.verdict.roles import deciding_check, with_roles
+from assess.codes.verdict.question import Action, MechanismChecks, Missing, Question
 from assess.codes.verdict.target import target_of
 
 __all__ = [
@@ -24,17 +24,17 @@ __all__ = [
     "Answer",
     "Decision",
     "Index",
-    "Judged",
+    "MechanismChecks",
     "MechanismVerdict",
     "Missing",
     "Question",
     "Verdict",
-    "deciding_check",
-    "deciding_states",
+    "find_deciding_check",
+    "find_limit_states",
     "grade",
+    "mark_deciding",
     "methods_of",
     "target_of",
     "verdict",
-    "with_roles",
     "worst",
 ]

@@ -8,20 +8,21 @@ from math import inf, isclose
 
 from assess.codes.basis import Basis, IndexKind, LimitState
 from assess.codes.check import Check, Outcome
-from assess.codes.verdict.methods import Rank, ranks_asked, undeclared
+from assess.codes.verdict.methods import Rank, missing_action, requested_ranks
+from assess.codes.verdict.missing_keys import missing_keys
 from assess.codes.verdict.outcome import Decision, worst
-from assess.codes.verdict.question import Action, Judged, Missing, Question
-from assess.codes.verdict.remedies import remedies
+from assess.codes.verdict.question import Action, MechanismChecks, Missing, Question
 from assess.codes.verdict.target import whole
 from assess.messages.message import Message, message
+from assess.short_repr import ShortRepr
 
 LEAST_WIDTH = 0.05  # of the threshold: answers nearer to it are "at the limit"
 GRADES = ((80.0, "A"), (67.0, "B"), (34.0, "C"), (20.0, "D"), (0.0, "E"))
 """Grades of NZSEE 2017 by the least share of the new building standard [%]; above 100 it is A+."""
 
 
-@dataclass(frozen=True)
-class Index:
+@dataclass(frozen=True, repr=False)
+class Index(ShortRepr):
     """What the code counts the answer in: its name, its value (%NBS in per cent), and its grade if there are grades."""
 
     name: str
@@ -29,8 +30,8 @@ class Index:
     grade: str = ""
 
 
-@dataclass(frozen=True)
-class Answer:
+@dataclass(frozen=True, repr=False)
+class Answer(ShortRepr):
     """The deciding answer of one limit state; `procedure` is empty where no method was asked or applies.
 
     provisional : of an incomplete one, what it would be with the safe value of what is missing; None where none exists
@@ -55,17 +56,19 @@ class Found:
     missing: tuple[Missing, ...] = ()
 
 
-def find_answer(one: Judged, state: LimitState, question: Question, basis: Basis, target: float | None) -> Found:
+def find_answer(
+    one: MechanismChecks, state: LimitState, question: Question, basis: Basis, target: float | None
+) -> Found:
     """Find the answer of the most refined method that may decide and was answered.
 
     Methods of one rank must all hold: one that fails decides, one that is missing lets the next rank answer.
     """
-    ranks = ranks_asked(state, question.procedures)
-    lacking = undeclared(state, question.action)
+    ranks = requested_ranks(state, question.procedures)
+    lacking = missing_action(state, question.action)
     silent: list[Check] = []
     for rank in ranks:
         checks = [check for method in rank for check in _of_method(one, method.procedure, state, question.action)]
-        said = [decided(check, basis, target) for check in checks]
+        said = [decide(check, basis, target) for check in checks]
         if Decision.FAIL in said or (said and None not in said and _every_method(checks, one, rank, state)):
             outcome = worst(each for each in said if each is not None)
             return _declared(_answered(one, checks, said, state, outcome, basis, target), lacking)
@@ -73,12 +76,12 @@ def find_answer(one: Judged, state: LimitState, question: Question, basis: Basis
     return _unanswered(one, state, ranks, silent, basis, target, lacking)
 
 
-def _every_method(checks: Sequence[Check], one: Judged, rank: Rank, state: LimitState) -> bool:
+def _every_method(checks: Sequence[Check], one: MechanismChecks, rank: Rank, state: LimitState) -> bool:
     """Whether each method of a rank gave a check; one that gives several does not stand for another."""
     return {check.procedure for check in checks}.issuperset(_applying(one, rank, state))
 
 
-def _applying(one: Judged, rank: Rank, state: LimitState) -> list[str]:
+def _applying(one: MechanismChecks, rank: Rank, state: LimitState) -> list[str]:
     """The methods of a rank that are for such a mechanism."""
     no = {check.procedure for check in one.checks if check.verdict == Outcome.NOT_APPLICABLE and _is_of(check, state)}
     return [method.procedure for method in rank if method.procedure not in no]
@@ -88,7 +91,7 @@ def _is_of(check: Check, state: LimitState) -> bool:
     return state.checked_as in (check.limit_state, "*")
 
 
-def _of_method(one: Judged, procedure: str, state: LimitState, action: Action) -> list[Check]:
+def _of_method(one: MechanismChecks, procedure: str, state: LimitState, action: Action) -> list[Check]:
     return [
         check
         for check in one.checks
@@ -106,7 +109,7 @@ def at_action(check: Check, action: Action) -> bool:
     return isclose(check.level_pga_g, action.pga_g, rel_tol=1e-9)
 
 
-def decided(check: Check, basis: Basis, target: float | None) -> Decision | None:
+def decide(check: Check, basis: Basis, target: float | None) -> Decision | None:
     """Compare a check with the target; None where it says nothing."""
     if target is None or check.verdict == Outcome.NOT_ANSWERED:
         return None
@@ -140,7 +143,7 @@ def grade(share: float) -> str:
 
 
 def _answered(
-    one: Judged,
+    one: MechanismChecks,
     checks: Sequence[Check],
     said: Sequence[Decision | None],
     state: LimitState,
@@ -180,10 +183,10 @@ def _provisional(check: Check, basis: Basis, target: float | None) -> Decision |
     """What a check would say with the safe value of what is missing; the safe target is the whole one."""
     wanted = whole(basis) if target is None else target
     if check.verdict != Outcome.NOT_ANSWERED:
-        return decided(check, basis, wanted) if target is None else None
+        return decide(check, basis, wanted) if target is None else None
     if check.provisional is None:
         return None
-    return decided(replace(check, verdict=check.provisional, may_pass=True), basis, wanted)
+    return decide(replace(check, verdict=check.provisional, may_pass=True), basis, wanted)
 
 
 def _of_rank(check: Check, silent: Sequence[Check], ranks: Sequence[Rank]) -> list[Check]:
@@ -202,7 +205,7 @@ def _together(said: Iterable[Decision | None]) -> Decision | None:
 
 
 def _unanswered(
-    one: Judged,
+    one: MechanismChecks,
     state: LimitState,
     ranks: Sequence[Rank],
     silent: Sequence[Check],
@@ -211,7 +214,7 @@ def _unanswered(
     lacking: Missing | None,
 ) -> Found:
     """No method was answered: the most refined one says why, with the keys that would do."""
-    missing = (*remedies(one.name, silent), *(() if lacking is None else (lacking,)))
+    missing = (*missing_keys(one.name, silent), *(() if lacking is None else (lacking,)))
     if not silent:
         names = ", ".join(method.procedure for rank in ranks for method in rank) or "none"
         reason = message("no-deciding-method", {"state": state.name, "methods": names})

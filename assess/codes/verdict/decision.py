@@ -12,15 +12,16 @@ from dataclasses import dataclass, replace
 from assess.codes.basis import Basis, IndexKind, LimitState, Role
 from assess.codes.check import Check
 from assess.codes.verdict.answer import Answer, Found, Index, find_answer
-from assess.codes.verdict.methods import deciding_states, methods_of
+from assess.codes.verdict.methods import find_limit_states, methods_of
 from assess.codes.verdict.outcome import Decision, worst
-from assess.codes.verdict.question import Action, Judged, Missing, Question, once
+from assess.codes.verdict.question import Action, MechanismChecks, Missing, Question, once
 from assess.codes.verdict.target import target_of
 from assess.messages.message import Message, Severity, message
+from assess.short_repr import ShortRepr
 
 
-@dataclass(frozen=True)
-class MechanismVerdict:
+@dataclass(frozen=True, repr=False)
+class MechanismVerdict(ShortRepr):
     """The verdict of one mechanism.
 
     margin : PGA at capacity over the action's, None where it is not known
@@ -37,8 +38,8 @@ class MechanismVerdict:
     provisional: Decision | None = None
 
 
-@dataclass(frozen=True)
-class Verdict:
+@dataclass(frozen=True, repr=False)
+class Verdict(ShortRepr):
     """The verdict of the building at the site's own action.
 
     limit_states, methods : that decide; index : "at most" the least of the mechanisms', as they are local ones only;
@@ -74,12 +75,12 @@ class _Measure:
     missing: tuple[Missing, ...]
 
 
-def verdict(question: Question, mechanisms: Sequence[Judged]) -> Verdict:
+def verdict(question: Question, mechanisms: Sequence[MechanismChecks]) -> Verdict:
     """Decide the building and each of its mechanisms."""
     basis = question.basis
     if basis is None:
         return _without_basis(question, mechanisms)
-    states, no_state = deciding_states(question)
+    states, no_state = find_limit_states(question)
     target, no_target = target_of(question, basis)
     measure = _Measure(question, basis, states, target, (*question.missing, *no_state, *no_target))
     found = tuple(_of_mechanism(each, measure) for each in mechanisms)
@@ -108,7 +109,7 @@ def _near_limit(outcome: Decision, those: Sequence[bool]) -> bool:
     return all(those) if outcome == Decision.FAIL else any(those)
 
 
-def _of_mechanism(one: Judged, measure: _Measure) -> MechanismVerdict:
+def _of_mechanism(one: MechanismChecks, measure: _Measure) -> MechanismVerdict:
     """Decide one mechanism: what is missing cannot be made up for by numbers that pass."""
     asked = [find_answer(one, state, measure.question, measure.basis, measure.target) for state in measure.states]
     found = _by_class(asked, measure)
@@ -164,7 +165,7 @@ def _of_class(asked: Sequence[Found], measure: _Measure) -> tuple[Message, ...]:
     return (message("class-not-given", {"states": names}, severity=Severity.WARNING),) if names else ()
 
 
-def _conditions(one: Judged, found: Sequence[Found]) -> tuple[Message, ...]:
+def _conditions(one: MechanismChecks, found: Sequence[Found]) -> tuple[Message, ...]:
     return _unique((*one.conditions, *(each for it in found for check in it.checks for each in check.conditions)))
 
 
@@ -198,7 +199,7 @@ def _unique(messages: Iterable[Message]) -> tuple[Message, ...]:
     return tuple(kept)
 
 
-def _without_basis(question: Question, mechanisms: Sequence[Judged]) -> Verdict:
+def _without_basis(question: Question, mechanisms: Sequence[MechanismChecks]) -> Verdict:
     """Nothing decides: no basis is named, and none follows from the site's spectrum."""
     missing = Missing("verdict.basis", "which code decides; the site's spectrum does not tell", 'basis = "asce43-05"')
     reason = message("missing-key", {"key": missing.key, "text": missing.text}, where=missing.key)

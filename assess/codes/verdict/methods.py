@@ -9,7 +9,7 @@ from spectra.ntc import EXCEEDANCE
 Rank = tuple[Method, ...]
 
 
-def deciding_states(question: Question) -> tuple[tuple[LimitState, ...], tuple[Missing, ...]]:
+def find_limit_states(question: Question) -> tuple[tuple[LimitState, ...], tuple[Missing, ...]]:
     """Find the limit states that decide, and what is missing to know them.
 
     One is chosen for the building; others decide besides it in some classes of use. Where the class is not given, those
@@ -37,18 +37,18 @@ def _besides(basis: Basis, use_class: str | None) -> tuple[LimitState, ...]:
     return tuple(state for state in every if use_class is None or use_class in state.classes)
 
 
-def methods_asked(state: LimitState, question: Question) -> tuple[str, ...]:
+def requested_methods(state: LimitState, question: Question) -> tuple[str, ...]:
     """Return the procedures that may decide a limit state, in order of refinement."""
-    return tuple(method.procedure for rank in ranks_asked(state, question.procedures) for method in rank)
+    return tuple(method.procedure for rank in requested_ranks(state, question.procedures) for method in rank)
 
 
 def methods_of(question: Question) -> tuple[str, ...]:
     """Return the procedures that may decide any limit state, each once; none without a basis."""
-    states, _ = deciding_states(question)
-    return tuple(dict.fromkeys(method for state in states for method in methods_asked(state, question)))
+    states, _ = find_limit_states(question)
+    return tuple(dict.fromkeys(method for state in states for method in requested_methods(state, question)))
 
 
-def ranks_asked(state: LimitState, named: tuple[str, ...] | None) -> tuple[Rank, ...]:
+def requested_ranks(state: LimitState, named: tuple[str, ...] | None) -> tuple[Rank, ...]:
     """Return the methods of each rank that the project asks for; where it names none, those accepted without a name.
 
     A limit state that decides besides the chosen one keeps its own methods where the project names none of them.
@@ -61,7 +61,7 @@ def ranks_asked(state: LimitState, named: tuple[str, ...] | None) -> tuple[Rank,
     return tuple(rank for rank in ranks if rank)
 
 
-def undeclared(state: LimitState, action: Action) -> Missing | None:
+def missing_action(state: LimitState, action: Action) -> Missing | None:
     """Return what is missing where a single spectrum is not declared for a limit state, which then it cannot decide.
 
     A hazard over return periods has the spectra of the Italian limit states, and of no other code's.

@@ -9,14 +9,15 @@ from typing import Literal
 from assess.codes.basis import Basis
 from assess.codes.check import Check
 from assess.messages.message import Message
+from assess.short_repr import ShortRepr
 
 SOURCES = "report.sources"
 """The key of a missing source; a table whose own keys are keys of the file."""
 Works = Literal["none", "repair", "improvement", "upgrading"]
 
 
-@dataclass(frozen=True)
-class Missing:
+@dataclass(frozen=True, repr=False)
+class Missing(ShortRepr):
     """An input without which there is no answer: its key in the project file, why, and a line of TOML to begin with.
 
     reasons : those whose texts are part of why
@@ -28,8 +29,8 @@ class Missing:
     reasons: tuple[Message, ...] = ()
 
 
-@dataclass(frozen=True)
-class Action:
+@dataclass(frozen=True, repr=False)
+class Action(ShortRepr):
     """What the site's own spectrum stands for.
 
     pga_g : its peak ground acceleration [g]
@@ -68,7 +69,7 @@ class Question:
 
 
 @dataclass(frozen=True)
-class Judged:
+class MechanismChecks:
     """One mechanism as the verdict sees it.
 
     missing : what a pass needs and nobody gave; conditions : what a pass rests on

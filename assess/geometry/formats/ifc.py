@@ -12,10 +12,10 @@ from typing import Any
 import numpy as np
 
 from assess.geometry.formats.ifc_numbers import refuse_commas
+from assess.geometry.formats.mesh_file import Element, MeshFile, Part, make_part, part_without_mesh
 from assess.geometry.formats.part21 import refuse_damaged
-from assess.geometry.formats.parts import Element, MeshFile, Part, part, without_mesh
 
-ANGULAR = 0.05  # rad: largest turn between neighbouring facets; a circle's area is then 0.04 % small
+ANGULAR_DEFLECTION = 0.05  # rad: largest turn between neighbouring facets; a circle's area is then 0.04 % small
 NOT_BUILT = ("IfcSpace", "IfcOpeningElement", "IfcVirtualElement", "IfcAnnotation", "IfcGrid")
 NO_BODIES = ("Curve2D", "Curve3D", "Curve", "Point", "PointCloud", "Annotation2D", "GeometricCurveSet", "BoundingBox")
 WHOLE_BODIES = (
@@ -44,7 +44,7 @@ def read_ifc(file: Path) -> MeshFile:
     products = [each for each in model.by_type("IfcProduct") if _has_body(each)]
     above = cache(partial(_classes, model.schema_identifier))
     elements = tuple(_element(each, above) for each in products)
-    return MeshFile(elements, partial(_meshed, model, products, elements, missing), unit=1.0, up="z")
+    return MeshFile(elements, partial(_mesh_products, model, products, elements, missing), unit=1.0, up="z")
 
 
 def _has_body(product: Any) -> bool:
@@ -108,7 +108,7 @@ def _attributes(schema: str, name: str) -> int | None:
         return None
 
 
-def _meshed(
+def _mesh_products(
     model: Any, products: Sequence[Any], elements: Sequence[Element], missing: Set[int], places: Sequence[int]
 ) -> tuple[Part, ...]:
     """The meshes of the elements asked for; one that has none is said to have none.
@@ -121,16 +121,16 @@ def _meshed(
     ifcopenshell.get_log()  # empties it
     shapes = _shapes(model, wanted) if wanted else {}
     failed = {int(number) for number in FAILED.findall(ifcopenshell.get_log())}
-    nothing = without_mesh(Element(), UNMESHED)
+    nothing = part_without_mesh(Element(), UNMESHED)
     found = []
     for place, product in zip(places, wanted, strict=True):
         shape = replace(shapes.get(product.id(), nothing), element=elements[place])
-        lost = [] if shape.fault or not failed | missing else _lost(model, product, failed, missing)
+        lost = [] if shape.fault or not failed | missing else _missing_items(model, product, failed, missing)
         found.append(replace(shape, doubt=PARTLY.format(lost=", ".join(lost)) if lost else ""))
     return tuple(found)
 
 
-def _lost(model: Any, product: Any, failed: Set[int], missing: Set[int]) -> list[str]:
+def _missing_items(model: Any, product: Any, failed: Set[int], missing: Set[int]) -> list[str]:
     """What of an element and of its openings is missing, and their bodies that failed; single faces are not told."""
     openings = [link.RelatedOpeningElement for link in _links(product, "HasOpenings")]
     made_of = [part for each in (product, *openings) for part in (each.Representation, each.ObjectPlacement) if part]
@@ -148,7 +148,7 @@ def _shapes(model: Any, products: Sequence[Any]) -> Mapping[int, Part]:
 
     settings = ifcopenshell.geom.settings()
     settings.set("use-world-coords", True)
-    settings.set("mesher-angular-deflection", ANGULAR)
+    settings.set("mesher-angular-deflection", ANGULAR_DEFLECTION)
     iterator = ifcopenshell.geom.iterator(settings, model, include=list(products))
     found = {}
     more = iterator.initialize()
@@ -156,6 +156,6 @@ def _shapes(model: Any, products: Sequence[Any]) -> Mapping[int, Part]:
         shape = iterator.get()
         faces = np.array(shape.geometry.faces, dtype=np.int64).reshape(-1, 3)
         if len(faces):
-            found[shape.id] = part(Element(), np.array(shape.geometry.verts, dtype=np.float64), faces)
+            found[shape.id] = make_part(Element(), np.array(shape.geometry.verts, dtype=np.float64), faces)
         more = iterator.next()
     return found

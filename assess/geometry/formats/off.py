@@ -7,8 +7,8 @@ from pathlib import Path
 
 import numpy as np
 
-from assess.geometry.formats.lines import Block, blocks, numbers, rows_of, text_of
-from assess.geometry.formats.parts import Element, MeshFile, fans, file_of, part
+from assess.geometry.formats.mesh_file import Element, MeshFile, fan_triangles, file_from_parts, make_part
+from assess.geometry.formats.text_blocks import Block, join_lines, parse_numbers, read_blocks, rows_by_length
 from spectra.arrays import BoolArray, FloatArray, IntArray
 
 HEADER = re.compile(
@@ -35,7 +35,7 @@ def read_off(file: Path) -> MeshFile:
     points, triangles = [np.empty((0, 3))], [np.empty((0, 3), dtype=np.int64)]
     widths: set[int] = set()
     lines = 0
-    for block in blocks(file, skip=header.end(), comments=True):
+    for block in read_blocks(file, skip=header.end(), comments=True):
         content_lines = block.words > 0
         place = lines + np.cumsum(content_lines) - 1
         positions = content_lines & (place < vertices)
@@ -47,7 +47,7 @@ def read_off(file: Path) -> MeshFile:
         raise ValueError(f"it announces {vertices} vertices and {faces} faces and has {lines} lines of them")
     if len(widths) > 1:
         raise ValueError(f"some vertices have {min(widths)} numbers, others {max(widths)}; is a decimal lost?")
-    return file_of([part(Element(), np.concatenate(points), np.concatenate(triangles))])
+    return file_from_parts([make_part(Element(), np.concatenate(points), np.concatenate(triangles))])
 
 
 def _points(block: Block, chosen: BoolArray) -> FloatArray:
@@ -57,9 +57,9 @@ def _points(block: Block, chosen: BoolArray) -> FloatArray:
         return np.empty((0, 3))
     if sizes.min() < LEAST:
         raise ValueError(f"a vertex has {sizes.min()} coordinates")
-    values = numbers(text_of(block, chosen), count=int(sizes.sum()))
+    values = parse_numbers(join_lines(block, chosen), count=int(sizes.sum()))
     found = np.empty((len(sizes), 3))
-    for places, rows in rows_of(values, sizes):
+    for places, rows in rows_by_length(values, sizes):
         found[places] = rows[:, :3]
     return found
 
@@ -69,13 +69,13 @@ def _faces(block: Block, chosen: BoolArray) -> list[IntArray]:
     sizes = block.words[chosen]
     if not len(sizes):
         return []
-    values = numbers(text_of(block, chosen), count=int(sizes.sum()))
+    values = parse_numbers(join_lines(block, chosen), count=int(sizes.sum()))
     found = []
-    for _, rows in rows_of(values, sizes):
+    for _, rows in rows_by_length(values, sizes):
         for corners in np.unique(rows[:, 0]).tolist():
             own = rows[rows[:, 0] == corners]
             if corners != int(corners) or not 0 <= corners < rows.shape[1]:
                 raise ValueError(f"a face of {corners:g} corners has {rows.shape[1] - 1} numbers")
             if corners >= LEAST:
-                found.append(fans(own[:, 1 : int(corners) + 1].astype(np.int64)))
+                found.append(fan_triangles(own[:, 1 : int(corners) + 1].astype(np.int64)))
     return found

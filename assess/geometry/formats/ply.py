@@ -14,8 +14,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from assess.geometry.formats.lines import rows_of, words_as_numbers
-from assess.geometry.formats.parts import CLOUD, Element, MeshFile, fans, file_of, part
+from assess.geometry.formats.mesh_file import POINT_CLOUD, Element, MeshFile, fan_triangles, file_from_parts, make_part
+from assess.geometry.formats.text_blocks import parse_words, rows_by_length
 from spectra.arrays import BoolArray, FloatArray, IntArray
 
 SHORT = {"char": "i1", "uchar": "u1", "short": "i2", "ushort": "u2", "int": "i4", "uint": "u4"}
@@ -67,7 +67,7 @@ def read_ply(file: Path) -> MeshFile:
     """
     data = file.read_bytes()
     order, tables, start = _header(data[:LONGEST])
-    words = np.empty(0) if order else words_as_numbers(data, start)
+    words = np.empty(0) if order else parse_words(data, start)
     take: Take = partial(_binary, data, order) if order else partial(_text, words)
     found: dict[str, Columns] = {}
     at = start if order else 0
@@ -79,9 +79,9 @@ def read_ply(file: Path) -> MeshFile:
     vertices = _vertices(found.get("vertex", {}))
     triangles = [*_faces(found.get("face", {})), *_strips(found.get("tristrips", {}))]
     if len(vertices) and not any(len(each) for each in triangles):
-        raise ValueError(CLOUD.format(count=len(vertices)))
+        raise ValueError(POINT_CLOUD.format(count=len(vertices)))
     nothing = np.empty((0, 3), dtype=np.int64)
-    return file_of([part(Element(), vertices, np.concatenate([nothing, *triangles]))])
+    return file_from_parts([make_part(Element(), vertices, np.concatenate([nothing, *triangles]))])
 
 
 def _header(data: bytes) -> tuple[str, tuple[Table, ...], int]:
@@ -119,10 +119,10 @@ def _text(words: FloatArray, table: Table, at: int) -> tuple[Columns, int]:
     """The columns of a table of text, whose words are numbers."""
     if all(one.counted is None for one in table.properties):
         width = len(table.properties)
-        end = _ends(table, at, width, len(words))
+        end = _end_of_table(table, at, width, len(words))
         rows = words[at:end].reshape(-1, width)
         return {one.name: rows[:, k] for k, one in enumerate(table.properties)}, end
-    _ends(table, at, len(table.properties), len(words))
+    _end_of_table(table, at, len(table.properties), len(words))
     return _text_lists(words, table, at)
 
 
@@ -131,7 +131,7 @@ def _text_lists(words: FloatArray, table: Table, at: int) -> tuple[Columns, int]
     width, place = 0, {}
     for one in table.properties:
         place[one.name] = width
-        width += 1 if one.counted is None else 1 + _size(words, at + width)
+        width += 1 if one.counted is None else 1 + _text_size(words, at + width)
     end = at + table.count * width
     lists = [one.name for one in table.properties if one.counted is not None]
     if end <= len(words):
@@ -154,18 +154,18 @@ def _text_records(words: FloatArray, table: Table, at: int) -> tuple[Columns, in
     sizes: dict[str, list[int]] = {name: [] for name in lists}
     for _ in range(table.count):
         for one in table.properties:
-            size = 0 if one.counted is None else _size(words, at)
+            size = 0 if one.counted is None else _text_size(words, at)
             if one.counted is not None:
                 kept[one.name][at + 1 : at + 1 + size] = True
                 sizes[one.name].append(size)
             at += 1 + size
             if at > len(words):
-                raise ValueError(_short(table))
+                raise ValueError(_truncated(table))
     found = {name: Ragged(words[kept[name]].astype(np.int64), np.array(sizes[name], dtype=np.int64)) for name in lists}
     return found, at
 
 
-def _size(words: FloatArray, at: int) -> int:
+def _text_size(words: FloatArray, at: int) -> int:
     """The length of a list of text."""
     size = words[at] if at < len(words) else 0.0
     if not 0.0 <= size < len(words) or size != int(size):
@@ -181,18 +181,18 @@ def _binary(data: bytes, order: str, table: Table, at: int) -> tuple[Columns, in
         if one.counted is None:
             fields.append((f"{k}", order + one.kind))
         else:
-            size = _counted(data, order + one.counted, place, table)
+            size = _binary_size(data, order + one.counted, place, table)
             fields += [(f"size {k}", order + one.counted), (f"{k}", order + one.kind, (size,))]
         place = at + np.dtype(fields).itemsize
     record = np.dtype(fields)
     least = sum(np.dtype(one.counted or one.kind).itemsize for one in table.properties)
-    _ends(table, at, least, len(data))
+    _end_of_table(table, at, least, len(data))
     end = at + table.count * record.itemsize
     lists = {k: one.name for k, one in enumerate(table.properties) if one.counted is not None}
     rows = np.frombuffer(data, record, count=table.count, offset=at) if end <= len(data) else None
     if rows is None or any((rows[f"size {k}"] != rows[f"size {k}"][0]).any() for k in lists):
         if not lists:
-            raise ValueError(_short(table))
+            raise ValueError(_truncated(table))
         return _binary_records(data, order, table, at)
     return {
         one.name: Ragged(rows[f"{k}"].astype(np.int64).reshape(-1), rows[f"size {k}"].astype(np.int64))
@@ -212,13 +212,13 @@ def _binary_records(data: bytes, order: str, table: Table, at: int) -> tuple[Col
             if counted is None:
                 at += width
                 continue
-            size = _counted(data, order + counted, at, table)
+            size = _binary_size(data, order + counted, at, table)
             at += int(counted[1])
             values[name] += data[at : at + size * width]
             sizes[name].append(size)
             at += size * width
         if at > len(data):
-            raise ValueError(_short(table))
+            raise ValueError(_truncated(table))
     kind = {one.name: order + one.kind for one in table.properties}
     return {
         name: Ragged(np.frombuffer(bytes(values[name]), kind[name]).astype(np.int64), np.array(sizes[name], np.int64))
@@ -226,25 +226,25 @@ def _binary_records(data: bytes, order: str, table: Table, at: int) -> tuple[Col
     }, at
 
 
-def _counted(data: bytes, kind: str, at: int, table: Table) -> int:
+def _binary_size(data: bytes, kind: str, at: int, table: Table) -> int:
     """The length of a list of binary numbers."""
     if at + int(kind[2]) > len(data):
-        raise ValueError(_short(table))
+        raise ValueError(_truncated(table))
     size = int(np.frombuffer(data, kind, count=1, offset=at)[0])
     if not 0 <= size <= len(data) - at:
-        raise ValueError(_short(table))
+        raise ValueError(_truncated(table))
     return size
 
 
-def _ends(table: Table, at: int, width: int, available: int) -> int:
+def _end_of_table(table: Table, at: int, width: int, available: int) -> int:
     """Where a table of records of at least this width ends; raises ValueError where the file ends before."""
     end = at + table.count * width
     if end > available:
-        raise ValueError(_short(table))
+        raise ValueError(_truncated(table))
     return end
 
 
-def _short(table: Table) -> str:
+def _truncated(table: Table) -> str:
     return f'it announces {table.count} of "{table.name[:20]}" and ends before them'
 
 
@@ -270,9 +270,9 @@ def _faces(found: Columns) -> Iterator[IntArray]:
     """Triangles of the faces."""
     corners = _corners(found)
     if corners is not None:
-        for _, rows in rows_of(corners.values, corners.sizes):
+        for _, rows in rows_by_length(corners.values, corners.sizes):
             if rows.shape[1] >= LEAST:
-                yield fans(rows)
+                yield fan_triangles(rows)
 
 
 def _strips(found: Columns) -> Iterator[IntArray]:

@@ -9,8 +9,16 @@ from typing import Any
 
 import numpy as np
 
-from assess.geometry.formats.apart import run_apart
-from assess.geometry.formats.parts import Element, MeshFile, Part, file_of, moved, part, without_mesh
+from assess.geometry.formats.mesh_file import (
+    Element,
+    MeshFile,
+    Part,
+    file_from_parts,
+    make_part,
+    part_without_mesh,
+    transform,
+)
+from assess.geometry.formats.subprocess_reader import run_in_subprocess
 from spectra.arrays import FloatArray
 
 READ = "import sys, rhino3dm; rhino3dm.File3dm.FromByteArray(open(sys.argv[1], 'rb').read())"
@@ -25,8 +33,8 @@ UNITS = {  # rhino3dm.UnitSystem [m]
     "Feet": 0.3048,
     "Yards": 0.9144,
 }
-DEEPEST = 50  # instances within instances
-MOST = 100_000  # instances: blocks within blocks multiply
+MAX_DEPTH = 50  # instances within instances
+MAX_INSTANCES = 100_000  # instances: blocks within blocks multiply
 SURFACES = ("Brep", "SubD", "Surface", "NurbsSurface", "Extrusion")
 NO_MESH = (
     "it is a {kind} saved without its render mesh, and no program but Rhino meshes it; in Rhino set a shaded view and "
@@ -41,27 +49,27 @@ def read_3dm(file: Path) -> MeshFile:
     """
     import rhino3dm
 
-    run_apart(READ, file, name="openNURBS")
+    run_in_subprocess(READ, file, name="openNURBS")
     model = rhino3dm.File3dm.FromByteArray(file.read_bytes())
     if model is None:
         raise ValueError("not a Rhino file")
     found: list[Part] = []
     for item in model.Objects:
         if not item.Attributes.IsInstanceDefinitionObject:
-            for each in _of(item, model):
+            for each in _object_parts(item, model):
                 found.append(each)
-                if len(found) > MOST:
-                    raise ValueError(f"its blocks make more than {MOST} parts")
-    return file_of(found, unit=UNITS.get(model.Settings.ModelUnitSystem.name), up="z")
+                if len(found) > MAX_INSTANCES:
+                    raise ValueError(f"its blocks make more than {MAX_INSTANCES} parts")
+    return file_from_parts(found, unit=UNITS.get(model.Settings.ModelUnitSystem.name), up="z")
 
 
-def _of(item: Any, model: Any, depth: int = 0) -> Iterator[Part]:
+def _object_parts(item: Any, model: Any, depth: int = 0) -> Iterator[Part]:
     """The parts of one object of the file; without triangles where it has a surface but no mesh."""
     kind = type(item.Geometry).__name__
     names = (item.Attributes.Name,) if item.Attributes.Name else ()
     element = Element(names=names, identifier=str(item.Attributes.Id), kinds=(kind,))
     if kind == "InstanceReference":
-        if depth > DEEPEST:
+        if depth > MAX_DEPTH:
             raise ValueError("its blocks hold one another without end")
         yield from _instance(item, model, element, depth)
     elif kind == "Mesh":
@@ -79,12 +87,12 @@ def _instance(item: Any, model: Any, element: Element, depth: int) -> Iterator[P
     matrix = np.array(reference.Xform.ToFloatArray(True), dtype=np.float64).reshape(4, 4)
     definition = model.InstanceDefinitions.FindId(reference.ParentIdefId)
     for identifier in definition.GetObjectIds():
-        for each in _of(model.Objects.FindId(identifier), model, depth + 1):
+        for each in _object_parts(model.Objects.FindId(identifier), model, depth + 1):
             own = each.element
             # the same object stands in every instance of its block
             within = (*element.names, element.identifier, *own.within, *own.names, own.identifier)
             one = replace(own, names=(), identifier=f"{element.identifier}/{own.identifier}", within=within)
-            yield replace(moved(each, matrix), element=one)
+            yield replace(transform(each, matrix), element=one)
 
 
 def _render(surface: Any) -> Any:
@@ -97,14 +105,14 @@ def _render(surface: Any) -> Any:
 def _mesh(element: Element, meshes: list[Any]) -> Part:
     """The Rhino meshes of one object as one part; nothing where one of them is missing."""
     if not meshes or any(each is None for each in meshes):
-        return without_mesh(element, NO_MESH.format(kind=_called(element.kinds[0])))
+        return part_without_mesh(element, NO_MESH.format(kind=_surface_name(element.kinds[0])))
     corners = [_points(each) for each in meshes]
     starts = np.cumsum([0, *(len(each) for each in corners)])
     faces = [
         np.array([each.Faces[i] for i in range(len(each.Faces))], dtype=np.int64).reshape(-1, 4) + start
         for each, start in zip(meshes, starts[:-1], strict=True)
     ]
-    return part(element, np.concatenate(corners), np.concatenate(faces))  # a triangle repeats its third corner
+    return make_part(element, np.concatenate(corners), np.concatenate(faces))  # a triangle repeats its third corner
 
 
 def _points(shape: Any) -> FloatArray:
@@ -113,5 +121,5 @@ def _points(shape: Any) -> FloatArray:
     return values.reshape(-1, 3)
 
 
-def _called(kind: str) -> str:
+def _surface_name(kind: str) -> str:
     return {"Brep": "polysurface (Brep)", "SubD": "SubD"}.get(kind, f"surface ({kind})")

@@ -8,14 +8,14 @@ from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
-from assess.geometry.formats.apart import run_apart
-from assess.geometry.formats.by_trimesh import read_glb
+from assess.geometry.formats.gltf import read_glb
+from assess.geometry.formats.mesh_file import MeshFile, Part
 from assess.geometry.formats.part21 import refuse_damaged
-from assess.geometry.formats.parts import MeshFile, Part
 from assess.geometry.formats.step_units import states_unit
+from assess.geometry.formats.subprocess_reader import run_in_subprocess
 
-ANGULAR = 0.05  # rad: largest turn between neighbouring facets; a circle's area is then 0.04 % small
-LINEAR = 0.01  # of an edge's length: largest distance of a facet from its surface
+ANGULAR_DEFLECTION = 0.05  # rad: largest turn between neighbouring facets; a circle's area is then 0.04 % small
+LINEAR_DEFLECTION = 0.01  # of an edge's length: largest distance of a facet from its surface
 MESH = "import sys, cascadio; sys.exit(cascadio.step_to_glb(sys.argv[1], sys.argv[2], {}, {}, True))"
 
 
@@ -29,7 +29,9 @@ def read_step(file: Path) -> MeshFile:
     refuse_damaged(file)
     with tempfile.TemporaryDirectory() as folder:
         glb = Path(folder) / "meshed.glb"
-        failed = run_apart(MESH.format(LINEAR, ANGULAR), file, str(glb), name="Open CASCADE")
+        failed = run_in_subprocess(
+            MESH.format(LINEAR_DEFLECTION, ANGULAR_DEFLECTION), file, str(glb), name="Open CASCADE"
+        )
         if failed or not glb.is_file():
             raise ValueError("Open CASCADE finds no shape in it")
         found = replace(read_glb(glb), up="z")

@@ -13,8 +13,8 @@ from xml.parsers import expat
 
 import numpy as np
 
-from assess.geometry.formats.bounds import INSTANCES, TRIANGLES, unpacked_3mf
-from assess.geometry.formats.parts import Element, MeshFile, Part, file_of, moved
+from assess.geometry.formats.limits import MAX_INSTANCES, MAX_TRIANGLES, unpack_3mf
+from assess.geometry.formats.mesh_file import Element, MeshFile, Part, file_from_parts, transform
 from spectra.arrays import FloatArray, IntArray
 
 UNITS = {  # 3MF Core Specification 1.3, 3.4: the attribute unit of <model> [m]
@@ -67,7 +67,7 @@ class Model:
 
 def read_3mf(file: Path) -> MeshFile:
     """The items of a package's build, z up, in the unit it states, millimetres where it states none."""
-    models = {name.lstrip("/").lower(): _model(name, data) for name, data in unpacked_3mf(file).items()}
+    models = {name.lstrip("/").lower(): _model(name, data) for name, data in unpack_3mf(file).items()}
     root = models.get(ROOT) or next(iter(models.values()), None)
     if root is None:
         raise ValueError("it holds no 3D model")
@@ -76,7 +76,7 @@ def read_3mf(file: Path) -> MeshFile:
     objects = {key: each for model in models.values() for key, each in model.objects.items()}
     _refuse_many(root.items, objects)
     found = [part for item in root.items for part in _instances(item, objects, within=())]
-    return file_of(tuple(_numbered(found)), unit=UNITS[root.unit], up="z")
+    return file_from_parts(tuple(_number_names(found)), unit=UNITS[root.unit], up="z")
 
 
 def _refuse_many(items: Sequence[Use], objects: Mapping[Key, Found]) -> None:
@@ -96,8 +96,8 @@ def _refuse_many(items: Sequence[Use], objects: Mapping[Key, Found]) -> None:
         return known[key]
 
     instances, triangles = np.sum([(0, 0), *(made(item.key, ()) for item in items)], axis=0, dtype=object)
-    if instances > INSTANCES or triangles > TRIANGLES:
-        raise ValueError(f"its components make more than {INSTANCES} instances or {TRIANGLES} triangles")
+    if instances > MAX_INSTANCES or triangles > MAX_TRIANGLES:
+        raise ValueError(f"its components make more than {MAX_INSTANCES} instances or {MAX_TRIANGLES} triangles")
 
 
 def _instances(use: Use, objects: Mapping[Key, Found], *, within: tuple[Key, ...]) -> Iterator[Part]:
@@ -105,13 +105,13 @@ def _instances(use: Use, objects: Mapping[Key, Found], *, within: tuple[Key, ...
     one = objects[use.key]
     if one.triangles:
         owners = tuple(objects[key].name for key in within)
-        yield moved(Part(Element((one.name,), within=owners), one.vertices, one.faces), use.matrix)
+        yield transform(Part(Element((one.name,), within=owners), one.vertices, one.faces), use.matrix)
     for component in one.components:
         placed = Use(component.key, use.matrix @ component.matrix)
         yield from _instances(placed, objects, within=(*within, use.key))
 
 
-def _numbered(parts: list[Part]) -> Iterator[Part]:
+def _number_names(parts: list[Part]) -> Iterator[Part]:
     """The parts, those of one name numbered; the name itself then means all of them."""
     names = [part.element.names[0] for part in parts]
     many = {name for name in names if names.count(name) > 1} if len(set(names)) < len(names) else set()

@@ -8,7 +8,7 @@ from typing import Annotated, Any
 
 from pydantic import BeforeValidator, Field, StrictInt, StrictStr, model_validator
 
-from assess.codes.family import offered
+from assess.codes.families import procedures_of_site
 from assess.project.quantities import Name
 from assess.project.section import Section, listed, wrong
 from assess.project.sections.analysis import Analysis, Procedures, Records, Report
@@ -70,7 +70,7 @@ class Content(Section):
         """Procedures that nobody asked for and that the code of the site's spectrum brings with it."""
         if self.site is None or self.analysis.given("procedures"):
             return ()
-        return offered(self.site.spectrum.code)
+        return procedures_of_site(self.site.spectrum.code)
 
     @model_validator(mode="after")
     def _names_exist(self) -> Content:

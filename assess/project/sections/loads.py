@@ -6,7 +6,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Discriminator, Field, StrictBool, StrictInt, Tag, WithJsonSchema, model_validator
 
-from assess.geometry.touch import TOLERANCE
+from assess.geometry.contact import TOLERANCE
 from assess.project.quantities import (
     AnyDirection,
     Length,

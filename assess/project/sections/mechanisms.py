@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from math import sqrt
 from typing import Annotated, Any, ClassVar, Literal, Self
 
@@ -46,7 +45,6 @@ MECHANISMS = ("single-block", "two-block", "four-hinge", "equivalent-block")
 CRACKS = ("sorrentino", "minimum")
 MOST_VOUSSOIRS = 80  # of an arch: all choices of four of its joints are looked at, which takes seconds
 INERTIA_RATIOS = (1e-4, 1e4)  # I_O / (M R^2) = g / (p^2 R): 4/3 of a slender block, less of a wall that spans
-ALONG_X = (1.0, 0.0, 0.0)
 RESTITUTIONS = ("thesis", "housner", "sorrentino", "momentum")
 
 
@@ -209,18 +207,6 @@ BlockNames = Annotated[tuple[Name, ...], Field(min_length=1), AfterValidator(uni
 Blocks = Annotated[tuple[BlockNames, ...], BeforeValidator(_block_names)]
 
 
-def _pairs(section: Section) -> list[str]:
-    """The keys that hold two numbers."""
-    tuples = {key: at for key, at in section.entries().items() if isinstance(at, tuple) and len(at) == 2}
-    return [key for key, at in tuples.items() if all(isinstance(number, float) for number in at)]
-
-
-def _in_plane(load: LoadSection) -> list[str]:
-    """The keys of a load that are measured along the direction."""
-    off_middle = isinstance(load, OverburdenLoad) and bool(load.eccentricity)
-    return [*_pairs(load), *["eccentricity"] * off_middle]
-
-
 class Chained(Section):
     """What all mechanisms of blocks share."""
 
@@ -256,37 +242,16 @@ class Chained(Section):
                 raise wrong(("interfaces", letter), f"no such hinge; known: {', '.join(known)}")
         return self
 
-    def interface_at(self, letter: str) -> Interface:
-        """What the hinge of this letter presses on."""
-        return {str(hinge): at for hinge, at in self.interfaces.items()}.get(letter, self.interface)
-
-    @property
-    def towards(self) -> tuple[float, float, float]:
-        """The direction as a vector, +x if absent; where it is sought, it is put in its place before anyone asks."""
-        assert self.direction != "sweep"
-        return ALONG_X if self.direction is None else self.direction
-
-    @property
-    def two_sided(self) -> bool:
-        """Whether it rocks both ways; where `sides` is sought, it is put in its place before anyone asks."""
-        return self.sides != "one"
-
     @model_validator(mode="after")
     def _nothing_turns_with_a_sought_direction(self) -> Self:
-        for key in self.turning() if self.direction == "sweep" else ():
+        if self.direction != "sweep":
+            return self
+        from assess.project.definitions import definition_of
+
+        for key in definition_of(self).turning():
             of = "an eccentricity depends" if key[-1] == "eccentricity" else "two numbers depend"
             raise wrong(key, f'{of} on the direction, which is "sweep"; give three numbers, or the direction')
         return self
-
-    def turning(self) -> Iterator[tuple[str | int, ...]]:
-        """The keys given in the plane of motion: two numbers of hinges and loads, and the joints of an arch."""
-        for name, value in self.entries().items():
-            if isinstance(value, Hinges):
-                yield from ((name, key) for key in _pairs(value))
-            if name == "loads":
-                yield from ((name, place, key) for place, load in enumerate(value) for key in _in_plane(load))
-            if name == "joints" and value is not None:
-                yield (name,)
 
     @model_validator(mode="after")
     def _loads_find_their_block(self) -> Self:
@@ -355,12 +320,12 @@ class FourHinge(Chained):
         if self.hinges != "minimum":
             if len(self.blocks) != 3:
                 raise wrong("blocks", f"{len(self.blocks)} of them with four hinges; name three, base first")
-            if (self.hinges_negative is None) == self.two_sided:
+            if (self.hinges_negative is None) == (self.sides != "one"):
                 two, one = (
                     'missing; two-sided rocking has hinges of its own each way: give them, or sides = "one"',
                     "beside one-sided rocking; remove it",
                 )
-                raise wrong("hinges_negative", two if self.two_sided else one)
+                raise wrong("hinges_negative", two if self.sides != "one" else one)
             if self.joints is not None:
                 raise wrong("joints", 'are for an arch with hinges = "minimum"; remove one of them')
             return self

@@ -7,7 +7,7 @@ from math import atan, cos, sin, tan
 import pytest
 from scipy.constants import g
 
-from assess.hinge_forces import HingeForces, Pressure, needed
+from assess.hinge_forces import HingeForces, Pressure, required_friction
 
 
 def on_a_plane(
@@ -40,41 +40,43 @@ def on_a_plane(
 
 @pytest.mark.parametrize("mu", [0.05, 0.2, 0.399])
 def test_a_block_on_level_ground_slides_at_mu_g_if_that_is_before_it_rocks(mu: float) -> None:
-    assert on_a_plane(slope=0.0, friction=mu).sliding == pytest.approx(mu * g, rel=1e-12)
-    assert on_a_plane(slope=0.0, friction=mu, activation=0.99 * mu * g).sliding is None
+    assert on_a_plane(slope=0.0, friction=mu).sliding_acceleration == pytest.approx(mu * g, rel=1e-12)
+    assert on_a_plane(slope=0.0, friction=mu, activation=0.99 * mu * g).sliding_acceleration is None
 
 
 @pytest.mark.parametrize("slope", [0.05, 0.2, -0.15])
 @pytest.mark.parametrize("mu", [0.3, 0.5])
 def test_a_block_on_a_slope_slides_at_the_angle_of_friction_less_the_slope(slope: float, mu: float) -> None:
     block = on_a_plane(slope=slope, friction=mu, activation=2.0 * g)
-    assert block.sliding == pytest.approx(g * tan(atan(mu) - slope), rel=1e-12)
-    assert block.at(block.sliding).shear == pytest.approx(-mu * block.at(block.sliding).normal, rel=1e-12)
-    assert block.mobilised(0.0) == pytest.approx(abs(tan(slope)), rel=1e-12)
+    assert block.sliding_acceleration == pytest.approx(g * tan(atan(mu) - slope), rel=1e-12)
+    assert block.pressure_at(block.sliding_acceleration).shear == pytest.approx(
+        -mu * block.pressure_at(block.sliding_acceleration).normal, rel=1e-12
+    )
+    assert block.mobilised_friction(0.0) == pytest.approx(abs(tan(slope)), rel=1e-12)
 
 
 def test_a_slope_steeper_than_the_angle_of_friction_slides_at_rest() -> None:
-    assert on_a_plane(slope=0.5, friction=tan(0.49)).sliding == 0.0
+    assert on_a_plane(slope=0.5, friction=tan(0.49)).sliding_acceleration == 0.0
 
 
 def test_a_thrust_along_the_motion_leaves_less_for_the_ground() -> None:
     pushed = on_a_plane(slope=0.0, friction=0.3, thrust=100.0)
-    assert pushed.sliding == pytest.approx((0.3 - 0.1) * g, rel=1e-12)
-    assert pushed.needed == pytest.approx(0.4 + 0.1, rel=1e-12)
+    assert pushed.sliding_acceleration == pytest.approx((0.3 - 0.1) * g, rel=1e-12)
+    assert pushed.required_friction == pytest.approx(0.4 + 0.1, rel=1e-12)
 
 
 def test_a_pull_against_the_motion_may_need_more_friction_at_rest_than_later() -> None:
     held = on_a_plane(slope=0.0, friction=0.3, thrust=-250.0)
-    found = [held.mobilised(a * g) for a in (0.0, 0.1, 0.25, 0.4, 0.9)]
+    found = [held.mobilised_friction(a * g) for a in (0.0, 0.1, 0.25, 0.4, 0.9)]
     assert found == pytest.approx([0.25] * 5, rel=1e-12)
-    assert held.sliding is None
-    assert on_a_plane(slope=0.0, friction=0.2, thrust=-250.0).sliding == 0.0
+    assert held.sliding_acceleration is None
+    assert on_a_plane(slope=0.0, friction=0.2, thrust=-250.0).sliding_acceleration == 0.0
 
 
 def test_friction_that_is_not_known_gives_no_acceleration() -> None:
-    assert on_a_plane(slope=0.0, friction=None).sliding is None
+    assert on_a_plane(slope=0.0, friction=None).sliding_acceleration is None
 
 
 @pytest.mark.parametrize("normal", [0.0, -3.0])
 def test_a_hinge_on_which_nothing_presses_lifts(normal: float) -> None:
-    assert needed(Pressure(normal, 2.0)) is None
+    assert required_friction(Pressure(normal, 2.0)) is None

@@ -28,8 +28,9 @@ def test_command_is_the_distributions_own():
 
 def test_top_level_holds_what_the_design_lists():
     listed = {
-        "pyproject.toml", "README.md", "CHANGELOG.md", "LICENSE", "Makefile", "requirements.lock",
-        "requirements-cad.lock", ".ci", ".gitignore", "assess", "docs", "records", "reports", "spectra", "tests",
+        "pyproject.toml", "README.md", "CHANGELOG.md", "CONTRIBUTING.md", "CITATION.cff", "LICENSE", "Makefile",
+        "requirements.lock", "requirements-cad.lock", ".ci", ".gitignore", ".pre-commit-config.yaml",
+        "assess", "docs", "records", "reports", "spectra", "tests",
     }  # fmt: skip
     made = {".git", ".venv", "build", "dist"}
     found = {path.name for path in ROOT.iterdir() if not path.name.endswith("cache") and path.name != ".hypothesis"}

@@ -28,7 +28,7 @@ if __name__ == "__main__":
 COPIED = """
 import sys, time
 from assess.outputs.signals import Terminated, orderly
-from reports.processes import processes
+from reports.render.processes import processes
 def rest(_, seconds):
     time.sleep(seconds)
 try:

@@ -11,10 +11,10 @@ from scipy.constants import g
 
 from records.errors import RecordError
 from records.formats.agreement import check_duration, check_integral, check_peak, check_time_of_peak
-from records.formats.corners import doubt_of_filter
+from records.formats.corners import filter_warning
 from records.formats.layout import check_layout
-from records.plausibility import doubt_of, doubts_among
-from records.reading import read
+from records.plausibility import record_warning, warnings_among
+from records.reading import read_records
 from records.record import Earthquake, Record, Site, make_record
 
 PATH = Path("a.rec")
@@ -70,7 +70,7 @@ def test_directions_of_nied_are_three_in_the_borehole_and_three_above_it(
     tmp_path: Path, name: str, direction: str, component: str, level: bool
 ) -> None:
     """NIED: "1:NS 2:EW 3:UD" of the borehole, 4 to 6 at the surface (kyoshin.bosai.go.jp, KiK-net ASCII format)."""
-    (record,) = read(knet(tmp_path, name, direction))
+    (record,) = read_records(knet(tmp_path, name, direction))
     assert (record.component, record.azimuth is not None) == (component, level)
     assert record.site.place == ("borehole" if component.endswith("1") else "")
 
@@ -89,7 +89,7 @@ def test_a_direction_that_the_files_name_contradicts_is_refused(
     tmp_path: Path, name: str, direction: str, words: str
 ) -> None:
     with pytest.raises(RecordError, match=re.escape(words)):
-        read(knet(tmp_path, name, direction))
+        read_records(knet(tmp_path, name, direction))
 
 
 @pytest.mark.parametrize("form", ["15.7E", "10.5f"])
@@ -114,7 +114,7 @@ def test_a_number_that_lost_characters_is_named_with_its_line(tmp_path: Path) ->
     lines[17] = lines[17].replace(field, field[:-4], 1)
     path.write_text("\n".join(lines))
     with pytest.raises(RecordError, match=rf'line 18: "{re.escape(field[:-4])}.* get the file again'):
-        read(path)
+        read_records(path)
 
 
 def test_columns_that_are_shifted_are_doubted(tmp_path: Path) -> None:
@@ -122,7 +122,7 @@ def test_columns_that_are_shifted_are_doubted(tmp_path: Path) -> None:
     lines = path.read_text().split("\n")
     lines[17] = lines[17][1:]
     path.write_text("\n".join(lines))
-    assert "the columns of line 18 are not those of the others" in doubt_of(read(path)[0])
+    assert "the columns of line 18 are not those of the others" in record_warning(read_records(path)[0])
 
 
 @pytest.mark.parametrize(
@@ -182,25 +182,25 @@ def band(low: float, high: float, dt: float, size: int = 4000) -> np.ndarray:
 
 def test_a_filter_that_ends_where_the_motion_does_not_doubts_the_step() -> None:
     motion = band(0.2, 25.0, 0.01)
-    assert doubt_of_filter(motion, 0.01, low=0.2, high=25.0) == ""
-    assert doubt_of_filter(motion, 0.01, low=None, high=None) == ""
-    assert "holds 5 Hz at most" in doubt_of_filter(motion, 0.1, low=0.2, high=25.0)
-    assert "ends at 25 Hz, but its motion does not" in doubt_of_filter(motion, 0.001, low=0.2, high=25.0)
-    assert "begins at 0.2 Hz" in doubt_of_filter(motion, 0.02, low=0.2, high=None)
+    assert filter_warning(motion, 0.01, low=0.2, high=25.0) == ""
+    assert filter_warning(motion, 0.01, low=None, high=None) == ""
+    assert "holds 5 Hz at most" in filter_warning(motion, 0.1, low=0.2, high=25.0)
+    assert "ends at 25 Hz, but its motion does not" in filter_warning(motion, 0.001, low=0.2, high=25.0)
+    assert "begins at 0.2 Hz" in filter_warning(motion, 0.02, low=0.2, high=None)
 
 
-def recorded(motion: np.ndarray, dt: float, trail: str = "read from PEER AT2, unit g") -> Record:
-    return make_record("a", motion / np.abs(motion).max(), dt, trail=(trail,))
+def recorded(motion: np.ndarray, dt: float, history: str = "read from PEER AT2, unit g") -> Record:
+    return make_record("a", motion / np.abs(motion).max(), dt, processing_history=(history,))
 
 
 def test_a_motion_slower_or_faster_than_earthquakes_doubts_the_step() -> None:
     motion = band(0.2, 15.0, 0.01)
-    assert doubt_of(recorded(motion, 0.01)) == ""
-    assert doubt_of(recorded(motion, 0.02)) == ""  # cannot be told from the motion
-    assert "slower than earthquakes; check the step" in doubt_of(recorded(motion, 0.1))
-    assert "faster than earthquakes; check the step" in doubt_of(recorded(motion, 0.001))
-    assert "finer than instruments" in doubt_of(recorded(motion, 0.0005, "read from ITACA cor.acc, unit m/s/s"))
-    assert doubt_of(recorded(motion, 0.1, "read from CSV, unit g")) == ""  # which prints a time with every sample
+    assert record_warning(recorded(motion, 0.01)) == ""
+    assert record_warning(recorded(motion, 0.02)) == ""  # cannot be told from the motion
+    assert "slower than earthquakes; check the step" in record_warning(recorded(motion, 0.1))
+    assert "faster than earthquakes; check the step" in record_warning(recorded(motion, 0.001))
+    assert "finer than instruments" in record_warning(recorded(motion, 0.0005, "read from ITACA cor.acc, unit m/s/s"))
+    assert record_warning(recorded(motion, 0.1, "read from CSV, unit g")) == ""  # which prints a time with every sample
 
 
 @pytest.mark.parametrize(("dt", "doubted"), [(0.01, False), (0.001, True), (0.1, True)])
@@ -209,15 +209,15 @@ def test_a_peak_before_or_long_after_waves_can_come_doubts_the_step(dt: float, d
     motion[3900] = 3.0 * np.abs(motion).max()
     quake = Earthquake("2017-07-20T22:31:09Z", depth=19e3)
     record = replace(recorded(motion, dt), earthquake=quake, start="2017-07-20T22:30:59Z", distance=150e3)
-    assert ("waves" in doubt_of(record) or "origin" in doubt_of(record)) == doubted
+    assert ("waves" in record_warning(record) or "origin" in record_warning(record)) == doubted
 
 
 def test_components_of_one_recording_with_two_steps_are_doubted(tmp_path: Path) -> None:
-    one = read(at2(tmp_path, name="H1.AT2"))[0]
-    two = read(at2(tmp_path, name="H2.AT2", component="111"))[0]
-    assert list(doubts_among([one, two])) == []
-    other = read(at2(tmp_path, name="H2.AT2", component="111", line="NPTS= 400, DT= .02 SEC"))[0]
-    (told,) = doubts_among([one, other])
+    one = read_records(at2(tmp_path, name="H1.AT2"))[0]
+    two = read_records(at2(tmp_path, name="H2.AT2", component="111"))[0]
+    assert list(warnings_among([one, two])) == []
+    other = read_records(at2(tmp_path, name="H2.AT2", component="111", line="NPTS= 400, DT= .02 SEC"))[0]
+    (told,) = warnings_among([one, other])
     assert "its step is 0.01 s, that of H2, of the same station and earthquake, 0.02 s" in told
 
 
@@ -225,18 +225,18 @@ def test_velocities_of_the_same_name_with_another_step_refuse_the_accelerations(
     path = at2(tmp_path)
     beside = tmp_path / "a.VT2"
     beside.write_text(AT2.format(component="21", line="NPTS= 400, DT= .01 SEC"))
-    assert read(path)[0].dt == 0.01
+    assert read_records(path)[0].dt == 0.01
     beside.write_text(AT2.format(component="21", line="NPTS= 400, DT= .005 SEC"))
     with pytest.raises(RecordError, match=r"line 4: DT is 0.01, that of a.VT2 0.005"):
-        read(path)
+        read_records(path)
 
 
 def test_a_name_of_peer_with_another_direction_is_doubted(tmp_path: Path) -> None:
-    same = read(at2(tmp_path, name="RSN1_QUAKE_ABC021.AT2"))[0]
-    other = read(at2(tmp_path, name="RSN1_QUAKE_ABC111.AT2"))[0]
-    assert same.doubts == ()
-    assert other.doubts == ("its component is 21, but its file's name is 111; one of them may be damaged",)
-    assert read(at2(tmp_path, name="kobe111.AT2"))[0].doubts == ()  # a user's name
+    same = read_records(at2(tmp_path, name="RSN1_QUAKE_ABC021.AT2"))[0]
+    other = read_records(at2(tmp_path, name="RSN1_QUAKE_ABC111.AT2"))[0]
+    assert same.warnings == ()
+    assert other.warnings == ("its component is 21, but its file's name is 111; one of them may be damaged",)
+    assert read_records(at2(tmp_path, name="kobe111.AT2"))[0].warnings == ()  # a user's name
 
 
 @pytest.mark.parametrize(
@@ -253,7 +253,7 @@ def test_a_name_of_peer_with_another_direction_is_doubted(tmp_path: Path) -> Non
     ],
 )
 def test_places_and_sizes_that_cannot_be_are_doubted(words: str, damaged: dict[str, Any]) -> None:
-    found = doubt_of(make_record("a", 0.1 * NOISE, 0.01, **damaged))
+    found = record_warning(make_record("a", 0.1 * NOISE, 0.01, **damaged))
     assert re.search(words, found) if words else not found
 
 
@@ -263,8 +263,8 @@ def test_numbers_that_no_format_printed_are_read_whatever_the_last_is(tmp_path: 
     (tmp_path / "python.txt").write_text("".join(f"{value!r}\n" for value in values))
     (tmp_path / "zero.txt").write_text("0\n" + "".join(f"{value:.6f}\n" for value in values[1:]))
     for name in ("python.txt", "zero.txt"):
-        (found,) = read(tmp_path / name, unit="g", step=0.01)
+        (found,) = read_records(tmp_path / name, unit="g", step=0.01)
         np.testing.assert_allclose(found.acceleration / g, values, rtol=0.0, atol=1e-12)
     (tmp_path / "last.txt").write_text("".join(f"{value:.6f}\n" for value in values[1:]) + "0\n")
     with pytest.raises(RecordError, match='"0" is not printed like the others'):
-        read(tmp_path / "last.txt", unit="g", step=0.01)
+        read_records(tmp_path / "last.txt", unit="g", step=0.01)

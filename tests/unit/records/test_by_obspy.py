@@ -7,7 +7,7 @@ import pytest
 
 from records.errors import RecordError
 from records.formats.by_obspy import looks_like_miniseed, looks_like_sac
-from records.reading import read
+from records.reading import read_records
 
 obspy = pytest.importorskip("obspy", exc_type=ImportError)
 
@@ -43,15 +43,15 @@ def station_xml(folder: Path, *, channel: str = "HNE") -> Path:
 
 
 def test_counts_by_their_unit(tmp_path: Path) -> None:
-    (record,) = read(miniseed(tmp_path, trace()), unit="mm/s2")
+    (record,) = read_records(miniseed(tmp_path, trace()), unit="mm/s2")
     np.testing.assert_allclose(record.acceleration, COUNTS * 1e-3, rtol=1e-12)
     assert (record.npts, record.dt, record.station, record.component) == (N, 0.01, "XX.ABC", "HNE")
 
 
 def test_a_flat_response_divides_by_the_sensitivity(tmp_path: Path) -> None:
-    (record,) = read(miniseed(tmp_path, trace()), response=station_xml(tmp_path))
+    (record,) = read_records(miniseed(tmp_path, trace()), response=station_xml(tmp_path))
     np.testing.assert_allclose(record.acceleration, MOTION, rtol=0, atol=2e-5)  # half a count, and the mean
-    assert record.trail == ("read from MiniSEED, response of station.xml", "mean taken off")
+    assert record.processing_history == ("read from MiniSEED, response of station.xml", "mean taken off")
     assert record.azimuth == pytest.approx(np.pi / 2)
 
 
@@ -61,7 +61,7 @@ def test_sac_says_more(tmp_path: Path) -> None:
                           "cmpaz": 45.0, "cmpinc": 90.0, "kevnm": "SOMEWHERE"})  # fmt: skip
     floating.data = MOTION.astype(np.float32)
     floating.write(str(path), format="SAC")
-    (record,) = read(path, unit="m/s2")
+    (record,) = read_records(path, unit="m/s2")
     np.testing.assert_allclose(record.acceleration, MOTION, rtol=1e-6, atol=1e-7)
     assert (record.event, record.site.latitude, record.distance) == ("SOMEWHERE", 41.5, 70e3)
     assert record.earthquake.magnitude == pytest.approx(6.1, rel=1e-6)
@@ -72,13 +72,13 @@ def test_without_unit_or_response_it_is_refused(tmp_path: Path) -> None:
     with pytest.raises(
         RecordError, match=r"MiniSEED does not state the unit of its samples; give unit \(--unit g .*\), or response"
     ):
-        read(miniseed(tmp_path, trace()))
+        read_records(miniseed(tmp_path, trace()))
 
 
 def test_gaps_are_refused(tmp_path: Path) -> None:
     late = trace(starttime=obspy.UTCDateTime(2020, 1, 2))
     with pytest.raises(RecordError, match=r"channel XX.ABC.00.HNE has gaps"):
-        read(miniseed(tmp_path, trace(), late), unit="mm/s2")
+        read_records(miniseed(tmp_path, trace(), late), unit="mm/s2")
 
 
 @pytest.mark.parametrize("form", ["MSEED", "SAC"])
@@ -87,14 +87,14 @@ def test_a_file_cut_short_is_refused(tmp_path: Path, form: str) -> None:
     trace().write(str(path), format=form)
     path.write_bytes(path.read_bytes()[:-100])
     with pytest.raises(RecordError, match=r"cut short|obspy cannot read it"):
-        read(path, unit="mm/s2")
+        read_records(path, unit="mm/s2")
 
 
 def test_velocity_in_sac_is_refused(tmp_path: Path) -> None:
     path = tmp_path / "quake.sac"
     trace(sac={"idep": 7}).write(str(path), format="SAC")
     with pytest.raises(RecordError, match="holds velocity; give the file of the acceleration"):
-        read(path, unit="m/s2")
+        read_records(path, unit="m/s2")
 
 
 def test_a_response_of_another_channel_or_none_is_one_line(tmp_path: Path) -> None:
@@ -103,7 +103,7 @@ def test_a_response_of_another_channel_or_none_is_one_line(tmp_path: Path) -> No
     junk.write_text("<no response>")
     for response, words in ((other, "no response fits"), (junk, "response"), (tmp_path / "absent.xml", "response")):
         with pytest.raises(RecordError, match=words) as caught:
-            read(path, response=response)
+            read_records(path, response=response)
         assert "\n" not in str(caught.value)
 
 
@@ -117,7 +117,7 @@ def test_spoilt_files_are_records_of_as_many_samples_or_record_errors(tmp_path: 
             spoilt[at] = chance.integers(0, 256)
         path.write_bytes(bytes(spoilt))
         try:
-            found = read(path, unit="mm/s2")
+            found = read_records(path, unit="mm/s2")
         except RecordError as error:
             assert "\n" not in str(error)  # noqa: PT017
             continue
@@ -140,7 +140,7 @@ def flipped(path: Path, at: int, bit: int = 0) -> Path:
 @pytest.mark.parametrize("at", [100, 200, 1001, 3000, 4300, 5000])
 def test_miniseed_whose_samples_do_not_end_as_its_blocks_say_is_refused(tmp_path: Path, at: int) -> None:
     with pytest.raises(RecordError, match=r"quake\.mseed: (damaged: .*(integrity|skip).*; get the file again|obspy)"):
-        read(flipped(miniseed(tmp_path, trace()), at), unit="mm/s2")
+        read_records(flipped(miniseed(tmp_path, trace()), at), unit="mm/s2")
 
 
 @pytest.mark.parametrize(
@@ -151,6 +151,6 @@ def test_sac_whose_header_contradicts_its_samples_is_refused(tmp_path: Path, at:
     made = trace()
     made.data = np.append(MOTION, 2.0 * MOTION.min()).astype(np.float32)
     made.write(str(path), format="SAC")
-    assert len(read(path, unit="m/s2")) == 1
+    assert len(read_records(path, unit="m/s2")) == 1
     with pytest.raises(RecordError, match=rf"quake\.sac: {said} of the header is .*, its samples give"):
-        read(flipped(path, at, bit), unit="m/s2")
+        read_records(flipped(path, at, bit), unit="m/s2")

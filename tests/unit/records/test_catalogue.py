@@ -15,13 +15,13 @@ from scipy.constants import g
 
 from records import indexing
 from records.candidates import PERIODS, Candidate
-from records.catalogue import NAME, candidates, inside, opened, take
+from records.catalogue import NAME, candidates, inside, open_catalogue, take
 from records.errors import RecordError
 from records.flatfile import read_flatfile
-from records.formats.stated import Stated
+from records.formats.header_overrides import HeaderOverrides
 from records.indexing import index
 from records.intensity import measures
-from records.reading import read
+from records.reading import read_records
 from records.response import response_spectrum
 
 FLATFILE = '''\
@@ -55,10 +55,10 @@ def folder(tmp_path: Path) -> Path:
 
 
 def test_a_record_comes_back_as_it_was_measured(folder: Path) -> None:
-    with opened(folder / NAME) as catalogue:
+    with open_catalogue(folder / NAME) as catalogue:
         index(folder, catalogue)
         found = candidates(catalogue)[0]
-    (record,) = read(folder / "RSN57_X_0.AT2")
+    (record,) = read_records(folder / "RSN57_X_0.AT2")
     assert (found.path, found.id, found.event, found.date) == ("RSN57_X_0.AT2", record.id, "San Fernando", "1971-02-09")
     assert (found.npts, found.dt, found.nga) == (300, 0.01, 57)
     np.testing.assert_array_equal(found.spectrum, response_spectrum(record, PERIODS))
@@ -67,7 +67,7 @@ def test_a_record_comes_back_as_it_was_measured(folder: Path) -> None:
 
 
 def test_only_what_changed_is_read_again(folder: Path) -> None:
-    with opened(folder / NAME) as catalogue:
+    with open_catalogue(folder / NAME) as catalogue:
         first = index(folder, catalogue)
         assert (first.read, first.unchanged, first.records) == (5, 0, 4)
         assert [path for path, _ in first.problems] == ["notes.txt"]
@@ -81,25 +81,25 @@ def test_only_what_changed_is_read_again(folder: Path) -> None:
         assert (third.read, third.unchanged, third.gone, third.records) == (2, 2, 1, 3)
         np.testing.assert_array_equal(candidates(catalogue)[0].spectrum, before)
         assert candidates(catalogue)[1].measures["pga"] == pytest.approx(
-            read(folder / "RSN58_X_1.AT2")[0].pga, rel=1e-15
+            read_records(folder / "RSN58_X_1.AT2")[0].pga, rel=1e-15
         )
         assert index(folder, catalogue).read == 0
 
 
 def test_the_same_content_is_hashed_but_not_read(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    with opened(None) as catalogue:
+    with open_catalogue(None) as catalogue:
         index(folder, catalogue)
         os.utime(folder / "RSN57_X_0.AT2", ns=(1, 1))
-        monkeypatch.setattr(indexing, "read", lambda *_, **__: pytest.fail("read again"))
+        monkeypatch.setattr(indexing, "read_with", lambda *_, **__: pytest.fail("read again"))
         index(folder, catalogue)
 
 
 def test_a_stated_unit_is_asked_anew(folder: Path) -> None:
     (folder / "plain.csv").write_text("time [s],acceleration\n" + "".join(f"{i / 100},{i % 7}\n" for i in range(60)))
-    with opened(None) as catalogue:
+    with open_catalogue(None) as catalogue:
         assert "plain.csv" in [path for path, _ in index(folder, catalogue).problems]
         for unit, size in (("m/s2", 1.0), ("cm/s2", 0.01)):
-            index(folder, catalogue, stated=Stated(unit=unit))
+            index(folder, catalogue, overrides=HeaderOverrides(unit=unit))
             (one,) = (each for each in candidates(catalogue) if each.path == "plain.csv")
             assert one.measures["pga"] == pytest.approx(6.0 * size, rel=1e-12)
 
@@ -111,30 +111,31 @@ def test_what_was_interrupted_goes_on_where_it_ended(folder: Path, monkeypatch: 
         if done == 4:
             raise KeyboardInterrupt
 
-    with opened(folder / NAME) as catalogue, pytest.raises(KeyboardInterrupt):
+    with open_catalogue(folder / NAME) as catalogue, pytest.raises(KeyboardInterrupt):
         index(folder, catalogue, progress=interrupt)
-    with opened(folder / NAME) as catalogue:
+    with open_catalogue(folder / NAME) as catalogue:
         assert index(folder, catalogue).read == 3
         assert len(candidates(catalogue)) == 4
 
 
 def test_a_process_that_is_killed_loses_its_last_batch_at_most(folder: Path) -> None:
     script = (
-        "import os, sys; from pathlib import Path; from records import indexing; from records.catalogue import opened\n"
+        "import os, sys; from pathlib import Path; from records import indexing\n"
+        "from records.catalogue import open_catalogue\n"
         "indexing.BATCH = 1; folder = Path(sys.argv[1])\n"
-        "with opened(folder / '.assess-records.sqlite') as catalogue:\n"
+        "with open_catalogue(folder / '.assess-records.sqlite') as catalogue:\n"
         "    indexing.index(folder, catalogue, progress=lambda done, _: os.kill(os.getpid(), 9) if done == 3 else None)"
     )
     ended = subprocess.run([sys.executable, "-c", script, str(folder)], check=False)
     assert ended.returncode == -9
-    with opened(folder / NAME) as catalogue:
+    with open_catalogue(folder / NAME) as catalogue:
         assert index(folder, catalogue).read == 3
         assert len(candidates(catalogue)) == 4
 
 
 def test_processes_find_what_one_finds(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(indexing, "FEW", 1)
-    with opened(None) as alone, opened(None) as shared:
+    with open_catalogue(None) as alone, open_catalogue(None) as shared:
         index(folder, alone)
         with ProcessPoolExecutor(2, mp_context=get_context("spawn")) as executor:
             index(folder, shared, executor=executor)
@@ -147,7 +148,7 @@ def test_a_flatfile_goes_before_what_files_say(folder: Path, tmp_path: Path) -> 
     table = tmp_path / "flat.csv"
     table.write_text(FLATFILE)
     at2(folder / "TWICE.AT2", seed=5)
-    with opened(None) as catalogue:
+    with open_catalogue(None) as catalogue:
         index(folder, catalogue)
         take(catalogue, read_flatfile(table).recordings)
         found = {one.path: one for one in candidates(catalogue)}
@@ -195,7 +196,7 @@ def test_hostile_names_are_names(folder: Path) -> None:
     name = "'); DROP TABLE records; --.AT2"
     at2(folder / name, title='\'; DELETE FROM files; --, 1/1/1990, "st", %s ? :x')
     (folder / os.fsdecode(b"bad\xff.AT2")).write_bytes(b"x")
-    with opened(folder / NAME) as catalogue:
+    with open_catalogue(folder / NAME) as catalogue:
         found = index(folder, catalogue)
         assert name in {one.path for one in candidates(catalogue)}
         assert ("bad?.AT2", "its name is not UTF-8; rename it") in found.problems
@@ -208,7 +209,7 @@ def test_no_path_leaves_the_folder(folder: Path, tmp_path: Path) -> None:
     (folder / "loop.AT2").symlink_to(folder / "loop.AT2")
     (folder / "away").symlink_to(outside.parent)
     os.mkfifo(folder / "pipe.AT2")
-    with opened(folder / NAME) as catalogue:
+    with open_catalogue(folder / NAME) as catalogue:
         found = dict(index(folder, catalogue).problems)
         assert "leads out" in found["link.AT2"]
         assert "broken link" in found["loop.AT2"]
@@ -225,28 +226,28 @@ def test_what_is_not_a_catalogue_is_left_alone(tmp_path: Path) -> None:
     with sqlite3.connect(theirs) as connection:
         connection.execute("CREATE TABLE precious (x)")
     connection.close()
-    with pytest.raises(RecordError, match="not a catalogue"), opened(theirs):
+    with pytest.raises(RecordError, match="not a catalogue"), open_catalogue(theirs):
         pass
     text = tmp_path / "text.sqlite"
     text.write_text("not a database at all " * 100)
-    with pytest.raises(RecordError, match="delete it"), opened(text):
+    with pytest.raises(RecordError, match="delete it"), open_catalogue(text):
         pass
     assert text.read_text().startswith("not a database")
     (tmp_path / "link.sqlite").symlink_to(theirs)
-    with pytest.raises(RecordError, match="is a link"), opened(tmp_path / "link.sqlite"):
+    with pytest.raises(RecordError, match="is a link"), open_catalogue(tmp_path / "link.sqlite"):
         pass
-    with pytest.raises(RecordError, match="another place"), opened(tmp_path / "none" / "x.sqlite"):
+    with pytest.raises(RecordError, match="another place"), open_catalogue(tmp_path / "none" / "x.sqlite"):
         pass
 
 
 def brought_up(folder: Path) -> tuple[Candidate, ...]:
-    with opened(folder / NAME) as catalogue:
+    with open_catalogue(folder / NAME) as catalogue:
         index(folder, catalogue)
         return candidates(catalogue)
 
 
 def test_a_damaged_catalogue_is_told(folder: Path) -> None:
-    with opened(folder / NAME) as catalogue:
+    with open_catalogue(folder / NAME) as catalogue:
         index(folder, catalogue)
     data = bytearray((folder / NAME).read_bytes())
     data[4096:] = os.urandom(len(data) - 4096)
@@ -256,7 +257,7 @@ def test_a_damaged_catalogue_is_told(folder: Path) -> None:
 
 
 def test_tables_whose_names_are_no_text_are_told(folder: Path) -> None:
-    with opened(folder / NAME) as catalogue:
+    with open_catalogue(folder / NAME) as catalogue:
         index(folder, catalogue)
     data = (folder / NAME).read_bytes()
     (folder / NAME).write_bytes(data.replace(b"CREATE TABLE files", b"CREATE\xff\xff\xff\xffE files"))
@@ -267,22 +268,22 @@ def test_tables_whose_names_are_no_text_are_told(folder: Path) -> None:
 def test_an_older_version_is_read_again_and_keeps_what_it_was_told(folder: Path) -> None:
     table = folder.parent / "flat.csv"
     table.write_text(FLATFILE, encoding="utf-8")
-    with opened(folder / NAME) as catalogue:
+    with open_catalogue(folder / NAME) as catalogue:
         take(catalogue, read_flatfile(table).recordings)
-        index(folder, catalogue, stated=Stated("g", None, None))
+        index(folder, catalogue, overrides=HeaderOverrides("g", None, None))
         before = candidates(catalogue)
         catalogue.execute("PRAGMA user_version = 2")
-    with opened(folder / NAME) as catalogue:
+    with open_catalogue(folder / NAME) as catalogue:
         found = index(folder, catalogue)
         assert (found.read, found.older) == (5, True)
         assert [each.magnitude for each in candidates(catalogue)] == [each.magnitude for each in before]
-        assert candidates(catalogue)[0].stated == Stated("g", None, None)
-    with opened(folder / NAME) as catalogue:
+        assert candidates(catalogue)[0].overrides == HeaderOverrides("g", None, None)
+    with open_catalogue(folder / NAME) as catalogue:
         assert not index(folder, catalogue).older
 
 
 def test_a_newer_version_is_refused_and_left_alone(folder: Path) -> None:
-    with opened(folder / NAME) as catalogue:
+    with open_catalogue(folder / NAME) as catalogue:
         index(folder, catalogue)
         catalogue.execute("PRAGMA user_version = 999")
     before = (folder / NAME).read_bytes()
@@ -315,7 +316,7 @@ def test_a_row_that_was_changed_is_not_believed(folder: Path, change: str) -> No
     with sqlite3.connect(folder / NAME) as raw:
         raw.execute(CHANGES[change])
     raw.close()
-    with opened(folder / NAME) as catalogue:
+    with open_catalogue(folder / NAME) as catalogue:
         found = index(folder, catalogue)
         after = candidates(catalogue)
     assert found.read >= 1
@@ -379,25 +380,25 @@ def test_an_empty_file_is_a_new_catalogue_and_a_folder_is_none(folder: Path) -> 
 
 
 def test_a_fault_of_a_reader_stops_one_file_only(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    def faulty(file: Path, **_: object) -> object:
+    def faulty(file: Path, _: object) -> object:
         if file.name.startswith("RSN57"):
             raise ZeroDivisionError("oh")
-        return read(file)
+        return read_records(file)
 
-    monkeypatch.setattr(indexing, "read", faulty)
-    with opened(None) as catalogue:
+    monkeypatch.setattr(indexing, "read_with", faulty)
+    with open_catalogue(None) as catalogue:
         found = index(folder, catalogue)
     assert ("RSN57_X_0.AT2", "its reader failed: ZeroDivisionError: oh") in found.problems
     assert found.records == 3
 
 
 def test_a_folder_that_is_none_is_refused(tmp_path: Path) -> None:
-    with opened(None) as catalogue, pytest.raises(RecordError, match="no such folder"):
+    with open_catalogue(None) as catalogue, pytest.raises(RecordError, match="no such folder"):
         index(tmp_path / "nothing", catalogue)
 
 
 def test_peaks_are_in_si(folder: Path) -> None:
-    with opened(None) as catalogue:
+    with open_catalogue(None) as catalogue:
         index(folder, catalogue)
         assert 0.1 * g < candidates(catalogue)[0].measures["pga"] < 0.5 * g
 
@@ -406,7 +407,7 @@ def test_a_row_of_another_number_than_the_file_s_name_does_not_describe_it(folde
     table = tmp_path / "flat.csv"
     rows = "157,Quake,1971,6.6,RSN57_X_0.AT2\n58,Other,1972,5.5,RSN58_X_1.AT2\n"
     table.write_text(f"RSN,Earthquake Name,YEAR,Magnitude,File Name (Horizontal 1)\n{rows}")
-    with opened(None) as catalogue:
+    with open_catalogue(None) as catalogue:
         index(folder, catalogue)
         take(catalogue, read_flatfile(table).recordings)
         found = {one.path: one for one in candidates(catalogue)}

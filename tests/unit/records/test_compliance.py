@@ -10,7 +10,7 @@ from records.compliance import asce7_16, asce43_05, en1998_1, ntc2018, nzs1170_5
 from records.compliance.registry import REQUIREMENTS, all_requirements
 from records.compliance.requirement import Requirement, Rule, factor_that_does
 from records.compliance.suite import FINE, Suite, suite_of
-from records.record import make_record, scaled
+from records.record import make_record, scale
 from records.response import response_spectrum
 from spectra.asce7 import design_spectrum
 from spectra.table import table_spectrum
@@ -239,7 +239,7 @@ def test_what_the_target_does_not_reach_is_not_answered() -> None:
 def test_a_suite_is_what_its_records_scaled_are() -> None:
     record = make_record("r", np.random.default_rng(1).normal(0.0, 1.0, 500), 0.01)
     of = suite_of([record, record], [2.0, 0.5], TARGET)
-    np.testing.assert_allclose(of.spectra[0], response_spectrum(scaled(record, 2.0), FINE), rtol=1e-12)
+    np.testing.assert_allclose(of.spectra[0], response_spectrum(scale(record, 2.0), FINE), rtol=1e-12)
     np.testing.assert_allclose(of.pga, [2.0 * record.pga, 0.5 * record.pga], rtol=1e-12)
     assert of.duration[0] == pytest.approx(4.99)
     assert not of.artificial.any()

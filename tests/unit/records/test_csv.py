@@ -8,7 +8,7 @@ from scipy.constants import g
 
 from records.errors import RecordError
 from records.formats.csv import looks_like
-from records.reading import read
+from records.reading import read_records
 
 NUMBERS = "0.00,0.1\n0.02,-0.3\n0.04,0.2\n"
 
@@ -26,7 +26,7 @@ NUMBERS = "0.00,0.1\n0.02,-0.3\n0.04,0.2\n"
 def test_units_stand_in_the_header(tmp_path: Path, text: str, unit: float) -> None:
     path = tmp_path / "quake.csv"
     path.write_text(text, encoding="utf-8", newline="")
-    (record,) = read(path, unit="mm/s2")
+    (record,) = read_records(path, unit="mm/s2")
     assert (record.id, record.dt) == ("quake", 0.02)
     np.testing.assert_allclose(record.acceleration, np.array([0.1, -0.3, 0.2]) * unit, rtol=1e-12)
 
@@ -36,17 +36,17 @@ def test_where_the_file_states_no_unit_the_caller_must(tmp_path: Path, header: s
     path = tmp_path / "quake.csv"
     path.write_text(header + NUMBERS)
     with pytest.raises(RecordError, match=r"does not state the unit of its accelerations.*give unit"):
-        read(path)
-    (record,) = read(path, unit="m/s^2")
+        read_records(path)
+    (record,) = read_records(path, unit="m/s^2")
     np.testing.assert_allclose(record.acceleration, [0.1, -0.3, 0.2], rtol=1e-12)
-    assert "as given" in record.trail[0]
+    assert "as given" in record.processing_history[0]
 
 
 def test_rounded_times_are_uniform_enough(tmp_path: Path) -> None:
     path = tmp_path / "quake.csv"
     lines = [f"{i / 410:.4f},{np.sin(i):.4f}" for i in range(2000)]
     path.write_text("\n".join(["time [s], acceleration [g]", *lines]))
-    assert read(path)[0].dt == pytest.approx(1 / 410, rel=1e-4)
+    assert read_records(path)[0].dt == pytest.approx(1 / 410, rel=1e-4)
 
 
 @pytest.mark.parametrize(
@@ -75,7 +75,7 @@ def test_a_damaged_file_gives_one_clear_line(tmp_path: Path, data: bytes, words:
     path = tmp_path / "damaged.csv"
     path.write_bytes(data)
     with pytest.raises(RecordError, match=words) as caught:
-        read(path)
+        read_records(path)
     assert str(caught.value).startswith(str(path))
     assert "\n" not in str(caught.value)
 
@@ -84,7 +84,7 @@ def test_an_unknown_unit_of_the_caller_is_refused(tmp_path: Path) -> None:
     path = tmp_path / "quake.csv"
     path.write_text(NUMBERS)
     with pytest.raises(RecordError, match='unit "stone" is not known'):
-        read(path, unit="stone")
+        read_records(path, unit="stone")
 
 
 @pytest.mark.parametrize(

@@ -15,7 +15,7 @@ from scipy.constants import g
 
 from records.errors import RecordError
 from records.formats import FORMATS
-from records.reading import read
+from records.reading import read_records
 from records.record import Earthquake, Record, make_record
 
 N = 40
@@ -247,7 +247,7 @@ def test_one_format_alone_looks_like_it(name: str) -> None:
 @pytest.mark.parametrize("name", MADE)
 def test_samples_step_and_unit(tmp_path: Path, name: str) -> None:
     _, _, factor, dt = MADE[name]
-    found = read(written(tmp_path, name), unit="mm/s2", step=7.0)  # what the file says itself goes before
+    found = read_records(written(tmp_path, name), unit="mm/s2", step=7.0)  # what the file says itself goes before
     expected = VALUES - VALUES.mean() if name == "k-net" else VALUES
     for record, scale in zip(found, SCALES, strict=False):
         assert record.dt == dt
@@ -257,7 +257,7 @@ def test_samples_step_and_unit(tmp_path: Path, name: str) -> None:
 
 
 def first(folder: Path, name: str) -> Record:
-    return read(written(folder, name))[0]
+    return read_records(written(folder, name))[0]
 
 
 @pytest.mark.parametrize(
@@ -289,9 +289,9 @@ def test_csmip_volume_1_with_its_points_as_in_volume_2(tmp_path: Path) -> None:
     at = next(i for i, line in enumerate(lines) if "Accelerogram points" in line)
     lines[at] = f"{N} POINTS OF ACCEL DATA EQUALLY SPACED AT .005 SEC.  (UNITS: G)"
     (tmp_path / "X.RAW").write_text("\n".join(lines) + "\n")
-    (found,), (same,) = read(tmp_path / "X.RAW"), read(written(tmp_path, "csmip-1"))
+    (found,), (same,) = read_records(tmp_path / "X.RAW"), read_records(written(tmp_path, "csmip-1"))
     assert (found.dt, found.station, found.component) == (0.005, "Some School", "360 Deg")
-    assert "uncorrected" in found.trail
+    assert "uncorrected" in found.processing_history
     np.testing.assert_array_equal(found.acceleration, same.acceleration)
 
 
@@ -320,7 +320,7 @@ def test_what_else_is_known(tmp_path: Path) -> None:
 def test_south_and_west_of_geonet_are_negative(tmp_path: Path, printed: str, place: tuple[float, float]) -> None:
     path = tmp_path / "a.V2A"
     path.write_text(v2a().replace("42 37 10S  173 03 13E", printed))
-    site = read(path)[0].site
+    site = read_records(path)[0].site
     assert (site.latitude, site.longitude) == pytest.approx(place, abs=0.5 / 3600.0)
 
 
@@ -389,10 +389,10 @@ def test_damage_is_one_line_with_file_and_value(tmp_path: Path, name: str, old: 
     assert old in text
     path.write_text(text.replace(old, new), encoding="latin-1")
     if (name, new.strip()) == ("smc", "nan"):  # what is unknown may be nan as well
-        assert read(path)[0].npts == N
+        assert read_records(path)[0].npts == N
         return
     with pytest.raises(RecordError, match=words) as caught:
-        read(path)
+        read_records(path)
     assert str(caught.value).startswith(str(path))
     assert "\n" not in str(caught.value)
     assert len(str(caught.value)) < 400 + len(str(path))
@@ -401,7 +401,7 @@ def test_damage_is_one_line_with_file_and_value(tmp_path: Path, name: str, old: 
 def test_a_direction_of_geonet_with_a_blank_is_one(tmp_path: Path) -> None:
     path = written(tmp_path, "v2a")
     path.write_text(v2a().replace("Component S62W", "Component S 6W"))
-    azimuth = read(path)[1].azimuth
+    azimuth = read_records(path)[1].azimuth
     assert azimuth == pytest.approx(np.radians(186.0), rel=1e-12)  # S alone would be 180
 
 
@@ -412,16 +412,16 @@ def test_a_channel_of_csmip_whose_points_are_not_found_is_refused(tmp_path: Path
     at = [i for i, line in enumerate(lines) if "points of accel" in line.lower()][lost]
     path.write_text("\n".join(lines[:at] + lines[at + 1 :]))
     with pytest.raises(RecordError, match=r"channel|no line of"):
-        read(path)
+        read_records(path)
 
 
 @pytest.mark.parametrize("name", MADE)
 def test_lines_that_end_with_carriage_returns_are_read_or_refused(tmp_path: Path, name: str) -> None:
     path = written(tmp_path, name)
-    whole = read(path)
+    whole = read_records(path)
     path.write_bytes(path.read_bytes().replace(b"\n", b"\r"))
     try:
-        found = read(path)
+        found = read_records(path)
     except RecordError:
         assert name not in ("v2a", "at2", "smc")
         return
@@ -439,7 +439,7 @@ def test_no_value_that_is_no_number_passes(tmp_path: Path, name: str, junk: str)
     lines[at] = " ".join([*fields[:-1], junk]).replace(" , ", ",")
     path.write_text("\n".join(lines), encoding="latin-1")
     with pytest.raises(RecordError) as caught:
-        read(path)
+        read_records(path)
     assert str(path) in str(caught.value)
 
 
@@ -447,11 +447,11 @@ def test_no_value_that_is_no_number_passes(tmp_path: Path, name: str, junk: str)
 def test_a_file_cut_anywhere_is_refused_or_whole(tmp_path: Path, name: str) -> None:
     """But for CSV and bare numbers, which state no count, and for what stands behind the last acceleration."""
     path = written(tmp_path, name)
-    whole, data = read(path), path.read_bytes()
+    whole, data = read_records(path), path.read_bytes()
     for cut in range(0, len(data), 37):
         path.write_bytes(data[:cut])
         try:
-            found = read(path)
+            found = read_records(path)
         except RecordError:
             continue
         if name != "csv":
@@ -485,7 +485,7 @@ def test_shuffled_and_spoilt_files_are_records_or_record_errors(tmp_path: Path, 
     path = tmp_path / "spoilt.dat"
     path.write_bytes(bytes(data))
     try:
-        found = read(path)
+        found = read_records(path)
     except RecordError as error:
         assert str(error).startswith(str(path))  # noqa: PT017
         assert "\n" not in str(error)  # noqa: PT017
@@ -500,32 +500,32 @@ def test_a_table_of_three_columns_with_time_is_not_taken_for_one_motion(tmp_path
     path = tmp_path / "table.txt"
     path.write_text("".join(f"{i * 0.01:.2f} {a} {-a}\n" for i, a in enumerate(VALUES)))
     with pytest.raises(RecordError, match="first of 3 columns rises evenly, as time does"):
-        read(path, unit="g", step=0.01)
+        read_records(path, unit="g", step=0.01)
 
 
 def test_three_full_columns_are_not_taken_for_one_motion(tmp_path: Path) -> None:
     path = tmp_path / "table.txt"
     path.write_text("".join(f"{a} {b} {c}\n" for a, b, c in np.outer(VALUES, SCALES)))
     with pytest.raises(RecordError, match="3 numbers in every line may be 3 records side by side"):
-        read(path, unit="g", step=0.01)
+        read_records(path, unit="g", step=0.01)
 
 
 def test_bare_numbers_need_unit_and_step(tmp_path: Path) -> None:
     path = tmp_path / "bare.txt"
     path.write_text(rows(VALUES, 8, "10.3f"))
     with pytest.raises(RecordError, match=r"does not state the unit of its accelerations; give unit \(--unit"):
-        read(path, step=0.02)
+        read_records(path, step=0.02)
     with pytest.raises(RecordError, match=r"does not state its time step; give step, in seconds \(--step"):
-        read(path, unit="g")
-    (record,) = read(path, unit="g", step=0.02)
+        read_records(path, unit="g")
+    (record,) = read_records(path, unit="g", step=0.02)
     np.testing.assert_allclose(record.acceleration, g * VALUES, rtol=0, atol=6e-3 * g)
-    assert "as given" in record.trail[0]
+    assert "as given" in record.processing_history[0]
 
 
 def test_a_title_then_count_and_step_then_one_column(tmp_path: Path) -> None:
     path = tmp_path / "one.txt"
     path.write_text(f"made up\n{N} 0.0100\n" + rows(VALUES, 1, ".4f"))
-    (record,) = read(path, unit="cm/s2")
+    (record,) = read_records(path, unit="cm/s2")
     assert (record.npts, record.dt) == (N, 0.01)
 
 
@@ -543,7 +543,7 @@ def test_a_time_stamp_is_no_name_of_an_event(tmp_path: Path, name: str, number: 
     place = ["EVENT_LATITUDE_DEGREE: 38.0", "EVENT_LONGITUDE_DEGREE: 22.0"]
     path = tmp_path / "d.asc"
     path.write_text("\n".join([f"EVENT_NAME: {name}", f"EVENT_ID: {number}", *quake, *place, *lines]) + "\n")
-    assert read(path)[0].event == event
+    assert read_records(path)[0].event == event
 
 
 def test_an_epicentre_south_and_west_is_called_so() -> None:

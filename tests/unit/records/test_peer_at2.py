@@ -8,7 +8,7 @@ from scipy.constants import g
 
 from records.errors import RecordError
 from records.formats.peer_at2 import looks_like, parse_title
-from records.reading import read
+from records.reading import read_records
 
 FIRST = "PEER NGA STRONG MOTION DATABASE RECORD"
 TITLE = "Somewhere, 7/21/1952, Some School, 21"
@@ -40,11 +40,11 @@ def written(
     ],
 )
 def test_every_dress_of_line_four(tmp_path: Path, step: str, dt: float, end: str) -> None:
-    (record,) = read(written(tmp_path / "a.AT2", step, end=end))
+    (record,) = read_records(written(tmp_path / "a.AT2", step, end=end))
     assert record.dt == dt
     np.testing.assert_allclose(record.acceleration, np.array(VALUES) * g, rtol=1e-12)
     assert (record.id, record.event, record.station, record.component) == ("a", "Somewhere", "Some School", "21")
-    assert record.trail == ("read from PEER AT2, unit g, event of 7/21/1952",)
+    assert record.processing_history == ("read from PEER AT2, unit g, event of 7/21/1952",)
 
 
 @pytest.mark.parametrize(
@@ -76,12 +76,12 @@ def test_titles_old_and_new(line: str, title: tuple[str, ...]) -> None:
 
 def test_numbers_that_touch_are_told_apart(tmp_path: Path) -> None:
     path = written(tmp_path / "a.AT2", "NPTS= 3, DT= .01 SEC", data="-.1000000E-02-.2000000E+00 .3000000E+00\n")
-    np.testing.assert_allclose(read(path)[0].acceleration / g, [-0.001, -0.2, 0.3], rtol=1e-12)
+    np.testing.assert_allclose(read_records(path)[0].acceleration / g, [-0.001, -0.2, 0.3], rtol=1e-12)
 
 
 def test_another_unit_in_the_header_counts_and_the_callers_does_not(tmp_path: Path) -> None:
     path = written(tmp_path / "a.AT2", "NPTS= 7, DT= .01", units="ACCELERATION TIME HISTORY IN UNITS OF CM/S/S")
-    np.testing.assert_allclose(read(path, unit="g")[0].acceleration, np.array(VALUES) * 0.01, rtol=1e-12)
+    np.testing.assert_allclose(read_records(path, unit="g")[0].acceleration, np.array(VALUES) * 0.01, rtol=1e-12)
 
 
 @pytest.mark.parametrize(
@@ -114,7 +114,7 @@ def test_another_unit_in_the_header_counts_and_the_callers_does_not(tmp_path: Pa
 def test_a_damaged_file_gives_one_clear_line(tmp_path: Path, step: str, data: str, words: str) -> None:
     path = written(tmp_path / "damaged.AT2", step, data=data)
     with pytest.raises(RecordError, match=words) as caught:
-        read(path)
+        read_records(path)
     assert str(caught.value).startswith(str(path))
     assert "\n" not in str(caught.value)
     assert len(str(caught.value)) < 300 + len(str(path))
@@ -124,7 +124,7 @@ def test_a_header_that_ends_early_is_said_so(tmp_path: Path) -> None:
     path = tmp_path / "short.AT2"
     path.write_text("\n".join([FIRST, TITLE, UNITS]))
     with pytest.raises(RecordError, match="header is cut short"):
-        read(path)
+        read_records(path)
 
 
 def test_only_accelerations_look_like_at2() -> None:

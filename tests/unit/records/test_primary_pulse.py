@@ -10,8 +10,8 @@ from scipy.constants import g
 from records.errors import RecordError
 from records.primary_pulse import PERIODS, PrimaryPulse, primary_pulses
 from records.pulses import SHAPES, Shape, mavroeidis_papageorgiou, pulse_record, shape
-from records.reading import read
-from records.record import Record, make_record, scaled
+from records.reading import read_records
+from records.record import Record, make_record, scale
 
 PEER = Path(__file__).parents[3].parent / "shared" / "records" / "peer_at2"
 EVERY = [*SHAPES.values(), mavroeidis_papageorgiou(gamma=1.4, nu=1.0)]
@@ -63,14 +63,14 @@ def test_a_pulse_in_noise_is_found(one: Shape, frequency: float) -> None:
 
 def test_reversed_record_reversed_pulse() -> None:
     record = violent()
-    for one, other in zip(primary_pulses(record), primary_pulses(scaled(record, -1.0)), strict=True):
+    for one, other in zip(primary_pulses(record), primary_pulses(scale(record, -1.0)), strict=True):
         assert other.polarity == -one.polarity
         assert (other.frequency, other.amplitude, other.start) == (one.frequency, one.amplitude, one.start)
 
 
 def test_scale_changes_the_amplitude_alone() -> None:
     record = violent()
-    for one, other in zip(primary_pulses(record), primary_pulses(scaled(record, 7.3)), strict=True):
+    for one, other in zip(primary_pulses(record), primary_pulses(scale(record, 7.3)), strict=True):
         assert other.amplitude == pytest.approx(7.3 * one.amplitude, rel=1e-5)
         assert other.frequency == pytest.approx(one.frequency, rel=1e-5)
         assert other.energy_share == pytest.approx(one.energy_share, rel=1e-9)
@@ -184,7 +184,7 @@ def test_speed() -> None:
 
 
 def found_in(name: str, one: str) -> tuple[Record, PrimaryPulse]:
-    record = read(PEER / name)[0]
+    record = read_records(PEER / name)[0]
     return record, primary_pulses(record, shape=shape(one))[0]
 
 

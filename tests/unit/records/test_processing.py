@@ -7,11 +7,11 @@ import pytest
 from scipy.signal.windows import tukey
 
 from records.errors import RecordError
-from records.integration import absolute, displacement, squared, velocity
-from records.processing import baseline_corrected, butterworth, resampled, trimmed
+from records.integration import displacement, integrate_absolute, integrate_squared, velocity
+from records.processing import butterworth, correct_baseline, resample, trim
 from records.record import Record, make_record
 from records.response import response_spectrum
-from records.rotation import at_azimuth, rotd, rotd_spectrum
+from records.rotation import rotate_to_azimuth, rotd, rotd_spectrum
 
 DT = 0.01
 TIME = DT * np.arange(4001)
@@ -40,23 +40,23 @@ def test_velocity_and_displacement_of_a_line() -> None:
 
 def test_integrals_over_a_step_that_changes_sign() -> None:
     record = make_record("line", [-1.0, 3.0], 1.0)  # zero at 1/4: triangles of 1/8 and 9/8; squared (1 - 3 + 9) / 3
-    assert absolute(record)[-1] == pytest.approx(1.25, rel=1e-15)
-    assert squared(record)[-1] == pytest.approx(7.0 / 3.0, rel=1e-15)
+    assert integrate_absolute(record)[-1] == pytest.approx(1.25, rel=1e-15)
+    assert integrate_squared(record)[-1] == pytest.approx(7.0 / 3.0, rel=1e-15)
 
 
 @pytest.mark.parametrize("degree", [0, 1, 2, 5])
 def test_a_baseline_of_its_degree_goes_and_leaves_the_trail(degree: int) -> None:
     drift = np.polynomial.Polynomial(np.random.default_rng(degree).normal(size=degree + 1))(TIME / 40.0)
     record = make_record("drift", drift + 1e-30 * TIME, DT)
-    corrected = baseline_corrected(record, degree=degree)
+    corrected = correct_baseline(record, degree=degree)
     np.testing.assert_allclose(corrected.acceleration, 0.0, rtol=0, atol=1e-12)
-    assert corrected.trail == (f"baseline of degree {degree} taken off",)
+    assert corrected.processing_history == (f"baseline of degree {degree} taken off",)
     assert np.max(np.abs(record.acceleration)) > 1e-3  # the record itself is as it was
 
 
 def test_a_corrected_record_has_no_baseline_left() -> None:
-    once = baseline_corrected(noise(), degree=3)
-    np.testing.assert_allclose(baseline_corrected(once, degree=3).acceleration, once.acceleration, rtol=0, atol=1e-12)
+    once = correct_baseline(noise(), degree=3)
+    np.testing.assert_allclose(correct_baseline(once, degree=3).acceleration, once.acceleration, rtol=0, atol=1e-12)
     assert np.mean(once.acceleration) == pytest.approx(0.0, abs=1e-12)
 
 
@@ -80,7 +80,7 @@ def test_the_filter_has_the_gain_of_butterworth_twice_and_no_phase(
         filtered.acceleration[inner], gain * record.acceleration[inner], rtol=0, atol=0.04 * gain
     )  # the bilinear transform bends the ratio of frequencies by 0.4 %, to the 8th power
     assert (filtered.npts, filtered.dt) == (record.npts, record.dt)
-    assert "acausal Butterworth of order 4" in filtered.trail[-1]
+    assert "acausal Butterworth of order 4" in filtered.processing_history[-1]
 
 
 def test_the_filter_reads_the_same_backwards() -> None:
@@ -95,36 +95,36 @@ def test_the_filter_reads_the_same_backwards() -> None:
 @pytest.mark.parametrize("dt", [0.005, 0.02, 0.004, 0.0125, 1.0 / 128.0])
 def test_what_both_steps_can_show_stays(dt: float) -> None:
     slow, wanted = sine(3.0), sine(3.0, dt=dt)
-    found = resampled(slow, dt=dt)
+    found = resample(slow, dt=dt)
     shared = min(found.npts, wanted.npts)
     np.testing.assert_allclose(found.acceleration[:shared], wanted.acceleration[:shared], rtol=0, atol=2e-4)
     assert found.dt == dt
-    assert found.trail[-1].startswith("resampled from 0.01 to")
+    assert found.processing_history[-1].startswith("resampled from 0.01 to")
 
 
 def test_what_the_new_step_cannot_show_is_gone_and_not_folded_back() -> None:
-    assert resampled(sine(40.0), dt=0.02).pga < 1e-3  # 40 Hz would come back as 10 Hz
+    assert resample(sine(40.0), dt=0.02).pga < 1e-3  # 40 Hz would come back as 10 Hz
     assert np.abs(sine(40.0).acceleration[::2]).max() > 0.9
 
 
 def test_the_same_step_changes_nothing() -> None:
     record = noise()
-    assert resampled(record, dt=DT) is record
+    assert resample(record, dt=DT) is record
 
 
 def test_trimming_keeps_the_shares_of_arias_intensity() -> None:
     record = noise()
-    kept = trimmed(record, start=0.05, end=0.95)
-    whole = squared(record)[-1]
-    assert squared(kept)[-1] / whole == pytest.approx(0.9, abs=2e-3)  # to a sample at each end
-    assert trimmed(record).npts == record.npts
-    assert "0.05-0.95 of its Arias intensity" in kept.trail[-1]
+    kept = trim(record, start=0.05, end=0.95)
+    whole = integrate_squared(record)[-1]
+    assert integrate_squared(kept)[-1] / whole == pytest.approx(0.9, abs=2e-3)  # to a sample at each end
+    assert trim(record).npts == record.npts
+    assert "0.05-0.95 of its Arias intensity" in kept.processing_history[-1]
 
 
 def test_zeros_at_both_ends_are_trimmed_away() -> None:
     samples = np.zeros(1000)
     samples[300:700] = np.sin(np.arange(400) / 10.0)
-    kept = trimmed(make_record("zeros", samples, DT))
+    kept = trim(make_record("zeros", samples, DT))
     assert 398 <= kept.npts <= 402
 
 
@@ -138,19 +138,19 @@ def pair() -> tuple[Record, Record]:
 def test_a_motion_along_an_azimuth_is_whole_there_and_nothing_across() -> None:
     north, east = pair()
     np.testing.assert_allclose(
-        at_azimuth(north, east, azimuth=np.pi / 6).acceleration, sine(2.0).acceleration, rtol=0, atol=1e-12
+        rotate_to_azimuth(north, east, azimuth=np.pi / 6).acceleration, sine(2.0).acceleration, rtol=0, atol=1e-12
     )
-    assert at_azimuth(east, north, azimuth=np.pi / 6 + np.pi / 2).pga == pytest.approx(0.0, abs=1e-12)
+    assert rotate_to_azimuth(east, north, azimuth=np.pi / 6 + np.pi / 2).pga == pytest.approx(0.0, abs=1e-12)
 
 
 def test_components_at_any_angle_give_the_same_north() -> None:
     a, b = noise(1).acceleration, noise(2).acceleration
     first = make_record("a", a, DT, azimuth=0.0)
     second = make_record("b", a * np.cos(1.0) + b * np.sin(1.0), DT, azimuth=1.0)
-    np.testing.assert_allclose(at_azimuth(first, second, azimuth=np.pi / 2).acceleration, b, rtol=0, atol=1e-12)
-    turned = at_azimuth(first, second, azimuth=0.3)
+    np.testing.assert_allclose(rotate_to_azimuth(first, second, azimuth=np.pi / 2).acceleration, b, rtol=0, atol=1e-12)
+    turned = rotate_to_azimuth(first, second, azimuth=0.3)
     assert turned.azimuth == pytest.approx(0.3)
-    assert turned.trail[-1].endswith("azimuth 17.1887 deg")
+    assert turned.processing_history[-1].endswith("azimuth 17.1887 deg")
 
 
 def test_rotd_of_a_straight_motion_is_its_cosine() -> None:
@@ -196,8 +196,8 @@ def test_the_spectrum_over_directions_of_a_straight_motion() -> None:
 @pytest.mark.parametrize(
     ("wrong", "words"),
     [
-        (lambda: baseline_corrected(noise(), degree=-1), "degree -1"),
-        (lambda: baseline_corrected(noise(), degree=99), "degree 99"),
+        (lambda: correct_baseline(noise(), degree=-1), "degree -1"),
+        (lambda: correct_baseline(noise(), degree=99), "degree 99"),
         (
             lambda: butterworth(noise(), low=10.0, high=1.0),
             "low corner 10 Hz, high corner 1 Hz; .* below half the rate, 50 Hz, and the low one",
@@ -207,17 +207,17 @@ def test_the_spectrum_over_directions_of_a_straight_motion() -> None:
         (lambda: butterworth(noise(), low=0.0), ": low corner 0 Hz"),
         (lambda: butterworth(noise(), low=1.0, order=0), "order 0"),
         (lambda: butterworth(noise(), low=1e-9), "samples would be needed"),
-        (lambda: resampled(noise(), dt=0.0), "step 0.0 s"),
-        (lambda: resampled(noise(), dt=np.inf), "step inf s"),
-        (lambda: resampled(noise(), dt=1e-9), "whole numbers"),
-        (lambda: resampled(noise(), dt=DT / np.pi), "whole numbers"),
-        (lambda: resampled(noise(npts=4_000_000), dt=DT / 1000), "samples would be needed"),
-        (lambda: trimmed(noise(), start=0.9, end=0.1), "trimmed from 0.9 to 0.1"),
-        (lambda: trimmed(noise(), end=np.nan), "trimmed from 0.0 to nan"),
+        (lambda: resample(noise(), dt=0.0), "step 0.0 s"),
+        (lambda: resample(noise(), dt=np.inf), "step inf s"),
+        (lambda: resample(noise(), dt=1e-9), "whole numbers"),
+        (lambda: resample(noise(), dt=DT / np.pi), "whole numbers"),
+        (lambda: resample(noise(npts=4_000_000), dt=DT / 1000), "samples would be needed"),
+        (lambda: trim(noise(), start=0.9, end=0.1), "trimmed from 0.9 to 0.1"),
+        (lambda: trim(noise(), end=np.nan), "trimmed from 0.0 to nan"),
         (lambda: rotd(*pair(), percentile=101.0), "percentile 101.0"),
         (lambda: rotd(pair()[0], pair()[0], percentile=50.0), "must be perpendicular"),
-        (lambda: at_azimuth(pair()[0], pair()[0], azimuth=1.0), "at least 10 deg apart"),
-        (lambda: at_azimuth(pair()[0], noise(), azimuth=1.0), "azimuth of its component .* is not known"),
+        (lambda: rotate_to_azimuth(pair()[0], pair()[0], azimuth=1.0), "at least 10 deg apart"),
+        (lambda: rotate_to_azimuth(pair()[0], noise(), azimuth=1.0), "azimuth of its component .* is not known"),
         (lambda: rotd(noise(), sine(1.0, dt=0.02), percentile=50.0), "resample one to the other"),
     ],
 )
@@ -232,4 +232,4 @@ def test_components_of_two_recordings_are_not_turned_together(other: dict[str, s
     first = make_record("a", np.sin(np.arange(50.0)), 0.01, azimuth=0.0, station="KNG001", event="one")
     second = make_record("b", np.cos(np.arange(50.0)), 0.01, azimuth=0.5 * np.pi, **other)
     with pytest.raises(RecordError, match="of one recording"):
-        at_azimuth(first, second, azimuth=0.3)
+        rotate_to_azimuth(first, second, azimuth=0.3)

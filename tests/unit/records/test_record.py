@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from records.errors import RecordError
-from records.record import make_record, scaled
+from records.record import make_record, scale
 
 
 @pytest.mark.parametrize(
@@ -39,6 +39,6 @@ def test_a_record_is_a_copy_that_stays_as_it_is() -> None:
     assert (record.npts, record.pga, record.time.tolist()) == (3, 2.0, [0.0, 0.5, 1.0])
     with pytest.raises(ValueError, match="read-only"):
         record.acceleration[0] = 1.0
-    half = scaled(record, -0.5)
+    half = scale(record, -0.5)
     assert half.acceleration.tolist() == [0.0, -0.5, 1.0]
-    assert half.trail[-1] == "scaled by -0.5"
+    assert half.processing_history[-1] == "scaled by -0.5"

@@ -11,8 +11,8 @@ from scipy.signal import lsim
 
 from records.errors import RecordError
 from records.kernel import advance, peak_displacements
-from records.reading import read
-from records.record import Record, make_record, scaled
+from records.reading import read_records
+from records.record import Record, make_record, scale
 from records.response import displacement_spectrum, response_spectrum
 
 
@@ -78,7 +78,7 @@ def test_real_records_and_what_maxima_at_samples_would_be() -> None:
     if not files:
         pytest.skip("third-party records (../shared/records) are not here")
     low = []
-    for (record,) in map(read, files):
+    for (record,) in map(read_records, files):
         period = record.dt * np.array([1.7, 8.0, 20.0, 33.0])
         found = displacement_spectrum(record, period)
         strongest = int(np.argmax(np.abs(record.acceleration)))
@@ -164,7 +164,7 @@ def test_zero_period_is_the_peak_acceleration_and_shapes_are_kept() -> None:
 def test_the_spectrum_is_linear_and_blind_to_sign() -> None:
     record, periods = noise(), np.geomspace(0.05, 3.0, 20)
     np.testing.assert_allclose(
-        response_spectrum(scaled(record, -2.5), periods), 2.5 * response_spectrum(record, periods), rtol=1e-12
+        response_spectrum(scale(record, -2.5), periods), 2.5 * response_spectrum(record, periods), rtol=1e-12
     )
 
 

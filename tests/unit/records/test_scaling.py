@@ -6,7 +6,7 @@ from scipy.constants import g
 from scipy.optimize import minimize_scalar
 
 from records.errors import RecordError
-from records.record import Record, make_record, scaled
+from records.record import Record, make_record, scale
 from records.response import response_spectrum
 from records.scaling import SCALING_PERIODS, misfit, scale_to_pga, scale_to_spectrum
 from spectra.asce7 import design_spectrum
@@ -31,12 +31,12 @@ def test_the_factor_minimises_the_mean_squared_log_difference(record: Record) ->
     assert scaling.factor == pytest.approx(np.exp(best.x), rel=1e-6)
     assert scaling.mse == pytest.approx(best.fun, rel=1e-9)
     assert scaling.mse == pytest.approx(misfit(record, TARGET, factor=scaling.factor), rel=1e-12)
-    assert misfit(scaled(record, scaling.factor), TARGET) == pytest.approx(scaling.mse, rel=1e-9)
+    assert misfit(scale(record, scaling.factor), TARGET) == pytest.approx(scaling.mse, rel=1e-9)
 
 
 def test_a_scaled_record_needs_no_more_scaling(record: Record) -> None:
     first = scale_to_spectrum(record, TARGET)
-    again = scale_to_spectrum(scaled(record, first.factor), TARGET)
+    again = scale_to_spectrum(scale(record, first.factor), TARGET)
     assert again.factor == pytest.approx(1.0, rel=1e-12)
     assert again.mse == pytest.approx(first.mse, rel=1e-9)
 
@@ -48,7 +48,7 @@ def test_one_period_is_met_exactly(record: Record) -> None:
 
 
 def test_scaling_to_a_peak_acceleration(record: Record) -> None:
-    assert scaled(record, scale_to_pga(record, 0.3 * g)).pga == pytest.approx(0.3 * g, rel=1e-14)
+    assert scale(record, scale_to_pga(record, 0.3 * g)).pga == pytest.approx(0.3 * g, rel=1e-14)
 
 
 @pytest.mark.parametrize("pga", [0.0, -1.0, float("nan"), float("inf")])

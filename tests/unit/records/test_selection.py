@@ -7,7 +7,7 @@ from time import process_time
 import numpy as np
 import pytest
 
-from records.band import band, up_to
+from records.band import band, truncate_band
 from records.candidates import PERIODS, Candidate, sequence_number
 from records.errors import RecordError
 from records.selection import Criteria, Filters, Pool, best_suite, exchanged, exhaustive, greedy, passes, select
@@ -227,10 +227,10 @@ def test_what_moves_beyond_an_end_of_the_band_moves_the_fit(end: float, step: in
 
 
 def test_a_spectrum_that_ends_early_cuts_the_band() -> None:
-    assert up_to(BAND, 1.0).period[-1] == pytest.approx(1.0)
-    assert up_to(BAND, 2.0).ends == (0.2, 2.0)
+    assert truncate_band(BAND, 1.0).period[-1] == pytest.approx(1.0)
+    assert truncate_band(BAND, 2.0).ends == (0.2, 2.0)
     with pytest.raises(RecordError, match="extend its table"):
-        up_to(BAND, 0.1)
+        truncate_band(BAND, 0.1)
 
 
 def test_one_earthquake_by_several_names_is_known_by_its_day() -> None:

@@ -11,8 +11,8 @@ import pytest
 from scipy.constants import g
 
 from assess.codes.bases import BASES
-from assess.codes.check import Check, Outcome, PgaCurve, Reason, Step, because
-from assess.codes.verdict import Action, Decision, Judged, Question, verdict, with_roles
+from assess.codes.check import Check, Outcome, PgaCurve, Reason, Step, reason_message
+from assess.codes.verdict import Action, Decision, MechanismChecks, Question, mark_deciding, verdict
 from assess.messages.message import Message, Severity, count
 from assess.results import (
     SCHEMA_VERSION,
@@ -46,13 +46,13 @@ from assess.results import (
     Trace,
     View,
 )
-from reports.asked import as_asked
 from reports.assessment import assessment
 from reports.document import Document
-from reports.html import write_html
-from reports.processes import processes
-from reports.svg import picture
-from reports.vector import Traced, traced
+from reports.localisation import localise
+from reports.render.html import write_html
+from reports.render.processes import processes
+from reports.render.svg import picture
+from reports.render.vector import FigureMarks, trace_figures
 
 LEVELS = (0.067, 0.2, 0.45)
 PERIODS = tuple(float(period) for period in np.concatenate([[0.0], np.linspace(0.05, 4.0, 80)]))
@@ -178,10 +178,10 @@ def check(
 
 def reason_of(verdict: str, ratio: float | None) -> Message:
     if verdict == "not-answered":
-        return because(Reason.TOO_FEW_RECORDS, n=count(4), fallen=count(0), clause="ASCE 43-05", least=count(5))
+        return reason_message(Reason.TOO_FEW_RECORDS, n=count(4), fallen=count(0), clause="ASCE 43-05", least=count(5))
     if verdict == "fail" and ratio is None:
-        return because(Reason.OVERTURNS)
-    return because(Reason.WITHIN if verdict == "pass" else Reason.BEYOND, capacity="the allowable")
+        return reason_message(Reason.OVERTURNS)
+    return reason_message(Reason.WITHIN if verdict == "pass" else Reason.BEYOND, capacity="the allowable")
 
 
 def checks(alpha: float, weak: bool) -> tuple[Check, ...]:
@@ -412,9 +412,9 @@ def asked(pga_g: float = LEVELS[0]) -> Question:
 def decided(results: Results, question: Question | None = None) -> Results:
     """The results with their verdict, and with the checks that decide marked."""
     question = question or asked()
-    found = verdict(question, [Judged(each.name, each.checks) for each in results.mechanisms])
+    found = verdict(question, [MechanismChecks(each.name, each.checks) for each in results.mechanisms])
     mechanisms = tuple(
-        replace(each, checks=with_roles(each.checks, one, question.basis, question.action))
+        replace(each, checks=mark_deciding(each.checks, one, question.basis, question.action))
         for each, one in zip(results.mechanisms, found.mechanisms, strict=True)
     )
     return replace(results, mechanisms=mechanisms, verdict=found)
@@ -512,17 +512,17 @@ def judged_at() -> Callable[[Results, float], Results]:
 
 @pytest.fixture(scope="session")
 def document(results: Results) -> Document:
-    return as_asked(assessment(results))
+    return localise(assessment(results))
 
 
 @pytest.fixture(scope="session")
-def drawings(document: Document) -> Mapping[str, Traced]:
+def drawings(document: Document) -> Mapping[str, FigureMarks]:
     with processes(1, document) as pool:
-        return traced(document, pool=pool)
+        return trace_figures(document, pool=pool)
 
 
 @pytest.fixture(scope="session")
-def page(document: Document, drawings: Mapping[str, Traced], tmp_path_factory: pytest.TempPathFactory) -> Path:
+def page(document: Document, drawings: Mapping[str, FigureMarks], tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The report as HTML."""
     pictures = {name: picture(drawing) for name, drawing in drawings.items()}
     return write_html(document, tmp_path_factory.mktemp("html") / "report.html", pictures=pictures)

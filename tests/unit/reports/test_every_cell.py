@@ -11,14 +11,15 @@ from lxml import html
 from openpyxl import load_workbook
 from pypdf import PdfReader
 
-from reports.csv import field, write_csv
 from reports.document import Cell, Document, Sheet, Table
-from reports.lettering import printable, shortened, visible
-from reports.numerals import outcome, shown
-from reports.pdf import write_pdf
-from reports.sheets import as_table
-from reports.spreadsheet import SHEETS, unique, write_xlsx
-from reports.vector import Traced
+from reports.figures.font import printable
+from reports.language.lettering import truncate, visible
+from reports.language.numerals import cell_text, step_result
+from reports.render.csv import field, write_csv
+from reports.render.pdf import write_pdf
+from reports.render.sheet_table import as_table
+from reports.render.spreadsheet import SHEETS, unique, write_xlsx
+from reports.render.vector import FigureMarks
 
 
 def printed(document: Document) -> list[Table]:
@@ -80,7 +81,7 @@ def test_page(document: Document, page: Path) -> None:
         assert element.find("caption").text_content() == f"Table {number}. {visible(table.caption)}"
         assert [head.text_content() for head in element.findall("thead/tr/th")] == [c.heading for c in table.columns]
         for line, row in zip(element.findall("tbody/tr"), table.rows, strict=True):
-            texts = [visible(shown(cell, column.kind)) for cell, column in zip(row, table.columns, strict=True)]
+            texts = [visible(cell_text(cell, column.kind)) for cell, column in zip(row, table.columns, strict=True)]
             assert [cell.text_content() for cell in line] == texts
             values = [cell.get("data-value") for cell in line]
             assert values == [repr(cell) if type(cell) in (int, float) else None for cell in row]
@@ -92,7 +93,7 @@ def test_sheets_of_the_page(document: Document, page: Path) -> None:
     for element, sheet in zip(found, document.sheets, strict=True):
         for row, line in zip(element.findall("tbody/tr"), sheet.lines, strict=True):
             text = row.text_content()
-            assert text.endswith(outcome(line.value, line.unit))
+            assert text.endswith(step_result(line.value, line.unit))
             for part in (line.clause, line.substituted, line.description):
                 assert plain(part) in plain(text)
 
@@ -102,7 +103,7 @@ def plain(formula: str) -> str:
     return squeezed(formula.translate(str.maketrans("", "", "_^{}")))
 
 
-def test_pdf(document: Document, drawings: Mapping[str, Traced], tmp_path: Path) -> None:
+def test_pdf(document: Document, drawings: Mapping[str, FigureMarks], tmp_path: Path) -> None:
     """Row by row, in the order of the document; a row is whole on its page."""
     path = write_pdf(document, tmp_path / "report.pdf", drawings=drawings)
     text = squeezed("".join(page.extract_text() for page in PdfReader(path).pages))
@@ -117,7 +118,7 @@ def lines_of(block: object) -> Iterator[str]:
     """The rows of a table or a sheet as they are printed, without blanks."""
     if isinstance(block, Table):
         for row in block.rows:
-            texts = (shown(cell, column.kind) for cell, column in zip(row, block.columns, strict=True))
-            yield squeezed("".join(printable(shortened(text, 400)) for text in texts))
+            texts = (cell_text(cell, column.kind) for cell, column in zip(row, block.columns, strict=True))
+            yield squeezed("".join(printable(truncate(text, 400)) for text in texts))
     if isinstance(block, Sheet):
-        yield from (squeezed(outcome(line.value, line.unit)) for line in block.lines)
+        yield from (squeezed(step_result(line.value, line.unit)) for line in block.lines)

@@ -5,9 +5,10 @@ from __future__ import annotations
 from dataclasses import replace
 from math import inf
 
-from assess.codes.check import Outcome, Reason, because
+from assess.codes.check import Outcome, Reason, reason_message
 from assess.results import ComparisonRow, Results
-from reports import comparisons, governing, study, summary, tables
+from reports import governing
+from reports.chapters import comparisons, other_levels, summary, tables
 
 
 def test_overturning_stands_before_every_ratio(results: Results) -> None:
@@ -39,7 +40,7 @@ def test_the_overturning_history_governs(results: Results) -> None:
 
 
 def test_rows_of_the_comparison_that_overturned(results: Results) -> None:
-    rows = governing.overturned(results)
+    rows = governing.overturned_rows(results)
     assert [(row.mechanism, row.level_pga_g, row.procedure) for row in rows] == [("parapet", 0.45, "asce43-05-history")]
 
 
@@ -52,19 +53,19 @@ def test_what_lies_beyond_the_spectrum_is_not_said_to_overturn(results: Results)
         demand=None,
         ratio=None,
         verdict=Outcome.FAIL,
-        reason=because(Reason.BEYOND_SPECTRUM),
+        reason=reason_message(Reason.BEYOND_SPECTRUM),
     )
     row = ComparisonRow(first.name, 9.0, worst.procedure, None, 0.5, None)
     one = replace(first, checks=(*first.checks, worst))
     made = replace(results, mechanisms=(one, *others), comparison=(*results.comparison, row))
-    assert not governing.fell(worst)
-    assert row not in governing.overturned(made)
-    assert governing.drawn(made)[-1].demand_capacity == inf
-    assert governing.drawn(made)[:-1] == results.comparison
+    assert not governing.is_overturned(worst)
+    assert row not in governing.overturned_rows(made)
+    assert governing.rows_to_draw(made)[-1].demand_capacity == inf
+    assert governing.rows_to_draw(made)[:-1] == results.comparison
     alone = replace(made, verdict=None, mechanisms=(replace(one, checks=(worst,)),))
     lines = (
         tables.demands(one, name="d").rows[-1],
-        next(line for line in study.table(made).rows if line[1] == 9.0),
+        next(line for line in other_levels.table(made).rows if line[1] == 9.0),
         next(line for line in comparisons.side_by_side(made).rows if line[1] == 9.0),
         next(line for line in comparisons.comparison(made).rows if line[1] == 9.0),
         *summary.governing_checks(alone).rows,

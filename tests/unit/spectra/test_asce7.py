@@ -4,9 +4,10 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from spectra.asce7 import EDITIONS, design_spectrum
+from spectra.asce7 import design_spectrum
+from spectra.asce7_editions import EDITIONS
 from spectra.errors import SpectrumError
-from spectra.spectrum import scaled_to_pga
+from spectra.spectrum import scale_to_pga
 
 S_DS, S_D1, T_L = 1.0 * g, 0.68 * g, 8.0
 
@@ -48,7 +49,7 @@ def test_damping_divides_by_b_from_t_0_on_and_leaves_the_ground_alone(damping: f
 
 
 def test_scaling_to_a_pga_keeps_the_corners() -> None:
-    spectrum = scaled_to_pga(design_spectrum(s_ds=S_DS, s_d1=S_D1, t_l=T_L), 0.1 * g)
+    spectrum = scale_to_pga(design_spectrum(s_ds=S_DS, s_d1=S_D1, t_l=T_L), 0.1 * g)
     np.testing.assert_allclose(spectrum.acceleration([0.0, 0.4, 1.0]), [0.1 * g, 0.25 * g, 0.17 * g], rtol=1e-12)
 
 

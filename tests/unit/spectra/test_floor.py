@@ -3,7 +3,7 @@
 import pytest
 
 from spectra.errors import SpectrumError
-from spectra.floor import ec8, ec8_floor_factor, ec8_printed, ec8_resonance, nzs1170_5
+from spectra.floor import ec8, ec8_at_resonance_with_soil, ec8_floor_factor, ec8_resonance, nzs1170_5
 
 
 @pytest.mark.parametrize(
@@ -23,7 +23,7 @@ def test_a_part_of_very_long_period_keeps_the_ground_s_acceleration():
 def test_the_three_readings_of_ec8():
     assert [ec8(z, building_height=12.0) for z in (0.0, 6.0, 12.0)] == pytest.approx([1.0, 1.75, 2.5], rel=1e-12)
     assert [ec8_resonance(z, building_height=12.0) for z in (0.0, 6.0, 12.0)] == pytest.approx([2.5, 4.0, 5.5])
-    assert ec8_printed(6.0, building_height=12.0, soil_factor=1.15) == pytest.approx(1.15 * 4.0)
+    assert ec8_at_resonance_with_soil(6.0, building_height=12.0, soil_factor=1.15) == pytest.approx(1.15 * 4.0)
 
 
 def test_thesis_table_4_6_nzs():

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.codes.admission import admitted
+from assess.codes.applicability import apply_procedure
 from assess.codes.asce41_13.clauses import Options, largest_s_x1, permissible, position_of
 from assess.codes.asce41_13.slenderness import NAME, assess
 from assess.codes.check import Reason
@@ -121,7 +121,7 @@ MISSING = {
 
 @pytest.mark.parametrize(("change", "verdict", "reason"), list(MISSING.values()), ids=list(MISSING))
 def test_what_is_missing_is_said(change, verdict, reason) -> None:
-    (check,) = admitted(NAME, partial(assess, options=Options()), BLOCK, dataclasses.replace(AT, **change))
+    (check,) = apply_procedure(NAME, partial(assess, options=Options()), BLOCK, dataclasses.replace(AT, **change))
     assert (check.verdict, check.reason.key) == (verdict, reason)
 
 

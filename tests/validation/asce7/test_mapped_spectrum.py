@@ -32,7 +32,7 @@ def test_casa_grande_from_the_map(code):
     """Thesis Table 8.4, IBC 2009: S_S = 0.25, S_1 = 0.08, class B: F_a = F_v = 1, S_DS = 0.167, S_D1 = 0.053."""
     spectrum = made(code, s_s=0.25, s_1=0.08, site_class="B", t_l=6.0)
     assert spectrum.acceleration([0.0, 0.2, 2.0]) / g == pytest.approx([0.2 / 3, 0.5 / 3, 0.08 / 3], rel=1e-12)
-    assert spectrum.cautions == ()
+    assert spectrum.warnings == ()
 
 
 def test_the_same_site_by_7_16():
@@ -89,9 +89,9 @@ def test_f_v_between_the_columns_and_beyond_them(code, site_class, s_1, f_v):
     ],
 )
 def test_cases_that_need_a_study_of_the_site_cite_the_clause(code, given, told):
-    cautions = made(code, **given).cautions
-    assert len(cautions) == told
-    assert all("11.4.8" in text for text in cautions)
+    warnings = made(code, **given).warnings
+    assert len(warnings) == told
+    assert all("11.4.8" in text for text in warnings)
 
 
 @pytest.mark.parametrize(

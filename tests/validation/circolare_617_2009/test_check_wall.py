@@ -19,10 +19,10 @@ from assess.codes.dmi2008.clauses import (
     floor_displacement,
     ground_displacement,
 )
-from assess.codes.italian.curves import curves_alone
+from assess.codes.italian.curves import curves_of_all_actions
 from assess.codes.italian.edition import Options
 from assess.codes.italian.floor import floor_of
-from assess.geometry.planar import planar
+from assess.geometry.planar import planar_body
 from assess.geometry.solid import box
 from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block
@@ -33,7 +33,7 @@ from spectra.ec8 import elastic_spectrum
 @pytest.fixture(scope="module")
 def rocker():
     body = box(thickness=0.6, length=1.0, height=6.0, base=(0, 0, 0), density=1800.0, name="wall")
-    return oscillator(single_block("wall", planar(body, direction=(1, 0, 0))))
+    return oscillator(single_block("wall", planar_body(body, direction=(1, 0, 0))))
 
 
 def context(*, elevation=0.0, building=None, levels=(0.15 * g,)):
@@ -46,7 +46,7 @@ LC1 = 1.35
 
 
 def capacity_of(rocker, *, confidence_factor=LC1):
-    (curves,) = curves_alone(rocker)
+    (curves,) = curves_of_all_actions(rocker)
     return clauses.capacity_of(curves, confidence_factor=confidence_factor)
 
 
@@ -107,7 +107,7 @@ def test_beyond_t_e_the_demand_is_the_code_s_own_displacement(size, beyond):
     A wall 25 times as large has a T_s five times as long, beyond T_E. S_e (T / 2 pi)^2 would stay at its value at T_D.
     """
     wall = box(thickness=0.6 * size, length=1.0, height=6.0 * size, base=(0, 0, 0), density=1800.0, name="wall")
-    rocker = oscillator(single_block("wall", planar(wall, direction=(1, 0, 0))))
+    rocker = oscillator(single_block("wall", planar_body(wall, direction=(1, 0, 0))))
     spectrum = elastic_spectrum(a_g=0.2 * g, ground_type="B")
     (check,) = nonlinear.assess(rocker, Context(spectrum, (0.24 * g,), 0.0, 0.0, None), options=Options())
     T = capacity_of(rocker).Ts

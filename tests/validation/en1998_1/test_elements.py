@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.codes.admission import admitted
+from assess.codes.applicability import apply_procedure
 from assess.codes.check import Reason
 from assess.codes.context import Building, Context, Wall
 from assess.codes.en1998_1.clauses import Options, amplification, element_period
@@ -30,7 +30,7 @@ def at(height: float = 0.0, building: Building | None = HOUSE, **more) -> Contex
 
 
 def asked(context: Context):
-    return admitted(NAME, partial(assess, options=Options()), PARAPET, context)
+    return apply_procedure(NAME, partial(assess, options=Options()), PARAPET, context)
 
 
 @pytest.mark.parametrize(

@@ -18,9 +18,9 @@ from assess.codes.context import Building, Context, FirstMode, Hazard
 from assess.codes.italian.edition import Options
 from assess.codes.ntc2018 import linear, nonlinear
 from assess.codes.ntc2018.building import floor_demand, modes_at
-from assess.codes.ntc2018.toothing import LEVER, toothed_friction
+from assess.codes.ntc2018.toothing import LEVER, toothing_friction
 from assess.errors import ProcedureError
-from assess.geometry.planar import planar
+from assess.geometry.planar import planar_body
 from assess.geometry.solid import box
 from assess.loads.load import Force
 from assess.mechanisms.oscillation import oscillator
@@ -41,7 +41,7 @@ CORNERS = [  # T_1', xi_1, a_Z, A, S_eZ(T_SLV), demand, its lower bound, a_g,SLV
 @cache
 def wall(*, thickness=0.6, height=6.0, base=0.0):
     body = box(thickness=thickness, length=1.0, height=height, base=(0, 0, base), density=1800.0, name="wall")
-    return oscillator(single_block("wall", planar(body, direction=(1, 0, 0))))
+    return oscillator(single_block("wall", planar_body(body, direction=(1, 0, 0))))
 
 
 @cache
@@ -150,10 +150,10 @@ def test_a_peak_inside_the_range_asks_nine_per_cent_more_than_its_worst_corner()
 
 
 def test_d_toothed_crack():
-    F = toothed_friction(height=6.0, unit_height=0.25, overlap=0.15, thickness=0.5, unit_weight=19e3)
+    F = toothing_friction(height=6.0, unit_height=0.25, overlap=0.15, thickness=0.5, unit_weight=19e3)
     assert pytest.approx(49.334e3, rel=TOLERANCE) == F
     body = box(thickness=0.5, length=5.0, height=6.0, base=(0, 0, 0), density=19e3 / g, name="wall")
-    plain = planar(body, direction=(1, 0, 0))
+    plain = planar_body(body, direction=(1, 0, 0))
     friction = Force("cross walls", (-2.0 * F, 0.0), (0.0, LEVER * 6.0))
     alone, held = (
         float(multiplier(oscillator(single_block("wall", plain, loads=loads, sides="one")).positive)[0])
@@ -164,4 +164,4 @@ def test_d_toothed_crack():
 
 def test_a_toothed_crack_has_at_least_one_course():
     with pytest.raises(ProcedureError, match=r"C8\.7\.1\.2 needs at least one course"):
-        toothed_friction(height=0.2, unit_height=0.25, overlap=0.15, thickness=0.5, unit_weight=19e3)
+        toothing_friction(height=0.2, unit_height=0.25, overlap=0.15, thickness=0.5, unit_weight=19e3)

@@ -15,11 +15,11 @@ from scipy.constants import g
 
 from assess.codes.check import Reason
 from assess.codes.context import Building, Context, FirstMode, FreePeriod
-from assess.codes.italian.curves import curves_alone
+from assess.codes.italian.curves import curves_of_all_actions
 from assess.codes.italian.edition import Options
 from assess.codes.ntc2018 import clauses, linear, nonlinear
 from assess.codes.ntc2018.clauses import free_period
-from assess.geometry.planar import planar
+from assess.geometry.planar import planar_body
 from assess.geometry.solid import box
 from assess.mechanisms.equivalent_block import equivalent_block
 from assess.mechanisms.oscillation import oscillator
@@ -42,7 +42,7 @@ def rocker():
 
 def wall(*, thickness):
     body = box(thickness=thickness, length=1.0, height=6.0, base=(0, 0, 0), density=1800.0, name="wall")
-    return oscillator(single_block("wall", planar(body, direction=(1, 0, 0))))
+    return oscillator(single_block("wall", planar_body(body, direction=(1, 0, 0))))
 
 
 def ground(*, levels=(PGA,), **more):
@@ -58,7 +58,7 @@ def top(*, levels=(0.2 * g,), modes=None, **more):
 
 
 def capacity_of(rocker, *, state, confidence_factor, T0=0.0):
-    (curves,) = curves_alone(rocker)
+    (curves,) = curves_of_all_actions(rocker)
     return clauses.capacity_of(curves, state=state, confidence_factor=confidence_factor, T0=T0)
 
 
@@ -106,7 +106,7 @@ def test_nonlinear_at_the_ground(rocker, state, eta, d):
 def test_nonlinear_stands_at_least_the_pga_of_activation():
     """A thick low wall whose displacement capacity would allow less than a0* does not rock below a_g,SLD S = a0*."""
     low = box(thickness=0.6, length=1.0, height=0.9, base=(0, 0, 0), density=1800.0, name="low")
-    rocker = oscillator(single_block("low", planar(low, direction=(1, 0, 0))))
+    rocker = oscillator(single_block("low", planar_body(low, direction=(1, 0, 0))))
     (check,) = nonlinear.assess(rocker, ground(levels=(0.45 * g,)), options=Options())
     assert check.capacity_pga_g >= 0.6667 / LC1 * (1 - MODEL)  # b / h over FC, rigid at the ground
     assert (check.demand, check.verdict, check.reason.key) == (0.0, "pass", Reason.NO_ROCKING)
@@ -159,7 +159,7 @@ def test_nonlinear_at_height(rocker):
 def test_stiff_mechanism_near_resonance_is_governed_by_the_floor():
     """A small pinnacle with T_SLV about b T1 of a flexible tower."""
     small = box(thickness=0.5, length=0.5, height=1.5, base=(0, 0, 20.0), density=1800.0, name="pinnacle")
-    rocker = oscillator(single_block("pinnacle", planar(small, direction=(1, 0, 0))))
+    rocker = oscillator(single_block("pinnacle", planar_body(small, direction=(1, 0, 0))))
     tower = Building(height=20.0, storeys=5, period=1.0, damping=0.05)
     at = Context(top().spectrum, (0.3 * g,), 0.0, 20.0, tower)
     (check,) = nonlinear.assess(rocker, at, options=Options())

@@ -13,12 +13,12 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.codes.admission import admitted
+from assess.codes.applicability import apply_procedure
 from assess.codes.check import Reason
 from assess.codes.context import Building, Context, Wall
 from assess.codes.nzsee2017.clauses import Options, floor_factor, nominal, period, period_factor, straight_line
 from assess.codes.nzsee2017.face_loaded import NAME, assess
-from assess.geometry.planar import planar
+from assess.geometry.planar import planar_body
 from assess.geometry.solid import box
 from assess.loads.load import Force, PointMass
 from assess.mechanisms.oscillation import oscillator
@@ -36,7 +36,7 @@ CURVED = 5e-3
 
 def part(base: float, height: float):
     body = box(thickness=T, length=1.0, height=height, base=(0, 0, base), density=1800.0, name="part")
-    return planar(body, direction=(1, 0, 0))
+    return planar_body(body, direction=(1, 0, 0))
 
 
 WEIGHT = 2.0 * part(0.0, H / 2).mass * g
@@ -244,7 +244,7 @@ def test_what_is_no_face_loaded_wall_is_not_answered() -> None:
         (Context(WELLINGTON, (1.0,), 0.0, 0.0, None, support="hinged"), "not-applicable", Reason.NOT_A_WALL),
         (Context(WELLINGTON, (0.1,), 0.0, 9.0, HOUSE), "not-answered", Reason.ABOVE_BUILDING),
     ):
-        (check,) = admitted(NAME, partial(assess, options=Options()), wall(), context)
+        (check,) = apply_procedure(NAME, partial(assess, options=Options()), wall(), context)
         assert (check.verdict, check.reason.key) == (verdict, reason)
 
 

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 from scipy.constants import g
 
-from records.reading import read
+from records.reading import read_records
 
 FOLDER = Path(__file__).resolve().parents[4] / "shared" / "records"
 INDEX = FOLDER / "INDEX.csv"
@@ -29,7 +29,7 @@ def test_the_index_lists_sixty_two_files() -> None:
 
 @pytest.mark.parametrize("row", rows(), ids=lambda row: Path(row["file"]).name)
 def test_a_file_is_as_the_index_says(row: dict[str, str]) -> None:
-    (record,) = read(FOLDER / row["file"])
+    (record,) = read_records(FOLDER / row["file"])
     assert record.npts == int(row["npts"])
     assert record.dt == float(row["dt_s"])
     assert record.pga / g == pytest.approx(float(row["pga_g"]), rel=5e-6)  # six printed digits

@@ -9,7 +9,7 @@ import pytest
 from scipy.constants import g
 from scipy.signal import cont2discrete, lfilter, ss2tf
 
-from records.reading import read
+from records.reading import read_records
 from records.record import Record
 from records.response import response_spectrum
 from records.rotation import rotd_spectrum
@@ -43,7 +43,7 @@ def test_ordinates_are_the_printed_ones_and_what_samples_miss(station: int, comp
     with gzip.open(FILE, "rt", encoding="utf-8") as file:
         entry = json.load(file)[station]
     (published,) = (spectrum[key] for spectrum in entry["spectra"] if key in spectrum)
-    (record,) = read(FOLDER / "peer_at2" / entry["fnames"][component])
+    (record,) = read_records(FOLDER / "peer_at2" / entry["fnames"][component])
     period, printed = np.array(entry["period"]), np.array(published)
     between = (period >= 0.1) & (period <= 5.0)
     np.testing.assert_allclose(sampled(record, period[between]), printed[between], rtol=5e-6)
@@ -58,7 +58,7 @@ def test_rotd50_is_the_printed_one_and_what_samples_miss(station: int) -> None:
     with gzip.open(FILE, "rt", encoding="utf-8") as file:
         entry = json.load(file)[station]
     published = next(spectrum["rotd50"] for spectrum in entry["spectra"] if "rotd50" in spectrum and "h1" in spectrum)
-    first, second = (read(FOLDER / "peer_at2" / name)[0] for name in entry["fnames"])
+    first, second = (read_records(FOLDER / "peer_at2" / name)[0] for name in entry["fnames"])
     period = np.array(entry["period"])
     some = np.flatnonzero((period >= 0.1) & (period <= 5.0))[::6]
     ratio = rotd_spectrum(first, second, period[some], percentile=50) / g / np.array(published)[some]

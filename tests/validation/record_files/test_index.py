@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from records.reading import read
+from records.reading import read_records
 from records.record import Record
 
 FOLDER = Path(__file__).resolve().parents[4] / "shared" / "records"
@@ -31,9 +31,9 @@ def files() -> Iterator[tuple[str, list[dict[str, str]]]]:
 def read_listed(name: str) -> tuple[Record, ...]:
     """The records of a file; unit and step are given where the file states neither."""
     if not name.startswith("plain/"):
-        return read(FOLDER / name)
+        return read_records(FOLDER / name)
     unit = "g" if any(word in name for word in IN_G) else "m/s2"
-    return read(FOLDER / name, unit=unit, step=0.02 if "ARL360" in name else None)
+    return read_records(FOLDER / name, unit=unit, step=0.02 if "ARL360" in name else None)
 
 
 def test_the_index_lists_131_components_in_121_files() -> None:
@@ -69,21 +69,21 @@ def same_motion(one: Record, other: Record, *, printed: float) -> None:
 
 
 def test_el_centro_in_three_files_of_plain_numbers_is_one_motion() -> None:
-    first, second = (read(FOLDER / "plain" / name)[0] for name in ("elCentro.AT2", "elCentro.at2"))
-    (bare,) = read(FOLDER / "plain" / "ARL360.g3", unit="g", step=0.02)
+    first, second = (read_records(FOLDER / "plain" / name)[0] for name in ("elCentro.AT2", "elCentro.at2"))
+    (bare,) = read_records(FOLDER / "plain" / "ARL360.g3", unit="g", step=0.02)
     same_motion(first, second, printed=1e-12)
     same_motion(first, bare, printed=1e-12)
 
 
 def test_two_columns_without_units_hold_the_same_motion_as_the_at2_file() -> None:
-    (plain,) = read(FOLDER / "plain" / "SortedEQFile_(121321).txt", unit="g")
-    (record,) = read(FOLDER / "peer_at2" / "RIO270.AT2")
+    (plain,) = read_records(FOLDER / "plain" / "SortedEQFile_(121321).txt", unit="g")
+    (record,) = read_records(FOLDER / "peer_at2" / "RIO270.AT2")
     assert plain.dt == record.dt
     np.testing.assert_allclose(plain.acceleration[1:], record.acceleration, rtol=6e-6)  # six decimals of 0.1…
 
 
 def test_components_of_one_station_lie_level_at_right_angles_or_upright() -> None:
-    azimuths = [record.azimuth for record in read(FOLDER / "geonet_v2a" / "20161113_110259_WTMC_20.V2A")]
+    azimuths = [record.azimuth for record in read_records(FOLDER / "geonet_v2a" / "20161113_110259_WTMC_20.V2A")]
     assert azimuths[0] is not None
     assert azimuths[1] is not None
     assert np.degrees(azimuths[:2]) == pytest.approx([332.0, 242.0])
@@ -103,4 +103,4 @@ def test_components_of_one_station_lie_level_at_right_angles_or_upright() -> Non
     ],
 )
 def test_an_earthquake_is_called_by_what_the_header_has(name: str, event: str) -> None:
-    assert read(FOLDER / name)[0].event == event
+    assert read_records(FOLDER / name)[0].event == event

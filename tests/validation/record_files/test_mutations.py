@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 
 from records.errors import RecordError
-from records.plausibility import doubt_of
-from records.reading import read
+from records.plausibility import record_warning
+from records.reading import read_records
 from records.record import Record
 
 FOLDER = Path(__file__).resolve().parents[4] / "shared" / "records"
@@ -49,7 +49,7 @@ def text_of(name: str) -> str:
 def mutated(folder: Path, name: str, text: str) -> tuple[Record, ...]:
     path = folder / Path(name).name
     path.write_bytes(text.encode("latin-1"))
-    return read(path)
+    return read_records(path)
 
 
 def with_step(name: str, factor: float) -> str:
@@ -70,7 +70,7 @@ def test_another_step_is_refused_where_something_repeats_it(tmp_path: Path, name
 
 @pytest.mark.parametrize("name", ONCE)
 def test_a_step_ten_times_too_long_is_doubted_where_it_stands_once(tmp_path: Path, name: str) -> None:
-    assert all("check the step" in doubt_of(record) for record in mutated(tmp_path, name, with_step(name, 10.0)))
+    assert all("check the step" in record_warning(record) for record in mutated(tmp_path, name, with_step(name, 10.0)))
 
 
 @pytest.mark.parametrize("name", FILES)
@@ -90,14 +90,14 @@ def test_lines_that_lost_bytes_are_refused_or_doubted(tmp_path: Path, name: str)
             found = mutated(tmp_path, name, "\n".join([*lines[:at], damaged, *lines[at + 1 :]]))
         except RecordError:
             continue
-        assert any(doubt_of(record) for record in found), (at + 1, damaged)
+        assert any(record_warning(record) for record in found), (at + 1, damaged)
 
 
 @pytest.mark.parametrize("name", [name for name in TWICE if not name.startswith("plain")])
 def test_no_digit_of_a_header_changes_step_size_peak_or_direction_unsaid(tmp_path: Path, name: str) -> None:
     """To a thousandth: a step that differs by less is within the rounding of what repeats it."""
     text, chance = text_of(name), random.Random(name)
-    whole = read(FOLDER / name)
+    whole = read_records(FOLDER / name)
     end = re.search(r"(?:^[-+ 0-9.eE\r]+\n){30}", text, re.MULTILINE)  # where samples begin
     assert end is not None
     digits = [i for i in range(end.start()) if text[i].isdigit()]
@@ -114,4 +114,4 @@ def test_no_digit_of_a_header_changes_step_size_peak_or_direction_unsaid(tmp_pat
                 and np.isclose(record.dt, before.dt, rtol=1e-3)
                 and np.isclose(record.pga, before.pga, rtol=1e-3)
             )
-            assert same or doubt_of(record), text[max(0, at - 30) : at + 10]
+            assert same or record_warning(record), text[max(0, at - 30) : at + 10]

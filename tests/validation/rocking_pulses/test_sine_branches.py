@@ -15,10 +15,10 @@ import pytest
 from scipy.constants import g
 from scipy.integrate import solve_ivp
 
+from assess.dynamics import sine_branches as sine
 from assess.dynamics.envelope import envelope
 from assess.dynamics.packing import Equation
 from assess.dynamics.pulse_response import PulseJobs, outcomes
-from assess.dynamics.sine import branches as sine
 from assess.oscillator import Oscillator, SingleBlock, linearise, plain_branch
 from records.pulses import SHAPES
 

@@ -13,7 +13,7 @@ import numpy as np
 from scipy.constants import g
 
 from assess.dynamics.history import peaks, product
-from assess.geometry.planar import planar_direct
+from assess.geometry.planar import planar_body_from_values
 from assess.interfaces.law import Law
 from assess.interfaces.shapes import rectangle
 from assess.loads.load import Force
@@ -40,7 +40,7 @@ def block(x, z, width, height, *, length=1.0):
 
 
 def body(of):
-    return planar_direct(mass=of.mass, centroid=of.centroid, inertia=of.inertia, name="b")
+    return planar_body_from_values(mass=of.mass, centroid=of.centroid, inertia=of.inertia, name="b")
 
 
 def standing(rigid, beds, *, stiffness, model):

@@ -15,7 +15,7 @@ import pytest
 from chapter_7 import MODELS, RELEASE, SCALES, SEEDS, SLENDERNESSES, STIFFNESSES, noise, storey, suites, wall
 
 from assess.dynamics.history import free_rocking
-from records.reading import read
+from records.reading import read_records
 
 FOLDER = Path(__file__).resolve().parents[4] / "shared" / "records" / "peer_at2"
 
@@ -85,7 +85,7 @@ def test_histories_of_frames_by_their_statistics(even):
 @pytest.mark.skipif(not FOLDER.exists(), reason="third-party records (../shared/records) are not here")
 @pytest.mark.parametrize("even", [True, False])
 def test_histories_of_frames_under_loma_prieta(even):
-    motions = [record for path in sorted(FOLDER.glob("*LOMAP*")) for record in read(path)]
+    motions = [record for path in sorted(FOLDER.glob("*LOMAP*")) for record in read_records(path)]
     assert len(motions) == 8
     ratio, over = suites(motions, [1.25, -1.25], even=even)  # the thesis' factor
     both = ~over.any(axis=0) & (ratio > 0.02).all(axis=0)

@@ -20,7 +20,7 @@ from assess.amplification.floor_motion import (
     Srss,
     SrssRelative,
     Unamplified,
-    factor_over_frequency,
+    pulse_factor,
 )
 from assess.dynamics.envelope import envelope
 from assess.mechanisms.equivalent_block import equivalent_block
@@ -68,7 +68,7 @@ def critical(frequency: list[float], method) -> list[str]:
             sides="two",
             restitution=(restitution, restitution),
         )
-        factor = factor_over_frequency(amplification(wall, method), f)
+        factor = pulse_factor(amplification(wall, method), f)
         found = envelope(
             oscillator(block), SHAPES["sine"], f, amplitude, equation="linearised", factor=factor, threads=1
         )

@@ -12,7 +12,7 @@ from math import atan2, cos, hypot, sin, tan
 import numpy as np
 import pytest
 
-from assess.geometry.planar import PlanarBody, planar
+from assess.geometry.planar import PlanarBody, planar_body
 from assess.geometry.solid import box
 from assess.mechanisms.chain import mirrored
 from assess.mechanisms.four_hinge import four_hinge
@@ -24,7 +24,7 @@ BOTH = ("momentum", "momentum")
 
 def body(thickness, height, *, at=(0.0, 0.0), length=2.0, density=1800.0):
     solid = box(thickness=thickness, length=length, height=height, base=(at[0], 0.0, at[1]), density=density, name="b")
-    return planar(solid, direction=(1, 0, 0))
+    return planar_body(solid, direction=(1, 0, 0))
 
 
 def after_impact(bodies, old, new, *, top="pinned"):

@@ -16,7 +16,7 @@ from scipy.constants import g
 from scipy.integrate import solve_ivp
 
 from assess.dynamics.history import free_rocking
-from assess.geometry.planar import planar_direct
+from assess.geometry.planar import planar_body_from_values
 from assess.loads.load import Force
 from assess.mechanisms.chain import Block, Chain, mirrored_chain
 from assess.mechanisms.four_hinge import four_hinge
@@ -48,7 +48,7 @@ def rectangle(x, z, width, height, *, density=RHO):
 
 
 def body(block):
-    return planar_direct(mass=block.mass, centroid=block.centroid, inertia=block.inertia, name="b")
+    return planar_body_from_values(mass=block.mass, centroid=block.centroid, inertia=block.inertia, name="b")
 
 
 def same(found, expected):

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.geometry.planar import planar_direct
+from assess.geometry.planar import planar_body_from_values
 from assess.interfaces.law import Law
 from assess.interfaces.shapes import rectangle
 from assess.loads.load import Force
@@ -36,7 +36,7 @@ def rectangle_block(x, z, width, height):
 
 
 def body(block):
-    return planar_direct(mass=block.mass, centroid=block.centroid, inertia=block.inertia, name="b")
+    return planar_body_from_values(mass=block.mass, centroid=block.centroid, inertia=block.inertia, name="b")
 
 
 def bed(way, depth, stiffness):

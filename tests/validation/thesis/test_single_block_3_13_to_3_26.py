@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.geometry.planar import planar_direct
+from assess.geometry.planar import planar_body_from_values
 from assess.loads.load import Force, PointMass
 from assess.mechanisms.chain import Block, Chain
 from assess.mechanisms.oscillation import oscillator
@@ -173,7 +173,7 @@ loads = [
 
 
 def test_thrusts_overturn_one_way_and_hold_the_other():
-    body = planar_direct(mass=M, centroid=WALL.centroid, inertia=WALL.inertia, name="w")
+    body = planar_body_from_values(mass=M, centroid=WALL.centroid, inertia=WALL.inertia, name="w")
     mechanism = single_block("w", body, hinge=HINGE, hinge_negative=(-T / 2, 0.0), loads=THRUSTS)
     rocker = oscillator(mechanism)
     moment = sum(thrust.force[0] * thrust.at[1] for thrust in THRUSTS)

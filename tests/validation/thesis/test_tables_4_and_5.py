@@ -17,8 +17,8 @@ from scipy.optimize import brentq, least_squares
 
 from assess.examples import EXAMPLES, copy_example
 from assess.examples.san_leonardo_spire import RADIUS, WALL, spire
-from assess.geometry.cut import divide, inclined
-from assess.geometry.planar import base_of_section, planar
+from assess.geometry.cut import divide, inclined_plane
+from assess.geometry.planar import base_of_section, planar_body
 from assess.geometry.solid import polyhedron
 from assess.mechanisms.oscillation import oscillator
 from assess.oscillator import equivalent_block, linearise
@@ -243,9 +243,9 @@ def test_radius_and_wall_of_the_spire_are_the_least_squares_fit():
         for name, (p, slenderness, _) in TABLE_5_1.items():
             depth = DEPTHS.get(name, 0.5)
             normal = [np.tan(np.radians(angles.get(name, 45.0))), 0.0, 1.0]
-            plane = inclined([sizes[0] * depth, 0.0, 22.25 - 4.0 * depth], normal, where=name)
+            plane = inclined_plane([sizes[0] * depth, 0.0, 22.25 - 4.0 * depth], normal, where=name)
             part = divide([solid], plane, where=name)
-            body = planar(part.above[0], direction=(1, 0, 0))
+            body = planar_body(part.above[0], direction=(1, 0, 0))
             hinge = base_of_section(part.foot, direction=(1, 0, 0))[1]
             x, z = hinge[0] - body.centroid[0], body.centroid[1] - hinge[1]
             R = np.hypot(x, z)

@@ -13,7 +13,7 @@ import pytest
 from scipy.constants import g
 
 from assess.errors import MechanismError
-from assess.geometry.planar import planar_direct
+from assess.geometry.planar import planar_body_from_values
 from assess.interfaces.contact import thresholds
 from assess.interfaces.law import Law
 from assess.interfaces.shapes import annulus, rectangle
@@ -34,7 +34,7 @@ CONSISTENT = asin(R_O / R_0)
 def tower(law, *, alpha=CONSISTENT, model="flexible"):
     """Of unknown inertia about its centroid, which moments do not need: of a slender rod."""
     mass, half, height = W / g, R_0 * sin(alpha), R_0 * cos(alpha)
-    body = planar_direct(mass=mass, centroid=(0.0, height), inertia=mass * height**2 / 3, name="tower")
+    body = planar_body_from_values(mass=mass, centroid=(0.0, height), inertia=mass * height**2 / 3, name="tower")
     rigid = single_block("tower", body, hinge=(half, 0.0), hinge_negative=(-half, 0.0))
     joints = (Joint((-1.0, 0.0), annulus(2 * R_O, inner=2 * R_I), law, model),)
     return on_joints(rigid, joints, joints, restitution=(0.98, 0.98))
@@ -116,7 +116,7 @@ def test_table_7_3_is_a_law_of_the_root_of_the_discretisation():
 
 def block(law, *, model="flexible"):
     mass = 1800.0 * 12.0
-    body = planar_direct(mass=mass, centroid=(0.0, 3.0), inertia=mass * 37 / 12, name="block")
+    body = planar_body_from_values(mass=mass, centroid=(0.0, 3.0), inertia=mass * 37 / 12, name="block")
     rigid = single_block("block", body, hinge=(0.5, 0.0), hinge_negative=(-0.5, 0.0))
     joints = (Joint((-1.0, 0.0), rectangle(1.0, 2.0), law, model),)
     return on_joints(rigid, joints, joints, restitution=("thesis", "thesis"))

@@ -17,7 +17,7 @@ from scipy.constants import g
 
 from assess.codes.context import Context
 from assess.codes.registry import CodeOptions, procedure
-from assess.geometry.planar import planar_direct
+from assess.geometry.planar import planar_body_from_values
 from assess.interfaces.law import Law
 from assess.interfaces.shapes import rectangle
 from assess.mechanisms.assembly import on_joints
@@ -48,7 +48,7 @@ def box(wall, *, law=JOINT, model="flexible"):
     radius, slenderness = WALLS[wall][0]
     b, h = 2 * radius * sin(slenderness), 2 * radius * cos(slenderness)
     mass = DENSITY * b * h
-    body = planar_direct(mass=mass, centroid=(0.0, h / 2), inertia=mass * (b**2 + h**2) / 12, name=wall)
+    body = planar_body_from_values(mass=mass, centroid=(0.0, h / 2), inertia=mass * (b**2 + h**2) / 12, name=wall)
     rigid = single_block(wall, body, hinge=(b / 2, 0.0), hinge_negative=(-b / 2, 0.0))
     if law is None:
         return oscillator(rigid)

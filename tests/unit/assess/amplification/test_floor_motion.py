@@ -10,13 +10,13 @@ from assess.amplification.floor_motion import (
     Srss,
     SrssRelative,
     Unamplified,
-    carried,
-    factor_over_frequency,
+    base_motion,
     first_mode,
+    pulse_factor,
 )
 from assess.errors import MechanismError
 from records.errors import RecordError
-from records.record import Record, make_record, scaled
+from records.record import Record, make_record, scale
 
 MODE = FirstMode(frequency=2.5, effective_height=6.01)  # Wall 6, thesis Table 8.3
 EVERY = [
@@ -42,21 +42,21 @@ def test_relative_srss_of_pulses_is_3_47() -> None:
     """Per a_g at h = h_e, by an event-exact integrator."""
     ratio = np.array([0.05, 0.2, 0.5, 0.8, 1.0, 1.5, 2.0, 4.0, 10.0])
     expected = [1.001, 1.019, 1.273, 2.529, 2.873, 2.078, 1.996, 1.646, 1.460]
-    found = factor_over_frequency(SrssRelative(MODE, MODE.effective_height), ratio * MODE.frequency)
+    found = pulse_factor(SrssRelative(MODE, MODE.effective_height), ratio * MODE.frequency)
     np.testing.assert_allclose(found, expected, atol=6e-4)
 
 
 @pytest.mark.parametrize(("ratio", "expected"), [(0.5, 1.907), (1.0, 2.891), (2.0, 1.525), (4.0, 1.052)])
 def test_srss_of_records_is_3_48(ratio: float, expected: float) -> None:
     """The same with S_a in the place of a_r; S_a is the pseudo-acceleration here, the total one there."""
-    found = carried(Srss(MODE, MODE.effective_height), one_sine(ratio * MODE.frequency)).factor
+    found = base_motion(Srss(MODE, MODE.effective_height), one_sine(ratio * MODE.frequency)).factor
     assert found == pytest.approx(expected, rel=5e-3)
 
 
 def test_3_48_is_root_two_for_a_rigid_structure_and_one_at_its_foot() -> None:
     stiff = FirstMode(frequency=90.0, effective_height=5.0)
-    assert carried(Srss(stiff, 5.0), one_sine(0.5)).factor == pytest.approx(np.sqrt(2.0), rel=1e-3)
-    assert carried(Srss(stiff, 0.0), one_sine(0.5)).factor == 1.0
+    assert base_motion(Srss(stiff, 5.0), one_sine(0.5)).factor == pytest.approx(np.sqrt(2.0), rel=1e-3)
+    assert base_motion(Srss(stiff, 0.0), one_sine(0.5)).factor == 1.0
 
 
 @pytest.mark.parametrize("height", [0.0, 2.0, 4.77, 9.0])
@@ -64,14 +64,14 @@ def test_3_48_is_root_two_for_a_rigid_structure_and_one_at_its_foot() -> None:
 @pytest.mark.parametrize("method", [Srss, ModalFilter])
 def test_a_pulse_as_a_record_is_carried_as_the_pulse(method, frequency: float, height: float) -> None:
     amplification = method(MODE, height)
-    record = carried(amplification, one_sine(frequency))
-    assert record.factor == pytest.approx(float(factor_over_frequency(amplification, frequency)), rel=1e-4)
+    record = base_motion(amplification, one_sine(frequency))
+    assert record.factor == pytest.approx(float(pulse_factor(amplification, frequency)), rel=1e-4)
 
 
 @pytest.mark.parametrize("amplification", EVERY)
 def test_carried_motions_grow_with_the_ground_s(amplification) -> None:
     """A factor does not depend on how strong the record is, nor on its sign."""
-    one, other = carried(amplification, noise()), carried(amplification, scaled(noise(), -2.5))
+    one, other = base_motion(amplification, noise()), base_motion(amplification, scale(noise(), -2.5))
     assert other.factor == pytest.approx(one.factor, rel=1e-12)
     np.testing.assert_allclose(other.record.acceleration, -2.5 * one.record.acceleration, atol=1e-12)
     assert one.record.pga == pytest.approx(one.factor * noise().pga, rel=1e-12)
@@ -82,14 +82,14 @@ def test_carried_motions_grow_with_the_ground_s(amplification) -> None:
     "amplification", [Srss(MODE, 0.0), ModalFilter(MODE, 0.0), Unamplified(), FloorFactor(1.0, "")]
 )
 def test_at_the_ground_nothing_is_amplified(amplification) -> None:
-    assert carried(amplification, noise()).factor == pytest.approx(1.0, rel=1e-12)
-    np.testing.assert_allclose(factor_over_frequency(amplification, np.geomspace(0.2, 10, 7)), 1.0, rtol=1e-6)
+    assert base_motion(amplification, noise()).factor == pytest.approx(1.0, rel=1e-12)
+    np.testing.assert_allclose(pulse_factor(amplification, np.geomspace(0.2, 10, 7)), 1.0, rtol=1e-6)
 
 
 @pytest.mark.parametrize("amplification", EVERY)
 def test_factors_keep_the_shape_of_the_frequencies(amplification) -> None:
-    assert factor_over_frequency(amplification, np.ones((2, 3))).shape == (2, 3)
-    assert factor_over_frequency(amplification, 1.0).shape == ()
+    assert pulse_factor(amplification, np.ones((2, 3))).shape == (2, 3)
+    assert pulse_factor(amplification, 1.0).shape == ()
 
 
 def test_a_linear_shape_is_one_at_the_effective_height_whatever_the_masses() -> None:
@@ -104,7 +104,7 @@ def test_a_linear_shape_is_one_at_the_effective_height_whatever_the_masses() -> 
 @pytest.mark.parametrize("amplification", [Srss(MODE, 4.77), ModalFilter(MODE, 4.77)])
 def test_a_record_without_motion_is_refused(amplification) -> None:
     with pytest.raises(RecordError, match="no motion"):
-        carried(amplification, make_record("still", np.zeros(10), 0.01))
+        base_motion(amplification, make_record("still", np.zeros(10), 0.01))
 
 
 @pytest.mark.parametrize(("frequency", "height", "damping"), [(0.0, 5, 0.05), (2.5, np.nan, 0.05), (2.5, 5, 1.0)])

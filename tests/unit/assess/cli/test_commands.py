@@ -13,8 +13,8 @@ from scipy.constants import g
 
 from assess.cli.summary import summary
 from assess.codes.bases import BASES
-from assess.codes.check import Check, Outcome, Reason, because
-from assess.codes.verdict import Action, Judged, Missing, Question, verdict
+from assess.codes.check import Check, Outcome, Reason, reason_message
+from assess.codes.verdict import Action, MechanismChecks, Missing, Question, verdict
 from assess.messages.message import Message, Severity
 from assess.outputs.manifest import MANIFEST
 from assess.project.build import build
@@ -46,7 +46,7 @@ SPECTRUM, HISTORY = "asce43-05-spectrum", "asce43-05-history"
 
 
 def check(procedure: str, verdict: str, ratio: float | None, *, level: float = 0.1) -> Check:
-    reason = because(Reason.BEYOND if verdict == "fail" else Reason.WITHIN, capacity="the allowable")
+    reason = reason_message(Reason.BEYOND if verdict == "fail" else Reason.WITHIN, capacity="the allowable")
     return Check(
         procedure=procedure, edition="", branch="positive", limit_state="no overturning", level_pga_g=level,
         input_at="ground", damping=None, quantity="rotation", unit="rad", ratio=ratio, verdict=Outcome(verdict),
@@ -63,7 +63,7 @@ def results_of(path: Path, *checks: Check, missing: tuple[Missing, ...] = ()) ->
         Message("mesh", Severity.NOTE, "bodies.wall", "one hole filled"),
     )
     question = Question(BASES["asce43-05"], Action(0.1, "DBE"), procedures=(HISTORY, SPECTRUM))
-    found = verdict(question, [Judged(first.name, checks, missing)])
+    found = verdict(question, [MechanismChecks(first.name, checks, missing)])
     project = {"materials.brick.density": Resolved(1800.0, True)}
     return Results(
         2, Program("assess", "0"), (), warnings, project, None, (), (first, *mechanisms[1:]), None, (), (), found

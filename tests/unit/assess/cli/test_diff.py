@@ -15,7 +15,7 @@ from assess.messages.message import Message, Severity
 from assess.project.build import build
 from assess.project.schema import load
 from assess.results import SCHEMA_VERSION, Input, Program, Resolved, Results
-from assess.results.comparison import Change
+from assess.results.diff import Change
 from assess.results.json import dumps
 from assess.study.run import parameters
 from tests.support.command import ended

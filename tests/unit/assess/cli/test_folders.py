@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from assess.cli.processes import cores
-from assess.outputs.lock import locked
+from assess.outputs.lock import hold_lock
 from tests.support.command import ended
 from tests.support.projects import project_toml
 
@@ -41,7 +41,7 @@ def test_a_file_of_the_users_is_told_before_the_analysis(
 def test_a_second_command_in_a_folder_ends_at_once(
     command: str, project: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    with locked(tmp_path, command="assess run"):
+    with hold_lock(tmp_path, command="assess run"):
         assert ended(command, project, "-o", tmp_path, "--jobs", "1") == 2
     err = capsys.readouterr().err
     assert err.startswith(f"assess: error: {tmp_path}: is being written by assess run (process ")

@@ -11,7 +11,7 @@ import pytest
 from scipy.constants import g
 
 from assess.cli import main
-from records.reading import read
+from records.reading import read_records
 from records.record import Earthquake, Record, Site, make_record
 from records.writing import at2_text, csv_text
 from tests.support.projects import ASCE7, project_toml, published
@@ -74,7 +74,7 @@ def test_the_table_is_for_reading(pair: tuple[Path, Path], capsys: pytest.Captur
 def test_what_is_written_is_read_again(tmp_path: Path, pair: tuple[Path, Path], ending: str) -> None:
     out = tmp_path / f"out.{ending}"
     assert ended("convert", pair[0], "-o", out) == 0
-    (before,), (after,) = read(pair[0]), read(out)
+    (before,), (after,) = read_records(pair[0]), read_records(out)
     np.testing.assert_allclose(after.acceleration, before.acceleration, rtol=1e-7, atol=1e-12)
     assert (after.dt, after.event, after.station, after.component) == (before.dt, "Q", "S, T", "0")
     assert after.earthquake.time == "1989-10-18"
@@ -84,7 +84,7 @@ def test_what_is_written_is_read_again(tmp_path: Path, pair: tuple[Path, Path], 
 @pytest.mark.parametrize("options", [("--azimuth", 30), ("--rotd", 100)])
 def test_two_components_are_turned(tmp_path: Path, pair: tuple[Path, Path], options: tuple[str, int]) -> None:
     assert ended("convert", *pair, *options, "-o", tmp_path / "out.csv") == 0
-    np.testing.assert_allclose(read(tmp_path / "out.csv")[0].acceleration, SAMPLES, rtol=0, atol=1e-6)
+    np.testing.assert_allclose(read_records(tmp_path / "out.csv")[0].acceleration, SAMPLES, rtol=0, atol=1e-6)
 
 
 def test_processing_in_its_order(tmp_path: Path, pair: tuple[Path, Path], capsys: pytest.CaptureFixture[str]) -> None:
@@ -95,7 +95,7 @@ def test_processing_in_its_order(tmp_path: Path, pair: tuple[Path, Path], capsys
     said = capsys.readouterr().out
     steps = ["baseline of degree 1", "acausal Butterworth", "trimmed to", "resampled from", "scaled by 2"]
     assert [said.index(step) for step in steps] == sorted(said.index(step) for step in steps)
-    (record,) = read(out)
+    (record,) = read_records(out)
     assert record.dt == 0.005
     assert record.pga == pytest.approx(2.0 * np.cos(np.radians(30)), rel=0.02)
 
@@ -105,7 +105,7 @@ def test_hostile_names_are_text_on_one_line(tmp_path: Path, capsys: pytest.Captu
     for name, text in (("a.csv", csv_text(made)), ("a.at2", at2_text(made))):
         path = tmp_path / name
         path.write_text(text, encoding="utf-8")
-        (record,) = read(path)
+        (record,) = read_records(path)
         np.testing.assert_allclose(record.acceleration, SAMPLES, rtol=1e-6, atol=1e-9)
         assert ended("list", path) == 0
         assert len(capsys.readouterr().out.splitlines()) == 2
@@ -207,7 +207,7 @@ def described() -> Record:
     site = Site(37.046, -121.803, 97.5, 462.24, "NEHRP C", "crest of a dam")
     words = {"event": "Loma Prieta", "station": "Corralitos, 1 Road", "component": "N30E"}
     more = {"azimuth": np.radians(30.0), "distance": 7_170.0, "earthquake": quake, "site": site}
-    return make_record("x", SAMPLES, DT, trail=("read", "filtered"), **words, **more)
+    return make_record("x", SAMPLES, DT, processing_history=("read", "filtered"), **words, **more)
 
 
 @pytest.mark.parametrize("unit", ["m/s2", "g", "cm/s2", "gal", "mm/s2"])
@@ -215,13 +215,13 @@ def test_a_round_trip_keeps_all_that_is_known(tmp_path: Path, unit: str) -> None
     before = described()
     (tmp_path / "a.csv").write_text(csv_text(before), encoding="utf-8")
     assert ended("convert", tmp_path / "a.csv", "--to-unit", unit, "-o", tmp_path / "b.csv") == 0
-    (after,) = read(tmp_path / "b.csv")
+    (after,) = read_records(tmp_path / "b.csv")
     kept = ("event", "station", "component", "earthquake", "site", "distance")
     assert [getattr(after, name) for name in kept] == [getattr(before, name) for name in kept]
     assert after.azimuth == pytest.approx(before.azimuth, rel=1e-12)
     np.testing.assert_allclose(after.acceleration, before.acceleration, rtol=1e-14, atol=1e-17)
     assert f"acceleration [{unit}]" in (tmp_path / "b.csv").read_text(encoding="utf-8")
-    assert "read; filtered" in after.trail[-1]
+    assert "read; filtered" in after.processing_history[-1]
 
 
 def test_a_file_of_ours_that_was_cut_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -245,10 +245,10 @@ def test_spoilt_comments_are_text_or_not_known(tmp_path: Path) -> None:
         "time [s]", "".join(f"# {line}\n" for line in head) + "time [s]"
     )
     (tmp_path / "a.csv").write_text(text.replace("\x1b", ""), encoding="utf-8")
-    (record,) = read(tmp_path / "a.csv")
+    (record,) = read_records(tmp_path / "a.csv")
     assert (record.earthquake.magnitude, record.site.vs30, record.azimuth, record.distance) == (None, None, None, None)
     assert record.event == "[b]"
-    assert len(record.trail[-1]) < 2100
+    assert len(record.processing_history[-1]) < 2100
 
 
 def test_a_component_is_found_whatever_its_capitals(tmp_path: Path) -> None:
@@ -256,7 +256,7 @@ def test_a_component_is_found_whatever_its_capitals(tmp_path: Path) -> None:
         (tmp_path / f"{name}.csv").write_text(csv_text(make_record("x", SAMPLES, DT, component=component)))
     files = tmp_path / "a.csv", tmp_path / "b.csv"
     assert ended("convert", *files, "--component", "90 deg", "-o", tmp_path / "out.csv") == 0
-    assert read(tmp_path / "out.csv")[0].component == "90 Deg"
+    assert read_records(tmp_path / "out.csv")[0].component == "90 Deg"
 
 
 @pytest.mark.parametrize(

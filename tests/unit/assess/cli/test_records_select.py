@@ -12,7 +12,7 @@ from scipy.constants import g
 
 from records import indexing
 from records.catalogue import NAME
-from records.reading import read
+from records.reading import read_records
 from records.record import make_record
 from records.writing import at2_text
 from spectra.table import read_table
@@ -118,7 +118,7 @@ def test_spectra_of_files_and_of_their_folder_agree(folder: Path, capsys: pytest
     assert capsys.readouterr().out == of_folder
     header, first, *rest = csv.reader(io.StringIO(of_folder))
     assert header[:2] == ["period [s]", "RSN100_Q [m/s2]"]
-    assert float(first[1]) == read(folder / "RSN100_Q.AT2")[0].pga
+    assert float(first[1]) == read_records(folder / "RSN100_Q.AT2")[0].pga
     assert len(rest) == 121
 
 
@@ -133,7 +133,7 @@ def test_scaled_records_meet_the_ordinate_and_the_peak(folder: Path, capsys: pyt
     from records.response import response_spectrum
 
     for path in written:
-        (record,) = read(path)
+        (record,) = read_records(path)
         assert response_spectrum(record, 1.0) == pytest.approx(0.25 * g, rel=1e-9)
     assert read_table(target).pga == pytest.approx(0.2 * g)
 

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.codes.admission import admitted
+from assess.codes.applicability import apply_procedure
 from assess.codes.asce43_05 import history, spectrum
 from assess.codes.asce43_05.clauses import Options
 from assess.codes.check import Reason
@@ -31,7 +31,7 @@ def on_joints(branch: Branch, share: float) -> Branch:
 def told(rocker: Oscillator, *suites: Suite):
     levels = tuple(suite.pga for suite in suites)
     context = Context(SPECTRUM, levels, 0.0, 0.0, None, suites=suites, incremental=suites)
-    return admitted("asce43-05-history", partial(history.assess, options=Options()), rocker, context)
+    return apply_procedure("asce43-05-history", partial(history.assess, options=Options()), rocker, context)
 
 
 def test_each_record_counts_by_what_overturns_its_own_branch() -> None:
@@ -68,7 +68,7 @@ def test_the_rule_of_histories(ratio, verdict, reason) -> None:
 
 def asked(rocker: Oscillator, *levels: float, **more):
     context = Context(SPECTRUM, levels, 0.0, more.pop("elevation", 0.0), None, **more)
-    return admitted("asce43-05-spectrum", partial(spectrum.assess, options=Options()), rocker, context)
+    return apply_procedure("asce43-05-spectrum", partial(spectrum.assess, options=Options()), rocker, context)
 
 
 def test_a_third_of_what_overturns_is_allowed_with_half_beside_it() -> None:

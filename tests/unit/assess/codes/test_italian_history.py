@@ -9,12 +9,12 @@ from math import sin
 import pytest
 from scipy.constants import g
 
-from assess.codes.admission import admitted
+from assess.codes.applicability import apply_procedure
 from assess.codes.check import Reason
 from assess.codes.context import Context, LocalLimit, Suite
 from assess.codes.dmi2008 import history as dmi2008
 from assess.codes.italian.edition import Options
-from assess.codes.italian.history import suites_needed
+from assess.codes.italian.history import required_pga
 from assess.codes.ntc2018 import history as ntc2018
 from assess.mechanisms.equivalent_block import equivalent_block
 from assess.mechanisms.oscillation import oscillator
@@ -85,7 +85,7 @@ def test_record_that_overturns_fails():
 def test_confidence_factor_goes_with_the_motion():
     """At LC2 the suite of 1.2 times the PGA is judged, and the PGA at collapse is that of the scan over 1.2."""
     scan = tuple(Suite(pga * g, (ratio,) * 7, "positive") for pga, ratio in ((0.2, 0.1), (0.24, 0.3), (0.3, 0.5)))
-    at = dataclasses.replace(context(*(0.1,) * 7), incremental=scan, besides=scan[1:2])
+    at = dataclasses.replace(context(*(0.1,) * 7), incremental=scan, extra_suites=scan[1:2])
     (plain,) = ntc2018.assess(block(), at, options=Options())
     (less,) = ntc2018.assess(block(), dataclasses.replace(at, knowledge={"ntc2018": "LC2"}), options=Options())
     assert plain.ratio == pytest.approx(moved(0.1) / 0.4, rel=1e-9)
@@ -97,7 +97,7 @@ def test_confidence_factor_goes_with_the_motion():
 
 def test_without_crushing_the_suite_of_1_35_times_the_pga_decides_whatever_the_level():
     beside = Suite(1.35 * LEVEL, (0.3,) * 7, "positive")
-    at = dataclasses.replace(context(*(0.1,) * 7), crushing=False, besides=(beside,))
+    at = dataclasses.replace(context(*(0.1,) * 7), crushing=False, extra_suites=(beside,))
     deciding, informing = ntc2018.assess(block(), at, options=Options(confidence_factor=1.0))
     assert (deciding.ratio, deciding.informs) == (pytest.approx(moved(0.3) / 0.4, rel=1e-9), False)
     assert (informing.ratio, informing.informs) == (pytest.approx(moved(0.1) / 0.4, rel=1e-9), True)
@@ -120,7 +120,7 @@ def test_a_suite_that_fails_beside_the_levels_ends_the_scan():
     scan = tuple(Suite(pga * g, (0.1,) * 7, "positive") for pga in (0.1, 0.2, 0.26, 0.4))
     scan = (*scan, Suite(0.5 * g, (None,) * 7, "positive"))
     beside = Suite(0.27 * g, (None, *(0.1,) * 6), "positive")
-    at = dataclasses.replace(context(*(0.1,) * 7), incremental=scan, besides=(beside,), crushing=False)
+    at = dataclasses.replace(context(*(0.1,) * 7), incremental=scan, extra_suites=(beside,), crushing=False)
     (check,) = ntc2018.assess(block(), at, options=Options())
     assert check.verdict == "fail"
     assert check.capacity_pga_g == pytest.approx(0.26 / 1.35, rel=1e-9)
@@ -130,12 +130,12 @@ def test_a_suite_that_fails_beside_the_levels_ends_the_scan():
 def test_histories_of_the_ground_cannot_pass_a_mechanism_above_it():
     def admitted_at(at):
         options = Options()
-        (check,) = admitted("ntc2018-history", partial(ntc2018.assess, options=options), block(), at)
+        (check,) = apply_procedure("ntc2018-history", partial(ntc2018.assess, options=options), block(), at)
         return check
 
     low = dataclasses.replace(context(*(0.1,) * 7), elevation=5.0)
     assert (admitted_at(low).verdict, admitted_at(low).reason.key) == ("not-answered", Reason.GROUND_MOTION)
-    filtered = dataclasses.replace(low, histories_at="mechanism base", carried="by a filter")
+    filtered = dataclasses.replace(low, histories_at="mechanism base", transfer="by a filter")
     assert admitted_at(filtered).verdict == "pass"
     assert admitted_at(dataclasses.replace(context(*(0.9,) * 7), elevation=5.0)).verdict == "fail"
 
@@ -150,6 +150,6 @@ def test_suites_needed_beside_those_of_the_levels():
     states, rule = ("SLD", "SLV", "SLC"), ntc2018.RULE
     given = {"rule": rule, "options": Options(None, states)}
     spectrum = context(0.0).spectrum
-    assert suites_needed((0.1, 0.2), None, spectrum, **given, factors=(1.0,)) == ()
-    needed = suites_needed((0.1, 0.3), None, spectrum, **given, factors=(1.2,))
+    assert required_pga((0.1, 0.2), None, spectrum, **given, factors=(1.0,)) == ()
+    needed = required_pga((0.1, 0.3), None, spectrum, **given, factors=(1.2,))
     assert needed == pytest.approx((0.12, 0.36, 0.12, 0.36), rel=1e-12)

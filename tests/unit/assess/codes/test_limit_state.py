@@ -10,7 +10,7 @@ from scipy.constants import g
 from assess.codes.context import Context, Hazard
 from assess.codes.dmi2008 import linear as dmi2008
 from assess.codes.italian.edition import Options
-from assess.codes.italian.limit_state import return_period, share
+from assess.codes.italian.limit_state import pga_ratio, return_period
 from assess.codes.ntc2018 import linear
 from assess.mechanisms.equivalent_block import equivalent_block
 from assess.mechanisms.oscillation import oscillator
@@ -44,7 +44,7 @@ def test_each_limit_state_has_its_own_pga_and_the_level_multiplies_all():
 
 def test_without_hazard_every_limit_state_has_the_pga_of_the_level():
     alone = Context(spectrum(0.25), (0.2 * g,), 0.0, 0.0, None)
-    assert share(None, alone.spectrum, "SLD") == 1.0
+    assert pga_ratio(None, alone.spectrum, "SLD") == 1.0
     (damage,) = linear.assess(wall(), alone, options=Options(limit_states=("SLD",)))
     assert damage.demand == pytest.approx(0.2 * g, rel=1e-12)
     assert damage.return_period_years is None

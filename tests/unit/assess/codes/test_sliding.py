@@ -10,7 +10,7 @@ import pytest
 from scipy.constants import g
 
 from assess.codes import sliding
-from assess.codes.admission import admitted
+from assess.codes.applicability import apply_procedure
 from assess.codes.context import Context
 from assess.codes.en1998_1 import element
 from assess.codes.en1998_1.clauses import Options
@@ -70,9 +70,9 @@ def test_amplified_at_its_base_it_slides_at_less() -> None:
 
 def test_above_the_ground_the_motion_of_the_ground_fails_it_and_cannot_pass_it() -> None:
     context = Context(SPECTRUM, LEVELS, 0.0, 8.0, None, hinges=(hinge(0.5),))
-    found = admitted("sliding", sliding.assess, ROCKER, context)
+    found = apply_procedure("sliding", sliding.assess, ROCKER, context)
     assert [check.verdict for check in found] == ["not-answered", "not-answered", "fail", "fail"]
-    raised = admitted("sliding", sliding.assess, ROCKER, replace(context, carried="by a factor"))
+    raised = apply_procedure("sliding", sliding.assess, ROCKER, replace(context, transfer="by a factor"))
     assert [check.verdict for check in raised] == ["pass", "pass", "fail", "fail"]
 
 
@@ -81,7 +81,7 @@ def test_a_pass_by_rocking_of_what_slides_first_holds_where_it_is_kept_from_slid
     """Needs 0.5 at 0.4 g: with 0.3 it slides at 0.24 g, with 0.6 it rocks first."""
     context = Context(SPECTRUM, (0.2 * g, 0.35 * g), 0.0, 0.0, None, hinges=(hinge(0.5, friction=friction),))
     options = Options(behaviour_factor=2.0)
-    found = admitted("ec8-element", partial(element.assess, options=options), HEAVY, context)
+    found = apply_procedure("ec8-element", partial(element.assess, options=options), HEAVY, context)
     assert {check.verdict for check in found} == {"pass"}
     assert [bool(check.conditions) for check in found] == held
 

@@ -10,7 +10,7 @@ from scipy.constants import g
 from scipy.optimize import brentq
 
 from assess.codes.asce43_05.clauses import inertia_ratio, thesis_limit, thesis_limit_ratio
-from assess.geometry.planar import planar_direct
+from assess.geometry.planar import planar_body_from_values
 from assess.interfaces.law import Law
 from assess.interfaces.shapes import rectangle
 from assess.mechanisms.assembly import on_joints
@@ -24,7 +24,7 @@ L, RHO = 1.0, 2000.0
 
 def wall(b, h, stiffness):
     mass = RHO * b * h * L
-    body = planar_direct(mass=mass, centroid=(0.0, h / 2), inertia=mass * (b**2 + h**2) / 12, name="w")
+    body = planar_body_from_values(mass=mass, centroid=(0.0, h / 2), inertia=mass * (b**2 + h**2) / 12, name="w")
     rigid = single_block("w", body, hinge=(b / 2, 0.0), hinge_negative=(-b / 2, 0.0))
     if stiffness is None:
         return rigid

@@ -10,7 +10,7 @@ from scipy.constants import g
 from scipy.integrate import solve_ivp
 
 from assess.dynamics.history import Jobs, free_rocking, peaks, trace
-from assess.geometry.planar import planar
+from assess.geometry.planar import planar_body
 from assess.geometry.solid import box
 from assess.loads.load import Tie
 from assess.mechanisms.lasting import variants
@@ -24,7 +24,7 @@ R, ALPHA = hypot(T / 2, H / 2), atan2(T, H)
 INERTIA = 4.0 / 3.0 * M * R**2
 PULL, UP, UNTIL = 9000.0, 4.5, 0.15
 AT = 2 * asin(UNTIL / (2 * UP))
-WALL = planar(box(thickness=T, length=L, height=H, base=(0, 0, 0), density=RHO, name="wall"), direction=(1, 0, 0))
+WALL = planar_body(box(thickness=T, length=L, height=H, base=(0, 0, 0), density=RHO, name="wall"), direction=(1, 0, 0))
 TIE = Tie("tie", PULL, (T / 2, UP), direction=(-1.0, 0.0), until=UNTIL)
 ROCKER = variants(single_block("w", WALL, loads=(TIE,), sides="one", restitution=(0.0, 0.0))).breaking
 

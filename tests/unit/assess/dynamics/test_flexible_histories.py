@@ -12,7 +12,7 @@ from scipy.integrate import solve_ivp
 
 from assess.dynamics.canonical import canonical
 from assess.dynamics.history import free_rocking, peaks, product, trace
-from assess.geometry.planar import planar_direct
+from assess.geometry.planar import planar_body_from_values
 from assess.interfaces.law import Law
 from assess.interfaces.shapes import rectangle
 from assess.loads.load import Force
@@ -29,7 +29,7 @@ W, LAW = MASS * g, Law(2e8, 1.5e6)
 
 
 def wall(*, model="flexible", loads=(), law=LAW) -> Oscillator:
-    body = planar_direct(mass=MASS, centroid=(0.0, H / 2), inertia=J, name="wall")
+    body = planar_body_from_values(mass=MASS, centroid=(0.0, H / 2), inertia=J, name="wall")
     rigid = single_block("w", body, hinge=(B / 2, 0.0), hinge_negative=(-B / 2, 0.0), loads=loads)
     joints = (Joint((-1.0, 0.0), rectangle(B, L), law, model),)
     return oscillator(on_joints(rigid, joints, joints, restitution=(0.92, 0.92)))

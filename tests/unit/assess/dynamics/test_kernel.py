@@ -19,7 +19,7 @@ from scipy.constants import g
 from scipy.integrate import solve_ivp
 
 from assess.dynamics.history import Jobs, Peaks, peaks
-from assess.dynamics.kernel import REST
+from assess.dynamics.kernel.events import REST
 from assess.oscillator import Branch, Oscillator, interpolant, linearise
 from records.record import Record, make_record
 

@@ -17,10 +17,10 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq, minimize_scalar
 
 from assess.dynamics.envelope import envelope
-from assess.dynamics.kernel import REST
+from assess.dynamics.kernel.events import REST
 from assess.dynamics.packing import Equation
 from assess.dynamics.pulse_response import PIECES, PulseJobs, outcomes, polynomials, prepared
-from assess.geometry.planar import planar_direct
+from assess.geometry.planar import planar_body_from_values
 from assess.interfaces.law import Law
 from assess.interfaces.shapes import rectangle
 from assess.mechanisms.assembly import on_joints
@@ -45,7 +45,7 @@ def frame() -> Oscillator:
 
 def wall() -> Oscillator:
     """6 m high, 1 m thick, on a joint of 0.2 GPa/m that crushes at 1.5 MPa."""
-    body = planar_direct(mass=21600.0, centroid=(0.0, 3.0), inertia=21600.0 * 37 / 12, name="wall")
+    body = planar_body_from_values(mass=21600.0, centroid=(0.0, 3.0), inertia=21600.0 * 37 / 12, name="wall")
     rigid = single_block("w", body, hinge=(0.5, 0.0), hinge_negative=(-0.5, 0.0))
     joints = (Joint((-1.0, 0.0), rectangle(1.0, 2.0), Law(2e8, 1.5e6), "flexible"),)
     return oscillator(on_joints(rigid, joints, joints, restitution=(0.92, 0.92)))

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 import trimesh
 
-from assess.examples.surface import Surface, ply, revolved, slab
+from assess.examples.surface import Surface, ply, revolve, slab
 
 
 def read(surface: Surface) -> trimesh.Trimesh:
@@ -41,7 +41,7 @@ def test_a_slab_is_a_closed_box():
 )
 def test_a_body_of_revolution(profile, volume, euler):
     faces = 12
-    mesh = read(revolved(profile, faces=faces))
+    mesh = read(revolve(profile, faces=faces))
     assert mesh.is_watertight
     assert mesh.volume == pytest.approx(volume * faces * tan(pi / faces), rel=1e-12)
     np.testing.assert_allclose(mesh.bounds[:, 0], [-3.0, 3.0], rtol=1e-12)

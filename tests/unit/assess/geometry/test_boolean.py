@@ -3,9 +3,9 @@
 import pytest
 
 from assess.errors import GeometryError
-from assess.geometry.boolean import split, united
+from assess.geometry.boolean import split, unite
 from assess.geometry.solid import box
-from assess.geometry.surface import Surface, edges_of, volume
+from assess.geometry.surface import Surface, find_edges, volume
 
 
 def cube(x: float, y: float = 0.0, z: float = 0.0) -> Surface:
@@ -14,9 +14,9 @@ def cube(x: float, y: float = 0.0, z: float = 0.0) -> Surface:
 
 
 def test_union_is_closed_and_holds_both() -> None:
-    whole = united([cube(0.0), cube(0.25, 0.5, 0.5), cube(5.0)], where="cubes")
+    whole = unite([cube(0.0), cube(0.25, 0.5, 0.5), cube(5.0)], where="cubes")
     assert volume(*whole) == pytest.approx(3.0 - 0.75 * 0.25, rel=1e-12)
-    assert edges_of(whole[1]).closed
+    assert find_edges(whole[1]).closed
 
 
 def test_halves_of_a_cube() -> None:

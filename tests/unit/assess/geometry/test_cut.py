@@ -9,10 +9,10 @@ from scipy.spatial.transform import Rotation
 
 from assess.errors import GeometryError
 from assess.geometry import mesh
-from assess.geometry.boolean import common, gap
-from assess.geometry.cut import Parts, divide, halves, inclined, level
-from assess.geometry.planar import base_of_section, lowest_corners, planar, slope_across, turns_about_a_corner
-from assess.geometry.solid import Solid, box, joined, polyhedron, profile
+from assess.geometry.boolean import intersect, shortest_distance
+from assess.geometry.cut import Division, divide, inclined_plane, level_plane, split_upright
+from assess.geometry.planar import base_of_section, lowest_corners, planar_body, slope_across, turns_about_a_corner
+from assess.geometry.solid import Solid, box, join, polyhedron, profile
 
 DENSITY = 1900.0
 WALL = {"thickness": 1.0, "length": 3.0, "height": 8.2, "base": (0.0, 0.0, 0.0), "density": DENSITY, "name": "wall"}
@@ -29,12 +29,12 @@ def prism(corners) -> Solid:
     return profile(corners, length=2.0, density=DENSITY, name="prism")
 
 
-def cut(solid: Solid, plane, *more: Solid) -> Parts:
+def cut(solid: Solid, plane, *more: Solid) -> Division:
     return divide([solid, *more], plane, where='mechanism "m"')
 
 
 def plane_of(point, normal):
-    return inclined(point, normal, where='mechanism "m"')
+    return inclined_plane(point, normal, where='mechanism "m"')
 
 
 def upper_part(solid: Solid, plane) -> Solid:
@@ -75,10 +75,10 @@ def same(found: Solid, wanted: Solid, *, rtol: float) -> None:
 
 
 def test_level_cut_of_a_box_is_a_lower_box() -> None:
-    upper = cut(wall(), level(4.77))
+    upper = cut(wall(), level_plane(4.77))
     same(upper.above[0], wall(height=8.2 - 4.77, base=(0.0, 0.0, 4.77)), rtol=1e-12)
     assert upper.above[0].name == "wall"
-    body = planar(upper.above[0], direction=[1, 0, 0])
+    body = planar_body(upper.above[0], direction=[1, 0, 0])
     ring = [(-0.5, 4.77), (0.5, 4.77), (0.5, 8.2), (-0.5, 8.2), (-0.5, 4.77)]
     np.testing.assert_allclose(body.outline[0], ring, rtol=1e-15)
     assert base_of_section(upper.foot, direction=[1, 0, 0]) == ((-0.5, 4.77), (0.5, 4.77))
@@ -127,19 +127,19 @@ def test_what_lies_above_and_below_is_the_whole(solid: Solid, normal: tuple[floa
     point = solid.centroid + np.array([0.01, 0.02, 0.03])
     upper = upper_part(solid, plane_of(point, normal))
     turned = upper_part(upside_down(solid), plane_of(point * [-1.0, 1.0, -1.0], np.array(normal) * [1.0, -1.0, 1.0]))
-    same(joined([upper, upside_down(turned)], name=solid.name), solid, rtol=1e-11)
+    same(join([upper, upside_down(turned)], name=solid.name), solid, rtol=1e-11)
     assert np.all((upper.vertices - point) @ normal > -1e-11)
 
 
 def test_a_cut_of_a_cut_is_the_higher_cut() -> None:
     sloping = [plane_of([3.0, -2.0, z], [0.3, 0.1, 1.0]) for z in (4.0, 6.0)]
-    for first, second in ((level(2.0), level(4.0)), (level(1.0), sloping[1]), sloping):
+    for first, second in ((level_plane(2.0), level_plane(4.0)), (level_plane(1.0), sloping[1]), sloping):
         once, twice = cut(tower(), second), cut(upper_part(tower(), first), second)
         same(twice.above[0], once.above[0], rtol=1e-11)
         bases = [base_of_section(each.foot, direction=[0.6, 0.8, 0]) for each in (once, twice)]
         np.testing.assert_allclose(*bases, rtol=0.0, atol=1e-10)
-    again = cut(upper_part(tower(), level(4.0)), level(4.0))  # touches: nothing is left to remove
-    same(again.above[0], upper_part(tower(), level(4.0)), rtol=1e-15)
+    again = cut(upper_part(tower(), level_plane(4.0)), level_plane(4.0))  # touches: nothing is left to remove
+    same(again.above[0], upper_part(tower(), level_plane(4.0)), rtol=1e-15)
 
 
 def test_turning_the_body_and_the_plane_changes_nothing() -> None:
@@ -148,7 +148,7 @@ def test_turning_the_body_and_the_plane_changes_nothing() -> None:
     solid = polyhedron(tower().vertices @ turn.T, tower().triangles, density=DENSITY, name="tower")
     moved = cut(solid, plane_of(turn @ [3.0, -2.0, 6.0], turn @ normal))
     here, there = np.array([1.0, 0.0, 0.0]), turn @ [1.0, 0.0, 0.0]
-    bodies = planar(still.above[0], direction=here), planar(moved.above[0], direction=there)
+    bodies = planar_body(still.above[0], direction=here), planar_body(moved.above[0], direction=there)
     assert bodies[1].inertia == pytest.approx(bodies[0].inertia, rel=1e-12)
     np.testing.assert_allclose(bodies[1].centroid, bodies[0].centroid, rtol=0.0, atol=1e-12)
     bases = base_of_section(still.foot, direction=here), base_of_section(moved.foot, direction=there)
@@ -158,16 +158,16 @@ def test_turning_the_body_and_the_plane_changes_nothing() -> None:
 def test_opening_leaves_two_piers_and_a_base_from_one_to_the_other() -> None:
     portal = prism([[0.0, 0], [1, 0], [1, 3], [3, 3], [3, 0], [4, 0], [4, 5], [0, 5]])
     for elevation, area in ((1.2, 2 * 1.8 + 8.0), (3.0, 8.0)):
-        upper = cut(portal, level(elevation))
+        upper = cut(portal, level_plane(elevation))
         assert upper.above[0].mass == pytest.approx(DENSITY * 2.0 * area, rel=1e-12)
         found = base_of_section(upper.foot, direction=[1, 0, 0])
         np.testing.assert_allclose(found, ((0.0, elevation), (4.0, elevation)), rtol=0.0, atol=1e-14)
-    at_lintel = cut(portal, level(3.0)).foot[:, 0]  # it lies on the piers, not on the opening
+    at_lintel = cut(portal, level_plane(3.0)).foot[:, 0]  # it lies on the piers, not on the opening
     np.testing.assert_allclose(np.unique(at_lintel.round(12)), [0.0, 1.0, 3.0, 4.0])
 
 
 def test_cavity_is_cut_to_a_hollow_section() -> None:
-    upper = cut(hollow(), level(2.0))
+    upper = cut(hollow(), level_plane(2.0))
     assert upper.above[0].mass == pytest.approx(DENSITY * (2 * 3 * 4 - 1 * 1 * 3), rel=1e-12)
     assert base_of_section(upper.foot, direction=[1, 0, 0]) == ((-1.0, 2.0), (1.0, 2.0))
     assert len(upper.foot) == 8
@@ -175,7 +175,7 @@ def test_cavity_is_cut_to_a_hollow_section() -> None:
 
 def test_section_of_an_L_is_that_of_its_stem_above_the_step() -> None:
     for elevation, right, area in ((0.4, 2.0, 3.2), (1.0, 1.0, 2.0), (1.7, 1.0, 1.3)):
-        upper = cut(prism(L_SHAPE), level(elevation))
+        upper = cut(prism(L_SHAPE), level_plane(elevation))
         assert base_of_section(upper.foot, direction=[1, 0, 0])[1] == (right, elevation)
         assert upper.above[0].mass == pytest.approx(DENSITY * 2.0 * area, rel=1e-12)
         assert upper.above[0].vertices[:, 0].max() == right  # nothing of the step stays as a film
@@ -184,7 +184,7 @@ def test_section_of_an_L_is_that_of_its_stem_above_the_step() -> None:
 @pytest.mark.parametrize("off", [0.0, 1e-8, -1e-8, 1e-6, -1e-6])
 def test_overhang_in_the_plane_of_the_cut_does_not_widen_the_base(off: float) -> None:
     """The underside of a corbel rests on nothing, also where rounding of the file puts it beside the plane."""
-    upper = cut(prism(T_SHAPE), level(2.0 + off))
+    upper = cut(prism(T_SHAPE), level_plane(2.0 + off))
     assert upper.above[0].mass == pytest.approx(DENSITY * 2.0 * 4.0, rel=2e-6)  # the plane moves by a millionth
     found = base_of_section(upper.foot, direction=[1, 0, 0])
     np.testing.assert_allclose(found, ((0.0, 2.0 + off), (1.0, 2.0 + off)), rtol=0.0, atol=1e-12)
@@ -194,13 +194,13 @@ def test_bodies_above_are_kept_below_dropped_and_between_cut() -> None:
     plinth = wall(thickness=2.0, height=1.0, name="plinth")
     shaft = wall(height=5.0, base=(0.0, 0.0, 1.0), name="shaft")
     cornice = wall(thickness=1.6, height=0.5, base=(0.0, 0.0, 6.0), name="cornice")
-    upper = cut(plinth, level(3.0), shaft, cornice)
+    upper = cut(plinth, level_plane(3.0), shaft, cornice)
     assert [body.name for body in upper.above] == ["shaft", "cornice"]
     assert upper.above[1] is cornice
     same(upper.above[0], wall(height=3.0, base=(0.0, 0.0, 3.0)), rtol=1e-12)
     assert base_of_section(upper.foot, direction=[1, 0, 0]) == ((-0.5, 3.0), (0.5, 3.0))
     for elevation, kept in ((1.0, (shaft, cornice)), (6.0, (cornice,))):  # at the joints
-        at_joint = cut(plinth, level(elevation), shaft, cornice)
+        at_joint = cut(plinth, level_plane(elevation), shaft, cornice)
         assert len(at_joint.above) == len(kept)
         assert all(found is wanted for found, wanted in zip(at_joint.above, kept, strict=True))
         assert base_of_section(at_joint.foot, direction=[1, 0, 0]) == ((-0.5, elevation), (0.5, elevation))
@@ -233,20 +233,20 @@ def test_a_mesh_in_single_precision_is_cut_at_its_joint() -> None:
     """4.77 m is 4.7699999809 m there: the sliver between must neither become the section nor stay."""
     exact = prism([[0.0, 0], [1, 0], [1, 4.77], [1.3, 4.77], [1.3, 9], [-0.3, 9], [-0.3, 4.77], [0, 4.77]])
     rounded = polyhedron(exact.vertices.astype(np.float32), exact.triangles, density=DENSITY, name="T")
-    upper = cut(rounded, level(4.77))
+    upper = cut(rounded, level_plane(4.77))
     assert upper.above[0].mass == pytest.approx(DENSITY * 2.0 * 1.6 * 4.23, rel=1e-6)  # single precision
     found = base_of_section(upper.foot, direction=[1, 0, 0])
     np.testing.assert_allclose(found, ((0.0, 4.77), (1.0, 4.77)), rtol=0.0, atol=1e-12)
 
 
 def test_plane_at_the_base_removes_nothing() -> None:
-    upper = cut(wall(), level(0.0))
+    upper = cut(wall(), level_plane(0.0))
     assert upper.above[0].mass == wall().mass
-    assert base_of_section(upper.foot, direction=[1, 0, 0]) == planar(wall(), direction=[1, 0, 0]).base
+    assert base_of_section(upper.foot, direction=[1, 0, 0]) == planar_body(wall(), direction=[1, 0, 0]).base
 
 
 def test_section_askew_and_section_that_slopes_across_are_noticed() -> None:
-    level_foot, sloping = cut(wall(), level(4.0)).foot, cut(wall(), plane_of([0, 0, 4.0], [0.0, -0.1, 1.0])).foot
+    level_foot, sloping = cut(wall(), level_plane(4.0)).foot, cut(wall(), plane_of([0, 0, 4.0], [0.0, -0.1, 1.0])).foot
     assert not turns_about_a_corner(level_foot, direction=[1, 0, 0])
     assert turns_about_a_corner(level_foot, direction=[1, 0.1, 0])
     assert not turns_about_a_corner(lowest_corners([wall()]), direction=[1, 0, 0])
@@ -263,13 +263,13 @@ GAP = (wall(height=2.0), wall(height=2.0, base=(0.0, 0.0, 3.0), name="floating")
 @pytest.mark.parametrize(
     ("solids", "plane", "text"),
     [
-        ([wall()], level(9.0), 'mechanism "m": the cut at z = 9 m misses the body, which ends at z = 8.2 m'),
-        ([wall()], level(-1.0), "the cut at z = -1 m misses the body, which begins at z = 0 m"),
-        ([wall()], level(8.2), "the cut at z = 8.2 m leaves nothing of the body, which ends at z = 8.2 m"),
+        ([wall()], level_plane(9.0), 'mechanism "m": the cut at z = 9 m misses the body, which ends at z = 8.2 m'),
+        ([wall()], level_plane(-1.0), "the cut at z = -1 m misses the body, which begins at z = 0 m"),
+        ([wall()], level_plane(8.2), "the cut at z = 8.2 m leaves nothing of the body, which ends at z = 8.2 m"),
         ([wall()], plane_of([0, 0, 20], [3, 0, 4]), r"through .0, 0, 20. m with normal .0.6, 0, 0.8. misses the body"),
         ([wall()], plane_of([0, 0, -5], [3, 0, 4]), "misses the body, which begins at z = 0 m"),
         ([wall()], plane_of([-0.5, 0, 0], [0.5, 0, 1]), "passes through no masonry"),
-        (GAP, level(2.5), "the cut at z = 2.5 m passes through no masonry; what lies above begins at z = 3 m"),
+        (GAP, level_plane(2.5), "the cut at z = 2.5 m passes through no masonry; what lies above begins at z = 3 m"),
     ],
 )
 def test_cuts_that_leave_no_mechanism_are_refused(solids, plane, text: str) -> None:
@@ -296,11 +296,11 @@ def test_surface_that_is_no_solid_is_refused() -> None:
     body = wall()
     torn = Solid("torn", body.mass, body.centroid, body.inertia, body.vertices, body.triangles[:-1])
     with pytest.raises(GeometryError, match='mechanism "m": body "torn" cannot be cut'):
-        cut(torn, level(4.0))
+        cut(torn, level_plane(4.0))
 
 
 def test_both_sides_make_the_whole():
-    for plane in (level(3.3), inclined([0.0, 0.0, 4.0], [0.3, 0.2, 1.0], where="m")):
+    for plane in (level_plane(3.3), inclined_plane([0.0, 0.0, 4.0], [0.3, 0.2, 1.0], where="m")):
         parts = divide([tower()], plane, where="m")
         mass = sum(part.mass for part in (*parts.above, *parts.below))
         centroid = sum(part.mass * part.centroid for part in (*parts.above, *parts.below)) / mass
@@ -311,25 +311,25 @@ def test_both_sides_make_the_whole():
 
 def test_what_two_bodies_share():
     one, other = wall(), wall(base=(0.8, 1.0, 3.0))  # 0.2 m x 2 m x 5.2 m in common
-    shared = common(one, other)
+    shared = intersect(one, other)
     assert shared.volume == pytest.approx(0.2 * 2.0 * 5.2, rel=1e-9)
     assert shared.part == pytest.approx(shared.volume / 24.6, rel=1e-9)
     normals = np.cross(shared.corners[:, 1] - shared.corners[:, 0], shared.corners[:, 2] - shared.corners[:, 0]) / 2.0
     of_other = normals[shared.of_second].sum(axis=0)  # left, near and under side of the other body
     np.testing.assert_allclose(of_other, (-2.0 * 5.2, -0.2 * 5.2, -0.2 * 2.0), rtol=1e-9)
-    assert common(one, wall(base=(2.0, 0.0, 0.0))) is None
-    assert common(one, wall(base=(1.0, 0.0, 0.0))) is None  # they only touch
+    assert intersect(one, wall(base=(2.0, 0.0, 0.0))) is None
+    assert intersect(one, wall(base=(1.0, 0.0, 0.0))) is None  # they only touch
 
 
 def test_distance_of_two_bodies():
-    assert gap(wall(), wall(base=(4.0, 6.0, 0.0))) == pytest.approx(np.hypot(3.0, 3.0), rel=1e-9)
-    assert gap(wall(), wall(base=(0.5, 0.0, 0.0))) == 0.0
+    assert shortest_distance(wall(), wall(base=(4.0, 6.0, 0.0))) == pytest.approx(np.hypot(3.0, 3.0), rel=1e-9)
+    assert shortest_distance(wall(), wall(base=(0.5, 0.0, 0.0))) == 0.0
 
 
 def test_halves_of_a_body_about_an_upright_plane():
     body = tower()
     normal = np.array([0.6, 0.8, 0.0])
-    behind, before = halves(body, point=body.centroid, normal=normal)
+    behind, before = split_upright(body, point=body.centroid, normal=normal)
     assert behind.mass + before.mass == pytest.approx(body.mass, rel=1e-9)
     centre = (behind.mass * behind.centroid + before.mass * before.centroid) / body.mass
     np.testing.assert_allclose(centre, body.centroid, atol=1e-9)

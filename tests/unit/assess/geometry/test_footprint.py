@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from assess.geometry.footprint import MOST, edge_normals
+from assess.geometry.footprint import MAX_EDGES, edge_normals
 
 
 def polygon(sides: int, *, turned: float = 0.0) -> np.ndarray:
@@ -34,4 +34,4 @@ def test_a_turned_body_turns_its_normals() -> None:
 
 def test_a_line_has_no_edges_and_a_scan_no_more_than_can_matter() -> None:
     assert edge_normals(np.array([[0, 0], [1, 1], [2, 2.0]])).size == 0
-    assert edge_normals(polygon(3000)).size == MOST
+    assert edge_normals(polygon(3000)).size == MAX_EDGES

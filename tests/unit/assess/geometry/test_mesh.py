@@ -12,11 +12,11 @@ from numpy.typing import ArrayLike
 from scipy.spatial.transform import Rotation
 
 from assess.errors import GeometryError
-from assess.geometry.formats.parts import Up
-from assess.geometry.magnitude import suspicious
+from assess.geometry.formats.mesh_file import Up
 from assess.geometry.mesh import load
-from assess.geometry.planar import planar
-from assess.geometry.solid import Solid, box, joined, polyhedron, profile
+from assess.geometry.planar import planar_body
+from assess.geometry.plausibility import size_warning
+from assess.geometry.solid import Solid, box, join, polyhedron, profile
 
 DENSITY = 2240.0
 WALL = box(
@@ -85,7 +85,7 @@ def loaded(
 
 def soup(*solids: Solid) -> tuple[np.ndarray, np.ndarray]:
     """Several surfaces in one."""
-    together = joined(solids, name="soup")
+    together = join(solids, name="soup")
     return together.vertices, together.triangles
 
 
@@ -163,7 +163,7 @@ def test_unused_vertices_and_collapsed_triangles_do_not_count(tmp_path: Path) ->
 def test_shells_beside_one_another_add(tmp_path: Path) -> None:
     for other in (block(3.0, 0.0, 0.0), block(1.0, 0.25, 0.25), block(1.0, 1.0, 1.0)):  # apart, in contact, at a corner
         parts = (block(0.0, 0.0, 0.0), other)
-        same(loaded(tmp_path, *soup(*parts), file="text.stl"), joined(parts, name="pair"), rtol=1e-12)
+        same(loaded(tmp_path, *soup(*parts), file="text.stl"), join(parts, name="pair"), rtol=1e-12)
 
 
 def test_shells_in_contact_at_a_slant_add(tmp_path: Path) -> None:
@@ -398,7 +398,7 @@ def test_scale_and_density_must_be_positive(tmp_path: Path) -> None:
 
 
 def test_a_size_that_suggests_a_wrong_unit_is_told_with_the_likely_one() -> None:
-    assert suspicious(WALL) is None
+    assert size_warning(WALL) is None
     for factor, unit, hint in (
         (1000.0, 1.0, ' With mesh_unit = "mm" it would measure 8.5 m'),
         (0.001, 0.001, ' With mesh_unit = "m" it would measure 8.5 m'),
@@ -406,7 +406,7 @@ def test_a_size_that_suggests_a_wrong_unit_is_told_with_the_likely_one() -> None
     ):
         body = polyhedron(WALL.vertices * factor, WALL.triangles, density=DENSITY, name="wall")
         wanted = f'body "wall" measures {8.5 * factor:.4g} m at its longest; is its unit right?{hint}'
-        assert suspicious(body, unit=unit) == wanted
+        assert size_warning(body, unit=unit) == wanted
 
 
 def test_single_precision_far_from_the_origin_is_refused_beyond_a_hundredth_of_the_thickness(tmp_path: Path) -> None:
@@ -416,9 +416,9 @@ def test_single_precision_far_from_the_origin_is_refused_beyond_a_hundredth_of_t
     for unit in (1.0, 1e-3):  # coordinates written in millimetres are as coarse
         with pytest.raises(GeometryError, match=text):
             loaded(tmp_path, far / unit, WALL.triangles, file="binary.stl", scale=unit)
-    assert suspicious(loaded(tmp_path, far, WALL.triangles)) is None
+    assert size_warning(loaded(tmp_path, far, WALL.triangles)) is None
     near = loaded(tmp_path, WALL.vertices + np.array([60000.1, 0.2, 0.3]), WALL.triangles, file="binary.stl")
-    assert "in single precision, which there resolves 0.0039 m" in (suspicious(near) or "")
+    assert "in single precision, which there resolves 0.0039 m" in (size_warning(near) or "")
 
 
 @pytest.mark.parametrize(
@@ -444,16 +444,16 @@ def test_a_small_specimen_is_believed_where_its_unit_is_given(tmp_path: Path) ->
     (tmp_path / "wall.obj").write_bytes(obj(WALL.vertices * 2.0, WALL.triangles))
     small = load(tmp_path / "wall.obj", density=DENSITY, name="wall", scale=1e-3)
     assert small.mass == pytest.approx(WALL.mass * 8e-9, rel=1e-12)
-    assert "measures 0.017 m at its longest" in (suspicious(small, unit=1e-3) or "")
+    assert "measures 0.017 m at its longest" in (size_warning(small, unit=1e-3) or "")
 
 
 def test_inches_read_as_metres_are_suspected() -> None:
     inches = box(thickness=15.0, length=80.0, height=120.0, base=[0, 0, 0], density=DENSITY, name="wall")
     wanted = 'body "wall" measures 120 m at its longest and is about 15 m thick; is its unit right?'
-    assert suspicious(inches) == wanted
-    assert suspicious(inches, unit=1.0) == wanted + ' With mesh_unit = "in" it would measure 3.048 m'
+    assert size_warning(inches) == wanted
+    assert size_warning(inches, unit=1.0) == wanted + ' With mesh_unit = "in" it would measure 3.048 m'
     tower = box(thickness=8.0, length=8.0, height=45.0, base=[0, 0, 0], density=DENSITY, name="tower")
-    assert suspicious(tower, unit=1.0) is None
+    assert size_warning(tower, unit=1.0) is None
 
 
 def test_a_flipped_byte_of_a_mesh_is_read_or_refused(tmp_path: Path) -> None:
@@ -491,7 +491,7 @@ def test_two_hundred_thousand_triangles_in_seconds(tmp_path: Path) -> None:
     path.write_bytes(stl_binary(vertices, triangles))
     start = time.process_time()
     drum = load(path, density=DENSITY, name="drum")
-    body = planar(drum, direction=[0.8, 0.6, 0.0])
+    body = planar_body(drum, direction=[0.8, 0.6, 0.0])
     seconds = time.process_time() - start
     assert len(drum.triangles) == 2 * n * m > 199_000
     assert drum.mass == pytest.approx(DENSITY * np.pi * 1.5**2 * 8.0, rel=1e-3)  # 400 sides, rough skin

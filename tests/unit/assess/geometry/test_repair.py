@@ -5,9 +5,9 @@ import pytest
 from scipy.spatial import ConvexHull
 
 from assess.errors import GeometryError
-from assess.geometry.repair import mended
+from assess.geometry.repair import repair
 from assess.geometry.solid import box
-from assess.geometry.surface import Surface, edges_of, merged, volume
+from assess.geometry.surface import Surface, find_edges, merge_vertices, volume
 
 WALL = box(thickness=1.25, length=3.0, height=8.5, base=[0.5, 0.25, 2.0], density=1.0, name="wall")
 SEED = 12
@@ -22,7 +22,9 @@ def ball(n: int = 900) -> Surface:
     outwards = np.einsum(
         "mi,mi->m", np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), corners[:, 0]
     )
-    return merged(points, np.where(outwards[:, None] > 0.0, found.simplices, found.simplices[:, ::-1]).astype(np.int64))
+    return merge_vertices(
+        points, np.where(outwards[:, None] > 0.0, found.simplices, found.simplices[:, ::-1]).astype(np.int64)
+    )
 
 
 def tube(n: int = 24) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -38,25 +40,25 @@ def tube(n: int = 24) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
 def test_missing_triangles_of_a_ball_are_closed(share: float) -> None:
     vertices, triangles = ball()
     kept = np.random.default_rng(SEED).random(len(triangles)) > share
-    found, told = mended((vertices, triangles[kept]), where="ball")
-    assert edges_of(found[1]).plain
+    found, told = repair((vertices, triangles[kept]), where="ball")
+    assert find_edges(found[1]).plain
     assert volume(*found) == pytest.approx(volume(vertices, triangles), rel=0.01)  # flat faces over neighbouring gaps
     assert "closed by planes (the first around" in told[0]
 
 
 def test_a_missing_foot_of_a_hollow_tower_is_a_ring() -> None:
     vertices, rest, foot = tube()
-    found, told = mended((vertices, rest), where="tower")
+    found, told = repair((vertices, rest), where="tower")
     whole = volume(vertices, np.vstack([rest, foot]))
     assert volume(*found) == pytest.approx(whole, rel=1e-12)
-    assert edges_of(found[1]).plain
+    assert find_edges(found[1]).plain
     assert told[0].startswith("1 hole of 48 edges, 9.32 m2, ")  # pi (4 - 1) less the segments of 24 sides
 
 
 def test_windings_by_chance_are_made_alike() -> None:
     vertices, triangles = ball()
     turned = np.random.default_rng(SEED).random(len(triangles)) < 0.5
-    found, told = mended((vertices, np.where(turned[:, None], triangles[:, ::-1], triangles)), where="ball")
+    found, told = repair((vertices, np.where(turned[:, None], triangles[:, ::-1], triangles)), where="ball")
     assert volume(*found) == pytest.approx(volume(vertices, triangles), rel=1e-13)
     assert "turned to run like their neighbours" in told[0]
 
@@ -64,8 +66,8 @@ def test_windings_by_chance_are_made_alike() -> None:
 def test_cracks_between_loose_triangles_are_closed() -> None:
     vertices, triangles = ball(200)
     loose = vertices[triangles].reshape(-1, 3) + np.random.default_rng(SEED).normal(size=(3 * len(triangles), 3)) * 1e-6
-    found, told = mended(merged(loose, np.arange(len(loose)).reshape(-1, 3)), where="ball")
-    assert edges_of(found[1]).plain
+    found, told = repair(merge_vertices(loose, np.arange(len(loose)).reshape(-1, 3)), where="ball")
+    assert find_edges(found[1]).plain
     assert volume(*found) == pytest.approx(volume(vertices, triangles), rel=1e-5)
     assert "corners of open borders, at most 0.4 mm off, joined" in told[0]
 
@@ -77,8 +79,8 @@ def test_an_edge_that_faces_two_is_split() -> None:
     third = WALL.vertices[b] + (WALL.vertices[c] - WALL.vertices[b]) / 3.0
     vertices = np.vstack([WALL.vertices, middle, third])
     triangles = np.vstack([[[a, 8, c], [8, b, 9], [8, 9, c]], WALL.triangles[1:]])
-    found, told = mended(merged(vertices, triangles), where="wall")
-    assert edges_of(found[1]).plain
+    found, told = repair(merge_vertices(vertices, triangles), where="wall")
+    assert find_edges(found[1]).plain
     assert volume(*found) == pytest.approx(31.875, rel=1e-13)
     assert told == ("2 edges split at the corners of others that lie on them (volume +0 %)",)
 
@@ -89,7 +91,7 @@ def test_a_hole_too_uneven_is_refused() -> None:
     gone = vertices[triangles].mean(axis=1)
     torn = gone[:, 2] > -1.0 + 0.8 * np.sign(gone[:, 0] * gone[:, 1])
     with pytest.raises(GeometryError, match=r"ball: it is open: \d+ open edges around 1 hole, .* close the surface"):
-        mended((vertices, triangles[torn]), where="ball")
+        repair((vertices, triangles[torn]), where="ball")
 
 
 def test_a_surface_with_one_side_is_refused() -> None:
@@ -105,16 +107,16 @@ def test_a_surface_with_one_side_is_refused() -> None:
         [np.column_stack([k, k + 1, k + 2]), np.column_stack([k + 2, k + 1, k + 3]), [[38, 39, 1], [1, 39, 0]]]
     )
     with pytest.raises(GeometryError, match="strip: "):
-        mended(merged(np.array(strip), faces), where="strip")
+        repair(merge_vertices(np.array(strip), faces), where="strip")
 
 
 def test_an_inner_wall_between_two_rooms_is_refused_by_its_edges() -> None:
     """A face within a box: its border edges belong to three triangles."""
-    vertices, triangles = merged(*split_box())
+    vertices, triangles = merge_vertices(*split_box())
     with pytest.raises(
         GeometryError, match=r"4 edges shared by three or more triangles .the first from .* remove inner faces"
     ):
-        mended((vertices, triangles), where="box")
+        repair((vertices, triangles), where="box")
 
 
 def split_box() -> tuple[np.ndarray, np.ndarray]:

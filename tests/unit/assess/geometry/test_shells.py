@@ -5,15 +5,15 @@ import pytest
 from scipy.optimize import linprog
 from scipy.spatial.transform import Rotation
 
-from assess.geometry.shells import counted_once, separated
+from assess.geometry.shells import separate_shells, unify_shells
 from assess.geometry.solid import box
-from assess.geometry.surface import Surface, merged, volume
+from assess.geometry.surface import Surface, merge_vertices, volume
 
 CUBE = box(thickness=1.0, length=1.0, height=1.0, base=[0.0, 0.0, -0.5], density=1.0, name="cube")
 
 
 def pair(one: np.ndarray, other: np.ndarray) -> Surface:
-    return merged(np.vstack([one, other]), np.vstack([CUBE.triangles, CUBE.triangles + 8]))
+    return merge_vertices(np.vstack([one, other]), np.vstack([CUBE.triangles, CUBE.triangles + 8]))
 
 
 def placed(rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -42,7 +42,7 @@ def test_boxes_anywhere_overlap_when_linear_programming_finds_a_common_ball() ->
         (one, A, b), (other, C, d) = placed(rng), placed(rng)
         wanted = depth(np.vstack([A, C]), np.concatenate([b, d])) > 0.0
         overlapping += wanted
-        surface, told = counted_once(pair(one, other), where="pair")
+        surface, told = unify_shells(pair(one, other), where="pair")
         assert bool(told) == wanted
         alone = volume(one, CUBE.triangles) + volume(other, CUBE.triangles)
         assert (volume(*surface) < alone * (1.0 - 1e-9)) == wanted
@@ -53,13 +53,16 @@ def test_boxes_anywhere_overlap_when_linear_programming_finds_a_common_ball() ->
 def test_shells_may_touch_within_rounding(gap: float) -> None:
     other = CUBE.vertices * [0.5, 0.7, 1.0] + [0.1, 0.05, 1.0 + gap]
     surface = pair(CUBE.vertices, other)
-    found, told = counted_once(surface, where="pair")
+    found, told = unify_shells(surface, where="pair")
     assert (found is surface) == (told == ()) == (gap > -1e-6)
 
 
 def test_boxes_that_touch_along_an_edge_or_share_corners_are_two_shells() -> None:
     for shift in ([1.0, 1.0, 0.0], [1.0, 1.0, 1.0], [1.0, 0.0, 0.0], [3.0, 0.0, 0.0]):
-        assert [len(triangles) for _, triangles in separated(pair(CUBE.vertices, CUBE.vertices + shift))] == [12, 12]
+        assert [len(triangles) for _, triangles in separate_shells(pair(CUBE.vertices, CUBE.vertices + shift))] == [
+            12,
+            12,
+        ]
 
 
 def test_a_body_in_a_cavity_of_a_body_stays() -> None:
@@ -67,13 +70,13 @@ def test_a_body_in_a_cavity_of_a_body_stays() -> None:
     scaled = [CUBE.vertices * size for size in (4.0, 2.0, 1.0)]
     beam = CUBE.vertices * [4.0, 0.5, 0.5] + [2.0, 0.0, 1.5]  # from the wall's inside out: 2 m of 4 m stand out
     faces = [CUBE.triangles, CUBE.triangles[:, ::-1] + 8, CUBE.triangles + 16, CUBE.triangles + 24]
-    surface, told = counted_once(merged(np.vstack([*scaled, beam]), np.vstack(faces)), where="nest")
+    surface, told = unify_shells(merge_vertices(np.vstack([*scaled, beam]), np.vstack(faces)), where="nest")
     assert volume(*surface) == pytest.approx(64.0 - 8.0 + 1.0 + 2.0 * 0.25, rel=1e-12)
     assert "4 closed shells" in told[0]
 
 
 def test_uniting_does_not_depend_on_where_the_body_stands() -> None:
-    near, _ = counted_once(pair(CUBE.vertices, CUBE.vertices * 0.5 + 0.4), where="pair")
+    near, _ = unify_shells(pair(CUBE.vertices, CUBE.vertices * 0.5 + 0.4), where="pair")
     there = np.array([5e5, 4e6, 100.0])
-    far, _ = counted_once(pair(CUBE.vertices + there, CUBE.vertices * 0.5 + 0.4 + there), where="pair")
+    far, _ = unify_shells(pair(CUBE.vertices + there, CUBE.vertices * 0.5 + 0.4 + there), where="pair")
     assert volume(*far) == pytest.approx(volume(*near), rel=1e-8)

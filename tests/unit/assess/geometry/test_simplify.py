@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import trimesh
 
-from assess.geometry.simplify import simplified
+from assess.geometry.simplify import simplify
 
 
 def finer(mesh: trimesh.Trimesh, times: int) -> tuple[np.ndarray, np.ndarray]:
@@ -17,14 +17,14 @@ def finer(mesh: trimesh.Trimesh, times: int) -> tuple[np.ndarray, np.ndarray]:
 
 def test_a_small_surface_stays_as_it_is():
     vertices, triangles = finer(trimesh.creation.box((1.0, 2.0, 3.0)), 2)
-    same = simplified(vertices, triangles, limit=len(triangles))
+    same = simplify(vertices, triangles, limit=len(triangles))
     assert same[0] is vertices
     assert same[1] is triangles
 
 
 def test_a_refined_box_keeps_its_faces_and_corners():
     vertices, triangles = finer(trimesh.creation.box((1.0, 3.0, 4.0)), 5)
-    points, faces = simplified(vertices, triangles, limit=1000)
+    points, faces = simplify(vertices, triangles, limit=1000)
     light = trimesh.Trimesh(points, faces, process=False)
     assert len(faces) <= 1000 < len(triangles)
     assert light.is_watertight
@@ -35,7 +35,7 @@ def test_a_refined_box_keeps_its_faces_and_corners():
 @pytest.mark.parametrize("limit", [4, 200, 4000])
 def test_a_sphere_far_from_the_origin_keeps_its_shape(limit):
     sphere, away = trimesh.creation.icosphere(subdivisions=5), np.array([4e5, 5e6, 100.0])
-    points, faces = simplified(np.asarray(sphere.vertices) + away, np.asarray(sphere.faces), limit=limit)
+    points, faces = simplify(np.asarray(sphere.vertices) + away, np.asarray(sphere.faces), limit=limit)
     assert len(faces) <= limit
     if limit >= 200:
         light = trimesh.Trimesh(points - away, faces, process=False)

@@ -6,7 +6,7 @@ from scipy.spatial import ConvexHull
 from scipy.spatial.transform import Rotation
 
 from assess.errors import GeometryError
-from assess.geometry.solid import Solid, box, joined, polyhedron, profile
+from assess.geometry.solid import Solid, box, join, polyhedron, profile
 
 DENSITY = 2240.0
 TETRAHEDRON = (
@@ -101,7 +101,7 @@ def test_profile_in_the_form_of_an_L_is_two_boxes() -> None:
     corner = profile([[0, 0], [2, 0], [2, 1], [1, 1], [1, 3], [0, 3]], length=2.0, density=DENSITY, name="L")
     foot = box(thickness=2.0, length=2.0, height=1.0, base=[1.0, 0.0, 0.0], density=DENSITY, name="foot")
     stem = box(thickness=1.0, length=2.0, height=2.0, base=[0.5, 0.0, 1.0], density=DENSITY, name="stem")
-    same(corner, joined([foot, stem], name="L"), rtol=1e-14)
+    same(corner, join([foot, stem], name="L"), rtol=1e-14)
 
 
 def test_a_box_cut_into_boxes_and_joined_is_the_box() -> None:
@@ -118,7 +118,7 @@ def test_a_box_cut_into_boxes_and_joined_is_the_box() -> None:
         for i in range(3)
         for k in range(2)
     ]
-    found = joined(parts, name="whole")
+    found = join(parts, name="whole")
     same(found, whole, rtol=1e-13)
     assert found.triangles.max() == len(found.vertices) - 1 == 47
 
@@ -126,7 +126,7 @@ def test_a_box_cut_into_boxes_and_joined_is_the_box() -> None:
 def test_joined_bodies_of_two_densities_balance_at_the_heavier() -> None:
     heavy = box(thickness=1.0, length=1.0, height=1.0, base=[0.0, 0.0, 0.0], density=3000.0, name="stone")
     light = box(thickness=1.0, length=1.0, height=1.0, base=[4.0, 0.0, 0.0], density=1000.0, name="timber")
-    pair = joined([heavy, light], name="pair")
+    pair = join([heavy, light], name="pair")
     np.testing.assert_allclose(pair.centroid, [1.0, 0.0, 0.5], rtol=1e-15, atol=0.0)
     # each 1/6 m about itself; 3000 at 1 m and 1000 at 3 m from the common centroid
     assert pair.inertia[1, 1] == pytest.approx(4000.0 / 6.0 + 3000.0 * 1.0 + 1000.0 * 9.0, rel=1e-14)
@@ -223,7 +223,7 @@ def test_profile_refuses_a_length_below_zero() -> None:
 
 def test_joining_nothing_is_refused() -> None:
     with pytest.raises(GeometryError, match='block "pair": it joins no bodies'):
-        joined([], name="pair")
+        join([], name="pair")
 
 
 def test_polyhedron_refuses_no_volume_and_inside_out() -> None:

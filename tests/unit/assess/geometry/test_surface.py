@@ -4,44 +4,52 @@ import numpy as np
 import pytest
 
 from assess.geometry.solid import box
-from assess.geometry.surface import MIX, area, border, edges_of, merged, neighbours_across, volume
+from assess.geometry.surface import (
+    HASH_WEIGHTS,
+    adjacent_triangles,
+    area,
+    find_edges,
+    merge_vertices,
+    open_edges,
+    volume,
+)
 
 CUBE = box(thickness=1.0, length=1.0, height=1.0, base=[0.0, 0.0, -0.5], density=1.0, name="cube")
 
 
 def test_merging_finds_the_corners_of_loose_triangles() -> None:
     loose = CUBE.vertices[CUBE.triangles].reshape(-1, 3)
-    vertices, triangles = merged(loose, np.arange(36).reshape(-1, 3))
+    vertices, triangles = merge_vertices(loose, np.arange(36).reshape(-1, 3))
     assert vertices.shape == (8, 3)
     np.testing.assert_array_equal(vertices[triangles].reshape(-1, 3), loose)
-    assert edges_of(triangles).plain
+    assert find_edges(triangles).plain
 
 
 def test_merging_takes_both_zeros_for_one() -> None:
     corners = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-0.0, -0.0, 0.0], [0.0, -0.0, 1.0]])
-    vertices, triangles = merged(corners, np.array([[0, 1, 2], [3, 1, 4]]))
+    vertices, triangles = merge_vertices(corners, np.array([[0, 1, 2], [3, 1, 4]]))
     assert (len(vertices), len(set(triangles.ravel().tolist()))) == (4, 4)
 
 
 def test_merging_moves_nothing() -> None:
     near = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1e-12, 0.0, 0.0]])
-    assert len(merged(near, np.array([[0, 1, 2], [3, 2, 1]]))[0]) == 4
+    assert len(merge_vertices(near, np.array([[0, 1, 2], [3, 2, 1]]))[0]) == 4
 
 
 def test_closed_and_plain_surfaces() -> None:
-    assert edges_of(CUBE.triangles).plain
-    assert not edges_of(CUBE.triangles[1:]).closed
-    assert len(border(edges_of(CUBE.triangles[1:]))) == 3
+    assert find_edges(CUBE.triangles).plain
+    assert not find_edges(CUBE.triangles[1:]).closed
+    assert len(open_edges(find_edges(CUBE.triangles[1:]))) == 3
     touching = np.vstack([CUBE.triangles, CUBE.triangles + 8])
-    _, triangles = merged(np.vstack([CUBE.vertices, np.add(CUBE.vertices, [1.0, 1.0, 0.0])]), touching)
-    edges = edges_of(triangles)
+    _, triangles = merge_vertices(np.vstack([CUBE.vertices, np.add(CUBE.vertices, [1.0, 1.0, 0.0])]), touching)
+    edges = find_edges(triangles)
     assert (edges.closed, edges.plain, int(edges.count.max())) == (True, False, 4)
 
 
 def test_points_that_mix_to_one_number_stay_apart() -> None:
     """Of two points whose mixed numbers are the same: the merger looks at the coordinates."""
-    corners = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [MIX[0], 0.0, 0.0]])
-    vertices, triangles = merged(np.vstack([corners, corners]), np.array([[0, 1, 2], [4, 5, 7]]))
+    corners = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [HASH_WEIGHTS[0], 0.0, 0.0]])
+    vertices, triangles = merge_vertices(np.vstack([corners, corners]), np.array([[0, 1, 2], [4, 5, 7]]))
     assert len(vertices) == 4
     assert len(np.unique(triangles)) == 4
 
@@ -57,7 +65,7 @@ def test_volume_and_area_of_a_moved_box() -> None:
 def test_corners_are_numbered_by_z_then_y_then_x_as_lexsort_does() -> None:
     """Thousands of points on few levels, many of them at one place."""
     points = np.random.default_rng(5).integers(-4, 5, size=(3000, 3)) / 3.0
-    vertices, triangles = merged(points, np.arange(3000).reshape(-1, 3))
+    vertices, triangles = merge_vertices(points, np.arange(3000).reshape(-1, 3))
     wanted = np.unique(points[:, ::-1], axis=0)[:, ::-1]
     np.testing.assert_array_equal(vertices, wanted)
     a, b, c = points.reshape(-1, 3, 3).transpose(1, 0, 2)
@@ -68,7 +76,7 @@ def test_corners_are_numbered_by_z_then_y_then_x_as_lexsort_does() -> None:
 def test_neighbours_across_edges_are_those_that_share_them() -> None:
     """Triangle i, its edge k, and the one found there have the edge's two corners in common; none of a surface that is
     open, turned in part, or has edges of four."""
-    across = neighbours_across(CUBE.triangles)
+    across = adjacent_triangles(CUBE.triangles)
     assert across is not None
     for i, others in enumerate(across.tolist()):
         for k, other in enumerate(others):
@@ -78,4 +86,4 @@ def test_neighbours_across_edges_are_those_that_share_them() -> None:
     turned = CUBE.triangles.copy()
     turned[0] = turned[0, ::-1]
     for wrong in (CUBE.triangles[1:], CUBE.triangles[2:], turned, np.vstack([CUBE.triangles, CUBE.triangles])):
-        assert neighbours_across(wrong) is None
+        assert adjacent_triangles(wrong) is None

@@ -11,8 +11,9 @@ from numpy.polynomial import Polynomial
 from scipy.integrate import quad
 from scipy.special import beta, betainc
 
-from assess.interfaces import kernel
-from assess.interfaces.kernel import CLOSING, RESULTANT, crushing_depth, disc_upto, touch
+from assess.interfaces.kernel import discs, equilibrium, moments
+from assess.interfaces.kernel.discs import disc_upto
+from assess.interfaces.kernel.equilibrium import CLOSING, RESULTANT, crushing_depth, touch
 from assess.interfaces.shapes import annulus, circle, polygon, rectangle
 
 U = shapely.Polygon([(0, 0), (3, 0), (3, 2), (2.2, 2.1), (2, 0.7), (1, 0.6), (0.8, 2.3), (0, 2)])
@@ -65,7 +66,8 @@ def test_compiled_functions_have_names_of_their_own():
     """numba names machine code after the function and its types: of two closures of one factory in the caches of two
     entry points, the one loaded second was taken for the first, once both had been compiled in different processes.
     """
-    names = [each.py_func.__qualname__ for each in vars(kernel).values() if hasattr(each, "py_func")]
+    parts = [vars(part) for part in (discs, moments, equilibrium)]
+    names = [each.py_func.__qualname__ for part in parts for each in part.values() if hasattr(each, "py_func")]
     assert len(names) > 10
     assert not [name for name in names if "<locals>" in name]
 

@@ -11,9 +11,9 @@ import shapely
 from shapely.affinity import rotate, scale, translate
 
 from assess.errors import GeometryError
-from assess.geometry.cut import divide, heading, inclined, level
+from assess.geometry.cut import divide, heading, inclined_plane, level_plane
 from assess.geometry.solid import box, profile
-from assess.interfaces.kernel import BEGIN, SUM_A, SUM_S, SUM_T, V0, V1, V2, W0, W1, A, S, T
+from assess.interfaces.kernel.moments import BEGIN, SUM_A, SUM_S, SUM_T, V0, V1, V2, W0, W1, A, S, T
 from assess.interfaces.section import Section, mirrored
 from assess.interfaces.shapes import annulus, circle, hollow_rectangle, polygon, rectangle
 
@@ -208,7 +208,7 @@ def test_section_is_read_only():
 @pytest.mark.parametrize(("direction", "depth"), [((1, 0, 0), 1.0), ((0, 1, 0), 3.0)])
 def test_outline_of_a_level_cut(direction, depth):
     wall = box(thickness=1.0, length=3.0, height=4.0, base=(7.0, -5.0, 0.0), density=1.0, name="wall")
-    plane = level(2.0)
+    plane = level_plane(2.0)
     region = divide([wall], plane, where="m").region
     section = polygon(region, direction=heading(plane, direction))
     assert (section.depth, section.area) == (
@@ -223,7 +223,7 @@ def test_compressed_edge_of_a_cut_is_the_foremost():
     flat = profile(corners, length=2.0, density=1.0, name="L")  # stands in x-z
     turn = np.array([[1.0, 0, 0], [0, 0, -1], [0, 1, 0]])
     upright = replace(flat, vertices=flat.vertices @ turn.T)
-    plane = level(0.2)
+    plane = level_plane(0.2)
     region = divide([upright], plane, where="m").region
     for direction in ((1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0.3, 0.8, 0)):
         expected = polygon(scale(L_SHAPE, 1.0, -1.0, origin=(0, 0)), direction=direction[:2])
@@ -234,7 +234,7 @@ def test_compressed_edge_of_a_cut_is_the_foremost():
 @pytest.mark.parametrize("slope", [0.3, -0.3])
 def test_outline_of_an_inclined_cut_is_as_long_as_the_crack(slope):
     wall = box(thickness=1.0, length=3.0, height=4.0, base=(0.0, 0.0, 0.0), density=1.0, name="wall")
-    plane = inclined((0.0, 0.0, 2.0), (slope, 0.0, 1.0), where="m")
+    plane = inclined_plane((0.0, 0.0, 2.0), (slope, 0.0, 1.0), where="m")
     section = polygon(divide([wall], plane, where="m").region, direction=heading(plane, (1, 0, 0)))
     assert section.depth == pytest.approx(np.hypot(1.0, slope), rel=1e-9, abs=0.0)
     assert section.breadth == pytest.approx(3.0, rel=1e-9, abs=0.0)

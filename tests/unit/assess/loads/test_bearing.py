@@ -8,8 +8,8 @@ from scipy.constants import g
 from scipy.optimize import minimize
 
 from assess.errors import GeometryError
-from assess.geometry.solid import Solid, box, joined
-from assess.geometry.touch import Contact
+from assess.geometry.contact import Contact
+from assess.geometry.solid import Solid, box, join
 from assess.loads.bearing import carrying, overburden, share_of, shares, support
 
 
@@ -30,7 +30,7 @@ FRONT, REAR = cuboid((0, 0, 0), (0.6, 5, 4), "front"), cuboid((6, 1, 0), (7, 3, 
 def test_a_beam_on_two_walls_by_the_lever_rule(off):
     heavy = cuboid((off, 1, 4.3), (off + 1, 3, 5), "heap", 3000.0)
     beam = cuboid((0.2, 1, 4), (6.5, 3, 4.3), "beam")
-    floor = joined([beam, heavy], name="floor")
+    floor = join([beam, heavy], name="floor")
     found = support(floor, block=[FRONT], others=[REAR])
     ends = 0.4, 6.25  # middles of both contacts: 0.2 to 0.6, 6 to 6.5
     assert set(found.others) == {"rear"}
@@ -82,7 +82,7 @@ def test_overburden_of_two_floors_is_what_a_beam_and_a_free_body_bring():
 
 def test_a_body_that_would_lift_off_is_no_overburden():
     """It leans out beyond the far wall, so that it lies on that one alone."""
-    out = joined([cuboid((0.3, 1, 4), (7, 3, 4.3), "beam"), cuboid((8, 1, 4), (9, 3, 9), "heap", 9e3)], name="crane")
+    out = join([cuboid((0.3, 1, 4), (7, 3, 4.3), "beam"), cuboid((8, 1, 4), (9, 3, 9), "heap", 9e3)], name="crane")
     with pytest.raises(GeometryError, match='"crane": by statics it lifts off the block'):
         overburden([out], block=[FRONT], others=[REAR])
 

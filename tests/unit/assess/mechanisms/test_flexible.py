@@ -15,7 +15,7 @@ import pytest
 from scipy.constants import g
 
 from assess.errors import InterfaceError, MechanismError
-from assess.geometry.planar import planar_direct
+from assess.geometry.planar import planar_body_from_values
 from assess.interfaces.law import Law
 from assess.interfaces.shapes import rectangle
 from assess.loads.load import Force, PointMass, Tie
@@ -80,7 +80,7 @@ def arch():
     mass = 1800.0 * (outside**2 - inside**2) / 2 * abs(angles[1] - angles[0])
     stones = [Block(mass, (5.45 * cos(a), 5.45 * sin(a)), 0.1 * mass) for a in middles]
     found = weakest(stones, lines, name="arch")
-    bodies = [planar_direct(mass=b.mass, centroid=b.centroid, inertia=b.inertia, name="v") for b in stones]
+    bodies = [planar_body_from_values(mass=b.mass, centroid=b.centroid, inertia=b.inertia, name="v") for b in stones]
     chain = hinged(bodies, found)[1]
     beds = []
     for number, (hinge, joint) in enumerate(zip(chain.hinges, found.joints, strict=True)):

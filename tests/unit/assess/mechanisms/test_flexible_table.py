@@ -12,7 +12,7 @@ from scipy.integrate import quad
 from scipy.optimize import brentq
 
 from assess.errors import MechanismError
-from assess.geometry.planar import planar_direct
+from assess.geometry.planar import planar_body_from_values
 from assess.interfaces.law import Law
 from assess.interfaces.shapes import rectangle
 from assess.loads.load import Force, PointMass
@@ -45,7 +45,7 @@ THESIS = ("thesis", "thesis")
 
 
 def body(mass, centroid, inertia):
-    return planar_direct(mass=mass, centroid=centroid, inertia=inertia, name="b")
+    return planar_body_from_values(mass=mass, centroid=centroid, inertia=inertia, name="b")
 
 
 def bed(way, depth, *, law=LAW, model="flexible", length=L):

@@ -8,7 +8,7 @@ from math import cos, sin
 import pytest
 from scipy.constants import g
 
-from assess.geometry.planar import planar_direct
+from assess.geometry.planar import planar_body_from_values
 from assess.hinge_forces import HingeForces
 from assess.loads.load import Force, PointMass, Tie
 from assess.mechanisms.face import Face
@@ -22,7 +22,7 @@ LEVEL, ROOF = Face(friction=0.6), Face(normal=(0.0, -1.0), friction=0.6)
 
 
 def body(mass: float, x: float, z: float):
-    return planar_direct(mass=mass, centroid=(x, z), inertia=0.4 * mass, name="b")
+    return planar_body_from_values(mass=mass, centroid=(x, z), inertia=0.4 * mass, name="b")
 
 
 def forces(mechanism: Mechanism, *faces: Face) -> dict[str, HingeForces]:
@@ -50,7 +50,7 @@ def test_a_block_needs_the_friction_of_its_own_slenderness() -> None:
     """lambda = b / h, H = lambda W, V = W."""
     for each in forces(block(), LEVEL).values():
         assert (each.horizontal, each.vertical) == pytest.approx((-0.2 * 1000 * g, 1000 * g), rel=1e-12)
-        assert each.needed == pytest.approx(0.2, rel=1e-12)
+        assert each.required_friction == pytest.approx(0.2, rel=1e-12)
         assert each.acceleration == pytest.approx(0.2 * g, rel=1e-12)
 
 
@@ -89,7 +89,7 @@ def test_a_wall_held_at_the_top() -> None:
     found = forces(wall(), LEVEL, LEVEL, ROOF)
     assert [found[name].horizontal / w for name in "ABC"] == pytest.approx([-0.5, -0.1, -0.3], rel=1e-12)
     assert [found[name].vertical / w for name in "ABC"] == pytest.approx([2.0, 1.0, 0.0], rel=1e-12)
-    assert [found[name].needed for name in "ABC"] == [pytest.approx(0.25), pytest.approx(0.1), None]
+    assert [found[name].required_friction for name in "ABC"] == [pytest.approx(0.25), pytest.approx(0.1), None]
     assert [found[name].held for name in "ABC"] == [False, False, True]
     assert found["A"].acceleration == pytest.approx(0.4 * g, rel=1e-12)
 
@@ -111,7 +111,7 @@ def test_a_portal_of_light_posts_leans_on_them_along_their_diagonals() -> None:
     far = body(1e-9, 4.8, 1.5)
     hinges = ((0.4, 0.0), (0.0, 3.0), (4.6, 3.0), (5.0, 0.0))
     found = forces(four_hinge("m", [posts, beam, far], hinges=hinges, sides="one"), *[LEVEL] * 4)
-    assert [each.needed for each in found.values()] == pytest.approx([0.4 / 3.0] * 4, rel=1e-9)
+    assert [each.required_friction for each in found.values()] == pytest.approx([0.4 / 3.0] * 4, rel=1e-9)
     assert found["A"].vertical + found["D"].vertical == pytest.approx(4000 * g, rel=1e-9)
     assert found["B"].vertical == pytest.approx(found["A"].vertical, rel=1e-9)
     assert found["C"].horizontal == pytest.approx(found["D"].horizontal, rel=1e-9)

@@ -7,7 +7,7 @@ from math import atan2, sin
 import pytest
 
 from assess.errors import MechanismError
-from assess.geometry.planar import planar
+from assess.geometry.planar import planar_body
 from assess.geometry.solid import box
 from assess.loads.load import Force, PointMass
 from assess.mechanisms.single_block import single_block
@@ -21,7 +21,7 @@ HALF = T / 2.0
 
 def wall(*, thickness=T, height=H, foot=0.0):
     solid = box(thickness=thickness, length=LENGTH, height=height, base=(0, 0, foot), density=RHO, name="wall")
-    return planar(solid, direction=(1, 0, 0))
+    return planar_body(solid, direction=(1, 0, 0))
 
 
 def kept_by_hand(*masses):

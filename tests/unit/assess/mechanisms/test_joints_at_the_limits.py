@@ -10,10 +10,10 @@ import pytest
 from scipy.constants import g
 
 from assess.codes.asce43_05.clauses import thesis_limit
-from assess.codes.worked import multiplier_step
+from assess.codes.multiplier_step import multiplier_step
 from assess.dynamics.history import Jobs, peaks
 from assess.errors import MechanismError
-from assess.geometry.planar import planar_direct
+from assess.geometry.planar import planar_body_from_values
 from assess.interfaces.law import Law
 from assess.interfaces.shapes import rectangle
 from assess.loads.load import Force, PointMass
@@ -36,7 +36,7 @@ def wall(*, law=STIFF, loads=(), sides="two", model="flexible", ways=(0.0, 0.0),
     """A wall of 1 x 6 x 2 m on a joint; ways: elevation of the hinges ahead and behind [m], as on an inclined crack."""
     inertia = MASS * (B**2 + H**2) / 12
     ends = {"hinge": (B / 2, ways[0])} | ({"hinge_negative": (-B / 2, ways[1])} if sides == "two" else {})
-    body = planar_direct(mass=MASS, centroid=(0.0, H / 2), inertia=inertia, name="b")
+    body = planar_body_from_values(mass=MASS, centroid=(0.0, H / 2), inertia=inertia, name="b")
     rigid = single_block("w", body, sides=sides, loads=loads, restitution=(choice, choice), **ends)
     size = sqrt(B**2 + (ways[0] - ways[1]) ** 2)
     along = np.array([-B, ways[1] - ways[0]]) / size, np.array([-B, ways[0] - ways[1]]) / size
@@ -130,7 +130,7 @@ def test_a_wall_that_stands_though_its_fixed_hinge_would_let_it_fall():
 
 def test_hinges_inside_the_edges_of_their_contact_are_named():
     inertia = MASS * (B**2 + H**2) / 12
-    body = planar_direct(mass=MASS, centroid=(0.0, H / 2), inertia=inertia, name="b")
+    body = planar_body_from_values(mass=MASS, centroid=(0.0, H / 2), inertia=inertia, name="b")
     rigid = single_block("w", body, hinge=(0.4, 0.0), hinge_negative=(-0.4, 0.0), sides="two")
     joint = (Joint((-1.0, 0.0), rectangle(B, L), STIFF, "flexible"),)
     with pytest.raises(MechanismError, match=r"pushed off its rest both ways.*hinge inside the edge of its contact"):

@@ -13,7 +13,7 @@ from scipy.optimize import brentq
 
 from assess.codes.italian.kinematic import displacement_at_collapse
 from assess.errors import FallingError
-from assess.geometry.planar import planar
+from assess.geometry.planar import planar_body
 from assess.geometry.solid import box
 from assess.interfaces.law import Law
 from assess.interfaces.shapes import rectangle
@@ -28,7 +28,7 @@ from assess.oscillator import interpolant, restoring
 T, L, H, RHO = 0.8, 2.0, 5.0, 1900.0
 M = RHO * T * L * H
 R, ALPHA = hypot(T / 2, H / 2), atan2(T, H)
-WALL = planar(box(thickness=T, length=L, height=H, base=(0, 0, 0), density=RHO, name="wall"), direction=(1, 0, 0))
+WALL = planar_body(box(thickness=T, length=L, height=H, base=(0, 0, 0), density=RHO, name="wall"), direction=(1, 0, 0))
 TOP = (0.4, 4.5)  # straight above hinge A
 THRUST = Force("thrust", (3000.0, 0.0), TOP)
 INWARD = Tie("tie", 3000.0, TOP, direction=(-1.0, 0.0))
@@ -230,8 +230,8 @@ def test_more_ties_never_worsen_any_of_the_three(seed):
 
 def test_a_wall_of_two_blocks_with_a_tie_that_breaks():
     half = {"thickness": 0.4, "length": 1.0, "density": RHO, "name": "half"}
-    low = planar(box(height=2.5, base=(0, 0, 0), **half), direction=(1, 0, 0))
-    high = planar(box(height=1.5, base=(0, 0, 2.5), **half), direction=(1, 0, 0))
+    low = planar_body(box(height=2.5, base=(0, 0, 0), **half), direction=(1, 0, 0))
+    high = planar_body(box(height=1.5, base=(0, 0, 2.5), **half), direction=(1, 0, 0))
     hinges = {
         "hinges": ((0.2, 0.0), (-0.2, 2.5), (0.2, 4.0)),
         "hinges_negative": ((-0.2, 0.0), (0.2, 2.5), (-0.2, 4.0)),

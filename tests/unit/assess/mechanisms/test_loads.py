@@ -9,7 +9,7 @@ import pytest
 from scipy.constants import g
 
 from assess.errors import MechanismError
-from assess.geometry.planar import planar, planar_direct, planar_joined
+from assess.geometry.planar import join_planar, planar_body, planar_body_from_values
 from assess.geometry.solid import box
 from assess.loads.load import Force, PointMass, Tie, pull_at_rest
 from assess.mechanisms.chain import Block, Chain
@@ -19,7 +19,7 @@ from assess.mechanisms.virtual_work import require_stable
 from assess.oscillator import linearise, multiplier, participation_ratio, restoring
 
 T, L, H, RHO = 0.8, 2.0, 5.0, 1900.0
-WALL = planar(box(thickness=T, length=L, height=H, base=(0, 0, 0), density=RHO, name="wall"), direction=(1, 0, 0))
+WALL = planar_body(box(thickness=T, length=L, height=H, base=(0, 0, 0), density=RHO, name="wall"), direction=(1, 0, 0))
 M = RHO * T * L * H
 FLOOR = PointMass("floor", 900.0, (0.2, 4.0), True)
 ROOF = PointMass("roof", 400.0, (-0.1, 4.8), False)
@@ -73,8 +73,8 @@ def test_mass_that_is_not_bearing_has_horizontal_inertia_and_no_weight():
 
 
 def test_bearing_mass_is_a_small_heavy_body_welded_on():
-    heavy = planar_direct(mass=900.0, centroid=FLOOR.at, inertia=0.0, name="floor")
-    welded = planar_joined([WALL, heavy], name="w")
+    heavy = planar_body_from_values(mass=900.0, centroid=FLOOR.at, inertia=0.0, name="floor")
+    welded = join_planar([WALL, heavy], name="w")
     one, two = rocker(FLOOR), oscillator(single_block("w", welded, hinge=(0.4, 0.0), hinge_negative=(-0.4, 0.0)))
     for side in ("positive", "negative"):
         a, b = getattr(one, side), getattr(two, side)

@@ -10,7 +10,7 @@ import pytest
 from scipy.constants import g
 
 from assess.errors import MechanismError
-from assess.geometry.planar import planar, planar_direct, planar_joined
+from assess.geometry.planar import join_planar, planar_body, planar_body_from_values
 from assess.geometry.solid import box
 from assess.mechanisms.chain import Block, Chain
 from assess.mechanisms.equivalent_block import equivalent_block
@@ -26,7 +26,7 @@ WALL = {"thickness": 0.8, "length": 2.0, "height": 5.0, "base": (0.0, 0.0, 0.0),
 
 
 def wall_in_plane(direction=(1, 0, 0), **changes):
-    return planar(box(**(WALL | changes)), direction=direction)
+    return planar_body(box(**(WALL | changes)), direction=direction)
 
 
 def test_rates_are_the_derivatives_of_the_turned_centroid():
@@ -74,7 +74,7 @@ def test_a_block_made_of_welded_parts_is_the_same_oscillator():
     lower = wall_in_plane(height=2.0)
     upper = wall_in_plane(height=3.0, base=(0.0, 0.0, 2.0))
     whole = oscillator(single_block("w", wall_in_plane()))
-    welded = oscillator(single_block("w", planar_joined([lower, upper], name="w")))
+    welded = oscillator(single_block("w", join_planar([lower, upper], name="w")))
     for column in ("rotation", "inertia", "restoring", "excitation", "participation", "lift"):
         expected = getattr(whole.positive, column)
         np.testing.assert_allclose(
@@ -83,8 +83,8 @@ def test_a_block_made_of_welded_parts_is_the_same_oscillator():
 
 
 def test_a_leaning_block_has_two_different_branches_and_mirrors_with_its_direction():
-    leaning = planar_direct(mass=1000.0, centroid=(0.1, 2.0), inertia=900.0, name="leaning")
-    mirrored = planar_direct(mass=1000.0, centroid=(-0.1, 2.0), inertia=900.0, name="leaning")
+    leaning = planar_body_from_values(mass=1000.0, centroid=(0.1, 2.0), inertia=900.0, name="leaning")
+    mirrored = planar_body_from_values(mass=1000.0, centroid=(-0.1, 2.0), inertia=900.0, name="leaning")
     one = oscillator(single_block("a", leaning, hinge=(0.5, 0.0), hinge_negative=(-0.5, 0.0)))
     two = oscillator(single_block("a", mirrored, hinge=(0.5, 0.0), hinge_negative=(-0.5, 0.0)))
     assert one.positive.overturning < one.negative.overturning
@@ -93,7 +93,7 @@ def test_a_leaning_block_has_two_different_branches_and_mirrors_with_its_directi
 
 
 def test_momentum_restitution_of_a_leaning_block_by_angular_momentum_about_the_new_hinge():
-    body = planar_direct(mass=1000.0, centroid=(0.1, 2.0), inertia=900.0, name="leaning")
+    body = planar_body_from_values(mass=1000.0, centroid=(0.1, 2.0), inertia=900.0, name="leaning")
     mechanism = single_block(
         "a", body, hinge=(0.5, 0.0), hinge_negative=(-0.6, 0.0), restitution=("momentum", "momentum")
     )
@@ -171,7 +171,7 @@ def test_one_sided_stocky_block_does_not_rebound_and_says_so():
         (lambda: single_block("w", wall_in_plane(), restitution=("sorrentino", "thesis")), "sides"),
         (lambda: single_block("w", wall_in_plane(), sides="one", restitution=("housner", "thesis")), "sides"),
         (
-            lambda: single_block("w", planar_direct(mass=1.0, centroid=(0.0, 1.0), inertia=0.1, name="w")),
+            lambda: single_block("w", planar_body_from_values(mass=1.0, centroid=(0.0, 1.0), inertia=0.1, name="w")),
             "give hinges",
         ),
     ],
@@ -192,7 +192,7 @@ def test_virtual_work_of_a_block_at_its_overturning_rotation_vanishes():
 def test_a_restitution_above_one_says_that_energy_is_kept():
     """Onto a hinge 1.5 m higher: the angular momentum about it is kept, and turns a smaller inertia."""
     m, J, height, half = 1000.0, 600.0, 2.0, 0.3
-    body = planar_direct(mass=m, centroid=(0.0, height), inertia=J, name="b")
+    body = planar_body_from_values(mass=m, centroid=(0.0, height), inertia=J, name="b")
     mechanism = single_block(
         "b", body, hinge=(half, 0.0), hinge_negative=(-half, 1.5), restitution=("momentum", "momentum")
     )
@@ -206,13 +206,13 @@ def test_a_restitution_above_one_says_that_energy_is_kept():
 
 def test_a_block_that_is_the_same_both_ways_has_one_branch():
     assert oscillator(single_block("w", wall_in_plane())).symmetric
-    leaning = planar_direct(mass=1000.0, centroid=(0.1, 2.0), inertia=900.0, name="leaning")
+    leaning = planar_body_from_values(mass=1000.0, centroid=(0.1, 2.0), inertia=900.0, name="leaning")
     assert not oscillator(single_block("a", leaning, hinge=(0.5, 0.0), hinge_negative=(-0.5, 0.0))).symmetric
 
 
 @pytest.mark.parametrize(("off", "symmetric"), [(1e-15, True), (1e-9, False)])
 def test_rounding_does_not_make_two_branches_of_one(off, symmetric):
-    body = planar_direct(mass=1000.0, centroid=(off, 2.0), inertia=900.0, name="w")
+    body = planar_body_from_values(mass=1000.0, centroid=(off, 2.0), inertia=900.0, name="w")
     both = oscillator(single_block("a", body, hinge=(0.5, 0.0), hinge_negative=(-0.5, 0.0)))
     assert both.symmetric == symmetric
     np.testing.assert_allclose(both.negative.restoring, both.positive.restoring, rtol=1e-7, atol=1e-6)

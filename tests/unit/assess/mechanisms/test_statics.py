@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from scipy.constants import g
 
-from assess.geometry.planar import planar_direct
+from assess.geometry.planar import planar_body_from_values
 from assess.loads.load import Force
 from assess.mechanisms.chain import Block, Chain
 from assess.mechanisms.four_hinge import four_hinge
@@ -41,7 +41,7 @@ def test_a_lift_at_a_support_is_taken_from_that_support_and_pulls_where_it_is_la
 def test_a_support_that_would_have_to_pull_is_told() -> None:
     lift = 1.5 * compressions(portal())[3]
     bodies = [
-        planar_direct(mass=each.mass, centroid=each.centroid, inertia=each.inertia, name="b")
+        planar_body_from_values(mass=each.mass, centroid=each.centroid, inertia=each.inertia, name="b")
         for each in (COLUMN, BEAM, FAR)
     ]
     loads = (Force("lift", (0.0, lift), HINGES[3], 2),)

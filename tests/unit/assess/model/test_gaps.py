@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from assess.geometry.boolean import gap
+from assess.geometry.boolean import shortest_distance
 from assess.geometry.solid import Solid, box, polyhedron
 from assess.model.gaps import loose, parted
 from tests.support.projects import project_toml, study_of, wall
@@ -62,21 +62,21 @@ def test_a_beam_above_its_posts_is_told() -> None:
     ("at", "distance"), [((1.5, 0, 0), 0.5), ((2, 2, 2), 3**0.5), ((1, 0, 0), 0.0), ((0.5, 0, 0), 0.0)]
 )
 def test_the_gap_of_two_cubes(at: tuple[float, float, float], distance: float) -> None:
-    assert gap(cube(0.0), cube(*at)) == pytest.approx(distance, rel=1e-9, abs=1e-9)
-    assert gap(cube(0.0), cube(*at), limit=0.1) == pytest.approx(min(distance, 0.1), rel=1e-9, abs=1e-9)
+    assert shortest_distance(cube(0.0), cube(*at)) == pytest.approx(distance, rel=1e-9, abs=1e-9)
+    assert shortest_distance(cube(0.0), cube(*at), limit=0.1) == pytest.approx(min(distance, 0.1), rel=1e-9, abs=1e-9)
 
 
 def test_a_body_within_another_is_not_apart() -> None:
     inner = cube(0.0, z=0.25)
     small = polyhedron(inner.vertices * 0.5, inner.triangles, density=1.0, name="small")
-    assert gap(cube(0.0), small) == 0.0
+    assert shortest_distance(cube(0.0), small) == 0.0
 
 
 @pytest.mark.parametrize("apart", [0.0, 0.02, 0.3])
 def test_the_gap_of_fine_meshes(apart: float, monkeypatch: pytest.MonkeyPatch) -> None:
     """Their vertices are looked at where they are clearly apart, their faces where they are near."""
-    monkeypatch.setattr("assess.geometry.boolean.FINE", 100)
+    monkeypatch.setattr("assess.geometry.boolean.MANY_PAIRS", 100)
     beside = cube(1.0 + apart, 0.1, name="beside")  # of the faces; the corners are farther apart
     corners = (apart**2 + 0.1**2) ** 0.5
-    assert gap(cube(0.0), beside) == pytest.approx(corners if apart > 0.05 else apart, rel=1e-9, abs=1e-9)
-    assert gap(cube(0.0), beside, limit=0.01) == pytest.approx(min(apart, 0.01), abs=1e-9)
+    assert shortest_distance(cube(0.0), beside) == pytest.approx(corners if apart > 0.05 else apart, rel=1e-9, abs=1e-9)
+    assert shortest_distance(cube(0.0), beside, limit=0.01) == pytest.approx(min(apart, 0.01), abs=1e-9)

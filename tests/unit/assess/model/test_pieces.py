@@ -9,7 +9,7 @@ import pytest
 import shapely
 
 from assess.errors import GeometryError, ProjectError
-from assess.geometry.solid import Solid, box, joined, profile
+from assess.geometry.solid import Solid, box, join, profile
 from assess.messages.message import Message
 from assess.project.build import build
 from assess.project.schema import load, resolved
@@ -68,7 +68,7 @@ def box_form(thickness: float, height: float, *, x: float = 0.0, z: float = 0.0,
 
 
 def test_a_mended_mesh_is_told_in_the_results(tmp_path: Path) -> None:
-    pair = joined([wall(), wall(height=1.0, base=(0.3, 0.0, 4.0))], name="pair")  # the cornice is half a metre in
+    pair = join([wall(), wall(height=1.0, base=(0.3, 0.0, 4.0))], name="pair")  # the cornice is half a metre in
     (tmp_path / "wall.obj").write_text(obj(pair))
     made = study(tmp_path, body("w", 'mesh = "wall.obj"'), more=SITE)
     results = run(made)

@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from assess.errors import OutputError
-from assess.outputs.folder import staged
+from assess.outputs.folder import output_folder
 from assess.outputs.manifest import ENVELOPES, MANIFEST
 from tests.support.written import content, run, write
 
@@ -74,7 +74,7 @@ def test_failing_writer_leaves_everything_as_it_was(tmp_path: Path) -> None:
 
 
 def test_failing_writer_leaves_no_new_folder(tmp_path: Path) -> None:
-    with pytest.raises(KeyboardInterrupt), staged(tmp_path / "new" / "deep", command="a test"):
+    with pytest.raises(KeyboardInterrupt), output_folder(tmp_path / "new" / "deep", command="a test"):
         raise KeyboardInterrupt
     assert list(tmp_path.iterdir()) == []
 
@@ -131,7 +131,7 @@ def test_file_and_folder_in_the_way(tmp_path: Path) -> None:
 def began(folder: Path, wanted: list[str]) -> bool:
     """Whether the work began before the folder was refused."""
     reached = False
-    with pytest.raises(OutputError), staged(folder, command="a test", wanted=wanted):
+    with pytest.raises(OutputError), output_folder(folder, command="a test", wanted=wanted):
         reached = True
     return bool(reached)
 
@@ -163,7 +163,7 @@ def test_a_signed_report_is_neither_replaced_nor_removed(tmp_path: Path, files: 
 
 def meanwhile(folder: Path, files: dict[str, str], users: dict[str, str]) -> None:
     """Write the files while the user writes others into the folder."""
-    with staged(folder, command="a test") as stage:
+    with output_folder(folder, command="a test") as stage:
         write(stage, files)
         write(folder, users)
 

@@ -9,7 +9,7 @@ import pytest
 from assess.errors import OutputError
 from assess.outputs import journal
 from assess.outputs.manifest import MANIFEST
-from assess.outputs.settling import settled
+from assess.outputs.recovery import recover_for_reading
 from tests.support.written import content, run, write
 
 
@@ -51,7 +51,7 @@ def test_where_moves_can_neither_be_finished_nor_undone_the_next_command_does(
         patch.setattr(os, "replace", broken)
         with pytest.raises(OSError, match=r"Input/output error"):
             run(tmp_path, {"results.json": "2", "report.pdf": "2"})
-    settled(tmp_path, tell=lambda _: None)
+    recover_for_reading(tmp_path, tell=lambda _: None)
     assert content(tmp_path) == {"results.json": "2", "report.pdf": "2"}
 
 

@@ -13,14 +13,14 @@ import pytest
 
 from assess.errors import HeldError
 from assess.outputs import lock
-from assess.outputs.lock import LOCK, Holder, abandoned
+from assess.outputs.lock import LOCK, Holder, is_abandoned
 from tests.support.written import content, run
 
 HOLD = """
 import sys, time
 from pathlib import Path
-from assess.outputs.lock import locked
-with locked(Path(sys.argv[1]), command="assess run"):
+from assess.outputs.lock import hold_lock
+with hold_lock(Path(sys.argv[1]), command="assess run"):
     print("held\\n", end="", flush=True)
     time.sleep(60)
 """
@@ -41,9 +41,9 @@ def test_a_second_command_is_told_who_is_writing(tmp_path: Path) -> None:
         with pytest.raises(HeldError, match=words):
             run(tmp_path, {"results.json": "1"})
         assert time.monotonic() - start < lock.PATIENCE / 2.0
-        assert not abandoned(tmp_path / LOCK)
+        assert not is_abandoned(tmp_path / LOCK)
         first.kill()
-    assert abandoned(tmp_path / LOCK)
+    assert is_abandoned(tmp_path / LOCK)
     run(tmp_path, {"results.json": "1"})
     assert content(tmp_path) == {"results.json": "1"}
     assert not (tmp_path / LOCK).exists()
@@ -93,7 +93,7 @@ def test_a_number_of_a_process_that_came_again_does_not_matter(tmp_path: Path) -
 
 
 def test_on_a_disk_without_locks_the_process_counts(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(lock, "_granted", lambda _: None)
+    monkeypatch.setattr(lock, "_try_lock", lambda _: None)
     signed(tmp_path)
     with pytest.raises(HeldError, match="delete"):
         run(tmp_path, {"results.json": "1"})

@@ -6,12 +6,12 @@ from pathlib import Path
 import pytest
 
 from assess.errors import OutputError
-from assess.outputs.single import written
+from assess.outputs.single import write_file
 from assess.outputs.stage import PREFIX
 
 
 def put(path: Path, text: str) -> None:
-    with written(path, command="a test") as made:
+    with write_file(path, command="a test") as made:
         made.write_text(text)
 
 
@@ -52,7 +52,7 @@ def test_stages_in_use_and_young_ones_without_a_lock_are_left_alone(tmp_path: Pa
         (tmp_path / f"{PREFIX}{name}").mkdir()
         (tmp_path / f"{PREFIX}{name}" / ".assess-lock").write_text("")
     os.utime(tmp_path / f"{PREFIX}dead" / ".assess-lock", (1e9, 1e9))
-    with written(tmp_path / "a", command="a test") as first:
+    with write_file(tmp_path / "a", command="a test") as first:
         first.write_text("a")
         put(tmp_path / "b", "b")
         assert first.exists()

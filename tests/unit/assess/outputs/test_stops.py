@@ -14,8 +14,8 @@ from assess.messages.message import Message
 from assess.outputs import journal
 from assess.outputs.lock import LOCK
 from assess.outputs.manifest import MANIFEST
-from assess.outputs.settling import settled
-from assess.outputs.signals import Terminated, orderly
+from assess.outputs.recovery import recover_for_reading
+from assess.outputs.signals import Terminated, raise_on_signals
 from tests.support.written import content, run, write
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="processes are copied, and ended by signals")
@@ -31,7 +31,7 @@ def stopped(folder: Path, files: dict[str, str], *, at: int, number: int) -> int
     if (child := os.fork()) == 0:
         try:
             os.dup2(os.open(os.devnull, os.O_WRONLY), 2)
-            with orderly():
+            with raise_on_signals():
                 aim(folder, at=at, number=number)
                 run(folder, files)
             os._exit(0)
@@ -57,7 +57,7 @@ def test_a_stop_at_any_step_loses_nothing(tmp_path: Path, number: int) -> None:
         if number != signal.SIGKILL:  # it cleans up behind itself
             assert set(hidden(out)) <= {LOCK}
         told: list[Message] = []
-        settled(out, tell=told.append)  # a command that reads
+        recover_for_reading(out, tell=told.append)  # a command that reads
         found = {name: text for name, text in content(out).items() if "partial" not in name}
         assert found in ({**FIRST, **MINE}, {**SECOND, **MINE}), f"step {at}"
         assert len(told) <= 1
@@ -92,7 +92,7 @@ def test_making_good_may_be_stopped_too(tmp_path: Path) -> None:
         stopped(out, SECOND, at=at, number=signal.SIGKILL)
         for again in (2, 5, 8):
             stopped(out, SECOND, at=again, number=signal.SIGKILL)
-        settled(out, tell=lambda _: None)
+        recover_for_reading(out, tell=lambda _: None)
         found = {name: text for name, text in content(out).items() if "partial" not in name}
         assert found in (FIRST, SECOND)
         run(out, FIRST)
@@ -117,7 +117,7 @@ def test_what_came_since_into_the_place_of_a_file_stays_and_nothing_is_lost(tmp_
     out, told = tmp_path / "out", list[Message]()
     left_half_way(out)
     (out / "report.pdf").write_text("signed meanwhile")
-    settled(out, tell=told.append)
+    recover_for_reading(out, tell=told.append)
     assert [each.key for each in told] == ["writing-taken-back"]
     assert content(out) == {**FIRST, "report.pdf": "signed meanwhile"}
     beside = content(tmp_path / "out-new-1")
@@ -133,7 +133,7 @@ def test_a_damaged_journal_is_undone(tmp_path: Path, damage: str) -> None:
     out, told = tmp_path / "out", list[Message]()
     stage = left_half_way(out)
     (stage / journal.JOURNAL).write_text(damage)
-    settled(out, tell=told.append)
+    recover_for_reading(out, tell=told.append)
     assert [each.key for each in told] == ["writing-taken-back"]
     assert content(out) == FIRST
     run(out, SECOND)
@@ -144,7 +144,7 @@ def test_a_new_file_that_is_damaged_in_its_stage_is_not_put_in_place(tmp_path: P
     out = tmp_path / "out"
     stage = left_half_way(out)
     (stage / "made" / "tables" / "new.csv").write_text("flipped")
-    settled(out, tell=lambda _: None)
+    recover_for_reading(out, tell=lambda _: None)
     assert content(out) == FIRST
     assert content(tmp_path / "out-new-1")["tables/new.csv"] == "flipped"
 
@@ -153,15 +153,15 @@ def test_a_journal_cannot_lead_out_of_its_folder(tmp_path: Path) -> None:
     out = tmp_path / "out"
     move = '{"name": "../precious", "new": null, "old": null}'
     write(tmp_path, {"precious": "x", "out/.assess-partial-x/journal.json": f'{{"format": 1, "moves": [{move}]}}'})
-    settled(out, tell=lambda _: None)
+    recover_for_reading(out, tell=lambda _: None)
     assert content(tmp_path) == {"precious": "x"}
 
 
 def test_a_folder_that_is_read_is_not_written_where_nobody_was_stopped(tmp_path: Path) -> None:
     write(tmp_path, {".assess-partial-x/made/half": "x"})
     before = sorted(tmp_path.rglob("*"))
-    settled(tmp_path, tell=lambda _: pytest.fail("told"))
-    settled(tmp_path / "absent", tell=lambda _: pytest.fail("told"))
+    recover_for_reading(tmp_path, tell=lambda _: pytest.fail("told"))
+    recover_for_reading(tmp_path / "absent", tell=lambda _: pytest.fail("told"))
     assert sorted(tmp_path.rglob("*")) == before
     with pytest.raises(OutputError):
         run(tmp_path / ".assess-partial-x" / "made" / "half", FIRST)
@@ -178,5 +178,5 @@ def test_a_journal_does_not_reach_through_links(tmp_path: Path) -> None:
     for moves in ([{"name": "tables/key", "new": None, "old": "x"}], "damaged"):
         (stage / "journal.json").write_text(json.dumps({"format": 1, "moves": moves}))
         with pytest.raises(OutputError, match="tables: is a link, which leads out of"):
-            settled(out, tell=lambda _: None)
+            recover_for_reading(out, tell=lambda _: None)
     assert not list(home.iterdir())

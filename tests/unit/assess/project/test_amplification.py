@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.amplification.floor_motion import FirstMode, FloorFactor, ModalFilter, Srss, factor_over_frequency
-from assess.amplification.natural_frequency import cantilever, rayleigh
+from assess.amplification.floor_motion import FirstMode, FloorFactor, ModalFilter, Srss, pulse_factor
+from assess.amplification.natural_frequency import rayleigh_mode, slice_cantilever
 from assess.errors import ProjectError
 from assess.geometry.solid import box
 from assess.project.build import build
@@ -85,7 +85,7 @@ def mode_of(study: Study) -> tuple[float, float, float, float]:
 def test_what_is_given_goes_before_the_building_and_the_building_before_rayleigh(tmp_path):
     own = amplification("srss", natural_frequency="2.5 Hz", effective_height="6.01 m", height="4.77 m")
     whole = HOUSE + 'natural_frequency = "3 Hz"\neffective_height = "5 m"\ndamping = 0.03\n'
-    by_rayleigh = rayleigh(cantilever([WALL], [3e9], direction=[1, 0, 0]))
+    by_rayleigh = rayleigh_mode(slice_cantilever([WALL], [3e9], direction=[1, 0, 0]))
     expected = (by_rayleigh.frequency, by_rayleigh.effective_height, 0.05, 5.0)
     assert mode_of(study_of(tmp_path, CUT + own, building=whole)) == (2.5, 6.01, 0.03, 4.77)
     assert mode_of(study_of(tmp_path, CUT + amplification("modal-filter"), building=whole)) == (3.0, 5.0, 0.03, 5.0)
@@ -100,7 +100,7 @@ def test_a_period_that_is_given_is_the_first_mode_s(tmp_path):
 
 def test_rayleigh_bends_the_wall_in_its_direction(tmp_path):
     along, *_ = mode_of(study_of(tmp_path, CUT + "direction = [0, 1, 0]\n" + amplification("srss")))
-    found = rayleigh(cantilever([WALL], [3e9], direction=[0, 1, 0]))
+    found = rayleigh_mode(slice_cantilever([WALL], [3e9], direction=[0, 1, 0]))
     assert along == pytest.approx(found.frequency, rel=1e-9)
     study = study_of(tmp_path, CUT + amplification("srss"))
     assumed = [notice.text for notice in study.notices if notice.where == "mechanisms.m"]
@@ -242,6 +242,6 @@ def test_envelopes_are_of_the_ground(tmp_path):
     for method in ("srss", "modal-filter"):
         found = envelope(study_of(tmp_path, BLOCK + amplification(method, **given), analysis=pulses)).mechanisms[0]
         below = envelope(plain).mechanisms[0].envelope.lower_bound_g
-        factor = factor_over_frequency(METHODS[method](FirstMode(2.5, 6.01), 4.77), [0.5, 1.5, 2.5])
+        factor = pulse_factor(METHODS[method](FirstMode(2.5, 6.01), 4.77), [0.5, 1.5, 2.5])
         np.testing.assert_allclose(found.envelope.factor, factor, rtol=1e-12)
         np.testing.assert_allclose(found.envelope.lower_bound_g, below / factor, rtol=0.011)  # a step of the scan

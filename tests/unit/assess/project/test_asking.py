@@ -12,7 +12,7 @@ from assess.project.build import build
 from assess.project.schema import load
 from assess.study.motions import motions_of
 from assess.study.run import run
-from assess.study.sensitivity import checked
+from assess.study.sensitivity import check_case
 
 ROWS = """hazard = [
     { return_period = 30, a_g = "0.08 g", f_0 = 2.4, t_c_star = 0.27 },
@@ -172,6 +172,6 @@ def test_cases_of_the_sensitivity_run_the_same_suites(tmp_path):
     tail = '[analysis]\nprocedures = ["ntc2018-history"]\n[procedures.ntc2018]\nlimit_states = ["SLV", "SLC"]'
     study = study_of(tmp_path, spectrum=f'soil = "A"\n{ROWS}', tail=tail, count=3)
     whole = {check.limit_state: check.ratio for check in run(study).mechanisms[0].checks}
-    case = checked(study, study.spectrum, motions_of(study, study.spectrum), jobs=1)
+    case = check_case(study, study.spectrum, motions_of(study, study.spectrum), jobs=1)
     assert {check.limit_state: check.ratio for check in case} == whole
     assert set(whole) == {"SLV", "SLC"}

@@ -178,13 +178,13 @@ DOUBTFUL = {  # hand-worked: Z R = 0.4 x 1.8 = 0.72
 @pytest.mark.parametrize("case", list(DOUBTFUL))
 def test_values_that_no_site_has_are_doubted(case: str, tmp_path: Path) -> None:
     (old, new), site, words = DOUBTFUL[case]
-    found = spectrum(tmp_path, CODES[case.split(",")[0]].replace(old, new), site=site).cautions
+    found = spectrum(tmp_path, CODES[case.split(",")[0]].replace(old, new), site=site).warnings
     assert any(words in text for text in found) if words else found == ()
 
 
 def test_a_table_in_another_unit_is_doubted(tmp_path: Path) -> None:
     (tmp_path / "table.csv").write_text("period [s],acceleration [g]\n0,9.81\n1,9.81\n", encoding="utf-8")
-    (text,) = spectrum(tmp_path, 'code = "table"\nfile = "table.csv"').cautions
+    (text,) = spectrum(tmp_path, 'code = "table"\nfile = "table.csv"').warnings
     assert "S_a(0) of the table = 9.81 g" in text
 
 

@@ -6,11 +6,11 @@ from pathlib import Path
 
 import pytest
 
-from assess.codes.verdict import Judged, verdict
+from assess.codes.verdict import MechanismChecks, verdict
 from assess.project.build import build
 from assess.project.schema import load
-from assess.project.survey import tolerances
 from assess.study.run import run
+from assess.study.survey import tolerances
 
 PROJECT = """
 [site]
@@ -56,7 +56,7 @@ def found(tmp_path: Path, **given):
 
 def fall(tmp_path: Path, **given) -> float:
     one, results = found(tmp_path, **given)
-    judged = verdict(one.question, [Judged(m.name, m.checks, *one.facts[m.name]) for m in results.mechanisms])
+    judged = verdict(one.question, [MechanismChecks(m.name, m.checks, *one.facts[m.name]) for m in results.mechanisms])
     return tolerances(one.survey, one.spectrum, one.question, judged, results.mechanisms)["wall"]
 
 

@@ -9,8 +9,8 @@ from typing import Any
 import pytest
 
 from assess.codes.bases import BASES
-from assess.codes.check import Check, Outcome, PgaCurve, Reason, because, step
-from assess.codes.verdict import Action, Decision, Judged, Missing, Question, Verdict, verdict
+from assess.codes.check import Check, Outcome, PgaCurve, Reason, reason_message, step
+from assess.codes.verdict import Action, Decision, MechanismChecks, Missing, Question, Verdict, verdict
 from assess.errors import ResultsError
 from assess.messages.message import Message, Quantity, Severity
 from assess.results import (
@@ -52,9 +52,10 @@ def check() -> Check:
         procedure="asce43-05-spectrum", edition="2005", role="deciding", branch="positive",
         limit_state="no overturning", level_pga_g=0.1, input_at="ground", damping=None, damping_rule="",
         quantity="rotation", unit="rad", demand=None, capacity=0.05, ratio=None,
-        verdict=Outcome.FAIL, reason=because(Reason.OVERTURNS), rotation_ratio=None,
+        verdict=Outcome.FAIL, reason=reason_message(Reason.OVERTURNS), rotation_ratio=None,
         pga_curve=curve,
-        steps=(line,), caveat="", remarks=(because(Reason.SLIDES_LATER, pga=Quantity(0.3, "ground acceleration")),),
+        steps=(line,), caveat="",
+        remarks=(reason_message(Reason.SLIDES_LATER, pga=Quantity(0.3, "ground acceleration")),),
         **numbers,
     )  # fmt: skip
 
@@ -83,7 +84,7 @@ def decided() -> Verdict:
         BASES["asce43-05"], Action(0.1, "DBE", return_period_years=475.0), procedures=("asce43-05-spectrum",)
     )
     other = replace(check(), verdict=Outcome.PASS, ratio=0.97)
-    judged = (Judged("w", (check(),)), Judged("v", (other,), (missing,), (condition,)))
+    judged = (MechanismChecks("w", (check(),)), MechanismChecks("v", (other,), (missing,), (condition,)))
     return verdict(question, judged)
 
 

@@ -10,7 +10,7 @@ import pytest
 from shapely import Point, Polygon
 from shapely.affinity import rotate
 
-from assess.geometry.planar import planar
+from assess.geometry.planar import planar_body
 from assess.geometry.solid import box
 from assess.loads.load import Force, PointMass, Tie
 from assess.mechanisms.chain import Block, Chain, mirrored_chain
@@ -18,9 +18,9 @@ from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block
 from assess.oscillator import Branch, Oscillator
-from assess.study.drawing import SEEN, drawing
+from assess.study.drawing import SEEN, draw
 
-WALL = planar(
+WALL = planar_body(
     box(thickness=1.0, length=3.0, height=6.0, base=(2.0, 0.0, 0.5), density=2000.0, name="wall"), direction=(1, 0, 0)
 )
 
@@ -52,7 +52,7 @@ def rocker(overturning: float) -> Oscillator:
 
 
 def drawn(mechanism):
-    return drawing(mechanism, rocker(0.3))
+    return draw(mechanism, rocker(0.3))
 
 
 def test_a_single_block_is_turned_about_its_hinges():
@@ -66,13 +66,13 @@ def test_a_single_block_is_turned_about_its_hinges():
 
 
 def test_it_is_turned_far_enough_to_be_seen_and_no_farther_than_overturning():
-    slender = planar(
+    slender = planar_body(
         box(thickness=0.2, length=1.0, height=6.0, base=(0, 0, 0), density=1.0, name="w"), direction=(1, 0, 0)
     )
     for body, reaches in ((WALL, False), (slender, True)):
         mechanism = single_block("w", body)
         rocker = oscillator(mechanism)
-        displaced = drawing(mechanism, rocker).displaced
+        displaced = draw(mechanism, rocker).displaced
         moved = max(dist(a, b) for a, b in zip(body.outline[0], displaced.blocks[0], strict=True))
         assert displaced.rotation_rad <= rocker.positive.overturning
         assert moved <= SEEN * 6.0

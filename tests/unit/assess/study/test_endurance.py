@@ -9,15 +9,15 @@ import pytest
 
 from assess.cli.description import lasting_text
 from assess.codes.check import Family, Outcome
-from assess.codes.family import FAMILIES
+from assess.codes.families import FAMILIES
 from assess.errors import AssessError
 from assess.mechanisms.lasting import variants
 from assess.project.build import build
 from assess.project.schema import load
-from assess.study.checks import context_of
-from assess.study.histories import Rocking
+from assess.study.context import context_of
+from assess.study.rocking_case import RockingHistories
 from assess.study.run import envelope, parameters, run
-from assess.study.sensitivity import checked
+from assess.study.sensitivity import check_case
 
 PROJECT = """
 {top}
@@ -76,7 +76,7 @@ def test_a_tie_with_all_its_proofs_lasts_and_holds_the_wall_at_its_height(tmp_pa
     assert found.end_rad == pytest.approx(asin(0.2 * 8.0 / 4.5), rel=1e-12)  # by its fracture strain, beyond collapse
     assert "lasts to collapse" in lasting_text(found)
     assert not any(notice.key == "not-lasting" for notice in study.notices)
-    context = context_of(study, study.spectrum, study.mechanisms[0], Rocking((), ()), (), ())
+    context = context_of(study, study.spectrum, study.mechanisms[0], RockingHistories((), ()), (), ())
     assert context.rise == 4.5
     assert context.support_height == 2.25
     assert context.starting is context.breaking
@@ -101,7 +101,7 @@ def test_what_a_tie_lacks_is_told(tmp_path, more, top, missing):
     (told,) = [notice for notice in study.notices if notice.key == "not-lasting"]
     assert f"give {', '.join(missing)} (" in told.text
     assert all(key in lasting_text(found) for key in missing)
-    context = context_of(study, study.spectrum, study.mechanisms[0], Rocking((), ()), (), ())
+    context = context_of(study, study.spectrum, study.mechanisms[0], RockingHistories((), ()), (), ())
     assert context.rise == 0.0
 
 
@@ -110,7 +110,7 @@ def test_a_tie_with_an_end_gives_a_local_limit_where_its_point_has_moved_so_far(
     (found,), at = loads_of(study), 2 * asin(0.15 / (2 * 4.5))
     assert (found.lasting, found.end_m) == ("to its end", pytest.approx(0.15, rel=1e-12))
     assert found.end_rad == pytest.approx(at, rel=1e-12)
-    context = context_of(study, study.spectrum, study.mechanisms[0], Rocking((), ()), (), ())
+    context = context_of(study, study.spectrum, study.mechanisms[0], RockingHistories((), ()), (), ())
     (limit,) = context.limits
     assert (limit.kind, limit.what, limit.branch) == ("break", "tie 1", "positive")
     assert limit.rotation == pytest.approx(at, rel=1e-12)
@@ -123,7 +123,7 @@ def test_seats_are_local_limits_and_printed(tmp_path):
         '{ kind = "mass", mass = 9, at = [0, 3] }',
     )
     study = study_of(tmp_path, *masses)
-    context = context_of(study, study.spectrum, study.mechanisms[0], Rocking((), ()), (), ())
+    context = context_of(study, study.spectrum, study.mechanisms[0], RockingHistories((), ()), (), ())
     first = context.limits[0]
     assert (first.kind, first.what, first.branch) == ("seat", "mass 1", "positive")
     assert first.rotation == pytest.approx(asin(0.12 / 4.0), rel=1e-12)
@@ -159,7 +159,7 @@ def test_a_tie_that_nobody_vouches_for_does_not_keep_a_wall_from_rocking_at_slv(
 
     def index(*loads):
         study = replace(study_of(tmp_path, *loads, sides="one"), procedures=(method,))
-        check = checked(study, study.spectrum, (), jobs=1)[0]
+        check = check_case(study, study.spectrum, (), jobs=1)[0]
         return check.safety_index, [each.key for each in check.conditions]
 
     bare = index()

@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.amplification.floor_motion import FirstMode, ModalFilter, carried
+from assess.amplification.floor_motion import FirstMode, ModalFilter, base_motion
 from assess.codes.context import Building
-from assess.study.floor_input import floor_spectrum_of, widen
-from assess.study.motions import Motion
-from records.record import scaled
+from assess.study.floor_input import floor_spectrum, widen
+from assess.study.motions import ScaledRecord
+from records.record import scale
 from records.response import response_spectrum
 from records.scaling import Scaling
 from records.synthetic import artificial
@@ -25,14 +25,14 @@ HOUSE = Building(height=9.0, storeys=3, period=0.3, damping=0.05)
 
 
 @pytest.fixture(scope="module")
-def motions() -> tuple[Motion, ...]:
+def motions() -> tuple[ScaledRecord, ...]:
     records = artificial(GROUND, count=5, seed=2, duration=12.0, threads=1)
-    return tuple(Motion(record, Scaling(1.0 + 0.1 * place, 0.0)) for place, record in enumerate(records))
+    return tuple(ScaledRecord(record, Scaling(1.0 + 0.1 * place, 0.0)) for place, record in enumerate(records))
 
 
 def floor_of(motions, *, filtered=FILTER, building=None, height=8.0):
-    base = tuple(carried(FILTER, motion.record) for motion in motions)
-    return floor_spectrum_of(GROUND, height=height, filtered=filtered, base=base, motions=motions, building=building)
+    base = tuple(base_motion(FILTER, motion.record) for motion in motions)
+    return floor_spectrum(GROUND, height=height, filtered=filtered, base=base, motions=motions, building=building)
 
 
 @pytest.mark.parametrize("damping", [0.02, 0.05, 1.0])
@@ -41,14 +41,14 @@ def test_no_motion_of_the_suite_and_no_ground_reaches_above_it(motions, damping)
     floor, periods = floor_of(motions), np.array([0.0, 0.05, 0.2, 1.0 / 3.0, 0.4, 0.9, 2.0, 5.0, 20.0])
     found = floor.acceleration(periods, damping=damping)
     for motion in motions:
-        at = scaled(carried(FILTER, motion.record).record, motion.scaling.factor)
+        at = scale(base_motion(FILTER, motion.record).record, motion.scaling.factor)
         assert np.all(response_spectrum(at, periods[:-1], damping=min(damping, 0.99)) <= found[:-1] * 1.001)
     assert np.all(GROUND.acceleration(periods, damping=damping) <= found * (1 + 1e-12))
 
 
 def test_the_peak_is_as_wide_as_what_is_not_known_of_the_building(motions) -> None:
     floor, T_1 = floor_of(motions), 1.0 / MODE.frequency
-    records = [scaled(carried(FILTER, each.record).record, each.scaling.factor) for each in motions]
+    records = [scale(base_motion(FILTER, each.record).record, each.scaling.factor) for each in motions]
     peak = max(float(response_spectrum(record, T_1, damping=0.05)) for record in records)
     for share in (0.87, 1.0, 1.14):
         assert float(floor.acceleration(share * T_1, damping=0.05)) >= 0.999 * peak

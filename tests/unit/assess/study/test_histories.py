@@ -8,22 +8,25 @@ from math import inf
 import numpy as np
 import pytest
 
-from assess.amplification.floor_motion import Unamplified, carried
+from assess.amplification.floor_motion import Unamplified, base_motion
 from assess.dynamics.history import Jobs, peaks
 from assess.oscillator import Oscillator, SingleBlock, plain_branch
-from assess.study.histories import AT_ONCE, SCAN_STEP, Shaken, asked_of, governing_trace, rebounding, scan_of
-from assess.study.motions import Motion
+from assess.study.histories import run_levels, with_governing_trace
+from assess.study.history_levels import with_restitution_factor
+from assess.study.history_scan import AT_ONCE, SCAN_STEP, scan_levels
+from assess.study.motions import ScaledRecord
+from assess.study.rocking_case import RockingCase
 from records.record import make_record
 from records.scaling import Scaling
 
 PGA = 1.0  # of the target [m/s2]
 
 
-def noise(seed: int) -> Motion:
+def noise(seed: int) -> ScaledRecord:
     made = np.random.default_rng(seed).normal(size=900)
     smooth = np.convolve(made, np.hanning(15), mode="same") * np.hanning(900)
     record = make_record(f"noise {seed}", smooth / np.abs(smooth).max(), 0.01)
-    return Motion(record, Scaling(1.0 + 0.1 * seed, 0.0))
+    return ScaledRecord(record, Scaling(1.0 + 0.1 * seed, 0.0))
 
 
 MOTIONS = tuple(noise(seed) for seed in range(4))
@@ -32,16 +35,16 @@ OTHER = plain_branch(SingleBlock(1.0, 2.0, 0.25, 16.0 / 3.0), restitution=0.9)
 SYMMETRIC, UNLIKE = Oscillator(ONE, ONE, 1.0), Oscillator(ONE, OTHER, 1.0)
 
 
-def shaken(oscillator: Oscillator) -> Shaken:
-    return Shaken("m", oscillator, "exact", tuple(carried(Unamplified(), motion.record) for motion in MOTIONS))
+def shaken(oscillator: Oscillator) -> RockingCase:
+    return RockingCase("m", oscillator, "exact", tuple(base_motion(Unamplified(), motion.record) for motion in MOTIONS))
 
 
 def asked(oscillator: Oscillator, levels: tuple[float, ...], besides: tuple[float, ...] = ()):
-    return asked_of(shaken(oscillator), MOTIONS, levels=levels, besides=besides, site_pga=PGA, threads=1)
+    return run_levels(shaken(oscillator), MOTIONS, levels=levels, besides=besides, site_pga=PGA, threads=1)
 
 
 def scanned(oscillator: Oscillator):
-    return scan_of(shaken(oscillator), MOTIONS, site_pga=PGA, threads=1)
+    return scan_levels(shaken(oscillator), MOTIONS, site_pga=PGA, threads=1)
 
 
 def test_a_body_that_is_the_same_both_ways_needs_one_polarity():
@@ -59,7 +62,7 @@ def test_of_the_range_of_a_rebound_the_worst_stands():
     levels, factors = (2.5, 3.5, 5.0, 6.5), (1.0, 0.5, 1.5)
     one_sided = Oscillator(replace(ONE, restitution=0.4), None, 1.0)
     ranged = replace(shaken(one_sided), rebounds=factors)
-    found = asked_of(ranged, MOTIONS, levels=levels, besides=(4.0,), site_pga=PGA, threads=1)
+    found = run_levels(ranged, MOTIONS, levels=levels, besides=(4.0,), site_pga=PGA, threads=1)
     alone = {f: asked(Oscillator(replace(ONE, restitution=0.4 * f), None, 1.0), levels, (4.0,)) for f in factors}
     chosen = set()
     for i, histories in enumerate(found.histories):
@@ -71,14 +74,14 @@ def test_of_the_range_of_a_rebound_the_worst_stands():
     assert len(chosen) > 1
     ratios = zip(*(each.besides[0].ratio for each in alone.values()), strict=True)
     assert found.besides[0].ratio == tuple(None if None in each else max(each) for each in ratios)
-    for record in governing_trace(ranged, found.histories, MOTIONS)[-1]:
+    for record in with_governing_trace(ranged, found.histories, MOTIONS)[-1]:
         if record.trace is not None and not record.overturned:
             assert max(record.trace.rotation_rad) == pytest.approx(record.max_rotation_rad, rel=1e-3)
 
 
 def test_a_rebound_is_never_above_one():
-    assert rebounding(Oscillator(ONE, None, 1.0), 1.5).positive.restitution == 1.0
-    assert rebounding(Oscillator(ONE, None, 1.0), 0.5).positive.restitution == 0.45
+    assert with_restitution_factor(Oscillator(ONE, None, 1.0), 1.5).positive.restitution == 1.0
+    assert with_restitution_factor(Oscillator(ONE, None, 1.0), 0.5).positive.restitution == 0.45
 
 
 def test_of_two_polarities_the_worse_stands():

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from assess.results import HistoryResult
-from assess.study.outcome import suite_result
+from assess.study.outcome import suite_statistics
 
 
 def history(ratio: float | None) -> HistoryResult:
@@ -20,7 +20,7 @@ def history(ratio: float | None) -> HistoryResult:
 def test_quantiles_count_an_overturned_record_as_the_largest(overturned: int) -> None:
     ratios: list[float | None] = [0.05, 0.31, 0.12, 0.22, 0.4, 0.02, 0.17]
     ratios[:overturned] = [None] * overturned
-    found = suite_result([history(ratio) for ratio in ratios])
+    found = suite_statistics([history(ratio) for ratio in ratios])
     filled = [inf if ratio is None else ratio for ratio in ratios]
     for share, value in ((0.5, found.median_ratio), (0.84, found.p84_ratio)):
         wanted = float(np.quantile(filled, share, method="inverted_cdf"))

@@ -12,10 +12,10 @@ from assess.oscillator import Oscillator, SingleBlock, elastic_frequency, plain_
 from assess.project.build import build
 from assess.project.schema import load
 from assess.results import Results
-from assess.study.envelopes import Rocker
-from assess.study.motions import Motion
+from assess.study.envelopes import EnvelopeCase
+from assess.study.motions import ScaledRecord
 from assess.study.run import run
-from assess.study.sampling import coarse_notices, longest_step
+from assess.study.sampling import coarse_record_messages, longest_step
 from records.record import make_record
 from records.scaling import Scaling
 
@@ -50,13 +50,13 @@ def block(p: float) -> Oscillator:
     return Oscillator(side, side, 1.0)
 
 
-def motions(*steps: float) -> list[Motion]:
-    return [Motion(make_record(f"r{k}", [0.0, 1.0, 0.0], dt), Scaling(1.0, 0.0)) for k, dt in enumerate(steps)]
+def motions(*steps: float) -> list[ScaledRecord]:
+    return [ScaledRecord(make_record(f"r{k}", [0.0, 1.0, 0.0], dt), Scaling(1.0, 0.0)) for k, dt in enumerate(steps)]
 
 
 def notices(p: float, *steps: float) -> list[str]:
-    rocker = Rocker("tower", block(p), "exact", np.ones_like)
-    return [f"{n.key} {n.where} {n.text}" for n in coarse_notices([rocker], motions(*steps))]
+    rocker = EnvelopeCase("tower", block(p), "exact", np.ones_like)
+    return [f"{n.key} {n.where} {n.text}" for n in coarse_record_messages([rocker], motions(*steps))]
 
 
 def test_ten_samples_within_1_over_p() -> None:

@@ -9,13 +9,14 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.amplification.floor_motion import Carried
+from assess.amplification.floor_motion import BaseMotion
 from assess.errors import GeometryError, MechanismError, ProjectError
 from assess.mechanisms.oscillation import oscillator
 from assess.project.build import build
 from assess.project.schema import load
-from assess.study.histories import Shaken, scan_of
+from assess.study.history_scan import scan_levels
 from assess.study.motions import motions_of
+from assess.study.rocking_case import RockingCase
 from assess.study.run import parameters, run
 from assess.study.study import Study
 from records.response import response_spectrum
@@ -52,7 +53,7 @@ def record(path: Path, *, seed: int, amplitude: float = 1.0) -> None:
 
 def as_they_are(motions):
     """The ground's motions at the base of a mechanism that is not amplified."""
-    return tuple(Carried(motion.record, 1.0) for motion in motions)
+    return tuple(BaseMotion(motion.record, 1.0) for motion in motions)
 
 
 def study_of(folder: Path, *, spectrum=ASCE, mechanism="", records=QUIET, analysis="", amplitude=1.0, tail="") -> Study:
@@ -118,8 +119,8 @@ def test_scaling_to_a_table_that_ends_early_uses_the_periods_it_has(tmp_path):
 def test_the_scan_begins_below_uplift_whatever_the_records_scale(tmp_path):
     study = study_of(tmp_path, records=f'{QUIET}\nscale_to = "none"', amplitude=5.0)
     motions = motions_of(study, study.spectrum)
-    shaken = Shaken("m", oscillator(study.mechanisms[0]), "exact", as_they_are(motions))
-    scan = scan_of(shaken, motions, site_pga=study.spectrum.pga, threads=1)
+    shaken = RockingCase("m", oscillator(study.mechanisms[0]), "exact", as_they_are(motions))
+    scan = scan_levels(shaken, motions, site_pga=study.spectrum.pga, threads=1)
     assert scan[0].mean == 0.0
     assert scan[-1].overturned
     assert [suite.pga for suite in scan] == sorted(suite.pga for suite in scan)
@@ -132,8 +133,8 @@ def test_the_scan_of_a_mechanism_on_joints_rises_too(tmp_path):
     motions = motions_of(study, study.spectrum)
     from assess.mechanisms.oscillation import oscillator
 
-    shaken = Shaken("m", oscillator(study.mechanisms[0]), "exact", as_they_are(motions))
-    scan = scan_of(shaken, motions, site_pga=study.spectrum.pga, threads=1)
+    shaken = RockingCase("m", oscillator(study.mechanisms[0]), "exact", as_they_are(motions))
+    scan = scan_levels(shaken, motions, site_pga=study.spectrum.pga, threads=1)
     assert 0.0 < scan[0].pga < scan[1].pga
     assert scan[-1].overturned
 
@@ -228,8 +229,8 @@ def test_the_scan_on_flexible_joints_rises_from_a_level_that_moves_little(tmp_pa
     joint = 'interface = { model = "flexible", stiffness = "0.1 GPa/m", strength = "1 MPa" }'
     study = study_of(tmp_path, mechanism=joint)
     motions = motions_of(study, study.spectrum)
-    scan = scan_of(
-        Shaken("m", oscillator(study.mechanisms[0]), "exact", as_they_are(motions)),
+    scan = scan_levels(
+        RockingCase("m", oscillator(study.mechanisms[0]), "exact", as_they_are(motions)),
         motions,
         site_pga=study.spectrum.pga,
         threads=1,

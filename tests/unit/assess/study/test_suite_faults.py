@@ -14,7 +14,7 @@ from scipy.constants import g
 from assess.messages.message import Message
 from assess.project.build import build
 from assess.project.schema import load
-from assess.study.motions import Motion, motions_of, raised
+from assess.study.motions import ScaledRecord, motions_of, raise_artificial
 from assess.study.run import run
 from assess.study.study import Study
 from assess.study.suite_faults import suite_faults
@@ -81,16 +81,16 @@ def made(count: int, duration: float = 25.0) -> tuple[Record, ...]:
     return artificial(design_spectrum(s_ds=0.5 * g, s_d1=0.2 * g, t_l=8.0), count=count, seed=1, duration=duration)
 
 
-def moved(records: Sequence[Record], factor: float = 1.0, **change: object) -> tuple[Motion, ...]:
-    return tuple(Motion(replace(each, **change), Scaling(factor, 0.0)) for each in records)
+def moved(records: Sequence[Record], factor: float = 1.0, **change: object) -> tuple[ScaledRecord, ...]:
+    return tuple(ScaledRecord(replace(each, **change), Scaling(factor, 0.0)) for each in records)
 
 
-def natural(records: Sequence[Record], factor: float = 1.0, **change: object) -> tuple[Motion, ...]:
+def natural(records: Sequence[Record], factor: float = 1.0, **change: object) -> tuple[ScaledRecord, ...]:
     """The same motions as if they had been recorded."""
     return moved(records, factor, stationary=None, path="r.AT2", **change)
 
 
-def faults(study: Study, motions: Sequence[Motion], code: str = "asce43-05") -> tuple[Message, ...]:
+def faults(study: Study, motions: Sequence[ScaledRecord], code: str = "asce43-05") -> tuple[Message, ...]:
     assert study.spectrum is not None
     return suite_faults(study, study.spectrum, motions)[code]
 
@@ -278,14 +278,14 @@ def test_a_suite_made_too_low_is_raised_by_the_least_factor_that_does_and_says_s
     study = study_of(tmp_path)
     assert study.spectrum is not None
     low = moved(made(7), 0.85)
-    lifted = raised(low, study.spectrum, (0.04, 5.0), fitting=study.fitting)
+    lifted = raise_artificial(low, study.spectrum, (0.04, 5.0), fitting=study.fitting)
     factors = {after.scaling.factor / before.scaling.factor for before, after in zip(low, lifted, strict=True)}
     (factor,) = {round(each, 12) for each in factors}
     assert 1.0 < factor < 1.0 / 0.85  # ten points side by side at the target need less than the mean at every one
     assert faults(study, lifted) == ()
     assert faults(study, moved(made(7), 0.85 * (factor - 1e-6))) != ()
-    assert all(f"raised by {factor:.6g}" in each.record.trail[-1] for each in lifted)
-    assert raised(lifted, study.spectrum, (0.04, 5.0), fitting=study.fitting) == lifted
+    assert all(f"raised by {factor:.6g}" in each.record.processing_history[-1] for each in lifted)
+    assert raise_artificial(lifted, study.spectrum, (0.04, 5.0), fitting=study.fitting) == lifted
 
 
 HAZARD = """code = "ntc2018"

@@ -12,16 +12,15 @@ import trimesh
 from scipy.constants import g
 
 from assess.codes.bases import BASES
-from assess.codes.check import Check, Outcome, Reason, because
-from assess.codes.verdict import Action, Question, verdict, with_roles
-from assess.codes.verdict import Judged as JudgedChecks
+from assess.codes.check import Check, Outcome, Reason, reason_message
+from assess.codes.verdict import Action, MechanismChecks, Question, mark_deciding, verdict
 from assess.project.build import build
 from assess.project.schema import load
 from assess.results import MechanismResult
 from assess.results.json import dumps
 from assess.study.run import case_parameters, parameters, run
 from assess.study.study import Study
-from assess.study.sweeps import Judged, controlling
+from assess.study.sweeps import CaseResult, controlling_index
 
 PROJECT = """
 [verdict]
@@ -78,7 +77,7 @@ def check(verdict: str = "pass", **changes: Any) -> Check:
     given: dict[str, Any] = {
         "procedure": "asce43-05-spectrum", "edition": "", "branch": "positive", "limit_state": "no overturning",
         "level_pga_g": 0.1, "input_at": "ground", "damping": None, "quantity": "rotation", "unit": "rad",
-        "verdict": Outcome(verdict), "reason": because(Reason.WITHIN, capacity="the allowable"),
+        "verdict": Outcome(verdict), "reason": reason_message(Reason.WITHIN, capacity="the allowable"),
     }  # fmt: skip
     return Check(**{**given, **changes})
 
@@ -88,14 +87,14 @@ def result(folder: Path) -> MechanismResult:
     return parameters(study_of(folder, PROJECT))[0]
 
 
-def case(result: MechanismResult, *checks: Check, uplift: float = 0.1, basis: str | None = "asce43-05") -> Judged:
+def case(result: MechanismResult, *checks: Check, uplift: float = 0.1, basis: str | None = "asce43-05") -> CaseResult:
     """The mechanism with these checks and this multiplier, judged at 0.1 g."""
     methods = ("asce43-05-history", "asce43-05-spectrum")
     question = Question(None if basis is None else BASES[basis], Action(0.1, "DBE"), procedures=methods)
-    found = verdict(question, [JudgedChecks(result.name, checks)]).mechanisms[0]
+    found = verdict(question, [MechanismChecks(result.name, checks)]).mechanisms[0]
     weaker = replace(result.oscillator, uplift_multiplier=uplift)
-    marked = with_roles(checks, found, question.basis, question.action)
-    return Judged(replace(result, checks=marked, oscillator=weaker, oscillator_negative=None), found)
+    marked = mark_deciding(checks, found, question.basis, question.action)
+    return CaseResult(replace(result, checks=marked, oscillator=weaker, oscillator_negative=None), found)
 
 
 def test_a_failing_case_controls_before_an_incomplete_one_and_that_before_one_that_passes(
@@ -108,9 +107,9 @@ def test_a_failing_case_controls_before_an_incomplete_one_and_that_before_one_th
         case(result, check("not-answered")),
     ]
     assert [each.verdict.outcome for each in cases] == ["pass", "pass", "incomplete"]
-    assert controlling(cases) == 2
-    assert controlling(cases[:2]) == 0
-    assert controlling([*cases, case(result, check("fail", ratio=1.01))]) == 3
+    assert controlling_index(cases) == 2
+    assert controlling_index(cases[:2]) == 0
+    assert controlling_index([*cases, case(result, check("fail", ratio=1.01))]) == 3
 
 
 def test_of_equal_verdicts_the_least_margin_controls_then_the_ratio(result: MechanismResult) -> None:
@@ -118,11 +117,11 @@ def test_of_equal_verdicts_the_least_margin_controls_then_the_ratio(result: Mech
         case(result, check("fail", ratio=1.5, capacity_pga_g=0.08)),
         case(result, check("fail", ratio=1.2, capacity_pga_g=0.07)),
     ]
-    assert controlling(cases) == 1
+    assert controlling_index(cases) == 1
     fallen = case(result, check("fail"))  # it overturns, and at which PGA it would not is unknown
-    assert controlling([*cases, fallen, case(result, check("fail", ratio=3.0))]) == 2
+    assert controlling_index([*cases, fallen, case(result, check("fail", ratio=3.0))]) == 2
     passing = [case(result, check(ratio=0.4)), case(result, check(ratio=0.5, capacity_pga_g=0.2))]
-    assert controlling(passing) == 1
+    assert controlling_index(passing) == 1
 
 
 def test_without_a_basis_all_checks_of_codes_tell_which_case_controls(result: MechanismResult) -> None:
@@ -133,8 +132,8 @@ def test_without_a_basis_all_checks_of_codes_tell_which_case_controls(result: Me
         case(result, check("not-applicable", ratio=9.0), check(ratio=0.3), **none),
         case(result, check("fail", ratio=1.25), **none),
     ]
-    assert controlling(cases) == 3
-    assert controlling([*cases, case(result, check("fail"), check(ratio=0.1), **none)]) == 4
+    assert controlling_index(cases) == 3
+    assert controlling_index([*cases, case(result, check("fail"), check(ratio=0.1), **none)]) == 4
 
 
 def test_where_nothing_is_answered_the_least_capacity_controls_then_the_multiplier(result: MechanismResult) -> None:
@@ -144,13 +143,13 @@ def test_where_nothing_is_answered_the_least_capacity_controls_then_the_multipli
         case(result, check(capacity_pga_g=0.3, **silent)),
         case(result, check(**silent), uplift=0.01),
     ]
-    assert controlling(cases) == 1
-    assert controlling([case(result, uplift=u) for u in (0.2, 0.15, 0.15 + 1e-13, 0.3)]) == 1
+    assert controlling_index(cases) == 1
+    assert controlling_index([case(result, uplift=u) for u in (0.2, 0.15, 0.15 + 1e-13, 0.3)]) == 1
 
 
 def test_equals_leave_the_first(result: MechanismResult) -> None:
     cases = [case(result, check(ratio=ratio)) for ratio in (0.7, 0.7 * (1 + 1e-12), 0.7)]
-    assert controlling(cases) == 0
+    assert controlling_index(cases) == 0
 
 
 def test_only_what_depends_on_the_key_is_swept_and_its_worst_case_stands(folder: Path) -> None:

@@ -11,7 +11,7 @@ import pytest
 import trimesh
 from shapely import Polygon
 
-from assess.geometry.planar import planar
+from assess.geometry.planar import planar_body
 from assess.geometry.scene import Scene
 from assess.geometry.solid import box, polyhedron
 from assess.mechanisms.single_block import single_block
@@ -151,7 +151,7 @@ def test_a_scan_is_simplified_for_the_results_only():
     sphere = trimesh.creation.icosphere(subdivisions=6)
     solid = polyhedron(sphere.vertices, sphere.faces, density=2000.0, name="boulder")
     beside = box(thickness=1.0, length=1.0, height=1.0, base=(0.0, 0.0, -3.0), density=2000.0, name="plinth")
-    mechanism = single_block("w", planar(beside, direction=(1, 0, 0)))
+    mechanism = single_block("w", planar_body(beside, direction=(1, 0, 0)))
     seen = view(mechanism, Scene(((solid,),), (beside,), (), np.array([1.0, 0.0, 0.0])))
     assert seen.given == len(sphere.faces) + 12
     assert len(seen.triangles) <= LIMIT

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from assess.errors import OutputError
-from reports.figure_file import write_figure
 from reports.figures.record_spectra import draw
+from reports.render.figure_file import write_figure
 
 PERIOD = np.geomspace(0.02, 10.0, 50)
 

@@ -9,7 +9,7 @@ import pytest
 from matplotlib.patches import Polygon
 
 from assess.results import Drawing, NamedPoint, Results
-from reports.figures.sketch import BESIDE, arranged, draw, level_with, shown
+from reports.figures.sketch import BESIDE, arrange_panels, common_window, draw, extent_between
 
 
 def rings(axes) -> list[np.ndarray]:
@@ -47,7 +47,7 @@ def test_displaced_panels_show_the_displaced_shape_over_the_one_at_rest(results:
 
 def test_nothing_lies_outside_the_window(results: Results) -> None:
     drawing = results.mechanisms[0].drawing
-    window = shown(drawing)
+    window = common_window(drawing)
     points = np.concatenate([drawing.blocks[0], drawing.displaced.blocks[0], drawing.displaced_negative.blocks[0]])
     assert np.all(points > window.low)
     assert np.all(points < window.high)
@@ -55,7 +55,7 @@ def test_nothing_lies_outside_the_window(results: Results) -> None:
 
 @pytest.mark.parametrize(("size", "columns"), [((2.0, 9.0), 3), ((12.0, 5.0), 2), ((40.0, 2.0), 1)])
 def test_wide_mechanisms_stand_under_one_another(size: tuple[float, float], columns: int) -> None:
-    layout = arranged(3, size)
+    layout = arrange_panels(3, size)
     assert layout.columns == columns
     assert layout.panel[0] * columns <= 6.7
     assert layout.panel[0] >= layout.scale * size[0] * (1 - 1e-12)
@@ -73,18 +73,18 @@ def test_hinges_are_coloured_by_branch_whatever_they_are_called(results: Results
 
 def test_masonry_that_stays_is_shown_beside_the_mechanism_up_to_a_limit(results: Results) -> None:
     drawing = replace(results.mechanisms[0].drawing, fixed=())
-    alone = shown(drawing)
+    alone = common_window(drawing)
     (left, low), (right, _) = alone.low, alone.high
     size = (right - left) / 5
     below = ((left - size, low - 9.0), (right, low - 9.0), (right, low - 8.0))
-    assert shown(replace(drawing, fixed=(below,))) == alone
+    assert common_window(replace(drawing, fixed=(below,))) == alone
     wide = ((left - 99.0, low), (right, low), (right, low + 2.0), (left - 99.0, low + 2.0))
-    grown = shown(replace(drawing, fixed=(wide,)))
+    grown = common_window(replace(drawing, fixed=(wide,)))
     assert grown.high[0] >= alone.high[0]
     assert 0.0 < alone.low[0] - grown.low[0] <= BESIDE * max(alone.size)
 
 
 def test_how_far_a_ring_reaches_between_two_elevations() -> None:
     triangle = ((0.0, 0.0), (4.0, 0.0), (2.0, 2.0))
-    assert level_with(triangle, 1.0, 3.0) == pytest.approx((1.0, 3.0))
-    assert level_with(triangle, 3.0, 4.0) == ()
+    assert extent_between(triangle, 1.0, 3.0) == pytest.approx((1.0, 3.0))
+    assert extent_between(triangle, 3.0, 4.0) == ()

@@ -313,7 +313,7 @@ def test_at_the_limit_within_five_per_cent_or_the_survey_tolerance(index, tolera
 
 
 def test_the_building_is_the_worst_of_its_mechanisms_and_its_index_the_least():
-    from assess.codes.verdict import Judged, verdict
+    from assess.codes.verdict import MechanismChecks, verdict
 
     asked = question("ntc2018", use_class="II")
     walls = {
@@ -323,7 +323,7 @@ def test_the_building_is_the_worst_of_its_mechanisms_and_its_index_the_least():
     }
 
     def found(*names):
-        return verdict(asked, [Judged(name, (walls[name],)) for name in names])
+        return verdict(asked, [MechanismChecks(name, (walls[name],)) for name in names])
 
     assert [found(*names).outcome for names in (("a",), ("a", "b"), ("a", "c"), ("a", "b", "c"))] == [YES, NO, OPEN, NO]
     assert found("a", "b").index.value == pytest.approx(0.8)

@@ -10,7 +10,7 @@ import pytest
 from trimesh.creation import icosphere
 from trimesh.exchange.ply import export_ply, load_ply
 
-from assess.geometry.formats.parts import Part
+from assess.geometry.formats.mesh_file import Part
 from assess.geometry.formats.ply import read_ply
 
 BALL = icosphere(subdivisions=1, radius=3.0)

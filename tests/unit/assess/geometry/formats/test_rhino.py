@@ -133,7 +133,7 @@ def test_a_rhino_file_cut_short_is_refused(tmp_path: Path) -> None:
 
 def test_a_damaged_rhino_file_cannot_keep_the_program(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("assess.geometry.formats.rhino.READ", "import time; time.sleep(60)")
-    monkeypatch.setattr("assess.geometry.formats.apart.LEAST", 0.1)
+    monkeypatch.setattr("assess.geometry.formats.subprocess_reader.MIN_TIME", 0.1)
     model = model_in("Meters")
     model.Objects.AddMesh(mesh(CUBE), called("wall"))
     with pytest.raises(GeometryError, match=r"openNURBS has not read it after \d s; is it damaged"):

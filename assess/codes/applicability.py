@@ -1,0 +1,228 @@
+"""Whether a procedure may be asked of a mechanism at all, decided in one place before its numbers count.
+
+A check may be asked; or it may only fail, where the motion of the ground stands in for that of a floor; or it is not
+answered for want of an input that could be given; or the clause is not for such a mechanism. The numbers are worked out
+all the same where they can be, and stand in the check as `provisional`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from enum import StrEnum
+
+from scipy.constants import g
+
+from assess.codes.check import Check, Family, Outcome, Reason, reason_message
+from assess.codes.context import Context
+from assess.codes.families import FAMILIES, SUITE_CODES, THESIS_READINGS
+from assess.codes.italian.floor import floor_of
+from assess.codes.italian.missing_inputs import MissingInput, missing_inputs
+from assess.codes.sliding import sliding_pga
+from assess.messages.message import Message, Quantity, Severity, message
+from assess.oscillator import Oscillator
+
+BY_IMPACTS = ("asce43-05-spectrum",)  # damping by the two impacts of a body that rocks both ways
+SUITE_OF_A2 = "asce43-05"  # whose rules the suite must meet that a floor spectrum is made of
+ON_THE_WAY = (Family.DISPLACEMENT, Family.HISTORY, Family.ENERGY, Family.PART, Family.ELEMENT)
+"""What follows a mechanism as it moves, and so asks for what lasts."""
+ROCKING = (*ON_THE_WAY, Family.LINEAR)
+"""What takes it that the mechanism rocks and does not slide."""
+FLOOR_CLAUSES: dict[Family, str] = {
+    Family.LINEAR: "give [building] height and storeys",
+    Family.DISPLACEMENT: "give [building] height and storeys",
+    Family.ELEMENT: "give [building] height",
+    Family.HISTORY: 'give the mechanism amplification = { method = "modal-filter" }, up to that height',
+    Family.ENERGY: 'give the mechanism amplification = { method = "modal-filter" }, up to that height',
+    Family.FRICTION: "give the mechanism an amplification, up to that height",
+    Family.SLIDING: "the clause has no floor motion",
+}
+
+
+class Allowed(StrEnum):
+    """What a procedure may say of a mechanism."""
+
+    ANSWER = "answer"
+    ONLY_FAIL = "only fail"
+    NOT_ANSWER = "not answer"
+    NOT_APPLY = "not apply"
+
+
+@dataclass(frozen=True)
+class Applicability:
+    """What a procedure may say, and the reason where that is not everything.
+
+    safe : whether the numbers were worked out with the safe value of what is missing, so that they may be shown beside
+    void : whether the numbers are of another mechanism than the one asked about, so that they may not be shown
+    others : further reasons of the same kind, each with its remedy
+    """
+
+    may: Allowed
+    reason: Message | None = None
+    safe: bool = False
+    void: bool = False
+    others: tuple[Message, ...] = ()
+
+
+APPLICABLE = Applicability(Allowed.ANSWER)
+
+
+def find_applicability(procedure: str, oscillator: Oscillator, context: Context) -> Applicability:
+    """Find whether `procedure` may be asked: the first rule that speaks decides, the strictest first.
+
+    What the other rules miss stands beside it, so that all that is missing is listed at once.
+    """
+    family = FAMILIES[procedure]
+    rules = (_of_clause, _of_unheld, _of_impossible, _of_histories, _of_height)
+    spoken = (rule(procedure, family, oscillator, context) for rule in rules)
+    found = [each for each in spoken if each is not None]
+    if not found or found[0].may == Allowed.NOT_APPLY:
+        return found[0] if found else APPLICABLE
+    first, *rest = found
+    others = (reason for each in rest for reason in (each.reason, *each.others) if reason is not None)
+    return replace(first, safe=all(each.safe for each in found), others=(*first.others, *others))
+
+
+def apply_procedure(
+    procedure: str, assess: Callable[[Oscillator, Context], tuple[Check, ...]], oscillator: Oscillator, context: Context
+) -> tuple[Check, ...]:
+    """The checks of a procedure, each as its admission lets it stand."""
+    given = find_applicability(procedure, oscillator, context)
+    if given.void:  # no number is kept, and what breaks may fall before the mechanism that stands in here
+        context = replace(context, starting=None, breaking=None, limits=())
+    found = (
+        _as_admitted(check, _with(given, missing_inputs(procedure, check.limit_state, context)))
+        for check in assess(oscillator, context)
+    )
+    return tuple(_if_held(check, context) for check in found)
+
+
+def _if_held(check: Check, context: Context) -> Check:
+    """The check; a pass by rocking of what slides before it rocks holds where something keeps it from sliding."""
+    slides_at = sliding_pga(context) if FAMILIES[check.procedure] in ROCKING and check.verdict == Outcome.PASS else None
+    if slides_at is None or check.level_pga_g * g <= slides_at:
+        return check
+    pga = Quantity(slides_at / g, "ground acceleration", 3)
+    held = message("held-from-sliding", {"pga": pga}, severity=Severity.WARNING)
+    return replace(check, conditions=(*check.conditions, held))
+
+
+def _with(given: Applicability, lacking: tuple[MissingInput, ...]) -> Applicability:
+    """The admission of a procedure with what one of its limit states lacks."""
+    if not lacking or given.may in (Allowed.NOT_APPLY, Allowed.NOT_ANSWER):
+        return replace(given, others=(*given.others, *(each.reason for each in lacking)))
+    reasons = [each.reason for each in lacking]
+    if given.reason is None:
+        return Applicability(
+            Allowed.NOT_ANSWER, reasons[0], all(each.safe for each in lacking), others=tuple(reasons[1:])
+        )
+    return replace(given, may=Allowed.NOT_ANSWER, others=tuple(reasons))
+
+
+def _as_admitted(check: Check, given: Applicability) -> Check:
+    if given.reason is None or check.verdict == Outcome.NOT_APPLICABLE:
+        return check
+    if given.may == Allowed.NOT_APPLY:
+        return replace(check, verdict=Outcome.NOT_APPLICABLE, reason=given.reason)
+    if given.void:
+        return without_numbers(check, given.reason, given.others)
+    if check.verdict == Outcome.NOT_ANSWERED:
+        return replace(check, remarks=(*check.remarks, given.reason, *given.others))
+    if given.may == Allowed.ONLY_FAIL and check.verdict == Outcome.FAIL:
+        return replace(check, may_pass=False, remarks=(*check.remarks, given.reason))
+    own = () if check.reason.key in (Reason.WITHIN, Reason.BEYOND) else (check.reason,)
+    return replace(
+        check,
+        verdict=Outcome.NOT_ANSWERED,
+        provisional=check.verdict if given.safe else None,
+        may_pass=False,
+        reason=given.reason,
+        remarks=(*check.remarks, *given.others, *own),
+    )
+
+
+def without_numbers(check: Check, reason: Message, others: tuple[Message, ...] = ()) -> Check:
+    """A check that is not answered, as it would be where nothing could be worked out."""
+    return Check(
+        procedure=check.procedure,
+        edition=check.edition,
+        reading=check.reading,
+        branch=check.branch,
+        limit_state=check.limit_state,
+        level_pga_g=check.level_pga_g,
+        input_at=check.input_at,
+        damping=None,
+        quantity=check.quantity,
+        unit=check.unit,
+        verdict=Outcome.NOT_ANSWERED,
+        reason=reason,
+        caveat=check.caveat,
+        may_pass=False,
+        remarks=others,
+    )
+
+
+def _of_clause(procedure: str, family: Family, oscillator: Oscillator, context: Context) -> Applicability | None:
+    """What the clause is not for."""
+    if procedure in BY_IMPACTS and oscillator.negative is None:
+        return Applicability(Allowed.NOT_APPLY, reason_message(Reason.ONE_SIDED))
+    if procedure in BY_IMPACTS and min(branch.restitution for branch in oscillator.branches) == 0.0:
+        return Applicability(Allowed.NOT_APPLY, reason_message(Reason.NO_REBOUND))
+    if family == Family.PART and context.support == "hinged":
+        return Applicability(Allowed.NOT_APPLY, reason_message(Reason.NOT_A_WALL, clause="NZSEE 2017 C8.8.5"))
+    if family == Family.ELEMENT and context.carries_floors:
+        return Applicability(Allowed.NOT_ANSWER, reason_message(Reason.CARRIES_FLOORS))
+    return None
+
+
+def _of_impossible(procedure: str, family: Family, oscillator: Oscillator, context: Context) -> Applicability | None:
+    """What makes every answer impossible, as a ground whose elevation nobody gave."""
+    return Applicability(Allowed.NOT_ANSWER, context.impossible[0]) if context.impossible else None
+
+
+def _of_unheld(procedure: str, family: Family, oscillator: Oscillator, context: Context) -> Applicability | None:
+    """What makes answers by displacements and histories impossible: it stands only by what is not shown to last."""
+    if family not in ON_THE_WAY or not context.not_lasting:
+        return None
+    return Applicability(Allowed.NOT_ANSWER, context.not_lasting[0], void=True, others=context.impossible)
+
+
+def _of_histories(procedure: str, family: Family, oscillator: Oscillator, context: Context) -> Applicability | None:
+    """What makes histories impossible: an impact without rebound, or a suite that misses its code's rules."""
+    if family != Family.HISTORY:
+        return None
+    faults = (*context.impossible_by_histories, *context.suite_faults.get(SUITE_CODES[procedure], ()))
+    return Applicability(Allowed.NOT_ANSWER, faults[0], others=tuple(faults[1:])) if faults else None
+
+
+def _of_height(procedure: str, family: Family, oscillator: Oscillator, context: Context) -> Applicability | None:
+    """Above the ground the ground's motion may fail a check and cannot pass it."""
+    if not context.above_ground or (family not in FLOOR_CLAUSES and family != Family.PART):
+        return None
+    if context.above_building and family in (Family.LINEAR, Family.DISPLACEMENT, Family.ELEMENT, Family.PART):
+        height = Quantity(context.support_height, "length")
+        return Applicability(Allowed.ONLY_FAIL, reason_message(Reason.ABOVE_BUILDING, height=height))
+    if procedure not in THESIS_READINGS and _has_floor_input(family, context):
+        return None
+    faults = context.suite_faults.get(SUITE_OF_A2, ()) if family == Family.ENERGY else ()
+    if faults and context.transfer == "by a filter":
+        return Applicability(Allowed.ONLY_FAIL, faults[0], others=tuple(faults[1:]))
+    why = (
+        Reason.SCALAR_MOTION if family == Family.HISTORY and context.transfer == "by a factor" else Reason.GROUND_MOTION
+    )
+    height = Quantity(context.support_height, "length")
+    return Applicability(Allowed.ONLY_FAIL, reason_message(why, height=height, remedy=FLOOR_CLAUSES[family]))
+
+
+def _has_floor_input(family: Family, context: Context) -> bool:
+    if family in (Family.LINEAR, Family.DISPLACEMENT):
+        return floor_of(context) is not None
+    if family == Family.ELEMENT:
+        return context.building is not None
+    if family == Family.HISTORY:
+        return context.transfer == "by a filter"
+    if family == Family.FRICTION:  # the peak decides, which one factor gives too
+        return context.transfer != "not"
+    if family == Family.ENERGY:
+        return context.floor_spectrum is not None
+    return family == Family.PART

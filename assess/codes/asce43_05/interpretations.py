@@ -1,0 +1,121 @@
+"""How A.2 is read, the clause or the thesis, each choice with its lines of the calculation sheet."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.constants import g
+
+from assess.codes.asce43_05.clauses import (
+    HALF,
+    THIRD,
+    effective_damping,
+    floor_spectral_pga_rotation,
+    inertia_ratio,
+    spectral_pga_rotation,
+    thesis_limit_ratio,
+)
+from assess.codes.check import InputAt, Step, step
+from assess.codes.check import Reading as Kind
+from assess.codes.context import Context
+from assess.codes.pga_rotation import PgaRotation, pga_capacity
+from assess.oscillator import Branch, equivalent_block, threshold
+from spectra.spectrum import Spectrum
+
+THESIS_DAMPING = 0.05
+A2, LIMIT, THESIS = "ASCE 43-05 A.2", "ASCE 43-05 A.2, limit of 7.1 not read", "thesis 8.3.2"
+
+
+@dataclass(frozen=True)
+class Reading:
+    """How the clause is read for one branch.
+
+    damping : of the demand [-]; damped : where it comes from
+    spectrum : of the motion at the base, which has these ordinates at `pga` of the ground [m/s2]; input_at : where
+    curve : PGA over rotation; limit : the allowable rotation [rad]; limited : where it comes from
+    in_range : whether the limit holds for such a body
+    """
+
+    procedure: str
+    kind: Kind
+    damping: float
+    damped: tuple[Step, ...]
+    spectrum: Spectrum
+    pga: float
+    input_at: InputAt
+    curve: PgaRotation
+    limit: float
+    limited: tuple[Step, ...]
+    in_range: bool = True
+
+
+def clause_interpretation(branch: Branch, context: Context, *, f_v: float) -> Reading:
+    """The clause: the demand at f_e and beta_e, from true uplift on, against one third of what overturns."""
+    damping, uplift = effective_damping(branch.restitution), (threshold(branch) or 0.0) * g
+    floor, pga = context.floor_spectrum if context.above_ground else None, context.spectrum.pga
+    if floor is None:
+        curve = spectral_pga_rotation(branch, context.spectrum, damping=damping, f_v=f_v, uplift=uplift)
+    else:
+        curve = floor_spectral_pga_rotation(branch, floor, damping=damping, f_v=f_v, uplift=uplift, pga=pga)
+    return Reading(
+        procedure="asce43-05-spectrum",
+        kind="letter",
+        damping=damping,
+        damped=_effective(branch.restitution, damping),
+        spectrum=floor or context.spectrum,
+        pga=pga,
+        input_at="ground" if floor is None else "mechanism base",
+        curve=curve,
+        limit=THIRD * branch.unstable,
+        limited=_third(branch, curve),
+    )
+
+
+def thesis_interpretation(branch: Branch, context: Context, *, f_v: float, mass: float) -> Reading:
+    """The thesis' reading (8.3.2): 5 % damping, limit k alpha / sin 2 alpha, no threshold of uplift."""
+    block = equivalent_block(branch, mass=mass)
+    ratio, k, alpha = thesis_limit_ratio(block), inertia_ratio(block), block.slenderness
+    limit, words = ratio * branch.unstable, "empirical: fits the thesis' Table 8.5, no derivation known"
+    given = {"φ_ov": (branch.unstable, "rad"), "k": (k, "-"), "α": (alpha, "rad")}
+    parts = {"I_O": (block.inertia, "kg m2"), "M": (mass, "kg"), "R": (block.radius, "m")}
+    return Reading(
+        procedure="asce43-05-spectrum-thesis",
+        kind="thesis",
+        damping=THESIS_DAMPING,
+        damped=(step("β_e", "damping of the demand", THESIS, "5 %", THESIS_DAMPING, remark="given"),),
+        spectrum=context.spectrum,
+        pga=context.spectrum.pga,
+        input_at="ground",
+        curve=spectral_pga_rotation(branch, context.spectrum, damping=THESIS_DAMPING, f_v=f_v, uplift=0.0),
+        limit=limit,
+        limited=(
+            step("k", "inertia ratio of the equivalent block", THESIS, "I_O / (M R²)", k, given=parts),
+            step("θ_lim", words, THESIS, "φ_ov k α / sin(2 α)", limit, "rad", given=given),
+        ),
+        in_range=ratio <= 1.0,
+    )
+
+
+def _effective(restitution: float, damping: float) -> tuple[Step, ...]:
+    if restitution == 0.0:
+        return (step("β_e", "effective damping: no rebound", A2, "1", damping, remark="C_R = 0"),)
+    gamma = -2.0 * float(np.log(min(restitution, 1.0)))
+    return (
+        step("γ", "of two impacts in a cycle", A2, "−2 ln(min(C_R, 1))", gamma, given={"C_R": restitution}),
+        step("β_e", "effective damping", A2, "γ / √(4π² + γ²)", damping, given={"γ": gamma}),
+    )
+
+
+def _third(branch: Branch, curve: PgaRotation) -> tuple[Step, ...]:
+    """The allowable rotation, and beside it half of what overturns, with the PGA that takes the body there."""
+    overturns, half = {"φ_ov": (branch.unstable, "rad")}, HALF * branch.unstable
+    third = "allowed: one third of the rotation that overturns"
+    beside = "one half beside it, the limit of response histories"
+    at_half = pga_capacity(curve, half)
+    return (
+        step("θ_lim", third, LIMIT, "φ_ov / 3", THIRD * branch.unstable, "rad", given=overturns),
+        step("θ_1/2", beside, LIMIT, "φ_ov / 2", half, "rad", given=overturns),
+        step("PGA(θ_1/2)", "PGA at capacity were one half allowed", LIMIT, "largest PGA with θ ≤ θ_1/2",
+             None if at_half is None else at_half / g, "g", remark="curve"),
+    )  # fmt: skip

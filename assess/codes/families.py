@@ -1,0 +1,78 @@
+"""What each procedure compares, whose code it belongs to, and for which site spectra it is written."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from assess.codes.check import Family
+
+AMERICAN = ("asce7-05", "ibc2009", "asce7-10", "asce7-16")
+EUROPEAN = ("ec8", "ntc2008", "ntc2018")
+NEW_ZEALAND = ("nzs1170.5",)
+TABLE_SPECTRUM = "table"  # the engineer's own spectrum, for any code
+
+FAMILIES: Mapping[str, Family] = {
+    "asce43-05-spectrum": Family.ENERGY,
+    "asce43-05-spectrum-thesis": Family.ENERGY,
+    "asce43-05-history": Family.HISTORY,
+    "dmi2008-linear": Family.LINEAR,
+    "dmi2008-nonlinear": Family.DISPLACEMENT,
+    "dmi2008-nonlinear-thesis": Family.DISPLACEMENT,
+    "dmi2008-history": Family.HISTORY,
+    "ntc2018-linear": Family.LINEAR,
+    "ntc2018-nonlinear": Family.DISPLACEMENT,
+    "ntc2018-history": Family.HISTORY,
+    "nzsee2017-face-loaded": Family.PART,
+    "asce41-13-ht": Family.TABLE,
+    "ec8-element": Family.ELEMENT,
+    "asce43-05-sliding": Family.SLIDING,
+    "sliding": Family.FRICTION,
+}
+SUITE_CODES: Mapping[str, str] = {  # whose rules for suites a procedure by histories goes by
+    "asce43-05-history": "asce43-05",
+    "dmi2008-history": "ntc2018",
+    "ntc2018-history": "ntc2018",
+}
+ITALIAN: Mapping[str, str] = {  # the code whose knowledge levels and limit states a procedure goes by
+    "dmi2008-linear": "dmi2008",
+    "dmi2008-nonlinear": "dmi2008",
+    "dmi2008-history": "dmi2008",
+    "ntc2018-linear": "ntc2018",
+    "ntc2018-nonlinear": "ntc2018",
+    "ntc2018-history": "ntc2018",
+}
+THESIS_READINGS = (
+    "asce43-05-spectrum-thesis",
+    "dmi2008-nonlinear-thesis",
+)  # of the thesis: shown, and they never decide
+
+WRITTEN_FOR: Mapping[str, tuple[str, ...]] = {
+    "asce41-13-ht": AMERICAN,
+    "ec8-element": EUROPEAN,
+    "nzsee2017-face-loaded": NEW_ZEALAND,
+}
+ONLY_ON_REQUEST = ("ec8-element",)  # whether a mechanism is a non-structural element, the engineer must say
+
+
+def uses_histories(procedure: str) -> bool:
+    """Whether a procedure asks for time histories."""
+    return FAMILIES.get(procedure) == Family.HISTORY
+
+
+def is_written_for(procedure: str, spectrum_code: str) -> bool:
+    """Whether a site of this spectrum is one that the procedure is written for; True for those without a family."""
+    return procedure not in WRITTEN_FOR or spectrum_code in (*WRITTEN_FOR[procedure], TABLE_SPECTRUM)
+
+
+def other_spectrum_note(procedure: str, spectrum_code: str) -> str:
+    """A sentence for the caveat where the spectrum is of another family; else empty."""
+    if is_written_for(procedure, spectrum_code):
+        return ""
+    return (
+        f"; written for spectra of {', '.join(WRITTEN_FOR[procedure])}, here on one of {spectrum_code}: for information"
+    )
+
+
+def procedures_of_site(spectrum_code: str) -> tuple[str, ...]:
+    """The procedures that a site of this spectrum brings with it, unasked."""
+    return tuple(name for name, codes in WRITTEN_FOR.items() if spectrum_code in codes and name not in ONLY_ON_REQUEST)

@@ -1,0 +1,33 @@
+"""A body made thicker or thinner in one direction, to the same density."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from assess.geometry.solid import Solid
+
+
+def scale_along(solid: Solid, *, direction: Sequence[float], middle: float, factor: float) -> Solid:
+    """The solid with every distance along `direction` from the plane at `middle` [m] times `factor` (> 0).
+
+    The map is r -> A r + b with A = E + (factor - 1) u u^T, so volume and mass grow by det A = factor, and the second
+    moment S = int r r^T dm about the centroid becomes factor A S A^T; S and the inertia tensor I tell each other:
+    I = tr(S) E - S, S = tr(I) / 2 E - I.
+
+    Parameters
+    ----------
+    direction : a vector of any length [3]; middle : distance along it from the origin [m]
+    """
+    u = np.asarray(direction, dtype=np.float64) / np.linalg.norm(direction)
+    A = np.eye(3) + (factor - 1.0) * np.outer(u, u)
+    shift = (1.0 - factor) * middle * u
+    S = np.trace(solid.inertia) / 2.0 * np.eye(3) - solid.inertia
+    S = factor * A @ S @ A.T
+    centroid, vertices = A @ solid.centroid + shift, solid.vertices @ A.T + shift
+    inertia = np.trace(S) * np.eye(3) - S
+    for array in (centroid, vertices, inertia):
+        array.setflags(write=False)
+    return replace(solid, mass=factor * solid.mass, centroid=centroid, inertia=inertia, vertices=vertices)

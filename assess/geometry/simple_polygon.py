@@ -1,0 +1,37 @@
+"""Where the sides of a polygon meet that should not."""
+
+from __future__ import annotations
+
+import numpy as np
+import shapely
+
+from spectra.arrays import FloatArray
+
+Point = tuple[float, float]
+
+
+def find_crossing(corners: FloatArray) -> Point | None:
+    """The first place where two sides cross or touch beside their common corner; None of a simple polygon.
+
+    Parameters
+    ----------
+    corners : of a closed polygon, none of them beside one at the same place [n, 2] [m]
+    """
+    n = len(corners)
+    ends = np.stack([corners, np.roll(corners, -1, axis=0)], axis=1)
+    sides = np.asarray(shapely.linestrings(ends), dtype=np.object_)
+    one, other = shapely.STRtree(sides).query(sides, predicate="intersects")
+    one, other = np.sort([one, other], axis=0)[:, one < other]
+    meet = np.asarray(shapely.intersection(sides[one], sides[other]), dtype=np.object_)
+    neighbours = (other - one == 1) | (other - one == n - 1)
+    wrong = ~(neighbours & (shapely.get_dimensions(meet) == 0))
+    if not wrong.any():
+        return None
+    first = int(np.lexsort((other[wrong], one[wrong]))[0])
+    x, y = shapely.get_coordinates(meet[wrong][first])[0].tolist()
+    return (x, y)
+
+
+def remove_repeats(corners: FloatArray) -> FloatArray:
+    """Corners [n, 2] of a closed polygon without those at the place of the one before."""
+    return corners[np.any(corners != np.roll(corners, 1, axis=0), axis=1)]

@@ -1,0 +1,58 @@
+"""Overburdens that come through the joint at the top of a wall of two blocks."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from math import dist
+
+from assess.loads.definitions import Through
+from assess.loads.load import Load
+from assess.loads.overburden import UPPER
+from assess.mechanisms.chain import Chain
+from assess.mechanisms.flexible import through_top
+from assess.mechanisms.joint import Joint
+
+ON_MIDDLE = 1e-3  # of the depth of a joint: a load this near its middle comes through it unless said otherwise
+THROUGH_TOP = (
+    "interface C: the load on the middle of the top comes through the joint there, so its resultant moves to the edge "
+    "as the wall turns, and is at hinge C in the rigid mechanism beside it; a load off the middle stays in its place, "
+    'and so does one with through = "fixed"'
+)
+
+
+def through_joint(chain: Chain, joint: Joint | None, through: Mapping[str, Through]) -> Chain:
+    """The chain with the loads that come through the joint at the top of a wall moved to its hinge.
+
+    On a joint their resultant is in the middle at rest all the same, and moves to the edge as the wall turns; where
+    the top is rigid they press at the hinge of each direction.
+    """
+    if len(chain.blocks) != 2:
+        return chain
+    loads = [
+        replace(load, at=chain.hinges[2]) if comes_through(load, chain, joint, through.get(load.name)) else load
+        for load in chain.loads
+    ]
+    return replace(chain, loads=tuple(loads))
+
+
+def comes_through(load: Load, chain: Chain, joint: Joint | None, through: Through) -> bool:
+    """Whether a load of a wall comes through the joint at its top: as is said, else where it stands on the middle."""
+    if through is not None:
+        return through == "joint"
+    if joint is None or load.block != UPPER:
+        return False
+    inside = joint.section.centroid
+    middle = tuple(at + inside * way for at, way in zip(chain.hinges[2], joint.inward, strict=True))
+    return dist(load.at, middle) <= ON_MIDDLE * joint.section.depth
+
+
+def under_loads(
+    chain: Chain, joints: tuple[Joint | None, ...], through: Mapping[str, Through]
+) -> tuple[Joint | None, ...]:
+    """The joints of a chain; without that at the top of a wall where all that stands at its hinge is fixed there."""
+    if len(chain.blocks) != 2:
+        return joints
+    at_hinge = through_top(chain)
+    fixed = bool(at_hinge) and all(through.get(load.name) == "fixed" for load in at_hinge)
+    return (*joints[:2], None) if fixed else joints

@@ -1,0 +1,184 @@
+"""The entries of `loads` as the field's loads, and what is doubtful of them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+
+from assess.errors import GeometryError
+from assess.geometry.contact import TOLERANCE
+from assess.geometry.outline import Outline, distance
+from assess.geometry.overlap import overlaps
+from assess.geometry.piece import Piece
+from assess.loads.body_loads import Brought, Meet, Surroundings, body_loads, meeting, told_of
+from assess.loads.definitions import BodyLoad, ForceLoad, MassLoad, OverburdenLoad, TieLoad
+from assess.loads.load import Force, Load, PointMass, Tie
+from assess.loads.loaded_blocks import Blocks, loaded_blocks
+from assess.loads.overburden import overburden_of
+from assess.loads.plane import point_in_plane, unit_in_plane
+from assess.mechanisms.chain import written
+from assess.model.body import Bodies, solids_of
+from assess.model.definitions import Chained, TwoBlock
+
+IN_THE_AIR = 0.05  # of the block's size: a load farther outside it is not on the block
+
+
+def loads_of(
+    name: str,
+    definition: Chained,
+    pieces: Sequence[Piece],
+    bodies: Bodies,
+    *,
+    meet: Meet = meeting,
+) -> Brought:
+    """The loads of the mechanism `name`; pieces: its blocks, or all of them in one; meet: finds contacts of bodies.
+
+    Raises GeometryError for a body that touches nothing of its block.
+    """
+    loads: list[Load] = []
+    doubts: list[str] = []
+    follows: list[bool] = []
+    blocks = blocks_of(name, definition, pieces)
+    for number, load in enumerate(definition.loads, start=1):
+        if isinstance(load, OverburdenLoad):
+            loads.append(
+                overburden_of(
+                    number,
+                    load,
+                    piece=pieces[-1],
+                    solids=solids_of(bodies),
+                    moving=definition.bodies,
+                    direction=definition.towards,
+                    where=f'mechanism "{name}"',
+                )
+            )
+            follows.append(False)
+            continue
+        if isinstance(load, BodyLoad):
+            brought = of_body(load, blocks, definition, bodies, meet=meet)
+        else:
+            brought = Brought((load_of(number, load, definition.towards),), ())
+        loads += brought.loads
+        follows += [isinstance(load, BodyLoad) and load.block is None] * len(brought.loads)
+        doubts += (*brought.doubts, *in_the_air(brought.loads, blocks))
+        doubts += moving_anchors(brought.loads, [each.body.outline for each in pieces])
+    carried = dict.fromkeys(load.body for load in definition.loads if isinstance(load, BodyLoad))
+    known = [solid for body in carried if (solid := bodies[body].solid) is not None]
+    doubts += (each.text for each in overlaps(known))
+    return Brought(tuple(loads), tuple(dict.fromkeys(doubts)), tuple(follows))
+
+
+def blocks_of(name: str, definition: Chained, pieces: Sequence[Piece]) -> Blocks:
+    """The blocks of the mechanism `name` as its loads meet them; of two direct values they part at hinge B."""
+    parted = len(definition.blocks) == 1 and len(pieces) == 2
+    foot, crack = pieces[-1].foot, None
+    if parted and foot is not None:
+        crack = float(foot[0, 2])
+    elif len(pieces) == 2 and not any(piece.solids for piece in pieces) and isinstance(definition, TwoBlock):
+        crack = None if (hinges := definition.given_hinges) is None else hinges[1][-1]
+    return Blocks(tuple(pieces), crack, parted, definition.along, where=f'mechanism "{name}"')
+
+
+def of_body(
+    load: BodyLoad,
+    blocks: Blocks,
+    definition: Chained,
+    bodies: Bodies,
+    *,
+    meet: Meet,
+) -> Brought:
+    """What a body puts on each block that it loads; nothing where it rests below the cut.
+
+    Raises GeometryError where it touches nothing of them, or it is not known which of them it loads.
+    """
+    body = bodies[load.body].solid
+    taken = {each.block for each in definition.loads if isinstance(each, BodyLoad) and each.body == load.body}
+    found, doubts = loaded_blocks(load, body, among=blocks, taken=taken)
+    brought = [
+        body_loads(
+            load,
+            block=each.block,
+            body=body,
+            mass=bodies[load.body].mass,
+            around=surroundings(load, blocks, each.contact, bodies),
+            meet=meet,
+        )
+        for each in found
+    ]
+    loads = tuple(one for each in brought for one in each.loads)
+    return Brought(loads, (*told_of(load, doubts), *(text for each in brought for text in each.doubts)))
+
+
+def surroundings(load: BodyLoad, blocks: Blocks, number: int, bodies: Bodies) -> Surroundings:
+    """What stands around a body that loads a block: bodies as they are, those of the mechanism as cut."""
+    pieces = blocks.pieces
+    moving = {solid.name for piece in pieces for solid in piece.solids} | {load.body}
+    others = [each.solid for key, each in bodies.items() if each.solid is not None and key not in moving]
+    others += [solid for place, piece in enumerate(pieces) if place != number for solid in piece.solids]
+    fixed = tuple(solid for piece in pieces for solid in piece.fixed)
+    return Surroundings(pieces[number].solids, tuple(others), fixed, blocks.along, where=blocks.where)
+
+
+def load_of(
+    number: int,
+    load: MassLoad | ForceLoad | TieLoad,
+    direction: Sequence[float],
+) -> Load:
+    """Return a load in the plane of motion, named by its kind and number."""
+    name, at = f"{load.kind} {number}", point_in_plane(load.at, direction)
+    if isinstance(load, MassLoad):
+        return PointMass(name, load.mass, at, load.bearing, load.block, seat=load.seat)
+    way = None if load.direction is None else unit_in_plane(load.direction, direction)
+    if isinstance(load, TieLoad):
+        anchor = None if load.anchor is None else point_in_plane(load.anchor, direction)
+        if anchor == at:
+            raise GeometryError(f'load "{name}": seen in the plane of motion its anchor is where it holds; move one')
+        return Tie(
+            name,
+            load.force,
+            at,
+            way,
+            anchor,
+            both=load.both,
+            block=load.block,
+            until=load.until,
+            strength=load.strength,
+            length=load.length,
+            fracture_strain=load.fracture_strain,
+            evidence=load.evidence,
+        )
+    if isinstance(load.force, tuple):
+        force = load.force
+    else:
+        assert way is not None  # the schema asks for it
+        force = (load.force * way[0], load.force * way[1])
+    return Force(name, force, at, load.block, until=load.until, evidence=load.evidence)
+
+
+def moving_anchors(loads: Sequence[Load], outlines: Sequence[Outline]) -> Iterator[str]:
+    """A sentence for each tie whose anchor lies on a block of the mechanism, seen in the plane of motion."""
+    for load in loads:
+        if not isinstance(load, Tie) or load.anchor is None:
+            continue
+        for block, outline in enumerate(outlines):
+            if outline and distance(outline, load.anchor) <= TOLERANCE:
+                yield (
+                    f'load "{load.name}": its anchor at {written(load.anchor)} lies on block {block}, which '
+                    "moves too, yet it is taken as fixed in space: check `anchor`"
+                )
+
+
+def in_the_air(loads: Sequence[Load], blocks: Blocks) -> Iterator[str]:
+    """A sentence for each load that is not on or near its block, seen in the plane of motion; a crack parts nothing."""
+    for load in loads:
+        whole = blocks.pieces if blocks.parted else [blocks.pieces[min(load.block, len(blocks.pieces) - 1)]]
+        outline = tuple(ring for piece in whole for ring in piece.body.outline)
+        corners = [point for ring in outline for point in ring]
+        size = float(np.ptp(corners, axis=0).max()) if corners else 0.0
+        off = distance(outline, load.at) if corners else 0.0
+        if off > IN_THE_AIR * size:
+            yield (
+                f'load "{load.name}" at {written(load.at)} is in the air, {off:.3g} m from the '
+                "block as seen in the plane of motion; it moves with the block all the same: check `at`"
+            )

@@ -1,0 +1,84 @@
+"""The suite of records beside its target: how it was chosen, and what codes require of it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from assess.results.values import Floats
+from assess.short_repr import ShortRepr
+
+
+@dataclass(frozen=True, repr=False)
+class EquivalentPeriods(ShortRepr):
+    """The shortest and longest equivalent period of a mechanism's branches, at the allowable rotation."""
+
+    mechanism: str
+    shortest_s: float
+    longest_s: float
+
+
+@dataclass(frozen=True, repr=False)
+class Remaining(ShortRepr):
+    """How many candidates were left after a step of the selection."""
+
+    step: str
+    number: int
+
+
+@dataclass(frozen=True, repr=False)
+class SelectionResult(ShortRepr):
+    """How the suite was chosen. misfit: of the suite's mean spectrum to the target; greedy_misfit: before exchanges."""
+
+    fit: Literal["suite", "each"]
+    components: Literal["single", "together"]
+    one_per_event: bool
+    least_factor: float
+    largest_factor: float
+    remaining: tuple[Remaining, ...]
+    misfit: float
+    greedy_misfit: float | None
+
+
+@dataclass(frozen=True, repr=False)
+class RequirementResult(ShortRepr):
+    """What a code asks of the suite, what was found, and its verdict; from_s, to_s: periods it was taken over.
+
+    caveat: what the clause could not be compared with.
+    """
+
+    code: str
+    clause: str
+    what: str
+    value: float | None
+    sense: Literal[">=", "<="]
+    limit: float
+    unit: str
+    verdict: Literal["met", "not met", "not answered"]
+    from_s: float | None
+    to_s: float | None
+    remark: str
+    caveat: str
+
+
+@dataclass(frozen=True, repr=False)
+class GroundMotionResult(ShortRepr):
+    """The suite of records beside its target, 5 % damping.
+
+    from_s, to_s: periods over which it was scaled and chosen; source: of that range, in words. mean_g,
+    geometric_mean_g, target_g [k]: at period_s; misfit: of the mean to the target over the range, mean squared
+    difference of natural logarithms.
+    selection: None where all records that were named are used.
+    """
+
+    from_s: float
+    to_s: float
+    source: str
+    equivalent_periods: tuple[EquivalentPeriods, ...]
+    period_s: Floats
+    target_g: Floats
+    mean_g: Floats
+    geometric_mean_g: Floats
+    misfit: float
+    selection: SelectionResult | None
+    requirements: tuple[RequirementResult, ...]

@@ -1,0 +1,64 @@
+"""Rocking time histories, and the statistics of a suite of them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from assess.codes.check import BranchName
+from assess.results.values import Floats
+from assess.short_repr import ShortRepr
+
+
+@dataclass(frozen=True, repr=False)
+class Trace(ShortRepr):
+    """A rocking history at the steps of the motion that drove it: signed rotation, ground acceleration.
+
+    base_acceleration_g: what drove it, at the base of the mechanism; None where that is the ground's motion.
+    """
+
+    time_s: Floats
+    rotation_rad: Floats
+    ground_acceleration_g: Floats
+    base_acceleration_g: Floats | None = None
+
+
+@dataclass(frozen=True, repr=False)
+class HistoryResult(ShortRepr):
+    """Largest rocking response to one record at one level, in the worse polarity.
+
+    max_rotation_rad is signed; it, its ratio and its time are None where the record overturned the mechanism.
+    overturning_time_s: when the rotation passed phi_ov for the last time. branch: where the largest rotation was.
+    rebound: times the restitution of the mechanism, with which this history was worst; 1 where no range was run.
+    """
+
+    record: str
+    polarity: int
+    level_pga_g: float
+    scale_factor: float
+    amplification: float
+    max_rotation_rad: float | None
+    max_rotation_ratio: float | None
+    time_of_max_s: float | None
+    impacts: int
+    overturned: bool
+    overturning_time_s: float | None
+    trace: Trace | None
+    branch: BranchName
+    rebound: float = 1.0
+
+
+@dataclass(frozen=True, repr=False)
+class SuiteResult(ShortRepr):
+    """All records at one level; mean_ratio is None where a record overturned, max_ratio is over those that stood.
+
+    median_ratio, p84_ratio: rotations that half and 84 % of the records do not exceed, an overturned one counting as
+    the largest; None where such a record overturned.
+    """
+
+    level_pga_g: float
+    n: int
+    overturned: int
+    mean_ratio: float | None
+    max_ratio: float | None
+    median_ratio: float | None = None
+    p84_ratio: float | None = None

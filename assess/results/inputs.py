@@ -1,0 +1,32 @@
+"""What a run was made from: the program, the files read, and the resolved values of the project."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from assess.short_repr import ShortRepr
+
+
+@dataclass(frozen=True, repr=False)
+class Program(ShortRepr):
+    """The program that made the results."""
+
+    name: str
+    version: str
+
+
+@dataclass(frozen=True, repr=False)
+class Input(ShortRepr):
+    """One file that was read: path relative to the project file, and its SHA-256."""
+
+    path: str
+    sha256: str
+
+
+@dataclass(frozen=True, repr=False)
+class Resolved(ShortRepr):
+    """One value of the project as it was used: in SI, and whether the user gave it or it is a default."""
+
+    value: Any
+    given: bool

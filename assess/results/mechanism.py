@@ -1,0 +1,63 @@
+"""Everything about one mechanism."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Literal
+
+from assess.codes.check import Check
+from assess.results.amplification import AmplificationResult
+from assess.results.directions import DirectionCandidate, DirectionSweep
+from assess.results.drawing import Drawing
+from assess.results.envelopes import EnvelopeResult
+from assess.results.histories import HistoryResult, SuiteResult
+from assess.results.joints import HingeForceResult, InterfaceCurves
+from assess.results.loads import LoadResult
+from assess.results.oscillator import Curve, OscillatorResult
+from assess.results.view import View
+from assess.short_repr import ShortRepr
+
+
+@dataclass(frozen=True, repr=False)
+class MechanismResult(ShortRepr):
+    """Everything about one mechanism; direction_sweep is None where its direction was not sought on a whole circle.
+
+    oscillator, curve: with every action that is there at rest. deciding_curve: with those that are shown to last to
+    collapse and those that drive, of which displacements and histories are asked, and to whose overturning rotations
+    (of rigid joints, positive and negative) their ratios refer; None where both are the same, or where it falls at rest
+    without the others.
+    direction: of positive rotation, horizontal; None for an equivalent block. candidates: the directions among which
+    the weakest was found, or with which a given one was compared. base_elevation_m: of its base over the ground;
+    input_height_m: of what holds it, the mean of base and far support where it is held twice; above_ground: whether
+    that counts as above the ground; ground_known_from: what says where the ground is.
+    """
+
+    name: str
+    label: str
+    kind: str
+    sides: Literal["one", "two"]
+    equation: Literal["exact", "linearised"]
+    drawing: Drawing
+    view: View | None
+    oscillator: OscillatorResult
+    oscillator_negative: OscillatorResult | None
+    curve: Curve
+    interfaces: tuple[dict[str, Any], ...]
+    amplification: AmplificationResult
+    checks: tuple[Check, ...]
+    histories: tuple[HistoryResult, ...]
+    suites: tuple[SuiteResult, ...]
+    envelope: EnvelopeResult | None
+    restitution_source: str
+    loads: tuple[LoadResult, ...]
+    direction_sweep: DirectionSweep | None
+    interface_curves: InterfaceCurves | None = None
+    hinge_forces: tuple[HingeForceResult, ...] = ()
+    deciding_curve: Curve | None = None
+    deciding_overturning_rad: tuple[float, float | None] | None = None
+    direction: tuple[float, float, float] | None = None
+    candidates: tuple[DirectionCandidate, ...] = ()
+    base_elevation_m: float | None = None
+    input_height_m: float | None = None
+    above_ground: bool | None = None
+    ground_known_from: str = ""

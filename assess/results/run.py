@@ -1,0 +1,44 @@
+"""One run, whole."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from assess.codes.verdict import Verdict
+from assess.messages.message import Message
+from assess.results.comparison import ComparisonRow
+from assess.results.envelopes import CriticalResult
+from assess.results.ground_motion import GroundMotionResult
+from assess.results.inputs import Input, Program, Resolved
+from assess.results.mechanism import MechanismResult
+from assess.results.sensitivity import SensitivityResult
+from assess.results.site import RecordResult, SpectrumResult
+from assess.results.sweeps import SweepResult
+from assess.short_repr import ShortRepr
+
+SCHEMA_VERSION = 2
+
+
+@dataclass(frozen=True, repr=False)
+class Results(ShortRepr):
+    """One run, whole.
+
+    project : maps each key, written with dots, to its resolved value
+    stamp : of the inputs and the program, the same in every output made of these results; "" of earlier programs
+    """
+
+    schema_version: int
+    program: Program
+    inputs: tuple[Input, ...]
+    warnings: tuple[Message, ...]
+    project: dict[str, Resolved]
+    spectrum: SpectrumResult | None
+    records: tuple[RecordResult, ...]
+    mechanisms: tuple[MechanismResult, ...]
+    critical: CriticalResult | None
+    comparison: tuple[ComparisonRow, ...]
+    sweeps: tuple[SweepResult, ...]
+    verdict: Verdict | None = None
+    ground_motion: GroundMotionResult | None = None
+    sensitivity: tuple[SensitivityResult, ...] = ()
+    stamp: str = ""

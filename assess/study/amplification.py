@@ -1,0 +1,249 @@
+"""How the ground's motion reaches the base of a mechanism, with Rayleigh's method for what nobody gives."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from assess.amplification.floor_motion import (
+    FirstMode,
+    FloorFactor,
+    ModalFilter,
+    Srss,
+    SrssRelative,
+    Unamplified,
+    first_mode,
+)
+from assess.amplification.natural_frequency import ASSUMPTIONS, SLICES, Rayleigh, rayleigh_mode, slice_cantilever
+from assess.errors import GeometryError, ProjectError
+from assess.mechanisms.lasting import rise_of
+from assess.messages.message import Quantity, note
+from assess.model.assembly import Built
+from assess.model.body import Bodies
+from assess.model.definitions import Definition, SingleBlock
+from assess.study.grounding import Ground
+from assess.study.study import Amplified
+from spectra.errors import SpectrumError
+from spectra.floor import ec8, ec8_at_resonance_with_soil, ec8_resonance, nzs1170_5
+
+NEAR_GROUND = 0.05  # m: a body that stands no farther from the ground's elevation stands on it
+DAMPING = 0.05  # of the first mode where there is no [building]
+RAYLEIGH = "Rayleigh's method"
+PRINTED = "ec8-printed"
+AS_IT_IS = Amplified("none", None, Unamplified(), ())
+
+FLOORS: dict[str, tuple[Callable[..., float], str]] = {
+    "ec8": (ec8, "EN 1998-1, 4.3.5.2, rigid part (T_a = 0): 1.5 (1 + z/H) - 0.5 on the motion of the surface"),
+    "ec8-resonance": (ec8_resonance, "EN 1998-1, 4.3.5.2, at resonance (T_a = T_1): 3 (1 + z/H) - 0.5"),
+    "nzs1170.5": (nzs1170_5, "NZS 1170.5, 8.3: the least that applies of 1 + h/6, 1 + 10 h/H and 3"),
+}
+
+FIRST_MODES: dict[str, tuple[Callable[[FirstMode, float], Srss | SrssRelative | ModalFilter], str]] = {
+    "srss": (Srss, "every record and pulse times sqrt((S_a(T_n)/a_g h/h_e)^2 + 1), thesis 3.48"),
+    "srss-relative": (
+        SrssRelative,
+        "every record times sqrt((S_a(T_n)/a_g h/h_e)^2 + 1), thesis 3.48; every pulse by 3.47, with the response "
+        "relative to the ground",
+    ),
+    "modal-filter": (
+        ModalFilter,
+        "every record through the first mode, absolute acceleration at the mechanism's base; every pulse times the "
+        "ratio of the peaks; no higher modes",
+    ),
+}
+
+
+@dataclass(frozen=True, kw_only=True)
+class Amplifying:
+    """By which method the ground's motion is amplified up to a mechanism, and what is given for it.
+
+    method : of FLOORS or FIRST_MODES, or "ec8-printed"; height : of the mechanism's base above the ground [m]
+    natural_frequency [Hz], effective_height [m] : of the first mode; soil_factor : S [-], of "ec8-printed"
+    """
+
+    method: str
+    height: float | None = None
+    natural_frequency: float | None = None
+    effective_height: float | None = None
+    soil_factor: float = 1.0
+
+
+@dataclass(frozen=True, kw_only=True)
+class Structure:
+    """The structure below a mechanism, None where nobody gives a value.
+
+    height [m]; natural_frequency [Hz], effective_height [m], damping [-] : of its first mode; period : where given [s]
+    """
+
+    height: float | None = None
+    natural_frequency: float | None = None
+    effective_height: float | None = None
+    period: float | None = None
+    damping: float = DAMPING
+
+
+@dataclass(frozen=True, kw_only=True)
+class Standing:
+    """A mechanism with all that bears on the motion at its base.
+
+    base_elevation : of its base above the ground [m], where it is given for it alone
+    """
+
+    name: str
+    definition: Definition
+    built: Built
+    bodies: Bodies
+    ground: Ground
+    structure: Structure
+    base_elevation: float | None = None
+
+    @property
+    def where(self) -> str:
+        """The key, as errors name it."""
+        return f"mechanisms.{self.name}.amplification"
+
+
+def amplify(asked: Amplifying | None, standing: Standing) -> Amplified:
+    """Find how the ground's motion reaches the mechanism's base.
+
+    Parameters
+    ----------
+    asked : the method, None for the ground's motion as it is
+    standing : the mechanism in its place
+
+    Raises
+    ------
+    ProjectError : a value is missing, or a height is outside the clause
+    """
+    if asked is None:
+        return AS_IT_IS
+    height = height_of(asked, standing)
+    if asked.method in FIRST_MODES:
+        return by_first_mode(asked, standing, height=height)
+    return by_floor_factor(asked, standing, height=height)
+
+
+def height_of(asked: Amplifying, standing: Standing) -> float:
+    """Of what holds the mechanism above the ground [m]: given, its base, or the mean of base and far support or tie."""
+    if asked.height is not None:
+        return asked.height
+    mechanism = standing.built.mechanism
+    base = standing.ground.below(mechanism, standing.base_elevation)
+    if base < -NEAR_GROUND:
+        raise ProjectError(
+            f"{standing.where}.height: the mechanism begins {-base:.3g} m below the ground; give height, or "
+            "building.ground_elevation"
+        )
+    return max(base, 0.0) + rise_of(mechanism) / 2.0
+
+
+def by_floor_factor(asked: Amplifying, standing: Standing, *, height: float) -> Amplified:
+    """The factor of a code for the height."""
+    building = standing.structure.height
+    if building is None:
+        raise ProjectError(
+            f'{standing.where}: "{asked.method}" needs the height of the building; add a table [building] with height'
+        )
+    try:
+        if asked.method == PRINTED:
+            factor = ec8_at_resonance_with_soil(height, building_height=building, soil_factor=asked.soil_factor)
+            clause = f"thesis 3.49: S [3 (1 + h/H) - 0.5], S = {asked.soil_factor:.4g}"
+        else:
+            rule, clause = FLOORS[asked.method]
+            factor = rule(height, building_height=building)
+    except SpectrumError as error:
+        raise ProjectError(f"{standing.where}.height: {error}") from None
+    said = note(
+        "by-floor-factor",
+        standing.where,
+        factor=Quantity(factor),
+        height=Quantity(height, "length"),
+        building=Quantity(building, "length"),
+        clause=clause,
+    )
+    return Amplified(
+        asked.method, height, FloorFactor(factor, clause), (said, "not checked against the printed standard")
+    )
+
+
+def by_first_mode(asked: Amplifying, standing: Standing, *, height: float) -> Amplified:
+    """The first mode by what is given, else by Rayleigh's method."""
+    structure = standing.structure
+    frequency, effective = frequency_given(asked, structure), effective_height_given(asked, structure)
+    assumed: tuple[str, ...] = ()
+    if frequency is None or effective is None:
+        found = rayleigh_of(standing)
+        frequency = frequency or (found.frequency, RAYLEIGH)
+        effective = effective or (found.effective_height, RAYLEIGH)
+        assumed = (f"{RAYLEIGH} on {SLICES} slices of its bodies: {ASSUMPTIONS}",)
+    damping = structure.damping
+    mode = first_mode(frequency=frequency[0], effective_height=effective[0], damping=damping)
+    said = note(
+        "by-first-mode",
+        standing.where,
+        frequency=Quantity(frequency[0], "frequency"),
+        frequency_from=frequency[1],
+        effective=Quantity(effective[0], "length"),
+        effective_from=effective[1],
+        damping=Quantity(damping, "ratio", 3),
+        height=Quantity(height, "length"),
+        shape=Quantity(mode.shape(height)),
+    )
+    make, how = FIRST_MODES[asked.method]
+    return Amplified(asked.method, height, make(mode, height), (how, said), assumed, by_stiffness=bool(assumed))
+
+
+def frequency_given(asked: Amplifying, structure: Structure) -> tuple[float, str] | None:
+    """The first natural frequency [Hz] that the project gives, and where."""
+    if asked.natural_frequency is not None:
+        return asked.natural_frequency, "given"
+    if structure.natural_frequency is not None:
+        return structure.natural_frequency, "given for the building"
+    if structure.period is not None:
+        return 1.0 / structure.period, "1 / period of the building"
+    return None
+
+
+def effective_height_given(asked: Amplifying, structure: Structure) -> tuple[float, str] | None:
+    """The effective height [m] that the project gives, and where."""
+    if asked.effective_height is not None:
+        return asked.effective_height, "given"
+    if structure.effective_height is not None:
+        return structure.effective_height, "given for the building"
+    return None
+
+
+def rayleigh_of(standing: Standing) -> Rayleigh:
+    """Rayleigh's quotient of the whole bodies of a single block that stand on the ground, bent in its direction."""
+    definition, scene = standing.definition, standing.built.scene
+    if not isinstance(definition, SingleBlock) or scene is None:
+        raise _missing(standing, "only a single-block of bodies that stand on the ground has a first mode of its own")
+    names = definition.blocks[0]
+    moduli = [young_modulus(name, standing) for name in names]
+    solids = [solid for name in names if (solid := standing.bodies[name].solid) is not None]
+    foot = min(float(solid.vertices[:, 2].min()) for solid in solids)
+    ground = standing.ground.elevation or 0.0
+    if abs(foot - ground) > NEAR_GROUND:
+        raise _missing(standing, f"its bodies begin at z = {foot:.4g} m, the ground is at {ground:.4g} m")
+    try:
+        return rayleigh_mode(slice_cantilever(solids, moduli, direction=scene.direction.tolist()))
+    except GeometryError as error:
+        raise ProjectError(f"{standing.where}: {error}") from None
+
+
+def young_modulus(name: str, standing: Standing) -> float:
+    """Of one body [Pa]."""
+    material = standing.bodies[name].material
+    if material is None:
+        raise _missing(standing, f'body "{name}" has no geometry')
+    modulus = material.young_modulus
+    if modulus is None:
+        raise _missing(standing, f"materials.{material.name} has no young_modulus for Rayleigh's method")
+    return modulus
+
+
+def _missing(standing: Standing, why: str) -> ProjectError:
+    return ProjectError(
+        f"{standing.where}: natural_frequency and effective_height: not both given, and {why}; give both here or in "
+        "[building]"
+    )

@@ -1,0 +1,35 @@
+"""How high over the ground each mechanism has its base, and where its input acts."""
+
+from __future__ import annotations
+
+from assess.results import MechanismResult, Results
+from reports.chapters.tables import MECHANISM
+from reports.document import Cell, Column, Table
+from reports.mechanism_title import mechanism_title
+
+COLUMNS = (
+    MECHANISM,
+    Column("Base over the ground", "m", "number"),
+    Column("Input acts at", "m", "number"),
+    Column("Counts as"),
+    Column("Histories carried up"),
+    Column("Ground known from"),
+)
+
+
+def table(results: Results) -> Table:
+    """One line for each mechanism whose elevation is known."""
+    caption = (
+        "Every base over the ground. Above the ground the motion of the ground can fail a check and cannot pass it. "
+        "The input acts at the height of what holds the mechanism: its base, or the mean of base and top where both "
+        "hold it."
+    )
+    rows = tuple(_row(mechanism) for mechanism in results.mechanisms if mechanism.base_elevation_m is not None)
+    return Table("heights", caption, COLUMNS, rows)
+
+
+def _row(mechanism: MechanismResult) -> tuple[Cell, ...]:
+    counts = "above the ground" if mechanism.above_ground else "on the ground"
+    carried = mechanism.amplification.method
+    heights = (mechanism.base_elevation_m, mechanism.input_height_m)
+    return (mechanism_title(mechanism), *heights, counts, carried, mechanism.ground_known_from)

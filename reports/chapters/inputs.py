@@ -1,0 +1,42 @@
+"""Tables of what was read: files, values of the project, and the warnings of the run."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from assess.results import Results
+from reports.document import Column, Table
+from reports.language.message_text import message_text
+from reports.language.numerals import entries
+
+
+def inputs(results: Results) -> Table:
+    """The files that were read."""
+    rows = tuple((each.path, each.sha256) for each in results.inputs)
+    return Table("inputs", "Files read, and their SHA-256.", (Column("File"), Column("SHA-256")), rows)
+
+
+def values(results: Results, *, name: str = "values") -> Table:
+    """Every value of the project as it was used."""
+    columns = (Column("Key", kind="given"), Column("Value (SI)", kind="given"), Column("Source"))
+    rows = tuple(
+        (entry, cell, "given" if each.given else "default")
+        for key, each in results.project.items()
+        for entry, cell in entries(key, each.value)
+    )
+    muted = frozenset(place for place, (_, _, source) in enumerate(rows) if source == "default")
+    caption = "Every value of the project file as it was used, in SI units; defaults (grey) were not given by the user."
+    return Table(name, caption, columns, rows, muted)
+
+
+def values_present(results: Results) -> Table:
+    """The same without what is absent: keys that were not given and have no default."""
+    project = {key: each for key, each in results.project.items() if each.given or each.value not in (None, "", [], {})}
+    return values(replace(results, project=project), name="values-set")
+
+
+def warnings(results: Results) -> Table:
+    """What the engineer should know."""
+    rows = tuple((each.key, each.severity.value, each.where, message_text(each)) for each in results.warnings)
+    columns = (Column("Code", kind="given"), Column("Severity"), Column("Where", kind="given"), Column("What"))
+    return Table("warnings", "Warnings and notes of this run.", columns, rows)

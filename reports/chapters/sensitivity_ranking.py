@@ -1,0 +1,127 @@
+"""The numbers that a mechanism's sensitivity varies, in the order in which they move its answers."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import inf, log
+from typing import Literal
+
+from assess.codes.check import Outcome
+from assess.codes.families import uses_histories
+from assess.results import SensitivityResult
+from reports.governing import DAMAGE
+
+Case = Literal["base", "low", "high"]
+"""Where a number stands: as assessed, at its low, at its high value."""
+
+Side = Literal["low", "high"]
+SIDES: tuple[Side, Side] = ("low", "high")
+CASES: tuple[Case, ...] = ("base", *SIDES)
+NEGLIGIBLE = 2e-3  # of its value: no history repeats better than this when all masses are multiplied by a number
+
+
+@dataclass(frozen=True)
+class VariedInput:
+    """One number of a mechanism.
+
+    rows : all its answers; shown : those that stand for them, in one order for all numbers of the mechanism: the PGA at
+    capacity and the ratio of the procedure that governs, as far as they are known, and the ratio of the histories
+    """
+
+    rows: tuple[SensitivityResult, ...]
+    shown: tuple[SensitivityResult, ...]
+
+    @property
+    def decisive(self) -> tuple[SensitivityResult, ...]:
+        """The rows of what decides; where nothing does, all."""
+        return tuple(row for row in self.rows if row.role == "deciding") or self.rows
+
+    @property
+    def number(self) -> SensitivityResult:
+        """Any of its rows, for what they have in common: parameter, key, unit, base, low, high, remark."""
+        return self.rows[0]
+
+
+def rank_inputs(rows: Sequence[SensitivityResult]) -> tuple[VariedInput, ...]:
+    """Every number of a mechanism that is varied, the one that moves the answers shown farthest first."""
+    numbers: dict[tuple[str, str], list[SensitivityResult]] = {}
+    for row in rows:
+        if row.quantity:
+            numbers.setdefault((row.parameter, row.key), []).append(row)
+    if not numbers:
+        return ()
+    wanted = [answer_key(row) for row in representative_answers(next(iter(numbers.values())))]
+    found = [_varied_input(each, wanted) for each in numbers.values()]
+    return tuple(sorted(found, key=lambda each: [0.0 if is_negligible(row) else -span(row) for row in each.shown]))
+
+
+def _varied_input(
+    rows: Sequence[SensitivityResult], wanted: Sequence[tuple[str, str, str, float | None]]
+) -> VariedInput:
+    by_identity = {answer_key(row): row for row in reversed(rows)}
+    return VariedInput(tuple(rows), tuple(by_identity[each] for each in wanted))
+
+
+def answer_key(row: SensitivityResult) -> tuple[str, str, str, float | None]:
+    """What an answer is of."""
+    return row.quantity, row.procedure, row.limit_state, row.level_pga_g
+
+
+def representative_answers(rows: Sequence[SensitivityResult]) -> list[SensitivityResult]:
+    """The answers that stand for all, out of those of one number.
+
+    They are the index of what decides, and the PGA at capacity of its procedure. Where nothing decides, they are of the
+    procedure with the least PGA at capacity, at the level nearest to it, and beside it of the histories at this level;
+    where no PGA at capacity is known, of the check with the worst ratio. Damage comes before collapse and stands for it
+    only where a procedure knows nothing else.
+    """
+    index = [row for row in rows if row.quantity == "index"]
+    if index:
+        decide = {(row.procedure, row.limit_state) for row in index}
+        return [*index, *(r for r in rows if r.quantity == "capacity_pga_g" and (r.procedure, r.limit_state) in decide)]
+    ultimate = {row.procedure for row in rows if row.limit_state != DAMAGE}
+    rows = [row for row in rows if row.limit_state != DAMAGE or row.procedure not in ultimate]
+    ratios = [row for row in rows if row.quantity == "demand_capacity"]
+    known = [row for row in rows if row.quantity == "capacity_pga_g" and row.at_base]
+    if not known:
+        worst = max(ratios, key=lambda row: answer_value(row, "base") or 0.0)
+        return [worst]
+    least = min(known, key=lambda row: row.at_base or inf)
+    levels = sorted({row.level_pga_g or 0.0 for row in ratios})
+    near = min(levels, key=lambda level: abs(log(level / (least.at_base or level))))
+    there = [row for row in ratios if row.level_pga_g == near]
+    own = [row for row in there if (row.procedure, row.limit_state) == (least.procedure, least.limit_state)]
+    return [least, *own[:1], *[row for row in there if uses_histories(row.procedure)][:1]]
+
+
+def answer_value(row: SensitivityResult, at: Case) -> float | None:
+    """The answer with the number there: infinite where the body overturns, None where it is not known."""
+    found = {"base": row.at_base, "low": row.at_low, "high": row.at_high}[at]
+    return inf if found is None and verdict_at(row, at) == Outcome.FAIL else found
+
+
+def verdict_at(row: SensitivityResult, at: Case) -> Outcome | None:
+    """The verdict with the number there; None where it was not assessed."""
+    return {"base": row.verdict_base, "low": row.verdict_low, "high": row.verdict_high}[at]
+
+
+def span(row: SensitivityResult) -> float:
+    """The width of what an answer takes; 0 where it is not known, or overturns at all values."""
+    known = [found for at in CASES if (found := answer_value(row, at)) is not None]
+    return max(known) - min(known) if known and min(known) < inf else 0.0
+
+
+def is_negligible(row: SensitivityResult) -> bool:
+    """Whether an answer hardly moves."""
+    return span(row) <= NEGLIGIBLE * (row.at_base or 0.0)
+
+
+def flips(row: SensitivityResult, side: Side) -> bool:
+    """Whether a verdict turns from pass to fail or back."""
+    return {row.verdict_base, verdict_at(row, side)} == {Outcome.PASS, Outcome.FAIL}
+
+
+def fails(rows: Sequence[SensitivityResult], at: Case) -> bool:
+    """Whether any check fails with the number there."""
+    return any(verdict_at(row, at) == Outcome.FAIL for row in rows)

@@ -1,0 +1,246 @@
+"""What the report says in words: what the mechanisms are, and what the method cannot do."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from assess.codes.check import Check, Outcome
+from assess.messages.texts import TEXTS
+from assess.results import MechanismResult, Results, View
+from reports.chapters import interfaces
+from reports.language.lettering import truncate
+from reports.language.measures import measure, measures
+from reports.language.message_text import message_text
+from reports.mechanism_title import mechanism_title
+
+SLIDING = "sliding"
+GROUND_AT_HEIGHT = "ground-motion"  # key of a remark
+_KINDS = {
+    "single-block": "a single rocking block",
+    "two-block": "a wall held at its top and bottom that cracks between them (two blocks)",
+    "four-hinge": "a chain of three blocks with four hinges",
+    "equivalent-block": "an equivalent block, given by its rocking parameters instead of a geometry",
+}
+
+
+def description(mechanism: MechanismResult) -> str:
+    """One sentence on what the mechanism is and how it was analysed."""
+    sides = "rocks to both sides" if mechanism.sides == "two" else "rocks to one side only, what stands behind stops it"
+    equation = {"exact": "exact", "linearised": "linearised (thesis 3.9)"}[mechanism.equation]
+    name = "" if mechanism.label in ("", mechanism.name) else f" “{mechanism.label}”"
+    kind = _KINDS.get(mechanism.kind, mechanism.kind)
+    carried = (
+        "the ground motion acts at its base"
+        if mechanism.amplification.height_m is None
+        else "in the time histories the ground motion is carried up to its base"
+    )
+    return (
+        f"Mechanism {mechanism.name}{name} is {kind}. It {sides}; {carried}; time histories solve the {equation} "
+        f"equation of motion. Coefficient of restitution: {mechanism.restitution_source}."
+    )
+
+
+def amplification(mechanism: MechanismResult) -> tuple[str, ...]:
+    """How the ground motion reaches the base of a mechanism that stands above the ground."""
+    found = mechanism.amplification
+    factors = [each.factor for each in found.factors]
+    span = "" if not factors else f" Peak accelerations at the base are {_span(factors)} times those at the ground."
+    height = measure(found.height_m or 0.0, "m", figures=3)
+    return (
+        f"The time histories act at the base of the mechanism, {height} above the ground, not at the ground (method "
+        f"{found.method}).{span} The code procedures that ask for a spectrum have their own floor clause or floor "
+        "spectrum, so their input is another one.",
+        f"How it was found: {'; '.join(map(message_text, found.said))}.",
+    )
+
+
+def input_locations(mechanism: MechanismResult) -> str:
+    """Which procedures take their input where, if not all at one place; else empty."""
+    at = {
+        place: dict.fromkeys(check.procedure for check in mechanism.checks if check.input_at == place)
+        for place in ("ground", "mechanism base")
+    }
+    if not (at["ground"] and at["mechanism base"]):
+        return ""
+    return (
+        f"Not the same input: {join_names(at['mechanism base'])} by the motion at the base of the mechanism, "
+        f"{join_names(at['ground'])} by that at the ground. Peak accelerations (PGA) are the ground's throughout."
+    )
+
+
+def unequal_inputs(results: Results) -> tuple[str, ...]:
+    """Which mechanisms have histories with another input than that of the ground, for what stands side by side."""
+    carried = [m for m in results.mechanisms if m.amplification.height_m is not None and m.histories]
+    if not carried:
+        return ()
+    names = join_names(dict.fromkeys(truncate(mechanism_title(mechanism), 40) for mechanism in carried))
+    return (
+        f"Not the same input: the time histories of {names} act at the base of the mechanism, amplified; those of the "
+        "others act at the ground. The table of procedures says where each takes "
+        "its input.",
+    )
+
+
+def amplification_caption(mechanism: MechanismResult) -> str:
+    """The caption of a filtered motion beside the original."""
+    motion = mechanism.amplification.motion
+    name = "" if motion is None else motion.record
+    return (
+        f"{name}, scaled to the site’s spectrum, at the ground and at the base of the mechanism: acceleration over "
+        "time and response spectra of 5 % damping. It is the record whose peak is amplified most."
+    )
+
+
+def _span(factors: list[float]) -> str:
+    least, most = min(factors), max(factors)
+    return f"{most:.3g}" if most - least < 5e-4 * most else f"{least:.3g} to {most:.3g}"
+
+
+def limits(results: Results) -> tuple[str, ...]:
+    """What the engineer must keep in mind before signing."""
+    return (
+        *_GENERAL,
+        sliding_limit(results),
+        *interfaces.limits(results.mechanisms),
+        *_readings(results),
+        *_input_difference(results),
+        *_unamplified(results),
+        *_linearised(results),
+        *_unverified(results),
+    )
+
+
+_GENERAL = (
+    "The bodies are rigid and move in one vertical plane. Bending and torsion of the masonry, out-of-plane coupling "
+    "and mechanisms that were not described in the project are outside this assessment: finding the mechanisms "
+    "that matter remains the engineer’s task.",
+    "A single rocking history is not predictable: a small change of the motion or the geometry can turn a large "
+    "rotation into collapse or into rest. The statistics of many records are. Judge by the suite, not by one history.",
+    "The coefficients of restitution of the literature assume inelastic impact without bouncing, the greatest "
+    "dissipation that impact can give, which is slightly unconservative (thesis 3.3). Prefer tested values.",
+    "Codes assess rocking with an equivalent linear oscillator. Their allowable rotations and equivalent periods "
+    "differ; ratios of different procedures measure different margins.",
+    "Crushing and the flexibility of the joints count only where the project gives an interface; a rigid interface of "
+    "unlimited strength overestimates the resistance of large walls of weak masonry.",
+)
+
+
+def sliding_limit(results: Results) -> str:
+    """Where friction was checked, and where it is only taken as sufficient."""
+    asked = {
+        mechanism.name: any(c.procedure == SLIDING and c.verdict != Outcome.NOT_APPLICABLE for c in mechanism.checks)
+        for mechanism in results.mechanisms
+    }
+    taken = "friction at the hinges is taken as sufficient"
+    tell = "the tables of forces at the hinges say how much of it rocking needs"
+    if not any(asked.values()):
+        return f"No sliding, no bouncing, no separation other than rocking: {taken}; {tell}."
+    silent = dict.fromkeys(truncate(mechanism_title(m), 40) for m in results.mechanisms if not asked[m.name])
+    others = f" For {join_names(silent)} it was not checked: {taken}." if silent else ""
+    return (
+        "Sliding was checked by equilibrium, at every hinge up to the moment at which the mechanism starts to rock "
+        f"(procedure {SLIDING}; horizontal motion only).{others} While it rocks {taken}: no bouncing, no "
+        f"separation other than rocking; {tell}. The support at the top of a wall of two blocks is taken as held."
+    )
+
+
+def _readings(results: Results) -> tuple[str, ...]:
+    names = dict.fromkeys(c.procedure for c in _checks(results) if c.reading == "thesis")
+    return (
+        (f"{join_names(names)}: reading of the thesis, shown for comparison; it never decides a verdict.",)
+        if names
+        else ()
+    )
+
+
+def _input_difference(results: Results) -> tuple[str, ...]:
+    if len({check.input_at for check in _checks(results)}) < 2:
+        return ()
+    return (
+        "Some procedures take their input at the ground and others at the base of the mechanism; each table says "
+        "which. Their ratios are not to be compared line by line.",
+    )
+
+
+def _unamplified(results: Results) -> tuple[str, ...]:
+    """Which procedures judge which mechanisms at height by the motion of the ground."""
+    every = [(m, check) for m in results.mechanisms for check in m.checks]
+    told = [(m, check) for m, check in every if GROUND_AT_HEIGHT in {remark.key for remark in check.remarks}]
+    if not told:
+        return ()
+    procedures = dict.fromkeys(check.procedure for _, check in told)
+    names = dict.fromkeys(truncate(mechanism_title(mechanism), 40) for mechanism, _ in told)
+    return (f"{join_names(procedures)}, for {join_names(names)}: {TEXTS[GROUND_AT_HEIGHT]}.",)
+
+
+def _linearised(results: Results) -> tuple[str, ...]:
+    names = [mechanism.name for mechanism in results.mechanisms if mechanism.equation == "linearised"]
+    if not names:
+        return ()
+    return (
+        "The linearised equation of motion is used for the time histories of "
+        f"{join_names(dict.fromkeys(truncate(name, 40) for name in names))}. It is accurate for slender bodies and "
+        "departs from the exact equation as the slenderness angle grows.",
+    )
+
+
+def _unverified(results: Results) -> Iterator[str]:
+    """What could not be compared with the text of a standard, of the basis and of the procedures."""
+    if results.verdict is not None and results.verdict.uncompared:
+        yield f"Basis {results.verdict.basis}: {'; '.join(results.verdict.uncompared)}."
+    names = dict.fromkeys(check.procedure for check in _checks(results) if check.caveat)
+    if names:
+        yield f"{join_names(names)}: the table of procedures says what could not be compared with the printed standard."
+
+
+def capacity_caption(mechanism: MechanismResult) -> str:
+    """The caption of the capacity curve, with the marks that it has."""
+    on_joints = mechanism.oscillator.overturning_flexible_rad is not None
+    marks = (
+        "Marks: overturning rotation of the positive branch, the dot with rigid joints, the square on its joints."
+        if on_joints
+        else "The dot marks the overturning rotation."
+    )
+    return f"Capacity curve: restoring moment and load multiplier λ over rotation. {marks}"
+
+
+def sketch_caption(mechanism: MechanismResult) -> str:
+    """What the drawing of a mechanism shows."""
+    drawing = mechanism.drawing
+    back = drawing.displaced_negative
+    turned = f"turned by φ = {drawing.displaced.rotation_rad:.2g} rad in its direction"
+    turned += "" if back is None else f" and by φ = {back.rotation_rad:.2g} rad against it"
+    hinges = "hinges A, B, … (circles, red)" if len(drawing.displaced.hinges) > 1 else "hinge A (circle, red)"
+    hinges += "" if back is None else " and those of the negative branch (blue, with a prime)"
+    loads = (
+        "; loads: a dot for a mass, an arrow for a force, a tie or a weight that is carried" if drawing.loads else ""
+    )
+    centroids = "Centroid (cross) G"
+    centroids = "Centroids of the blocks G1, G2, … and of all G" if len(drawing.centroids) > 1 else centroids
+    stays = " Grey masonry does not move." if drawing.fixed else ""
+    return (
+        f"The mechanism in its plane of motion, to scale, at rest and {turned} (dashed: at rest). "
+        f"{centroids}; {hinges}{loads}.{stays}"
+    )
+
+
+def view_caption(seen: View) -> str:
+    """What the picture of the bodies shows."""
+    size = measures(seen.size, "m", figures=3, between=" × ")
+    stays = " Grey masonry does not move." if -1 in seen.block_of else ""
+    cut = " Thin dashes: the section where it parts." if seen.sections else ""
+    light = "" if len(seen.triangles) == seen.given else f" Simplified for drawing from {seen.given} triangles."
+    return (
+        f"The bodies in space, {size} along x, y and z: axis of rotation (red), of the negative "
+        f"branch (blue, dashed), and direction of motion (arrow).{stays}{cut}{light}"
+    )
+
+
+def _checks(results: Results) -> list[Check]:
+    return [check for mechanism in results.mechanisms for check in mechanism.checks]
+
+
+def join_names(names: Iterable[str]) -> str:
+    """Names with commas and an "and"."""
+    every = list(names)
+    return f"{', '.join(every[:-1])} and {every[-1]}" if len(every) > 1 else "".join(every)

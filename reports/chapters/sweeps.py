@@ -1,0 +1,134 @@
+"""The parametric studies of the report: sentence, table and figure of each, from the results."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import partial
+
+from assess.messages.plural import count_noun
+from assess.results import DirectionSweep, MechanismResult, SweepResult
+from reports.chapters.tables import OVERTURNED, uplift_cell
+from reports.document import Block, Cell, Column, Figure, Section, Table, Text
+from reports.figures import directions as directions_figure
+from reports.figures import sweep as sweep_figure
+from reports.language.lettering import truncate
+from reports.language.numerals import as_given, numeral
+
+RULE = (
+    "The controlling case has the worst answer that decides: a failing case stands before an incomplete one, and that "
+    "before one that passes; of equals the one that holds the least over the site’s own action controls, then the one "
+    "with the largest demand over capacity."
+)
+JOINTS = (
+    " φₒᵥ is that of rigid joints; on joints it counts from rest, about which small motions have the elastic frequency."
+)
+
+
+def studies(sweeps: Sequence[SweepResult], *, name: str) -> Section:
+    """Every sweep of one mechanism; `name` begins the names of its tables and figures."""
+    blocks: list[Block] = [Text((RULE,))] if sweeps else []
+    for place, sweep in enumerate(sweeps, start=1):
+        stem = f"{name}-sweep-{place:02d}"
+        caption = (
+            f"What changes with {swept_key(sweep)}; the ring marks the controlling case; "
+            "a case that overturns has no ratio."
+        )
+        blocks += [Text((sentence(sweep),)), table(sweep, name=stem)]
+        blocks.append(Figure(stem, caption, partial(sweep_figure.draw, sweep)))
+    return Section("Parametric studies", 1, tuple(blocks))
+
+
+def sentence(sweep: SweepResult) -> str:
+    """What was swept, which case controls, and whether it stands for the mechanism."""
+    standing = (
+        "This case stands for the mechanism in every other part of this report."
+        if sweep.governs
+        else "A case of another study stands for the mechanism in the other parts of this report."
+    )
+    values = count_noun(len(sweep.value), "value")
+    return f"{swept_key(sweep)} takes {values}; {controlling_case(sweep)} controls. {standing}"
+
+
+def swept_key(sweep: SweepResult) -> str:
+    """The key that is swept, for a sentence."""
+    return truncate(sweep.key, 100)
+
+
+def controlling_case(sweep: SweepResult) -> str:
+    """The controlling case in words."""
+    unit = "" if sweep.unit == "-" else f" {sweep.unit}"
+    return f"{as_given(sweep.value[sweep.controlling])}{unit}"
+
+
+def table(sweep: SweepResult, *, name: str) -> Table:
+    """One line for each value, in the user's order."""
+    columns = (
+        Column("Value", sweep.unit, "number"),
+        Column("p", "1/s", "number"),
+        Column("λ at uplift", "-", "number"),
+        Column("φₒᵥ", "rad", "number"),
+        *(column for column, _ in on_joints(sweep)),
+        Column("Restitution η", "-", "number"),
+        Column("Demand / capacity", "-", "number"),
+        Column("PGA at capacity", "g", "number"),
+        Column("Verdict", kind="verdict"),
+        Column("Case"),
+    )
+    caption = (
+        f"{swept_key(sweep)}: rocking parameters of the branch that uplifts first, and the answer that decides; where "
+        f"none does, the worst of all checks of a code at all levels.{JOINTS if on_joints(sweep) else ''}"
+    )
+    return Table(name, caption, columns, tuple(_row(sweep, place) for place in range(len(sweep.value))))
+
+
+def on_joints(sweep: SweepResult) -> list[tuple[Column, Sequence[float | None]]]:
+    """What joints that give way add to the table: columns with their values [n], where any are known."""
+    columns: list[tuple[Column, Sequence[float | None]]] = [
+        (Column("φₒᵥ on joints", "rad", "number"), sweep.overturning_flexible_rad),
+        (Column("Elastic frequency", "Hz", "number"), sweep.elastic_frequency_hz),
+    ]
+    return [(column, values) for column, values in columns if any(value is not None for value in values)]
+
+
+def _row(sweep: SweepResult, place: int) -> tuple[Cell, ...]:
+    ratio: Cell = OVERTURNED if sweep.overturned[place] else sweep.demand_capacity[place]
+    mark = "controls" if place == sweep.controlling else ""
+    return (
+        sweep.value[place],
+        sweep.p_eq_per_s[place],
+        uplift_cell(sweep.uplift_multiplier[place]),
+        sweep.overturning_rad[place],
+        *(values[place] for _, values in on_joints(sweep)),
+        sweep.restitution[place],
+        ratio,
+        sweep.capacity_pga_g[place],
+        sweep.outcome[place].value,
+        mark,
+    )
+
+
+def controlling_cases(sweeps: Sequence[SweepResult], names: dict[str, str]) -> list[Block]:
+    """Which cases stand in the comparison; `names`: mechanism -> what it is called."""
+    cases = [f"{names[s.mechanism]}, {swept_key(s)} = {controlling_case(s)}" for s in sweeps if s.governs]
+    if not cases:
+        return []
+    return [Text((f"Mechanisms with parametric studies stand here with their controlling case: {'; '.join(cases)}.",))]
+
+
+def weakest_direction(mechanism: MechanismResult, *, name: str) -> list[Block]:
+    """The direction in which the mechanism is weakest, where it was sought."""
+    found = mechanism.direction_sweep
+    if found is None:
+        return []
+    caption = "Load multiplier λ that starts rotation towards each horizontal direction; the dot marks the weakest."
+    figure = Figure(f"{name}-directions", caption, partial(directions_figure.draw, found))
+    return [Text((direction_sentence(found),)), figure]
+
+
+def direction_sentence(found: DirectionSweep) -> str:
+    """The direction chosen, and how flat the minimum is."""
+    return (
+        f"The direction is the weakest of {len(found.angle_deg)}: {as_given(round(found.weakest_deg, 3))}° from +x "
+        f"towards +y. The load multiplier is within 1 % of its least over {as_given(found.flat_deg)}° of the circle; "
+        f"the least is {numeral(100 * found.variation, digits=3)} % below the largest."
+    )

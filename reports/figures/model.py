@@ -1,0 +1,43 @@
+"""The bodies of a mechanism as a model that a reader can turn: what reports/figures/view.py draws, from any side."""
+
+from __future__ import annotations
+
+from math import atan2, cos, sin
+
+import numpy as np
+
+from assess.results import View
+from reports.document import Model, Part, Place, Wire
+from reports.figures.style import BLOCKS, FIXED, INK, NEGATIVE, POSITIVE, STONE_EDGE, label
+from reports.figures.view import BEYOND, RAISED, SHARP, SHARP_IN_SCANS, TURNED, direction_arrow, extend_line
+
+
+def model_of_view(view: View, *, positive: int) -> Model:
+    """The model of a view, the first `positive` of whose axes are those of the positive branch."""
+    along, size = np.array(view.direction), float(max(view.size))
+    arrow = direction_arrow(np.array(view.vertices), along, size)
+    wires = [Wire(ring, INK, dashed=True) for ring in view.sections]
+    for place, axis in enumerate(view.axes):
+        colour = POSITIVE if place < positive else NEGATIVE
+        ends = _places(extend_line(np.array(axis.ends), BEYOND * size))
+        wires.append(Wire(ends, colour, label(axis.name, 14), dashed=place >= positive))
+    wires.append(Wire(_places(arrow), INK, arrow=True))
+    sharp = SHARP if len(view.triangles) == view.given else SHARP_IN_SCANS
+    level = sin(TURNED) * along - cos(TURNED) * np.array([-along[1], along[0], 0.0])
+    eye = (atan2(float(level[1]), float(level[0])), RAISED)
+    return Model(view.vertices, _parts(view), tuple(wires), STONE_EDGE, sharp, eye)
+
+
+def _parts(view: View) -> tuple[Part, ...]:
+    """The faces of each block, and of what does not move."""
+    faces: dict[int, list[tuple[int, int, int]]] = {}
+    for block, triangle in zip(view.block_of, view.triangles, strict=True):
+        faces.setdefault(block, []).append(triangle)
+    return tuple(
+        Part(FIXED if block < 0 else BLOCKS[block % len(BLOCKS)], tuple(triangles))
+        for block, triangles in faces.items()
+    )
+
+
+def _places(points: np.ndarray) -> tuple[Place, ...]:
+    return tuple((x, y, z) for x, y, z in np.round(points, 4).tolist())

@@ -1,0 +1,162 @@
+"""One look for all figures: letters, line widths, and a colour for each procedure that the colour-blind can tell apart.
+
+Colours after Okabe and Ito (2008). A procedure has the same colour and line in every figure; informative readings
+are dashed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from textwrap import wrap
+from typing import Any
+
+import matplotlib
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.legend import Legend
+
+from reports.figures.font import FAMILY, printable
+from reports.figures.legend import cache_extents
+from reports.figures.panel import Panel
+from reports.figures.ruler import Canvas
+from reports.language.lettering import truncate, truncate_middle
+
+WIDTH = 6.7  # of the text on the page [in]
+INK, MUTED, GRID, PAPER = "#1b2733", "#6b7680", "#d7dce1", "#f3f5f7"
+PASS, FAIL = "#00694c", "#b3380e"
+BANNER = {"pass": PASS, "fail": FAIL, "incomplete": "#8a6100"}
+STONE_EDGE, LOAD = "#6f6350", "#6b4c9a"
+POSITIVE, NEGATIVE = "#c1121f", "#0072b2"  # the branches
+BLOCKS = ("#d9cdb8", "#a8977a", "#efe8db")  # from the base upwards, told apart in grey too
+FIXED = "#dfe2e5"  # masonry that stays
+
+_RC: dict[Any, Any] = {
+    "font.family": [FAMILY],
+    "font.size": 7.5,
+    "axes.titlesize": 8,
+    "axes.labelsize": 7.5,
+    "axes.linewidth": 0.6,
+    "axes.edgecolor": MUTED,
+    "axes.labelcolor": INK,
+    "axes.grid": True,
+    "axes.axisbelow": True,
+    "axes.titley": 1.0,  # scales stand below
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.formatter.use_mathtext": False,
+    "axes.formatter.limits": (-4, 5),
+    "grid.color": GRID,
+    "grid.linewidth": 0.5,
+    "lines.linewidth": 1.3,
+    "legend.fontsize": 6.8,
+    "legend.frameon": False,
+    "text.color": INK,
+    "text.parse_math": False,
+    "text.hinting": "none",  # letters measured as they are drawn
+    "xtick.color": INK,
+    "ytick.color": INK,
+    "xtick.labelsize": 7,
+    "ytick.labelsize": 7,
+    "svg.hashsalt": "assess",
+    "svg.fonttype": "path",
+    "figure.dpi": 72,
+}
+
+
+@dataclass(frozen=True)
+class Pen:
+    """How a procedure is drawn."""
+
+    colour: str
+    dash: str
+    marker: str
+
+
+PROCEDURES: dict[str, Pen] = {
+    "asce43-05-spectrum": Pen("#0072b2", "-", "o"),
+    "asce43-05-spectrum-thesis": Pen("#56b4e9", "--", "o"),
+    "asce43-05-history": Pen("#000000", "-", "D"),
+    "dmi2008-linear": Pen("#e69f00", "-", "s"),
+    "dmi2008-nonlinear": Pen("#d55e00", "-", "^"),
+    "dmi2008-nonlinear-thesis": Pen("#d55e00", "--", "^"),
+    "dmi2008-history": Pen("#8c564b", "-.", "D"),
+    "ntc2018-linear": Pen("#cc79a7", "-", "s"),
+    "ntc2018-nonlinear": Pen("#009e73", "-", "v"),
+    "ntc2018-history": Pen("#6b4c9a", "-.", "D"),
+    "nzsee2017-face-loaded": Pen("#117733", "-", "P"),
+    "asce41-13-ht": Pen("#882255", "-", "X"),
+    "ec8-element": Pen("#44aa99", "-", "p"),
+    "asce43-05-sliding": Pen("#5c6b00", "-", "P"),
+    "sliding": Pen("#5c6b00", "-.", "X"),
+}
+_OTHER = Pen(MUTED, ":", "x")
+
+
+def pen(procedure: str) -> Pen:
+    """The pen of `procedure`; grey and dotted for one this table does not know."""
+    return PROCEDURES.get(procedure, _OTHER)
+
+
+@contextmanager
+def report_style() -> Iterator[None]:
+    """Within it, figures are made and drawn in the report's style."""
+    with matplotlib.rc_context(_RC):
+        yield
+
+
+def sheet(height: float, *, width: float = WIDTH) -> Figure:
+    """An empty figure of `width` x `height` [in] that lays itself out; made within `styled`."""
+    return _Sheet(figsize=(width, height), layout="constrained")
+
+
+def bare_sheet(height: float, *, width: float = WIDTH) -> Figure:
+    """An empty figure of `width` x `height` [in] whose panels are placed by hand; made within `styled`."""
+    return _Sheet(figsize=(width, height))
+
+
+class _Sheet(Figure):
+    """A figure of panels whose scales are drawn whole."""
+
+    def __init__(self, **given: Any) -> None:
+        super().__init__(**given)
+        Canvas(self)
+
+    def legend(self, *given: Any, **named: Any) -> Legend:
+        """A legend whose boxes are measured once."""
+        return cache_extents(super().legend(*given, **named))
+
+    def add_subplot(self, *place: Any, **given: Any) -> Axes:
+        """A panel, unless another projection is asked for."""
+        made: Axes = super().add_subplot(*place, **_as_panel(given))
+        return made
+
+    def add_axes(self, *place: Any, **given: Any) -> Axes:
+        """A panel, unless another projection is asked for."""
+        made: Axes = super().add_axes(*place, **_as_panel(given))
+        return made
+
+
+def _as_panel(given: dict[str, Any]) -> dict[str, Any]:
+    return given if "projection" in given else {**given, "axes_class": Panel}
+
+
+def legend_above(axes: Axes, *, columns: int) -> None:
+    """A legend above the panel, where it covers no curve."""
+    axes.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), borderaxespad=0.1, ncols=columns)
+
+
+def label(text: str, limit: int = 40) -> str:
+    """User text as it may stand in a figure: printable, and no longer than `limit` characters."""
+    return truncate(printable(text), limit)
+
+
+def record_label(text: str, limit: int) -> str:
+    """The name of a record as it may stand in a figure, with its beginning and its end."""
+    return truncate_middle(printable(text), limit)
+
+
+def fold(text: str, *, width: int, lines: int = 2) -> str:
+    """User text as a label of several lines of at most `width` characters."""
+    return "\n".join(wrap(printable(text), width, max_lines=lines, placeholder="…"))

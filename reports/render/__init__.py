@@ -1,0 +1,1 @@
+"""The renderers: a document as PDF, HTML, workbook and CSV; its figures as SVG and PNG."""

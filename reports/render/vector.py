@@ -1,0 +1,252 @@
+"""A matplotlib figure as marks: lines, areas and letters instead of pixels.
+
+`trace` lets the figure draw itself once onto a recorder; pdf_marks.py puts the marks on a page of the PDF, svg.py and
+png.py write them to a file of their own.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from concurrent.futures import Future
+from dataclasses import dataclass
+from itertools import accumulate, cycle, pairwise, repeat
+from typing import Any
+
+import numpy as np
+from matplotlib.backend_bases import GraphicsContextBase
+from matplotlib.figure import Figure
+from matplotlib.font_manager import FontProperties
+from matplotlib.path import Path
+from matplotlib.text import Text
+from matplotlib.transforms import Transform
+from numpy.typing import NDArray
+
+from reports.document import Document
+from reports.figures.ruler import Ruler
+from reports.figures.style import report_style
+from reports.render.processes import Pool
+
+Rgba = tuple[float, float, float, float]
+Rectangle = tuple[float, float, float, float]
+Outline = tuple[bytes, tuple[float, ...]]  # codes and numbers of a stroke
+_CLOSE = int(Path.CLOSEPOLY)
+_STRAIGHT = bytes((Path.MOVETO, Path.LINETO, Path.CLOSEPOLY))
+
+
+@dataclass(frozen=True)
+class Stroke:
+    """An outline of straight lines with its line and its filling; lengths in points.
+
+    codes : of matplotlib.path.Path, one each: MOVETO, LINETO, CLOSEPOLY
+    numbers : x and y of all that move or draw, one after the other; closing needs none
+    cap : "butt", "projecting" or "round"; join : "miter", "round" or "bevel"
+    """
+
+    codes: bytes
+    numbers: tuple[float, ...]
+    line: Rgba | None
+    filling: Rgba | None
+    width: float
+    dashes: tuple[tuple[float, ...], float]
+    cap: str
+    join: str
+    clip: Rectangle | None
+
+
+@dataclass(frozen=True)
+class Letters:
+    """A line of text at (x, y) [pt], turned by `angle` [deg]."""
+
+    text: str
+    x: float
+    y: float
+    angle: float
+    size: float
+    bold: bool
+    colour: Rgba
+
+
+@dataclass(frozen=True)
+class FigureMarks:
+    """A figure as marks, and its size [pt]."""
+
+    marks: tuple[Stroke | Letters, ...]
+    width: float
+    height: float
+
+
+class _Recorder(Ruler):
+    """A matplotlib renderer that writes down what it is asked to draw; origin at the lower left, unit 1 pt."""
+
+    def __init__(self, width: float, height: float) -> None:
+        super().__init__()
+        self.width, self.height = width, height
+        self.marks: list[Stroke | Letters] = []
+
+    def points_to_pixels(self, points: Any) -> Any:
+        return points
+
+    def get_canvas_width_height(self) -> tuple[float, float]:
+        return self.width, self.height
+
+    def draw_path(self, gc: GraphicsContextBase, path: Path, transform: Transform, rgbFace: Any = None) -> None:
+        width = float(gc.get_linewidth())
+        codes, numbers = _outline(path, transform, simplify=rgbFace is None and path.should_simplify)
+        self.marks.append(
+            Stroke(
+                codes=codes,
+                numbers=numbers,
+                line=_rgba(gc.get_rgb()) if width > 0 else None,
+                filling=None if rgbFace is None else _filling(gc, rgbFace),
+                width=width,
+                dashes=_dashes(*gc.get_dashes()),
+                cap=str(gc.get_capstyle()),
+                join=str(gc.get_joinstyle()),
+                clip=_window(gc),
+            )
+        )
+
+    def draw_path_collection(
+        self,
+        gc: GraphicsContextBase,
+        master_transform: Transform,
+        paths: Any,
+        all_transforms: Any,
+        offsets: Any,
+        offset_trans: Transform,
+        facecolors: Any,
+        edgecolors: Any,
+        linewidths: Any,
+        linestyles: Any,
+        *rest: Any,
+        **more: Any,
+    ) -> None:
+        """Many paths where they are; those that are shifted or turned each by itself as matplotlib draws them."""
+        looks = facecolors, edgecolors, linewidths, linestyles
+        if len(all_transforms) or np.any(offset_trans.transform(offsets)):
+            placed = paths, all_transforms, offsets, offset_trans
+            super().draw_path_collection(gc, master_transform, *placed, *looks, *rest, **more)
+            return
+        cap, join, clip = str(gc.get_capstyle()), str(gc.get_joinstyle()), _window(gc)
+        shapes = _outlines(paths, master_transform)
+        for (codes, numbers), face, edge, width, dashes in zip(shapes, *map(_repeated, looks), strict=False):
+            self.marks.append(
+                Stroke(
+                    codes=codes,
+                    numbers=numbers,
+                    line=_rgba(edge) if edge is not None and width > 0 and edge[3] > 0 else None,
+                    filling=_rgba(face) if face is not None and face[3] > 0 else None,
+                    width=float(width),
+                    dashes=_dashes(*dashes),
+                    cap=cap,
+                    join=join,
+                    clip=clip,
+                )
+            )
+
+    def draw_text(
+        self,
+        gc: GraphicsContextBase,
+        x: float,
+        y: float,
+        s: str,
+        prop: FontProperties,
+        angle: float,
+        ismath: Any = False,
+        mtext: Text | None = None,
+    ) -> None:
+        bold = str(prop.get_weight()) in {"bold", "700"}
+        size = float(prop.get_size_in_points())
+        self.marks.append(Letters(s, float(x), float(y), float(angle), size, bold, _rgba(gc.get_rgb())))
+
+
+class Drawings(Mapping[str, FigureMarks]):
+    """Figures by name; one that is still being drawn is waited for."""
+
+    def __init__(self, futures: Mapping[str, Future[FigureMarks]]) -> None:
+        self._futures = futures
+
+    def __getitem__(self, name: str) -> FigureMarks:
+        return self._futures[name].result()
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._futures)
+
+    def __len__(self) -> int:
+        return len(self._futures)
+
+
+def trace_figures(document: Document, *, pool: Pool) -> Drawings:
+    """Every figure of the document by its name, drawn once, by a `pool` that works on the document."""
+    return Drawings({figure.name: pool.submit(trace_at, place) for place, figure in enumerate(document.figures)})
+
+
+def trace_at(document: Document, place: int) -> FigureMarks:
+    """The figure at this place among those of the document as marks."""
+    return trace_figure(document.figures[place].draw())
+
+
+def trace_figure(figure: Figure) -> FigureMarks:
+    """The figure as marks, in points."""
+    with report_style():
+        figure.set_dpi(72)
+        width, height = (float(72 * side) for side in figure.get_size_inches())
+        recorder = _Recorder(width, height)
+        figure.draw(recorder)
+    return FigureMarks(tuple(recorder.marks), width, height)
+
+
+def _repeated(looks: Any) -> Iterator[Any]:
+    """One look after the other, from the first again after the last; without any, None."""
+    return cycle(looks.tolist() if isinstance(looks, np.ndarray) else looks) if len(looks) else repeat(None)
+
+
+def _dashes(offset: float | None, dashes: Any) -> tuple[tuple[float, ...], float]:
+    return () if dashes is None else tuple(np.asarray(dashes, dtype=np.float64).tolist()), float(offset or 0)
+
+
+def _window(gc: GraphicsContextBase) -> Rectangle | None:
+    clip = gc.get_clip_rectangle()
+    return None if clip is None else (float(clip.x0), float(clip.y0), float(clip.width), float(clip.height))
+
+
+def _outlines(paths: Sequence[Path], transform: Transform) -> Iterator[Outline]:
+    """The outlines of many paths; where all are straight, which most are, together."""
+    codes = [_codes(path) for path in paths]
+    if any(each.strip(_STRAIGHT) for each in codes):
+        yield from (_outline(path, transform, simplify=False) for path in paths)
+    elif paths:
+        points = transform.transform(np.concatenate([path.vertices for path in paths]))
+        numbers = _numbers(points, np.frombuffer(b"".join(codes), dtype=np.uint8))
+        ends = accumulate((2 * (len(each) - each.count(_CLOSE)) for each in codes), initial=0)
+        yield from ((each, numbers[start:end]) for each, (start, end) in zip(codes, pairwise(ends), strict=True))
+
+
+def _codes(path: Path) -> bytes:
+    if path.codes is None:
+        return bytes((Path.MOVETO, *[Path.LINETO] * (len(np.asarray(path.vertices)) - 1)))
+    return bytes(np.asarray(path.codes, dtype=np.uint8))
+
+
+def _outline(path: Path, transform: Transform, *, simplify: bool) -> Outline:
+    """The path cleaned as matplotlib does it: without what is not a number, curves as lines."""
+    clean = path.cleaned(transform=transform, remove_nans=True, simplify=simplify)
+    codes = np.asarray(clean.codes, dtype=np.uint8)
+    drawn = codes[: codes.tobytes().index(Path.STOP)]
+    return drawn.tobytes(), _numbers(np.asarray(clean.vertices)[: drawn.size], drawn)
+
+
+def _numbers(points: NDArray[np.float64], codes: NDArray[np.uint8]) -> tuple[float, ...]:
+    """Coordinates [2 n] of the n points [., 2] that do not close."""
+    return tuple(points[codes != _CLOSE].ravel().tolist())
+
+
+def _filling(gc: GraphicsContextBase, face: Any) -> Rgba:
+    r, g, b, *alpha = map(float, face)
+    opacity = gc.get_alpha() if gc.get_forced_alpha() or not alpha else alpha[0]
+    return r, g, b, float(1.0 if opacity is None else opacity)
+
+
+def _rgba(colour: Any) -> Rgba:
+    r, g, b, *alpha = map(float, colour)
+    return r, g, b, alpha[0] if alpha else 1.0

@@ -1,0 +1,50 @@
+"""The project of docs/mechanisms.md is read, and does what the lines beside it say."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from assess.project.build import build
+from assess.project.schema import load
+from assess.study.study import Study
+
+PAGE = Path(__file__).resolve().parents[2] / "docs" / "mechanisms.md"
+
+
+@pytest.fixture(scope="module")
+def study(tmp_path_factory: pytest.TempPathFactory) -> Study:
+    (text,) = (
+        block
+        for block in re.findall(r"```toml\n(.*?)```", PAGE.read_text(encoding="utf-8"), re.DOTALL)
+        if "[bodies]" in block
+    )
+    path = tmp_path_factory.mktemp("mechanisms") / "project.toml"
+    path.write_text(text)
+    return build(load(path))
+
+
+def test_every_mechanism_is_read_and_nothing_is_doubtful(study: Study) -> None:
+    assert [m.name for m in study.mechanisms] == ["weakest", "crack", "parapet", "held", "portal", "arch"]
+    told = [notice.text for notice in study.notices if notice.key not in ("not-amplified", "confidence-factor")]
+    assert all(text.startswith(("crack at", "hinges of")) for text in told), told
+
+
+def test_the_crack_slopes_down_towards_the_direction(study: Study) -> None:
+    crack = study.mechanisms[1]
+    assert crack.negative is not None
+    assert crack.positive.hinges[0][1] < 8.0 < crack.negative.hinges[0][1]
+    (sweep,) = study.sweeps
+    assert [case.value for case in sweep.cases] == [0.0, 20.0, 40.0]
+
+
+def test_an_eccentricity_counts_towards_the_direction(study: Study) -> None:
+    assert study.mechanisms[3].positive.loads[0].at == (-0.1, 4.0)
+
+
+def test_angles_of_joints_begin_at_the_springing_behind(study: Study) -> None:
+    x = [at[0] for at in study.mechanisms[5].positive.hinges]
+    assert x == sorted(x)
+    assert x[0] < 0.0 < x[-1]

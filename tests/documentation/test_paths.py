@@ -1,0 +1,72 @@
+"""Every file, module and page that the documents name is there."""
+
+from __future__ import annotations
+
+import importlib
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+PAGES = sorted([ROOT / "README.md", ROOT / "CONTRIBUTING.md", *(ROOT / "docs").glob("*.md")])
+NAMES = [str(page.relative_to(ROOT)) for page in PAGES]
+ROOMS = ("assess/", "spectra/", "records/", "reports/", "tests/", "docs/", ".ci/")
+PATH = re.compile(r"`([\w.-]+(?:/[\w.-]+)*/?)`")
+LINK = re.compile(r"\]\(([^)#\s]*)(#[^)\s]+)?\)")
+MODULE = re.compile(r"`((?:assess|spectra|records|reports)(?:\.\w+)+)(?:\([^`]*\))?`")
+DEVELOPERS = ("CONTRIBUTING.md", "docs/architecture.md", "docs/robustness.md")
+
+
+def links_of(page: Path) -> Iterator[tuple[Path, str]]:
+    """Targets of a page's links within the repository, with the heading they point to."""
+    for target, heading in LINK.findall(page.read_text(encoding="utf-8")):
+        if not target.startswith(("http:", "https:")):
+            yield (page.parent / target if target else page), heading
+
+
+def anchors_of(page: Path) -> set[str]:
+    """Anchors of a page's headings, as web sites of repositories make them."""
+    headings = re.findall(r"^#+ (.+)$", page.read_text(encoding="utf-8"), re.MULTILINE)
+    return {"#" + re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings}
+
+
+@pytest.mark.parametrize("page", PAGES, ids=NAMES)
+def test_every_path_exists(page):
+    named = [path for path in PATH.findall(page.read_text(encoding="utf-8")) if path.startswith(ROOMS)]
+    assert [path for path in named if not (ROOT / path).exists()] == []
+
+
+@pytest.mark.parametrize("page", PAGES, ids=NAMES)
+def test_every_link_leads_somewhere(page):
+    for target, heading in links_of(page):
+        assert target.exists(), target
+        assert not heading or heading in anchors_of(target), (target, heading)
+
+
+@pytest.mark.parametrize("name", DEVELOPERS)
+def test_every_module_exists(name):
+    for dotted in MODULE.findall((ROOT / name).read_text(encoding="utf-8")):
+        assert exists(dotted), dotted
+
+
+def exists(dotted: str) -> bool:
+    """Whether a dotted name is a module, or something in one."""
+    try:
+        importlib.import_module(dotted)
+    except ModuleNotFoundError:
+        parent, _, name = dotted.rpartition(".")
+        return bool(parent) and hasattr(importlib.import_module(parent), name)
+    return True
+
+
+def test_every_page_is_in_the_list_of_pages():
+    index = ROOT / "docs" / "README.md"
+    listed = {target.resolve() for target, _ in links_of(index)}
+    assert {page for page in (ROOT / "docs").glob("*.md") if page != index} <= listed
+
+
+def test_every_picture_is_shown_somewhere():
+    shown = {target.resolve() for page in PAGES for target, _ in links_of(page)}
+    assert set((ROOT / "docs" / "images").glob("*.svg")) <= shown

@@ -1,0 +1,104 @@
+"""Project files and commands that the documents show are read: whole ones as they are, parts within a small project."""
+
+from __future__ import annotations
+
+import re
+import shlex
+import tomllib
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+import pytest
+import typer.main
+
+from assess.cli.app import app
+from assess.project.schema import load
+
+ROOT = Path(__file__).resolve().parents[2]
+PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("*.md"))]
+AROUND = """
+title = "Around a part"
+[materials]
+stone = { density = 2200, young_modulus = "3 GPa" }
+[bodies]
+wall = { material = "stone", box = { thickness = 0.5, length = 3.0, height = 4.0 } }
+floor = { material = "stone", box = { thickness = 3.0, length = 3.0, height = 0.2, base = [1.5, 0, 4] } }
+roof = { material = "stone", box = { thickness = 3.0, length = 3.0, height = 0.2, base = [1.5, 0, 5] } }
+nave = { material = "stone", box = { thickness = 3.0, length = 3.0, height = 0.2, base = [1.5, 0, 6] } }
+[mechanisms]
+wall = { kind = "single-block", blocks = ["wall"] }
+apse = { kind = "single-block", blocks = ["wall"] }
+parapet = { kind = "single-block", blocks = ["wall"] }
+pinnacle = { kind = "single-block", blocks = ["wall"] }
+storey = { kind = "two-block", blocks = ["wall"] }
+"""
+
+
+def blocks(kind: str) -> Iterator[tuple[str, str]]:
+    """Fenced blocks of one kind, each with the place where it begins."""
+    for page in PAGES:
+        text = page.read_text(encoding="utf-8")
+        for match in re.finditer(rf"```{kind}\n(.*?)```", text, re.DOTALL):
+            yield f"{page.name}:{text.count(chr(10), 0, match.start()) + 2}", match[1]
+
+
+def merge(into: dict[str, Any], what: Mapping[str, Any]) -> dict[str, Any]:
+    """Return a table with the keys of another put into it, table by table."""
+    both = dict(into)
+    for key, value in what.items():
+        both[key] = merge(both[key], value) if isinstance(value, dict) and isinstance(both.get(key), dict) else value
+    return both
+
+
+def whole(text: str) -> dict[str, Any]:
+    """A project that holds a block: the block itself, or a small project with the block in it or in its first wall."""
+    given, around = tomllib.loads(text), tomllib.loads(AROUND)
+    if "mechanisms" in given:
+        return given
+    if any(
+        isinstance(value, dict) and not key.startswith(("interface", "amplification")) for key, value in given.items()
+    ):
+        return merge(around, given)
+    return merge(around, {"mechanisms": {"storey" if "interfaces" in given else "wall": given}})
+
+
+def toml(value: Any) -> str:
+    """A value as inline TOML."""
+    if isinstance(value, dict):
+        return "{ " + ", ".join(f'"{key}" = {toml(each)}' for key, each in value.items()) + " }"
+    if isinstance(value, list):
+        return "[" + ", ".join(toml(each) for each in value) + "]"
+    if isinstance(value, bool):
+        return str(value).lower()
+    return f'"{value}"' if isinstance(value, str) else repr(value)
+
+
+@pytest.mark.parametrize("text", [pytest.param(text, id=place) for place, text in blocks("toml")])
+def test_project_files_are_read(text, tmp_path):
+    (tmp_path / "records").mkdir()
+    (tmp_path / "records" / "one.AT2").write_text("a record")
+    (tmp_path / "nga_west2.csv").write_text("a flatfile")
+    file = tmp_path / "project.toml"
+    file.write_text("\n".join(f'"{key}" = {toml(value)}' for key, value in whole(text).items()), encoding="utf-8")
+    assert load(file).content.mechanisms
+
+
+def commands() -> Iterator[tuple[str, str]]:
+    """Lines of indented blocks that call the program, each with its place."""
+    for page in PAGES:
+        for number, line in enumerate(page.read_text(encoding="utf-8").splitlines(), 1):
+            if re.match(r" {4}(\$ )?assess ", line):
+                for command in line.partition("#")[0].replace("$ ", "").split(";"):
+                    yield f"{page.name}:{number}", command
+
+
+@pytest.mark.parametrize("line", [pytest.param(line, id=place) for place, line in commands()])
+def test_commands_and_their_options_exist(line):
+    command: Any = typer.main.get_command(app)
+    words = shlex.split(re.sub(r"[\[\]|]", " ", line.partition(">")[0]))[1:]
+    while words and hasattr(command, "commands") and words[0] in command.commands:
+        command = command.commands[words.pop(0)]
+    assert not hasattr(command, "commands"), line
+    options = {option for parameter in command.params for option in parameter.opts}
+    assert [word for word in words if word.startswith("-") and word not in options and word != "--help"] == []

@@ -1,0 +1,124 @@
+"""Shapes of roofs and vaults against closed forms, turned and shifted."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+from assess.geometry.roof_shape import extent, height, mean_lever_arm, slope, underside
+from assess.geometry.solid import Solid, box, polyhedron, profile
+
+
+def gable(*, span=6.0, rise=2.5, thickness=0.2) -> Solid:
+    """A pair of slabs of even thickness: their undersides lie under their tops by `thickness`, upright."""
+    half, t = span / 2, thickness
+    points = [[-half, 0], [0, rise], [half, 0], [half, t], [0, rise + t], [-half, t]]
+    return profile(points, length=4.0, density=500.0, name="roof")
+
+
+def ring(*, radius=3.0, half_angle=np.pi / 2, thickness=0.15, parts=240) -> Solid:
+    """A barrel vault of circular section, its mean radius given, centred on x = 0, z = 0."""
+    angle = np.linspace(-half_angle, half_angle, parts + 1)
+    inner, outer = (
+        np.column_stack([r * np.sin(angle), r * np.cos(angle)])
+        for r in (radius - thickness / 2, radius + thickness / 2)
+    )
+    return profile(np.concatenate([inner, outer[::-1]]), length=5.0, density=1800.0, name="vault")
+
+
+def groined(*, span=6.0, rise=2.0, thickness=0.125, cells=24) -> Solid:
+    """Two parabolic barrels that cross over a square bay, `thickness` measured upright."""
+    edge = np.linspace(-span / 2, span / 2, cells + 1)
+    x, y = (each.ravel() for each in np.meshgrid(edge, edge, indexing="ij"))
+    z = rise * (1 - (np.minimum(np.abs(x), np.abs(y)) * 2 / span) ** 2)
+    return thickened(x, y, z, n=cells + 1, thickness=thickness)
+
+
+def thickened(x, y, z, *, n, thickness) -> Solid:
+    """A closed shell over a grid of n by n points, row by row along x."""
+    below, above = np.column_stack([x, y, z]), np.column_stack([x, y, z + thickness])
+    i = np.arange(n * n).reshape(n, n)
+    a, b, c, d = (each.ravel() for each in (i[:-1, :-1], i[1:, :-1], i[1:, 1:], i[:-1, 1:]))
+    top = np.concatenate([np.column_stack([a, b, c]), np.column_stack([a, c, d])])
+    rim = np.concatenate([i[:-1, 0], i[-1, :-1], i[:0:-1, -1], i[0, :0:-1]])
+    after = np.roll(rim, -1)
+    sides = np.concatenate(
+        [np.column_stack([rim, after, after + n * n]), np.column_stack([rim, after + n * n, rim + n * n])]
+    )
+    triangles = np.concatenate([top[:, ::-1], top + n * n, sides])
+    return polyhedron(np.concatenate([below, above]), triangles, density=1800.0, name="vault")
+
+
+def turned(solid: Solid, degrees: float) -> Solid:
+    turn = Rotation.from_euler("z", degrees, degrees=True)
+    points = turn.apply(solid.vertices.copy()) + np.array([500.0, -300.0, 40.0])
+    return polyhedron(points, solid.triangles, density=1800.0, name=solid.name)
+
+
+@pytest.mark.parametrize("degrees", [0.0, 35.0, 90.0, 200.0])
+@pytest.mark.parametrize("covering", [gable(), ring(parts=24), ring(half_angle=0.6, parts=24)])
+def test_the_axis_runs_across_the_ridge(covering, degrees):
+    found = slope(turned(covering, degrees))
+    across = (np.cos(np.radians(degrees)), np.sin(np.radians(degrees)), 0.0)
+    assert abs(found.axis @ across) == pytest.approx(1.0, rel=1e-9)
+    assert not found.both_ways
+    assert found.one_sided == pytest.approx(0.0, abs=1e-9)
+
+
+def test_a_groined_vault_and_a_hipped_roof_slope_both_ways():
+    assert slope(turned(groined(), 20.0)).both_ways
+    x, y = (each.ravel() for each in np.meshgrid(np.linspace(-2, 2, 9), np.linspace(-2, 2, 9), indexing="ij"))
+    hipped = thickened(x, y, 2 - np.maximum(np.abs(x), np.abs(y)), n=9, thickness=0.2)
+    assert slope(hipped).both_ways
+
+
+def test_a_single_slope_and_a_flat_roof():
+    shed = profile([[0, 0], [4, 1], [4, 1.2], [0, 0.2]], length=3.0, density=500.0, name="roof")
+    assert slope(shed).one_sided == pytest.approx(1.0, rel=1e-12)
+    flat = box(thickness=4.0, length=3.0, height=0.2, base=(0, 0, 0), density=500.0, name="roof")
+    assert slope(flat).axis is None
+
+
+def test_span_and_rise_along_an_axis():
+    axis = np.array([np.cos(0.5), np.sin(0.5), 0.0])
+    solid = turned(gable(), np.degrees(0.5))
+    low, high = extent(solid, axis=axis)
+    assert high - low == pytest.approx(6.0, rel=1e-9)
+    assert height(solid) == pytest.approx(2.7, rel=1e-9)
+
+
+@pytest.mark.parametrize("degrees", [0.0, 35.0])
+def test_lever_of_slabs_of_even_thickness_is_a_quarter_of_the_span(degrees):
+    axis = np.array([np.cos(np.radians(degrees)), np.sin(np.radians(degrees)), 0.0])
+    assert mean_lever_arm(turned(gable(), degrees), axis=axis) == pytest.approx(6.0 / 4, rel=1e-9)
+
+
+@pytest.mark.parametrize("half_angle", [0.3, 0.9, np.pi / 2])
+def test_lever_of_a_circular_ring(half_angle):
+    """The centroid of half an annular sector of radii a, b lies 2/3 (b^3 - a^3)/(b^2 - a^2) (1 - cos t)/t off."""
+    a, b = 2.925, 3.075
+    off = 2 / 3 * (b**3 - a**3) / (b**2 - a**2) * (1 - np.cos(half_angle)) / half_angle
+    found = mean_lever_arm(ring(half_angle=half_angle), axis=np.array([1.0, 0.0, 0.0]))
+    assert found == pytest.approx(b * np.sin(half_angle) - off, rel=2e-4)  # 240 chords stand for the circle
+
+
+def test_lever_tends_to_a_quarter_of_the_span_as_a_vault_flattens():
+    flat = ring(radius=60.0, half_angle=0.05)
+    low, high = extent(flat, axis=np.array([1.0, 0.0, 0.0]))
+    assert mean_lever_arm(flat, axis=np.array([1.0, 0.0, 0.0])) == pytest.approx((high - low) / 4, rel=1e-2)
+
+
+def test_intrados_of_a_semicircle_and_its_plan():
+    area, plan = underside(ring())
+    assert area == pytest.approx(np.pi * 2.925 * 5.0, rel=1e-3)
+    assert plan == pytest.approx(2 * 2.925 * 5.0, rel=1e-3)
+
+
+def test_intrados_of_a_groined_vault():
+    """Its plan is the bay; its surface that of the two crossing parabolas, one of which rules each quarter."""
+    area, plan = underside(groined(cells=96))
+    assert plan == pytest.approx(36.0, rel=1e-9)
+    s = np.linspace(0.0, 3.0, 20001)
+    ring_of = 8 * (s[1] - s[0]) * np.sum((3.0 - s) * np.sqrt(1 + (2 * 2.0 * s / 9.0) ** 2))  # strips of length 3 - s
+    assert area == pytest.approx(ring_of, rel=2e-3)

@@ -1,0 +1,69 @@
+"""Recordings of one earthquake, and one motion in two files with other digits, against pairs known beforehand."""
+
+from dataclasses import replace
+from pathlib import Path
+from time import process_time
+
+import numpy as np
+import pytest
+
+from records.candidates import PERIODS, Candidate
+from records.event_groups import event_groups, same_motion
+from records.formats.header_overrides import HeaderOverrides
+from records.indexing import candidates_of
+
+RECORDS = Path(__file__).parents[4] / "shared" / "records"
+
+
+def candidate(number: int, *, event: str = "", digits: float = 0.0) -> Candidate:
+    rng = np.random.default_rng(number)
+    spectrum = np.exp(rng.normal(0.0, 1.0, PERIODS.size)) * (1.0 + digits * np.cos(np.arange(PERIODS.size)))
+    return Candidate(
+        path=f"{number} {digits}", position=0, id=str(number), event=event, station="", component="", date="",
+        magnitude=None, distance=None, vs30=None, place="", nga=None, dt=0.01, npts=1, measures={}, spectrum=spectrum,
+    )  # fmt: skip
+
+
+def pairs(*candidates: Candidate) -> set[tuple[int, int]]:
+    return {(min(pair), max(pair)) for pair in same_motion([(one,) for one in candidates]).tolist()}
+
+
+@pytest.mark.parametrize("digits", [0.0, 1e-6, 1e-4, 1e-3, 3e-3])
+def test_one_motion_is_told_though_its_digits_differ(digits: float) -> None:
+    assert pairs(candidate(1), candidate(2), candidate(1, digits=digits)) == {(0, 2)}
+
+
+@pytest.mark.parametrize("digits", [0.03, 0.3])
+def test_another_processing_is_another_motion(digits: float) -> None:
+    assert pairs(candidate(1), candidate(1, digits=digits)) == set()
+
+
+@pytest.mark.parametrize("order", [(0, 1, 2), (2, 0, 1), (1, 2, 0)])
+def test_a_copy_without_a_name_is_of_the_earthquake_of_the_motion(order: tuple[int, ...]) -> None:
+    """Though another recording of that earthquake is known only by its name; in any order of the files."""
+    three = [candidate(1, event="Petrolia"), candidate(1, digits=1e-4), candidate(2, event="Petrolia")]
+    mixed = [(three[i],) for i in order]
+    assert len(set(event_groups(mixed, one_per_event=True).tolist())) == 1
+    assert len(set(event_groups(mixed, one_per_event=False).tolist())) == 2
+
+
+def test_any_component_of_a_recording_tells() -> None:
+    one, other, copy = candidate(1), candidate(2), replace(candidate(2), path="copy")
+    assert same_motion([(one, other), (copy, candidate(3))]).tolist() == [[0, 1]]
+
+
+def test_none_and_many() -> None:
+    assert event_groups([], one_per_event=True).size == 0
+    many = [(candidate(i),) for i in range(5000)]
+    start = process_time()
+    assert len(set(event_groups([*many, *many[:100]], one_per_event=False).tolist())) == 5000
+    assert process_time() - start < 2.0
+
+
+@pytest.mark.skipif(not RECORDS.is_dir(), reason="the records are not here")
+def test_rio_dell_in_two_formats() -> None:
+    """PEER AT2, and the same as FEMA P-695 has it, with a sample more; beside another record of the earthquake."""
+    files = ["plain/SortedEQFile_(121321).txt", "peer_at2/RIO270.AT2", "peer_at2/CPM000.AT2", "peer_at2/Rinaldi228.AT2"]
+    found = candidates_of([RECORDS / file for file in files], overrides=HeaderOverrides("g"))
+    assert event_groups([(one,) for one in found], one_per_event=True).tolist() == [0, 0, 0, 1]
+    assert event_groups([(one,) for one in found], one_per_event=False).tolist() == [0, 0, 1, 2]

@@ -1,0 +1,307 @@
+"""The page in a real browser: Debian's chromium, without a window and without a network."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from selenium import webdriver
+from selenium.webdriver.chrome.service import Service
+from selenium.webdriver.common.action_chains import ActionChains
+from selenium.webdriver.common.actions import interaction
+from selenium.webdriver.common.actions.action_builder import ActionBuilder
+from selenium.webdriver.common.actions.pointer_input import PointerInput
+from selenium.webdriver.common.actions.wheel_input import ScrollOrigin
+from selenium.webdriver.common.by import By
+from selenium.webdriver.common.keys import Keys
+from selenium.webdriver.common.print_page_options import PrintOptions
+from selenium.webdriver.remote.webelement import WebElement
+
+from reports.document import Column, Document, Figure, Model, Part, Section, Table, Text, Wire
+from reports.figures.style import bare_sheet, report_style
+from reports.render.html import write_html
+from reports.render.processes import processes
+from reports.render.svg import picture
+from reports.render.vector import trace_figures
+
+DRIVER = shutil.which("chromedriver")
+pytestmark = pytest.mark.skipif(DRIVER is None, reason="needs chromium and chromedriver: .venv/browser of the Makefile")
+
+ALONE = (
+    "headless",
+    "disable-gpu",
+    "disable-quic",
+    "no-first-run",
+    "disable-background-networking",
+    "disable-component-update",
+    "disable-sync",
+    "window-size=1280,900",
+)
+HOSTILE = (
+    "<script>document.title = 'run'</script>",
+    "</script><img src=x onerror=alert(1)>",
+    '"><b>bold</b> &amp; $title',
+    "=cmd|'/c calc'!A0",
+    "../../etc/passwd",
+    "right \u202e to left",
+    "x" * 10_000,
+)
+SCRIPT = "const s = document.createElement('script'); s.text = 'window.ran = 1'; document.body.append(s)"
+RED, BLUE = (255, 0, 0), (0, 0, 255)
+
+
+@pytest.fixture(scope="module")
+def browser(tmp_path_factory: pytest.TempPathFactory) -> Iterator[webdriver.Chrome]:
+    options = webdriver.ChromeOptions()
+    root = ("no-sandbox",) if os.geteuid() == 0 else ()
+    for option in (*ALONE, *root, f"user-data-dir={tmp_path_factory.mktemp('profile')}"):
+        options.add_argument(f"--{option}")
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
+    driver = webdriver.Chrome(options=options, service=Service(DRIVER))
+    yield driver
+    driver.quit()
+
+
+@pytest.fixture
+def opened(browser: webdriver.Chrome, page: Path) -> webdriver.Chrome:
+    browser.get(page.as_uri())
+    return browser
+
+
+def first(driver: webdriver.Chrome, selector: str) -> WebElement:
+    return driver.find_element(By.CSS_SELECTOR, selector)
+
+
+def painted(driver: webdriver.Chrome) -> str:
+    """The pixels of the canvas, once the browser has drawn what it was asked to."""
+    driver.execute_async_script("const done = arguments[0]; requestAnimationFrame(() => requestAnimationFrame(done))")
+    return str(driver.execute_script("return document.querySelector('canvas').toDataURL()"))
+
+
+def seen_box(driver: webdriver.Chrome) -> list[float]:
+    """The viewBox of the figure in the viewer."""
+    return [float(side) for side in (first(driver, ".stage svg").get_dom_attribute("viewBox") or "").split()]
+
+
+def enlarged(driver: webdriver.Chrome) -> WebElement:
+    first(driver, "figure .picture").click()
+    return first(driver, ".stage")
+
+
+def turning(driver: webdriver.Chrome) -> WebElement:
+    buttons = driver.find_elements(By.CSS_SELECTOR, "figure:has(script) .tools button")
+    buttons[1].click()
+    return first(driver, ".stage")
+
+
+def test_no_error_and_no_request(browser: webdriver.Chrome, page: Path) -> None:
+    for log in ("browser", "performance"):
+        browser.get_log(log)
+    browser.get(page.as_uri())
+    turning(browser)
+    painted(browser)
+    events = [json.loads(entry["message"])["message"] for entry in browser.get_log("performance")]
+    sent = {each["params"]["request"]["url"] for each in events if each["method"] == "Network.requestWillBeSent"}
+    own = ("data:", "chrome:")  # the page's empty icon, and the browser's first page
+    assert {url for url in sent if not url.startswith(own)} == {page.as_uri()}
+    assert browser.get_log("browser") == []
+
+
+def test_the_policy_refuses_what_is_not_of_the_page(opened: webdriver.Chrome) -> None:
+    opened.get_log("browser")
+    opened.execute_script("document.body.append(Object.assign(new Image(), {src: 'file:///x.png'}))")
+    opened.execute_script(SCRIPT)
+    assert opened.execute_script("return window.ran") is None
+    assert sum("Content Security Policy" in entry["message"] for entry in opened.get_log("browser")) >= 2
+
+
+def test_a_figure_enlarges_on_click_and_zooms_about_the_pointer(opened: webdriver.Chrome) -> None:
+    small = first(opened, "figure .picture svg").size["width"]
+    stage = enlarged(opened)
+    assert first(opened, "dialog").get_attribute("open") is not None
+    assert first(opened, ".stage svg").size["width"] > 1.1 * small
+    before = seen_box(opened)
+    ActionChains(opened).scroll_from_origin(ScrollOrigin.from_element(stage), 0, -200).perform()
+    after = seen_box(opened)
+    assert after[2] < 0.9 * before[2]
+    middle = [[box[k] + box[k + 2] / 2 for k in (0, 1)] for box in (before, after)]
+    np.testing.assert_allclose(*middle, rtol=0, atol=0.01 * before[2])
+    ActionChains(opened).drag_and_drop_by_offset(stage, 50, 0).perform()
+    assert seen_box(opened)[0] < after[0]
+    assert seen_box(opened)[2] == pytest.approx(after[2])
+    ActionChains(opened).double_click(stage).perform()
+    assert seen_box(opened) == before
+
+
+def test_a_figure_obeys_the_keyboard(opened: webdriver.Chrome) -> None:
+    first(opened, "figure .tools button").send_keys(Keys.ENTER)
+    before = seen_box(opened)
+    stage = opened.switch_to.active_element
+    stage.send_keys("+", Keys.ARROW_RIGHT)
+    assert seen_box(opened)[2] < before[2]
+    stage.send_keys("0")
+    assert seen_box(opened) == before
+    stage.send_keys(Keys.ESCAPE)
+    assert first(opened, "dialog").get_attribute("open") is None
+
+
+def test_bodies_turn_on_drag_keys_and_touch(opened: webdriver.Chrome) -> None:
+    stage = turning(opened)
+    start = painted(opened)
+    ActionChains(opened).drag_and_drop_by_offset(stage, 120, 40).perform()
+    dragged = painted(opened)
+    assert dragged != start
+    stage.send_keys(Keys.ARROW_LEFT)
+    keyed = painted(opened)
+    assert keyed not in (start, dragged)
+    pinch(opened, stage)
+    assert painted(opened) not in (start, dragged, keyed)
+    first(opened, "[data-action='0']").click()
+    assert painted(opened) == start
+
+
+def pinch(driver: webdriver.Chrome, element: WebElement) -> None:
+    """Two fingers that move apart."""
+    actions = ActionBuilder(driver, mouse=PointerInput(interaction.POINTER_TOUCH, "one"))
+    other = actions.add_pointer_input(interaction.POINTER_TOUCH, "other")
+    one = actions.pointer_inputs[0]
+    for finger, side in ((one, -1), (other, 1)):
+        finger.create_pointer_move(origin=element, x=30 * side, y=0)
+        finger.create_pointer_down(button=0)
+        finger.create_pointer_move(origin=element, x=90 * side, y=0, duration=50)
+        finger.create_pointer_up(0)
+    actions.perform()
+
+
+def box(low: tuple[float, float, float], high: tuple[float, float, float]) -> tuple[Any, ...]:
+    """Corners and faces of a box."""
+    corners = tuple((x, y, z) for x in (low[0], high[0]) for y in (low[1], high[1]) for z in (low[2], high[2]))
+    quads = ((0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3))
+    return corners, tuple(face for a, b, c, d in quads for face in ((a, b, c), (a, c, d)))
+
+
+def shown(model: Model, folder: Path, *, title: str = "t", texts: tuple[str, ...] = ()) -> Path:
+    """A page of one figure with this model, and a table of the texts."""
+    with report_style():
+        drawn = bare_sheet(1.0)
+    table = Table("t", title, (Column(title),), tuple((text,) for text in texts))
+    blocks = (Figure("f", title, lambda: drawn, model), Text(texts), table)
+    document = Document(title, title, "", title, "A4", ((title, title),), (Section(title, 0, blocks),), ())
+    with processes(1, document) as pool:
+        pictures = {name: picture(drawing) for name, drawing in trace_figures(document, pool=pool).items()}
+    return write_html(document, folder / "page.html", pictures=pictures)
+
+
+def test_what_is_nearer_hides_what_is_behind_and_is_lit_as_it_faces(browser: webdriver.Chrome, tmp_path: Path) -> None:
+    """A small red box before a large blue one, in the order that a painter would get wrong; then seen from behind."""
+    near, red = box((1.0, -1.0, -1.0), (2.0, 1.0, 1.0))
+    far, blue = box((-2.0, -3.0, -3.0), (0.0, 3.0, 3.0))
+    behind = tuple((a + 8, b + 8, c + 8) for a, b, c in blue)
+    parts = (Part("#ff0000", red), Part("#0000ff", behind))
+    model = Model((*near, *far), parts, (Wire(((0, 0, 0), (0, 0, 5)), "#000000", "A"),), "#6f6350", 0.6, (0.0, 0.0))
+    browser.get(shown(model, tmp_path).as_uri())
+    turning(browser)
+    painted(browser)
+    light = 0.55 / np.linalg.norm([0.35, 0.75, 0.55])  # the face looks to the eye
+    bright = 0.62 + 0.38 * light
+    assert pixel(browser, 0.0, -0.1) == pytest.approx([round(part * bright) for part in RED], abs=1)
+    assert pixel(browser, 0.2, -0.2) == pytest.approx([round(part * bright) for part in BLUE], abs=1)
+    stage = first(browser, ".stage")
+    for _ in range(10):  # 10 x 40 px x 0.008 rad: about pi
+        stage.send_keys(Keys.ARROW_LEFT)
+    painted(browser)
+    assert pixel(browser, 0.1, -0.1)[0] == 0
+
+
+def pixel(driver: webdriver.Chrome, right: float, up: float) -> list[int]:
+    """Red, green and blue at a place off the middle of the canvas, in shares of its shorter side."""
+    return list(
+        driver.execute_script(
+            "const c = document.querySelector('canvas'), s = Math.min(c.width, c.height), [x, y] = arguments;"
+            "const at = [c.width / 2 + s * x, c.height / 2 - s * y];"
+            "return [...c.getContext('2d').getImageData(...at, 1, 1).data].slice(0, 3)",
+            right,
+            up,
+        )
+    )
+
+
+def test_hostile_text_is_text(browser: webdriver.Chrome, tmp_path: Path) -> None:
+    corners, faces = box((0.0, 0.0, 0.0), (1.0, 1.0, 1.0))
+    for place, text in enumerate(HOSTILE):
+        wire = Wire(((0, 0, 0), (1, 0, 0)), "#000000", text)
+        model = Model(corners, (Part("#ff0000", faces),), (wire,), "#000000", 0.6, (0.4, 0.4))
+        folder = tmp_path / str(place)
+        folder.mkdir()
+        browser.get_log("browser")
+        browser.get(shown(model, folder, title=text, texts=HOSTILE).as_uri())
+        turning(browser)
+        painted(browser)
+        expected = [text.replace("\u202e", "⟨U+202E⟩") for text in HOSTILE]
+        cells = browser.execute_script("return [...document.querySelectorAll('td')].map((cell) => cell.textContent)")
+        assert cells == expected
+        assert browser.title != "run"
+        assert browser.find_elements(By.CSS_SELECTOR, "main img, td b, main p b") == []
+        assert browser.get_log("browser") == []
+        assert wide(browser) <= 0
+
+
+def wide(driver: webdriver.Chrome) -> int:
+    """How far the page is wider than the window [px]."""
+    return int(driver.execute_script("const e = document.documentElement; return e.scrollWidth - e.clientWidth"))
+
+
+@pytest.mark.parametrize("width", [390, 1280])
+def test_the_page_is_no_wider_than_the_window(browser: webdriver.Chrome, page: Path, width: int) -> None:
+    size = {"width": width, "height": 844, "deviceScaleFactor": 1, "mobile": width < 500}
+    browser.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", size)
+    try:
+        browser.get(page.as_uri())
+        assert browser.execute_script("return innerWidth") == width
+        assert wide(browser) <= 0
+        turning(browser)
+        assert wide(browser) <= 0
+        buttons = browser.find_elements(By.CSS_SELECTOR, "dialog button")
+        assert all(button.rect["x"] + button.rect["width"] <= width for button in buttons)
+    finally:
+        browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+
+
+def test_tables_are_sorted_by_their_numbers(opened: webdriver.Chrome) -> None:
+    script = (
+        "return [...document.querySelectorAll('table.sortable')].find((t) => t.querySelector('td[data-value]')"
+        " && t.tBodies[0].rows.length > 3)"
+    )
+    table = opened.execute_script(script)
+    column = opened.execute_script(
+        "return [...arguments[0].tBodies[0].rows[0].cells].findIndex((cell) => cell.dataset.value)", table
+    )
+
+    def values() -> list[str | None]:
+        cells = table.find_elements(By.CSS_SELECTOR, f"tbody td:nth-child({column + 1})")
+        return [cell.get_attribute("data-value") for cell in cells]
+
+    given = values()
+    button = table.find_elements(By.CSS_SELECTOR, "thead button")[column]
+    for sign in (1, -1):
+        button.send_keys(Keys.ENTER)
+        numbers = [float(value) for value in values() if value is not None]
+        assert numbers == sorted(numbers, key=lambda number, sign=sign: sign * number)
+        assert sorted(map(str, values())) == sorted(map(str, given))
+    button.send_keys(Keys.ENTER)
+    assert values() == given
+
+
+def test_printed_it_has_no_tools(opened: webdriver.Chrome) -> None:
+    assert first(opened, "nav").is_displayed()
+    opened.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
+    assert not first(opened, "nav").is_displayed()
+    assert not first(opened, ".tools").is_displayed()
+    opened.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})
+    assert len(opened.print_page(PrintOptions())) > 10_000

@@ -9,8 +9,9 @@ from assess.codes.dmi2008.clauses import DAMPING, EDITION, floor_acceleration, u
 from assess.codes.italian.acceleration import acceleration_check, ratio_steps
 from assess.codes.italian.edition import Options
 from assess.codes.italian.floor import Demands, floor_of
-from assess.codes.italian.kinematic import activation, activation_steps
+from assess.codes.italian.kinematic import activation
 from assess.codes.italian.limit_state import Case, add_safety_index, check_each_limit_state
+from assess.codes.italian.sheet import activation_steps
 from assess.oscillator import Oscillator
 
 PROCEDURE = "dmi2008-linear"

@@ -13,13 +13,8 @@ from dataclasses import dataclass
 from assess.codes.check import Step, step
 from assess.codes.context import Context, LocalLimit
 from assess.codes.italian.curves import Curves
-from assess.codes.italian.kinematic import (
-    BEFORE,
-    collapse_step,
-    displacement_at,
-    displacement_at_collapse,
-    multiplier_at,
-)
+from assess.codes.italian.kinematic import BEFORE, displacement_at, displacement_at_collapse, multiplier_at
+from assess.codes.italian.sheet import collapse_step
 from assess.messages.message import Message, Quantity, Severity, Value, message
 from assess.oscillator import Branch, multiplier
 

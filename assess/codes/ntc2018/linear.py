@@ -8,8 +8,9 @@ from assess.codes.context import Context
 from assess.codes.italian.acceleration import acceleration_check, ratio_steps
 from assess.codes.italian.edition import Options
 from assess.codes.italian.floor import Demands
-from assess.codes.italian.kinematic import activation, activation_steps
+from assess.codes.italian.kinematic import activation
 from assess.codes.italian.limit_state import Case, add_safety_index, check_each_limit_state
+from assess.codes.italian.sheet import activation_steps
 from assess.codes.ntc2018.building import ELASTIC_DAMPING, FirstModes, elastic_modes, floor_acceleration
 from assess.codes.ntc2018.clauses import EDITION, acceleration_demands, activation_pga, period_of, uplift
 from assess.codes.ntc2018.sheet import (

@@ -12,8 +12,8 @@ from assess.codes.context import Context
 from assess.codes.italian.displacement import Answer, displacement_check, ground_step, ratio_step
 from assess.codes.italian.edition import Options
 from assess.codes.italian.floor import Demands
-from assess.codes.italian.kinematic import activation_steps, curve_step
 from assess.codes.italian.limit_state import Case, add_safety_index, check_each_limit_state
+from assess.codes.italian.sheet import activation_steps, curve_step
 from assess.codes.italian.thresholds import break_conditions, seat_conditions, threshold_steps
 from assess.codes.ntc2018.building import (
     SHOWN_DAMPING,

@@ -1,11 +1,8 @@
 """ASCE/SEI 43-05, Appendix A.1: how far an unanchored rigid body slides, by an equivalent linear oscillator.
 
-    mu_e = mu (1 - 0.4 A_v / g)      c_s = 2 mu_e g      delta_s = c_s / (2 pi f_es)^2            (A-1, A-2, A-3)
-
-f_es is the lowest frequency at which the horizontal spectrum of 10 % damping reaches c_s. Not checked against the
-printed standard: A-3 is from memory. The clause combines two horizontal directions in a vector; here the motion is in
-one vertical plane, and its ordinate is that of the spectrum. Its body presses with all its weight: where masses move
-whose weight is carried elsewhere, mu N / (M g) stands for mu. Ties and given forces have no place in it.
+The clause combines two horizontal directions in a vector; here the motion is in one vertical plane, and its ordinate is
+that of the spectrum. Its body presses with all its weight: where masses move whose weight is carried elsewhere,
+mu N / (M g) takes the place of mu. Ties and applied forces are not covered.
 """
 
 from __future__ import annotations
@@ -40,14 +37,14 @@ LEVEL = 1e-6  # of a unit normal: faces less inclined are level
 
 
 def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tuple[Check, ...]:
-    """One check for each level, against `options.allowable_sliding`; without that for information only."""
+    """Return one check for each level, against `options.allowable_sliding`; without that, for information only."""
     lifts = least_known([threshold(branch) for branch in oscillator.branches])
     checks = tuple(_check(level, context, oscillator.mass, options.allowable_sliding) for level in context.levels)
     return tuple(replace(check, uplift_pga_g=lifts) for check in warn_at_height(checks, context=context))
 
 
 def reason_unanswerable(context: Context) -> tuple[Outcome, Message] | None:
-    """Why A.1 says nothing of this mechanism, with the remedy; None where it does."""
+    """Return why A.1 does not cover this mechanism, with the remedy; None where it does."""
     if not context.hinges:
         return Outcome.NOT_ANSWERED, reason_message(Reason.NO_HINGE_FORCES)
     first = context.hinges[0]
@@ -94,7 +91,7 @@ def _check(level: float, context: Context, mass: float, allowable: float | None)
 
 
 def _verdict(found: float | None, allowable: float | None, at_capacity: float | None) -> tuple[Outcome, Message]:
-    """What the estimate means; where the spectrum does not tell it, a smaller PGA may tell that it is too much."""
+    """Return outcome and reason; where the estimate is not known, a smaller PGA may show that it is too much."""
     if found is None and at_capacity is None:
         return Outcome.NOT_ANSWERED, reason_message(Reason.SLIDING_UNBOUNDED)
     if found is None:

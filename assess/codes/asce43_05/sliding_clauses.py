@@ -1,4 +1,10 @@
-"""ASCE/SEI 43-05, Appendix A.1: formulas of the sliding of an unanchored rigid body."""
+"""ASCE/SEI 43-05, Appendix A.1: formulas of the sliding of an unanchored rigid body. One function for each.
+
+    mu_e = mu (1 - 0.4 A_v / g)      c_s = 2 mu_e g      delta_s = c_s / (2 pi f_es)^2            (A-1, A-2, A-3)
+
+f_es is the lowest frequency at which the horizontal spectrum of 10 % damping reaches c_s. Not checked against the
+printed standard: A-3 is from memory.
+"""
 
 from __future__ import annotations
 
@@ -16,29 +22,70 @@ HIGHEST, HALVINGS = 100.0 * g, 60  # PGA [m/s2] up to which its capacity is look
 
 
 def effective_friction(mu: float, *, vertical: float) -> float:
-    """mu_e [-] with a peak vertical acceleration [m/s2], not below 0 (A-1)."""
+    """Return mu_e = mu (1 - 0.4 A_v / g), not below 0 (A-1).
+
+    Parameters
+    ----------
+    mu : coefficient of friction [-]
+    vertical : peak vertical acceleration A_v [m/s2]
+
+    Returns
+    -------
+    float
+        mu_e [-].
+    """
     return max(mu * (1.0 - 0.4 * vertical / g), 0.0)
 
 
 def friction_of_all(mu: float, *, normal: float, mass: float) -> float:
-    """mu N / (M g) [-]: N that presses on the base at rest [N], M all mass that slides [kg]."""
+    """Return mu N / (M g), the friction over the weight of all that slides.
+
+    Parameters
+    ----------
+    mu : coefficient of friction [-]
+    normal : N that presses on the base at rest [N]
+    mass : M of all that slides [kg]
+
+    Returns
+    -------
+    float [-]
+    """
     return mu * normal / (mass * g)
 
 
 def sliding_coefficient(friction: float) -> float:
-    """c_s [m/s2] of an effective friction [-] (A-2)."""
+    """Return c_s = 2 mu_e g [m/s2] of an effective friction [-] (A-2)."""
     return 2.0 * friction * g
 
 
 def sliding_distance(coefficient: float, *, frequency: float) -> float:
-    """delta_s [m] (A-3)."""
+    """Return delta_s = c_s / (2 pi f_es)^2 (A-3).
+
+    Parameters
+    ----------
+    coefficient : c_s [m/s2]
+    frequency : f_es [Hz]
+
+    Returns
+    -------
+    float [m]
+    """
     return coefficient / (2.0 * pi * frequency) ** 2
 
 
 def longest_period(context: Context, level: float, coefficient: float) -> float | None:
-    """The longest period [s] at which the spectrum of a level [m/s2] reaches c_s [m/s2]; 0 where none does.
+    """Return the longest period at which the spectrum reaches c_s, 1 / f_es.
 
-    None where the spectrum ends before it falls below c_s.
+    Parameters
+    ----------
+    context : its spectrum is scaled to `level`
+    level : PGA [m/s2]
+    coefficient : c_s [m/s2]
+
+    Returns
+    -------
+    float or None
+        Period [s]; 0 where no ordinate reaches c_s, None where the spectrum ends before it falls below c_s.
     """
     spectrum, scale = context.spectrum, level / context.spectrum.pga
 
@@ -54,7 +101,19 @@ def longest_period(context: Context, level: float, coefficient: float) -> float 
 
 
 def best_estimate(context: Context, level: float, mu: float) -> float | None:
-    """delta_s [m] at a level [m/s2], 0 without sliding; None where the spectrum ends too early, or without friction."""
+    """Return the best estimate of sliding, delta_s.
+
+    Parameters
+    ----------
+    context : spectrum and vertical motion
+    level : PGA [m/s2]
+    mu : coefficient of friction [-]
+
+    Returns
+    -------
+    float or None
+        delta_s [m], 0 without sliding; None where the spectrum ends too early, or without friction.
+    """
     c_s = sliding_coefficient(effective_friction(mu, vertical=context.vertical_ratio * level))
     period = longest_period(context, level, c_s) if c_s > 0.0 else None
     if period is None:
@@ -63,9 +122,20 @@ def best_estimate(context: Context, level: float, mu: float) -> float | None:
 
 
 def pga_at(context: Context, mu: float, allowable: float) -> float | None:
-    """The largest PGA [m/s2] whose sliding stays within the allowable [m]; None where the spectrum does not tell.
+    """Return the largest PGA whose sliding stays within the allowable one.
 
-    More shaking never slides less, so halving finds it.
+    Found by bisection, as more shaking never slides less.
+
+    Parameters
+    ----------
+    context : spectrum and vertical motion
+    mu : coefficient of friction [-]
+    allowable : delta_s allowed [m]
+
+    Returns
+    -------
+    float or None
+        PGA [m/s2]; None where the spectrum ends too early to tell.
     """
     low, high = 0.0, HIGHEST
     for _ in range(HALVINGS):

@@ -14,7 +14,7 @@ from assess.oscillator import Branch, multiplier, participation_ratio, resisted
 
 
 def activation_steps(case: Case, edition: Edition) -> tuple[Step, ...]:
-    """The PGA, alpha0, e*, FC and a0* as the calculation sheets print them."""
+    """Write the PGA, alpha0, e*, FC and a0*."""
     branch, mass, FC = case.curves.starting, case.curves.mass, case.confidence.factor
     e, moved = participation_ratio(branch, mass=mass), "(Σ m δx)² / (M · Σ m δx²)"
     shares: Given = {
@@ -33,7 +33,7 @@ def activation_steps(case: Case, edition: Edition) -> tuple[Step, ...]:
 
 
 def _multiplier_step(branch: Branch, clause: str) -> Step:
-    """alpha0: at rest, or on joints the largest of the curve."""
+    """Write alpha0: at rest, or on joints the largest of the curve."""
     alpha0, words = resisted(branch), "multiplier that starts the mechanism"
     if alpha0 > float(multiplier(branch)[0]):
         return step("α0", words, clause, "largest λ of the curve", alpha0, remark="joints that give way")
@@ -42,7 +42,7 @@ def _multiplier_step(branch: Branch, clause: str) -> Step:
 
 
 def collapse_step(branch: Branch, clause: str, *, mass: float) -> Step:
-    """d0* as the calculation sheets print it."""
+    """Write d0*."""
     e, collapse = participation_ratio(branch, mass=mass), displacement_at_collapse(branch, mass=mass)
     words = f"displacement where a* = 0, actions shown to last alone; B integrated to φ_ov = {branch.unstable:.5g} rad"
     given: Given = {"∫ B dφ": (collapse * e * mass, "kg m"), "M": (mass, "kg"), "e*": e}
@@ -50,7 +50,7 @@ def collapse_step(branch: Branch, clause: str, *, mass: float) -> Step:
 
 
 def curve_step(case: Case, clause: str, symbol: str, words: str, *, moved: float) -> Step:
-    """a* at the displacement d* = `moved` [m] as the calculation sheets print it: with lambda, and where it is read."""
+    """Write a* at the displacement d* = `moved` [m], with lambda, and where on the curve it is read."""
     branch, mass, FC = case.curves.breaking, case.curves.mass, case.confidence.factor
     e = participation_ratio(branch, mass=mass)
     rotation = rotation_at(branch, moved * e, mass=mass)

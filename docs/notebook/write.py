@@ -42,7 +42,7 @@ print(f"multiplier   {one.multiplier:.6f}        tan(alpha)        = {np.tan(alp
 shaking = assess.Record(id="decaying sine", acceleration=3.1 * np.sin(2 * np.pi * time) * np.exp(-0.3 * time), dt=0.005)
 for scale in (1.0, 1.5, 2.0):
     motion = assess.respond(block, shaking, scale=scale)
-    print(f"scale {scale}: overturned {motion.overturned}, largest rotation over overturning {motion.max_ratio:.3f}")""",
+    print(f"scale {scale}: overturned {motion.overturned}, rotation over overturning {motion.max_ratio:.3f}")""",
     """## Which pulses overturn it
 
 One full sine of each frequency: the least amplitude that overturns, in either polarity.""",
@@ -56,7 +56,7 @@ The same rules as for a project: what lacks an input is not answered, and says w
 for level in ("LC1", None):
     procedures = ["ntc2018-linear", "ntc2018-nonlinear"]
     for check in assess.answers(block, target, procedures=procedures, knowledge_level=level):
-        print(f"{level!s:5} {check.procedure:18} {check.limit_state:4} {check.verdict.value:13} {check.reason.text}")""",
+        print(f"{level!s:5} {check.procedure:18} {check.limit_state} {check.verdict.value:13} {check.reason.text}")""",
     """## A project, its tables and its report
 
 `assess new DIR --example single_wall` writes the project of a garden wall. A `Run` gives its tables as pandas

@@ -19,7 +19,7 @@ from assess.messages.message import Message, warning
 from assess.model.weakest import mechanism_in_direction
 from assess.project import record_set, sections
 from assess.project.amplification import amplification_method_of, structure_of
-from assess.project.asking import as_asked, free_periods_of, knowledge_of, options_of, procedures_of
+from assess.project.asking import free_periods_of, knowledge_of, options_of, procedures_of, with_asked_procedures
 from assess.project.bodies import bodies_of, models_of, solid_of
 from assess.project.components import horizontal, left_out
 from assess.project.deciding import facts_of, question_of
@@ -88,7 +88,7 @@ def study_of(project: Project, *, executor: Executor | None = None) -> Study:
         records=named.records,
         fitting=named.fitting,
         inputs=tuple(inputs_of(project, named.records)),
-        resolved=as_asked(resolve(project), content),
+        resolved=with_asked_procedures(resolve(project), content),
         notices=(
             *project.doubts,
             *(warning("site-study", "site.spectrum", text=text) for text in (spectrum.warnings if spectrum else ())),

@@ -18,7 +18,7 @@ from assess.project.schema import load
 from assess.results import SCHEMA_VERSION, Input, Program, Resolved, Results
 from assess.results.diff import Change
 from assess.results.json import dumps
-from assess.study.run import parameters
+from assess.study.parameters import parameters
 
 PROJECT = """
 [mechanisms.parapet]

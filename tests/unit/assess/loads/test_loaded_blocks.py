@@ -9,7 +9,8 @@ import pytest
 from assess.errors import GeometryError, MechanismError, ProjectError
 from assess.project.build import build
 from assess.project.schema import load
-from assess.study.run import parameters, run
+from assess.study.parameters import parameters
+from assess.study.run import run
 
 WALL = """
 [materials.m]

@@ -9,12 +9,12 @@ from pathlib import Path
 from assess.project.messages import printable
 from assess.project.record_set import cell_text
 from records.flatfile_match import FlatfileMatch
-from records.indexing import Indexed
+from records.indexing import IndexSummary
 
 TOLD = 20  # bad cells of a flatfile
 
 
-def table_text(found: Indexed, place: Path, *, described: int, merged: FlatfileMatch | None) -> str:
+def table_text(found: IndexSummary, place: Path, *, described: int, merged: FlatfileMatch | None) -> str:
     """Counts, what became of a flatfile, each file that could not be read with the reason, and the catalogue's path."""
     counts = f"{found.read} files read, {found.unchanged} unchanged, {found.gone} gone"
     lines = [
@@ -28,7 +28,7 @@ def table_text(found: Indexed, place: Path, *, described: int, merged: FlatfileM
     return "".join(f"{printable(line)}\n" for line in lines)
 
 
-def json_text(found: Indexed, place: Path, *, described: int, merged: FlatfileMatch | None) -> str:
+def json_text(found: IndexSummary, place: Path, *, described: int, merged: FlatfileMatch | None) -> str:
     """The same as JSON."""
     problems = [{"path": path, "reason": why} for path, why in found.problems]
     told = {**asdict(found), "problems": problems, "with_magnitude": described, "catalogue": str(place)}

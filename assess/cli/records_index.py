@@ -37,13 +37,13 @@ def index(
     from assess.cli.index_table import json_text, table_text
     from assess.cli.progress import progress
     from assess.cli.warning import warn
-    from records.catalogue import NAME, candidates, open_catalogue, take
+    from records.catalogue import NAME, candidates, open_catalogue, store_flatfile
     from records.flatfile import read_flatfile
     from records.flatfile_match import match_flatfile
     from records.formats.header_overrides import HeaderOverrides
-    from records.indexing import files_below
     from records.indexing import index as brought_up
     from records.plausibility import candidate_warning
+    from records.record_files import files_below
 
     table = None if flatfile is None else read_flatfile(flatfile)
     next(files_below(folder), None)  # a folder that is none is told before a catalogue is made
@@ -54,7 +54,7 @@ def index(
         processes(jobs) as executor,
     ):
         if table is not None:
-            take(connection, table.recordings)
+            store_flatfile(connection, table.recordings)
         found = brought_up(
             folder,
             connection,

@@ -17,7 +17,7 @@ from assess.codes.italian.history import required_pga
 from assess.codes.registry import history_rules, procedure
 from assess.loads.load import PointMass
 from assess.mechanisms.hinge_forces import hinge_forces
-from assess.mechanisms.lasting import limits, rise_of, variants
+from assess.mechanisms.lasting import height_of_support, limits, variants
 from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message, Quantity
 from assess.oscillator import Oscillator
@@ -140,7 +140,7 @@ def context_of(
 def _context_of(
     study: Study, spectrum: Spectrum, mechanism: Mechanism, rocked: RockingHistories, base: tuple[BaseMotion, ...]
 ) -> Context:
-    grounded, rise, ways = study.grounded[mechanism.name], rise_of(mechanism), variants(mechanism)
+    grounded, rise, ways = study.grounded[mechanism.name], height_of_support(mechanism), variants(mechanism)
     return Context(
         spectrum=spectrum,
         levels=study.levels,

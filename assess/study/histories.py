@@ -18,7 +18,7 @@ from scipy.constants import g
 from assess.amplification.floor_motion import BaseMotion
 from assess.codes.check import BranchName
 from assess.codes.context import Suite
-from assess.dynamics.history import Jobs, Peaks, prepared, trace
+from assess.dynamics.history import Jobs, Peaks, make_solver, trace
 from assess.oscillator import Oscillator, elastic_frequency, resisted
 from assess.results import HistoryResult, Trace
 from assess.study.motions import ScaledRecord
@@ -116,7 +116,7 @@ def level_solver(
     n, factors = len(motions), np.array([motion.scaling.factor for motion in motions])
     records = [carried.record for carried in shaken.base]
     oscillators = [with_restitution_factor(shaken.oscillator, rebound) for rebound in shaken.rebounds]
-    run = prepared(oscillators, records, equation=shaken.equation, threads=threads)
+    run = make_solver(oscillators, records, equation=shaken.equation, threads=threads)
     signs = np.array([1.0] if shaken.oscillator.symmetric else [1.0, -1.0])
     ways = np.tile(signs, len(oscillators))  # of one record at one level: every polarity with every rebound
     which = np.repeat(np.arange(len(oscillators)), signs.size)

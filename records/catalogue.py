@@ -18,7 +18,8 @@ import numpy as np
 
 from records.candidates import Candidate
 from records.errors import RecordError
-from records.flatfile import Recording, describe_by
+from records.flatfile import Recording
+from records.flatfile_match import describe_candidates
 from records.formats.header_overrides import HeaderOverrides
 from records.intensity import Measures
 from records.seal import seal, with_seal
@@ -184,7 +185,7 @@ def candidates(connection: sqlite3.Connection) -> tuple[Candidate, ...]:
         if not _whole(row):
             raise _damaged(connection, f"record {row[1]} of {row[0]}")
     found = [_candidate(row, overrides) for row in rows]
-    return describe_by(found, recordings(connection))
+    return describe_candidates(found, recordings(connection))
 
 
 def _candidate(row: Sequence[Any], overrides: HeaderOverrides) -> Candidate:

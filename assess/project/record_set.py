@@ -22,7 +22,8 @@ from records import catalogue
 from records.band import Band, band
 from records.candidates import PERIODS, Candidate
 from records.errors import RecordError
-from records.flatfile import BadCell, MatchSummary, describe_by, match_summary, read_flatfile
+from records.flatfile import BadCell, read_flatfile
+from records.flatfile_match import FlatfileMatch, describe_candidates, match_flatfile
 from records.formats.header_overrides import NO_OVERRIDES, HeaderOverrides
 from records.indexing import candidates_of, index
 from records.plausibility import record_warning, warnings_among
@@ -51,7 +52,7 @@ class Offer:
 
     candidates: tuple[Candidate, ...]
     problems: tuple[tuple[str, str], ...]
-    merged: MatchSummary | None = None
+    merged: FlatfileMatch | None = None
 
 
 def all_of(section: sections.Records, folder: Path) -> RecordSet:
@@ -142,7 +143,7 @@ def offered(
     offer = (*found, *made)
     if table is None:
         return Offer(offer, tuple(problems))
-    return Offer(describe_by(offer, table.recordings), tuple(problems), match_summary(offer, table))
+    return Offer(describe_candidates(offer, table.recordings), tuple(problems), match_flatfile(offer, table))
 
 
 def catalogue_of(folder: Path) -> Path | None:

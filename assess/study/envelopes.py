@@ -12,26 +12,22 @@ from scipy.constants import g
 from assess.dynamics.critical import Critical, find_critical
 from assess.dynamics.envelope import Envelope, envelope
 from assess.oscillator import Oscillator, linearise
-from assess.results import CriticalBand, CriticalResult, EnvelopeResult, PrimaryPulse, RecordResult
-from assess.study.motions import ScaledRecord
+from assess.results import CriticalBand, CriticalResult, EnvelopeResult
+from assess.short_repr import ShortRepr
+from assess.study.progress import Progress
 from assess.study.study import Equation, PulseGrid
-from records.primary_pulse import primary_pulses
 from records.pulses import SHAPES
 from spectra.arrays import FloatArray
 
-Progress = Callable[[str, int, int], None]
-
 DEFAULT_GRID = PulseGrid(SHAPES["sine"], np.linspace(0.2, 10.0, 100), np.linspace(0.0, 3.0 * g, 100))
-MOST_PULSES = 3
-WORTH = 0.1  # of the energy that the best pulse explains: others that explain less are none
-"""Primary pulses of a record that are kept: the best, and the next ones, which may be longer and worse."""
 
 
-@dataclass(frozen=True)
-class EnvelopeCase:
-    """A mechanism as envelopes see it.
+@dataclass(frozen=True, repr=False)
+class EnvelopeCase(ShortRepr):
+    """A mechanism whose envelope is sought.
 
-    factor : amplification to its base at given frequencies [n] [Hz] -> [n]; case : of a sweep, in words, else empty
+    factor : amplification to its base at given frequencies [n] [Hz] -> [n]
+    case : the case of a sweep in words, else empty
     """
 
     name: str
@@ -42,33 +38,33 @@ class EnvelopeCase:
 
 
 def map_envelopes(
-    rockers: Sequence[EnvelopeCase], grid: PulseGrid | None, *, jobs: int, progress: Progress
+    cases: Sequence[EnvelopeCase], grid: PulseGrid | None, *, jobs: int, progress: Progress
 ) -> dict[str, EnvelopeResult]:
-    """The envelope of every mechanism by name; none where no grid of pulses is asked for."""
+    """Return the envelope of every mechanism by name; empty without a grid of pulses."""
     if grid is None:
         return {}
     found = {}
-    for count, rocker in enumerate(rockers):
-        progress("overturning envelopes", count, len(rockers))
+    for count, case in enumerate(cases):
+        progress("overturning envelopes", count, len(cases))
         made = envelope(
-            rocker.oscillator,
+            case.oscillator,
             grid.shape,
             grid.frequency,
             grid.amplitude,
-            equation=rocker.equation,
-            factor=rocker.factor(grid.frequency),
+            equation=case.equation,
+            factor=case.factor(grid.frequency),
             threads=jobs,
         )
-        found[rocker.name] = replace(envelope_result(made, rocker.oscillator), case=rocker.case)
-    progress("overturning envelopes", len(rockers), len(rockers))
+        found[case.name] = replace(envelope_result(made, case.oscillator), case=case.case)
+    progress("overturning envelopes", len(cases), len(cases))
     return found
 
 
 def envelope_result(made: Envelope, oscillator: Oscillator) -> EnvelopeResult:
-    """The envelope in the units of results."""
+    """Return the envelope in the units of results."""
     form = min((linearise(branch) for branch in oscillator.branches), key=lambda form: form.multiplier)
     bound = made.lower_bound / g
-    above = made.amplitude[None, :] > made.lower_bound[:, None]  # never where there is no bound
+    above = made.amplitude[None, :] > made.lower_bound[:, None]  # nowhere, if nothing overturns
     return EnvelopeResult(
         shape=made.shape.name,
         gamma=made.shape.gamma,
@@ -88,7 +84,7 @@ def envelope_result(made: Envelope, oscillator: Oscillator) -> EnvelopeResult:
 
 
 def critical_result(found: dict[str, EnvelopeResult]) -> CriticalResult | None:
-    """Which of the mechanisms is critical at each frequency; None without mechanisms."""
+    """Return which mechanism is critical at each frequency; None without mechanisms."""
     if not found:
         return None
     names = list(found)
@@ -97,9 +93,9 @@ def critical_result(found: dict[str, EnvelopeResult]) -> CriticalResult | None:
     order = find_critical(frequency, bounds)
     return CriticalResult(
         frequency_hz=tuple(frequency.tolist()),
-        mechanism=_named(order.mechanism, names),
+        mechanism=_names(order.mechanism, names),
         lower_bound_g=none_for_nan(order.lower_bound),
-        runner_up=_named(order.runner_up, names),
+        runner_up=_names(order.runner_up, names),
         margin=none_for_nan(order.margin),
         near=tuple(tuple(name for name, is_near in zip(names, row, strict=True) if is_near) for row in order.near.T),
         bands=_bands(order, names),
@@ -113,38 +109,11 @@ def _bands(order: Critical, names: Sequence[str]) -> tuple[CriticalBand, ...]:
     )
 
 
-def _named(index: NDArray[np.int64], names: Sequence[str]) -> tuple[str | None, ...]:
+def _names(index: NDArray[np.int64], names: Sequence[str]) -> tuple[str | None, ...]:
+    """Return the names of mechanisms by index, None for a negative one."""
     return tuple(names[i] if i >= 0 else None for i in index)
 
 
-def with_primary_pulses(
-    records: Sequence[RecordResult], motions: Sequence[ScaledRecord], grid: PulseGrid | None
-) -> tuple[RecordResult, ...]:
-    """The records with the pulses of the grid's shape found in them, scaled as they are."""
-    if grid is None:
-        return tuple(records)
-    return tuple(
-        replace(record, primary_pulses=pulses_of(motion, grid)) for record, motion in zip(records, motions, strict=True)
-    )
-
-
-def pulses_of(motion: ScaledRecord, grid: PulseGrid) -> tuple[PrimaryPulse, ...]:
-    """The best pulses within one motion, each as the motion is scaled."""
-    found = primary_pulses(motion.record, shape=grid.shape, count=MOST_PULSES)
-    return tuple(
-        PrimaryPulse(
-            shape=pulse.shape.name,
-            frequency_hz=pulse.frequency,
-            amplitude_g=pulse.amplitude * motion.scaling.factor / g,
-            start_s=pulse.start,
-            polarity=pulse.polarity,
-            energy_share=pulse.energy_share,
-        )
-        for pulse in found
-        if pulse.energy_share >= WORTH * found[0].energy_share
-    )
-
-
 def none_for_nan(values: FloatArray) -> tuple[float | None, ...]:
-    """Numbers [n], None for nan."""
+    """Return numbers [n], None in place of nan."""
     return tuple(None if np.isnan(value) else float(value) for value in values)

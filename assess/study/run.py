@@ -13,11 +13,13 @@ from assess.mechanisms.lasting import variants
 from assess.messages.message import Message, note, warning
 from assess.results import SCHEMA_VERSION, MechanismResult, Results
 from assess.results.stamp import stamp, this_program
-from assess.study.checks import Progress, assess_mechanisms
-from assess.study.envelopes import DEFAULT_GRID, EnvelopeCase, critical_result, map_envelopes, with_primary_pulses
+from assess.study.envelopes import DEFAULT_GRID, EnvelopeCase, critical_result, map_envelopes
 from assess.study.ground_motion import ground_motion
+from assess.study.mechanisms import assess_mechanisms
 from assess.study.motions import ScaledRecord, motions_of
 from assess.study.outcome import amplification_result, comparison_rows, mechanism_result, record_result, spectrum_result
+from assess.study.primary_pulses import with_primary_pulses
+from assess.study.progress import Progress, silent
 from assess.study.sampling import coarse_record_messages
 from assess.study.sensitivity import sensitivities
 from assess.study.study import Study
@@ -28,7 +30,7 @@ from assess.study.verdict import by_motion, decide, mark_result
 from spectra.spectrum import Spectrum
 
 
-def run(study: Study, *, jobs: int = 0, progress: Progress = lambda stage, done, total: None) -> Results:
+def run(study: Study, *, jobs: int = 0, progress: Progress = silent) -> Results:
     """The results of `study`; `jobs` threads, 0 for all cores. `progress` is told (stage, done, total).
 
     The controlling case of a mechanism that is swept stands for it.
@@ -84,7 +86,7 @@ def question_of(study: Study, standing: Mapping[str, MechanismSweep]) -> Questio
     return questions[0] if questions and all(each == questions[0] for each in questions) else study.question
 
 
-def envelope(study: Study, *, jobs: int = 0, progress: Progress = lambda stage, done, total: None) -> Results:
+def envelope(study: Study, *, jobs: int = 0, progress: Progress = silent) -> Results:
     """The overturning envelopes of `study` alone, on its pulses or the default ones; no spectrum or record is needed.
 
     Mechanisms stand as the project has them, without the cases of its sweeps.

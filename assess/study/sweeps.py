@@ -19,8 +19,9 @@ from assess.codes.verdict import Decision, MechanismVerdict
 from assess.errors import locate_errors
 from assess.messages.message import Message, count, note, warning
 from assess.results import MechanismResult, OscillatorResult, SweepResult
-from assess.study.checks import Progress, assess_mechanisms
+from assess.study.mechanisms import assess_mechanisms
 from assess.study.motions import ScaledRecord, motions_of
+from assess.study.progress import Progress, silent
 from assess.study.study import Case, Study, Sweep
 from assess.study.suite_faults import suite_faults
 from assess.study.verdict import decide, mark_result
@@ -93,7 +94,7 @@ def assess_case(case: Case, study: Study, motions: tuple[ScaledRecord, ...], *, 
     moving = motions if shared else motions_of(case.study, spectrum, jobs=jobs)
     faults = study.suite_faults if shared else suite_faults(case.study, spectrum, moving)
     judged = replace(case.study, suite_faults=faults)
-    done = assess_mechanisms(judged, spectrum, moving, jobs=jobs, progress=lambda stage, done, total: None)
+    done = assess_mechanisms(judged, spectrum, moving, jobs=jobs, progress=silent)
     found = decide(judged, done)
     each = zip(done, found.mechanisms, strict=True)
     return tuple(CaseResult(mark_result(found, judged.question, result), one) for result, one in each)

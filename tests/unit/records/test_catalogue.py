@@ -14,7 +14,7 @@ import pytest
 from scipy.constants import g
 
 from records import indexing
-from records.candidates import PERIODS, Candidate
+from records.candidates import PERIODS, Candidate, candidate_table
 from records.catalogue import NAME, candidates, inside, open_catalogue, take
 from records.errors import RecordError
 from records.flatfile import read_flatfile
@@ -64,6 +64,24 @@ def test_a_record_comes_back_as_it_was_measured(folder: Path) -> None:
     np.testing.assert_array_equal(found.spectrum, response_spectrum(record, PERIODS))
     of = measures(record)
     assert found.measures == {name: getattr(of, name) for name in found.measures}
+
+
+def test_a_catalogue_as_a_table_has_a_row_for_each_record(folder: Path) -> None:
+    with open_catalogue(None) as catalogue:
+        index(folder, catalogue)
+        found = candidates(catalogue)
+    table = candidate_table(found)
+    assert list(table["id"]) == [one.id for one in found]
+    assert list(table["pga"]) == [one.measures["pga"] for one in found]
+    assert table.set_index("path").loc["RSN57_X_0.AT2", "nga"] == 57
+    assert candidate_table(()).empty
+
+
+def test_pandas_is_loaded_only_to_read_a_flatfile() -> None:
+    script = (
+        "import sys, records.flatfile, records.flatfile_match, records.catalogue, records.candidates, records.selection"
+    )
+    subprocess.run([sys.executable, "-c", f"{script}; assert 'pandas' not in sys.modules"], check=True)
 
 
 def test_only_what_changed_is_read_again(folder: Path) -> None:

@@ -10,18 +10,24 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from command import ended
-from wall_project import WALL
 
-PROJECT = f"""{WALL}restitution = 0.5
-interface = {{ model = "flexible", stiffness = "1 GPa/m", strength = "2 MPa" }}
-[analysis]
-procedures = ["asce43-05-spectrum"]
-pulses = {{ shape = "sine", frequency = {{ from = "1 Hz", to = "4 Hz", count = 3 }}, amplitude = {{ from = "0 g", to = "2 g", count = 4 }} }}
-[analysis.sweep]
-key = "bodies.wall.box.height"
-values = [4.0, 5.0]
-"""  # noqa: E501
+from tests.support.command import ended
+from tests.support.projects import block, project_toml
+
+PROJECT = project_toml(
+    mechanisms={
+        "wall": block(restitution=0.5, interface={"model": "flexible", "stiffness": "1 GPa/m", "strength": "2 MPa"})
+    },
+    analysis={
+        "procedures": ["asce43-05-spectrum"],
+        "pulses": {
+            "shape": "sine",
+            "frequency": {"from": "1 Hz", "to": "4 Hz", "count": 3},
+            "amplitude": {"from": "0 g", "to": "2 g", "count": 4},
+        },
+        "sweep": {"key": "bodies.wall.box.height", "values": [4.0, 5.0]},
+    },
+)
 
 
 @pytest.fixture(scope="module")
@@ -175,10 +181,10 @@ def test_edited_results_are_doubted_and_their_report_says_so(
     assert ended("diff", here, outputs) == 0
     told = capsys.readouterr()
     assert told.err == (
-        f"assess: warning: {here / 'results.json'}: these results were changed since the program wrote them: nothing "
-        "vouches for their numbers; run the project again\n"
+        f"assess: warning: {here / 'results.json'}: these results have been changed since the program wrote "
+        "them, so their numbers cannot be trusted; run the project again\n"
     )
-    assert "nothing vouches for their numbers" in told.out
+    assert "their numbers cannot be trusted" in told.out
     monkeypatch.setattr("reports.writing.write_all", lambda found, stage, **_: seen.append(found) or stage / "x")
     assert ended("report", here / "results.json") == 0
     assert [each.key for each in seen[0].warnings].count("results-changed") == 1

@@ -14,8 +14,8 @@ from assess.errors import AssessError
 from assess.mechanisms.lasting import variants
 from assess.project.build import build
 from assess.project.schema import load
-from assess.study.checks import context_of
-from assess.study.histories import RockingHistories
+from assess.study.context import context_of
+from assess.study.rocking_case import RockingHistories
 from assess.study.run import envelope, parameters, run
 from assess.study.sensitivity import check_case
 

@@ -11,16 +11,11 @@ import pytest
 from assess.amplification.floor_motion import Unamplified, base_motion
 from assess.dynamics.history import Jobs, peaks
 from assess.oscillator import Oscillator, SingleBlock, plain_branch
-from assess.study.histories import (
-    AT_ONCE,
-    SCAN_STEP,
-    RockingCase,
-    run_levels,
-    scan_levels,
-    with_governing_trace,
-    with_restitution_factor,
-)
+from assess.study.histories import run_levels, with_governing_trace
+from assess.study.history_levels import with_restitution_factor
+from assess.study.history_scan import AT_ONCE, SCAN_STEP, scan_levels
 from assess.study.motions import ScaledRecord
+from assess.study.rocking_case import RockingCase
 from records.record import make_record
 from records.scaling import Scaling
 

@@ -13,7 +13,7 @@ from assess.mechanisms.lasting import variants
 from assess.oscillator import Oscillator, SingleBlock, plain_branch
 from assess.project.build import build
 from assess.project.schema import load
-from assess.study.histories import with_restitution_factor
+from assess.study.history_levels import with_restitution_factor
 from assess.study.motions import motions_of
 from assess.study.pulse_envelope import envelope
 from assess.study.response import respond

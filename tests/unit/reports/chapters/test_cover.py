@@ -103,7 +103,7 @@ def test_each_mechanism_has_the_answer_that_decides(results: Results, judged_at:
     rows = {row[0]: dict(zip(heads, row, strict=True)) for row in table.rows}
     assert rows["parapet"]["Verdict"] == "fail"
     assert rows["parapet"]["Decided by"] == "asce43-05-history"
-    assert rows["parapet"]["Why"] == "overturns: no rotation holds this demand"
+    assert rows["parapet"]["Why"] == "overturns: no rotation balances this demand"
     wall = rows["Wall 6, eroded base"]
     assert (wall["Verdict"], wall["Decided by"], wall["Index"]) == ("pass", "asce43-05-spectrum", "D/C 0.840")
     assert "Answer" not in wall

@@ -76,7 +76,7 @@ def test_what_checks_say_is_told_at_the_sites_own_action_and_elsewhere_where_the
     assert [row["Procedure"] for row in rows if row["Role"] == "deciding"] == ["asce43-05-history"]
     assert {row["Procedure"] for row in rows if row["Reading"] == "thesis"} == {"asce43-05-spectrum-thesis"}
     assert [row["Reading"] for place, row in enumerate(rows) if place in table.muted] == ["thesis"]
-    assert next(row["Why"] for row in rows if row["PGA"] == 0.45).startswith("the demand is beyond")
+    assert next(row["Why"] for row in rows if row["PGA"] == 0.45).startswith("the demand exceeds")
 
 
 def test_joints_without_a_threshold_have_no_pga_at_uplift(results: Results) -> None:

@@ -1,0 +1,44 @@
+"""The scan of one mechanism over rising PGA.
+
+The PGA of the target rises in steps of SCAN_STEP until a record overturns the mechanism. The scan gives the curve of
+the response-history method and its PGA at collapse. On joints that vibrate about rest a history takes ten times as many
+steps of integration, so there the scan has half as many levels.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise
+from math import log
+
+from scipy.constants import g
+
+from assess.codes.context import Suite
+from assess.oscillator import resisted
+from assess.study.history_levels import level_solver, suites_of
+from assess.study.motions import ScaledRecord
+from assess.study.rocking_case import RockingCase, vibrates
+
+SCAN_STEP, JOINTS_STEP = 1.025, 1.05  # ratio of two PGAs of the scan, and where joints vibrate about rest
+SCAN_START = 0.4  # of the smaller uplift acceleration, or of what a flexible joint resists at most
+MOST_LEVELS, MOST_ON_JOINTS = 204, 102
+AT_ONCE = 3  # levels, for the threads to share; those above the first that overturns are run in vain
+
+
+def scan_levels(
+    case: RockingCase, motions: Sequence[ScaledRecord], *, site_pga: float, threads: int
+) -> tuple[Suite, ...]:
+    """Run suites at rising PGA, up to the first one in which a record overturns the mechanism."""
+    strongest = max(m.scaling.factor * at.record.pga for m, at in zip(motions, case.base, strict=True)) / site_pga
+    uplift = g * min(resisted(branch) for branch in case.oscillator.branches)
+    start = SCAN_START * uplift / max(1.0, strongest)
+    step, most = (JOINTS_STEP, MOST_ON_JOINTS) if vibrates(case.oscillator) else (SCAN_STEP, MOST_LEVELS)
+    solve = level_solver(case, motions, site_pga=site_pga, threads=threads)
+    below = round(log(1.0 / SCAN_START) / log(step))  # levels short of uplift, which do not overturn
+    suites: list[Suite] = []
+    for first, beyond in pairwise([0, *range(below, most, AT_ONCE), most]):
+        for suite in suites_of(solve([start * step**k for k in range(first, beyond)])):
+            suites.append(suite)
+            if suite.overturned:
+                return tuple(suites)
+    return tuple(suites)

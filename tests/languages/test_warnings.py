@@ -53,7 +53,7 @@ SOURCES: Mapping[str, tuple[str, ...]] = {
     "assess/loads/loaded_blocks.py": ("_left_out", "as_given"),
     "assess/model/loading.py": ("in_the_air", "moving_anchors"),
     "assess/project/record_set.py": ("_first", "cell_text"),
-    "assess/study/sampling.py": ("longest_step",),
+    "assess/study/coarse_records.py": ("longest_step",),
     "assess/model/walls.py": ("by_formula", "by_search"),
     "records/flatfile_match.py": ("_reason",),
     "records/arrival.py": ("arrival_warning",),

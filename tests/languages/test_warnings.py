@@ -39,7 +39,7 @@ SOURCES: Mapping[str, tuple[str, ...]] = {
     "assess/geometry/self_overlap.py": ("self_overlap_warnings",),
     "assess/geometry/surface.py": ("volume_change_text",),
     "assess/interfaces/contact.py": ("sideways_doubt",),
-    "assess/mechanisms/doubts.py": ("across_the_crack", "loose_hinges", "pulling_supports"),
+    "assess/mechanisms/warnings.py": ("across_the_crack", "loose_hinges", "pulling_supports"),
     "assess/mechanisms/equivalent_block.py": ("equivalent_block",),
     "assess/mechanisms/impact.py": ("_faster", "no_rebound", "rebound"),
     "assess/mechanisms/single_block.py": ("_off_base",),

@@ -83,7 +83,7 @@ def select(
         raise typer.BadParameter(f"{what} needs --target; a PROJECT has its own [records] select")
     from assess.cli.description import warned
     from assess.cli.suite_table import csv_text, drawn, json_text, table_text
-    from assess.project.choosing import Wanted, of_project, of_target
+    from assess.project.suites import Wanted, of_project, of_target
     from records.formats.header_overrides import HeaderOverrides
 
     if target is None:

@@ -17,7 +17,7 @@ from math import inf
 from assess.codes.check import Check, Outcome
 from assess.codes.verdict import Decision, MechanismVerdict
 from assess.errors import locate_errors
-from assess.messages.message import Message, count, note, warning
+from assess.messages.message import Message, note, warning, whole_number
 from assess.results import MechanismResult, OscillatorResult, SweepResult
 from assess.study.mechanisms import assess_mechanisms
 from assess.study.motions import ScaledRecord, motions_of
@@ -170,7 +170,7 @@ def case_messages(swept: MechanismSweep) -> Iterator[Message]:
     """Which case stands for the mechanism, and the notices of that case."""
     where, sweep = f"mechanisms.{swept.mechanism}", swept.sweep
     case = f"{sweep.key} = {value_text(sweep, swept.case)}"
-    yield note("sweep", where, cases=count(len(sweep.cases)), case=case)
+    yield note("sweep", where, cases=whole_number(len(sweep.cases)), case=case)
     for mechanism in swept.case.study.mechanisms:
         if mechanism.name == swept.mechanism:
             yield from (warning("mechanism", where, text=notice) for notice in mechanism.notices)

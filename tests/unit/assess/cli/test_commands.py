@@ -12,7 +12,7 @@ import pytest
 from command import ended
 from scipy.constants import g
 
-from assess.cli.summary import summary
+from assess.cli.tables.summary import summary
 from assess.codes.bases import BASES
 from assess.codes.check import Check, Outcome, Reason, reason_message
 from assess.codes.verdict import Action, MechanismChecks, Missing, Question, verdict

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 from command import ended
 
-from assess.cli.diff_table import changes_text
+from assess.cli.tables.diff import changes_text
 from assess.messages.message import Message, Severity
 from assess.project.build import build
 from assess.project.schema import load

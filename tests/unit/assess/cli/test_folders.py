@@ -5,10 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from assess.workers import available_cores
 from command import ended
 from wall_project import WALL
 
-from assess.cli.processes import cores
 from assess.outputs.lock import hold_lock
 
 
@@ -61,5 +61,5 @@ def test_a_number_of_processes_that_is_none_is_refused(
 
 def test_no_more_processes_are_begun_than_there_are_cores(tmp_path: Path) -> None:
     (tmp_path / "wall.toml").write_text(WALL + '[analysis]\nprocedures = ["asce43-05-spectrum"]\n')
-    assert cores() >= 1
+    assert available_cores() >= 1
     assert ended("run", tmp_path / "wall.toml", "--no-report", "--jobs", "99999999999") in (0, 1, 3)

@@ -278,7 +278,7 @@ def test_many_files_are_read_by_processes(
             return super().map(*arguments, **options)
 
     monkeypatch.setattr("assess.workers.SpawnedPool", Executor)
-    monkeypatch.setattr("assess.cli.arguments.cores", lambda: 8)
+    monkeypatch.setattr("assess.workers.available_cores", lambda: 8)
     monkeypatch.setattr(indexing, "FEW", 1)
     (folder.parent / "project.toml").write_text(
         '[site.spectrum]\ncode = "table"\nfile = "target.csv"\n'

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from assess.cli.description import description
+from assess.cli.tables.project import description
 from assess.codes.check import Outcome, Reason
 from assess.project.build import build
 from assess.project.schema import load

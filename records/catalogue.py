@@ -18,7 +18,8 @@ import numpy as np
 
 from records.candidates import Candidate
 from records.errors import RecordError
-from records.flatfile import Recording, describe_by
+from records.flatfile import Recording
+from records.flatfile_match import describe_candidates
 from records.formats.header_overrides import HeaderOverrides
 from records.intensity import Measures
 from records.seal import seal, with_seal
@@ -155,7 +156,7 @@ def _shown(text: str) -> str:
     return text.encode("utf-8", "replace").decode()[:120]
 
 
-def mend(connection: sqlite3.Connection) -> tuple[str, ...]:
+def remove_damaged(connection: sqlite3.Connection) -> tuple[str, ...]:
     """Take out the files of which a row was changed since it was written; their paths, as far as they can be read."""
     rows: dict[str, list[bool]] = {}
     for row in connection.execute(ROWS):
@@ -184,7 +185,7 @@ def candidates(connection: sqlite3.Connection) -> tuple[Candidate, ...]:
         if not _whole(row):
             raise _damaged(connection, f"record {row[1]} of {row[0]}")
     found = [_candidate(row, overrides) for row in rows]
-    return describe_by(found, recordings(connection))
+    return describe_candidates(found, recordings(connection))
 
 
 def _candidate(row: Sequence[Any], overrides: HeaderOverrides) -> Candidate:
@@ -213,7 +214,7 @@ def store_overrides(connection: sqlite3.Connection, overrides: HeaderOverrides) 
         )
 
 
-def take(connection: sqlite3.Connection, flatfile: Sequence[Recording]) -> None:
+def store_flatfile(connection: sqlite3.Connection, flatfile: Sequence[Recording]) -> None:
     """Take a flatfile into the catalogue, in place of an earlier one."""
     rows = [with_seal((*astuple(one)[:-1], "\n".join(one.files))) for one in flatfile]
     with connection:
@@ -238,7 +239,7 @@ def problems(connection: sqlite3.Connection) -> tuple[tuple[str, str], ...]:
     return tuple((str(path), str(problem)) for path, problem in rows)
 
 
-def inside(folder: Path, path: str) -> Path:
+def path_inside(folder: Path, path: str) -> Path:
     """The file at `path` below `folder`; RecordError where it leads out of it."""
     file = folder / path
     if PurePosixPath(path).is_absolute() or not file.resolve().is_relative_to(folder.resolve()):

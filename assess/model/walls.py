@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from math import inf
+from typing import Literal
 
 import numpy as np
 from scipy.constants import g
@@ -17,17 +18,20 @@ from assess.geometry.piece import Piece
 from assess.geometry.planar import base_of_section, planar_body, top_edge
 from assess.geometry.solid import Solid
 from assess.loads.body_loads import Brought
+from assess.loads.definitions import LoadDefinition
 from assess.loads.load import Force, Load, PointMass
 from assess.loads.overburden import UPPER
 from assess.loads.plane import point_in_plane
 from assess.mechanisms.chain import Block, Chain, mirrored_chain
 from assess.mechanisms.crack import ARM, MARGIN, crack_ratio, least
+from assess.mechanisms.mechanism import Sides
 from assess.mechanisms.motion import move
 from assess.mechanisms.two_block import Hinges
 from assess.mechanisms.virtual_work import virtual_work
-from assess.model.body import Bodies, Material
-from assess.model.definitions import TwoBlock
-from assess.model.pieces import as_one, standing_on
+from assess.model.body import Bodies, Body, Material
+from assess.model.definitions import TwoBlock, Vector
+from assess.model.loading import loads_of
+from assess.model.pieces import as_one, pieces_of, standing_on
 
 
 @dataclass(frozen=True)
@@ -65,6 +69,40 @@ class Panel:
     def tension(self) -> float:
         """Tensile strength of the mortar times the area of the base [N]."""
         return self.strength * self.thickness * self.length
+
+
+def crack(
+    body: Body,
+    *,
+    direction: Vector,
+    method: float | Literal["sorrentino", "minimum"] = "sorrentino",
+    sides: Sides = "two",
+    loads: Sequence[LoadDefinition] = (),
+    around: Sequence[Body] = (),
+) -> Crack:
+    """Find where a wall held at its base and its top cracks.
+
+    Parameters
+    ----------
+    body : the wall
+    direction : of the motion, horizontal (x, y, 0)
+    method : "sorrentino" (thesis eq. 3.27), "minimum" (least uplift multiplier), or an elevation [m]
+    sides : "one" where the wall rocks towards the direction alone
+    loads : what stands on the wall; those of bodies are found among `around`
+    around : other bodies of the building
+
+    Returns
+    -------
+    The elevation of the crack [m], how it was found, and the loads that it was found with
+
+    Raises
+    ------
+    CrackError : there is nothing to find the crack from
+    """
+    bodies = {each.name: each for each in (body, *around)}
+    definition = TwoBlock(blocks=((body.name,),), direction=direction, crack=method, sides=sides, loads=tuple(loads))
+    (whole,) = pieces_of(body.name, definition, bodies)
+    return crack_of(definition, whole, bodies, lambda: loads_of(body.name, definition, (whole,), bodies), front=None)
 
 
 def crack_of(

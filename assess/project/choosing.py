@@ -29,7 +29,8 @@ from records.candidates import PERIODS
 from records.formats.header_overrides import HeaderOverrides
 from records.reading import read_with
 from records.scaling import Scaling, misfit, scale_to_ordinate
-from records.selection import Components, Criteria, Filters, Fit, Range, ScaleTo, select
+from records.selection import Components, Criteria, Filters, Range, ScaleTo, select
+from records.suites import Fit
 from spectra.spectrum import Spectrum
 from spectra.table import read_table
 

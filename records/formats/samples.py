@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from math import isfinite
 from pathlib import Path
 
 import numpy as np
@@ -83,7 +84,7 @@ def number(text: str, *, unknown: Sequence[float] = ()) -> float | None:
         value = float(text)
     except ValueError:
         return None
-    return value if np.isfinite(value) and value not in unknown else None
+    return value if isfinite(value) and value not in unknown else None
 
 
 def acceleration_factor(unit: str, *, line: int, path: Path) -> float:

@@ -55,7 +55,7 @@ SOURCES: Mapping[str, tuple[str, ...]] = {
     "assess/project/record_set.py": ("_first", "cell_text"),
     "assess/study/sampling.py": ("longest_step",),
     "assess/model/walls.py": ("by_formula", "by_search"),
-    "records/flatfile.py": ("_reason",),
+    "records/flatfile_match.py": ("_reason",),
     "records/arrival.py": ("arrival_warning",),
     "records/formats/agreement.py": ("check_integral", "describe_disagreement"),
     "records/formats/corners.py": ("nyquist_warning", "filter_warning"),

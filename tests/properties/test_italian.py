@@ -8,7 +8,6 @@ from math import inf
 
 import numpy as np
 import pytest
-from curved import both, pulled
 from scipy.constants import g
 
 from assess.codes.context import Building, Context, FirstMode
@@ -19,6 +18,7 @@ from assess.codes.ntc2018 import linear, nonlinear
 from assess.mechanisms.equivalent_block import equivalent_block
 from assess.mechanisms.oscillation import oscillator
 from spectra import ntc
+from tests.support.curved import both, pulled
 
 SPECTRUM = ntc.elastic_spectrum(ntc.Hazard(0.25 * g, 2.4, 0.35), place=ntc.Place("C"))
 HOUSE = Building(9.0, 3, 0.3, 0.05)

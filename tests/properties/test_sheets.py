@@ -11,14 +11,14 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 import pytest
-from formula import NoFormulaError, evaluate
-from readings import LINES
-from sheet import Sheet
-from sheets import faults, faults_of
-from subjects import LEVELS, Subject, subjects
 
 from assess.codes.calculation_step import Input, Step, substitute
 from assess.codes.registry import PROCEDURES
+from tests.support.formula import NoFormulaError, evaluate
+from tests.support.readings import LINES
+from tests.support.sheet import Sheet
+from tests.support.sheets import faults, faults_of
+from tests.support.subjects import LEVELS, Subject, subjects
 
 EVERY = pytest.mark.parametrize("name", PROCEDURES)
 OTHER = {"+": "−", "−": "+", "/": "·", "·": "/"}

@@ -6,11 +6,11 @@ from collections.abc import Iterator
 
 import numpy as np
 import pytest
-from formula import NoFormulaError, evaluate
-from subjects import subjects
 
 from assess.codes.calculation_step import Step
 from assess.codes.registry import PROCEDURES
+from tests.support.formula import NoFormulaError, evaluate
+from tests.support.subjects import subjects
 
 CLOSE = 1e-3  # relative: what is printed must come out
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 from itertools import combinations, product
 
 import pytest
-from answered import check, decide, question
 
 from assess.codes.bases import BASES
 from assess.codes.check import Outcome
 from assess.codes.verdict import Decision
+from tests.support.answered import check, decide, question
 
 ANSWERS = (Outcome.PASS, Outcome.FAIL, Outcome.NOT_ANSWERED)
 RANK = {Decision.FAIL: 0, Decision.INCOMPLETE: 1, Decision.PASS: 2}

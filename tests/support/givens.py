@@ -9,13 +9,13 @@ from collections.abc import Callable, Mapping
 from math import acosh, atan2, hypot, inf, pi, sqrt
 
 import numpy as np
-from readings import floor_demands
 from scipy.constants import g
-from sheet import Sheet
-from subjects import AMPLIFIED, FRICTION, S_X1, VERTICAL
 
 from assess.codes.worst_branch import branch_of
 from assess.oscillator import Branch, interpolant
+from tests.support.readings import floor_demands
+from tests.support.sheet import Sheet
+from tests.support.subjects import AMPLIFIED, FRICTION, S_X1, VERTICAL
 
 
 def period_factor(sheet: Sheet) -> float:

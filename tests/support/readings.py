@@ -11,8 +11,9 @@ from math import inf, isclose, pi, sqrt
 
 import numpy as np
 from scipy.constants import g
-from sheet import Sheet
-from subjects import AMPLIFIED, FRICTION, SLIDING
+
+from tests.support.sheet import Sheet
+from tests.support.subjects import AMPLIFIED, FRICTION, SLIDING
 
 PERMISSIBLE = {"other": (20.0, 16.0, 13.0), "first": (20.0, 18.0, 15.0), "top": (14.0, 14.0, 9.0)}  # Table 11-5
 

@@ -8,13 +8,13 @@ import numpy as np
 from scipy.constants import g
 from scipy.interpolate import PPoly
 from scipy.optimize import brentq
-from subjects import Subject
 
 from assess.codes.check import Step
 from assess.codes.context import Building
 from assess.hinge_forces import HingeForces
 from assess.oscillator import interpolant
 from spectra.spectrum import Spectrum
+from tests.support.subjects import Subject
 
 
 @dataclass

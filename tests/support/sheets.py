@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from math import isclose
 
-from formula import NoFormulaError, evaluate
-from givens import given_value
-from readings import LINES
-from sheet import Sheet
-from subjects import Subject
-
 from assess.codes.check import Step
 from assess.messages.message import DIMENSIONS
+from tests.support.formula import NoFormulaError, evaluate
+from tests.support.givens import given_value
+from tests.support.readings import LINES
+from tests.support.sheet import Sheet
+from tests.support.subjects import Subject
 
 CLOSE, ALIKE = 1e-3, 1e-6  # relative: of what a curve or a formula comes to, and of an input to what it repeats
 

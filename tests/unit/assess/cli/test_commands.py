@@ -9,7 +9,6 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from command import ended
 from scipy.constants import g
 
 from assess.cli.tables.summary import summary
@@ -23,26 +22,17 @@ from assess.project.schema import load
 from assess.results import Program, Resolved, Results
 from assess.results.json import dumps
 from assess.study import run as running
+from tests.support.command import ended
+from tests.support.projects import block, project_toml, published
 
-PROJECT = """
-title = "<b>&"
-[materials.brick]
-density = 1800
-[bodies.wall]
-material = "brick"
-box = { thickness = 0.6, length = 3.0, height = 4.0 }
-[mechanisms."=wall, 1"]
-kind = "single-block"
-blocks = ["wall"]
-sides = "one"
-direction = [1, 0, 0]
-restitution = 0.5
-[mechanisms.published]
-kind = "equivalent-block"
-p = 1.6
-uplift = 0.14
-radius = 2.84
-"""
+PROJECT = project_toml(
+    title="<b>&",
+    site=None,
+    mechanisms={
+        "=wall, 1": block(sides="one", direction=[1, 0, 0], restitution=0.5),
+        "published": published(),
+    },
+)
 
 
 @pytest.fixture

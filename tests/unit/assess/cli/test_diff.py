@@ -9,7 +9,6 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from command import ended
 
 from assess.cli.tables.diff import changes_text
 from assess.messages.message import Message, Severity
@@ -19,14 +18,8 @@ from assess.results import SCHEMA_VERSION, Input, Program, Resolved, Results
 from assess.results.diff import Change
 from assess.results.json import dumps
 from assess.study.run import parameters
-
-PROJECT = """
-[mechanisms.parapet]
-kind = "equivalent-block"
-p = 2.4
-uplift = 0.2
-radius = 1.2
-"""
+from tests.support.command import ended
+from tests.support.projects import project_toml, published
 
 
 @pytest.fixture
@@ -36,7 +29,8 @@ def runs(tmp_path: Path) -> tuple[Path, Path]:
     for name, p in (("before", 2.4), ("after", 3.0)):
         folder = tmp_path / name
         folder.mkdir()
-        (folder / "project.toml").write_text(PROJECT.replace("2.4", str(p)))
+        parapet = {"parapet": published(p, 0.2, 1.2)}
+        (folder / "project.toml").write_text(project_toml(site=None, materials=None, bodies=None, mechanisms=parapet))
         results = Results(
             SCHEMA_VERSION, Program("assess", "0"), (Input("project.toml", name * 8),),
             (Message("w", Severity.WARNING, "here", f"said\n {name}"),),

@@ -6,37 +6,27 @@ import json
 from pathlib import Path
 
 import pytest
-from command import ended
 from scipy.constants import g
 
-PROJECT = """
-title = "<b>&"
-[site.spectrum]
-code = "asce7-16"
-s_ds = 0.5
-s_d1 = 0.2
-t_l = 6
-[mechanisms."=slow"]
-kind = "equivalent-block"
-p = 1.6
-uplift = 0.14
-radius = 2.84
-restitution = 0.9
-[mechanisms.quick]
-kind = "equivalent-block"
-p = 3.36
-uplift = 0.34
-radius = 0.62
-restitution = 0.8
-[records]
-synthetic = { count = 2, duration = 8 }
-[analysis]
-levels = ["0.1 g"]
-procedures = ["asce43-05-spectrum"]
-[analysis.pulses]
-frequency = { from = "0.4 Hz", to = "4 Hz", count = 7, spacing = "log" }
-amplitude = { from = "0 g", to = "4 g", count = 9 }
-"""
+from tests.support.command import ended
+from tests.support.projects import ASCE7, project_toml, published
+
+PROJECT = project_toml(
+    title="<b>&",
+    site={"spectrum": ASCE7 | {"s_ds": 0.5, "s_d1": 0.2, "t_l": 6}},
+    materials=None,
+    bodies=None,
+    mechanisms={"=slow": published(restitution=0.9), "quick": published(3.36, 0.34, 0.62, restitution=0.8)},
+    records={"synthetic": {"count": 2, "duration": 8}},
+    analysis={
+        "levels": ["0.1 g"],
+        "procedures": ["asce43-05-spectrum"],
+        "pulses": {
+            "frequency": {"from": "0.4 Hz", "to": "4 Hz", "count": 7, "spacing": "log"},
+            "amplitude": {"from": "0 g", "to": "4 g", "count": 9},
+        },
+    },
+)
 
 
 @pytest.fixture

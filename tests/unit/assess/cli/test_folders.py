@@ -5,17 +5,17 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from assess.workers import available_cores
-from command import ended
-from wall_project import WALL
 
 from assess.outputs.lock import hold_lock
+from assess.workers import available_cores
+from tests.support.command import ended
+from tests.support.projects import project_toml
 
 
 @pytest.fixture
 def project(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A project of which no analysis may begin."""
-    (tmp_path / "wall.toml").write_text(WALL)
+    (tmp_path / "wall.toml").write_text(project_toml())
     monkeypatch.setattr("assess.project.build.build", lambda *_, **__: pytest.fail("the analysis began"))
     return tmp_path / "wall.toml"
 
@@ -60,6 +60,6 @@ def test_a_number_of_processes_that_is_none_is_refused(
 
 
 def test_no_more_processes_are_begun_than_there_are_cores(tmp_path: Path) -> None:
-    (tmp_path / "wall.toml").write_text(WALL + '[analysis]\nprocedures = ["asce43-05-spectrum"]\n')
+    (tmp_path / "wall.toml").write_text(project_toml(analysis={"procedures": ["asce43-05-spectrum"]}))
     assert available_cores() >= 1
     assert ended("run", tmp_path / "wall.toml", "--no-report", "--jobs", "99999999999") in (0, 1, 3)

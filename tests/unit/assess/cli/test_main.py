@@ -9,31 +9,17 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from command import ended
 
 from assess.errors import MechanismError
 from assess.examples import EXAMPLES, source
 from records.errors import RecordError
 from spectra.errors import SpectrumError
+from tests.support.command import ended
+from tests.support.projects import project_toml, wall
 
 COMMANDS = ("new", "check", "run", "parameters", "spectrum", "geometry", "report", "diff", "schema")
-SITE = """
-[site.spectrum]
-code = "asce7-16"
-s_ds = "0.5 g"
-s_d1 = "0.2 g"
-t_l = "6 s"
-"""
-WALL = """
-[materials.brick]
-density = 1800
-[bodies.wall]
-material = "brick"
-box = { thickness = 0.6, length = 3.0, height = "4 m" }
-[mechanisms.wall]
-kind = "single-block"
-blocks = ["wall"]
-"""
+SITE = project_toml(materials=None, bodies=None, mechanisms=None)
+WALL = project_toml(site=None, bodies={"wall": wall(height="4 m")})
 
 
 def snapshot(folder: Path) -> dict[str, str]:

@@ -10,18 +10,24 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from command import ended
-from wall_project import WALL
 
-PROJECT = f"""{WALL}restitution = 0.5
-interface = {{ model = "flexible", stiffness = "1 GPa/m", strength = "2 MPa" }}
-[analysis]
-procedures = ["asce43-05-spectrum"]
-pulses = {{ shape = "sine", frequency = {{ from = "1 Hz", to = "4 Hz", count = 3 }}, amplitude = {{ from = "0 g", to = "2 g", count = 4 }} }}
-[analysis.sweep]
-key = "bodies.wall.box.height"
-values = [4.0, 5.0]
-"""  # noqa: E501
+from tests.support.command import ended
+from tests.support.projects import block, project_toml
+
+PROJECT = project_toml(
+    mechanisms={
+        "wall": block(restitution=0.5, interface={"model": "flexible", "stiffness": "1 GPa/m", "strength": "2 MPa"})
+    },
+    analysis={
+        "procedures": ["asce43-05-spectrum"],
+        "pulses": {
+            "shape": "sine",
+            "frequency": {"from": "1 Hz", "to": "4 Hz", "count": 3},
+            "amplitude": {"from": "0 g", "to": "2 g", "count": 4},
+        },
+        "sweep": {"key": "bodies.wall.box.height", "values": [4.0, 5.0]},
+    },
+)
 
 
 @pytest.fixture(scope="module")

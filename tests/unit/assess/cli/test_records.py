@@ -14,6 +14,7 @@ from assess.cli import main
 from records.reading import read_records
 from records.record import Earthquake, Record, Site, make_record
 from records.writing import at2_text, csv_text
+from tests.support.projects import ASCE7, project_toml, published
 
 DT = 0.01
 TIME = DT * np.arange(2000)
@@ -169,23 +170,14 @@ def test_without_a_command_the_help_is_printed(capsys: pytest.CaptureFixture[str
     assert "convert" in capsys.readouterr().out
 
 
-PROJECT = """
-[site.spectrum]
-code = "asce7-16"
-s_ds = 0.5
-s_d1 = 0.2
-t_l = 6
-[mechanisms.a]
-kind = "equivalent-block"
-p = 1.6
-uplift = 0.14
-radius = 2.84
-restitution = 0.9
-[analysis]
-levels = ["0.1 g"]
-[records]
-files = ["bare.txt"]
-"""
+PROJECT = project_toml(
+    site={"spectrum": ASCE7 | {"s_ds": 0.5, "s_d1": 0.2, "t_l": 6}},
+    materials=None,
+    bodies=None,
+    mechanisms={"a": published(restitution=0.9)},
+    analysis={"levels": ["0.1 g"]},
+    records={"files": ["bare.txt"]},
+)
 
 
 def test_a_project_states_unit_and_step_of_files_that_do_not(

@@ -8,15 +8,16 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from command import ended
 from scipy.constants import g
 
-from records import indexing
+from records import description
 from records.catalogue import NAME
 from records.reading import read_records
 from records.record import make_record
 from records.writing import at2_text
 from spectra.table import read_table
+from tests.support.command import ended
+from tests.support.projects import project_toml
 
 TARGET = "period [s], acceleration [g]\n0, 0.2\n0.1, 0.5\n0.5, 0.5\n1, 0.25\n4, 0.0625\n"
 FLATFILE = """Record Sequence Number,Earthquake Name,YEAR,Earthquake Magnitude,ClstD (km),Vs30 (m/s)
@@ -279,12 +280,16 @@ def test_many_files_are_read_by_processes(
 
     monkeypatch.setattr("assess.workers.SpawnedPool", Executor)
     monkeypatch.setattr("assess.workers.available_cores", lambda: 8)
-    monkeypatch.setattr(indexing, "FEW", 1)
+    monkeypatch.setattr(description, "FEW", 1)
     (folder.parent / "project.toml").write_text(
-        '[site.spectrum]\ncode = "table"\nfile = "target.csv"\n'
-        '[mechanisms.w]\nkind = "equivalent-block"\np = "1.6 1/s"\nuplift = 0.14\nradius = "2.8 m"\n'
-        'restitution = "housner"\n[analysis]\nlevels = ["0.1 g"]\n'
-        '[records]\nfiles = ["motions"]\nselect = { count = 2, scale_limits = [0.001, 1000], periods = [0.1, 2] }\n'
+        project_toml(
+            site={"spectrum": {"code": "table", "file": "target.csv"}},
+            analysis={"levels": ["0.1 g"]},
+            records={
+                "files": ["motions"],
+                "select": {"count": 2, "scale_limits": [0.001, 1000], "periods": [0.1, 2]},
+            },
+        )
     )
     assert ended("run", folder.parent, "--no-report", "--jobs", 3) == 3  # no basis
     assert asked == [3]

@@ -5,7 +5,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from command import ended
 from scipy.constants import g
 
 from assess.project.build import build
@@ -14,26 +13,17 @@ from assess.project.sections.spectra import SPECTRA
 from assess.results.json import dumps
 from assess.study.run import run
 from spectra.table import read_table
+from tests.support.command import ended
+from tests.support.projects import project_toml, published
 
-PROJECT = """
-[site]
-pga = "0.15 g"
-[site.spectrum]
-code = "ec8"
-a_g = "0.25 g"
-ground_type = "B"
-damping = 0.08
-[mechanisms.quick]
-kind = "equivalent-block"
-p = 3.36
-uplift = 0.34
-radius = 0.62
-restitution = 0.8
-[records]
-synthetic = { count = 1, duration = 8 }
-[analysis]
-procedures = ["asce43-05-spectrum"]
-"""
+PROJECT = project_toml(
+    site={"pga": "0.15 g", "spectrum": {"code": "ec8", "a_g": "0.25 g", "ground_type": "B", "damping": 0.08}},
+    materials=None,
+    bodies=None,
+    mechanisms={"quick": published(3.36, 0.34, 0.62, restitution=0.8)},
+    records={"synthetic": {"count": 1, "duration": 8}},
+    analysis={"procedures": ["asce43-05-spectrum"]},
+)
 OPTIONS = {
     "asce7-16": ["--s-s", "1.5 g", "--s-1", "0.6 g", "--site-class", "C", "--t-l", "8 s"],
     "ibc2009": ["--s-ds", "0.167 g", "--s-d1", "0.053 g", "--t-l", "6 s", "--hazard", "mce"],
@@ -190,11 +180,8 @@ def test_corners_stand_among_the_ordinates(
 
 def test_s_1_above_s_s_is_told(tmp_path: Path) -> None:
     path = tmp_path / "site.toml"
-    path.write_text(
-        PROJECT.split("[site]")[0]
-        + '[site.spectrum]\ncode = "asce7-16"\ns_s = "0.2 g"\ns_1 = "0.4 g"\nsite_class = "B"\nt_l = "6 s"\n'
-        + PROJECT[PROJECT.index("[mechanisms.quick]") :]
-    )
+    site = {"code": "asce7-16", "s_s": "0.2 g", "s_1": "0.4 g", "site_class": "B", "t_l": "6 s"}
+    path.write_text(project_toml(site={"spectrum": site}))
     assert any("exchanged" in notice.text for notice in build(load(path)).notices)
 
 

@@ -9,7 +9,6 @@ from dataclasses import replace
 from math import asin, pi, sin, sqrt, tan
 
 import pytest
-from curved import both, pulled, thrust
 from scipy.constants import g
 
 from assess.codes.context import Context, LocalLimit
@@ -19,6 +18,7 @@ from assess.codes.ntc2018 import linear, nonlinear
 from assess.mechanisms.equivalent_block import equivalent_block
 from assess.mechanisms.oscillation import oscillator
 from spectra import ntc
+from tests.support.curved import both, pulled, thrust
 
 ALPHA, RADIUS, LC1 = 0.1, 3.0, 1.35
 D0 = RADIUS * sin(ALPHA)

@@ -14,28 +14,22 @@ from assess.errors import GeometryError, MechanismError, ProjectError
 from assess.project.build import build
 from assess.project.schema import load
 from assess.study.run import parameters
+from tests.support import projects
+from tests.support.projects import block, project_toml, wall
 
-PROJECT = """
-[materials.stone]
-density = 2000
-[materials.heavy]
-density = 10000  # so that the walls stand whatever thrusts are put on them
-[materials.timber]
-density = 500
-[bodies.front]
-material = "heavy"
-box = {{ thickness = 0.6, length = 5, height = 6, base = [3, 0, 0] }}
-[bodies.rear]
-material = "heavy"
-box = {{ thickness = 0.6, length = 5, height = 6, base = [-3, 0, 0] }}
-{bodies}
-[mechanisms.m]
-kind = "single-block"
-direction = [1, 0, 0]
-blocks = ["front"]
-sides = "one"
-{mechanism}
-"""
+PROJECT = project_toml(
+    site=None,
+    materials={
+        "stone": {"density": 2000},
+        "heavy": {"density": 10000},  # so that the walls stand whatever thrusts are put on them
+        "timber": {"density": 500},
+    },
+    bodies={
+        "front": wall(0.6, 5, 6, material="heavy", base=[3, 0, 0]),
+        "rear": wall(0.6, 5, 6, material="heavy", base=[-3, 0, 0]),
+    },
+    mechanisms={"m": block("front", direction=[1, 0, 0], sides="one")},
+)
 FRONT = 10000 * 0.6 * 5 * 6
 FLOOR = """[bodies.floor]
 material = "timber"
@@ -57,11 +51,10 @@ length = 5
 
 def study_of(folder: Path, bodies: str, *loads: str, mechanism: str = ""):
     listed = ", ".join(f'{{ kind = "body", {each} }}' for each in loads)
-    text = PROJECT.format(bodies=bodies, mechanism=f"{mechanism}\nloads = [{listed}]")
+    text = f"{PROJECT}{mechanism}\nloads = [{listed}]\n{bodies}"
     if mechanism.startswith("direction"):
         text = text.replace("direction = [1, 0, 0]\n", "", 1)
-    (folder / "project.toml").write_text(text, encoding="utf-8")
-    return build(load(folder))
+    return projects.study_of(folder, text)
 
 
 def loads_of(folder: Path, bodies: str, *loads: str, mechanism: str = ""):
@@ -357,7 +350,7 @@ def test_a_floor_on_the_upper_block_of_a_cracked_wall(tmp_path):
     on_top = FLOOR.replace("[0, 0, 3]", "[0, 0, 6]")
     masses = []
     for loads in ("[]", '[{ kind = "body", body = "floor", block = 1 }]'):
-        text = PROJECT.format(bodies=on_top, mechanism=f"crack = 2.5\nloads = {loads}")
+        text = f"{PROJECT}crack = 2.5\nloads = {loads}\n{on_top}"
         (tmp_path / "project.toml").write_text(text.replace("single-block", "two-block"))
         (result,) = parameters(build(load(tmp_path)))
         masses.append(result.oscillator.mass_kg)
@@ -368,7 +361,7 @@ def test_a_floor_on_the_upper_block_of_a_cracked_wall(tmp_path):
 
 def test_a_tie_anchored_where_it_holds_is_refused(tmp_path):
     tie = 'loads = [{ kind = "tie", force = "5 kN", at = [3, 0, 5], anchor = [3, 2, 5] }]'
-    (tmp_path / "project.toml").write_text(PROJECT.format(bodies="", mechanism=tie))
+    (tmp_path / "project.toml").write_text(PROJECT + tie)
     with pytest.raises(GeometryError, match='"tie 1": seen in the plane of motion its anchor is where it holds'):
         build(load(tmp_path))
 
@@ -376,6 +369,6 @@ def test_a_tie_anchored_where_it_holds_is_refused(tmp_path):
 def test_a_tie_anchored_on_what_moves_is_told(tmp_path):
     tie = 'loads = [{{ kind = "tie", force = "5 kN", at = [3, 0, 5], anchor = [{}, 0, 4] }}]'
     for x, told in ((2.9, True), (0.0, False)):  # within the wall, on the ground behind it
-        (tmp_path / "project.toml").write_text(PROJECT.format(bodies="", mechanism=tie.format(x)))
+        (tmp_path / "project.toml").write_text(PROJECT + tie.format(x))
         said = texts(build(load(tmp_path)))
         assert ('"tie 1": its anchor at (2.9, 4) m lies on block 0, which moves too' in said) is told

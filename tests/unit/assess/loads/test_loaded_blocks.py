@@ -2,47 +2,24 @@
 
 from __future__ import annotations
 
+from functools import partial
 from math import sqrt
 
 import pytest
 
 from assess.errors import GeometryError, MechanismError, ProjectError
-from assess.project.build import build
-from assess.project.schema import load
 from assess.study.run import parameters, run
+from tests.support import projects
+from tests.support.projects import block, project_toml, wall
 
-WALL = """
-[materials.m]
-density = 2000
-[bodies.wall]
-material = "m"
-box = {{ thickness = 0.5, length = 3, height = 4 }}
-[bodies.other]
-material = "m"
-box = {{ thickness = 0.5, length = 3, height = 6, base = [5, 0, 0] }}
-[bodies.floor]
-material = "m"
-box = {{ thickness = 5, length = 3, height = 0.3, base = [2.65, 0, {floor}] }}
-[mechanisms.m]
-kind = "{kind}"
-blocks = ["wall"]
-direction = [1, 0, 0]
-sides = "{sides}"
-{mechanism}
-"""
-SITE = """
-[site]
-limit_state = "SLV"
-[site.spectrum]
-code = "asce7-16"
-s_ds = "0.9 g"
-s_d1 = "0.4 g"
-t_l = 6
-[building]
-height = 4
-[analysis]
-procedures = ["asce43-05-spectrum", "dmi2008-nonlinear", "ntc2018-linear"]
-"""
+SITE = project_toml(
+    site={"limit_state": "SLV", "spectrum": {"code": "asce7-16", "s_ds": "0.9 g", "s_d1": "0.4 g", "t_l": 6}},
+    building={"height": 4},
+    analysis={"procedures": ["asce43-05-spectrum", "dmi2008-nonlinear", "ntc2018-linear"]},
+    materials=None,
+    bodies=None,
+    mechanisms=None,
+)
 MASS = 2000 * 5 * 3 * 0.3 * (4.95 - 2.65) / (4.95 - 0.2)  # a beam from 0.2 m, the middle of its contact, to 4.95 m
 WEIGHT = 2000 * 0.5 * 3 * 4
 BODY = '{ kind = "body", body = "floor" }'
@@ -53,10 +30,23 @@ def by_hand(floor: float, block: int) -> str:
     return f'{{ kind = "mass", mass = {MASS!r}, at = [0.2, {floor}], block = {block} }}'
 
 
-def study_of(folder, mechanism, *, floor=4.0, kind="two-block", sides="two", head="", text=WALL):
-    filled = text.format(floor=floor, kind=kind, sides=sides, mechanism=mechanism)
-    (folder / "project.toml").write_text(head + filled)
-    return build(load(folder))
+def floored(*, floor, kind="two-block", sides="two", parts=None, middle=2.65):
+    """A floor from a wall, of the `parts` given, to another wall."""
+    parts = parts or {"wall": wall(0.5, 3, 4, material="m")}
+    return project_toml(
+        site=None,
+        materials={"m": {"density": 2000}},
+        bodies=parts
+        | {
+            "other": wall(0.5, 3, 6, material="m", base=[5, 0, 0]),
+            "floor": wall(5, 3, 0.3, material="m", base=[middle, 0, floor]),
+        },
+        mechanisms={"m": block(*parts, kind=kind, direction=[1, 0, 0], sides=sides)},
+    )
+
+
+def study_of(folder, mechanism, *, floor=4.0, kind="two-block", sides="two", head="", project=floored):
+    return projects.study_of(folder, head + project(floor=floor, kind=kind, sides=sides) + mechanism)
 
 
 def mechanism_of(folder, mechanism, **other):
@@ -113,16 +103,12 @@ def test_the_block_is_the_one_under_the_floor_as_cut(tmp_path, floor, block):
 
 
 def test_two_bodies_of_a_wall_are_told_apart_by_the_contact(tmp_path):
-    two = WALL.replace("height = 4 }}\n", "height = 2.5 }}\n", 1).replace(
-        "[bodies.other]",
-        '[bodies.upper]\nmaterial = "m"\nbox = {{ thickness = 0.5, length = 3, height = 1.5, base = [0, 0, 2.5] }}\n'
-        "[bodies.other]",
-    )
-    two = two.replace('blocks = ["wall"]', 'blocks = ["wall", "upper"]')
-    for floor, block in ((1.5, 0), (4.0, 1)):
-        parted = study_of(tmp_path, f"loads = [{BODY}]", floor=floor, text=two)
+    lower, upper = wall(0.5, 3, 2.5, material="m"), wall(0.5, 3, 1.5, material="m", base=[0, 0, 2.5])
+    two = partial(floored, parts={"wall": lower, "upper": upper})
+    for floor, place in ((1.5, 0), (4.0, 1)):
+        parted = study_of(tmp_path, f"loads = [{BODY}]", floor=floor, project=two)
         cracked = study_of(tmp_path, f"crack = 2.5\nloads = [{BODY}]", floor=floor)
-        assert parted.mechanisms[0].positive.loads[0].block == block
+        assert parted.mechanisms[0].positive.loads[0].block == place
         assert figures(parted) == [pytest.approx(each, rel=1e-9) for each in figures(cracked)]
 
 
@@ -176,17 +162,17 @@ def test_a_block_against_the_contact_is_refused_unless_the_place_is_given(tmp_pa
 def test_a_crack_through_the_contact_asks_for_the_block(tmp_path):
     with pytest.raises(GeometryError, match=r"the crack at z = 2\.2 m runs through its contact.*give block"):
         mechanism_of(tmp_path, f"crack = 2.2\nloads = [{BODY}]", floor=2.205)
-    for block in (0, 1):
-        given = BODY.replace("}", f", block = {block} }}")
+    for place in (0, 1):
+        given = BODY.replace("}", f", block = {place} }}")
         (mass,) = mechanism_of(tmp_path, f"crack = 2.2\nloads = [{given}]", floor=2.205).positive.loads
-        assert (mass.block, mass.mass) == (block, pytest.approx(MASS, rel=1e-9))
+        assert (mass.block, mass.mass) == (place, pytest.approx(MASS, rel=1e-9))
 
 
 def test_a_floor_that_pushes_against_two_blocks_asks_for_one(tmp_path):
-    pushing = WALL.replace("[2.65, 0", "[2.75, 0")
+    pushing = partial(floored, middle=2.75)
     with pytest.raises(GeometryError, match="it pushes against blocks 0 and 1; give block"):
-        mechanism_of(tmp_path, f"crack = 2.2\nloads = [{BODY}]", floor=2.1, text=pushing)
-    (mass,) = mechanism_of(tmp_path, f"crack = 2.2\nloads = [{BODY}]", floor=2.3, text=pushing).positive.loads
+        mechanism_of(tmp_path, f"crack = 2.2\nloads = [{BODY}]", floor=2.1, project=pushing)
+    (mass,) = mechanism_of(tmp_path, f"crack = 2.2\nloads = [{BODY}]", floor=2.3, project=pushing).positive.loads
     assert (mass.block, mass.bearing) == (1, False)
 
 
@@ -202,35 +188,27 @@ def test_a_floor_below_the_cut_of_a_block_is_no_load_of_it_and_that_is_said(tmp_
         mechanism_of(tmp_path, f"cut = 2.2\nloads = [{BODY}]", floor=1.5, kind="single-block")
 
 
-PORTAL = """
-[materials.m]
-density = 2000
-[bodies.left]
-material = "m"
-box = {{ thickness = 0.8, length = 1, height = 3, base = [0, 0, 0] }}
-[bodies.beam]
-material = "m"
-box = {{ thickness = 4, length = 1, height = 0.5, base = [2, 0, 3] }}
-[bodies.right]
-material = "m"
-box = {{ thickness = 0.8, length = 1, height = 3, base = [4, 0, 0] }}
-[bodies.floor]
-material = "m"
-{floor}
-[mechanisms.m]
-kind = "four-hinge"
-blocks = ["left", "beam", "right"]
-direction = [1, 0, 0]
-sides = "one"
-hinges = {{ A = [0.4, 0], B = [0, 3], C = [4, 3], D = [4.4, 0] }}
-{mechanism}
-"""
 UPON = "box = { thickness = 3, length = 1, height = 0.2, base = [2, 0, 3.5] }"  # on the beam
 BETWEEN = "profile = [[-0.4, 3], [0, 3], [0, 3.5], [2, 3.5], [2, 3.7], [-0.4, 3.7]]\nlength = 1"  # on pier and beam
 
 
 def portal(folder, floor, loads):
-    return study_of(folder, f"loads = [{loads}]", floor=floor, text=PORTAL)
+    text = project_toml(
+        f"loads = [{loads}]",
+        site=None,
+        materials={"m": {"density": 2000}},
+        bodies={
+            "left": wall(0.8, 1, 3, material="m", base=[0, 0, 0]),
+            "beam": wall(4, 1, 0.5, material="m", base=[2, 0, 3]),
+            "right": wall(0.8, 1, 3, material="m", base=[4, 0, 0]),
+            "floor": f'material = "m"\n{floor}',
+        },
+        mechanisms={
+            "m": block("left", "beam", "right", kind="four-hinge", direction=[1, 0, 0], sides="one")
+            | {"hinges": {"A": [0.4, 0], "B": [0, 3], "C": [4, 3], "D": [4.4, 0]}}
+        },
+    )
+    return projects.study_of(folder, text)
 
 
 def test_a_floor_on_a_portal_is_on_the_block_that_it_touches(tmp_path):

@@ -11,29 +11,22 @@ from assess.errors import GeometryError, ProjectError
 from assess.mechanisms.oscillation import oscillator
 from assess.project.build import build
 from assess.project.schema import load
+from tests.support.projects import block, project_toml, study_of, wall
 
-PROJECT = """
-[materials.m]
-density = 1800
-[bodies.wall]
-material = "m"
-box = { thickness = 0.4, length = 3, height = 4 }
-[bodies.other]
-material = "m"
-box = { thickness = 0.4, length = 3, height = 4, base = [5, 0, 0] }
-[bodies.floor]
-material = "m"
-box = { thickness = 5.1, length = 3, height = 0.2, base = [2.55, 0, 4] }
-[mechanisms.wall]
-kind = "two-block"
-direction = [1, 0, 0]
-blocks = ["wall"]
-"""
+PROJECT = project_toml(
+    site=None,
+    materials={"m": {"density": 1800}},
+    bodies={
+        "wall": wall(0.4, 3, 4, material="m"),
+        "other": wall(0.4, 3, 4, material="m", base=[5, 0, 0]),
+        "floor": wall(5.1, 3, 0.2, material="m", base=[2.55, 0, 4]),
+    },
+    mechanisms={"wall": block(kind="two-block", direction=[1, 0, 0])},
+)
 
 
 def mechanism(tmp_path, lines):
-    (tmp_path / "project.toml").write_text(PROJECT + lines)
-    (found,) = build(load(tmp_path)).mechanisms
+    (found,) = study_of(tmp_path, PROJECT + lines).mechanisms
     return found
 
 

@@ -14,26 +14,25 @@ from assess.mechanisms.mechanism import Mechanism
 from assess.project.build import build
 from assess.project.schema import load
 from assess.study.run import parameters
+from tests.support.projects import block, project_toml, study_of
 
 HEIGHT = 10.0
-PROJECT = """
-[materials.m]
-density = 2000
-[bodies.tower]
-material = "m"
-{body}
-[mechanisms.tower]
-kind = "single-block"
-blocks = ["tower"]
-direction = "sweep"
-{mechanism}
-"""
 SQUARE = "box = { thickness = 3, length = 3, height = 10 }"
 
 
+def swept(body: str, mechanism: str = "") -> str:
+    """A project of one tower, by the TOML of its body and of what its mechanism has beside a swept direction."""
+    return project_toml(
+        mechanism,
+        site=None,
+        materials={"m": {"density": 2000}},
+        bodies={"tower": f'material = "m"\n{body}'},
+        mechanisms={"tower": block("tower", direction="sweep")},
+    )
+
+
 def built(folder: Path, body: str, mechanism: str = "") -> Mechanism:
-    (folder / "project.toml").write_text(PROJECT.format(body=body, mechanism=mechanism))
-    return build(load(folder)).mechanisms[0]
+    return study_of(folder, swept(body, mechanism)).mechanisms[0]
 
 
 def sought(folder: Path, body: str, mechanism: str = "") -> Directions:
@@ -81,7 +80,7 @@ def test_a_wall_is_weakest_across_its_thickness(tmp_path: Path) -> None:
 def test_the_chosen_direction_is_the_mechanisms(tmp_path: Path) -> None:
     body = "box = { thickness = 4, length = 0.5, height = 10, base = [1, 2, 0] }"
     mechanism = built(tmp_path, body)
-    text = PROJECT.format(body=body, mechanism="").replace('"sweep"', "[0, 1, 0]")
+    text = swept(body).replace('"sweep"', "[0, 1, 0]")
     (tmp_path / "project.toml").write_text(text)
     study = build(load(tmp_path))
     assert study.mechanisms[0].positive == mechanism.positive
@@ -189,7 +188,7 @@ def test_a_crack_given_by_its_angle_turns_with_the_direction(tmp_path: Path) -> 
 def test_the_parameters_are_those_of_the_mechanism_towards_each_angle(tmp_path: Path) -> None:
     body = "box = { thickness = 2, length = 3, height = 10 }"
     found = sought(tmp_path, body)
-    text = PROJECT.format(body=body, mechanism="").replace('"sweep"', "[0.5, 0.8660254037844386, 0]")
+    text = swept(body).replace('"sweep"', "[0.5, 0.8660254037844386, 0]")
     (tmp_path / "project.toml").write_text(text)
     one = parameters(build(load(tmp_path)))[0].oscillator
     place = found.angle.index(60.0)
@@ -220,13 +219,13 @@ def test_what_depends_on_the_direction_is_refused_by_key(tmp_path: Path, mechani
 
 
 def test_a_word_that_is_no_direction_is_refused(tmp_path: Path) -> None:
-    (tmp_path / "project.toml").write_text(PROJECT.format(body=SQUARE, mechanism="").replace('"sweep"', '"north"'))
+    (tmp_path / "project.toml").write_text(swept(SQUARE).replace('"sweep"', '"north"'))
     with pytest.raises(ProjectError, match=r'direction: "north": not a direction; .* "sweep" for the weakest'):
         load(tmp_path)
 
 
 def test_a_body_without_geometry_has_no_other_direction(tmp_path: Path) -> None:
-    text = PROJECT.format(body="", mechanism="").replace('material = "m"', "mass = 9\ncentroid = [0, 2]\ninertia = 9")
+    text = swept("").replace('material = "m"', "mass = 9\ncentroid = [0, 2]\ninertia = 9")
     (tmp_path / "project.toml").write_text(text)
     with pytest.raises(MechanismError, match=r'direction = "sweep", but body "tower" has no geometry'):
         build(load(tmp_path))

@@ -7,20 +7,7 @@ import pytest
 from assess.geometry.boolean import shortest_distance
 from assess.geometry.solid import Solid, box, polyhedron
 from assess.model.gaps import loose, parted
-from assess.project.build import build
-from assess.project.schema import load
-
-WALLS = """
-[materials.m]
-density = 2000
-[bodies.a]
-material = "m"
-box = { thickness = 0.5, length = 3, height = 4 }
-[bodies.b]
-material = "m"
-box = { thickness = 0.5, length = 3, height = 4, base = %s }
-[mechanisms.m]
-"""
+from tests.support.projects import project_toml, study_of, wall
 
 
 def cube(x: float, y: float = 0.0, z: float = 0.0, *, name: str = "cube") -> Solid:
@@ -28,8 +15,12 @@ def cube(x: float, y: float = 0.0, z: float = 0.0, *, name: str = "cube") -> Sol
 
 
 def gaps(tmp_path, base: str, mechanism: str) -> list[str]:
-    (tmp_path / "project.toml").write_text(WALLS % base + mechanism)
-    return [notice.text for notice in build(load(tmp_path)).notices if notice.key in ("gap", "gap-at-hinge")]
+    bodies = {
+        "a": wall(0.5, 3, 4, material="m"),
+        "b": f'material = "m"\nbox = {{ thickness = 0.5, length = 3, height = 4, base = {base} }}',
+    }
+    text = project_toml(site=None, materials={"m": {"density": 2000}}, bodies=bodies, mechanisms={"m": mechanism})
+    return [notice.text for notice in study_of(tmp_path, text).notices if notice.key in ("gap", "gap-at-hinge")]
 
 
 ONE_BLOCK = 'kind = "single-block"\nblocks = [["a", "b"]]'

@@ -5,11 +5,11 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from written import content, run, write
 
 from assess.errors import OutputError
 from assess.outputs.folder import output_folder
 from assess.outputs.manifest import ENVELOPES, MANIFEST
+from tests.support.written import content, run, write
 
 FIRST = {"results.json": "1", "report.pdf": "1", "tables/old.csv": "1"}
 SECOND = {"results.json": "2", "report.pdf": "2", "figures/new.svg": "2"}

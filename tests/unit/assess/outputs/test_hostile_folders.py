@@ -5,12 +5,12 @@ import os
 from pathlib import Path
 
 import pytest
-from written import content, run, write
 
 from assess.errors import OutputError
 from assess.outputs import journal
 from assess.outputs.manifest import MANIFEST
 from assess.outputs.recovery import recover_for_reading
+from tests.support.written import content, run, write
 
 
 def test_a_link_that_leads_out_of_the_folder_is_not_written_through(tmp_path: Path) -> None:

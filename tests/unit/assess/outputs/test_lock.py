@@ -10,11 +10,11 @@ from dataclasses import asdict
 from pathlib import Path
 
 import pytest
-from written import content, run
 
 from assess.errors import HeldError
 from assess.outputs import lock
 from assess.outputs.lock import LOCK, Holder, is_abandoned
+from tests.support.written import content, run
 
 HOLD = """
 import sys, time

@@ -8,7 +8,6 @@ from pathlib import Path
 
 import pytest
 from aim import aim
-from written import content, run, write
 
 from assess.errors import OutputError
 from assess.messages.message import Message
@@ -17,6 +16,7 @@ from assess.outputs.lock import LOCK
 from assess.outputs.manifest import MANIFEST
 from assess.outputs.recovery import recover_for_reading
 from assess.outputs.signals import Terminated, raise_on_signals
+from tests.support.written import content, run, write
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="processes are copied, and ended by signals")
 

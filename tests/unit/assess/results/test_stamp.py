@@ -9,16 +9,13 @@ from pathlib import Path
 
 import openpyxl
 import pypdf
-from command import ended
-from wall_project import WALL
 
 from assess.results import Input, Program
 from assess.results.stamp import stamp
+from tests.support.command import ended
+from tests.support.projects import block, project_toml
 
-PROJECT = f"""{WALL}restitution = 0.5
-[analysis]
-procedures = ["asce43-05-spectrum"]
-"""
+PROJECT = project_toml(mechanisms={"wall": block(restitution=0.5)}, analysis={"procedures": ["asce43-05-spectrum"]})
 PROGRAM, FILES = Program("assess", "1"), (Input("a.toml", "00"), Input("b.csv", "11"))
 
 

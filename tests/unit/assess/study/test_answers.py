@@ -8,7 +8,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from command import ended
 
 from assess.codes.check import Check, Outcome
 from assess.codes.context import Building
@@ -19,6 +18,7 @@ from assess.project.schema import load
 from assess.study.answers import answers
 from assess.study.run import run
 from assess.study.study import Study
+from tests.support.command import ended
 
 BUILDING = Building(height=9.0, storeys=3, period=0.4, damping=0.05)
 PROCEDURES_OF_WALLS = [name for name in PROCEDURES if "sliding" not in name]

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import pytest
-from answered import SITE, check, decide, question
 
 from assess.codes.bases import BASES, BY_SITE
 from assess.codes.bases.own import own
 from assess.codes.check import Outcome
 from assess.codes.verdict import Action, Decision, Missing, Question
+from tests.support.answered import SITE, check, decide, question
 
 PASS, FAIL, SILENT, NOT_FOR = Outcome.PASS, Outcome.FAIL, Outcome.NOT_ANSWERED, Outcome.NOT_APPLICABLE
 YES, NO, OPEN = Decision.PASS, Decision.FAIL, Decision.INCOMPLETE

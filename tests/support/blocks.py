@@ -1,0 +1,30 @@
+"""Rocking blocks of tests, in closed form."""
+
+from __future__ import annotations
+
+import numpy as np
+from scipy.constants import g
+
+from assess.oscillator import Branch, Oscillator
+
+
+def branch(
+    p: float = 2.0, alpha: float = 0.2, restitution: float = 0.9, *, swell: float = 0.0, nodes: int = 257
+) -> Branch:
+    """Return the branch of a rectangular block of M R = 1 kg m, whose inertia grows by `swell` phi.
+
+    Parameters
+    ----------
+    p : frequency parameter [1/s]; alpha : slenderness [rad]; restitution [-]; swell [1/rad]
+    nodes : of the table, evenly up to 1.5 alpha
+    """
+    phi = np.linspace(0.0, 1.5 * alpha, nodes)
+    one = np.ones_like(phi)
+    inertia = g / p**2 * (1.0 + swell * phi)
+    return Branch(phi, inertia, g * np.sin(alpha - phi), np.cos(alpha - phi), one, one, restitution, alpha, alpha)
+
+
+def block(p: float = 2.0, alpha: float = 0.2, restitution: float = 0.9, *, sides: int = 2) -> Oscillator:
+    """Return a rectangular block of M R = 1 kg m that rocks to both sides, or to one."""
+    side = branch(p, alpha, restitution)
+    return Oscillator(side, side if sides == 2 else None, 1.0)

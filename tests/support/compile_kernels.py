@@ -1,0 +1,68 @@
+"""Compile every entry point of the kernels into the user's cache: `python -m tests.support.compile_kernels`.
+
+Two processes that meet an uncompiled kernel would both compile it, so this runs before the tests are dealt out to
+them. Where everything is in the cache it takes as long as the imports.
+"""
+
+from __future__ import annotations
+
+import sys
+from concurrent.futures import ProcessPoolExecutor
+from multiprocessing import get_context
+
+import numpy as np
+
+
+def compile_linearised() -> None:
+    """Histories, pulses and envelopes by the linearised equation, and sines in closed form."""
+    _compile_dynamics("linearised", shapes=("sine", "ricker"))
+
+
+def compile_exact() -> None:
+    """Histories, pulses and envelopes by the exact equation."""
+    _compile_dynamics("exact", shapes=("sine",))
+
+
+def compile_joints_and_records() -> None:
+    """Contact of joints; response spectra and motions of floors."""
+    from assess.interfaces.contact import contact, thresholds
+    from assess.interfaces.law import Law
+    from assess.interfaces.shapes import rectangle
+    from records.floor_motion import floor_motion
+    from records.response import response_spectrum
+    from tests.support.motions import noise
+
+    section, law = rectangle(1.0, 2.0), Law(2e8, 1.5e6)
+    contact(section, law, normal_force=2e5, rotation=[0.0, 1e-3])
+    thresholds(section, law, normal_force=2e5)
+    response_spectrum(noise(npts=50), [0.0, 0.5])
+    floor_motion(noise(npts=50), frequency=2.5, shape=1.2)
+
+
+def _compile_dynamics(equation: str, *, shapes: tuple[str, ...]) -> None:
+    from assess.dynamics.envelope import envelope
+    from assess.dynamics.history import peaks, product
+    from assess.dynamics.pulse_response import PulseJobs, outcomes
+    from assess.oscillator import Oscillator
+    from records.pulses import SHAPES
+    from tests.support.blocks import block
+    from tests.support.motions import noise
+
+    body: Oscillator = block()
+    peaks([body], [noise(npts=50)], product(1, 1, 1.0), equation=equation, threads=1)
+    first, frequency = np.zeros(1, dtype=np.int64), np.array([1.0, 2.0])
+    for name in shapes:
+        jobs = PulseJobs(first, first, np.array([3.0]))
+        outcomes([body], SHAPES[name], frequency, jobs, equation=equation, threads=1)
+        envelope(body, SHAPES[name], frequency, np.array([1.0, 3.0]), equation=equation, threads=1)
+
+
+def compile_kernels(processes: int = 2) -> None:
+    """Compile all of them, shared between `processes`."""
+    with ProcessPoolExecutor(processes, mp_context=get_context("spawn")) as pool:
+        for work in [pool.submit(each) for each in (compile_exact, compile_linearised, compile_joints_and_records)]:
+            work.result()
+
+
+if __name__ == "__main__":
+    compile_kernels(int(sys.argv[1]) if len(sys.argv) > 1 else 2)

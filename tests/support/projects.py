@@ -1,0 +1,97 @@
+"""Project files of tests: a plain wall under an American spectrum, and what a test has in place of it or beside it."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import Any
+
+from assess.project.build import build
+from assess.project.schema import load
+from assess.study.study import Study
+
+Table = dict[str, Any]
+
+ASCE7: Table = {"code": "asce7-16", "s_ds": "0.5 g", "s_d1": "0.2 g", "t_l": "6 s"}
+NTC: Table = {"code": "ntc2018", "a_g": "0.15 g", "f_0": 2.4, "t_c_star": "0.3 s", "soil": "A"}
+OF_VALUES = ("site", "building", "verdict", "records", "analysis", "report")
+OF_TABLES = ("materials", "bodies", "mechanisms", "procedures")
+
+
+def wall(thickness: Any = 0.6, length: Any = 3.0, height: Any = 4.0, *, material: str = "brick", **box: Any) -> Table:
+    """Return a body: a box, with its `base` where that is not the origin."""
+    return {"material": material, "box": {"thickness": thickness, "length": length, "height": height, **box}}
+
+
+def block(*bodies: Any, kind: str = "single-block", **more: Any) -> Table:
+    """Return a mechanism of these bodies, of the wall if none is named."""
+    return {"kind": kind, "blocks": list(bodies or ("wall",)), **more}
+
+
+def published(p: Any = 1.6, uplift: Any = 0.14, radius: Any = 2.84, **more: Any) -> Table:
+    """Return a mechanism by its numbers alone, those of Wall 0a of the thesis."""
+    return {"kind": "equivalent-block", "p": p, "uplift": uplift, "radius": radius, **more}
+
+
+def project_toml(*more: str, **tables: Any) -> str:
+    """Return the text of a project file: a plain wall, with `tables` in place of its own or beside them.
+
+    Parameters
+    ----------
+    more : TOML that follows the tables as it is
+    tables : by their names at the top of the file; None leaves one out. A text stands for what is written in a table:
+        `mechanisms={"wall": 'kind = "single-block"'}`
+    """
+    plain = {
+        "site": {"spectrum": ASCE7},
+        "materials": {"brick": {"density": 1800}},
+        "bodies": {"wall": wall()},
+        "mechanisms": {"wall": block()},
+    }
+    asked = {name: table for name, table in (plain | tables).items() if table is not None}
+    heads = [f"{name} = {toml(value)}" for name, value in asked.items() if not _is_table(name, value)]
+    bodies = [line for name, value in asked.items() if _is_table(name, value) for line in _section(name, value)]
+    return "\n".join([*heads, *bodies, *more, ""])
+
+
+def study_of(folder: Path, text: str) -> Study:
+    """Return the study of a project file, which is written into `folder`."""
+    path = folder / "project.toml"
+    path.write_text(text, encoding="utf-8")
+    return build(load(path))
+
+
+def toml(value: Any) -> str:
+    """Return a value as TOML in one line."""
+    if isinstance(value, Mapping):
+        return "{ " + ", ".join(f"{_key(name)} = {toml(each)}" for name, each in value.items()) + " }"
+    if isinstance(value, list | tuple):
+        return "[" + ", ".join(map(toml, value)) + "]"
+    return json.dumps(value, ensure_ascii=False) if isinstance(value, str | bool) else repr(value)
+
+
+def _section(name: str, table: Mapping[str, Any] | str) -> Iterator[str]:
+    """Yield the lines of a table under its header, then those of the tables in it."""
+    if isinstance(table, str):
+        yield from (f"[{name}]", table)
+        return
+    inner = {key: value for key, value in table.items() if "." not in name and _is_inner(name, key, value)}
+    if name not in OF_TABLES and len(inner) < len(table):
+        yield f"[{name}]"
+        yield from (f"{_key(key)} = {toml(value)}" for key, value in table.items() if key not in inner)
+    for key, value in inner.items():
+        yield from _section(f"{name}.{_key(key)}", value)
+
+
+def _is_table(name: str, value: Any) -> bool:
+    return isinstance(value, Mapping) or (isinstance(value, str) and name in (*OF_VALUES, *OF_TABLES))
+
+
+def _is_inner(name: str, key: str, value: Any) -> bool:
+    return isinstance(value, Mapping) or (isinstance(value, str) and (name in OF_TABLES or key == "spectrum"))
+
+
+def _key(name: str) -> str:
+    return name if re.fullmatch(r"[\w-]+", name, re.ASCII) else json.dumps(name)

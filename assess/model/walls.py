@@ -22,8 +22,8 @@ from assess.loads.definitions import LoadDefinition
 from assess.loads.load import Force, Load, PointMass
 from assess.loads.overburden import UPPER
 from assess.loads.plane import point_in_plane
-from assess.mechanisms.chain import Block, Chain, mirrored_chain
-from assess.mechanisms.crack import ARM, MARGIN, crack_ratio, least
+from assess.mechanisms.chain import Block, Chain, mirror_chain
+from assess.mechanisms.crack import ARM, MARGIN, crack_ratio, find_least
 from assess.mechanisms.mechanism import Sides
 from assess.mechanisms.motion import move
 from assess.mechanisms.two_block import Hinges
@@ -270,7 +270,9 @@ def by_search(definition: TwoBlock, whole: Piece, brought: Brought, *, strength:
         return uplift(definition, whole, panel, over(brought, elevation), elevation)
 
     jumps = [load.at[1] for load, follows in zip(brought.loads, brought.follows, strict=True) if follows]
-    elevation = least(multiplier, low=panel.base, high=panel.base + panel.height, jumps=jumps, apart=2.0 * TOLERANCE)
+    elevation = find_least(
+        multiplier, low=panel.base, high=panel.base + panel.height, jumps=jumps, apart=2.0 * TOLERANCE
+    )
     ratio = (elevation - panel.base) / panel.height
     held = " with the mortar's tension before it opens" if panel.tension else ""
     return elevation, (
@@ -289,7 +291,7 @@ def uplift(definition: TwoBlock, whole: Piece, panel: Panel, loads: tuple[Load, 
     found = []
     for ahead in (True, False) if definition.two_sided else (True,):
         hinges = (base[ahead], joint[not ahead], head[ahead])
-        chain = Chain(blocks, hinges, loads) if ahead else mirrored_chain(blocks, hinges, loads)
+        chain = Chain(blocks, hinges, loads) if ahead else mirror_chain(blocks, hinges, loads)
         work, turning = virtual_work(chain, np.zeros(1)), move(chain, np.zeros(1)).rate[:, 0]
         held = panel.tension * ARM * panel.thickness * float(turning[0] - turning[1])
         found.append(float((work.restoring[0] + held) / (g * work.excitation[0])))

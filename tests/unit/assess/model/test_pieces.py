@@ -13,7 +13,8 @@ from assess.geometry.solid import Solid, box, join, profile
 from assess.messages.message import Message
 from assess.project.build import build
 from assess.project.schema import load, resolved
-from assess.study.run import parameters, run
+from assess.study.parameters import parameters
+from assess.study.run import run
 from assess.study.study import Study
 
 HEAD = """

@@ -1,0 +1,105 @@
+"""Rocking of masonry in earthquakes, beside the checks of the codes.
+
+The public names are those of `__all__`: SI floats in, frozen data out, errors of `assess.errors`. Each is loaded when
+it is first used, so that `import assess` takes no time; rooms such as `assess.loads` and `assess.model` likewise.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from scipy.constants import g
+
+    from assess.codes.context import Building
+    from assess.interfaces.definition import Interface, Shape
+    from assess.loads.definitions import BodyLoad, ForceLoad, MassLoad, OverburdenLoad, TieLoad
+    from assess.model.body import Body, Material
+    from assess.model.definitions import CutAngle, CutPlane, RadialJoints
+    from assess.model.make_body import box, mesh, profile
+    from assess.study.block import Block, equivalent_block, four_hinge, single_block, two_block
+    from assess.verbs import Run, answers, envelope, load, respond, run, write_report
+    from records.reading import read_record
+    from records.record import Record
+    from spectra.registry import spectrum
+
+__all__ = [
+    "Block",
+    "Body",
+    "BodyLoad",
+    "Building",
+    "CutAngle",
+    "CutPlane",
+    "ForceLoad",
+    "Interface",
+    "MassLoad",
+    "Material",
+    "OverburdenLoad",
+    "RadialJoints",
+    "Record",
+    "Run",
+    "Shape",
+    "TieLoad",
+    "answers",
+    "box",
+    "envelope",
+    "equivalent_block",
+    "four_hinge",
+    "g",
+    "load",
+    "mesh",
+    "profile",
+    "read_record",
+    "respond",
+    "run",
+    "single_block",
+    "spectrum",
+    "two_block",
+    "write_report",
+]
+
+_HOMES = {
+    "assess.codes.context": ("Building",),
+    "assess.interfaces.definition": ("Interface", "Shape"),
+    "assess.loads.definitions": ("BodyLoad", "ForceLoad", "MassLoad", "OverburdenLoad", "TieLoad"),
+    "assess.model.body": ("Body", "Material"),
+    "assess.model.definitions": ("CutAngle", "CutPlane", "RadialJoints"),
+    "assess.model.make_body": ("box", "mesh", "profile"),
+    "assess.study.block": ("Block", "equivalent_block", "four_hinge", "single_block", "two_block"),
+    "assess.verbs": ("Run", "answers", "envelope", "load", "respond", "run", "write_report"),
+    "records.reading": ("read_record",),
+    "records.record": ("Record",),
+    "scipy.constants": ("g",),
+    "spectra.registry": ("spectrum",),
+}
+_HOME = {name: home for home, names in _HOMES.items() for name in names}
+_ROOMS = (
+    "amplification",
+    "codes",
+    "dynamics",
+    "errors",
+    "geometry",
+    "interfaces",
+    "loads",
+    "mechanisms",
+    "model",
+    "study",
+)
+
+
+def __getattr__(name: str) -> Any:
+    if name in _HOME:
+        found = getattr(import_module(_HOME[name]), name)
+    elif name in _ROOMS:
+        found = import_module(f"{__name__}.{name}")
+    else:
+        raise AttributeError(
+            f"module {__name__!r} has no attribute {name!r}; the public names are: {', '.join(__all__)}"
+        )
+    globals()[name] = found
+    return found
+
+
+def __dir__() -> list[str]:
+    return [*__all__, *_ROOMS]

@@ -1,1 +1,257 @@
-"""What one can do with a project: load it, run it, and write its report."""
+"""What one can do: ask one mechanism for its motions and checks, and run a project and write its report.
+
+The command line is made of these calls; what is heavy is imported when a verb is called.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+    from pandas import DataFrame
+
+    from assess.codes.check import Check
+    from assess.codes.context import Building
+    from assess.codes.verdict import Verdict
+    from assess.dynamics.envelope import Envelope
+    from assess.dynamics.packing import Equation
+    from assess.project.schema import Project
+    from assess.results import Results
+    from assess.study.block import Block
+    from assess.study.response import Motion
+    from records.pulses import Shape
+    from records.record import Record
+    from spectra.arrays import FloatArray
+    from spectra.spectrum import Spectrum
+
+Progress = Callable[[str, int, int], None]
+"""Hears of long work: the stage, how many of its parts are done, and how many there are."""
+REPORT = ("report.pdf", "report.html", "tables.xlsx")
+"""What the report is, beside its tables and figures."""
+
+
+def silent(stage: str, done: int, total: int) -> None:
+    """Say nothing of long work."""
+
+
+def respond(block: Block, record: Record, *, scale: float = 1.0, equation: Equation | None = None) -> Motion:
+    """Solve the rocking motion of a mechanism from rest under a record.
+
+    Parameters
+    ----------
+    block : the mechanism
+    record : acceleration of the ground at its base [m/s2]
+    scale : factor on the record [-]; a negative one reverses its polarity
+    equation : "exact" or "linearised"; linearised for equivalent blocks and exact for all others where None
+
+    Returns
+    -------
+    The motion: `overturned`, `max_ratio` [-], and the history `time` [n] [s], `rotation` [n] [rad]
+
+    Raises
+    ------
+    MechanismError : the mechanism stands only by ties or forces that nobody shows to last
+    RecordError : it is not one record of finite samples
+    """
+    from assess.study.response import respond as solve
+
+    _check_record(record)
+    return solve(block.rocking, record, scale=scale, equation=equation or block.equation)
+
+
+def _check_record(record: Record) -> None:
+    """Raise RecordError for what is no record of finite samples at a time step."""
+    from numpy import isfinite
+
+    from records.errors import RecordError
+    from records.record import Record as Known
+
+    if not isinstance(record, Known):
+        raise RecordError(f"record: {type(record).__name__} given; give one record, such as read_record(path)[0]")
+    if record.npts < 2 or not isfinite(record.acceleration).all():
+        raise RecordError(f'record "{record.id}": {record.npts} samples; give two or more finite accelerations [m/s2]')
+    if not record.dt > 0.0:
+        raise RecordError(f'record "{record.id}": time step {record.dt:g} s; give one greater than 0')
+
+
+def envelope(
+    block: Block,
+    pulse: str | Shape,
+    *,
+    frequency: Sequence[float] | FloatArray,
+    amplitude: Sequence[float] | FloatArray,
+    equation: Equation | None = None,
+    jobs: int = 0,
+) -> Envelope:
+    """Find which pulses of a grid overturn a mechanism, in the worse polarity.
+
+    Parameters
+    ----------
+    block : the mechanism
+    pulse : name of a pulse of `records.pulses.SHAPES`, such as "sine", or a shape made by `records.pulses.shape`
+    frequency : rising frequencies of the pulse [n] [Hz]
+    amplitude : rising peak accelerations [m] [m/s2]
+    equation : as for `respond`
+    jobs : threads, 0 for all cores; the result does not depend on it
+
+    Returns
+    -------
+    The outcome of each pulse [n, m], and at each frequency the least amplitude that overturns [n] [m/s2]
+    """
+    from assess.study.pulse_envelope import envelope as find
+
+    return find(
+        block.rocking,
+        pulse,
+        frequency=frequency,
+        amplitude=amplitude,
+        equation=equation or block.equation,
+        threads=jobs,
+    )
+
+
+def answers(
+    block: Block,
+    target: Spectrum,
+    *,
+    procedures: Sequence[str],
+    knowledge_level: str | None = None,
+    records: Record | Sequence[Record] = (),
+    base_elevation: float = 0.0,
+    building: Building | None = None,
+    jobs: int = 0,
+) -> tuple[Check, ...]:
+    """Return what the procedures of the codes say of a mechanism on a spectrum.
+
+    The rules are those of a project: a check that lacks an input is not answered, and its reason names the remedy.
+
+    Parameters
+    ----------
+    block : the mechanism
+    target : elastic spectrum of the site, at its own peak ground acceleration
+    procedures : names such as "ntc2018-nonlinear"
+    knowledge_level : "LC1", "LC2" or "LC3", for the Italian codes
+    records : horizontal ground motions, taken unscaled; without any, histories are not answered
+    base_elevation : height of the mechanism's base above the ground [m]
+    building : the structure below the mechanism
+    jobs : threads that share the time histories, 0 for all cores
+
+    Raises
+    ------
+    ProcedureError : a procedure or a level of knowledge is not known, or a record is vertical
+    """
+    from assess.study.answers import answers as find
+
+    return find(
+        block.mechanism,
+        target,
+        procedures=procedures,
+        knowledge_level=knowledge_level,
+        records=records,
+        base_elevation=base_elevation,
+        building=building,
+        threads=jobs,
+    )
+
+
+def load(path: str | Path) -> Project:
+    """Read a project file.
+
+    Raises
+    ------
+    ProjectError : the file cannot be read, or holds an unknown key, a wrong unit or a wrong value
+    """
+    from assess.project.schema import load as read
+
+    return read(Path(path))
+
+
+@dataclass(frozen=True)
+class Run:
+    """A project that has been assessed.
+
+    results : the frozen tree that results.json holds
+    """
+
+    project: Project
+    results: Results
+
+    def __repr__(self) -> str:
+        verdict = "no verdict" if self.verdict is None else self.verdict.outcome.value
+        return f"Run({self.project.path.name!r}, {len(self.results.mechanisms)} mechanisms, {verdict})"
+
+    @property
+    def verdict(self) -> Verdict | None:
+        """What decides, and how."""
+        return self.results.verdict
+
+    def table(self, name: str) -> DataFrame:
+        """Return a table of the results: "parameters", "checks", "histories", …; an unknown name lists all."""
+        from assess.results.table import table
+
+        return table(self.results, name)
+
+    def figure(self, name: str, *, mechanism: str | None = None) -> Figure:
+        """Return a figure of the report by its name, such as "capacity"; an unknown name lists all."""
+        from reports.report_figure import report_figure
+
+        return report_figure(name, self.results, mechanism=mechanism)
+
+
+def run(project: Project | str | Path, *, jobs: int = 0, progress: Progress | None = None) -> Run:
+    """Assess every mechanism of a project.
+
+    Parameters
+    ----------
+    project : as `load` reads it, or the path of its file
+    jobs : threads, 0 for all cores; the results do not depend on it
+    progress : is called with (stage, done, total)
+
+    Raises
+    ------
+    AssessError, RecordError or SpectrumError : something the user can mend; the text is the line of the command line
+    """
+    from assess.project.build import build
+    from assess.study.run import run as assess
+
+    loaded = load(project) if isinstance(project, str | Path) else project
+    return Run(loaded, assess(build(loaded), jobs=jobs, progress=progress or silent))
+
+
+def write_report(
+    run: Run, folder: str | Path, *, language: str | None = None, jobs: int = 0, progress: Progress | None = None
+) -> Path:
+    """Write results.json, report.pdf, report.html, the tables and the figures of a run into a folder.
+
+    All of it stands there afterwards or nothing has changed; files that are not ours are refused.
+
+    Parameters
+    ----------
+    run : a project that has been assessed
+    folder : made where there is none
+    language : of the report, "en" or "it"; that of the project where None
+    jobs : processes, 0 for as many as there are cores
+    progress : is called with (stage, done, total)
+
+    Returns
+    -------
+    The path of the PDF
+
+    Raises
+    ------
+    OutputError : the folder cannot be written, or holds files that may not be replaced
+    """
+    from assess.outputs.folder import output_folder
+    from assess.outputs.manifest import RESULTS
+    from assess.results.json import dumps
+    from reports.writing import write_all
+
+    place, said = Path(folder), progress or silent
+    with output_folder(place, command="write_report", wanted=(RESULTS, *REPORT)) as stage:
+        (stage / RESULTS).write_bytes(dumps(run.results).encode())
+        pdf = write_all(run.results, stage, language=language, jobs=jobs, progress=lambda step: said(step, 0, 1))
+        return place / pdf.relative_to(stage)

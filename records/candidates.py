@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, fields
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from records.formats.header_overrides import NO_OVERRIDES, HeaderOverrides
 from records.orientation import is_vertical
 from spectra.arrays import FloatArray
+
+if TYPE_CHECKING:
+    from pandas import DataFrame
 
 DAMPING = 0.05
 PERIODS: FloatArray = np.geomspace(0.01, 10.0, 121)  # s, forty to the decade
@@ -78,7 +82,26 @@ class Candidate:
         return not self.place and not is_vertical(self.component)
 
 
+def candidate_table(candidates: Sequence[Candidate]) -> DataFrame:
+    """Return a table of the candidates: a row each, with what they are selected by and their measures, in SI.
+
+    Parameters
+    ----------
+    candidates : of a catalogue or read from files [n]
+
+    Returns
+    -------
+    DataFrame : metadata and measures as columns named as in `Candidate` and `Measures` [n rows]; the 5 % spectra are
+        left out
+    """
+    from pandas import DataFrame
+
+    columns = [field.name for field in fields(Candidate) if field.name not in ("measures", "spectrum", "overrides")]
+    rows = [{name: getattr(one, name) for name in columns} | dict(one.measures) for one in candidates]
+    return DataFrame(rows, columns=None if rows else columns)
+
+
 def sequence_number(path: str) -> int | None:
-    """The NGA number in a PEER file name, `RSN57_SFERN_ORR021.AT2`; None where there is none."""
+    """Return the NGA number in a PEER file name, `RSN57_SFERN_ORR021.AT2`; None where there is none."""
     found = SEQUENCE_NUMBER.search(path.rsplit("/", 1)[-1])
     return int(found[1]) if found and len(found[1]) < 10 else None

@@ -48,7 +48,7 @@ def _said(found: Sequence[Entry]) -> str:
     """A line for each remark, with the parts that it is of."""
     parts: dict[str, list[str]] = {}
     for each in found:
-        for text in (each.why_not,) if each.why_not else each.told:
+        for text in (each.why_not,) if each.why_not else each.warnings:
             parts.setdefault(text, []).append(each.element.shown)
     return "".join(f"{_whose(names)}: {printable(text)}\n" for text, names in parts.items())
 
@@ -97,7 +97,7 @@ def _row(file: Path, entry: Entry) -> dict[str, Any]:
         "place_m": entry.place and list(entry.place),
         "closed": entry.closed,
         "why_not": entry.why_not or None,
-        "remarks": list(entry.told),
+        "remarks": list(entry.warnings),
         "thin_direction": entry.thin and [*entry.thin, 0.0],
         "thin_direction_deg": None if entry.thin is None else _angle(entry.thin),
     }

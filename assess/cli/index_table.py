@@ -8,13 +8,13 @@ from pathlib import Path
 
 from assess.project.messages import printable
 from assess.project.record_set import cell_text
-from records.flatfile import MatchSummary
-from records.indexing import Indexed
+from records.flatfile_match import FlatfileMatch
+from records.indexing import IndexSummary
 
 TOLD = 20  # bad cells of a flatfile
 
 
-def table_text(found: Indexed, place: Path, *, described: int, merged: MatchSummary | None) -> str:
+def table_text(found: IndexSummary, place: Path, *, described: int, merged: FlatfileMatch | None) -> str:
     """Counts, what became of a flatfile, each file that could not be read with the reason, and the catalogue's path."""
     counts = f"{found.read} files read, {found.unchanged} unchanged, {found.gone} gone"
     lines = [
@@ -28,21 +28,21 @@ def table_text(found: Indexed, place: Path, *, described: int, merged: MatchSumm
     return "".join(f"{printable(line)}\n" for line in lines)
 
 
-def json_text(found: Indexed, place: Path, *, described: int, merged: MatchSummary | None) -> str:
+def json_text(found: IndexSummary, place: Path, *, described: int, merged: FlatfileMatch | None) -> str:
     """The same as JSON."""
     problems = [{"path": path, "reason": why} for path, why in found.problems]
     told = {**asdict(found), "problems": problems, "with_magnitude": described, "catalogue": str(place)}
     return json.dumps({**told, "flatfile": _as_json(merged)}, ensure_ascii=False, indent=1) + "\n"
 
 
-def _flatfile(merged: MatchSummary) -> list[str]:
+def _flatfile(merged: FlatfileMatch) -> list[str]:
     counts = f"{merged.matched} rows matched, {merged.unmatched} unmatched, {len(merged.bad)} bad cells"
     bad = [f"flatfile, {cell_text(cell)}: no value that can be; passed over" for cell in merged.bad[:TOLD]]
     more = [f"flatfile: and {len(merged.bad) - TOLD} more; --json lists all"] if len(merged.bad) > TOLD else []
     return [f"flatfile: {counts}; {merged.records} records described", *bad, *more]
 
 
-def _as_json(merged: MatchSummary | None) -> dict[str, object] | None:
+def _as_json(merged: FlatfileMatch | None) -> dict[str, object] | None:
     if merged is None:
         return None
     bad = [asdict(cell) for cell in merged.bad]

@@ -37,12 +37,13 @@ def index(
     from assess.cli.index_table import json_text, table_text
     from assess.cli.progress import progress
     from assess.cli.warning import warn
-    from records.catalogue import NAME, candidates, open_catalogue, take
-    from records.flatfile import match_summary, read_flatfile
+    from records.catalogue import NAME, candidates, open_catalogue, store_flatfile
+    from records.flatfile import read_flatfile
+    from records.flatfile_match import match_flatfile
     from records.formats.header_overrides import HeaderOverrides
-    from records.indexing import files_below
     from records.indexing import index as brought_up
     from records.plausibility import candidate_warning
+    from records.record_files import files_below
 
     table = None if flatfile is None else read_flatfile(flatfile)
     next(files_below(folder), None)  # a folder that is none is told before a catalogue is made
@@ -53,7 +54,7 @@ def index(
         processes(jobs) as executor,
     ):
         if table is not None:
-            take(connection, table.recordings)
+            store_flatfile(connection, table.recordings)
         found = brought_up(
             folder,
             connection,
@@ -63,6 +64,6 @@ def index(
         )
         listed = candidates(connection)
     described = sum(one.magnitude is not None for one in listed)
-    met = None if table is None else match_summary(listed, table)
+    met = None if table is None else match_flatfile(listed, table)
     warn(["" if met is None else met.warning, *(candidate_warning(one) for one in listed)])
     print((json_text if as_json else table_text)(found, place, described=described, merged=met), end="")

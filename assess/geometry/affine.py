@@ -1,4 +1,4 @@
-"""A body made thicker or thinner in one direction, to the same density."""
+"""Scaling of a body along one direction, at constant density."""
 
 from __future__ import annotations
 
@@ -11,15 +11,17 @@ from assess.geometry.solid import Solid
 
 
 def scale_along(solid: Solid, *, direction: Sequence[float], middle: float, factor: float) -> Solid:
-    """The solid with every distance along `direction` from the plane at `middle` [m] times `factor` (> 0).
+    """Scale a solid along a direction, measured from a plane square to it.
 
     The map is r -> A r + b with A = E + (factor - 1) u u^T, so volume and mass grow by det A = factor, and the second
-    moment S = int r r^T dm about the centroid becomes factor A S A^T; S and the inertia tensor I tell each other:
+    moment S = int r r^T dm about the centroid becomes factor A S A^T. S and the inertia tensor I determine each other:
     I = tr(S) E - S, S = tr(I) / 2 E - I.
 
     Parameters
     ----------
-    direction : a vector of any length [3]; middle : distance along it from the origin [m]
+    direction : a vector of any length [3]
+    middle : distance of the fixed plane along the direction from the origin [m]
+    factor : ratio of new to old distances from that plane, positive [-]
     """
     u = np.asarray(direction, dtype=np.float64) / np.linalg.norm(direction)
     A = np.eye(3) + (factor - 1.0) * np.outer(u, u)

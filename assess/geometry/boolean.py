@@ -1,4 +1,4 @@
-"""Closed surfaces cut, united and intersected; the distance between them. The only door to manifold3d."""
+"""Boolean operations on closed surfaces, and the distance between them. The only door to manifold3d."""
 
 from __future__ import annotations
 
@@ -22,10 +22,13 @@ MANY_PAIRS = 1e8  # pairs of triangles: to look at more of them takes seconds
 
 @dataclass(frozen=True)
 class Intersection:
-    """What two bodies share.
+    """The volume common to two bodies.
 
+    Attributes
+    ----------
     corners : of the triangles of its surface, anticlockwise seen from outside [m, 3, 3] [m]
-    of_second : which of them are part of the second body's surface [m]; volume : [m3]
+    of_second : which of them belong to the second body's surface [m]
+    volume : [m3]
     part : volume over that of the smaller body [-]
     """
 
@@ -36,7 +39,7 @@ class Intersection:
 
 
 def split(surface: Surface, *, where: str) -> tuple[Surface, Surface]:
-    """What lies above z = 0 and what lies below.
+    """Split a closed surface at z = 0 into the part above and the part below.
 
     Each is the remainder of taking away the other side: there manifold3d drops faces of the body that lie in the
     plane with nothing behind them, which the part it cuts out keeps as a film without volume.
@@ -51,7 +54,7 @@ def split(surface: Surface, *, where: str) -> tuple[Surface, Surface]:
 
 
 def unite(shells: Sequence[Surface], *, where: str) -> Surface:
-    """One surface around what closed shells stand for, the larger laid down first, each over those before it.
+    """Unite closed shells into one surface, the larger first, each over those before it.
 
     Shells that face outwards add material, those that face inwards (cavities) take it away; so a cavity empties the
     body around it, and a body within a cavity stands in it.
@@ -69,7 +72,11 @@ def unite(shells: Sequence[Surface], *, where: str) -> Surface:
 
 
 def intersect(first: Solid, second: Solid) -> Intersection | None:
-    """What two bodies share, None where they share nothing.
+    """Return the volume that two bodies share, None where they share none.
+
+    Parameters
+    ----------
+    first, second : the bodies
 
     Raises
     ------
@@ -91,9 +98,14 @@ def intersect(first: Solid, second: Solid) -> Intersection | None:
 
 
 def shortest_distance(first: Solid, second: Solid, *, limit: float = inf) -> float:
-    """The shortest distance between two bodies [m]; 0 where they touch or overlap, `limit` where they are farther.
+    """Return the shortest distance between two bodies [m]; 0 where they touch or overlap.
 
-    Between fine meshes that are clearly apart it is that of their vertices.
+    Between fine meshes that are clearly apart, the distance between their vertices is taken.
+
+    Parameters
+    ----------
+    first, second : the bodies
+    limit : returned where they are farther apart [m]
 
     Raises
     ------
@@ -111,7 +123,7 @@ def shortest_distance(first: Solid, second: Solid, *, limit: float = inf) -> flo
 
 
 def _bounds_gap(first: Solid, second: Solid) -> float:
-    """The largest distance between the bounding boxes along an axis [m]; negative where they overlap."""
+    """Return the largest gap between the bounding boxes along an axis [m], negative where they overlap."""
     low_a, high_a, low_b, high_b = (
         end(solid.vertices, axis=0) for solid in (first, second) for end in (np.min, np.max)
     )
@@ -119,7 +131,7 @@ def _bounds_gap(first: Solid, second: Solid) -> float:
 
 
 def _manifold_of_solid(solid: Solid, origin: FloatArray) -> Any:
-    """The body about an origin [3], as manifold3d has it."""
+    """Convert a body, with coordinates from an origin [3], to a manifold3d object."""
     return _manifold((solid.vertices - origin, solid.triangles), where=f'body "{solid.name}"')
 
 

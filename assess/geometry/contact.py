@@ -1,4 +1,4 @@
-"""Where a body meets a block: on faces that face each other, or built into it (thesis 3.2.2)."""
+"""Contact between a body and a block: on facing surfaces, or where the body is built in (thesis 3.2.2)."""
 
 from __future__ import annotations
 
@@ -22,14 +22,14 @@ STEEP = 0.26  # vertical part of a unit normal: a face within 15 degrees of upri
 
 @dataclass(frozen=True)
 class Contact:
-    """Where a body meets a block.
+    """The area where a body meets a block.
 
     Attributes
     ----------
-    area : of the faces that meet; in plan where the body is built in [m2]
+    area : of the faces in contact; in plan where the body is built in [m2]
     centroid : of that area [3] [m]
-    normal : mean unit normal of the block's faces there, outwards [3]
-    bearing : whether the block carries the body there; else the body only pushes against an upright face
+    normal : mean outward unit normal of the block's faces there [3]
+    bearing : whether the block carries the body there; otherwise the body only pushes against an upright face
     """
 
     area: float
@@ -48,16 +48,19 @@ class Patches:
 
 
 def find_contact(block: Solid, body: Solid, *, tolerance: float = TOLERANCE) -> Contact | None:
-    """Where a body meets a block; None where it does not, or where it lies under the block and carries it.
+    """Find where a body meets a block; None where it does not, or where it lies under the block and carries it.
 
-    Faces meet where they face each other at a distance within the tolerance, whether a gap is between them or they
-    enter one another. A body that enters the block by more is built in, and bears on its underside. A rafter that
-    lies on the edge of a wall meets its top in the strip along that edge where the distance is within the tolerance.
-    Where the body bears, only that region counts, since its weight goes there; else the faces it pushes against do.
+    Faces are in contact where they face each other at a distance within the tolerance, whether they are separated by a
+    gap or penetrate each other. A body that penetrates the block by more is built in, and bears on its underside. A
+    rafter on the edge of a wall meets the wall's top in the strip along that edge where the distance is within the
+    tolerance. Where the body bears, only that region counts, since its weight goes there; otherwise the faces it pushes
+    against count.
 
     Parameters
     ----------
-    tolerance : [m]
+    block : the body that may carry
+    body : the body that may be carried
+    tolerance : on the distance of faces [m]
 
     Raises
     ------
@@ -78,14 +81,21 @@ def find_contact(block: Solid, body: Solid, *, tolerance: float = TOLERANCE) -> 
 
 
 def facing_patches(block: Solid, body: Solid, *, tolerance: float = TOLERANCE) -> Patches:
-    """The upright parts of a block's faces that a face of a body stands before within the tolerance [m]."""
+    """Return the upright parts of a block's faces that a face of a body faces within the tolerance.
+
+    Parameters
+    ----------
+    block : whose faces are returned
+    body : whose faces they may face
+    tolerance : on the distance of faces [m]
+    """
     faces = _facing_parts(block, body, tolerance=tolerance, cosine=PARALLEL)
     upright = np.abs(faces.normal[:, 2]) < STEEP
     return Patches(faces.area[upright], faces.centroid[upright], faces.normal[upright])
 
 
 def join_contacts(contacts: Sequence[Contact]) -> Contact | None:
-    """The contacts of a body with the parts of one block as one, None where there are none."""
+    """Combine the contacts of a body with the parts of one block; None where there are none."""
     bearing = any(each.bearing for each in contacts)
     chosen = [each for each in contacts if each.bearing == bearing]
     if not chosen:
@@ -99,17 +109,17 @@ def join_contacts(contacts: Sequence[Contact]) -> Contact | None:
 
 
 def _bearing_contact(faces: Patches, *, smallest: float) -> Contact | None:
-    """The faces of the block that carry, None where they have no more than the smallest area [m2]."""
+    """Return the contact on the block's bearing faces, None if no larger than the smallest area [m2]."""
     return _join_patches(faces, faces.normal[:, 2] >= STEEP, bearing=True, smallest=smallest)
 
 
 def _upright_contact(faces: Patches, *, smallest: float) -> Contact | None:
-    """The faces of the block that can only be pushed, None where they have no more than the smallest area [m2]."""
+    """Return the contact on the block's upright faces, None if no larger than the smallest area [m2]."""
     return _join_patches(faces, np.abs(faces.normal[:, 2]) < STEEP, bearing=False, smallest=smallest)
 
 
 def _join_patches(patches: Patches, which: NDArray[np.bool_], *, bearing: bool, smallest: float) -> Contact | None:
-    """Those of the patches as one contact, None where their area [m2] is no more than the smallest."""
+    """Combine the chosen patches into one contact, None if no larger than the smallest area [m2]."""
     A = patches.area[which]
     area = float(A.sum())
     if area <= smallest:
@@ -119,7 +129,7 @@ def _join_patches(patches: Patches, which: NDArray[np.bool_], *, bearing: bool, 
 
 
 def _facing_parts(block: Solid, body: Solid, *, tolerance: float, cosine: float) -> Patches:
-    """The parts of the block's faces that a face of the body faces within the tolerance [m] and the cosine."""
+    """Return the parts of the block's faces that a face of the body faces within tolerance [m] and cosine."""
     origin = (body.vertices.min(axis=0) + body.vertices.max(axis=0)) / 2.0
     one, other = _triangles_near(block, body, origin=origin, margin=tolerance)
     (one, n), (other, m) = _with_normals(one), _with_normals(other)
@@ -133,7 +143,7 @@ _EMPTY = (np.empty(0), np.empty((0, 3)), np.empty((0, 3)))
 
 
 def _triangles_near(block: Solid, body: Solid, *, origin: FloatArray, margin: float) -> tuple[FloatArray, FloatArray]:
-    """The triangles [m, 3, 3] of each that reach into the bounding box of the other, seen from the origin."""
+    """Return the triangles [m, 3, 3] of each body inside the bounding box of the other, from the origin."""
     corners = [(solid.vertices - origin)[solid.triangles] for solid in (block, body)]
     chosen = []
     for own, other in (corners, corners[::-1]):
@@ -143,7 +153,7 @@ def _triangles_near(block: Solid, body: Solid, *, origin: FloatArray, margin: fl
 
 
 def _with_normals(corners: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """The triangles [m, 3, 3] that have an area, and their unit normals [m, 3]."""
+    """Return the triangles [m, 3, 3] that have an area, and their unit normals [m, 3]."""
     normals = area_vectors(corners)
     length = np.linalg.norm(normals, axis=1)
     sides = np.ptp(corners, axis=1).max(axis=1, initial=0.0)
@@ -154,7 +164,7 @@ def _with_normals(corners: FloatArray) -> tuple[FloatArray, FloatArray]:
 def _pairs(
     one: FloatArray, n: FloatArray, other: FloatArray, m: FloatArray, *, margin: float, cosine: float
 ) -> Iterator[tuple[IntArray, IntArray]]:
-    """Index pairs of triangles that face each other and whose bounding boxes meet within the margin [m].
+    """Find the pairs of triangles that face each other and whose bounding boxes meet within the margin [m].
 
     They are sought in the projection along the axis that the block's face looks along most, where neither is narrow.
     """
@@ -175,7 +185,7 @@ def _pairs(
 def _clip_facing(
     one: FloatArray, n: FloatArray, other: FloatArray, *, tolerance: float
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """What of triangles [s, 3, 3] with normals n [s, 3] has another [s, 3, 3] before it within the tolerance [m].
+    """Clip triangles [s, 3, 3] with normals n [s, 3] to what the others face within the tolerance [m].
 
     Area [k], centroid on the first triangles [k, 3], their normals [k, 3]. The distance of the other triangle is
     linear over the plane of the first, so the tolerance leaves a strip of that plane.
@@ -198,7 +208,7 @@ def _clip_facing(
 
 
 def _strips(corners: FloatArray, *, tolerance: float) -> NDArray[np.object_]:
-    """The strips of z = 0 under which planes through corners [s, 3, 3] lie within the tolerance of it."""
+    """Return the strips of z = 0 within the tolerance of the planes through corners [s, 3, 3]."""
     first, second = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
     normal = np.cross(first, second)
     slope = -normal[:, :2] / normal[:, 2:]  # of the plane
@@ -213,7 +223,7 @@ def _strips(corners: FloatArray, *, tolerance: float) -> NDArray[np.object_]:
 
 
 def _embedded_contact(block: Solid, body: Solid, *, tolerance: float) -> Contact | None:
-    """Where the underside of a body lies inside the block, deeper than the tolerance [m] in plan."""
+    """Find where the underside of a body lies inside the block by more than the tolerance [m] in plan."""
     shared = intersect(block, body)
     if shared is None:
         return None
@@ -235,6 +245,6 @@ def _embedded_contact(block: Solid, body: Solid, *, tolerance: float) -> Contact
 
 
 def _open_region(region: shapely.Geometry, *, width: float) -> shapely.Geometry:
-    """The region without strips narrower than the width [m]: faces that enter one another by a slip of drawing."""
+    """Remove strips narrower than the width [m], where faces overlap by an inaccuracy of the drawing."""
     narrowed = shapely.buffer(region, -width / 2.0, join_style="mitre")
     return shapely.intersection(region, shapely.buffer(narrowed, 1.001 * width / 2.0, join_style="mitre"))

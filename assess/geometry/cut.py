@@ -1,4 +1,4 @@
-"""Bodies cut along a plane: what lies above, and the section it stands on."""
+"""Bodies cut by a plane: the parts above and below it, and the section between them."""
 
 from __future__ import annotations
 
@@ -24,9 +24,12 @@ _EMPTY: Surface = (np.empty((0, 3)), np.empty((0, 3), dtype=np.int64))
 
 @dataclass(frozen=True)
 class Plane:
-    """A cut: the mechanism is what lies on the side the normal points to.
+    """A cutting plane: the mechanism is what lies on the side to which the normal points.
 
-    point : a point of the plane [3] [m]; normal : unit vector [3]
+    Attributes
+    ----------
+    point : a point of the plane [3] [m]
+    normal : unit vector [3]
     """
 
     point: FloatArray
@@ -41,11 +44,14 @@ class Plane:
 
 @dataclass(frozen=True)
 class Division:
-    """What lies above and below a cut.
+    """The parts of bodies above and below a cut.
 
-    above, below : the bodies on each side, each as cut; foot : corners of the section between them [k, 3] [m]
-    section : its outer borders, closed rings [k, 3] [m]
-    region : the same with its holes, in coordinates of the plane from its point on [m], see `heading`
+    Attributes
+    ----------
+    above, below : the bodies on each side, each as cut
+    foot : corners of the section between them [k, 3] [m]
+    section : outer borders of the section, closed rings [k, 3] [m]
+    region : the section with its holes, in coordinates of the plane from its point [m], see `heading`
     """
 
     above: tuple[Solid, ...]
@@ -56,12 +62,18 @@ class Division:
 
 
 def level_plane(elevation: float) -> Plane:
-    """The level plane at an elevation [m]."""
+    """Return the horizontal plane at an elevation [m]."""
     return Plane(np.array([0.0, 0.0, float(elevation)]), np.array([0.0, 0.0, 1.0]))
 
 
 def inclined_plane(point: ArrayLike, normal: ArrayLike, *, where: str) -> Plane:
-    """The plane through a point [3] [m] square to a normal [3] of any length, which points to the mechanism.
+    """Return the plane through a point and square to a normal.
+
+    Parameters
+    ----------
+    point : [3] [m]
+    normal : of any length, pointing to the mechanism [3]
+    where : named in errors
 
     Raises
     ------
@@ -81,15 +93,16 @@ def inclined_plane(point: ArrayLike, normal: ArrayLike, *, where: str) -> Plane:
 
 
 def divide(solids: Sequence[Solid], plane: Plane, *, where: str) -> Division:
-    """The bodies of one block on both sides of the plane, cut where it crosses them.
+    """Divide the bodies of one block at a plane.
 
-    The foot is where masonry above the plane lies on masonry below it, so that an overhang whose underside lies in
-    the plane does not widen it; where nothing lies below, the foot is what the plane touches.
+    The foot is where masonry above the plane rests on masonry below it, so an overhang whose underside lies in the
+    plane does not widen it; where nothing lies below, the foot is what the plane touches.
 
     Parameters
     ----------
-    solids : that move as one, at least one
-    where : what an error names
+    solids : bodies that move as one, at least one
+    plane : the cut
+    where : named in errors
 
     Raises
     ------
@@ -129,7 +142,12 @@ def divide(solids: Sequence[Solid], plane: Plane, *, where: str) -> Division:
 
 
 def split_upright(solid: Solid, *, point: ArrayLike, normal: ArrayLike) -> tuple[Solid, ...]:
-    """The parts of a body behind and before an upright plane through a point [3]; normal: unit vector [3].
+    """Split a body at an upright plane into the parts behind and in front of it.
+
+    Parameters
+    ----------
+    point : of the plane [3] [m]
+    normal : horizontal unit vector [3]
 
     Raises
     ------
@@ -143,18 +161,34 @@ def split_upright(solid: Solid, *, point: ArrayLike, normal: ArrayLike) -> tuple
 
 
 def project_on_plane(plane: Plane, vector: ArrayLike) -> FloatArray:
-    """A vector [3] as it is seen in the coordinates [2] of a cut's region."""
+    """Return the components of a vector in the coordinates of a cut's region.
+
+    Parameters
+    ----------
+    plane : the cut
+    vector : [3]
+
+    Returns
+    -------
+    components in the plane [2]
+    """
     return np.asarray((_axes(plane.normal) @ np.asarray(vector, dtype=np.float64))[:2], dtype=np.float64)
 
 
 def heading(plane: Plane, vector: ArrayLike, *, axis: ArrayLike | None = None) -> FloatArray:
-    """The unit vector [2] in the coordinates of a cut's region that is square to the axis of rotation.
+    """Return the direction square to the axis of rotation, in the coordinates of a cut's region.
 
-    Where the cut is not level across the direction, it is square to the image of that axis.
+    Where the cut is not level across the direction of motion, it is square to the projection of that axis.
 
     Parameters
     ----------
-    vector : [3], to whose side it points; axis : [3], default the horizontal one square to the vector
+    plane : the cut
+    vector : direction of motion, to whose side the result points [3]
+    axis : of rotation [3]; default the horizontal axis square to the vector
+
+    Returns
+    -------
+    unit vector [2]
     """
     wanted = np.asarray(vector, dtype=np.float64)
     along, up = project_on_plane(plane, np.cross([0.0, 0.0, 1.0], wanted) if axis is None else axis)
@@ -163,7 +197,7 @@ def heading(plane: Plane, vector: ArrayLike, *, axis: ArrayLike | None = None) -
 
 
 def _axes(normal: FloatArray) -> FloatArray:
-    """Rows are the axes of the plane's own frame, the third its normal [3, 3]; the project's for a level plane."""
+    """Return the axes of the plane's own frame as rows, its normal last [3, 3]; global axes if level."""
     n1, n2, n3 = normal
     sense = np.copysign(1.0, n3)  # the shortest turn from z to the normal, or from -z to one that points down
     turn = 1.0 / (1.0 + abs(n3))
@@ -172,7 +206,7 @@ def _axes(normal: FloatArray) -> FloatArray:
 
 
 def _snap_to_plane(points: FloatArray, *, size: float) -> FloatArray:
-    """The points [n, 3] with those put into the plane that are only rounding away from it.
+    """Move points [n, 3] into the plane where only rounding keeps them off it.
 
     Files in single precision hold a level of 4.77 m as 4.7699999809 m; the sliver between would be cut as a section.
     """
@@ -191,7 +225,7 @@ def _refuse_miss(heights: Sequence[FloatArray], plane: Plane, reach: tuple[float
 
 
 def _split(solid: Solid, points: FloatArray, *, where: str) -> tuple[Surface, Surface]:
-    """Closed surfaces above and below z = 0 of a body whose vertices stand at the points [n, 3]."""
+    """Split a body with its vertices at the points [n, 3] into closed surfaces above and below z = 0."""
     whole: Surface = (points, solid.triangles)
     if points[:, 2].min() >= 0.0:
         return whole, _EMPTY
@@ -201,13 +235,13 @@ def _split(solid: Solid, points: FloatArray, *, where: str) -> tuple[Surface, Su
 
 
 def _cut_solid(whole: Solid, vertices: FloatArray, triangles: IntArray) -> Solid:
-    """The part of a body inside a closed surface, of the body's density."""
+    """Return the part of a body inside a closed surface, with the body's density."""
     volume = polyhedron(whole.vertices, whole.triangles, density=1.0, name=whole.name).mass
     return polyhedron(vertices, triangles, density=whole.mass / volume, name=whole.name)
 
 
 def _area_in_plane(points: FloatArray, triangles: IntArray, *, size: float) -> shapely.Geometry:
-    """The triangles that lie in z = 0, as one area of the plane."""
+    """Return the union of the triangles that lie in z = 0."""
     corners = points[triangles]
     flat = corners[np.all(np.abs(corners[:, :, 2]) <= ON_PLANE * size, axis=1), :, :2]
     (ax, ay), (bx, by) = (flat[:, 1] - flat[:, 0]).T, (flat[:, 2] - flat[:, 0]).T

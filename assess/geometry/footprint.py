@@ -1,4 +1,4 @@
-"""The plan of what a body stands on: its convex hull, and the directions its edges face."""
+"""The plan of a body's base: its convex hull and the outward directions of its edges."""
 
 from __future__ import annotations
 
@@ -12,15 +12,16 @@ SHORT = 1e-9  # of the hull's size: edges shorter than this are rounding
 
 
 def edge_normals(points: FloatArray) -> FloatArray:
-    """Angles [k] [deg], 0 to 360 from +x towards +y, rising, that the edges of the convex hull of `points` face.
+    """Return the outward directions of the edges of a convex hull in plan.
 
     Parameters
     ----------
-    points : x, y and perhaps more of each [n, 2 or more] [m]
+    points : x, y and possibly more of each point [n, 2 or more] [m]
 
     Returns
     -------
-    the angles of at most MOST edges, the longest; none where the points lie on a line
+    angles from +x towards +y, 0 to 360, ascending, of the longest MAX_EDGES edges at most [k] [deg]; empty where the
+    points lie on a line
     """
     hull = shapely.MultiPoint(np.asarray(points)[:, :2]).convex_hull
     if not isinstance(hull, shapely.Polygon):

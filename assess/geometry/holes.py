@@ -1,4 +1,4 @@
-"""Holes of a surface: closed loops of edges that belong to one triangle only, and the plane faces that close them."""
+"""Holes of a surface: closed loops of open edges, and the plane faces that close them."""
 
 from __future__ import annotations
 
@@ -18,8 +18,10 @@ LEVEL = 1e-6  # of a loop's size: loops this near one plane bound one hole, a ri
 
 @dataclass(frozen=True)
 class Hole:
-    """A gap in a surface.
+    """A hole in a surface.
 
+    Attributes
+    ----------
     loops : vertices in order, as the missing face runs round it: its outer border, then its inner ones
     triangles : that close it [k, 3]; none where its border crosses itself
     area : of its plane [m2]
@@ -35,7 +37,7 @@ class Hole:
 
     @property
     def edges(self) -> int:
-        """Edges of its border."""
+        """The number of edges of its border."""
         return sum(len(loop) for loop in self.loops)
 
 
@@ -52,7 +54,7 @@ class _Ring:
 
 
 def find_holes(surface: Surface) -> list[Hole]:
-    """The holes of a surface. Loops in one plane, one within the other, bound one hole, like the foot of a tube."""
+    """Find the holes of a surface; coplanar nested loops bound one hole, like the foot of a tube."""
     vertices, triangles = surface
     rings = [_ring(vertices, loop) for loop in closed_loops(open_edges(find_edges(triangles))[:, ::-1])]
     rings.sort(key=lambda ring: -float(np.linalg.norm(ring.normal)))
@@ -67,7 +69,7 @@ def find_holes(surface: Surface) -> list[Hole]:
 
 
 def closed_loops(edges: IntArray) -> list[IntArray]:
-    """Closed loops of vertices, each once in its loop, along directed edges [b, 2]; a way that ends is left out."""
+    """Trace closed loops of vertices along directed edges [b, 2]; chains that end are dropped."""
     onwards: dict[int, list[int]] = {}
     for start, end in edges.tolist():
         onwards.setdefault(start, []).append(end)
@@ -79,7 +81,7 @@ def closed_loops(edges: IntArray) -> list[IntArray]:
 
 
 def _trace_loops(start: int, onwards: dict[int, list[int]]) -> list[IntArray]:
-    """The loops met on one way that begins at a vertex; what has been walked is taken from `onwards`."""
+    """Trace the loops met on one walk from a vertex; edges walked are taken from `onwards`."""
     found = []
     path, place = [start], {start: 0}
     while onwards.get(path[-1]):
@@ -97,7 +99,7 @@ def _trace_loops(start: int, onwards: dict[int, list[int]]) -> list[IntArray]:
 
 
 def _ring(vertices: FloatArray, loop: IntArray) -> _Ring:
-    """A loop with the plane of its area vector (Newell's) through its middle."""
+    """Return a loop with the plane of its area vector (Newell's) through its middle."""
     points = vertices[loop]
     centre = points.mean(axis=0)
     around = points - centre
@@ -108,7 +110,7 @@ def _ring(vertices: FloatArray, loop: IntArray) -> _Ring:
 
 
 def _is_inner(ring: _Ring, outer: _Ring) -> bool:
-    """Whether a loop lies in the plane of another, within it, and runs round the other way."""
+    """Return whether a loop lies in the plane of another, inside it, and runs the opposite way."""
     if ring.normal @ outer.normal >= 0.0:
         return False
     axes = _axes(outer.normal)
@@ -120,7 +122,7 @@ def _is_inner(ring: _Ring, outer: _Ring) -> bool:
 
 
 def _hole(rings: Sequence[_Ring]) -> Hole:
-    """The gap within the first of the rings and around the others."""
+    """Return the hole inside the first of the rings and around the others."""
     outer = rings[0]
     loops = tuple(ring.loop for ring in rings)
     area = max(float(np.linalg.norm(sum((ring.normal for ring in rings), start=np.zeros(3)))), 0.0)
@@ -129,7 +131,7 @@ def _hole(rings: Sequence[_Ring]) -> Hole:
 
 
 def _triangulate(rings: Sequence[_Ring]) -> IntArray:
-    """Triangles [k, 3] between the loops, by constrained Delaunay triangulation in the plane; none if they cross."""
+    """Triangulate the loops in their plane (constrained Delaunay) [k, 3]; none where they cross."""
     outer = rings[0]
     if len(rings) == 1 and len(outer.loop) == 3:
         return outer.loop[None]
@@ -146,7 +148,7 @@ def _triangulate(rings: Sequence[_Ring]) -> IntArray:
 
 
 def _axes(normal: FloatArray) -> FloatArray:
-    """Rows are two directions in a plane and its unit normal [3, 3], right-handed; any where there is no normal."""
+    """Return two directions in a plane and its unit normal as rows [3, 3], right-handed."""
     length = float(np.linalg.norm(normal))
     n = normal / length if length > 0.0 else np.array([0.0, 0.0, 1.0])
     first = np.cross(n, np.eye(3)[int(np.argmin(np.abs(n)))])

@@ -1,4 +1,4 @@
-"""Where two shells cut one another: the seams along which their surfaces meet at an angle."""
+"""The segments along which the surfaces of two shells intersect at an angle."""
 
 from __future__ import annotations
 
@@ -18,11 +18,17 @@ _AROUND = np.column_stack([np.cos(_TURNS), np.sin(_TURNS)])  # directions around
 
 
 def points_beside_intersections(parts: list[FloatArray], boxes: FloatArray, *, size: float) -> FloatArray:
-    """Points [k, 3] that would show an overlap of shells.
+    """Return points [k, 3] that would reveal an overlap of shells.
 
-    Where two volumes overlap and neither holds the other, the border of the common part turns from one surface to
-    the other along a seam, a line where two triangles meet at an angle; the points lie around the middle of each
-    seam, longest seams first. Shells that only touch have seams too, but no common point beside them.
+    Where two volumes overlap and neither contains the other, the border of the common part passes from one surface to
+    the other along segments where two triangles meet at an angle. The points lie around the middle of each segment,
+    longest segments first. Shells that only touch have such segments too, but no common point beside them.
+
+    Parameters
+    ----------
+    parts : corners of the triangles of each shell [m, 3, 3]
+    boxes : bounding box of each shell [n, 2, 3]
+    size : of the body [m]
     """
     reach = OVERLAP * size
     found = [
@@ -37,7 +43,7 @@ def points_beside_intersections(parts: list[FloatArray], boxes: FloatArray, *, s
 
 
 def _overlapping_boxes(boxes: FloatArray, *, margin: float) -> Iterator[tuple[int, int]]:
-    """Pairs of boxes [n, 2, 3] that enter one another by more than the margin."""
+    """Yield pairs of boxes [n, 2, 3] that overlap by more than the margin."""
     for i in range(len(boxes) - 1):
         low = np.maximum(boxes[i, 0], boxes[i + 1 :, 0])
         high = np.minimum(boxes[i, 1], boxes[i + 1 :, 1])
@@ -48,7 +54,7 @@ def _overlapping_boxes(boxes: FloatArray, *, margin: float) -> Iterator[tuple[in
 def _intersection_segments(
     one: FloatArray, other: FloatArray, *, shortest: float
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Where triangles of two shells meet at an angle: middle [s, 3], two unit vectors across [s, 2, 3], length [s]."""
+    """Intersect two shells: middle [s, 3], two unit vectors across [s, 2, 3], length [s] of each segment."""
     i, j = _candidate_pairs(one, other)
     A, B = one[i], other[j]
     n, m = areas_and_normals(A)[1], areas_and_normals(B)[1]
@@ -70,7 +76,7 @@ def _intersection_segments(
 
 
 def _candidate_pairs(one: FloatArray, other: FloatArray) -> tuple[IntArray, IntArray]:
-    """Index pairs of triangles [m, 3, 3], [k, 3, 3] whose bounding boxes meet."""
+    """Return index pairs of triangles [m, 3, 3], [k, 3, 3] whose bounding boxes meet."""
     low_a, high_a = one.min(axis=1), one.max(axis=1)
     low_b, high_b = other.min(axis=1), other.max(axis=1)
     in_a = np.flatnonzero(np.all((high_a >= low_b.min(axis=0)) & (low_a <= high_b.max(axis=0)), axis=1))
@@ -85,7 +91,7 @@ def _candidate_pairs(one: FloatArray, other: FloatArray) -> tuple[IntArray, IntA
 def _clip_lines(
     line: FloatArray, along: FloatArray, triangles: FloatArray, normals: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """First and last parameter [s] on lines (point and unit vector [s, 3]) where they lie in their triangles."""
+    """Return the first and last parameter [s] of lines (point and unit vector [s, 3]) in their triangles."""
     low, high = np.full(len(line), -np.inf), np.full(len(line), np.inf)
     for k in range(3):
         corner, side = triangles[:, k], triangles[:, (k + 1) % 3] - triangles[:, k]

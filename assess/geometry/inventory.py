@@ -1,4 +1,4 @@
-"""What a model file holds: its parts one by one, with size and place, and whether each could be a body."""
+"""The parts of a model file, with size and place, and whether each can be a body."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ class Entry:
     volume : enclosed [m3]; None unless closed
     closed : whether it is a closed body, or was made one
     why_not : why it is none; empty where it is one
-    told : what was done to close it, and what to look at, sentences
+    warnings : what was done to close it, and what to look at, sentences
     thin : horizontal unit vector along the thickness, either way; None where the plan has none
     """
 
@@ -45,17 +45,18 @@ class Entry:
     volume: float | None = None
     closed: bool = False
     why_not: str = ""
-    told: tuple[str, ...] = ()
+    warnings: tuple[str, ...] = ()
     thin: tuple[float, float] | None = None
 
 
 def inventory(
     file: Path, *, scale: float | None = None, up: Up | None = None, element: str | None = None
 ) -> tuple[Entry, ...]:
-    """The parts of a model file in its order; what is wrong with one stands in its entry.
+    """List the parts of a model file in order; what is wrong with a part is recorded in its entry.
 
     Parameters
     ----------
+    file : of any known format
     scale : length of the file's unit [m]; the file's own if absent, the metre where it has none
     up : the axis of the file that points up; the format's if absent
     element : only elements of this name, identifier, class or pattern
@@ -71,7 +72,7 @@ def inventory(
     parts = mesh_elements(content, places, file=file, where=str(file))
     return tuple(
         _entry(
-            Model(file, (part,), content.unit, content.up, (part.doubt,) if part.doubt else ()),
+            Model(file, (part,), content.unit, content.up, (part.warning,) if part.warning else ()),
             part,
             scale=scale,
             up=up,
@@ -81,7 +82,7 @@ def inventory(
 
 
 def _entry(model: Model, part: Part, *, scale: float | None, up: Up | None) -> Entry:
-    """What there is to say of one part."""
+    """Describe one part."""
     name, element = model.file.name, part.element
     if part.fault:
         return Entry(name, element, why_not=part.fault)
@@ -94,11 +95,11 @@ def _entry(model: Model, part: Part, *, scale: float | None, up: Up | None) -> E
     middle = (low + high) / 2.0
     try:
         solid = solid_of(model, density=1.0, name="", scale=scale, up=up)
-        doubt = size_warning(solid, unit=scale or (1.0 if model.unit is None else None))
-        told, why = (*solid.trail, *([_plain(doubt, name)] if doubt else [])), ""
-        volume = solid.mass
+        found = size_warning(solid, unit=scale or (1.0 if model.unit is None else None))
+        about_size = [] if found is None else [_plain(found, name)]
+        warnings, why, volume = (*solid.history, *about_size), "", solid.mass
     except GeometryError as problem:
-        told, why, volume = (), _reason(problem, name), None
+        warnings, why, volume = (), _reason(problem, name), None
     return Entry(
         name,
         element,
@@ -108,7 +109,7 @@ def _entry(model: Model, part: Part, *, scale: float | None, up: Up | None) -> E
         volume=volume,
         closed=volume is not None,
         why_not=why,
-        told=told,
+        warnings=warnings,
         thin=None if thin is None else (float(thin[0]), float(thin[1])),
     )
 
@@ -118,7 +119,7 @@ def _reason(problem: GeometryError, file: str) -> str:
 
 
 def _plain(sentence: str, file: str) -> str:
-    """A sentence on a body without name, without saying whose it is."""
+    """Remove the subject from a sentence about an unnamed body."""
     for start in ('body ""', f": mesh {file}", ": "):
         sentence = sentence.removeprefix(start)
     return sentence.strip()

@@ -1,4 +1,4 @@
-"""Bodies from mesh files: read, set upright and to scale, mended where need be."""
+"""Bodies from mesh files: read, oriented and scaled, repaired where necessary."""
 
 from __future__ import annotations
 
@@ -36,18 +36,18 @@ def load(
     up: Up | None = None,
     element: str | None = None,
 ) -> Solid:
-    """The solid inside the triangle meshes of a file; its `trail` says what was done to make them one closed surface.
+    """Load the solid inside the triangle meshes of a file; its `history` says how they were made one closed surface.
 
     Vertices at equal positions are merged. A good mesh is not changed otherwise.
 
     Parameters
     ----------
-    path : of the file; its ending says its format
+    path : of the file; its extension gives the format
     density : [kg/m3]
     name : the body's name in the project
     scale : length of the file's unit [m]; the file's own if absent, the metre where it has none
     up : the axis of the file that points up; the format's if absent, z where it has none
-    element : only elements of this name, identifier, class or pattern (`formats.elements`); all if absent
+    element : only elements of this name, identifier, class or pattern (`formats.element_selection`); all if absent
 
     Raises
     ------
@@ -60,11 +60,18 @@ def load(
 
 
 def solid_of(model: Model, *, density: float, name: str, scale: float | None = None, up: Up | None = None) -> Solid:
-    """The solid inside the meshes of what was taken of a file; the rest as `load` has it.
+    """Return the solid inside the meshes taken from a file.
+
+    Parameters
+    ----------
+    model : the meshes
+    density : [kg/m3]
+    name : the body's name in the project
+    scale, up : as in `load`
 
     Raises
     ------
-    GeometryError : as `load`; where one of several elements is at fault, it is named
+    GeometryError : as in `load`; where one of several elements is at fault, it is named
     """
     where = f'body "{name}": mesh {model.file.name}'
     try:
@@ -83,31 +90,35 @@ def _solid(
     up: Up | None,
     where: str,
 ) -> Solid:
-    """The solid inside some of a model's meshes."""
-    _, doubts = _resolve_unit(model, scale, where=where)
+    """Return the solid inside some of a model's meshes."""
+    _, about_unit = _resolve_unit(model, scale, where=where)
     surface = merge_vertices(*assemble_mesh(model, parts, scale=scale, up=up, where=where))
     if not len(surface[1]):
         raise GeometryError(f"{where}: all its triangles have shrunk to lines or points; export it with more digits")
-    surface, told = repair(surface, where=where)
+    surface, repairs = repair(surface, where=where)
     solid = polyhedron(*surface, density=density, name=name)
     unit = scale or model.unit or 1.0
     refuse_implausible(solid, unit=unit, given=scale is not None, single=_is_single_precision(model.file), where=where)
-    trail = (
-        *model.told,
-        *doubts,
+    history = (
+        *model.warnings,
+        *about_unit,
         *_axis_warnings(model, given=up),
-        *told,
+        *repairs,
         *self_overlap_warnings(surface, where=where),
     )
-    return replace(solid, trail=trail)
+    return replace(solid, history=history)
 
 
 def assemble_mesh(model: Model, parts: Sequence[Part], *, scale: float | None, up: Up | None, where: str) -> Surface:
-    """Some of a model's meshes as one, upright [m]: vertices [n, 3] as they are, triangles [m, 3].
+    """Assemble some of a model's meshes into one, oriented with z up and in metres.
+
+    Returns
+    -------
+    vertices [n, 3] [m], as they are; triangles [m, 3]
 
     Raises
     ------
-    GeometryError : there is no triangle, or one of a corner that is not there or not finite; scale is not positive
+    GeometryError : there is no triangle, or one of a corner that is missing or not finite; scale is not positive
     """
     unit, _ = _resolve_unit(model, scale, where=where)
     vertices, triangles = join_parts(parts)
@@ -118,7 +129,7 @@ def assemble_mesh(model: Model, parts: Sequence[Part], *, scale: float | None, u
 def _error_of_element(
     model: Model, *, density: float, name: str, scale: float | None, up: Up | None, where: str
 ) -> GeometryError | None:
-    """The error of the first element that is no body by itself; None where that is none of several, or all."""
+    """Return the error of the first of several elements that is no body by itself; None if none or all are."""
     wrong = []
     for part in model.parts if len(model.parts) > 1 else ():
         at = f'{where}: element "{short_name(part.element.shown)}"'
@@ -130,7 +141,7 @@ def _error_of_element(
 
 
 def _is_single_precision(file: Path) -> bool:
-    """Whether a file holds its coordinates in single precision."""
+    """Return whether a file holds its coordinates in single precision."""
     with file.open("rb") as content:
         head = content.read(HEAD)
     ending = file.suffix.lower()
@@ -140,18 +151,18 @@ def _is_single_precision(file: Path) -> bool:
 
 
 def _rotate_upright(vertices: FloatArray, *, up: Up) -> FloatArray:
-    """The vertices [n, 3] with z up, whichever axis is in the file: a quarter turn about x."""
+    """Rotate the vertices [n, 3] so that z points up: a quarter turn about x."""
     return vertices if up == "z" else vertices[:, [0, 2, 1]] * [1.0, -1.0, 1.0]
 
 
 def _axis_warnings(content: Model, *, given: Up | None) -> tuple[str, ...]:
-    """A sentence where a mesh is turned upright because its format says so, which exporters do not always heed."""
+    """Warn where a mesh is rotated because its format prescribes y up, which exporters do not always follow."""
     turned = given is None and content.up == "y"
-    return ('taken as y-up, as glTF prescribes; write mesh_up = "z" if it is not',) if turned else ()
+    return ('read with y up, as glTF prescribes; write mesh_up = "z" if z is up',) if turned else ()
 
 
 def _resolve_unit(content: Model, given: float | None, *, where: str) -> tuple[float, tuple[str, ...]]:
-    """Length of the mesh's unit [m]: the one given, the file's own or the metre; and a sentence where they differ."""
+    """Return the length of the mesh's unit [m]: the given, the file's own or the metre; warn where they differ."""
     if given is not None and not (np.isfinite(given) and given > 0.0):
         raise GeometryError(f"{where}: its unit is {given:g} m; give a positive finite length")
     if given is None and content.unit is None and content.file.suffix.lower() not in WITHOUT_UNIT:
@@ -160,13 +171,11 @@ def _resolve_unit(content: Model, given: float | None, *, where: str) -> tuple[f
         return content.unit or 1.0, ()
     if content.unit is None or abs(content.unit / given - 1.0) < SAME_UNIT:
         return given, ()
-    return given, (
-        f"its unit is taken to be {given:g} m, as the project says, though the file says {content.unit:g} m",
-    )
+    return given, (f"read in units of {given:g} m, as the project states, although the file states {content.unit:g} m",)
 
 
 def _check_vertices(vertices: FloatArray, triangles: IntArray, *, where: str) -> FloatArray:
-    """The vertices, if there are triangles, all between vertices that are there and finite."""
+    """Return the vertices; raise unless there are triangles, all between existing, finite vertices."""
     if not len(triangles):
         raise GeometryError(f"{where}: no triangles found; is it a closed triangle mesh, and whole?")
     if triangles.min() < 0 or triangles.max() >= len(vertices):

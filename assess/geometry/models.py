@@ -1,4 +1,4 @@
-"""The models that bodies are taken from: each file read once, and only the elements asked for meshed."""
+"""The models that bodies are taken from: each file read once, only the selected elements meshed."""
 
 from __future__ import annotations
 
@@ -16,18 +16,20 @@ from assess.geometry.formats.readers import mesh_elements, read
 class Model:
     """What a body takes of a file.
 
+    Attributes
+    ----------
     file : where it was read from
     parts : the meshes of the elements that it takes
     unit : length of the file's unit [m]; None where the format does not say
     up : which axis points up; None where the format does not say
-    told : which elements became one body, sentences
+    warnings : which elements became one body, and what may be missing, sentences
     """
 
     file: Path
     parts: tuple[Part, ...]
     unit: float | None = None
     up: Up | None = None
-    told: tuple[str, ...] = ()
+    warnings: tuple[str, ...] = ()
 
 
 Selection = tuple[
@@ -37,7 +39,7 @@ Models = Mapping[Selection, Model]
 
 
 def read_models(asked: Mapping[str, Selection]) -> Models:
-    """What each body takes of its file, by what is asked for; every file is read once, whoever asks.
+    """Read what each body takes of its file; every file is read once.
 
     Parameters
     ----------
@@ -45,7 +47,7 @@ def read_models(asked: Mapping[str, Selection]) -> Models:
 
     Raises
     ------
-    GeometryError : a file cannot be read, has no such elements, or has no mesh for one of those asked for
+    GeometryError : a file cannot be read, has no such elements, or has no mesh for one of those selected
     """
     found: dict[Selection, Model] = {}
     for file in dict.fromkeys(path for path, _ in asked.values()):
@@ -54,7 +56,7 @@ def read_models(asked: Mapping[str, Selection]) -> Models:
 
 
 def _read_one(elements: Mapping[str, str | None], file: Path) -> Models:
-    """What bodies take of one file; elements: those asked for, by name of the body."""
+    """Read what bodies take of one file; elements: those selected, by name of the body."""
     places_named = {name: f'body "{name}": mesh {file.name}' for name in elements}
     first = next(iter(places_named.values()))
     content = read(file, where=first)
@@ -78,19 +80,19 @@ def _read_one(elements: Mapping[str, str | None], file: Path) -> Models:
 
 
 def _join_warnings(parts: Sequence[Part]) -> tuple[str, ...]:
-    """A sentence where several elements become one body."""
+    """Note where several elements become one body."""
     if len(parts) < 2:
         return ()
     return (f"{len(parts)} elements joined: {list_names([each.element.shown for each in parts])}",)
 
 
 def _mesh_warnings(parts: Sequence[Part]) -> tuple[str, ...]:
-    """What may be missing of elements."""
-    return tuple(f'element "{short_name(each.element.shown)}": {each.doubt}' for each in parts if each.doubt)
+    """Warn of what may be missing of elements."""
+    return tuple(f'element "{short_name(each.element.shown)}": {each.warning}' for each in parts if each.warning)
 
 
 def _refuse_unmeshed(parts: Sequence[Part], *, where: str) -> None:
-    """Raise where an element that is asked for has no mesh."""
+    """Raise where a selected element has no mesh."""
     bare = [each for each in parts if each.fault]
     if bare:
         one = bare[0].element

@@ -22,7 +22,7 @@ PER_CELL = 4  # triangles in a cell of the grid that finds the rim
 
 
 def outline(points: FloatArray, triangles: IntArray) -> Outline:
-    """Outer borders of the projection of closed surfaces: of the union of all triangles that face the viewer.
+    """Return the outer borders of the projection of closed surfaces: of the union of all triangles facing the viewer.
 
     Parameters
     ----------
@@ -32,7 +32,7 @@ def outline(points: FloatArray, triangles: IntArray) -> Outline:
     Returns
     -------
     closed rings of (x, z) [m], anticlockwise from the leftmost point, the first point repeated at the end, rings from
-    left to right; holes are not listed; straight lines have no intermediate points
+    left to right; holes are omitted; straight lines have no intermediate points
     """
     points = np.asfortranarray(points)  # x of all, then z: extremes of short rows are slow
     middle = (points.min(axis=0) + points.max(axis=0)) / 2.0
@@ -46,13 +46,19 @@ def outline(points: FloatArray, triangles: IntArray) -> Outline:
 
 
 def distance(rings: Outline, point: Point) -> float:
-    """How far a point (x, z) lies outside closed rings, 0 on or inside one [m]."""
+    """Return the distance of a point from the inside of closed rings, 0 on or inside one [m].
+
+    Parameters
+    ----------
+    rings : closed rings of (x, z) [m]
+    point : (x, z) [m]
+    """
     whole = shapely.union_all([shapely.Polygon(ring) for ring in rings])
     return float(shapely.distance(whole, shapely.Point(point)))
 
 
 def _facing(points: FloatArray, triangles: IntArray, *, smallest: float) -> IntArray:
-    """The triangles [k, 3] that run anticlockwise and have more than the smallest area [m2]."""
+    """Return the triangles [k, 3] that run anticlockwise and have more than the smallest area [m2]."""
     a, b, c = triangles.T
     x, z = points.T
     (ax, az), (bx, bz) = ((x[other] - x[a], z[other] - z[a]) for other in (b, c))
@@ -60,9 +66,9 @@ def _facing(points: FloatArray, triangles: IntArray, *, smallest: float) -> IntA
 
 
 def _contour(facing: IntArray, count: int) -> IntArray:
-    """Edges [k, 2] of the facing triangles on one side of which no facing triangle lies; count : of vertices.
+    """Return the edges [k, 2] with no facing triangle on one side; count : of vertices.
 
-    All else is inside: where facing triangles lie on both sides of an edge, the border of their union does not run.
+    All other edges are inside: with facing triangles on both sides, the border of their union does not run along them.
     """
     start, end = facing.ravel(), facing[:, [1, 2, 0]].ravel()
     key = np.minimum(start, end)
@@ -80,7 +86,7 @@ def _contour(facing: IntArray, count: int) -> IntArray:
 
 
 def _seldom_cross(edges: FloatArray) -> bool:
-    """Whether the edges [k, 2, 2] are few, or not many and lie apart but for neighbours, by their boxes."""
+    """Return whether the edges [k, 2, 2] are few, or not many with boxes that seldom overlap."""
     if not FEW_EDGES < len(edges) <= MANY_EDGES:
         return len(edges) <= FEW_EDGES
     lines = np.asarray(shapely.linestrings(edges), dtype=np.object_)
@@ -88,18 +94,18 @@ def _seldom_cross(edges: FloatArray) -> bool:
 
 
 def _enclose(edges: FloatArray) -> shapely.Geometry:
-    """What edges [k, 2, 2] enclose, without holes. Quick unless thousands of edges cross one another."""
+    """Return the area enclosed by edges [k, 2, 2], holes filled; fast unless thousands of edges cross."""
     crossing = shapely.union_all(shapely.linestrings(edges))
     faces = shapely.get_parts(shapely.polygonize([crossing]))
     return _fill_holes(shapely.coverage_union_all(faces))
 
 
 def _unite_triangles(corners: FloatArray, *, size: float) -> shapely.Geometry:
-    """The union of triangles [k, 3, 2], without holes.
+    """Unite triangles [k, 3, 2], holes filled.
 
     A scan has hundreds of thousands of triangles, nearly all of them far from the border, and its rough skin seen
     edge-on has edges that cross everywhere. So the rim is united first, its holes are filled, and only triangles that
-    still stand out are added. The result is exact however the rim was chosen, because every triangle is either in a
+    still protrude are added. The result is exact however the rim was chosen, because every triangle is either in a
     union or was found covered by one.
     """
     rim = _rim(corners.mean(axis=1), size=size)
@@ -109,7 +115,7 @@ def _unite_triangles(corners: FloatArray, *, size: float) -> shapely.Geometry:
 
 
 def _rim(centres: FloatArray, *, size: float) -> BoolArray:
-    """Which of the triangles, by their centres [k, 2], lie in a cell of a square grid beside an empty cell [k]."""
+    """Return which triangles, by their centres [k, 2], lie in a cell of a square grid beside an empty cell [k]."""
     cells = max(1, int(np.sqrt(len(centres) / PER_CELL)))
     column, row = (centres * (cells / size) + cells / 2.0).astype(np.int64).T + 2
     occupied = np.zeros((cells + 5, cells + 5), dtype=np.bool_)
@@ -118,13 +124,13 @@ def _rim(centres: FloatArray, *, size: float) -> BoolArray:
 
 
 def _dilate(cells: BoolArray) -> BoolArray:
-    """The cells and their eight neighbours."""
+    """Return the cells and their eight neighbours."""
     wide = cells | np.roll(cells, 1, axis=0) | np.roll(cells, -1, axis=0)
     return np.asarray(wide | np.roll(wide, 1, axis=1) | np.roll(wide, -1, axis=1), dtype=np.bool_)
 
 
 def _covered_by_grid(body: shapely.Geometry, corners: FloatArray, *, size: float) -> BoolArray:
-    """Which of the triangles [k, 3, 2] lie in squares of a coarse grid that the body covers: a quick look [k]."""
+    """Return which triangles [k, 3, 2] lie in squares of a coarse grid that the body covers, a fast test [k]."""
     edges = np.linspace(-0.5, 0.5, SQUARES + 1) * size
     low, high = np.meshgrid(edges[:-1], edges[:-1], indexing="ij"), np.meshgrid(edges[1:], edges[1:], indexing="ij")
     shapely.prepare(body)
@@ -140,9 +146,9 @@ def _covered_by_grid(body: shapely.Geometry, corners: FloatArray, *, size: float
 
 
 def _extend(body: shapely.Geometry, corners: FloatArray) -> shapely.Geometry:
-    """The union of a body and triangles [k, 3, 2], without its holes.
+    """Unite a body with triangles [k, 3, 2], holes filled.
 
-    The larger triangles first, because they cover many of the smaller.
+    The larger triangles come first, because they cover many of the smaller.
     """
     polygons = np.asarray(shapely.polygons(corners), dtype=np.object_)
     left = polygons[np.argsort(-shapely.area(polygons), kind="stable")]
@@ -156,12 +162,12 @@ def _extend(body: shapely.Geometry, corners: FloatArray) -> shapely.Geometry:
 
 
 def _fill_holes(polygons: shapely.Geometry) -> shapely.Geometry:
-    """One or several polygons as one geometry, their holes filled."""
+    """Return one or several polygons as one geometry, their holes filled."""
     return shapely.union_all(shapely.polygons(shapely.get_exterior_ring(shapely.get_parts(polygons))))
 
 
 def _exterior_ring(polygon: shapely.Geometry, *, straight: float) -> FloatArray:
-    """The outer ring [k, 2], anticlockwise from its leftmost (then lowest) point, no points on straight lines."""
+    """Return the outer ring [k, 2], anticlockwise from its leftmost (then lowest) point, without straight points."""
     ring = shapely.get_coordinates(shapely.get_exterior_ring(shapely.orient_polygons(polygon)))[:-1]
     start = np.lexsort((ring[:, 1], ring[:, 0]))[0]  # an extreme point: a true corner, which may stay
     turned = np.roll(ring, -start, axis=0)

@@ -1,4 +1,4 @@
-"""A body as a mechanism sees it: in the vertical plane of its motion.
+"""A body in the vertical plane of its motion, as a mechanism uses it.
 
 The plane's coordinates are x, the distance along the direction of motion from the origin, and z, the elevation.
 """
@@ -23,7 +23,7 @@ BASE_TOLERANCE = 1e-6  # of the body's size: vertices this near the lowest belon
 
 @dataclass(frozen=True)
 class PlanarBody:
-    """Mass, centroid, inertia and shape in the plane of motion.
+    """Mass, centroid, inertia and shape of a body in the plane of motion.
 
     Attributes
     ----------
@@ -46,7 +46,12 @@ class PlanarBody:
 
 
 def planar_body(solid: Solid, *, direction: Sequence[float]) -> PlanarBody:
-    """The solid seen in the vertical plane of `direction` [3], a horizontal vector of any length.
+    """Project a solid on the vertical plane of a direction.
+
+    Parameters
+    ----------
+    solid : the body
+    direction : horizontal vector of any length [3]
 
     Raises
     ------
@@ -59,7 +64,12 @@ def planar_body(solid: Solid, *, direction: Sequence[float]) -> PlanarBody:
 
 
 def planar_body_without_outline(solid: Solid, *, direction: Sequence[float]) -> PlanarBody:
-    """The same without an outline, which takes most of the time.
+    """Project a solid on the vertical plane of a direction, without its outline, which takes most of the time.
+
+    Parameters
+    ----------
+    solid : the body
+    direction : horizontal vector of any length [3]
 
     Raises
     ------
@@ -79,7 +89,14 @@ def planar_body_without_outline(solid: Solid, *, direction: Sequence[float]) -> 
 
 
 def planar_body_from_values(*, mass: float, centroid: Point, inertia: float, name: str) -> PlanarBody:
-    """A body given by its values alone: mass [kg], centroid x, z [m], inertia about the centroid [kg m2]; no geometry.
+    """Return a planar body given by its values alone, without geometry.
+
+    Parameters
+    ----------
+    mass : [kg]
+    centroid : x, z [m]
+    inertia : about the centroid [kg m2]
+    name : of the body, for errors
 
     Raises
     ------
@@ -95,13 +112,18 @@ def planar_body_from_values(*, mass: float, centroid: Point, inertia: float, nam
 
 
 def join_planar(bodies: Sequence[PlanarBody], *, name: str) -> PlanarBody:
-    """Several planar bodies that move as one block, with or without geometry: the parallel-axis theorem in the plane.
+    """Join planar bodies that move as one block, by the parallel-axis theorem in the plane.
 
     The base is that of the lowest body; bodies that stand equally low share one.
 
+    Parameters
+    ----------
+    bodies : with or without geometry, at least one
+    name : of the block
+
     Raises
     ------
-    GeometryError : there is nothing to join
+    GeometryError : no bodies are given
     """
     if not bodies:
         raise GeometryError(f'block "{name}": it joins no bodies; name at least one')
@@ -117,7 +139,7 @@ def join_planar(bodies: Sequence[PlanarBody], *, name: str) -> PlanarBody:
 
 
 def top_edge(body: PlanarBody) -> Base | None:
-    """(x, z) of the extreme two of the highest points of the outline, in the order of x; None without geometry."""
+    """Return (x, z) of the two extreme highest points of the outline, in the order of x; None without geometry."""
     points = [(x, -z) for ring in body.outline for x, z in ring]
     if not points:
         return None
@@ -126,14 +148,30 @@ def top_edge(body: PlanarBody) -> Base | None:
 
 
 def lowest_corners(solids: Sequence[Solid], *, within: float = 0.0) -> FloatArray:
-    """Vertices [k, 3] of the lowest face of the solids, at least one, together; or `within` [m] above the lowest."""
+    """Return the vertices of the lowest face of several solids together.
+
+    Parameters
+    ----------
+    solids : at least one
+    within : height above the lowest point up to which vertices count [m]
+
+    Returns
+    -------
+    vertices [k, 3] [m]
+    """
     points = np.concatenate([solid.vertices for solid in solids])
     reach = max(within, BASE_TOLERANCE * float(np.ptp(points, axis=0).max()))
     return np.asarray(points[points[:, 2] <= points[:, 2].min() + reach], dtype=np.float64)
 
 
 def base_of_section(foot: FloatArray, *, direction: Sequence[float]) -> Base:
-    """The extreme lines of a plane section with corners [k, 3]; one that rises along itself by its middle."""
+    """Return the extreme lines of a plane section; a line that rises along itself counts at its middle.
+
+    Parameters
+    ----------
+    foot : corners of the section [k, 3] [m]
+    direction : of motion, a horizontal vector [3]
+    """
     along = _horizontal(direction)
     x, z = foot @ along, foot[:, 2]
     ends = (z[each] for each in _extremes(x))
@@ -142,7 +180,13 @@ def base_of_section(foot: FloatArray, *, direction: Sequence[float]) -> Base:
 
 
 def turns_about_a_corner(foot: FloatArray, *, direction: Sequence[float]) -> bool:
-    """Whether the face with corners [k, 3] ends in `direction` in a point, not an edge (a tenth of its width)."""
+    """Return whether a face ends in a direction in a point rather than an edge (a tenth of its width).
+
+    Parameters
+    ----------
+    foot : corners of the face [k, 3] [m]
+    direction : of motion, a horizontal vector [3]
+    """
     along = _horizontal(direction)
     across = np.array([-along[1], along[0], 0.0])
     x, y = foot @ along, foot @ across
@@ -151,19 +195,25 @@ def turns_about_a_corner(foot: FloatArray, *, direction: Sequence[float]) -> boo
 
 
 def slope_across(foot: FloatArray, *, direction: Sequence[float]) -> float:
-    """By how much the extreme lines of a section with corners [k, 3] rise along themselves, the larger [m]."""
+    """Return the rise of the extreme lines of a section along themselves, the larger of the two [m].
+
+    Parameters
+    ----------
+    foot : corners of the section [k, 3] [m]
+    direction : of motion, a horizontal vector [3]
+    """
     x, z = foot @ _horizontal(direction), foot[:, 2]
     return float(max(np.ptp(z[end]) for end in _extremes(x)))
 
 
 def _extremes(x: FloatArray) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
-    """Which of the places x [k] lie on the lower, and which on the upper extreme line."""
+    """Return which of the positions x [k] lie on the lower and which on the upper extreme line."""
     reach = BASE_TOLERANCE * float(np.ptp(x))
     return x <= x.min() + reach, x >= x.max() - reach
 
 
 def _horizontal(direction: Sequence[float]) -> FloatArray:
-    """The unit vector [3] of a horizontal direction, or raise."""
+    """Return the unit vector [3] of a horizontal direction, or raise."""
     vector = np.asarray(direction, dtype=np.float64)
     wanted = "give a horizontal vector such as [1, 0, 0]"
     if vector.shape != (3,) or not np.isfinite(vector).all():
@@ -177,14 +227,14 @@ def _horizontal(direction: Sequence[float]) -> FloatArray:
 
 
 def _base(points: FloatArray, *, size: float) -> Base:
-    """The extreme two of the lowest points among [n, 2] [m]."""
+    """Return the two extreme points of the lowest ones among [n, 2] [m]."""
     lowest = float(points[:, 1].min())
     foot = points[points[:, 1] <= lowest + BASE_TOLERANCE * size, 0]
     return (float(foot.min()), lowest), (float(foot.max()), lowest)
 
 
 def _lowest(bases: Sequence[Base], size: float) -> Base | None:
-    """The base of the bodies that stand lowest, None where no body has one."""
+    """Return the base of the lowest bodies, None where no body has one."""
     if not bases:
         return None
     return _base(np.array(bases).reshape(-1, 2), size=size)

@@ -1,4 +1,4 @@
-"""Whether size and coordinates of a body can be those of masonry, and which unit was likely meant where not."""
+"""Plausibility of a body's size and coordinates, and the unit that was probably meant where they are not."""
 
 from __future__ import annotations
 
@@ -22,15 +22,17 @@ SAME = 1e-12  # of the farthest coordinate: rounding of a change of units
 
 
 def refuse_implausible(solid: Solid, *, unit: float, given: bool, single: bool, where: str) -> None:
-    """Raise where a mesh is no masonry body, by its size or by the precision of its coordinates.
+    """Raise where a mesh cannot be a masonry body, by its size or by the precision of its coordinates.
 
-    A small specimen is believed where the project gives its unit.
+    A small specimen is accepted where the project gives its unit.
 
     Parameters
     ----------
+    solid : the body
     unit : length that the mesh was read in [m]
     given : whether the project gives that unit
     single : whether the file holds single precision; another with such numbers may have been drawn so
+    where : named in errors
 
     Raises
     ------
@@ -56,9 +58,12 @@ def refuse_implausible(solid: Solid, *, unit: float, given: bool, single: bool, 
 
 
 def size_warning(solid: Solid, *, unit: float | None = None) -> str | None:
-    """A sentence for the warnings where size or coordinates of a body suggest a slip; None where nothing does.
+    """Return a warning where size or coordinates of a body suggest a slip, None otherwise.
 
-    unit : length that the mesh was read in [m]; None for a body that is no mesh
+    Parameters
+    ----------
+    solid : the body
+    unit : length that the mesh was read in [m]; None for a body that is not a mesh
     """
     size = _size(solid)
     hint = "" if unit is None else _likely_unit(solid, unit=unit)
@@ -72,19 +77,19 @@ def size_warning(solid: Solid, *, unit: float | None = None) -> str | None:
     resolution = _resolution(solid, unit=unit or 1.0)
     if resolution > COARSE * size:
         return (
-            f'body "{solid.name}" lies {np.abs(solid.vertices).max():.4g} m from the origin in single precision, which '
-            f"there resolves {resolution:.2g} m; move the mesh near the origin before exporting it"
+            f'body "{solid.name}" is {np.abs(solid.vertices).max():.4g} m from the origin in single precision, which '
+            f"resolves {resolution:.2g} m there; move the mesh closer to the origin before exporting it"
         )
     return None
 
 
 def _size(solid: Solid) -> float:
-    """The longest side of the box around a body [m]."""
+    """Return the longest side of the box around a body [m]."""
     return float(np.ptp(solid.vertices, axis=0).max())
 
 
 def _thickness(solid: Solid) -> float:
-    """The thickness of a body [m]: its least extent, or one and a half times that of a plate of its volume and surface.
+    """Return the thickness of a body [m]: its least extent, or 1.5 times that of a plate of its volume and surface.
 
     The latter is less for walls that bend, and for several walls in one.
     """
@@ -94,7 +99,7 @@ def _thickness(solid: Solid) -> float:
 
 
 def _resolution(solid: Solid, *, unit: float) -> float:
-    """The distance of neighbouring numbers in single precision at a body's farthest coordinate [m]; else 0.
+    """Return the spacing of single-precision numbers at a body's farthest coordinate [m].
 
     0 where coordinates hold more digits, and where they are so fine that they never matter.
     """
@@ -108,7 +113,7 @@ def _resolution(solid: Solid, *, unit: float) -> float:
 
 
 def _likely_unit(solid: Solid, *, unit: float) -> str:
-    """A hint which unit makes a body a usual wall, or else gives it the size of one; empty where none does."""
+    """Suggest the unit that makes a body a usual wall, or else gives it the size of one; empty where none does."""
     length, thickness = _size(solid) / unit, _thickness(solid) / unit
     walls = [
         name

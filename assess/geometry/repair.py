@@ -1,4 +1,4 @@
-"""Meshes that are no closed surface, mended where what is meant is plain; each step says what it did."""
+"""Repair of meshes that are not closed, where the intended shape is plain; each step says what it did."""
 
 from __future__ import annotations
 
@@ -26,26 +26,25 @@ from spectra.arrays import FloatArray, IntArray
 
 NEAR = 1e-4  # of the body's size: corners of an open border nearer than this are one
 
-Warnings = tuple[str, ...]
+Steps = tuple[str, ...]
 
 
-def repair(surface: Surface, *, where: str) -> tuple[Surface, Warnings]:
-    """The closed surface that a mesh stands for, and what was done to it, in sentences; a good one comes back as it is.
+def repair(surface: Surface, *, where: str) -> tuple[Surface, Steps]:
+    """Close the surface of a mesh and return it with what was done, in sentences; a good mesh is returned unchanged.
 
-    Triangles are turned to run alike; double ones left out; open borders joined where they touch; plane holes of
-    at most a fifth of the surface closed; shells that are inside out turned, overlapping ones united. What remains
-    open is refused.
+    Triangles are oriented consistently; double ones removed; open borders joined where they touch; plane holes of at
+    most a fifth of the surface closed; inverted shells reversed, overlapping ones united. What remains open is refused.
 
     Parameters
     ----------
     surface : merged: each position once
-    where : what an error names
+    where : named in errors
 
     Raises
     ------
     GeometryError : the surface cannot be closed
     """
-    told: Warnings = ()
+    done: Steps = ()
     across = adjacent_triangles(surface[1])
     if across is None:
         for step in (
@@ -57,17 +56,17 @@ def repair(surface: Surface, *, where: str) -> tuple[Surface, Warnings]:
             _fill_holes,
         ):
             surface, more = step(surface)
-            told = (*told, *more)
+            done = (*done, *more)
         _refuse_open(surface, where=where)
     surface, more = unify_shells(surface, across, where=where)
-    return surface, (*told, *more)
+    return surface, (*done, *more)
 
 
-def _orient_consistently(surface: Surface) -> tuple[Surface, Warnings]:
-    """Neighbours made to run along their common edge in opposite directions; of each sheet the fewer are turned.
+def _orient_consistently(surface: Surface) -> tuple[Surface, Steps]:
+    """Orient neighbours so that they run along their common edge in opposite directions; the minority is reversed.
 
-    Each triangle stands in a graph twice, as it is and turned; neighbours are linked in the senses that agree. The two
-    parts a sheet falls into are its two windings. A sheet with one side only (Möbius') is left.
+    Each triangle is in a graph twice, as it is and reversed; neighbours are linked in the senses that agree. The two
+    components of a sheet are its two orientations. A one-sided sheet (Möbius strip) is left.
     """
     vertices, triangles = surface
     n = len(triangles)
@@ -81,12 +80,12 @@ def _orient_consistently(surface: Surface) -> tuple[Surface, Warnings]:
         return surface, ()
     faces = np.where(turn[:, None], triangles[:, ::-1], triangles)
     return (vertices, faces), (
-        f"{count_noun(int(turn.sum()), 'triangle')} turned to run like their neighbours (volume +0 %)",
+        f"{count_noun(int(turn.sum()), 'triangle')} reversed to match their neighbours (volume +0 %)",
     )
 
 
-def _drop_double_triangles(surface: Surface) -> tuple[Surface, Warnings]:
-    """Each triangle once, and none that lies against another which faces the other way, if that leaves fewer gaps."""
+def _drop_double_triangles(surface: Surface) -> tuple[Surface, Steps]:
+    """Keep each triangle once, and drop pairs that lie back to back if that leaves fewer gaps."""
     vertices, triangles = surface
     order = np.argsort(triangles, axis=1)
     odd = np.isin(order @ [9, 3, 1], [0 * 9 + 2 * 3 + 1, 1 * 9 + 0 * 3 + 2, 2 * 9 + 1 * 3 + 0])
@@ -105,16 +104,16 @@ def _drop_double_triangles(surface: Surface) -> tuple[Surface, Warnings]:
     if _count_open_edges(best) > _count_open_edges(surface):  # they belong to different shells
         return surface, ()
     gone = count_noun(len(triangles) - len(best[1]), "double triangle")
-    return best, (f"{gone} left out ({volume_change_text(volume(*surface), volume(*best))})",)
+    return best, (f"{gone} removed ({volume_change_text(volume(*surface), volume(*best))})",)
 
 
 def _count_open_edges(surface: Surface) -> int:
-    """Places where the surface is not closed."""
+    """Count the edges where the surface is not closed."""
     return int(np.count_nonzero(find_edges(surface[1]).balance))
 
 
-def _weld_borders(surface: Surface) -> tuple[Surface, Warnings]:
-    """Corners of open borders that lie almost at one place made one."""
+def _weld_borders(surface: Surface) -> tuple[Surface, Steps]:
+    """Merge corners of open borders that nearly coincide."""
     vertices, triangles = surface
     rim = np.unique(open_edges(find_edges(triangles)))
     reach = NEAR * float(np.ptp(vertices, axis=0).max())
@@ -131,8 +130,8 @@ def _weld_borders(surface: Surface) -> tuple[Surface, Warnings]:
     return new, (f"{gone} of open borders, at most {1e3 * reach:.2g} mm off, joined ({moved})",)
 
 
-def _split_edges(surface: Surface) -> tuple[Surface, Warnings]:
-    """Triangles split where corners of an open border lie on their open edge."""
+def _split_edges(surface: Surface) -> tuple[Surface, Steps]:
+    """Split triangles where corners of an open border lie on their open edge."""
     vertices, triangles = surface
     total = 0
     for _ in range(3):  # a triangle has three edges, split one after another
@@ -140,12 +139,12 @@ def _split_edges(surface: Surface) -> tuple[Surface, Warnings]:
         total += number
     if not total:
         return surface, ()
-    told = f"{count_noun(total, 'edge')} split at the corners of others that lie on them (volume +0 %)"
-    return (vertices, triangles), (told,)
+    done = f"{count_noun(total, 'edge')} split at corners of other triangles that lie on them (volume +0 %)"
+    return (vertices, triangles), (done,)
 
 
 def _split_each_once(vertices: FloatArray, triangles: IntArray) -> tuple[IntArray, int]:
-    """The triangles, each split along one open edge at most, and how many were."""
+    """Split each triangle along one open edge at most; return the triangles and how many were split."""
     edges = find_edges(triangles)
     rim = np.unique(open_edges(edges))
     if not len(rim):
@@ -166,7 +165,7 @@ def _split_each_once(vertices: FloatArray, triangles: IntArray) -> tuple[IntArra
 
 
 def _vertices_between(vertices: FloatArray, a: int, b: int, rim: IntArray, tree: KDTree, *, reach: float) -> IntArray:
-    """Those of the vertices `rim` that lie between a and b on their line, in order."""
+    """Return those of the vertices `rim` that lie between a and b on their line, in order."""
     along = vertices[b] - vertices[a]
     length = float(np.linalg.norm(along))
     near = rim[tree.query_ball_point((vertices[a] + vertices[b]) / 2.0, length / 2.0 + reach)]
@@ -177,8 +176,8 @@ def _vertices_between(vertices: FloatArray, a: int, b: int, rim: IntArray, tree:
     return np.asarray(near[on][np.argsort(at[on])], dtype=np.int64)
 
 
-def _fill_holes(surface: Surface) -> tuple[Surface, Warnings]:
-    """All holes closed by planes, if they are nearly plane and no large part of the surface; else none."""
+def _fill_holes(surface: Surface) -> tuple[Surface, Steps]:
+    """Close all holes by planes, if they are nearly plane and a small part of the surface; else none."""
     vertices, triangles = surface
     holes = find_holes(surface)
     if not holes or _unclosable(surface, holes):
@@ -196,7 +195,7 @@ def _fill_holes(surface: Surface) -> tuple[Surface, Warnings]:
 
 
 def _unclosable(surface: Surface, holes: list[Hole]) -> str:
-    """Why the holes cannot be closed by planes; empty where they can."""
+    """Return why the holes cannot be closed by planes; empty where they can."""
     if not all(len(hole.triangles) for hole in holes):
         return "its border crosses itself"
     vertices, triangles = surface

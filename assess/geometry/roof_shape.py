@@ -1,4 +1,4 @@
-"""The shape of a roof or vault that matters for its thrust: where it slopes, how far it spans and rises."""
+"""The shape of a roof or vault as it affects its thrust: slope, span and rise."""
 
 from __future__ import annotations
 
@@ -20,8 +20,10 @@ SPRINGING = 1e-3  # of the body's size: faces this near its lowest level are wha
 
 @dataclass(frozen=True)
 class Slope:
-    """How a covering slopes.
+    """The slope of a roof or vault.
 
+    Attributes
+    ----------
     axis : horizontal unit vector along which it falls most [3], either way; None where it is flat
     both_ways : whether it falls across that as well, as a hipped roof or a groined vault does
     one_sided : 0 for a gable, whose slopes face both ways, 1 for a roof of a single slope [-]
@@ -33,7 +35,7 @@ class Slope:
 
 
 def slope(solid: Solid) -> Slope:
-    """How the covering slopes, from its faces weighed by their area.
+    """Find how a roof or vault slopes, from its faces weighted by area.
 
     The horizontal parts n of their unit normals have a largest and a least mean square, over directions square to
     each other: a gable roof and a barrel vault have none along the ridge, a square groined vault has two alike.
@@ -51,20 +53,31 @@ def slope(solid: Solid) -> Slope:
 
 
 def extent(solid: Solid, *, axis: FloatArray) -> tuple[float, float]:
-    """Where a body begins and ends along a horizontal unit vector [3], from the origin [m]."""
+    """Return where a body begins and ends along a horizontal axis, from the origin [m].
+
+    Parameters
+    ----------
+    solid : the body
+    axis : horizontal unit vector [3]
+    """
     x = solid.vertices @ axis
     return float(x.min()), float(x.max())
 
 
 def height(solid: Solid) -> float:
-    """From the lowest to the highest point [m]."""
+    """Return the height from the lowest to the highest point [m]."""
     return float(np.ptp(solid.vertices[:, 2]))
 
 
 def mean_lever_arm(solid: Solid, *, axis: FloatArray) -> float:
-    """Mean distance of a covering's mass from the nearer end of its span along a horizontal unit vector [3] [m].
+    """Return the mean distance of the mass of a roof or vault from the nearer end of its span [m].
 
     A quarter of the span where the mass is spread evenly over the plan; less where it is steeper towards its feet.
+
+    Parameters
+    ----------
+    solid : the roof or vault
+    axis : of the span, a horizontal unit vector [3]
     """
     low, high = extent(solid, axis=axis)
     middle = (low + high) / 2.0
@@ -74,7 +87,7 @@ def mean_lever_arm(solid: Solid, *, axis: FloatArray) -> float:
 
 
 def underside(solid: Solid) -> tuple[float, float]:
-    """Area of the faces that look down, without those it stands on, and their area in plan [m2]: a vault's intrados."""
+    """Return the area of a vault's intrados and its area in plan [m2]: faces that look down, without its bearings."""
     area, normals = areas_and_normals(solid.vertices[solid.triangles])
     z = solid.vertices[solid.triangles][:, :, 2]
     size = float(np.ptp(solid.vertices, axis=0).max())

@@ -18,9 +18,17 @@ from spectra.arrays import FloatArray
 
 
 def section_moments(solid: Solid, elevation: ArrayLike, *, direction: Sequence[float]) -> FloatArray:
-    """Area A [m2], int s dA [m3] and int s^2 dA [m4] of the section at each `elevation` [n] [m] -> [n, 3].
+    """Return area and moments of level sections at several elevations.
 
-    s : distance along the horizontal `direction` [3] from the origin. 0 where the solid does not reach.
+    Parameters
+    ----------
+    solid : the body
+    elevation : [n] [m]
+    direction : horizontal vector along which s is measured from the origin [3]
+
+    Returns
+    -------
+    area A [m2], int s dA [m3] and int s^2 dA [m4] of each section [n, 3]; 0 where the solid does not reach
     """
     x, y = np.asarray(direction[:2], dtype=np.float64) / np.hypot(direction[0], direction[1])
     turned = np.column_stack([solid.vertices[:, :2] @ [[x, -y], [y, x]], solid.vertices[:, 2]])  # s, t square to it, z
@@ -31,7 +39,7 @@ def section_moments(solid: Solid, elevation: ArrayLike, *, direction: Sequence[f
 
 
 def _moments(crossed: FloatArray, z: float) -> tuple[float, float, float]:
-    """The three integrals at one elevation, from the triangles it crosses [m, 3, 3] anticlockwise seen from outside."""
+    """Return the integrals at one elevation, from the triangles it crosses [m, 3, 3], outward orientation."""
     if not len(crossed):
         return 0.0, 0.0, 0.0
     upper = crossed[:, :, 2] >= z

@@ -1,4 +1,4 @@
-"""Lines sounded through a surface: where it encloses space twice, or less than never, because it cuts itself."""
+"""Self-overlap of a surface that intersects itself: where parallel rays find space enclosed twice or negatively."""
 
 from __future__ import annotations
 
@@ -15,16 +15,18 @@ from spectra.arrays import FloatArray, IntArray
 RAYS = 48  # across the body, each way
 OFFSET = np.array([0.5317, 0.4619])  # place of a line in its cell
 LARGEST = 0.01  # of the volume: more than this counted wrongly is refused
-NEGLIGIBLE = 1e-6  # of the volume: less than this counted wrongly is not told
+NEGLIGIBLE = 1e-6  # of the volume: less than this counted wrongly gets no warning
 SHORTEST = 1e-6  # of the body's size: shorter stretches are rounding where shells touch
 
 
 @dataclass(frozen=True)
 class SelfOverlap:
-    """What the lines met.
+    """The part of a surface's volume that is counted wrongly, found by casting rays.
 
-    share : length counted wrongly, times how often too many, of the length in material
-    place : the middle of the longest stretch counted wrongly [3] [m]; None where there is none
+    Attributes
+    ----------
+    share : length counted wrongly, times how often too many, over the length in material [-]
+    place : the middle of the longest segment counted wrongly [3] [m]; None where there is none
     """
 
     share: float
@@ -32,7 +34,7 @@ class SelfOverlap:
 
 
 def self_overlap_warnings(surface: Surface, *, where: str) -> tuple[str, ...]:
-    """A sentence where a closed surface cuts itself a little; there is no telling which side is meant.
+    """Warn where a closed surface intersects itself a little; which side is meant cannot be known.
 
     Raises
     ------
@@ -41,19 +43,19 @@ def self_overlap_warnings(surface: Surface, *, where: str) -> tuple[str, ...]:
     found = measure_self_overlap(surface)
     if found.place is None or found.share < NEGLIGIBLE:
         return ()
-    told = (
-        f"its surface cuts itself, near {point_text(found.place)} m, so that about {100.0 * found.share:.2g} % of its "
-        "volume counts twice or not at all"
+    text = (
+        f"its surface intersects itself near {point_text(found.place)} m, so that about {100.0 * found.share:.2g} % of "
+        "its volume counts twice or not at all"
     )
     if found.share > LARGEST:
-        raise GeometryError(f"{where}: {told}; mend it where it was made, or split it into bodies")
-    return (f"{told}; left as it is",)
+        raise GeometryError(f"{where}: {text}; repair it where it was made, or split it into bodies")
+    return (f"{text}; left as it is",)
 
 
 def measure_self_overlap(surface: Surface) -> SelfOverlap:
-    """The space that a closed surface encloses more than once, or less than never, on lines a body's width / 48 apart.
+    """Measure the space that a closed surface encloses more than once or negatively, on rays 1/48 of its width apart.
 
-    A region smaller than the distance of the lines may be missed; it moves no result.
+    A region smaller than the spacing of the rays may be missed; it changes no result.
     """
     vertices, triangles = surface
     middle = (vertices.min(axis=0) + vertices.max(axis=0)) / 2.0
@@ -73,7 +75,7 @@ def measure_self_overlap(surface: Surface) -> SelfOverlap:
 
 
 def _ray_crossings(flat: FloatArray, triangles: IntArray) -> tuple[IntArray, FloatArray, IntArray]:
-    """Where upright lines meet triangles: number of the line [c], point [c, 3], +1 upwards into material, else -1."""
+    """Intersect upright rays with triangles: ray [c], point [c, 3], +1 upwards into material, else -1."""
     line, face, at = _rays_over(flat, triangles)
     a, b, c = (flat[triangles[face, i]] for i in range(3))
     sides = np.stack(
@@ -90,9 +92,9 @@ def _ray_crossings(flat: FloatArray, triangles: IntArray) -> tuple[IntArray, Flo
 
 
 def _rays_over(flat: FloatArray, triangles: IntArray) -> tuple[IntArray, IntArray, FloatArray]:
-    """Lines through the box of each triangle: number of the line [c], of the triangle [c], place [c, 2].
+    """Return the rays through the box of each triangle: number of the ray [c], of the triangle [c], position [c, 2].
 
-    The lines stand in a square pattern, off the middle of its cells, where bodies have no edges.
+    The rays form a square pattern, off the middle of its cells, where bodies have no edges.
     """
     corner, pitch = flat[:, :2].min(axis=0), np.ptp(flat[:, :2], axis=0) / RAYS
     scaled = (flat[:, :2] - corner) / pitch - OFFSET
@@ -109,7 +111,7 @@ def _rays_over(flat: FloatArray, triangles: IntArray) -> tuple[IntArray, IntArra
 
 
 def _extreme(cells: FloatArray, triangles: IntArray, of: np.ufunc) -> NDArray[np.int16]:
-    """The least or the largest cell of the three corners of each triangle, each way [2, m]."""
+    """Return the least or the largest cell of the three corners of each triangle, each way [2, m]."""
     corners = [triangles[:, i] for i in range(3)]
     ways = [way.astype(np.int16) for way in cells.T]  # -1 to LINES
     return np.stack([of(of(*(way[at] for at in corners[:2])), way[corners[2]]) for way in ways])

@@ -1,7 +1,7 @@
-"""The closed shells of a surface, and the one volume that they stand for, counted once.
+"""The closed shells of a surface, and the one volume that they represent.
 
-Shells beside one another and cavities (inner shells that face inwards) are well. A shell that cuts another or lies
-inside the material of another counts what they share twice: two overlapping closed boxes are a closed surface too.
+Shells beside one another and cavities (inner shells that face inwards) are fine. A shell that cuts another or lies
+inside the material of another counts the common volume twice: two overlapping closed boxes are a closed surface too.
 """
 
 from __future__ import annotations
@@ -35,37 +35,38 @@ SAMPLES = 64  # triangles of a shell beside which the others are looked up
 def unify_shells(
     surface: Surface, across: NDArray[np.int32] | None = None, *, where: str
 ) -> tuple[Surface, tuple[str, ...]]:
-    """The closed surface with its material counted once, and what was done to it; a good one comes back as it is.
+    """Return a closed surface that counts its material once, and what was done; a good one is returned unchanged.
 
-    A shell without volume is left out. A shell that faces inwards is a cavity where it lies in material, else it is
-    turned. Shells that overlap, or lie inside the material of another, are united.
+    A shell without volume is dropped. A shell that faces inwards is a cavity where it lies in material, else it is
+    reversed. Shells that overlap, or lie inside the material of another, are united.
 
     Parameters
     ----------
-    across : its `neighbours_across`, where they are known
-    where : what an error names
+    surface : closed
+    across : its `adjacent_triangles`, where they are known
+    where : named in errors
 
     Raises
     ------
     GeometryError : shells cannot be united
     """
-    told: tuple[str, ...] = ()
+    done: tuple[str, ...] = ()
     if volume(*surface) < -THINNEST * float(np.prod(np.ptp(surface[0], axis=0))):  # two shells may be opposite
-        surface, told = (
+        surface, done = (
             (surface[0], surface[1][:, ::-1]),
-            ("its triangles faced inwards and were turned (volume +0 %)",),
+            ("its triangles faced inwards and were reversed (volume +0 %)",),
         )
     shells = separate_shells(surface, across)
     if len(shells) == 1:
-        return surface, told
+        return surface, done
     for step in (_drop_flat, _reverse_inverted, _unite_overlapping):
         shells, more = step(shells, where=where)
-        told = (*told, *more)
-    return (_join_shells(shells) if told else surface), told
+        done = (*done, *more)
+    return (_join_shells(shells) if done else surface), done
 
 
 def separate_shells(surface: Surface, across: NDArray[np.int32] | None = None) -> list[Surface]:
-    """The closed shells of a closed surface; across : its `neighbours_across`, where they are known.
+    """Separate the closed shells of a closed surface; across : its `adjacent_triangles`, where they are known.
 
     Triangles that alone share an edge share a shell. At an edge of more triangles those shells stay together that are
     not closed there by themselves: boxes that touch along an edge are two.
@@ -79,14 +80,14 @@ def separate_shells(surface: Surface, across: NDArray[np.int32] | None = None) -
 
 
 def _group_by_edges(triangles: IntArray) -> IntArray:
-    """The shell [m] of each triangle of any closed surface."""
+    """Return the shell [m] of each triangle of any closed surface."""
     edges = find_edges(triangles)
     group = connected_groups(neighbours(edges)[0], count=len(triangles))
     return group if edges.plain else _rejoin(group, edges)
 
 
 def _rejoin(group: IntArray, edges: Edges) -> IntArray:
-    """The groups of triangles, linked in pairs at edges of more than two where by themselves they are not closed.
+    """Join groups of triangles in pairs at edges of more than two where they are not closed by themselves.
 
     Groups are paired in their order in the file, where parts stand one after another.
     """
@@ -101,11 +102,11 @@ def _rejoin(group: IntArray, edges: Edges) -> IntArray:
 
 
 def _drop_flat(shells: list[Surface], *, where: str) -> tuple[list[Surface], tuple[str, ...]]:
-    """The shells that enclose something; all where none does."""
+    """Drop shells that enclose nothing; keep all where none encloses anything."""
     good = [shell for shell in shells if not _flat(shell)]
     if len(good) in (0, len(shells)):
         return shells, ()
-    return good, (f"{count_noun(len(shells) - len(good), 'closed shell')} without volume left out (volume +0 %)",)
+    return good, (f"{count_noun(len(shells) - len(good), 'closed shell')} without volume removed (volume +0 %)",)
 
 
 def _flat(shell: Surface) -> bool:
@@ -114,7 +115,7 @@ def _flat(shell: Surface) -> bool:
 
 
 def _reverse_inverted(shells: list[Surface], *, where: str) -> tuple[list[Surface], tuple[str, ...]]:
-    """The shells, with those that face inwards turned where they lie in no material."""
+    """Reverse the shells that face inwards but lie in no material."""
     solid = [shell for shell in shells if volume(*shell) > 0.0]
     parts, boxes = _parts(solid)
     alone = [k for k, shell in enumerate(shells) if volume(*shell) < 0.0 and not _lies_in_material(shell, parts, boxes)]
@@ -123,12 +124,13 @@ def _reverse_inverted(shells: list[Surface], *, where: str) -> tuple[list[Surfac
     centre = point_text(shells[alone[0]][0][shells[alone[0]][1]].mean(axis=(0, 1)))
     after = sum(abs(volume(*shell)) if k in alone else volume(*shell) for k, shell in enumerate(shells))
     moved = volume_change_text(sum(volume(*shell) for shell in shells), after)
-    told = f"{count_noun(len(alone), 'closed shell')} inside out turned (the first around {centre} m; {moved})"
-    return [(v, t[:, ::-1]) if k in alone else (v, t) for k, (v, t) in enumerate(shells)], (told,)
+    number = count_noun(len(alone), "closed shell")
+    done = f"{number} that faced inwards reversed (the first around {centre} m; {moved})"
+    return [(v, t[:, ::-1]) if k in alone else (v, t) for k, (v, t) in enumerate(shells)], (done,)
 
 
 def _lies_in_material(shell: Surface, parts: list[FloatArray], boxes: FloatArray) -> bool:
-    """Whether most of what an inward shell encloses at its faces lies inside others."""
+    """Return whether most of what an inward shell encloses near its faces lies inside others."""
     vertices, triangles = shell
     corners = vertices[triangles[:: max(1, len(triangles) // SAMPLES)]]
     normals = area_vectors(corners)
@@ -138,23 +140,23 @@ def _lies_in_material(shell: Surface, parts: list[FloatArray], boxes: FloatArray
 
 
 def _unite_overlapping(shells: list[Surface], *, where: str) -> tuple[list[Surface], tuple[str, ...]]:
-    """The shells, united where the material of some would count twice."""
+    """Unite the shells where the material of some would count twice."""
     at = _find_overlap(shells)
     if at is None:
         return shells, ()
     whole = unite(shells, where=where)
     before = sum(volume(*shell) for shell in shells)
-    told = (
-        f"its {len(shells)} closed shells, some of which overlap (near {point_text(at)} m), united, so that what "
-        f"they share counts once; a cavity would face inwards ({volume_change_text(before, volume(*whole))})"
+    done = (
+        f"its {len(shells)} closed shells, some of which overlap (near {point_text(at)} m), united so that their "
+        f"common volume counts once; a cavity would face inwards ({volume_change_text(before, volume(*whole))})"
     )
-    return [whole], (told,)
+    return [whole], (done,)
 
 
 def _find_overlap(shells: list[Surface]) -> FloatArray | None:
-    """A point [3] that the shells together enclose twice, or less than never; None where there is none.
+    """Find a point [3] that the shells together enclose twice, or less than never; None where there is none.
 
-    Shells that enter one another by less than `OVERLAP` of the body's size touch.
+    Shells that overlap by less than `OVERLAP` of the body's size are in contact only.
     """
     parts, boxes = _parts(shells)
     size = float(np.ptp(boxes, axis=(0, 1)).max())
@@ -169,7 +171,7 @@ def _find_overlap(shells: list[Surface]) -> FloatArray | None:
 
 
 def _point_behind(part: FloatArray, *, depth: float) -> FloatArray:
-    """The point [3] at a depth [m] behind the middle of the largest triangle of a shell [m, 3, 3]."""
+    """Return the point [3] at a depth [m] behind the middle of the largest triangle of a shell [m, 3, 3]."""
     normals = area_vectors(part)
     area = np.linalg.norm(normals, axis=1)
     largest = int(np.argmax(area))
@@ -177,12 +179,12 @@ def _point_behind(part: FloatArray, *, depth: float) -> FloatArray:
 
 
 def _parts(shells: list[Surface]) -> tuple[list[FloatArray], FloatArray]:
-    """Corners of the triangles of each shell [m, 3, 3], and their boxes [n, 2, 3]."""
+    """Return the corners of the triangles of each shell [m, 3, 3], and their boxes [n, 2, 3]."""
     parts = [vertices[triangles] for vertices, triangles in shells]
     boxes = [[part.min(axis=(0, 1)), part.max(axis=(0, 1))] for part in parts]
     return parts, np.array(boxes).reshape(-1, 2, 3)
 
 
 def _join_shells(shells: list[Surface]) -> Surface:
-    """The shells as one surface; all have the same vertices."""
+    """Join the shells into one surface; all have the same vertices."""
     return merge_vertices(shells[0][0], np.concatenate([triangles for _, triangles in shells]))

@@ -1,4 +1,4 @@
-"""Where the sides of a polygon meet that should not."""
+"""Simple polygons: where the sides of one that is not simple intersect."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ Point = tuple[float, float]
 
 
 def find_crossing(corners: FloatArray) -> Point | None:
-    """The first place where two sides cross or touch beside their common corner; None of a simple polygon.
+    """Find the first place where two sides cross or touch other than at their common corner; None for a simple polygon.
 
     Parameters
     ----------
-    corners : of a closed polygon, none of them beside one at the same place [n, 2] [m]
+    corners : of a closed polygon, without consecutive repeats [n, 2] [m]
     """
     n = len(corners)
     ends = np.stack([corners, np.roll(corners, -1, axis=0)], axis=1)
@@ -33,5 +33,5 @@ def find_crossing(corners: FloatArray) -> Point | None:
 
 
 def remove_repeats(corners: FloatArray) -> FloatArray:
-    """Corners [n, 2] of a closed polygon without those at the place of the one before."""
+    """Remove the corners of a closed polygon [n, 2] that repeat the one before."""
     return corners[np.any(corners != np.roll(corners, 1, axis=0), axis=1)]

@@ -1,4 +1,4 @@
-"""A surface with fewer triangles, to draw: vertices in one cell of a grid become one (Lindstrom 2000, SIGGRAPH)."""
+"""Simplification of a surface for drawing: vertices in one cell of a grid become one (Lindstrom 2000, SIGGRAPH)."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ SHARP = 0.05  # of a cell's largest curvature: flatter directions do not move it
 
 
 def simplify(vertices: FloatArray, triangles: IntArray, *, limit: int) -> tuple[FloatArray, IntArray]:
-    """The surface itself where it has no more than `limit` triangles, else one that has not.
+    """Reduce a surface to at most `limit` triangles; one that has no more is returned unchanged.
 
     Each cell's vertex lies where the squared distance to the planes of its triangles is least, so that faces stay
     flat and edges sharp. The result is for the eye: thin parts may close, and its volume differs.
@@ -32,7 +32,7 @@ def simplify(vertices: FloatArray, triangles: IntArray, *, limit: int) -> tuple[
 
 
 def _cluster_vertices(vertices: FloatArray, triangles: IntArray, *, cell: float) -> tuple[FloatArray, IntArray]:
-    """The surface with one vertex for each occupied cell of a grid of a width [m]."""
+    """Reduce the surface to one vertex for each occupied cell of a grid of a width [m]."""
     column = np.floor((vertices - vertices.min(axis=0)) / cell).astype(np.int64)
     across = column.max(axis=0) + 1
     _, group = np.unique((column[:, 0] * across[1] + column[:, 1]) * across[2] + column[:, 2], return_inverse=True)
@@ -44,7 +44,7 @@ def _cluster_vertices(vertices: FloatArray, triangles: IntArray, *, cell: float)
 
 
 def _drop_duplicates(faces: IntArray) -> IntArray:
-    """The triangles [m, 3] once each, without those that lie back to back, as where a thin part has closed."""
+    """Keep each triangle [m, 3] once, without those back to back, as where a thin part has closed."""
     first = np.argmin(faces, axis=1)[:, None] if len(faces) else np.empty((0, 1), dtype=np.int64)
     turned = np.take_along_axis(faces, (first + np.arange(3)) % 3, axis=1)  # the least corner first
     alike, index = np.unique(np.sort(faces, axis=1), axis=0, return_inverse=True)
@@ -55,7 +55,7 @@ def _drop_duplicates(faces: IntArray) -> IntArray:
 
 
 def _cluster_points(vertices: FloatArray, triangles: IntArray, group: IntArray, *, cell: float) -> FloatArray:
-    """Where each group's vertex lies [k, 3]: nearest the planes of its triangles, within a cell of its mean."""
+    """Return the vertex of each group [k, 3]: nearest the planes of its triangles, within a cell of its mean."""
     count = np.bincount(group)
     mean = np.column_stack([np.bincount(group, weights=x) for x in vertices.T]) / count[:, None]
     corners = vertices[triangles]

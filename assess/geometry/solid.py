@@ -40,7 +40,7 @@ class Solid:
     inertia : tensor about the centroid, products with their minus sign [3, 3] [kg m2]
     vertices : of the surface [n, 3] [m]
     triangles : vertex indices, anticlockwise seen from outside [m, 3]
-    trail : what was done to the mesh it was read from, sentences
+    history : what was done to the mesh it was read from, sentences
     """
 
     name: str
@@ -49,7 +49,7 @@ class Solid:
     inertia: FloatArray
     vertices: FloatArray
     triangles: IntArray
-    trail: tuple[str, ...] = ()
+    history: tuple[str, ...] = ()
 
 
 Solids = Mapping[str, Solid | None]
@@ -57,9 +57,14 @@ Solids = Mapping[str, Solid | None]
 
 
 def box(*, thickness: float, length: float, height: float, base: Sequence[float], density: float, name: str) -> Solid:
-    """A rectangular box: thickness along x, length along y, height along z [m]; density [kg/m3].
+    """Make a rectangular box: thickness along x, length along y, height along z.
 
-    base : centre of the base face, x, y, z [3] [m].
+    Parameters
+    ----------
+    thickness, length, height : [m]
+    base : centre of the base face, x, y, z [3] [m]
+    density : [kg/m3]
+    name : of the body
 
     Raises
     ------
@@ -86,7 +91,7 @@ def box(*, thickness: float, length: float, height: float, base: Sequence[float]
 
 
 def profile(points: ArrayLike, *, length: float, density: float, name: str) -> Solid:
-    """A polygon in the x-z plane extruded along y, centred on y = 0.
+    """Extrude a polygon in the x-z plane along y, centred on y = 0.
 
     Parameters
     ----------
@@ -144,7 +149,7 @@ def polyhedron(vertices: ArrayLike, triangles: ArrayLike, *, density: float, nam
 
 
 def join(solids: Sequence[Solid], *, name: str) -> Solid:
-    """Several bodies that move as one block: masses add, inertias by the parallel-axis theorem.
+    """Join several bodies that move as one block: masses add, inertias by the parallel-axis theorem.
 
     Bodies that overlap are counted twice where they do.
 
@@ -165,14 +170,14 @@ def join(solids: Sequence[Solid], *, name: str) -> Solid:
 
 
 def parallel_axis(shift: FloatArray) -> FloatArray:
-    """Inertia tensor [3, 3] [m2] of a unit point mass at `shift` [3] [m]: |r|^2 E - r r^T."""
+    """Return the inertia tensor [3, 3] [m2] of a unit point mass at `shift` [3] [m]: |r|^2 E - r r^T."""
     return np.asarray(shift @ shift * np.eye(3) - np.outer(shift, shift), dtype=np.float64)
 
 
 def _solid(
     name: str, mass: float, centroid: FloatArray, inertia: FloatArray, vertices: FloatArray, triangles: IntArray
 ) -> Solid:
-    """A Solid of read-only copies."""
+    """Make a Solid of read-only copies."""
     copies = [np.array(array) for array in (centroid, inertia, vertices)]
     faces = np.array(triangles)
     for array in (*copies, faces):
@@ -181,7 +186,7 @@ def _solid(
 
 
 def _extrude(corners: FloatArray, faces: IntArray, *, length: float) -> tuple[FloatArray, IntArray]:
-    """Vertices [2 n, 3], outward triangles: an anticlockwise x-z polygon [n, 2] extruded over y = -+ length / 2."""
+    """Extrude an anticlockwise x-z polygon [n, 2] over y = -+ length / 2: vertices [2 n, 3], outward triangles."""
     n = len(corners)
     near = np.column_stack([corners[:, 0], np.full(n, -length / 2.0), corners[:, 1]])
     far = near + np.array([0.0, length, 0.0])
@@ -194,7 +199,7 @@ def _extrude(corners: FloatArray, faces: IntArray, *, length: float) -> tuple[Fl
 
 
 def _check_corners(points: ArrayLike, *, name: str) -> FloatArray:
-    """The polygon's corners, anticlockwise, without repeated points [n, 2] [m]."""
+    """Return the polygon's corners, anticlockwise, without repeated points [n, 2] [m]."""
     wanted = "corners [x, z] of finite numbers"
     given = _check_finite(points, shape=(-1, 2), quantity="profile", wanted=wanted, name=name)
     corners = remove_repeats(given)
@@ -217,7 +222,7 @@ def _check_corners(points: ArrayLike, *, name: str) -> FloatArray:
 
 
 def _polygon_moments(corners: FloatArray) -> tuple[float, FloatArray, tuple[float, float, float]]:
-    """Area [m2], centroid [2] [m], and int x2, z2, xz dA about the centroid [m4], by Green's theorem.
+    """Return area [m2], centroid [2] [m], and int x2, z2, xz dA about the centroid [m4], by Green's theorem.
 
     Corners clockwise give all of them but the centroid with a minus sign.
     """
@@ -234,7 +239,7 @@ def _polygon_moments(corners: FloatArray) -> tuple[float, FloatArray, tuple[floa
 
 
 def _triangulate(corners: FloatArray) -> IntArray:
-    """Anticlockwise triangles [n - 2, 3] of a simple polygon [n, 2], by constrained Delaunay triangulation."""
+    """Triangulate a simple polygon [n, 2] (constrained Delaunay): anticlockwise triangles [n - 2, 3]."""
     pieces = shapely.get_parts(shapely.constrained_delaunay_triangles(shapely.Polygon(corners)))
     index = {(x, z): i for i, (x, z) in enumerate(corners.tolist())}
     rings = (shapely.get_coordinates(shapely.orient_polygons(piece))[:3].tolist() for piece in pieces)
@@ -242,7 +247,7 @@ def _triangulate(corners: FloatArray) -> IntArray:
 
 
 def _volume_moments(points: FloatArray, faces: IntArray, *, origin: FloatArray) -> tuple[float, FloatArray, FloatArray]:
-    """Volume [m3], first moment [3] [m4], second moment [3, 3] [m5] inside a surface, about a point [3]."""
+    """Return volume [m3], first [3] [m4] and second moment [3, 3] [m5] inside a surface about a point [3]."""
     volume, first, second = 0.0, np.zeros(3), np.zeros((3, 3))
     for corners, D in tetrahedra(points, faces, origin):
         a, b, c = corners.swapaxes(0, 1)
@@ -272,7 +277,7 @@ def _check_positive(value: float, *, quantity: str, unit: str, name: str) -> Non
 
 
 def _check_finite(values: ArrayLike, *, shape: tuple[int, ...], quantity: str, wanted: str, name: str) -> FloatArray:
-    """The values as floats of `shape` (-1: any number), or raise."""
+    """Return the values as floats of `shape` (-1: any number), or raise."""
     try:
         array = np.asarray(values, dtype=np.float64)
     except (TypeError, ValueError):

@@ -1,6 +1,6 @@
 """The closed surface of a body: along every edge as many triangles run one way as the other.
 
-Then the volume integrals mean what they say, if besides no part of space is enclosed twice (`shells`, `sounding`).
+The volume integrals then hold, provided no part of space is enclosed twice (`shells`, `self_overlap`).
 """
 
 from __future__ import annotations
@@ -23,8 +23,10 @@ Surface = tuple[FloatArray, IntArray]  # vertices [n, 3] [m], triangles as indic
 
 @dataclass(frozen=True)
 class Edges:
-    """The edges of a surface of m triangles, gathered by place: those between the same two vertices, either way.
+    """The edges of a surface of m triangles, grouped by place: those between the same two vertices, either way.
 
+    Attributes
+    ----------
     directed : from vertex, to vertex, as the triangles have them: edge i belongs to triangle i // 3 [3 m, 2]
     order : edges sorted by place [3 m]
     first : where in `order` each of the k places begins [k]
@@ -45,14 +47,14 @@ class Edges:
 
     @property
     def plain(self) -> bool:
-        """Whether, besides, every edge belongs to two triangles only."""
+        """Whether it is closed and every edge belongs to exactly two triangles."""
         return self.closed and not (self.count != 2).any()
 
 
 def merge_vertices(vertices: FloatArray, triangles: IntArray) -> Surface:
-    """The same surface with each position once, no unused vertices, no triangle that uses one position twice.
+    """Merge vertices of equal position, and drop unused vertices and degenerate triangles.
 
-    Positions are one when their coordinates are equal; nothing is moved. They are numbered by z, then y, then x.
+    Positions are equal when their coordinates are; nothing is moved. They are numbered by z, then y, then x.
 
     Parameters
     ----------
@@ -73,10 +75,10 @@ def merge_vertices(vertices: FloatArray, triangles: IntArray) -> Surface:
 
 
 def _group_equal(columns: list[FloatArray]) -> tuple[IntArray, IntArray]:
-    """The first of each set of equal points x, y, z [n]: its number [k], and for every point which of these it is [n].
+    """Group equal points x, y, z [n]: the first of each group [k], and the group of every point [n].
 
-    Points are brought together by one number mixed from the three. Those that share it with another point and differ
-    from it are brought together again among themselves.
+    Points are grouped by one number hashed from the three. Those that share it with a different point are grouped again
+    among themselves.
     """
     first, group = _group_by_hash(columns)
     kept = [values[first] for values in columns]
@@ -90,7 +92,7 @@ def _group_equal(columns: list[FloatArray]) -> tuple[IntArray, IntArray]:
 
 
 def _group_by_hash(columns: list[FloatArray]) -> tuple[IntArray, IntArray]:
-    """Group points of equal hash as `_group_equal` does: numbers are packed into its lower bits, and all are sorted."""
+    """Group points by hash: their numbers are packed into its lower bits, and all are sorted."""
     x, y, z = columns
     bits = np.uint64(len(x).bit_length())
     lower = (np.uint64(1) << bits) - np.uint64(1)
@@ -107,14 +109,14 @@ def _group_by_hash(columns: list[FloatArray]) -> tuple[IntArray, IntArray]:
 
 
 def _order_points(columns: list[FloatArray]) -> IntArray:
-    """The order [n] of different points x, y, z [n] by z, then y, then x: what lexsort gives, which sorts slower."""
+    """Return the order [n] of distinct points x, y, z [n] by z, then y, then x, faster than lexsort."""
     x, y, z = columns
     upper = _ranks(_ranks(z) * len(z) + _ranks(y))
     return np.asarray(np.argsort(upper * len(x) + _ranks(x)), dtype=np.int64)
 
 
 def _ranks(values: NDArray[np.float64] | IntArray) -> IntArray:
-    """The place [n] of each value among the different values, from 0."""
+    """Return the rank [n] of each value among the distinct values, from 0."""
     order = np.argsort(values)
     rank = np.empty(len(order), dtype=np.int64)
     rank[order] = np.cumsum(marks_changes(values[order])) - 1
@@ -122,23 +124,23 @@ def _ranks(values: NDArray[np.float64] | IntArray) -> IntArray:
 
 
 def marks_changes(values: NDArray[np.generic]) -> BoolArray:
-    """Which values [n] differ from the one before; the first does."""
+    """Return which values [n] differ from the one before; the first does."""
     new = np.ones(len(values), dtype=np.bool_)
     np.not_equal(values[1:], values[:-1], out=new[1:])
     return new
 
 
 def drop_degenerate(triangles: IntArray) -> IntArray:
-    """The triangles that use three different vertices."""
+    """Return the triangles that use three different vertices."""
     a, b, c = triangles.T
     real = (a != b) & (b != c) & (c != a)
     return triangles if real.all() else np.asarray(triangles[real], dtype=np.int64)
 
 
 def adjacent_triangles(triangles: IntArray) -> NDArray[np.int32] | None:
-    """The triangle across each edge [m, 3] where all edges belong to two triangles that run along them oppositely.
+    """Return the triangle across each edge [m, 3] of a surface whose edges all belong to two opposite triangles.
 
-    None of any other surface. Edges are sorted by a number that packs lower vertex, higher vertex, sense and edge.
+    None for any other surface. Edges are sorted by a number that packs lower vertex, higher vertex, sense and edge.
     """
     start, end = triangles.ravel(), triangles[:, [1, 2, 0]].ravel()
     count = int(triangles.max()) + 1
@@ -158,7 +160,7 @@ def adjacent_triangles(triangles: IntArray) -> NDArray[np.int32] | None:
 
 
 def _sort_packed(key: IntArray, *, bits: int) -> tuple[IntArray, IntArray]:
-    """Whole numbers [n] of so many bits in rising order, and their order; sorted with their places packed in."""
+    """Sort whole numbers [n] of so many bits with their indices packed in; return them and their order."""
     places = len(key).bit_length()
     if bits + places > 63:
         order = np.argsort(key)
@@ -169,7 +171,7 @@ def _sort_packed(key: IntArray, *, bits: int) -> tuple[IntArray, IntArray]:
 
 
 def find_edges(triangles: IntArray) -> Edges:
-    """The edges of at least one triangle."""
+    """Return the edges of at least one triangle."""
     directed = triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2)
     start, end = directed.T
     key = np.minimum(start, end) * (triangles.max() + 1) + np.maximum(start, end)
@@ -181,12 +183,12 @@ def find_edges(triangles: IntArray) -> Edges:
 
 
 def open_edges(edges: Edges) -> IntArray:
-    """The directed edges [b, 2] that have no counterpart: of one triangle only."""
+    """Return the directed edges [b, 2] that belong to one triangle only."""
     return np.asarray(edges.directed[edges.order[edges.first[edges.count == 1]]], dtype=np.int64)
 
 
 def neighbours(edges: Edges) -> tuple[IntArray, BoolArray]:
-    """Pairs of triangles [e, 2] that alone share an edge, and whether they run along it in opposite directions [e]."""
+    """Return pairs of triangles [e, 2] that alone share an edge, and whether they run along it oppositely [e]."""
     two = edges.count == 2
     first = edges.first[two]
     pairs = np.column_stack([edges.order[first], edges.order[first + 1]]) // 3
@@ -194,13 +196,23 @@ def neighbours(edges: Edges) -> tuple[IntArray, BoolArray]:
 
 
 def connected_groups(pairs: IntArray, *, count: int) -> IntArray:
-    """Number, from 0, of the group [count] to which each of `count` things belongs when pairs [e, 2] are linked."""
+    """Return the connected group of each of `count` items when pairs of them are linked.
+
+    Parameters
+    ----------
+    pairs : of linked items [e, 2]
+    count : number of items
+
+    Returns
+    -------
+    number of the group, from 0 [count]
+    """
     links = coo_array((np.ones(len(pairs), dtype=np.int8), (pairs[:, 0], pairs[:, 1])), shape=(count, count))
     return np.asarray(connected_components(links, directed=False)[1], dtype=np.int64)
 
 
 def connected_groups_across(across: NDArray[np.int32]) -> IntArray:
-    """Number, from 0, of the group [m] to which each triangle belongs, by their neighbours [m, 3]."""
+    """Return the connected group [m] of each triangle, from 0, by their neighbours [m, 3]."""
     m = len(across)
     starts = np.arange(0, 3 * m + 1, 3, dtype=np.int32)
     links = csr_array((np.ones(3 * m), across.ravel(), starts), shape=(m, m))
@@ -208,7 +220,7 @@ def connected_groups_across(across: NDArray[np.int32]) -> IntArray:
 
 
 def volume(vertices: FloatArray, triangles: IntArray) -> float:
-    """Signed volume inside a closed surface [m3]; of an open one, closed by cones to the middle of its box."""
+    """Return the signed volume inside a surface [m3]; an open one is closed by cones to the middle of its box."""
     middle = _middle(vertices, triangles)
     return sum((float(D.sum()) for _, D in tetrahedra(vertices, triangles, middle)), start=0.0) / 6.0
 
@@ -216,16 +228,18 @@ def volume(vertices: FloatArray, triangles: IntArray) -> float:
 def tetrahedra(
     vertices: FloatArray, triangles: IntArray, origin: FloatArray
 ) -> Iterator[tuple[FloatArray, FloatArray]]:
-    """Corners and six times the signed volume of the tetrahedra from a point to each triangle, some at a time.
+    """Yield the tetrahedra from a point to each triangle, some at a time.
 
     Parameters
     ----------
-    vertices : [n, 3] [m]; triangles : indices into vertices [m, 3]; origin : the point [3] [m]
+    vertices : [n, 3] [m]
+    triangles : indices into vertices [m, 3]
+    origin : the point [3] [m]
 
     Yields
     ------
     corners : seen from the point: axis, corner, triangle [3, 3, k] [m]
-    D : a . (b x c) [k] [m3]
+    D : a . (b x c), six times the signed volume [k] [m3]
     """
     for start in range(0, len(triangles), BATCH):
         at = triangles[start : start + BATCH].T
@@ -235,7 +249,7 @@ def tetrahedra(
 
 
 def _middle(vertices: FloatArray, triangles: IntArray) -> FloatArray:
-    """The middle of the box around triangles [3] [m]; the origin where there are none."""
+    """Return the middle of the box around triangles [3] [m]; the origin where there are none."""
     if not len(triangles):
         return np.zeros(3)
     if len(vertices) > len(triangles):  # one shell of many
@@ -248,27 +262,27 @@ def _middle(vertices: FloatArray, triangles: IntArray) -> FloatArray:
 
 
 def area(vertices: FloatArray, triangles: IntArray) -> float:
-    """Area of the triangles [m2]."""
+    """Return the area of the triangles [m2]."""
     return float(areas_and_normals(vertices[triangles])[0].sum())
 
 
 def area_vectors(corners: FloatArray) -> FloatArray:
-    """Outward normals [m, 3] of triangles [m, 3, 3], each as long as twice its area [m2]."""
+    """Return outward normals [m, 3] of triangles [m, 3, 3], each as long as twice its area [m2]."""
     return np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
 
 
 def areas_and_normals(corners: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Area [m] [m2] and unit normal [m, 3] of triangles [m, 3, 3]; of one without area, zero."""
+    """Return area [m] [m2] and unit normal [m, 3] of triangles [m, 3, 3]; zero without area."""
     normals = area_vectors(corners)
     length = np.linalg.norm(normals, axis=1)
     return length / 2.0, normals / np.where(length > 0.0, length, 1.0)[:, None]
 
 
 def point_text(point: FloatArray) -> str:
-    """A point for a sentence, to a tenth of a millimetre: (x, y, z)."""
+    """Write a point for a sentence, to a tenth of a millimetre: (x, y, z)."""
     return "(" + ", ".join(f"{round(float(value), 4) + 0.0:.12g}" for value in point) + ")"
 
 
 def volume_change_text(before: float, after: float) -> str:
-    """By how much a repair moved the volume [m3], as a share of what it is now."""
+    """Write by how much a repair changed the volume [m3], as a share of the new volume."""
     return f"volume {100.0 * (after - before) / after:+.3g} %" if after else "no volume left"

@@ -1,4 +1,4 @@
-"""Which way a wall is thin, and how large a body is along that way, across it and upright."""
+"""The thin direction of a wall, and the size of a body along it, across it and in height."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ ALIKE = 0.05  # by how much the two sides of a plan must differ for one to be th
 
 
 def thin_direction(vertices: FloatArray, triangles: IntArray) -> FloatArray | None:
-    """The horizontal unit vector [2] along the thickness of a wall: where most of its surface faces, either way.
+    """Return the horizontal unit vector [2] along the thickness of a wall: where most of its surface faces, either way.
 
-    The principal axis of the sum of a a^T / |a| over the horizontal parts a of the triangles' area vectors: of a
-    box its shorter side in plan, whatever stands off from its faces at right angles. None where no way is preferred, as
-    of a square or round tower. Its first part that is not zero is positive.
+    The principal axis of the sum of a a^T / |a| over the horizontal parts a of the triangles' area vectors: of a box
+    its shorter side in plan, whatever projects from its faces at right angles. None where no direction is preferred,
+    as in a square or round tower. Its first component that is not zero is positive.
     """
     vectors = area_vectors(vertices[triangles])[:, :2]
     size = np.hypot(*vectors.T)
@@ -29,7 +29,7 @@ def thin_direction(vertices: FloatArray, triangles: IntArray) -> FloatArray | No
 
 
 def extents(vertices: FloatArray, thin: FloatArray | None) -> tuple[float, float, float]:
-    """Extents [m] along `thin` [2], level across it, and upright; without it by the smallest rectangle around."""
+    """Return the extents [m] along `thin` [2], across it and upright; without it by the smallest rectangle in plan."""
     along = _shorter_side(vertices) if thin is None else thin
     across = np.array([-along[1], along[0]])
     sides = [float(np.ptp(vertices[:, :2] @ axis)) for axis in (along, across)]
@@ -37,7 +37,7 @@ def extents(vertices: FloatArray, thin: FloatArray | None) -> tuple[float, float
 
 
 def _shorter_side(vertices: FloatArray) -> FloatArray:
-    """The direction [2] of the shorter side of the smallest rectangle around the plan; x where there is none."""
+    """Return the direction [2] of the shorter side of the smallest rectangle in plan; x where there is none."""
     around = shapely.MultiPoint(vertices[:, :2]).minimum_rotated_rectangle
     if not isinstance(around, shapely.Polygon):
         return np.array([1.0, 0.0])
@@ -48,7 +48,7 @@ def _shorter_side(vertices: FloatArray) -> FloatArray:
 
 
 def _normalise_sign(axis: FloatArray) -> FloatArray:
-    """The axis without rounding, towards +x, or +y where it lies along y."""
+    """Return the axis without rounding, towards +x, or +y where it lies along y."""
     clean = np.where(np.abs(axis) < ROUNDING, 0.0, axis)
     clean = clean / np.hypot(*clean)
     return np.asarray(clean if tuple(clean) > (0.0, 0.0) else -clean + 0.0, dtype=np.float64)

@@ -1,4 +1,4 @@
-"""How often closed shells enclose a point."""
+"""Winding numbers: how often closed shells enclose a point."""
 
 from __future__ import annotations
 
@@ -12,7 +12,18 @@ SHEAR = np.array([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-0.21372, -0.13187, 1.0]])
 
 
 def winding_numbers(points: FloatArray, parts: list[FloatArray], boxes: FloatArray) -> IntArray:
-    """How often all shells together enclose each point [k, 3]: 1 in material, 0 elsewhere [k]."""
+    """Return how often all shells together enclose each point.
+
+    Parameters
+    ----------
+    points : [k, 3] [m]
+    parts : corners of the triangles of each shell [m, 3, 3] [m]
+    boxes : bounding box of each shell [n, 2, 3] [m]
+
+    Returns
+    -------
+    1 in material, 0 elsewhere [k]
+    """
     found = np.zeros(len(points), dtype=np.int64)
     for part, (low, high) in zip(parts, boxes, strict=True):
         near = np.flatnonzero(np.all((low <= points) & (points <= high), axis=1))
@@ -22,7 +33,7 @@ def winding_numbers(points: FloatArray, parts: list[FloatArray], boxes: FloatArr
 
 
 def _winding_of_shell(points: FloatArray, triangles: FloatArray) -> IntArray:
-    """How often a closed shell [m, 3, 3] encloses points [k, 3]: faces left less faces entered along a ray [k]."""
+    """Return the winding number [k] of a closed shell [m, 3, 3] around points [k, 3], by casting rays."""
     flat, at = triangles @ SHEAR, points @ SHEAR
     low, high = flat.min(axis=1), flat.max(axis=1)
     tree = shapely.STRtree(shapely.box(low[:, 0], low[:, 1], high[:, 0], high[:, 1]))

@@ -1,0 +1,27 @@
+"""Loads of a mechanism: as stated, as found on the geometry, and in the plane of motion."""
+
+from assess.loads.bearing import Overburden, Support, shares, support
+from assess.loads.definitions import BodyLoad, ForceLoad, LoadDefinition, MassLoad, OverburdenLoad, TieLoad
+from assess.loads.load import Force, Load, PointMass, Tie
+from assess.loads.thrust import CONSTRUCTIONS, Construction, arch_thrust, uniform_lever_arm
+
+__all__ = [
+    "CONSTRUCTIONS",
+    "BodyLoad",
+    "Construction",
+    "Force",
+    "ForceLoad",
+    "Load",
+    "LoadDefinition",
+    "MassLoad",
+    "Overburden",
+    "OverburdenLoad",
+    "PointMass",
+    "Support",
+    "Tie",
+    "TieLoad",
+    "arch_thrust",
+    "shares",
+    "support",
+    "uniform_lever_arm",
+]

@@ -14,10 +14,10 @@ from assess.geometry.overlap import OVERLAP, SAME_PLACE, shared_with
 from assess.geometry.roof_shape import extent
 from assess.geometry.solid import Solid
 from assess.loads.bearing import Support, carries, carrying, nearest, share_of, support
-from assess.loads.coverings import Arch, Thrust, arch_of, thrust_of, weight
 from assess.loads.definitions import BodyLoad
 from assess.loads.load import Force, Load, Point, PointMass
 from assess.loads.plane import point_in_plane
+from assess.loads.roofs_and_vaults import Arch, Thrust, arch_of, thrust_of, weight
 from spectra.arrays import FloatArray
 
 BETWEEN = 1 / 8  # of the span: a contact this near its middle holds both feet of a roof or vault

@@ -13,10 +13,10 @@ from assess.geometry.outline import distance
 from assess.geometry.piece import Piece
 from assess.geometry.solid import Solid
 from assess.loads.bearing import carries
-from assess.loads.coverings import arch_of
 from assess.loads.definitions import BodyLoad
 from assess.loads.load import Point
 from assess.loads.plane import point_in_plane
+from assess.loads.roofs_and_vaults import arch_of
 from spectra.arrays import FloatArray
 
 

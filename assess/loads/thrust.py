@@ -52,7 +52,7 @@ The densities are assumptions: usual ones for which the two constructions of a c
 """
 
 
-def thrust(reaction: float, *, lever: float, rise: float) -> float:
+def arch_thrust(reaction: float, *, lever: float, rise: float) -> float:
     """H = V x / f [N]: the thrust of half an arch of three hinges on the springing that carries V [N].
 
     lever : distance x of the weight of the half from its springing [m]; rise : f of the crown above it [m]
@@ -60,6 +60,6 @@ def thrust(reaction: float, *, lever: float, rise: float) -> float:
     return reaction * lever / rise
 
 
-def even_lever(span: float) -> float:
+def uniform_lever_arm(span: float) -> float:
     """x = L / 4 [m] for a weight spread evenly over the plan: rafters, a flat vault, one filled up to the crown."""
     return span / 4.0

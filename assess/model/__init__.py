@@ -1,0 +1,40 @@
+"""The parts of a building and where they can fail: bodies, walls and their cracks, arches, joints, directions."""
+
+from assess.model.assembly import Built, mechanism_of
+from assess.model.body import Bodies, Body, Material, PointValues
+from assess.model.definitions import (
+    CutAngle,
+    CutPlane,
+    Definition,
+    EquivalentBlock,
+    FourHinge,
+    RadialJoints,
+    Restitution,
+    SingleBlock,
+    TwoBlock,
+)
+from assess.model.gaps import gaps_of
+from assess.model.overlaps import overlaps_of
+from assess.model.walls import Crack, crack
+
+__all__ = [
+    "Bodies",
+    "Body",
+    "Built",
+    "Crack",
+    "CutAngle",
+    "CutPlane",
+    "Definition",
+    "EquivalentBlock",
+    "FourHinge",
+    "Material",
+    "PointValues",
+    "RadialJoints",
+    "Restitution",
+    "SingleBlock",
+    "TwoBlock",
+    "crack",
+    "gaps_of",
+    "mechanism_of",
+    "overlaps_of",
+]

@@ -12,13 +12,13 @@ import shapely
 from assess.errors import GeometryError, MechanismError
 from assess.geometry.cut import heading
 from assess.geometry.piece import Piece
-from assess.interfaces.contact import contact, sideways_doubt
+from assess.interfaces.contact import contact, out_of_plane_warning
 from assess.interfaces.definition import Interface, Shape
-from assess.interfaces.law import Law
+from assess.interfaces.law import JointLaw
 from assess.interfaces.section import Section
 from assess.interfaces.shapes import annulus, circle, hollow_rectangle, polygon, rectangle
 from assess.loads.overburden import through_of
-from assess.mechanisms.assembly import on_joints
+from assess.mechanisms.assembly import add_joints
 from assess.mechanisms.chain import Chain, hinge_names
 from assess.mechanisms.flexible import FlexibleChain
 from assess.mechanisms.impact import RestitutionChoice
@@ -64,7 +64,7 @@ def put_on_joints(
     if loaded.positive.loads != mechanism.positive.loads and "joint" not in through.values():
         doubts.append(THROUGH_TOP)
     doubts += apart(mechanism, joints)
-    found = on_joints(loaded, joints[0], joints[-1] if len(joints) > 1 else (), restitution=restitution)
+    found = add_joints(loaded, joints[0], joints[-1] if len(joints) > 1 else (), restitution=restitution)
     notices = dict.fromkeys((*found.notices, *doubts, *sideways(found)))
     return replace(found, notices=tuple(notices))
 
@@ -131,20 +131,20 @@ def joint_at(
     return Joint(inward, found, law, interface.model)
 
 
-def law_of(interface: Interface, material: Material | None, *, where: str) -> Law | None:
+def law_of(interface: Interface, material: Material | None, *, where: str) -> JointLaw | None:
     """Stiffness and strength, None for a rigid joint without limit of strength."""
     strength = interface.strength
     if interface.model == "rigid":
-        return None if strength in (None, inf) else Law(strength=strength or inf)
+        return None if strength in (None, inf) else JointLaw(strength=strength or inf)
     if strength is None:
         strength = (material and material.compressive_strength) or inf
     if interface.stiffness is not None:
-        return Law(interface.stiffness, strength)
+        return JointLaw(interface.stiffness, strength)
     if material is None or material.young_modulus is None:
         raise MechanismError(
             f"{where}: course_thickness needs young_modulus of the material; give it, or stiffness instead"
         )
-    return Law(material.young_modulus / (interface.course_thickness or inf), strength)
+    return JointLaw(material.young_modulus / (interface.course_thickness or inf), strength)
 
 
 def material_of(definition: Chained, bodies: Bodies) -> Material | None:
@@ -181,11 +181,11 @@ def sideways(mechanism: Mechanism) -> Iterator[str]:
     for chain, mark in ((mechanism.positive, ""), (mechanism.negative, "'")):
         if chain is None:
             continue
-        forces = FlexibleChain(chain, mechanism.name).balance(np.zeros(1)).normal_force[:, 0]
+        forces = FlexibleChain(chain, mechanism.name).solve_joints(np.zeros(1)).normal_force[:, 0]
         for letter, joint, force in zip(hinge_names(chain), chain.joints, forces, strict=True):
             if joint is None:
                 continue
             found = contact(joint.section, joint.law, normal_force=float(force), rotation=[0.0, TURNED])
-            doubt = sideways_doubt(joint.section, found)
+            doubt = out_of_plane_warning(joint.section, found)
             if doubt:
                 yield f"interface {letter}{mark}: {doubt}"

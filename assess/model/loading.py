@@ -17,7 +17,7 @@ from assess.loads.load import Force, Load, PointMass, Tie
 from assess.loads.loaded_blocks import Blocks, loaded_blocks
 from assess.loads.overburden import overburden_of
 from assess.loads.plane import point_in_plane, unit_in_plane
-from assess.mechanisms.chain import written
+from assess.mechanisms.chain import format_point
 from assess.model.body import Bodies, solids_of
 from assess.model.definitions import Chained, TwoBlock
 
@@ -164,7 +164,7 @@ def moving_anchors(loads: Sequence[Load], outlines: Sequence[Outline]) -> Iterat
         for block, outline in enumerate(outlines):
             if outline and distance(outline, load.anchor) <= TOLERANCE:
                 yield (
-                    f'load "{load.name}": its anchor at {written(load.anchor)} lies on block {block}, which '
+                    f'load "{load.name}": its anchor at {format_point(load.anchor)} lies on block {block}, which '
                     "moves too, yet it is taken as fixed in space: check `anchor`"
                 )
 
@@ -179,6 +179,6 @@ def in_the_air(loads: Sequence[Load], blocks: Blocks) -> Iterator[str]:
         off = distance(outline, load.at) if corners else 0.0
         if off > IN_THE_AIR * size:
             yield (
-                f'load "{load.name}" at {written(load.at)} is in the air, {off:.3g} m from the '
+                f'load "{load.name}" at {format_point(load.at)} is in the air, {off:.3g} m from the '
                 "block as seen in the plane of motion; it moves with the block all the same: check `at`"
             )

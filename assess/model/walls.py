@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from math import inf
+from typing import Literal
 
 import numpy as np
 from scipy.constants import g
@@ -17,17 +18,20 @@ from assess.geometry.piece import Piece
 from assess.geometry.planar import base_of_section, planar_body, top_edge
 from assess.geometry.solid import Solid
 from assess.loads.body_loads import Brought
+from assess.loads.definitions import LoadDefinition
 from assess.loads.load import Force, Load, PointMass
 from assess.loads.overburden import UPPER
 from assess.loads.plane import point_in_plane
-from assess.mechanisms.chain import Block, Chain, mirrored_chain
-from assess.mechanisms.crack import ARM, MARGIN, crack_ratio, least
+from assess.mechanisms.chain import Block, Chain, mirror_chain
+from assess.mechanisms.crack import ARM, MARGIN, crack_ratio, find_least
+from assess.mechanisms.mechanism import Sides
 from assess.mechanisms.motion import move
 from assess.mechanisms.two_block import Hinges
 from assess.mechanisms.virtual_work import virtual_work
-from assess.model.body import Bodies, Material
-from assess.model.definitions import TwoBlock
-from assess.model.pieces import as_one, standing_on
+from assess.model.body import Bodies, Body, Material
+from assess.model.definitions import TwoBlock, Vector
+from assess.model.loading import loads_of
+from assess.model.pieces import as_one, pieces_of, standing_on
 
 
 @dataclass(frozen=True)
@@ -65,6 +69,40 @@ class Panel:
     def tension(self) -> float:
         """Tensile strength of the mortar times the area of the base [N]."""
         return self.strength * self.thickness * self.length
+
+
+def crack(
+    body: Body,
+    *,
+    direction: Vector,
+    method: float | Literal["sorrentino", "minimum"] = "sorrentino",
+    sides: Sides = "two",
+    loads: Sequence[LoadDefinition] = (),
+    around: Sequence[Body] = (),
+) -> Crack:
+    """Find where a wall held at its base and its top cracks.
+
+    Parameters
+    ----------
+    body : the wall
+    direction : of the motion, horizontal (x, y, 0)
+    method : "sorrentino" (thesis eq. 3.27), "minimum" (least uplift multiplier), or an elevation [m]
+    sides : "one" where the wall rocks towards the direction alone
+    loads : what stands on the wall; those of bodies are found among `around`
+    around : other bodies of the building
+
+    Returns
+    -------
+    The elevation of the crack [m], how it was found, and the loads that it was found with
+
+    Raises
+    ------
+    CrackError : there is nothing to find the crack from
+    """
+    bodies = {each.name: each for each in (body, *around)}
+    definition = TwoBlock(blocks=((body.name,),), direction=direction, crack=method, sides=sides, loads=tuple(loads))
+    (whole,) = pieces_of(body.name, definition, bodies)
+    return crack_of(definition, whole, bodies, lambda: loads_of(body.name, definition, (whole,), bodies), front=None)
 
 
 def crack_of(
@@ -232,7 +270,9 @@ def by_search(definition: TwoBlock, whole: Piece, brought: Brought, *, strength:
         return uplift(definition, whole, panel, over(brought, elevation), elevation)
 
     jumps = [load.at[1] for load, follows in zip(brought.loads, brought.follows, strict=True) if follows]
-    elevation = least(multiplier, low=panel.base, high=panel.base + panel.height, jumps=jumps, apart=2.0 * TOLERANCE)
+    elevation = find_least(
+        multiplier, low=panel.base, high=panel.base + panel.height, jumps=jumps, apart=2.0 * TOLERANCE
+    )
     ratio = (elevation - panel.base) / panel.height
     held = " with the mortar's tension before it opens" if panel.tension else ""
     return elevation, (
@@ -251,7 +291,7 @@ def uplift(definition: TwoBlock, whole: Piece, panel: Panel, loads: tuple[Load, 
     found = []
     for ahead in (True, False) if definition.two_sided else (True,):
         hinges = (base[ahead], joint[not ahead], head[ahead])
-        chain = Chain(blocks, hinges, loads) if ahead else mirrored_chain(blocks, hinges, loads)
+        chain = Chain(blocks, hinges, loads) if ahead else mirror_chain(blocks, hinges, loads)
         work, turning = virtual_work(chain, np.zeros(1)), move(chain, np.zeros(1)).rate[:, 0]
         held = panel.tension * ARM * panel.thickness * float(turning[0] - turning[1])
         found.append(float((work.restoring[0] + held) / (g * work.excitation[0])))

@@ -21,15 +21,16 @@ from assess.project.site_spectrum import site_of, spectrum_of
 from assess.results import GroundMotionResult, RecordResult
 from assess.study.ground_motion import ground_motion, ground_motion_result
 from assess.study.motions import ScaledRecord, motions_of, scale_together
-from assess.study.outcome import record_result
 from assess.study.run import require_spectrum
+from assess.study.site_results import record_result
 from assess.study.study import Fitting
 from records.band import band, truncate_band
 from records.candidates import PERIODS
 from records.formats.header_overrides import HeaderOverrides
 from records.reading import read_with
 from records.scaling import Scaling, misfit, scale_to_ordinate
-from records.selection import Components, Criteria, Filters, Fit, Range, ScaleTo, select
+from records.selection import Components, Criteria, Filters, Range, ScaleTo, select
+from records.suites import Fit
 from spectra.spectrum import Spectrum
 from spectra.table import read_table
 

@@ -107,8 +107,8 @@ def _of_crushing(
 
 def _of_body(name: str, solid: Solid, body: sections.Body) -> Iterator[Message]:
     """What was done to the mesh of a body, and a size or place that suggests a slip."""
-    if isinstance(body, sections.MeshBody) and solid.trail:
-        yield note("mesh", f"bodies.{name}", file=body.mesh.name, trail="; ".join(solid.trail))
+    if isinstance(body, sections.MeshBody) and solid.history:
+        yield note("mesh", f"bodies.{name}", file=body.mesh.name, trail="; ".join(solid.history))
     doubt = size_warning(solid, unit=mesh_unit_of(body))
     if doubt:
         yield warning("size", f"bodies.{name}", text=doubt)

@@ -21,10 +21,12 @@ from assess.study.study import Fitting
 from records import catalogue
 from records.band import Band, band
 from records.candidates import PERIODS, Candidate
+from records.description import read_candidates
 from records.errors import RecordError
-from records.flatfile import BadCell, MatchSummary, describe_by, match_summary, read_flatfile
+from records.flatfile import BadCell, read_flatfile
+from records.flatfile_match import FlatfileMatch, describe_candidates, match_flatfile
 from records.formats.header_overrides import NO_OVERRIDES, HeaderOverrides
-from records.indexing import candidates_of, index
+from records.indexing import index
 from records.plausibility import record_warning, warnings_among
 from records.reading import read_with
 from records.record import Record
@@ -51,7 +53,7 @@ class Offer:
 
     candidates: tuple[Candidate, ...]
     problems: tuple[tuple[str, str], ...]
-    merged: MatchSummary | None = None
+    merged: FlatfileMatch | None = None
 
 
 def all_of(section: sections.Records, folder: Path) -> RecordSet:
@@ -136,13 +138,13 @@ def offered(
             indexed = index(place, connection, overrides=overrides, executor=executor)
             problems += [(str(place / path), why) for path, why in indexed.problems]
             listed = catalogue.candidates(connection)
-        found += [replace(one, path=str(catalogue.inside(place, one.path))) for one in listed]
+        found += [replace(one, path=str(catalogue.path_inside(place, one.path))) for one in listed]
     alone = [path for path in files if not path.is_dir()]
-    made = candidates_of(alone, overrides=overrides, executor=executor)
+    made = read_candidates(alone, overrides=overrides, executor=executor)
     offer = (*found, *made)
     if table is None:
         return Offer(offer, tuple(problems))
-    return Offer(describe_by(offer, table.recordings), tuple(problems), match_summary(offer, table))
+    return Offer(describe_candidates(offer, table.recordings), tuple(problems), match_flatfile(offer, table))
 
 
 def catalogue_of(folder: Path) -> Path | None:

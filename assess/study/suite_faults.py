@@ -14,7 +14,7 @@ from assess.study.study import Artificial, Study
 from assess.study.suite_rules import HELD, RULES, spectrum_of_rules
 from records.compliance.requirement import Requirement, Rule, factor_that_does
 from records.compliance.suite import Suite, suite_of
-from records.synthetic import STATIONARY
+from records.spectral_fit import STATIONARY
 from spectra.spectrum import Spectrum
 
 DIGITS = 1000.0  # a factor is proposed to three decimals, rounded to the side that does

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
+from assess.messages.plural import count_noun
 from assess.results import Resolved, Results
 from reports.chapters import tables
 from reports.document import Block, Cell, Column, Section, Table, Text, nonempty
@@ -33,9 +34,9 @@ class _Row:
 def section(results: Results) -> Section:
     """The list, and the procedures with what could not be compared."""
     introduction = (
-        "Each value is measured, taken from literature or assumed as the project file states under report.sources; "
-        "given, which says no source; or a default of the program. A key with * holds for the mechanisms that are "
-        "named. Every other value of the project file stands in the annex."
+        "Each value is measured, taken from literature or assumed, as the project file states under "
+        "report.sources; given, without a source; or a default of the program. A key with * applies to "
+        "the mechanisms that are named. All other values of the project file are listed in the annex."
     )
     blocks: tuple[Block, ...] = (Text((introduction,)), table(results))
     procedures = tables.procedures(results)
@@ -108,5 +109,5 @@ def _held(names: list[str], every: int) -> str:
         return ""
     if len(names) == every:
         return "every mechanism" if every > 1 else truncate(names[0], SHORT)
-    short = [truncate(name, SHORT) for name in names[:MANY]]
-    return ", ".join(short) + (f" and {len(names) - MANY} others" if len(names) > MANY else "")
+    short, more = [truncate(name, SHORT) for name in names[:MANY]], len(names) - MANY
+    return ", ".join(short) + (f" and {count_noun(more, 'other')}" if more > 0 else "")

@@ -22,8 +22,8 @@ def side_by_side(results: Results) -> Table:
         line[row.procedure] = _worse(line.get(row.procedure), answer)
     columns = (MECHANISM, LEVEL, *(Column(breakable_name(name), "-", "number") for name in known))
     caption = (
-        "Demand over capacity, procedure beside procedure; above 1 the check fails. Readings of the thesis never "
-        "decide. What each procedure takes as its input stands with the procedures."
+        "Demand over capacity of each procedure; above 1 the check fails. Readings of the thesis never "
+        "decide. The table of procedures gives the input of each."
     )
     rows = tuple(
         (names.get(mechanism, mechanism), level, *(line.get(name) for name in known))
@@ -72,8 +72,8 @@ def rotations(results: Results) -> Table:
         if any(check.capacity_rotation_ratio is not None for check in checks)
     )
     caption = (
-        "Largest rotation φ/φₒᵥ at each peak ground acceleration beside the allowable (as thesis Table 8.10). What "
-        "each procedure takes as its input stands with the procedures."
+        "Largest rotation φ/φₒᵥ at each peak ground acceleration, and the allowable rotation (as thesis "
+        "Table 8.10). The table of procedures gives the input of each."
     )
     return Table("rotations", caption, columns, rows)
 

@@ -19,14 +19,18 @@ from reports.mechanism_title import mechanism_title
 LONGEST, MANY = 40, 6  # characters of a name in a sentence; names in a list
 MEASURES = {
     Family.DISPLACEMENT: "compares the displacement capacity with the spectral displacement at the secant period",
-    Family.LINEAR: "judges the acceleration that starts the motion, reduced by q, not the rotation after it",
-    Family.ENERGY: "replaces the rocking body by an oscillator of equal work, with the damping of its impacts",
-    Family.PART: "compares the rotation that the wall can take with the spectral one of a part at its floor",
-    Family.TABLE: "looks up the height over thickness that the spectrum at 1 s allows, whatever the load",
-    Family.ELEMENT: "compares the force on a part at its floor, reduced by q_a, with the one that starts the motion",
-    Family.HISTORY: "sees each record with its impacts and the order of its pulses, and fails where one overturns",
+    Family.LINEAR: "checks the acceleration that starts the motion, reduced by q, not the rotation that follows",
+    Family.ENERGY: (
+        "replaces the rocking body by an equivalent oscillator of equal work, with the damping of its impacts"
+    ),
+    Family.PART: "compares the rotation capacity of the wall with the spectral rotation of a part at its floor",
+    Family.TABLE: "looks up the ratio of height to thickness that the spectrum at 1 s allows, whatever the load",
+    Family.ELEMENT: "compares the force on a part at its floor, reduced by q_a, with the force that starts the motion",
+    Family.HISTORY: (
+        "follows each record with its impacts and the order of its pulses, and fails where one overturns the body"
+    ),
     Family.SLIDING: "estimates how far the body slides, without rocking",
-    Family.FRICTION: "asks whether friction holds until rocking starts",
+    Family.FRICTION: "checks whether friction holds until rocking starts",
 }
 
 
@@ -59,7 +63,7 @@ def _critical_mechanism(results: Results) -> Iterator[str]:
         return
     action, ((first, least), *others) = results.verdict.action, ranked
     margin = f"{margin_text(least, action)}, by {_deciding_procedures(least)}"
-    sentence = f"Critical is {short_title(first)}: it holds up to {margin}"
+    sentence = f"The critical mechanism is {short_title(first)}: it holds up to {margin}"
     if others:
         runner_up, other = others[0]
         margin = f"{margin_text(other, action)}, by {_deciding_procedures(other)}"

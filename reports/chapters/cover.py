@@ -22,8 +22,8 @@ from reports.language.lettering import truncate
 from reports.language.message_text import message_text
 
 MANY = 12  # points of a list
-LOCAL = "Local mechanisms only: the index of the building is at most the least of theirs."
-SAFE = "Were all this given, with the safe value where there is one, the verdict would be: "
+LOCAL = "Local mechanisms only: the index of the building is at most the smallest of theirs."
+SAFE = "With all of these given, at the safe value where there is one, the verdict would be: "
 
 
 def section(results: Results) -> Section:
@@ -34,9 +34,9 @@ def section(results: Results) -> Section:
     blocks: list[Block] = [
         Banner(found.outcome.value, headline(found), found.at_the_limit and found.outcome != Decision.INCOMPLETE),
         basis_table(found),
-        *_bullet_list("The verdict holds on these conditions:", [message_text(each) for each in found.conditions]),
+        *_bullet_list("The verdict is subject to these conditions:", [message_text(each) for each in found.conditions]),
         *_missing(found, results),
-        *_bullet_list("Warnings that bear on it:", list(_relevant_warnings(results))),
+        *_bullet_list("Related warnings:", list(_relevant_warnings(results))),
         mechanism_verdicts.table(results),
         *nonempty(heights.table(results)),
     ]
@@ -53,8 +53,9 @@ def headline(found: Verdict) -> str:
     if found.outcome == Decision.FAIL:
         return f"{number} of {every} {'fails' if number == 1 else 'fail'} {at}."
     if not found.basis:
-        return "No basis is named that decides: what the procedures say stands for comparison only."
-    return f"{number} of {every} without an answer that decides, {at}: what is not answered is no pass."
+        return "No deciding basis is named: the results of the procedures are for comparison only."
+    have = "has" if number == 1 else "have"
+    return f"{number} of {every} {have} no deciding answer {at}; without one there is no pass."
 
 
 def basis_table(found: Verdict) -> Table:
@@ -69,8 +70,8 @@ def basis_table(found: Verdict) -> Table:
         ("Target of the index", target_text(found)),
         ("Index of the building", index),
     )
-    columns = (Column("Asked"), Column("Here"))
-    return Table("verdict-asked", f"What decides. {LOCAL}", columns, tuple(row for row in rows if row[1]))
+    columns = (Column("Item"), Column("Value"))
+    return Table("verdict-asked", f"Basis of the verdict. {LOCAL}", columns, tuple(row for row in rows if row[1]))
 
 
 def _missing(found: Verdict, results: Results) -> list[Block]:

@@ -22,10 +22,11 @@ PULSES = {
     "mavroeidis-papageorgiou": "pulses after Mavroeidis and Papageorgiou",
 }
 METHOD = (
-    "Every pulse is run in both polarities and the worse counts. The least pulse that overturns is a lower bound: "
-    "above it there can be safe islands, which the map shows, so that standing a stronger pulse proves nothing. The "
-    "bound is sought in steps of one or two percent and then by bisection; a thinner band of overturning can be "
-    "missed. A pulse is no bound for a record that contains it: the time histories remain the check."
+    "Every pulse is run in both polarities and the worse counts. The least pulse that overturns is a "
+    "lower bound: above it there can be safe islands, which the map shows, so surviving a stronger pulse "
+    "proves nothing. The bound is searched in steps of one or two percent and then by bisection; a "
+    "narrower band of overturning can be missed. A pulse is not a bound for a record that contains it: "
+    "the time histories remain the check."
 )
 
 
@@ -35,8 +36,9 @@ def critical_chapter(results: Results) -> list[Section]:
     if critical is None or not mapped:
         return []
     caption = (
-        "Least pulse that overturns each mechanism, by frequency, and below it which mechanism that is (as thesis "
-        "Figs. 3.11, 8.5). Amplitudes are of the ground, amplification up the building included."
+        "Least pulse that overturns each mechanism, by frequency, and below it the critical mechanism (as "
+        "thesis Figs. 3.11, 8.5). Amplitudes are those of the ground and include amplification up the "
+        "building."
     )
     names = [(mechanism_title(mechanism), one) for mechanism, one in mapped]
     called = {mechanism.name: mechanism_title(mechanism) for mechanism, _ in mapped}
@@ -147,9 +149,9 @@ def describe_envelope(one: EnvelopeResult) -> str:
             f" At {none} of {len(one.lower_bound_g)} frequencies no pulse up to {numeral(one.amplitude_g[-1])} g does."
         )
     if any(one.islands):
-        text += " There are safe islands: some stronger pulses leave it standing."
+        text += " There are safe islands: some stronger pulses do not overturn it."
     if one.case:
-        text += f" It is that of the case which controls the checks, {one.case}; another case can need less."
+        text += f" The envelope is that of the controlling case, {one.case}; another case can need less."
     return text + _amplification_sentence(one)
 
 

@@ -16,12 +16,13 @@ def suites(mechanism: MechanismResult, *, name: str) -> Table:
         Column("Mean φ/φₒᵥ", "-", "number"),
         Column("Median", "-", "number"),
         Column("84 % of records", "-", "number"),
-        Column("Largest of those that stood", "-", "number"),
+        Column("Largest without overturning", "-", "number"),
     )
     rows = tuple(_statistics(suite) for suite in mechanism.suites)
     caption = (
-        "Time histories: the suite of records at each level, the worse polarity of each. Half of the records do not "
-        "exceed the median, 84 % not the next column; one that overturns counts as the largest."
+        "Time histories: the suite of records at each level, the worse polarity of each. Half of the "
+        "records do not exceed the median, and 84 % do not exceed the next column; a record that "
+        "overturns counts as the largest."
     )
     return Table(name, caption, columns, rows)
 

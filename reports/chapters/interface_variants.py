@@ -34,8 +34,8 @@ def find_variants(results: Results) -> tuple[Variants, ...]:
 
 
 def earlier_variants(results: Results) -> dict[str, str]:
-    """For each mechanism with others before it that have its bodies, what the first of them is called."""
-    return {other.name: mechanism_title(first) for first, *others in _groups(results) for other in others}
+    """Return, for each mechanism whose bodies an earlier one has, the name of the first of these."""
+    return {other.name: first.name for first, *others in _groups(results) for other in others}
 
 
 def _groups(results: Results) -> list[list[MechanismResult]]:

@@ -16,13 +16,13 @@ from reports.language.numerals import numeral
 RIGID, UNLIMITED, NEVER = "rigid", "unlimited", "never"
 
 ASSUMED = (
-    "Joints: no tension, linear in compression up to the strength, then plastic. What was crushed is not remembered: "
-    "the moment depends on the present rotation alone, so that unloading gives back what crushing took. Normal forces "
-    "follow from static equilibrium at each rotation, without the vertical inertia of the motion; the tangential force "
-    "stays at the hinge’s edge of the contact. Model “flexible” takes the inertia about the instantaneous centre of "
-    "the faces, “flexible-thesis” about the resultant (thesis 6.50), “semi-flexible” about hinges fixed at a_SF. The "
-    "coefficient of restitution is that of hinges at a_SF, and acts at each passage through rest, however small the "
-    "rotation before it was."
+    "Joints: no tension, linear in compression up to the strength, then plastic. Crushing leaves no "
+    "memory: the moment depends on the current rotation alone, so that unloading recovers what crushing "
+    "took. Normal forces follow from static equilibrium at each rotation, without the vertical inertia of "
+    "the motion; the tangential force stays at the hinge’s edge of the contact. Model “flexible” takes "
+    "the inertia about the instantaneous centre of the faces, “flexible-thesis” about the resultant "
+    "(thesis 6.50), “semi-flexible” about hinges fixed at a_SF. The coefficient of restitution is that of "
+    "hinges at a_SF, and acts at each passage through rest, however small the rotation before it was."
 )
 
 
@@ -31,9 +31,9 @@ def blocks(mechanism: MechanismResult, *, name: str) -> list[Block]:
     if not joints.deformable_joints(mechanism):
         return []
     moment = (
-        "Restoring moment over rotation of the positive branch, of the largest with rigid joints: rigid, with hinges "
-        "fixed at a_SF, and with the joints of this mechanism (as thesis Fig. 8.8). Open circle: a joint begins to "
-        "open; filled: its edge begins to crush."
+        "Restoring moment of the positive branch over rotation, divided by the largest with rigid joints: "
+        "with rigid joints, with hinges fixed at a_SF, and with the joints of this mechanism (as thesis "
+        "Fig. 8.8). Open circle: a joint begins to open; filled: its edge begins to crush."
     )
     pressed = (
         "Each joint over the rotation of the mechanism, on a logarithmic axis: distance of the resultant from the "
@@ -92,7 +92,7 @@ def at_peak(mechanism: MechanismResult) -> str:
     one, _ = found
     record = f"governing record ({one.record}, PGA {one.level_pga_g:.3g} g)"
     if one.max_rotation_rad is None:
-        return f"The {record} overturns the mechanism: there is no peak at which to tell the contact stress."
+        return f"The {record} overturns the mechanism: there is no peak rotation at which to give the contact stress."
     if one.max_rotation_rad == 0.0:
         return f"The {record} does not move the mechanism."
     turned = joints.peak_rotation(mechanism, one)

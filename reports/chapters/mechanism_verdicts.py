@@ -27,8 +27,8 @@ COLUMNS = (
 def table(results: Results) -> Table:
     """One line for each mechanism and limit state that decides; answers where one is not the mechanism's verdict."""
     caption = (
-        "The verdict of each mechanism at the site’s own action: the one procedure that decides each limit state, its "
-        "index, and the peak ground acceleration up to which the mechanism holds."
+        "The verdict of each mechanism at the site’s own action: the procedure that decides each limit "
+        "state, its index, and the peak ground acceleration up to which the mechanism holds."
     )
     found = results.verdict
     assert found is not None  # the page has none without a verdict

@@ -12,8 +12,8 @@ from reports.mechanism_title import mechanism_title
 
 TITLE = "Study at other peak ground accelerations"
 NOT_A_VERDICT = (
-    "A parametric study: what the methods that may decide say at other peak ground accelerations. It is no part of the "
-    "verdict, which stands at the site’s own action alone."
+    "Parametric study: results of the methods that may decide, at other peak ground accelerations. It is "
+    "not part of the verdict, which is given at the site’s own action only."
 )
 RANKED = (Outcome.FAIL, Outcome.NOT_ANSWERED, Outcome.PASS, Outcome.NOT_APPLICABLE)
 
@@ -46,7 +46,7 @@ def table(results: Results) -> Table:
     )
     levels = governing.other_levels(results)
     rows = tuple(_row(results, mechanism, level, names) for mechanism in results.mechanisms for level in levels)
-    caption = "What the methods say at other peak ground accelerations; the largest ratio is demand over allowable."
+    caption = "Results of the methods at other peak ground accelerations; the largest ratio is demand over allowable."
     return Table("study", caption, columns, rows)
 
 
@@ -79,9 +79,9 @@ def passes_beyond_capacity(results: Results) -> tuple[str, ...]:
     if not names:
         return ()
     return (
-        f"{conclusions.list_names(names)}: records that overturn, or turn too far, at one PGA can be survived at a "
-        "higher one. The PGA at capacity is the last before the suite first fails; a pass at a higher level is not a "
-        "margin.",
+        f"{conclusions.list_names(names)}: records that overturn the mechanism, or rotate it too far, at "
+        "one PGA can be survived at a higher one. The PGA at capacity is the last before the suite first "
+        "fails; a pass at a higher level is not a margin.",
     )
 
 

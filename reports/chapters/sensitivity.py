@@ -52,10 +52,10 @@ VERDICT_WORDS: dict[Outcome | None, str] = {
 }
 MOST = 8  # checks that are named in a sentence
 INTENT = (
-    "Each of these numbers is varied alone, all others staying as they are, and the mechanism is assessed again by all "
-    "procedures of codes, with all records. The ranges are those of the project and say nothing of how likely they "
-    "are; numbers that change together can move the answer farther. Time histories scatter: where both ends of a range "
-    "move their ratio the same way, that is scatter rather than an effect."
+    "Each of these values is varied alone, with all others unchanged, and the mechanism is assessed again "
+    "by all code procedures with all records. The ranges are those of the project and say nothing about "
+    "their likelihood; values that change together can move the answer further. Time histories scatter: "
+    "where both ends of a range move their ratio the same way, that is scatter rather than an effect."
 )
 
 
@@ -103,7 +103,7 @@ def data(results: Results) -> tuple[Table, ...]:
         )
         for row in results.sensitivity
     )
-    caption = "Every check with each number at its low and its high value; there is no ratio where the body overturns."
+    caption = "Every check with each value at its low and its high end; there is no ratio where the body overturns."
     return (Table("sensitivity", caption, columns, rows),)
 
 
@@ -128,7 +128,7 @@ def verdict_stability(found: Sequence[VariedInput], called: str) -> str:
         return f"The verdict of {called} changes with {'; '.join(changed)}."
     decided, failing = found[0].decisive != found[0].rows, fails(found[0].decisive, "base")
     if decided:
-        stands = "what decides fails" if failing else "what decides does not fail"
+        stands = "the deciding answer fails" if failing else "the deciding answer does not fail"
     else:
         stands = "some check fails" if failing else "no check fails"
     return f"The verdict of {called} does not change within these ranges: {stands} throughout."
@@ -151,7 +151,7 @@ def flipping_checks(found: Sequence[VariedInput]) -> Iterator[str]:
     ]
     if told:
         more = f"; and {len(told) - MOST} more, see the table sensitivity" if len(told) > MOST else ""
-        yield f"Checks whose verdict turns: {'; '.join(told[:MOST])}{more}."
+        yield f"Checks whose verdict changes: {'; '.join(told[:MOST])}{more}."
 
 
 def strongest_influence(found: Sequence[VariedInput], place: int) -> str:
@@ -160,12 +160,12 @@ def strongest_influence(found: Sequence[VariedInput], place: int) -> str:
     most = max(rows, key=span)
     what = f"{answer_name(most)} ({most.procedure})"
     if is_negligible(most):
-        return f"None of them moves the {what}, which is {answer_text(most, 'base')}."
+        return f"None of them affects the {what}, which is {answer_text(most, 'base')}."
     ends = " and ".join(f"{answer_text(most, side)} at {value_text(most, side)}" for side in SIDES)
     still = [quantity_name(row) for row in rows if is_negligible(row)]
-    rest = f"; it hardly moves with {', '.join(still)}" if still else ""
+    rest = f"; it hardly changes with {', '.join(still)}" if still else ""
     assessed_as = answer_text(most, "base")
-    return f"The {quantity_name(most)} moves the {what} most: {ends}, beside {assessed_as} as assessed{rest}."
+    return f"The {quantity_name(most)} affects the {what} most: {ends}, against {assessed_as} as assessed{rest}."
 
 
 def answer_name(row: SensitivityResult) -> str:
@@ -228,8 +228,8 @@ def remarks(rows: Sequence[SensitivityResult], found: Sequence[VariedInput]) -> 
 def figure(found: Sequence[VariedInput], *, name: str) -> Figure:
     """The tornado: a panel for each answer that is shown."""
     caption = (
-        "What each number moves, one at a time, the widest first; its low and high value stand beside its name. Dashed "
-        "is where passing and failing part; an arrow is a body that overturns."
+        "Effect of each value, varied one at a time, the largest first; its low and high values are given "
+        "beside its name. The dashed line separates pass from fail; an arrow marks a body that overturns."
     )
     return Figure(f"{name}-sensitivity", caption, partial(tornado.draw, panels(found)))
 
@@ -282,8 +282,8 @@ def table(found: Sequence[VariedInput], *, name: str) -> Table:
         *(Column(label, kind="verdict") for label in ("Verdict at low", "Verdict at high")),
     )
     caption = (
-        "Each number at its low and its high value. The other procedures and levels stand in the table sensitivity of "
-        "the spreadsheet."
+        "Each value at its low and its high end. The other procedures and levels are in the table "
+        "sensitivity of the spreadsheet."
     )
     return Table(f"{name}-sensitivity", caption, columns, tuple(_row(row) for each in found for row in each.shown))
 

@@ -25,14 +25,16 @@ _KINDS = {
 
 def description(mechanism: MechanismResult) -> str:
     """One sentence on what the mechanism is and how it was analysed."""
-    sides = "rocks to both sides" if mechanism.sides == "two" else "rocks to one side only, what stands behind stops it"
+    sides = (
+        "rocks to both sides" if mechanism.sides == "two" else ("rocks to one side only, stopped by what is behind it")
+    )
     equation = {"exact": "exact", "linearised": "linearised (thesis 3.9)"}[mechanism.equation]
     name = "" if mechanism.label in ("", mechanism.name) else f" “{mechanism.label}”"
     kind = _KINDS.get(mechanism.kind, mechanism.kind)
     carried = (
         "the ground motion acts at its base"
         if mechanism.amplification.height_m is None
-        else "in the time histories the ground motion is carried up to its base"
+        else "in the time histories the ground motion is amplified up to its base"
     )
     return (
         f"Mechanism {mechanism.name}{name} is {kind}. It {sides}; {carried}; time histories solve the {equation} "
@@ -47,10 +49,10 @@ def amplification(mechanism: MechanismResult) -> tuple[str, ...]:
     span = "" if not factors else f" Peak accelerations at the base are {_span(factors)} times those at the ground."
     height = measure(found.height_m or 0.0, "m", figures=3)
     return (
-        f"The time histories act at the base of the mechanism, {height} above the ground, not at the ground (method "
-        f"{found.method}).{span} The code procedures that ask for a spectrum have their own floor clause or floor "
-        "spectrum, so their input is another one.",
-        f"How it was found: {'; '.join(map(message_text, found.said))}.",
+        f"The time histories act at the base of the mechanism, {height} above the ground, not at the "
+        f"ground (method {found.method}).{span} The code procedures based on a spectrum use their own "
+        "floor clause or floor spectrum, so their input differs.",
+        f"Derivation: {'; '.join(map(message_text, found.said))}.",
     )
 
 
@@ -63,8 +65,9 @@ def input_locations(mechanism: MechanismResult) -> str:
     if not (at["ground"] and at["mechanism base"]):
         return ""
     return (
-        f"Not the same input: {join_names(at['mechanism base'])} by the motion at the base of the mechanism, "
-        f"{join_names(at['ground'])} by that at the ground. Peak accelerations (PGA) are the ground's throughout."
+        f"The inputs differ: {join_names(at['mechanism base'])} by the motion at the base of the "
+        f"mechanism, {join_names(at['ground'])} by that at the ground. Peak ground accelerations (PGA) "
+        "refer to the ground throughout."
     )
 
 
@@ -75,9 +78,8 @@ def unequal_inputs(results: Results) -> tuple[str, ...]:
         return ()
     names = join_names(dict.fromkeys(truncate(mechanism_title(mechanism), 40) for mechanism in carried))
     return (
-        f"Not the same input: the time histories of {names} act at the base of the mechanism, amplified; those of the "
-        "others act at the ground. The table of procedures says where each takes "
-        "its input.",
+        f"The inputs differ: the time histories of {names} act at the base of the mechanism, amplified; "
+        "those of the others act at the ground. The table of procedures gives the input of each.",
     )
 
 
@@ -131,16 +133,17 @@ def sliding_limit(results: Results) -> str:
         mechanism.name: any(c.procedure == SLIDING and c.verdict != Outcome.NOT_APPLICABLE for c in mechanism.checks)
         for mechanism in results.mechanisms
     }
-    taken = "friction at the hinges is taken as sufficient"
-    tell = "the tables of forces at the hinges say how much of it rocking needs"
+    taken = "friction at the hinges is assumed to be sufficient"
+    tell = "the tables of forces at the hinges give the friction that rocking needs"
     if not any(asked.values()):
         return f"No sliding, no bouncing, no separation other than rocking: {taken}; {tell}."
     silent = dict.fromkeys(truncate(mechanism_title(m), 40) for m in results.mechanisms if not asked[m.name])
     others = f" For {join_names(silent)} it was not checked: {taken}." if silent else ""
     return (
-        "Sliding was checked by equilibrium, at every hinge up to the moment at which the mechanism starts to rock "
-        f"(procedure {SLIDING}; horizontal motion only).{others} While it rocks {taken}: no bouncing, no "
-        f"separation other than rocking; {tell}. The support at the top of a wall of two blocks is taken as held."
+        "Sliding was checked by equilibrium, at every hinge up to the moment at which the mechanism "
+        f"starts to rock (procedure {SLIDING}; horizontal motion only).{others} While it rocks {taken}: no "
+        f"bouncing, no separation other than rocking; {tell}. The support at the top of a wall of two "
+        "blocks is assumed to hold."
     )
 
 
@@ -157,8 +160,8 @@ def _input_difference(results: Results) -> tuple[str, ...]:
     if len({check.input_at for check in _checks(results)}) < 2:
         return ()
     return (
-        "Some procedures take their input at the ground and others at the base of the mechanism; each table says "
-        "which. Their ratios are not to be compared line by line.",
+        "Some procedures take their input at the ground and others at the base of the mechanism; each "
+        "table says which. Do not compare their ratios line by line.",
     )
 
 
@@ -228,7 +231,7 @@ def view_caption(seen: View) -> str:
     """What the picture of the bodies shows."""
     size = measures(seen.size, "m", figures=3, between=" × ")
     stays = " Grey masonry does not move." if -1 in seen.block_of else ""
-    cut = " Thin dashes: the section where it parts." if seen.sections else ""
+    cut = " Thin dashes: the section at which it separates." if seen.sections else ""
     light = "" if len(seen.triangles) == seen.given else f" Simplified for drawing from {seen.given} triangles."
     return (
         f"The bodies in space, {size} along x, y and z: axis of rotation (red), of the negative "

@@ -56,7 +56,7 @@ def materials(results: Results) -> Table:
         for name, found in tables_of(results, "materials").items()
     )
     columns = (Column("Material"), *(Column(label, unit, "given") for _, label, unit in _MATERIAL))
-    return Table("materials", "Materials. Where they come from stands with the assumptions.", columns, rows)
+    return Table("materials", "Materials. Their sources are listed under Assumptions.", columns, rows)
 
 
 def bodies(results: Results) -> Table:

@@ -58,8 +58,9 @@ def periods(results: Results, motion: GroundMotionResult) -> Table:
         (called.get(one.mechanism, one.mechanism), one.shortest_s, one.longest_s) for one in motion.equivalent_periods
     )
     caption = (
-        "Equivalent periods, which stand for T₁ in the clauses on records: a rocking body has no period of its own. "
-        "Taken is that of equal work at half the overturning rotation (1/fₑ of ASCE 43-05 A.2), over both branches."
+        "Equivalent periods, used as T₁ in the clauses on records because a rocking body has no natural "
+        "period: the period of equal work at half the overturning rotation (1/fₑ of ASCE 43-05 A.2), over "
+        "both branches."
     )
     return Table("equivalent-periods", caption, columns, rows)
 
@@ -99,9 +100,9 @@ def requirements(motion: GroundMotionResult) -> Table:
     )
     caveats = "; ".join(dict.fromkeys(one.caveat for one in motion.requirements if one.caveat))
     caption = (
-        "Requirements of codes on the suite. Histories by ASCE 43-05 and NTC 2018 are answered only where theirs are "
-        "met; the others are for information. T₁ is replaced by the least and "
-        f"the largest equivalent period. Clauses: {caveats}."
+        "Requirements of codes on the suite. Histories by ASCE 43-05 and NTC 2018 are evaluated only "
+        "where their requirements are met; the others are for information. T₁ is replaced by the smallest "
+        f"and the largest equivalent period. Clauses: {caveats}."
     )
     return Table("requirements", caption, columns, tuple(_row(one) for one in motion.requirements))
 

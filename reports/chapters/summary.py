@@ -16,7 +16,7 @@ def section(results: Results) -> Section:
     """The findings in words, and the answers of all procedures at the site's own action."""
     found = conclusions.conclusions(results)
     warned: list[Block] = nonempty(inputs.warnings(results)) or [Text(("The run gave no warnings.",))]
-    answers = nonempty(governing_checks(results)) or [Text(("No code procedure gave an answer.",))]
+    answers = nonempty(governing_checks(results)) or [Text(("No code procedure gave a result.",))]
     blocks = (*((Items(found),) if found else ()), *answers, *own_pga_note(results), *warned)
     return Section("Summary", 0, blocks)
 
@@ -53,8 +53,8 @@ def governing_checks(results: Results) -> Table:
         for check in governing.worst_per_procedure(governing.code_checks(governing.at_site(results, mechanism)))
     ]
     caption = (
-        "Every mechanism by every code procedure at the site’s own action. One procedure decides each limit state of a "
-        "mechanism; the others stand for comparison."
+        "Every mechanism by every code procedure at the site’s own action. One procedure decides each "
+        "limit state of a mechanism; the others are for comparison."
     )
     rows = tuple(_row(mechanism, check) for mechanism, check in pairs)
     return Table("governing-checks", caption, columns, rows)

@@ -15,12 +15,13 @@ from reports.language.lettering import truncate
 from reports.language.numerals import as_given, numeral
 
 RULE = (
-    "The controlling case has the worst answer that decides: a failing case stands before an incomplete one, and that "
-    "before one that passes; of equals the one that holds the least over the site’s own action controls, then the one "
-    "with the largest demand over capacity."
+    "The controlling case has the worst deciding answer: failing cases rank before incomplete ones, and "
+    "those before passing ones; among equals the case with the smallest margin over the site’s own action "
+    "controls, then the one with the largest demand over capacity."
 )
 JOINTS = (
-    " φₒᵥ is that of rigid joints; on joints it counts from rest, about which small motions have the elastic frequency."
+    " φₒᵥ is that of rigid joints; on joints it is measured from rest, about which small motions have the "
+    "elastic frequency."
 )
 
 
@@ -30,8 +31,7 @@ def studies(sweeps: Sequence[SweepResult], *, name: str) -> Section:
     for place, sweep in enumerate(sweeps, start=1):
         stem = f"{name}-sweep-{place:02d}"
         caption = (
-            f"What changes with {swept_key(sweep)}; the ring marks the controlling case; "
-            "a case that overturns has no ratio."
+            f"Results over {swept_key(sweep)}; the ring marks the controlling case; a case that overturns has no ratio."
         )
         blocks += [Text((sentence(sweep),)), table(sweep, name=stem)]
         blocks.append(Figure(stem, caption, partial(sweep_figure.draw, sweep)))
@@ -41,9 +41,9 @@ def studies(sweeps: Sequence[SweepResult], *, name: str) -> Section:
 def sentence(sweep: SweepResult) -> str:
     """What was swept, which case controls, and whether it stands for the mechanism."""
     standing = (
-        "This case stands for the mechanism in every other part of this report."
+        "This case represents the mechanism in the rest of this report."
         if sweep.governs
-        else "A case of another study stands for the mechanism in the other parts of this report."
+        else "In the rest of this report the mechanism is represented by a case of another study."
     )
     values = count_noun(len(sweep.value), "value")
     return f"{swept_key(sweep)} takes {values}; {controlling_case(sweep)} controls. {standing}"
@@ -112,7 +112,16 @@ def controlling_cases(sweeps: Sequence[SweepResult], names: dict[str, str]) -> l
     cases = [f"{names[s.mechanism]}, {swept_key(s)} = {controlling_case(s)}" for s in sweeps if s.governs]
     if not cases:
         return []
-    return [Text((f"Mechanisms with parametric studies stand here with their controlling case: {'; '.join(cases)}.",))]
+    return [
+        Text(
+            (
+                (
+                    "Mechanisms with parametric studies are represented here by their controlling case: "
+                    f"{'; '.join(cases)}."
+                ),
+            )
+        )
+    ]
 
 
 def weakest_direction(mechanism: MechanismResult, *, name: str) -> list[Block]:
@@ -128,7 +137,8 @@ def weakest_direction(mechanism: MechanismResult, *, name: str) -> list[Block]:
 def direction_sentence(found: DirectionSweep) -> str:
     """The direction chosen, and how flat the minimum is."""
     return (
-        f"The direction is the weakest of {len(found.angle_deg)}: {as_given(round(found.weakest_deg, 3))}° from +x "
-        f"towards +y. The load multiplier is within 1 % of its least over {as_given(found.flat_deg)}° of the circle; "
-        f"the least is {numeral(100 * found.variation, digits=3)} % below the largest."
+        f"The direction is the weakest of {len(found.angle_deg)}: {as_given(round(found.weakest_deg, 3))}° "
+        "from +x towards +y. The load multiplier is within 1 % of its minimum over "
+        f"{as_given(found.flat_deg)}° of the circle; the minimum is "
+        f"{numeral(100 * found.variation, digits=3)} % below the maximum."
     )

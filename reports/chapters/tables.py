@@ -90,7 +90,7 @@ def demands(mechanism: MechanismResult, *, name: str) -> Table:
     return Table(
         name,
         "Demand, allowable, ratio and outcome of every check; the peak ground acceleration at uplift"
-        f"{' (none: its joints answer to any motion)' * soft} and at capacity. "
+        f"{' (none: its joints respond to any motion)' * soft} and at capacity. "
         f"Readings of the thesis (grey) never decide.{rating}",
         columns,
         rows,
@@ -115,7 +115,10 @@ def answers(mechanism: MechanismResult, site_pga: float | None, *, name: str) ->
         for check in shown
     )
     muted = frozenset(place for place, check in enumerate(shown) if check.reading == "thesis")
-    caption = "What each check says and why: all at the site’s own action, at other levels those that do not pass."
+    caption = (
+        "Outcome of each check and the reason: all checks at the site’s own action, at other levels those "
+        "that do not pass."
+    )
     return Table(name, caption, (LEVEL, PROCEDURE, *OUTCOME_COLUMNS), rows, muted)
 
 

@@ -1,7 +1,8 @@
 """Panels whose scales are drawn whole: what is seen is what matplotlib draws, in a fraction of its time.
 
 matplotlib makes five artists of every tick and measures its number four times. Here a scale is one stroke for its grid,
-one for its ticks, and letters. Figures have 72 pixels to the inch: a pixel is a point.
+one for its ticks, and letters. Figures of the report have 72 pixels to the inch, so that a pixel is a point; drawn at
+another resolution, all lengths are multiplied by the pixels to a point.
 """
 
 from __future__ import annotations
@@ -38,7 +39,7 @@ _PAPER = Figure(dpi=72)  # on which single numbers are measured
 
 @dataclass(frozen=True)
 class _Ticks:
-    """The larger or the smaller ticks that are seen, and their look; lengths in points.
+    """The larger or the smaller ticks that are seen, and their look; lengths in pixels, line widths in points.
 
     at : along the scale [n]
     numbers : at them, empty where none is written [n]
@@ -109,10 +110,12 @@ class _Scale(Axis):
         return [self.label, self.offsetText]
 
     def get_tightbbox(self, renderer: Any = None, *, for_layout_only: bool = False) -> Bbox | None:
-        """What its letters cover [pt]; in the layout the label counts by its distance from the panel alone."""
+        """What its letters cover [px]; in the layout the label counts by its distance from the panel alone."""
         if not self.get_visible():
             return None
-        numbers, power, label = self._set_letters(self._ticks()), _extent(self.offsetText), _extent(self.label)
+        ruler = RULER if renderer is None or self._pixels == 1.0 else renderer
+        numbers = self._set_letters(self._ticks())
+        power, label = _extent(self.offsetText, ruler), _extent(self.label, ruler)
         if label is not None and for_layout_only:
             label = self._narrowed(label)
         return Bbox.union([box for box in (numbers, power, label) if box is not None])
@@ -143,9 +146,9 @@ class _Scale(Axis):
             has_grid=given["gridOn"],
             is_drawn=given.get(self.side, True),
             is_numbered=given.get(f"label{self.side}", True),
-            length=given.get("length", _STYLE[f"{name}.{which}.size"]),
+            length=self._pixels * given.get("length", _STYLE[f"{name}.{which}.size"]),
             width=given.get("width", _STYLE[f"{name}.{which}.width"]),
-            pad=given.get("pad", _STYLE[f"{name}.{which}.pad"]),
+            pad=self._pixels * given.get("pad", _STYLE[f"{name}.{which}.pad"]),
             size=given.get("labelsize", _STYLE[f"{name}.labelsize"]),
             colour=given.get("color", _STYLE[f"{name}.color"]),
         )
@@ -172,14 +175,19 @@ class _Scale(Axis):
         return np.asarray((at >= first - room) & (at <= last + room))
 
     def _points(self, values: FloatArray) -> FloatArray:
-        """Where values lie along the scale [pt]."""
+        """Where values lie along the scale [px]."""
         points = np.tile(np.asarray(self.axes.viewLim.min, dtype=np.float64), (values.size, 1))
         points[:, self.along] = values
         return np.asarray(self.axes.transData.transform(points))[:, self.along]
 
     @property
+    def _pixels(self) -> float:
+        """How many pixels a point has."""
+        return float(self.axes.figure.dpi) / 72.0
+
+    @property
     def _edge(self) -> float:
-        """Where the scale stands [pt]."""
+        """Where the scale stands [px]."""
         return float(self.axes.bbox.min[1 - self.along])
 
     def _point(self, along: float, away: float) -> Point:
@@ -195,7 +203,7 @@ class _Scale(Axis):
             self._stroke(renderer, ticks.at, self._edge - ticks.length, colour=ticks.colour, width=ticks.width)
 
     def _stroke(self, renderer: RendererBase, at: FloatArray, end: float, *, colour: Any, width: float) -> None:
-        """Lines square to the scale, from its edge to `end` [pt]."""
+        """Lines square to the scale, from its edge to `end` [px]."""
         ends = [self._point(along, away) for along in at.tolist() for away in (self._edge, end)]
         pen = renderer.new_gc()
         pen.set_foreground(colour)
@@ -207,9 +215,12 @@ class _Scale(Axis):
     def _draw_numbers(self, renderer: RendererBase, ticks: _Ticks) -> None:
         pen = renderer.new_gc()
         pen.set_foreground(ticks.colour)
+        top = renderer.get_canvas_width_height()[1] if renderer.flipy() else None
         for (x, y), number in self._places(ticks):
             for line in _lettered(number, ticks.size, self.setting).lines:
-                renderer.draw_text(pen, x + line.x, y + line.y, line.text, line.font, 0.0)
+                height = y + self._pixels * line.y
+                at = (x + self._pixels * line.x, height if top is None else top - height)
+                renderer.draw_text(pen, *at, line.text, line.font, 0.0)
         pen.restore()
 
     def _places(self, ticks: _Ticks) -> list[tuple[Point, str]]:
@@ -220,9 +231,9 @@ class _Scale(Axis):
         return [(self._point(at, away), number) for at, number in zip(ticks.at.tolist(), ticks.numbers, strict=True)]
 
     def _set_letters(self, ticks: Sequence[_Ticks]) -> Bbox:
-        """Put the label and the power of ten beside ticks and numbers; what ticks and numbers cover [pt]."""
+        """Put the label and the power of ten beside ticks and numbers; what ticks and numbers cover [px]."""
         boxes = [
-            place + _lettered(number, each.size, self.setting).box
+            place + self._pixels * _lettered(number, each.size, self.setting).box
             for each in ticks
             for place, number in self._places(each)
         ]
@@ -232,13 +243,13 @@ class _Scale(Axis):
         corners = np.array([*numbers, self._point(first, self._edge - longest), self._point(last, self._edge)])
         lowest, highest = corners.min(axis=0), corners.max(axis=0)
         middle = self.label.get_position()[self.along]
-        self.label.set_position(self._point(middle, lowest[1 - self.along] - self.labelpad))
+        self.label.set_position(self._point(middle, lowest[1 - self.along] - self._pixels * self.labelpad))
         self.offsetText.set_text(self._numbered("major").power)
         self.offsetText.set_y(self._power(numbers[:, 1].min() if boxes else self._edge))
         return Bbox([lowest, highest])
 
     def _power(self, outside: float) -> float:
-        """The height of the power of ten [pt], where the numbers end at `outside`."""
+        """The height of the power of ten [px], where the numbers end at `outside`."""
         raise NotImplementedError
 
     def _narrowed(self, box: Bbox) -> Bbox:
@@ -254,7 +265,7 @@ class _Across(_Scale, XAxis):
     along, side, setting = 0, "bottom", ("center", "top")
 
     def _power(self, outside: float) -> float:
-        return outside - self.OFFSETTEXTPAD
+        return outside - self._pixels * self.OFFSETTEXTPAD
 
 
 class _Up(_Scale, YAxis):
@@ -263,7 +274,7 @@ class _Up(_Scale, YAxis):
     along, side, setting = 1, "left", ("right", "center_baseline")
 
     def _power(self, outside: float) -> float:
-        return float(self.axes.bbox.ymax) + self.OFFSETTEXTPAD
+        return float(self.axes.bbox.ymax) + self._pixels * self.OFFSETTEXTPAD
 
 
 class Panel(Axes):
@@ -310,6 +321,6 @@ class _Catcher(Ruler):
         self.lines.append(_Line(s, float(x), float(y), prop.copy()))
 
 
-def _extent(text: Text) -> Bbox | None:
-    """What a text covers [pt], where it is seen."""
-    return Bbox(text.get_window_extent(RULER)) if text.get_visible() and text.get_text() else None
+def _extent(text: Text, ruler: RendererBase) -> Bbox | None:
+    """What a text covers [px], where it is seen."""
+    return Bbox(text.get_window_extent(ruler)) if text.get_visible() and text.get_text() else None

@@ -9,11 +9,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
+from io import BytesIO
 from textwrap import wrap
 from typing import Any
 
 import matplotlib
 from matplotlib.axes import Axes
+from matplotlib.backend_bases import RendererBase
 from matplotlib.figure import Figure
 from matplotlib.legend import Legend
 
@@ -24,6 +26,7 @@ from reports.figures.ruler import Canvas
 from reports.language.lettering import truncate, truncate_middle
 
 WIDTH = 6.7  # of the text on the page [in]
+NOTEBOOK_DPI = 130
 INK, MUTED, GRID, PAPER = "#1b2733", "#6b7680", "#d7dce1", "#f3f5f7"
 PASS, FAIL = "#00694c", "#b3380e"
 BANNER = {"pass": PASS, "fail": FAIL, "incomplete": "#8a6100"}
@@ -117,11 +120,22 @@ def bare_sheet(height: float, *, width: float = WIDTH) -> Figure:
 
 
 class _Sheet(Figure):
-    """A figure of panels whose scales are drawn whole."""
+    """A figure of panels whose scales are drawn whole, in the report's style wherever it is drawn."""
 
     def __init__(self, **given: Any) -> None:
         super().__init__(**given)
         Canvas(self)
+
+    def draw(self, renderer: RendererBase) -> None:
+        """Lay the figure out and draw it."""
+        with report_style():
+            super().draw(renderer)
+
+    def _repr_png_(self) -> bytes:
+        """Show the figure in a notebook."""
+        file = BytesIO()
+        self.savefig(file, format="png", dpi=NOTEBOOK_DPI)
+        return file.getvalue()
 
     def legend(self, *given: Any, **named: Any) -> Legend:
         """A legend whose boxes are measured once."""

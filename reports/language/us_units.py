@@ -9,9 +9,9 @@ from reports.document import Block, Cell, Column, Document, Line, Section, Sheet
 from reports.language.customary import Customary, customary
 
 WORKED_IN_SI = (
-    "Calculation sheets are worked in SI units, as the constants of the clauses are printed; the result of each step "
-    "stands beside it in US customary units, accelerations in g = 32.174 ft/s². Values of the project file are listed "
-    "in SI units, and so are remarks on meshes, loads and records."
+    "Calculation sheets are worked in SI units, as the constants of the clauses are printed; the result "
+    "of each step is also given in US customary units, accelerations in g = 32.174 ft/s². Values of the "
+    "project file are listed in SI units, and so are remarks on meshes, loads and records."
 )
 UNIT, QUANTITY = "Unit", "Quantity, unit"
 ROWS: Mapping[str, tuple[str, ...]] = {

@@ -81,8 +81,8 @@ def row(kind: str, make: Callable[[int], Grid], count: int, file: Path) -> str:
         times.append(time.perf_counter())
         stages = np.diff(times).tolist()
         best = min(best, [*stages, sum(stages)], key=lambda each: each[-1])
-    if solid.trail:
-        raise RuntimeError(f"a good mesh was changed: {solid.trail}")
+    if solid.history:
+        raise RuntimeError(f"a good mesh was changed: {solid.history}")
     return f"{kind:<8}{len(triangles):>10,d}" + "".join(f"{seconds:>12.3f}" for seconds in [*best, best[-1] / opened])
 
 

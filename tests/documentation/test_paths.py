@@ -51,6 +51,19 @@ def test_every_module_exists(name):
         assert exists(dotted), dotted
 
 
+@pytest.mark.parametrize("name", ["CONTRIBUTING.md", "docs/architecture.md"])
+def test_every_name_is_in_the_source(name):
+    """Functions, classes and registries by their own names, as `make_record` or `FORMATS`."""
+    source = "\n".join(path.read_text(encoding="utf-8") for room in ROOMS[:5] for path in (ROOT / room).rglob("*.py"))
+    named = re.findall(r"`(_?[A-Za-z]+(?:_\w+)+|[A-Z]{3,}|[A-Z][a-z]+(?:[A-Z][a-z]+)*)(?:\(.*?)?`", text_of(name))
+    known = set(re.findall(r"\w+", source))
+    assert [each for each in dict.fromkeys(named) if each not in known and each not in ("BASE", "Makefile")] == []
+
+
+def text_of(name: str) -> str:
+    return (ROOT / name).read_text(encoding="utf-8")
+
+
 def exists(dotted: str) -> bool:
     """Whether a dotted name is a module, or something in one."""
     try:

@@ -39,23 +39,23 @@ SOURCES: Mapping[str, tuple[str, ...]] = {
     "assess/geometry/self_overlap.py": ("self_overlap_warnings",),
     "assess/geometry/surface.py": ("volume_change_text",),
     "assess/interfaces/contact.py": ("sideways_doubt",),
-    "assess/mechanisms/doubts.py": ("across_the_crack", "loose_hinges", "pulling_supports"),
+    "assess/mechanisms/warnings.py": ("across_the_crack", "loose_hinges", "pulling_supports"),
     "assess/mechanisms/equivalent_block.py": ("equivalent_block",),
     "assess/mechanisms/impact.py": ("_faster", "no_rebound", "rebound"),
     "assess/mechanisms/single_block.py": ("_off_base",),
     "assess/amplification/natural_frequency.py": ("ASSUMPTIONS",),
-    "assess/project/amplification.py": ("RAYLEIGH", "by_first_mode"),
+    "assess/study/amplification.py": ("RAYLEIGH", "by_first_mode"),
     "assess/model/arches.py": ("doubtful", "told"),
     "assess/model/pieces.py": ("ASKEW", "doubts_of", "uneven"),
     "assess/loads/body_loads.py": ("alone", "beside_the_block", "body_loads", "part_of"),
     "assess/model/directions.py": ("CORNER",),
     "assess/model/joints.py": ("apart", "joint_at", "sideways"),
     "assess/loads/loaded_blocks.py": ("_left_out", "as_given"),
-    "assess/loads/loading.py": ("in_the_air", "moving_anchors"),
+    "assess/model/loading.py": ("in_the_air", "moving_anchors"),
     "assess/project/record_set.py": ("_first", "cell_text"),
-    "assess/study/sampling.py": ("longest_step",),
+    "assess/study/coarse_records.py": ("longest_step",),
     "assess/model/walls.py": ("by_formula", "by_search"),
-    "records/flatfile.py": ("_reason",),
+    "records/flatfile_match.py": ("_reason",),
     "records/arrival.py": ("arrival_warning",),
     "records/formats/agreement.py": ("check_integral", "describe_disagreement"),
     "records/formats/corners.py": ("nyquist_warning", "filter_warning"),
@@ -224,8 +224,8 @@ def test_the_warning_of_a_mended_mesh_is_known_whole(language: str, tmp_path: Pa
     lines += [f"f {a} {b} {c}" for a, b, c in faces + 1]
     file = tmp_path / "my wall.obj"
     file.write_text("\n".join(lines))
-    trail = load(file, name="wall", density=1.0).trail
+    trail = load(file, name="wall", density=1.0).history
     assert "hole" in str(trail)
-    assert "turned" in str(trail)
+    assert "reversed" in str(trail)
     text = f"{file.name}: {'; '.join(trail)}"
     assert unknown(text, language=language, verbatim=frozenset({file.name})) == []

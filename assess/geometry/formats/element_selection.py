@@ -1,4 +1,4 @@
-"""Which elements of a file a name, an identifier, a class or a pattern means."""
+"""Selection of a file's elements by name, identifier, class or pattern."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ PREFIX = "ifc"  # of the names of classes
 
 
 def select_elements(elements: Sequence[Element], wanted: str | None, *, where: str) -> tuple[int, ...]:
-    """Where in `elements` those stand that are meant; all where nothing is asked for.
+    """Return the indices of the elements that a selection means; all where none is given.
 
-    The first of these that fits: the identifier of one; the name of one; their class or one above it, as
-    "IfcWall", or what they are parts of; a pattern, as "Wand-*" (`*` any letters, `?` one letter, `[ab]` one of these).
+    The first of these that matches counts: the identifier of one element; its name; its class or a superclass, such as
+    "IfcWall", or what it is part of; a pattern such as "Wand-*" (`*` any letters, `?` one letter, `[ab]` one of these).
 
     Raises
     ------
-    GeometryError : nothing fits, or several elements with identifiers of their own have exactly this name
+    GeometryError : nothing matches, or several elements with identifiers of their own have exactly this name
     """
     if wanted is None:
         return tuple(range(len(elements)))
@@ -41,18 +41,18 @@ def select_elements(elements: Sequence[Element], wanted: str | None, *, where: s
 
 
 def one_line(name: str) -> str:
-    """A name as tables show it and as it may be typed: line breaks and other runs of blanks are one space."""
+    """Collapse line breaks and other white space of a name to single spaces, as tables show it."""
     return " ".join("".join(letter if letter.isprintable() else " " for letter in name).split())
 
 
 def short_name(name: str) -> str:
-    """A name that came with a file, fit for a sentence: one line, cut where it is long."""
+    """Return a file's name for an element on one line, shortened to fit a sentence."""
     line = one_line(name)
     return line if len(line) <= LONGEST else f"{line[: LONGEST - 1]}…"
 
 
 def list_names(names: Sequence[str]) -> str:
-    """The first of many names for a sentence."""
+    """List the first names of many for a sentence."""
     more = f" and {len(names) - MAX_LISTED} more" if len(names) > MAX_LISTED else ""
     return ", ".join(short_name(name) for name in names[:MAX_LISTED]) + more
 
@@ -62,7 +62,7 @@ def _indices(elements: Sequence[Element], fit: Sequence[bool]) -> tuple[int, ...
 
 
 def _fits(element: Element, wanted: str) -> bool:
-    """Whether a pattern fits a name of the element, or of what it is a part of."""
+    """Return whether a pattern matches a name of the element, or of what it is part of."""
     names = map(one_line, (*element.names, *element.within))
     return any(letter in wanted for letter in WILDCARDS) and any(fnmatchcase(name, wanted) for name in names)
 
@@ -70,7 +70,7 @@ def _fits(element: Element, wanted: str) -> bool:
 def _refuse_ambiguous(
     elements: Sequence[Element], named: tuple[int, ...], wanted: str, *, where: str
 ) -> tuple[int, ...]:
-    """The elements of a name, refused where they are several and can be told apart."""
+    """Return the elements of a name; raise where there are several that can be told apart."""
     identifiers = [elements[i].identifier for i in named]
     if len(named) > 1 and all(identifiers):
         raise GeometryError(
@@ -81,7 +81,7 @@ def _refuse_ambiguous(
 
 
 def _known(elements: Sequence[Element], wanted: str) -> str:
-    """What there is to choose from, what looks like the word asked for before the others."""
+    """Describe the available names, those similar to the one given first."""
     known = list(dict.fromkeys(each.shown for each in elements if each.names or each.within or each.identifier))
     if not known:
         return "its parts have no names; remove the key"
@@ -93,7 +93,7 @@ def _known(elements: Sequence[Element], wanted: str) -> str:
 
 
 def _known_classes(elements: Sequence[Element], wanted: str) -> str:
-    """The classes to choose from, those spelt like the one asked for before the others."""
+    """Describe the available classes, those spelt similarly to the one given first."""
     short = {kind[len(PREFIX) :].lower(): kind for each in elements for kind in each.kinds}
     near = get_close_matches(wanted[len(PREFIX) :].lower(), short, n=MAX_LISTED, cutoff=0.75)
     classes = sorted({each.kinds[0] for each in elements if each.kinds})

@@ -1,6 +1,6 @@
-"""glTF files. The only door to trimesh, which reads them; it is not asked to mend anything.
+"""glTF files, read with trimesh; the only door to it. Nothing is mended here.
 
-The format readers are called themselves, because trimesh's own objects merge and drop.
+The format readers are called directly, because trimesh's own objects merge and drop parts.
 """
 
 from __future__ import annotations
@@ -13,7 +13,8 @@ from typing import Any
 
 import numpy as np
 
-from assess.geometry.formats.limits import MAX_INSTANCES, MAX_TRIANGLES, gltf_header
+from assess.geometry.formats.gltf_header import gltf_header
+from assess.geometry.formats.limits import MAX_INSTANCES, MAX_TRIANGLES
 from assess.geometry.formats.mesh_file import Element, MeshFile, Part, file_from_parts, join_parts, make_part, transform
 from spectra.arrays import FloatArray
 
@@ -22,7 +23,7 @@ SUFFIX = 7  # letters that trimesh adds to the name of a node for a primitive of
 
 
 def read_glb(file: Path) -> MeshFile:
-    """glTF 2.0 in one binary file: in metres, y up, whose +z is forward (glTF 2.0, 3.4)."""
+    """Read glTF 2.0 in one binary file: metres, y up, +z forward (glTF 2.0, 3.4)."""
     from trimesh.exchange.gltf import load_glb
 
     header = gltf_header(file)
@@ -30,7 +31,7 @@ def read_glb(file: Path) -> MeshFile:
 
 
 def read_gltf(file: Path) -> MeshFile:
-    """glTF 2.0 as JSON, with the files beside it that it names."""
+    """Read glTF 2.0 as JSON, with the files it refers to in the same folder."""
     from trimesh.exchange.gltf import load_gltf
     from trimesh.resolvers import FilePathResolver
 
@@ -44,7 +45,7 @@ def _content(file: Path) -> io.BytesIO:
 
 
 def _meshes(meshes: Mapping[str, Mapping[str, Any]]) -> dict[str, Part]:
-    """Those of the meshes that have faces, by name; points and lines have none."""
+    """Return the meshes that have faces, by name; points and lines have none."""
     return {
         name: make_part(Element((name,) if name else ()), each["vertices"], each["faces"])
         for name, each in meshes.items()
@@ -53,7 +54,7 @@ def _meshes(meshes: Mapping[str, Mapping[str, Any]]) -> dict[str, Part]:
 
 
 def _refuse_other_extents(meshes: Mapping[str, Part], header: Mapping[str, Any]) -> None:
-    """Raise ValueError where vertices do not reach as far as their accessor says (glTF 2.0, 3.6.2.5: they must).
+    """Raise ValueError where vertices do not match the extents of their accessor (glTF 2.0, 3.6.2.5).
 
     The readers keep no link from a mesh to its accessor, so it must agree with one of them.
     """
@@ -72,7 +73,7 @@ def _refuse_other_extents(meshes: Mapping[str, Part], header: Mapping[str, Any])
 
 
 def _node_parts(loaded: Mapping[str, Any], header: Mapping[str, Any]) -> tuple[Part, ...]:
-    """Every node's mesh in its place, of all its primitives; it bears the name of the node, and is within its mesh."""
+    """Place every node's mesh, joined from its primitives, under the name of the node and within its mesh."""
     meshes = _meshes(loaded["geometry"])
     _refuse_other_extents(meshes, header)
     own = Counter(str(node.get("name", place)) for place, node in enumerate(header.get("nodes", [])))
@@ -93,7 +94,10 @@ def _node_parts(loaded: Mapping[str, Any], header: Mapping[str, Any]) -> tuple[P
 
 
 def _node_element(node: str, mesh: tuple[str, ...], many: Collection[str]) -> Element:
-    """A node by its name, within its mesh; of many of one name trimesh numbers all but the first, and it means all."""
+    """Name a node, within its mesh.
+
+    Of several nodes with one name, trimesh numbers all but the first; the plain name then means all of them.
+    """
     if node in many:
         return Element((f"{node}_0",), within=(node, *mesh))
     name = node.rpartition("_")[0]
@@ -101,13 +105,16 @@ def _node_element(node: str, mesh: tuple[str, ...], many: Collection[str]) -> El
 
 
 def _owner(node: str, edge: Mapping[str, Any]) -> str:
-    """The node of the file behind one that is not: trimesh makes one, of a random name, for each of many primitives."""
+    """Return the file's node behind a node that trimesh made.
+
+    For each of several primitives of a mesh trimesh makes a node with a random name.
+    """
     owner = str(edge["frame_from"])
     return owner if len(node) == len(owner) + SUFFIX and node.startswith(f"{owner}_") else str(node)
 
 
 def _place(node: str, edges: Mapping[str, Mapping[str, Any]], *, base: str) -> FloatArray:
-    """Transformation [4, 4] from a node's own coordinates to the scene's."""
+    """Return the transformation [4, 4] from a node's own coordinates to the scene's."""
     steps: list[FloatArray] = [np.eye(4)]
     passed: tuple[str, ...] = ()
     while node != base:

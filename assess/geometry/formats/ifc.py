@@ -1,4 +1,4 @@
-"""IFC files (ISO 16739). The only door to ifcopenshell, which meshes them."""
+"""IFC files (ISO 16739), meshed by ifcopenshell; the only door to it."""
 
 from __future__ import annotations
 
@@ -30,9 +30,9 @@ UNMESHED = "its body could not be built from what the file says of it; repair or
 
 
 def read_ifc(file: Path) -> MeshFile:
-    """Every element of a building model that has a body, openings taken off, in metres and world coordinates.
+    """Read every element of a building model that has a body, less its openings, in metres and world coordinates.
 
-    Only elements that are asked for are meshed, which takes nearly all of the time.
+    Only the elements selected are meshed, which takes nearly all of the time.
     """
     import ifcopenshell
 
@@ -48,7 +48,7 @@ def read_ifc(file: Path) -> MeshFile:
 
 
 def _has_body(product: Any) -> bool:
-    """Whether an element is built and has a representation that may be one of its body."""
+    """Return whether an element is built and has a representation that may be its body."""
     shapes = getattr(product.Representation, "Representations", ()) if product.Representation else ()
     return not any(product.is_a(kind) for kind in NOT_BUILT) and any(
         shape.RepresentationIdentifier not in NOT_MEASURED and shape.RepresentationType not in NO_BODIES and shape.Items
@@ -57,7 +57,7 @@ def _has_body(product: Any) -> bool:
 
 
 def _element(product: Any, above: Any) -> Element:
-    """What the file calls an element, and where it belongs."""
+    """Return an element's names and classes, and what it belongs to."""
     owners = tuple(_owners(product))
     holders = [link.RelatingStructure for each in (product, *owners) for link in _links(each, "ContainedInStructure")]
     within = [word for each in owners for word in (each.Name, each.GlobalId, *above(each.is_a())) if word]
@@ -71,7 +71,7 @@ def _element(product: Any, above: Any) -> Element:
 
 
 def _owners(product: Any) -> Iterator[Any]:
-    """The elements that a part of an assembly belongs to, the nearest first."""
+    """Return the assemblies that an element belongs to, the innermost first."""
     seen = {product.id()}
     links = _links(product, "Decomposes")
     while links:
@@ -88,7 +88,7 @@ def _links(product: Any, name: str) -> Sequence[Any]:
 
 
 def _classes(schema: str, name: str) -> tuple[str, ...]:
-    """A class and those above it, from the most special one."""
+    """Return a class and its superclasses, the most specific first."""
     from ifcopenshell import ifcopenshell_wrapper
 
     found, declaration = [], ifcopenshell_wrapper.schema_by_name(schema).declaration_by_name(name).as_entity()
@@ -99,7 +99,7 @@ def _classes(schema: str, name: str) -> tuple[str, ...]:
 
 
 def _attributes(schema: str, name: str) -> int | None:
-    """How many attributes a class has; None where the schema has no such class."""
+    """Return the number of attributes of a class; None where the schema has no such class."""
     from ifcopenshell import ifcopenshell_wrapper
 
     try:
@@ -111,9 +111,9 @@ def _attributes(schema: str, name: str) -> int | None:
 def _mesh_products(
     model: Any, products: Sequence[Any], elements: Sequence[Element], missing: Set[int], places: Sequence[int]
 ) -> tuple[Part, ...]:
-    """The meshes of the elements asked for; one that has none is said to have none.
+    """Mesh the selected elements; one without a mesh says why.
 
-    missing : numbers of the entities that are made of others which the file does not have
+    missing : numbers of the entities that refer to others absent from the file
     """
     import ifcopenshell
 
@@ -126,12 +126,12 @@ def _mesh_products(
     for place, product in zip(places, wanted, strict=True):
         shape = replace(shapes.get(product.id(), nothing), element=elements[place])
         lost = [] if shape.fault or not failed | missing else _missing_items(model, product, failed, missing)
-        found.append(replace(shape, doubt=PARTLY.format(lost=", ".join(lost)) if lost else ""))
+        found.append(replace(shape, warning=PARTLY.format(lost=", ".join(lost)) if lost else ""))
     return tuple(found)
 
 
 def _missing_items(model: Any, product: Any, failed: Set[int], missing: Set[int]) -> list[str]:
-    """What of an element and of its openings is missing, and their bodies that failed; single faces are not told."""
+    """List the missing items of an element and its openings, and their bodies that failed; faces are skipped."""
     openings = [link.RelatedOpeningElement for link in _links(product, "HasOpenings")]
     made_of = [part for each in (product, *openings) for part in (each.Representation, each.ObjectPlacement) if part]
     owned = {item.id(): item for part in made_of for item in model.traverse(part)}.values()
@@ -143,7 +143,7 @@ def _missing_items(model: Any, product: Any, failed: Set[int], missing: Set[int]
 
 
 def _shapes(model: Any, products: Sequence[Any]) -> Mapping[int, Part]:
-    """The meshes that ifcopenshell makes, by the number of their element in the file."""
+    """Return the meshes that ifcopenshell makes, by the number of their element in the file."""
     import ifcopenshell.geom
 
     settings = ifcopenshell.geom.settings()

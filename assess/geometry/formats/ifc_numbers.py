@@ -1,4 +1,4 @@
-"""Numbers of an IFC file that lost their decimal point: ifcopenshell reads what is left of them without a word."""
+"""Numbers of an IFC file that lost their decimal point, which ifcopenshell reads without a warning."""
 
 from __future__ import annotations
 
@@ -19,15 +19,15 @@ HABIT = 0.01  # of the points: if more have whole numbers without a point, the p
 
 
 def refuse_commas(file: Path, attributes: Callable[[str], int | None]) -> None:
-    """Raise where points, profiles, solids or units have more or fewer values than they can.
+    """Raise where points, profiles, solids or units have more or fewer values than possible.
 
     Parameters
     ----------
-    attributes : how many a class of the file's schema has; None where it has no such class
+    attributes : number of attributes of a class of the file's schema; None where it has no such class
 
     Raises
     ------
-    ValueError : they have
+    ValueError : a number of values is impossible
     """
     text = re.sub(rb"/\*.*?\*/|'[^']*'", b"''", file.read_bytes(), flags=re.DOTALL)
     _points(POINT.findall(text))
@@ -57,7 +57,7 @@ def _coordinates(row: list[bytes], wanted: set[int]) -> None:
 
 
 def _arguments(text: bytes) -> int:
-    """How many arguments an instance has, lists counting as one."""
+    """Count the arguments of an instance, a list as one."""
     inner = None
     while inner != text:
         inner, text = text, re.sub(rb"\([^()]*\)", b"", text)

@@ -1,4 +1,4 @@
-"""Wavefront OBJ: positions and faces; normals, textures, materials, lines and curves are left."""
+"""Wavefront OBJ files: positions and faces; normals, textures, materials, lines and curves are ignored."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ class Faces:
 
 
 def read_obj(file: Path) -> MeshFile:
-    """The objects of an OBJ file, its groups where it has no objects, with the faces that each has."""
+    """Read the objects of an OBJ file with their faces, or its groups where it has no objects."""
     vertices, faces = [np.empty((0, 3))], []
     objects, groups = [""], [""]
     known = 0
@@ -56,7 +56,7 @@ def read_obj(file: Path) -> MeshFile:
 
 
 def _positions(block: Block, chosen: BoolArray) -> FloatArray:
-    """The vertices [n, 3] of a block; weights and colours are left."""
+    """Return the vertices [n, 3] of a block; weights and colours are ignored."""
     sizes = block.words[chosen] - 1
     if not len(sizes):
         return np.empty((0, 3))
@@ -72,14 +72,14 @@ def _positions(block: Block, chosen: BoolArray) -> FloatArray:
 
 
 def _in_force(block: Block, chosen: BoolArray, names: list[str]) -> IntArray:
-    """Which of the names each line of a block [n] belongs to; those that the block brings are added to them."""
+    """Return the index of the name in force at each line of a block [n]; new names are appended."""
     first = len(names) - 1
     names += [rest_of_line(block, int(line)) for line in np.flatnonzero(chosen)]
     return np.asarray(first + np.cumsum(chosen), dtype=np.int64)
 
 
 def _faces(block: Block, chosen: BoolArray, known: IntArray, in_force: Sequence[IntArray]) -> list[Faces]:
-    """The triangles of a block; known: vertices up to each line [n], from which negative numbers count back."""
+    """Return the triangles of a block; known: vertices up to each line [n], from which negative indices count back."""
     sizes = block.words[chosen] - 1
     if not len(sizes):
         return []
@@ -100,7 +100,7 @@ def _faces(block: Block, chosen: BoolArray, known: IntArray, in_force: Sequence[
 
 
 def _parts(vertices: FloatArray, faces: Sequence[Faces], objects: list[str], groups: list[str]) -> list[Part]:
-    """A part for each name that has faces, in the order in which they come."""
+    """Make a part for each name that has faces, in file order."""
     if not faces and len(vertices):
         raise ValueError(POINT_CLOUD.format(count=len(vertices)))
     if not faces:
@@ -124,7 +124,7 @@ def _part(name: str, vertices: FloatArray, triangles: IntArray) -> Part:
 
 
 def _drop_unused(part: Part) -> Part:
-    """The part with the vertices alone that it uses; as it is where it uses one that is not there."""
+    """Drop the vertices that a part does not use; a part with invalid indices is returned unchanged."""
     if part.triangles.min() < 0 or part.triangles.max() >= len(part.vertices):
         return part
     used = np.zeros(len(part.vertices), dtype=np.bool_)

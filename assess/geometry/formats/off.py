@@ -1,4 +1,4 @@
-"""Object File Format, text: positions, then faces; colours and normals are left."""
+"""Object File Format, text: positions, then faces; colours and normals are ignored."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ LEAST = 3  # corners of a face, coordinates of a vertex
 
 
 def read_off(file: Path) -> MeshFile:
-    """The mesh of an OFF file.
+    """Read the mesh of an OFF file.
 
     Raises
     ------
@@ -51,7 +51,7 @@ def read_off(file: Path) -> MeshFile:
 
 
 def _points(block: Block, chosen: BoolArray) -> FloatArray:
-    """The vertices [n, 3] of a block."""
+    """Return the vertices [n, 3] of a block."""
     sizes = block.words[chosen]
     if not len(sizes):
         return np.empty((0, 3))
@@ -65,7 +65,7 @@ def _points(block: Block, chosen: BoolArray) -> FloatArray:
 
 
 def _faces(block: Block, chosen: BoolArray) -> list[IntArray]:
-    """The triangles [m, 3] of the faces of a block: a number of corners, the corners, and perhaps a colour."""
+    """Return the triangles [m, 3] of the faces of a block: number of corners, corners, possibly a colour."""
     sizes = block.words[chosen]
     if not len(sizes):
         return []

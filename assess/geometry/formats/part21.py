@@ -1,4 +1,4 @@
-"""Exchange files of ISO 10303-21, the text that STEP and IFC share."""
+"""ISO 10303-21 exchange files, the text format that STEP and IFC share."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ NUMBERED = re.compile(rb"^[ \t]*#(\d+)\s*=", re.MULTILINE)
 
 
 def refuse_damaged(file: Path) -> None:
-    """Raise where an exchange file does not end as it must, or numbers two of its entities alike.
+    """Raise where an exchange file lacks its end, or numbers two of its entities alike.
 
-    Readers take what is there for the whole, and one of two entities at random.
+    Readers would take a truncated file as complete, and one of the two entities at random.
 
     Raises
     ------
-    ValueError : its last word is missing, or a number stands twice
+    ValueError : its last keyword is missing, or a number is used twice
     """
     content = file.read_bytes()
     if END not in content[-1000:].replace(b" ", b""):

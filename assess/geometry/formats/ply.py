@@ -1,6 +1,6 @@
-"""PLY files, text and binary of either byte order: vertices, faces, and strips of triangles.
+"""PLY files, text and binary of either byte order: vertices, faces, and triangle strips.
 
-What a header announces is held against the size of the file before any of it is read.
+What a header announces is compared with the size of the file before any of it is read.
 """
 
 from __future__ import annotations
@@ -59,7 +59,7 @@ Take = Callable[[Table, int], tuple[Columns, int]]  # the values of a table that
 
 
 def read_ply(file: Path) -> MeshFile:
-    """The mesh of a PLY file: its faces and its strips of triangles.
+    """Read the mesh of a PLY file: its faces and its triangle strips.
 
     Raises
     ------
@@ -85,7 +85,7 @@ def read_ply(file: Path) -> MeshFile:
 
 
 def _header(data: bytes) -> tuple[str, tuple[Table, ...], int]:
-    """Byte order (empty: text), the elements, and where they begin."""
+    """Return the byte order (empty for text), the elements, and where their data begin."""
     end = data.find(b"end_header")
     stop = data.find(b"\n", end) + 1
     if not data.startswith(b"ply") or end < 0 or not stop:
@@ -116,7 +116,7 @@ def _with(table: Table, one: Property) -> Table:
 
 
 def _text(words: FloatArray, table: Table, at: int) -> tuple[Columns, int]:
-    """The columns of a table of text, whose words are numbers."""
+    """Return the columns of a text table, whose words are numbers."""
     if all(one.counted is None for one in table.properties):
         width = len(table.properties)
         end = _end_of_table(table, at, width, len(words))
@@ -127,7 +127,7 @@ def _text(words: FloatArray, table: Table, at: int) -> tuple[Columns, int]:
 
 
 def _text_lists(words: FloatArray, table: Table, at: int) -> tuple[Columns, int]:
-    """The lists of a table of text; all at once where every record is as long as the first."""
+    """Return the lists of a text table, all at once where every record is as long as the first."""
     width, place = 0, {}
     for one in table.properties:
         place[one.name] = width
@@ -148,7 +148,7 @@ def _text_lists(words: FloatArray, table: Table, at: int) -> tuple[Columns, int]
 
 
 def _text_records(words: FloatArray, table: Table, at: int) -> tuple[Columns, int]:
-    """The lists of a table of text, record by record."""
+    """Return the lists of a text table, record by record."""
     lists = [one.name for one in table.properties if one.counted is not None]
     kept: dict[str, BoolArray] = {name: np.zeros(len(words), dtype=np.bool_) for name in lists}
     sizes: dict[str, list[int]] = {name: [] for name in lists}
@@ -166,7 +166,7 @@ def _text_records(words: FloatArray, table: Table, at: int) -> tuple[Columns, in
 
 
 def _text_size(words: FloatArray, at: int) -> int:
-    """The length of a list of text."""
+    """Return the length of a text list."""
     size = words[at] if at < len(words) else 0.0
     if not 0.0 <= size < len(words) or size != int(size):
         raise ValueError(f"a list of {size:g} values")
@@ -174,7 +174,7 @@ def _text_size(words: FloatArray, at: int) -> int:
 
 
 def _binary(data: bytes, order: str, table: Table, at: int) -> tuple[Columns, int]:
-    """The columns of a table of binary numbers; all at once where every record is as long as the first."""
+    """Return the columns of a binary table, all at once where every record is as long as the first."""
     fields: list[Any] = []
     place = at
     for k, one in enumerate(table.properties):
@@ -203,7 +203,7 @@ def _binary(data: bytes, order: str, table: Table, at: int) -> tuple[Columns, in
 
 
 def _binary_records(data: bytes, order: str, table: Table, at: int) -> tuple[Columns, int]:
-    """The lists of a table of binary numbers, record by record."""
+    """Return the lists of a binary table, record by record."""
     kinds = [(one.name, one.counted, np.dtype(one.kind).itemsize) for one in table.properties]
     values: dict[str, bytearray] = {name: bytearray() for name, counted, _ in kinds if counted is not None}
     sizes: dict[str, list[int]] = {name: [] for name in values}
@@ -227,7 +227,7 @@ def _binary_records(data: bytes, order: str, table: Table, at: int) -> tuple[Col
 
 
 def _binary_size(data: bytes, kind: str, at: int, table: Table) -> int:
-    """The length of a list of binary numbers."""
+    """Return the length of a binary list."""
     if at + int(kind[2]) > len(data):
         raise ValueError(_truncated(table))
     size = int(np.frombuffer(data, kind, count=1, offset=at)[0])
@@ -237,7 +237,7 @@ def _binary_size(data: bytes, kind: str, at: int, table: Table) -> int:
 
 
 def _end_of_table(table: Table, at: int, width: int, available: int) -> int:
-    """Where a table of records of at least this width ends; raises ValueError where the file ends before."""
+    """Return where a table of records of at least this width ends; raise ValueError beyond the file's end."""
     end = at + table.count * width
     if end > available:
         raise ValueError(_truncated(table))
@@ -249,7 +249,7 @@ def _truncated(table: Table) -> str:
 
 
 def _vertices(found: Columns) -> FloatArray:
-    """The positions [n, 3]."""
+    """Return the positions [n, 3]."""
     axes = [found.get(axis) for axis in "xyz"]
     columns = [axis for axis in axes if isinstance(axis, np.ndarray)]
     if len(columns) < len(axes):
@@ -261,13 +261,13 @@ def _vertices(found: Columns) -> FloatArray:
 
 
 def _corners(found: Columns) -> Ragged | None:
-    """The list of corners of faces or strips."""
+    """Return the list of corners of faces or strips."""
     lists = [each for name in CORNERS if isinstance(each := found.get(name), Ragged)]
     return lists[0] if lists else None
 
 
 def _faces(found: Columns) -> Iterator[IntArray]:
-    """Triangles of the faces."""
+    """Return the triangles of the faces."""
     corners = _corners(found)
     if corners is not None:
         for _, rows in rows_by_length(corners.values, corners.sizes):
@@ -276,7 +276,7 @@ def _faces(found: Columns) -> Iterator[IntArray]:
 
 
 def _strips(found: Columns) -> Iterator[IntArray]:
-    """Triangles of strips: each corner from the third on makes one with the two before, every other one turned."""
+    """Return the triangles of strips: each corner from the third on closes one, every other one reversed."""
     corners = _corners(found)
     if corners is None:
         return

@@ -1,4 +1,4 @@
-"""Geometry files by their endings. Readers of CAD formats import packages of their own, only when such a file comes."""
+"""The readers of geometry files by file extension; CAD readers import their packages only when needed."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ EXTRAS = {".step": "step", ".stp": "step", ".3dm": "rhino", ".ifc": "ifc"}  # of
 
 
 def read(file: Path, *, where: str) -> MeshFile:
-    """The elements of a geometry file, in its own unit and axes.
+    """Read the elements of a geometry file, in its own unit and axes.
 
     Raises
     ------
@@ -60,19 +60,19 @@ def read(file: Path, *, where: str) -> MeshFile:
 
 
 def mesh_elements(content: MeshFile, places: Sequence[int], *, file: Path, where: str) -> tuple[Part, ...]:
-    """The meshes of the elements of a file at these places.
+    """Mesh the elements of a file at these indices.
 
     Raises
     ------
-    GeometryError : the file is such that nothing can be meshed
+    GeometryError : nothing of the file can be meshed
     """
     with _one_line_errors(file.suffix.lower(), where=where):
-        return content.meshed(places)
+        return content.mesh(places)
 
 
 @contextmanager
 def _one_line_errors(ending: str, *, where: str) -> Iterator[None]:
-    """Turn whatever a reader raises into one line, and keep to itself what it prints."""
+    """Turn whatever a reader raises into one line, and suppress what it prints."""
     try:
         with silence_output():
             yield
@@ -89,7 +89,7 @@ def _one_line_errors(ending: str, *, where: str) -> Iterator[None]:
 
 
 def _missing_package(ending: str, missing: ModuleNotFoundError, *, where: str) -> str:
-    """The line that says what to install."""
+    """Return the line that says what to install."""
     extra = EXTRAS.get(ending)
     if extra is None:
         return f'{where}: the package "{missing.name}" is not installed; install it again: pip install "rocking-assess"'

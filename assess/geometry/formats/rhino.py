@@ -1,4 +1,4 @@
-"""Rhino files, .3dm. The only door to rhino3dm."""
+"""Rhino files, .3dm; the only door to rhino3dm."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ NO_MESH = (
 
 
 def read_3dm(file: Path) -> MeshFile:
-    """Meshes, and the render meshes of polysurfaces and extrusions, of a Rhino file; block instances in their places.
+    """Read the meshes of a Rhino file, the render meshes of its polysurfaces and extrusions, and its block instances.
 
     openNURBS does not mesh: a surface saved without its render mesh is a part without triangles.
     """
@@ -64,7 +64,7 @@ def read_3dm(file: Path) -> MeshFile:
 
 
 def _object_parts(item: Any, model: Any, depth: int = 0) -> Iterator[Part]:
-    """The parts of one object of the file; without triangles where it has a surface but no mesh."""
+    """Return the parts of one object of the file, without triangles where it has a surface but no mesh."""
     kind = type(item.Geometry).__name__
     names = (item.Attributes.Name,) if item.Attributes.Name else ()
     element = Element(names=names, identifier=str(item.Attributes.Id), kinds=(kind,))
@@ -82,7 +82,7 @@ def _object_parts(item: Any, model: Any, depth: int = 0) -> Iterator[Part]:
 
 
 def _instance(item: Any, model: Any, element: Element, depth: int) -> Iterator[Part]:
-    """The parts of a block's definition, moved to where the instance stands."""
+    """Return the parts of a block's definition, transformed to the instance."""
     reference = item.Geometry
     matrix = np.array(reference.Xform.ToFloatArray(True), dtype=np.float64).reshape(4, 4)
     definition = model.InstanceDefinitions.FindId(reference.ParentIdefId)
@@ -96,14 +96,14 @@ def _instance(item: Any, model: Any, element: Element, depth: int) -> Iterator[P
 
 
 def _render(surface: Any) -> Any:
-    """The render mesh of an extrusion or of a face, None where the file has none."""
+    """Return the render mesh of an extrusion or of a face, None where the file has none."""
     import rhino3dm
 
     return surface.GetMesh(rhino3dm.MeshType.Any)
 
 
 def _mesh(element: Element, meshes: list[Any]) -> Part:
-    """The Rhino meshes of one object as one part; nothing where one of them is missing."""
+    """Join the Rhino meshes of one object into one part, without mesh where one of them is missing."""
     if not meshes or any(each is None for each in meshes):
         return part_without_mesh(element, NO_MESH.format(kind=_surface_name(element.kinds[0])))
     corners = [_points(each) for each in meshes]
@@ -116,7 +116,7 @@ def _mesh(element: Element, meshes: list[Any]) -> Part:
 
 
 def _points(shape: Any) -> FloatArray:
-    """The vertices of a Rhino mesh [n, 3], point by point, as rhino3dm gives them out."""
+    """Return the vertices of a Rhino mesh [n, 3], point by point, as rhino3dm provides them."""
     values = np.fromiter((value for v in shape.Vertices for value in (v.X, v.Y, v.Z)), dtype=np.float64)
     return values.reshape(-1, 3)
 

@@ -1,4 +1,4 @@
-"""Readers of other packages kept quiet: what they print and log never stands beside a result."""
+"""Third-party readers kept silent, so that what they print and log never mixes with results."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from contextlib import contextmanager, redirect_stderr, redirect_stdout, suppres
 
 @contextmanager
 def silence_output() -> Iterator[None]:
-    """Keep off the standard streams what packages print, log or warn of; the errors that they raise say the same."""
+    """Suppress what packages print, log or warn of; the errors that they raise say the same."""
     for stream in (sys.stdout, sys.stderr):
         with suppress(OSError, ValueError):
             stream.flush()
@@ -28,7 +28,7 @@ def silence_output() -> Iterator[None]:
 
 @contextmanager
 def _silence_descriptors() -> Iterator[None]:
-    """The streams of the process, to which compiled packages write, led nowhere."""
+    """Redirect the streams of the process, to which compiled packages write, to nowhere."""
     kept = {stream: saved for stream in (1, 2) if (saved := _duplicate(stream)) is not None}
     nowhere = os.open(os.devnull, os.O_WRONLY)
     try:
@@ -43,7 +43,7 @@ def _silence_descriptors() -> Iterator[None]:
 
 
 def _duplicate(stream: int) -> int | None:
-    """A copy of a stream of the process; None where it has been closed."""
+    """Duplicate a stream of the process; None where it has been closed."""
     try:
         return os.dup(stream)
     except OSError:

@@ -1,4 +1,4 @@
-"""STEP files (ISO 10303-21). The only door to cascadio, which meshes them with Open CASCADE."""
+"""STEP files (ISO 10303-21), meshed with Open CASCADE by cascadio; the only door to it."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ MESH = "import sys, cascadio; sys.exit(cascadio.step_to_glb(sys.argv[1], sys.arg
 
 
 def read_step(file: Path) -> MeshFile:
-    """The solids of a STEP file as meshes, in metres, or in the file's unit if it does not state which that is.
+    """Read the solids of a STEP file as meshes, in metres, or in the file's unit where it does not state which that is.
 
     Single precision, by way of glTF.
     """
-    import cascadio  # noqa: F401  # absent: told by the caller; it runs in a process of its own
+    import cascadio  # noqa: F401  # the caller reports its absence; it runs in a process of its own
 
     refuse_damaged(file)
     with tempfile.TemporaryDirectory() as folder:
@@ -35,9 +35,9 @@ def read_step(file: Path) -> MeshFile:
         if failed or not glb.is_file():
             raise ValueError("Open CASCADE finds no shape in it")
         found = replace(read_glb(glb), up="z")
-    return found if states_unit(file) else replace(found, meshed=partial(_in_own_unit, found), unit=None)
+    return found if states_unit(file) else replace(found, mesh=partial(_in_own_unit, found), unit=None)
 
 
 def _in_own_unit(found: MeshFile, places: Sequence[int]) -> tuple[Part, ...]:
-    """The parts in the numbers of the file, which were taken for millimetres and became metres."""
-    return tuple(replace(each, vertices=each.vertices * 1000.0) for each in found.meshed(places))
+    """Return the parts in the numbers of the file, which were taken for millimetres and converted to metres."""
+    return tuple(replace(each, vertices=each.vertices * 1000.0) for each in found.mesh(places))

@@ -1,4 +1,4 @@
-"""Whether the shapes of a STEP file state their unit; where not, Open CASCADE takes millimetres without a word."""
+"""Whether a STEP file states its unit; where not, Open CASCADE assumes millimetres without a warning."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ REFERENCE = re.compile(rb"#\s*(\d+)")
 
 
 def states_unit(file: Path) -> bool:
-    """Whether the contexts of all shapes of a file name a unit of length (ISO 10303-41, -42).
+    """Return whether the contexts of all shapes of a file name a unit of length (ISO 10303-41, -42).
 
     Raises
     ------
@@ -41,12 +41,12 @@ def states_unit(file: Path) -> bool:
 
 
 def _words(text: bytes) -> set[bytes]:
-    """The entities of a complex instance."""
+    """Return the entities of a complex instance."""
     return set(re.findall(rb"([A-Z_0-9]+)\s*\(", re.sub(rb"'[^']*'", b"", text)))
 
 
 def _is_length(words: set[bytes], text: bytes) -> bool:
-    """Whether a complex instance is a unit of length; raises ValueError where it says none that there is."""
+    """Return whether a complex instance is a unit of length; raise ValueError where it names none that exists."""
     if not {b"LENGTH_UNIT", b"NAMED_UNIT"} <= words:
         return False
     if b"SI_UNIT" in words and not METRE.search(text):

@@ -1,4 +1,4 @@
-"""A reader in C++ in a process of its own, because some damaged files crash it or keep it for ever."""
+"""A C++ reader run in a process of its own, because some damaged files crash it or never end."""
 
 from __future__ import annotations
 
@@ -20,8 +20,13 @@ except ImportError:
 
 
 def run_in_subprocess(code: str, file: Path, *more: str, name: str) -> int:
-    """Run the Python `code` with the paths as its arguments; the code at its end.
+    """Run Python `code` in a process of its own, with the paths as its arguments, and return its exit code.
 
+    Parameters
+    ----------
+    code : Python source
+    file : its first argument, by whose size its time is limited
+    more : further arguments
     name : of the reader, for errors
 
     Raises

@@ -1,4 +1,4 @@
-"""Text of lines and numbers, read a block at a time: what is held is a few times the numbers, not the text."""
+"""Text of lines and numbers, read in blocks: memory is a few times the numbers, not the text."""
 
 from __future__ import annotations
 
@@ -27,9 +27,11 @@ SPACE, NEWLINE = 32, 10  # bytes up to the space part words
 class Block:
     """Whole lines of a file.
 
+    Attributes
+    ----------
     text : bytes, ending with a line break
     end : where each line ends: its line break [n]
-    words : how many words each line has [n]
+    words : number of words of each line [n]
     first, second : the first byte of its first word, and the byte after that; 0 where there is none [n]
     """
 
@@ -41,16 +43,16 @@ class Block:
 
 
 def read_blocks(file: Path, *, skip: int = 0, comments: bool = False) -> Iterator[Block]:
-    """The lines of a file; a backslash at the end of one joins the next to it.
+    """Read the lines of a file; a backslash at the end of a line joins the next to it.
 
     Parameters
     ----------
     skip : bytes before the first line
-    comments : whether what stands behind a # is left out
+    comments : whether text after a # is dropped
 
     Raises
     ------
-    ValueError : it is no text of one byte to a letter
+    ValueError : it is not a text of one byte per letter
     """
     with file.open("rb") as content:
         content.seek(skip)
@@ -80,7 +82,7 @@ def _block(text: bytes) -> Block:
 
 
 def join_lines(block: Block, chosen: BoolArray) -> bytes:
-    """The chosen lines [n] as one text."""
+    """Return the chosen lines [n] as one text."""
     if chosen.all():
         return block.text.tobytes()
     lengths = np.diff(block.end, prepend=-1)
@@ -88,11 +90,11 @@ def join_lines(block: Block, chosen: BoolArray) -> bytes:
 
 
 def parse_numbers(text: bytes, *, count: int) -> FloatArray:
-    """All numbers of a text [count].
+    """Return all numbers of a text [count].
 
     Raises
     ------
-    ValueError : a word is no number, or they are more or less
+    ValueError : a word is not a number, or their number differs
     """
     with warnings.catch_warnings(), suppress(ValueError):
         warnings.simplefilter("ignore", DeprecationWarning)  # numpy before 2.5 warns of text not read to its end
@@ -103,7 +105,7 @@ def parse_numbers(text: bytes, *, count: int) -> FloatArray:
 
 
 def parse_words(data: bytes, start: int) -> FloatArray:
-    """All words of a text from byte `start` on, which are to be numbers; raises ValueError where one is not."""
+    """Parse all words of a text from byte `start` on as numbers; raise ValueError where one is not."""
     cuts = [start]
     while cuts[-1] < len(data):
         space = re.compile(rb"\s").search(data, cuts[-1] + BLOCK)
@@ -124,7 +126,7 @@ def _count_words(text: bytes) -> int:
 
 
 def rows_by_length(values: NDArray[Number], sizes: IntArray) -> Iterator[tuple[IntArray, NDArray[Number]]]:
-    """Rows of equal lengths together: their places [k], and their values [k, size].
+    """Group rows of equal length: yield their indices [k] and their values [k, size].
 
     Parameters
     ----------
@@ -139,14 +141,14 @@ def rows_by_length(values: NDArray[Number], sizes: IntArray) -> Iterator[tuple[I
 
 
 def rest_of_line(block: Block, line: int) -> str:
-    """What stands on a line of a block behind its first word."""
+    """Return the text of a line after its first word."""
     start = 0 if line == 0 else int(block.end[line - 1]) + 1
     text = block.text[start : block.end[line]].tobytes().decode("utf-8", errors="replace")
     return " ".join(text.split(maxsplit=1)[1:]).strip()
 
 
 def _first_non_number(text: bytes) -> str:
-    """Which word is no number."""
+    """Describe the first word that is not a number."""
     for word in re.finditer(rb"\S+", text):
         try:
             float(word[0])

@@ -1,6 +1,6 @@
 """3MF packages (3MF Core Specification 1.3, and the paths of its Production Extension): every instance of every mesh.
 
-Read with the parser of Python itself, because trimesh loses some of the instances of components within components.
+Parsed with Python's own XML parser, because trimesh loses some instances of components within components.
 """
 
 from __future__ import annotations
@@ -13,8 +13,9 @@ from xml.parsers import expat
 
 import numpy as np
 
-from assess.geometry.formats.limits import MAX_INSTANCES, MAX_TRIANGLES, unpack_3mf
+from assess.geometry.formats.limits import MAX_INSTANCES, MAX_TRIANGLES
 from assess.geometry.formats.mesh_file import Element, MeshFile, Part, file_from_parts, transform
+from assess.geometry.formats.threemf_package import unpack_3mf
 from spectra.arrays import FloatArray, IntArray
 
 UNITS = {  # 3MF Core Specification 1.3, 3.4: the attribute unit of <model> [m]
@@ -31,7 +32,7 @@ Key = tuple[str, str]  # the part of the package in which an object stands, and 
 
 @dataclass(frozen=True)
 class Use:
-    """An object in its place: an item of the build, or a component of another object."""
+    """A placed object: an item of the build, or a component of another object."""
 
     key: Key
     matrix: FloatArray
@@ -39,7 +40,7 @@ class Use:
 
 @dataclass
 class Found:
-    """An object as it is read."""
+    """An object while it is read."""
 
     name: str
     corners: array[float] = field(default_factory=lambda: array("d"))
@@ -58,7 +59,7 @@ class Found:
 
 @dataclass
 class Model:
-    """A model part of a package as it is read."""
+    """A model part of a package while it is read."""
 
     unit: str = "millimeter"
     objects: dict[Key, Found] = field(default_factory=dict)
@@ -66,7 +67,7 @@ class Model:
 
 
 def read_3mf(file: Path) -> MeshFile:
-    """The items of a package's build, z up, in the unit it states, millimetres where it states none."""
+    """Read the items of a package's build, z up, in the unit it states or else millimetres."""
     models = {name.lstrip("/").lower(): _model(name, data) for name, data in unpack_3mf(file).items()}
     root = models.get(ROOT) or next(iter(models.values()), None)
     if root is None:
@@ -80,11 +81,11 @@ def read_3mf(file: Path) -> MeshFile:
 
 
 def _refuse_many(items: Sequence[Use], objects: Mapping[Key, Found]) -> None:
-    """Raise where components within components make too much, or one holds itself or what is not there."""
+    """Raise where nested components produce too much, or one contains itself or a missing object."""
     known: dict[Key, tuple[int, int]] = {}
 
     def made(key: Key, within: tuple[Key, ...]) -> tuple[int, int]:
-        """Instances and triangles that an object makes."""
+        """Return the instances and triangles that an object produces."""
         if key in within:
             raise ValueError(f"its object {key[1][:20]} is a component of itself")
         if key not in objects:
@@ -101,7 +102,7 @@ def _refuse_many(items: Sequence[Use], objects: Mapping[Key, Found]) -> None:
 
 
 def _instances(use: Use, objects: Mapping[Key, Found], *, within: tuple[Key, ...]) -> Iterator[Part]:
-    """The meshes of an object where it is used, and of its components."""
+    """Yield the meshes of an object where it is used, and of its components."""
     one = objects[use.key]
     if one.triangles:
         owners = tuple(objects[key].name for key in within)
@@ -112,7 +113,7 @@ def _instances(use: Use, objects: Mapping[Key, Found], *, within: tuple[Key, ...
 
 
 def _number_names(parts: list[Part]) -> Iterator[Part]:
-    """The parts, those of one name numbered; the name itself then means all of them."""
+    """Number the parts that share a name; the name itself then means all of them."""
     names = [part.element.names[0] for part in parts]
     many = {name for name in names if names.count(name) > 1} if len(set(names)) < len(names) else set()
     count: dict[str, int] = {}
@@ -124,7 +125,7 @@ def _number_names(parts: list[Part]) -> Iterator[Part]:
 
 
 def _model(path: str, data: bytes) -> Model:
-    """The objects and the build of one model part."""
+    """Parse the objects and the build of one model part."""
     model = Model()
     own = path.lstrip("/").lower()
     current = Found("")
@@ -156,7 +157,7 @@ def _model(path: str, data: bytes) -> Model:
 
 
 def _use(given: Mapping[str, str], own: str) -> Use:
-    """An item or component; its part of the package is its own unless it says another (Production Extension)."""
+    """Parse an item or component; it lies in its own part of the package unless it names another."""
     path = next((value for name, value in given.items() if name.rsplit(":", 1)[-1] == "path"), own)
     numbers = [float(word) for word in given.get("transform", "1 0 0 0 1 0 0 0 1 0 0 0").split()]
     if len(numbers) != 12:

@@ -21,6 +21,7 @@ DATA = {
     "spectra.arrays",  # the types of arrays
     "assess.outputs.single",  # files whole or not at all
     "assess.workers",  # processes that end with their parent
+    "assess.errors",
     "assess.results",
     "assess.codes.check",
     "assess.codes.families",

@@ -181,10 +181,10 @@ def test_edited_results_are_doubted_and_their_report_says_so(
     assert ended("diff", here, outputs) == 0
     told = capsys.readouterr()
     assert told.err == (
-        f"assess: warning: {here / 'results.json'}: these results were changed since the program wrote them: nothing "
-        "vouches for their numbers; run the project again\n"
+        f"assess: warning: {here / 'results.json'}: these results have been changed since the program wrote "
+        "them, so their numbers cannot be trusted; run the project again\n"
     )
-    assert "nothing vouches for their numbers" in told.out
+    assert "their numbers cannot be trusted" in told.out
     monkeypatch.setattr("reports.writing.write_all", lambda found, stage, **_: seen.append(found) or stage / "x")
     assert ended("report", here / "results.json") == 0
     assert [each.key for each in seen[0].warnings].count("results-changed") == 1

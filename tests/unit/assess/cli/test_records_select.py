@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from records import indexing
+from records import description
 from records.catalogue import NAME
 from records.reading import read_records
 from records.record import make_record
@@ -235,7 +235,7 @@ def test_an_index_tells_what_became_of_a_flatfile(folder: Path, capsys: pytest.C
         (5, "Record Sequence Number", "last"),
     ]
     assert select(folder, "--count", 2, "--flatfile", flat) == 0
-    assert "warning: records.flatfile: 3 cells passed over: row 4," in capsys.readouterr().out
+    assert "warning: records.flatfile: 3 cells ignored: row 4," in capsys.readouterr().out
 
 
 @pytest.mark.parametrize(
@@ -280,7 +280,7 @@ def test_many_files_are_read_by_processes(
 
     monkeypatch.setattr("assess.workers.SpawnedPool", Executor)
     monkeypatch.setattr("assess.cli.arguments.cores", lambda: 8)
-    monkeypatch.setattr(indexing, "FEW", 1)
+    monkeypatch.setattr(description, "FEW", 1)
     (folder.parent / "project.toml").write_text(
         project_toml(
             site={"spectrum": {"code": "table", "file": "target.csv"}},

@@ -80,7 +80,7 @@ def test_a_spectrum_below_the_coefficient_slides_nothing() -> None:
         (
             replace(context(), actions=("tie 1",)),
             "not-applicable",
-            "under its weight alone, and on this one tie 1 acts",
+            "loaded by its weight alone, but tie 1 also acts on this one",
         ),
         (replace(context(), hinges=()), "not-answered", "an equivalent block has no geometry"),
         (context(mu=0.01), "not-answered", "does not fall below c_s before it ends"),

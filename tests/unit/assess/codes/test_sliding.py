@@ -58,7 +58,7 @@ def test_it_fails_only_where_the_level_reaches_the_acceleration_that_slides() ->
     assert {check.capacity for check in found} == {0.3}
     assert found[0].capacity_pga_g == pytest.approx(0.24, rel=1e-12)
     assert "slides before it rocks, at hinge A" in found[-1].reason.text
-    assert "from PGA 0.24 g on" in found[0].reason.text
+    assert "from PGA 0.24 g upwards" in found[0].reason.text
 
 
 def test_amplified_at_its_base_it_slides_at_less() -> None:
@@ -106,7 +106,7 @@ def test_the_hinge_that_uses_its_friction_up_most_is_the_answer() -> None:
     [
         ((), "an equivalent block has no geometry"),
         ((hinge(0.2), hinge(0.2, friction=None, name="B")), "friction at hinge B is not known; give materials.stone"),
-        ((hinge(0.2, starting=Pressure(-1500.0, 100.0)),), "hinge A would have to pull with 1500 N"),
+        ((hinge(0.2, starting=Pressure(-1500.0, 100.0)),), "hinge A would need a tension of 1500 N"),
     ],
 )
 def test_what_it_cannot_know_it_does_not_claim(hinges: tuple[HingeForces, ...], said: str) -> None:

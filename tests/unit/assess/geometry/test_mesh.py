@@ -196,13 +196,13 @@ def repaired(folder: Path, vertices: ArrayLike, triangles: ArrayLike, *, volume:
     for file in EXACT:
         found = loaded(folder, vertices, triangles, file=file)
         assert found.mass == pytest.approx(volume * DENSITY, rel=1e-12), file
-        assert re.search(text, "; ".join(found.trail)), found.trail
+        assert re.search(text, "; ".join(found.history)), found.history
     return found
 
 
 def test_a_good_mesh_is_not_touched(tmp_path: Path) -> None:
     found = loaded(tmp_path, WALL.vertices, WALL.triangles)
-    assert found.trail == ()
+    assert found.history == ()
     order = np.lexsort(WALL.vertices.T)
     np.testing.assert_array_equal(found.vertices, WALL.vertices[order])
     np.testing.assert_array_equal(found.vertices[found.triangles], WALL.vertices[WALL.triangles])
@@ -231,30 +231,30 @@ def test_triangles_are_turned_alike(tmp_path: Path) -> None:
     turned = np.array([5, 8])
     triangles = WALL.triangles.copy()
     triangles[turned] = triangles[turned, ::-1]
-    found = repaired(tmp_path, WALL.vertices, triangles, volume=31.875, text="2 triangles turned to run like")
+    found = repaired(tmp_path, WALL.vertices, triangles, volume=31.875, text="2 triangles reversed to match")
     same(found, WALL, rtol=1e-12)
 
 
 def test_an_inverted_mesh_is_turned(tmp_path: Path) -> None:
     found = repaired(
-        tmp_path, WALL.vertices, WALL.triangles[:, ::-1], volume=31.875, text="faced inwards and were turned"
+        tmp_path, WALL.vertices, WALL.triangles[:, ::-1], volume=31.875, text="faced inwards and were reversed"
     )
     same(found, WALL, rtol=1e-12)
     outer, inner = block(0.0, 0.0, 0.0, size=(4.0, 4.0, 4.0)), block(0.5, 0.0, 1.0, size=(2.0, 2.0, 2.0))
     vertices, triangles = soup(outer, inwards(inner))
-    repaired(tmp_path, vertices, triangles[:, ::-1], volume=56.0, text="faced inwards and were turned")
+    repaired(tmp_path, vertices, triangles[:, ::-1], volume=56.0, text="faced inwards and were reversed")
 
 
 def test_boxes_that_share_an_edge_or_a_face_are_two(tmp_path: Path) -> None:
     for other in (block(1.0, 1.0, 0.0), block(1.0, 0.0, 0.0)):
         found = loaded(tmp_path, *soup(block(0.0, 0.0, 0.0), other))
-        assert (found.mass, found.trail) == (pytest.approx(2.0 * DENSITY, rel=1e-14), ())
+        assert (found.mass, found.history) == (pytest.approx(2.0 * DENSITY, rel=1e-14), ())
 
 
 def test_double_triangles_count_once(tmp_path: Path) -> None:
-    repaired(tmp_path, *soup(WALL, WALL), volume=31.875, text="12 double triangles left out .volume -100 %")
+    repaired(tmp_path, *soup(WALL, WALL), volume=31.875, text="12 double triangles removed .volume -100 %")
     both_sides = np.concatenate([WALL.triangles, WALL.triangles[:, ::-1]])
-    repaired(tmp_path, WALL.vertices, both_sides, volume=31.875, text="12 double triangles left out")
+    repaired(tmp_path, WALL.vertices, both_sides, volume=31.875, text="12 double triangles removed")
 
 
 def test_a_mesh_without_volume_is_refused(tmp_path: Path) -> None:
@@ -287,18 +287,21 @@ def test_overlapping_shells_are_united(
     turn = Rotation.from_rotvec([angle, 2.0 * angle, -angle]).as_matrix()
     found = loaded(tmp_path, vertices @ turn.T, triangles, file="text.ply")
     assert found.mass == pytest.approx(volume * DENSITY, rel=1e-9)
-    assert "closed shells, some of which overlap" in found.trail[0]
+    assert "closed shells, some of which overlap" in found.history[0]
     moved = 100.0 * (volume - (1.0 + np.prod(size))) / volume
-    assert f"(volume {moved:+.3g} %)" in found.trail[0]
+    assert f"(volume {moved:+.3g} %)" in found.history[0]
 
 
 def test_a_shell_inside_another_counts_once_unless_it_is_a_cavity(tmp_path: Path) -> None:
     outer, inner = block(0.0, 0.0, 0.0, size=(4.0, 4.0, 4.0)), block(0.5, 0.0, 1.0, size=(2.0, 2.0, 2.0))
-    repaired(tmp_path, *soup(outer, inner), volume=64.0, text="2 closed shells, .* united, .* .volume -12.5 %")
-    text = "1 closed shell inside out turned .the first around .9, 0, 0.5. m"
+    repaired(tmp_path, *soup(outer, inner), volume=64.0, text="2 closed shells, .* united .* .volume -12.5 %")
+    text = "1 closed shell that faced inwards reversed .the first around .9, 0, 0.5. m"
     repaired(tmp_path, *soup(outer, inwards(block(9.0, 0.0, 0.0))), volume=65.0, text=text)
     repaired(
-        tmp_path, *soup(outer, inwards(block(0.0, 0.0, 4.0))), volume=65.0, text="1 closed shell inside out turned"
+        tmp_path,
+        *soup(outer, inwards(block(0.0, 0.0, 4.0))),
+        volume=65.0,
+        text="1 closed shell that faced inwards reversed",
     )
 
 
@@ -313,7 +316,7 @@ def test_cavities_that_break_through_or_meet_are_taken_off_once(tmp_path: Path) 
 def test_a_flat_shell_beside_a_body_is_left_out(tmp_path: Path) -> None:
     vertices = np.concatenate([WALL.vertices, [[9.0, 0.0, 0.0], [9.0, 1.0, 0.0], [9.0, 0.0, 1.0]]])
     triangles = np.concatenate([WALL.triangles, [[8, 9, 10], [8, 10, 9]]])
-    repaired(tmp_path, vertices, triangles, volume=31.875, text="1 closed shell without volume left out")
+    repaired(tmp_path, vertices, triangles, volume=31.875, text="1 closed shell without volume removed")
 
 
 def test_a_surface_that_cuts_itself_is_refused(tmp_path: Path) -> None:
@@ -325,7 +328,9 @@ def test_a_surface_that_cuts_itself_is_refused(tmp_path: Path) -> None:
     sides = np.concatenate([np.column_stack([k, k + 5, q]), np.column_stack([q, k + 5, q + 5])])
     vertices = np.concatenate([ring, np.add(ring, [0.0, 2.0, 0.0]), [[0.0, 0.0, 0.0], [0.0, 2.0, 0.0]]])
     triangles = np.concatenate([*ends, sides])
-    refused(tmp_path, vertices, triangles, text=r"cuts itself, near .* so that about \d+ % of its volume counts twice")
+    refused(
+        tmp_path, vertices, triangles, text=r"intersects itself near .* so that about \d+ % of its volume counts twice"
+    )
 
 
 @pytest.mark.parametrize("up", ["y", "z"])
@@ -418,7 +423,7 @@ def test_single_precision_far_from_the_origin_is_refused_beyond_a_hundredth_of_t
             loaded(tmp_path, far / unit, WALL.triangles, file="binary.stl", scale=unit)
     assert size_warning(loaded(tmp_path, far, WALL.triangles)) is None
     near = loaded(tmp_path, WALL.vertices + np.array([60000.1, 0.2, 0.3]), WALL.triangles, file="binary.stl")
-    assert "in single precision, which there resolves 0.0039 m" in (size_warning(near) or "")
+    assert "in single precision, which resolves 0.0039 m there" in (size_warning(near) or "")
 
 
 @pytest.mark.parametrize(

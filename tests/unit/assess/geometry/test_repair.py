@@ -60,7 +60,7 @@ def test_windings_by_chance_are_made_alike() -> None:
     turned = np.random.default_rng(SEED).random(len(triangles)) < 0.5
     found, told = repair((vertices, np.where(turned[:, None], triangles[:, ::-1], triangles)), where="ball")
     assert volume(*found) == pytest.approx(volume(vertices, triangles), rel=1e-13)
-    assert "turned to run like their neighbours" in told[0]
+    assert "reversed to match their neighbours" in told[0]
 
 
 def test_cracks_between_loose_triangles_are_closed() -> None:
@@ -82,7 +82,7 @@ def test_an_edge_that_faces_two_is_split() -> None:
     found, told = repair(merge_vertices(vertices, triangles), where="wall")
     assert find_edges(found[1]).plain
     assert volume(*found) == pytest.approx(31.875, rel=1e-13)
-    assert told == ("2 edges split at the corners of others that lie on them (volume +0 %)",)
+    assert told == ("2 edges split at corners of other triangles that lie on them (volume +0 %)",)
 
 
 def test_a_hole_too_uneven_is_refused() -> None:

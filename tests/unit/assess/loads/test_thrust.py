@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.loads.thrust import CONSTRUCTIONS, LIGHT_BRICK, SANDSTONE, STRONG_BRICK, even_lever, thrust
+from assess.loads.thrust import CONSTRUCTIONS, LIGHT_BRICK, SANDSTONE, STRONG_BRICK, arch_thrust, uniform_lever_arm
 
 
 def horizontal_reaction(x, weight, *, span, rise):
@@ -35,8 +35,8 @@ def test_rafters_by_the_method_of_joints():
     directions = np.array([[L / 2, -L / 2], [f, f]]) / bar  # of the pushes of both bars on the ridge
     pushes = np.linalg.solve(directions, [0.0, W / 2])
     expected = pushes[0] * (L / 2) / bar
-    assert thrust(W / 2, lever=even_lever(L), rise=f) == pytest.approx(expected, rel=1e-12)
-    assert thrust(W / 2, lever=even_lever(L), rise=f) == pytest.approx(W * L / (8 * f), rel=1e-12)
+    assert arch_thrust(W / 2, lever=uniform_lever_arm(L), rise=f) == pytest.approx(expected, rel=1e-12)
+    assert arch_thrust(W / 2, lever=uniform_lever_arm(L), rise=f) == pytest.approx(W * L / (8 * f), rel=1e-12)
 
 
 @pytest.mark.parametrize("heavier_at_the_feet", [0.0, 2.0])
@@ -47,14 +47,14 @@ def test_any_symmetric_weight_by_equilibrium_of_both_halves(heavier_at_the_feet)
     H, V = horizontal_reaction(x, weight, span=L, rise=f)
     lever = weight @ np.minimum(x, L - x) / weight.sum()
     assert weight.sum() / 2 == pytest.approx(V, rel=1e-12)
-    assert thrust(V, lever=lever, rise=f) == pytest.approx(H, rel=1e-9)
+    assert arch_thrust(V, lever=lever, rise=f) == pytest.approx(H, rel=1e-9)
     if not heavier_at_the_feet:
-        assert lever == pytest.approx(even_lever(L), rel=1e-9)
+        assert lever == pytest.approx(uniform_lever_arm(L), rel=1e-9)
 
 
 def test_a_flat_arch_thrusts_without_bound_and_a_steep_one_not_at_all():
-    assert thrust(1.0, lever=1.0, rise=1e-9) == pytest.approx(1e9)
-    assert thrust(1.0, lever=1.0, rise=1e9) == pytest.approx(1e-9)
+    assert arch_thrust(1.0, lever=1.0, rise=1e-9) == pytest.approx(1e9)
+    assert arch_thrust(1.0, lever=1.0, rise=1e9) == pytest.approx(1e-9)
 
 
 def test_the_two_constructions_of_each_case_weigh_alike():

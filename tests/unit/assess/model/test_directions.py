@@ -13,7 +13,7 @@ from assess.mechanisms.directions import Directions
 from assess.mechanisms.mechanism import Mechanism
 from assess.project.build import build
 from assess.project.schema import load
-from assess.study.run import parameters
+from assess.study.parameters import parameters
 from tests.support.projects import block, project_toml, study_of
 
 HEIGHT = 10.0
@@ -128,7 +128,7 @@ def test_a_floor_counts_in_every_direction_and_is_met_once(tmp_path: Path, monke
     """It bears on 0.5 m of the top, beside one face; where it meets the tower does not turn with the direction."""
     met = []
     monkeypatch.setattr(
-        bearing, "touch", lambda block, body, **more: met.append(body.name) or find_contact(block, body, **more)
+        bearing, "find_contact", lambda block, body, **more: met.append(body.name) or find_contact(block, body, **more)
     )
     floor = "[bodies.floor]\nmaterial = 'm'\nbox = { thickness = 4, length = 3, height = 0.5, base = [3, 0, 10] }"
     found = sought(tmp_path, SQUARE, f"sides = 'one'\nloads = [{{ kind = 'body', body = 'floor' }}]\n{floor}")

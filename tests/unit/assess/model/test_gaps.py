@@ -29,14 +29,16 @@ TWO_BLOCKS = 'kind = "two-block"\nblocks = ["a", "b"]'
 
 def test_bodies_of_one_block_that_touch_nowhere_are_told(tmp_path):
     (text,) = gaps(tmp_path, "[0, 3.5, 0]", ONE_BLOCK)
-    assert text == ('bodies "a" and "b" touch nowhere: they lie 0.5 m apart; as one block they are taken to be joined')
+    assert text == (
+        'bodies "a" and "b" do not touch: they are 0.5 m apart; since they form one block, they are treated as joined'
+    )
     assert gaps(tmp_path, "[0, 3, 0]", ONE_BLOCK) == []
     assert gaps(tmp_path, "[0, 3.009, 0]", ONE_BLOCK) == []  # as thick as a joint
 
 
 def test_blocks_that_do_not_meet_at_their_hinge_are_told(tmp_path):
     (text,) = gaps(tmp_path, "[0, 0, 4.5]", TWO_BLOCKS)
-    assert text.startswith('bodies "a" and "b" touch nowhere: they lie 0.5 m apart; with a hinge between them')
+    assert text.startswith('bodies "a" and "b" do not touch: they are 0.5 m apart; since a hinge connects them')
     assert gaps(tmp_path, "[0, 0, 4]", TWO_BLOCKS) == []
     assert gaps(tmp_path, "[0, 0, 3.5]", TWO_BLOCKS) == []  # an overlap, told as such
 

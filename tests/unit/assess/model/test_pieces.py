@@ -13,7 +13,8 @@ from assess.geometry.solid import Solid, box, join, profile
 from assess.messages.message import Message
 from assess.project.build import build
 from assess.project.schema import load, resolved
-from assess.study.run import parameters, run
+from assess.study.parameters import parameters
+from assess.study.run import run
 from assess.study.study import Study
 
 HEAD = """
@@ -161,7 +162,7 @@ def test_blocks_of_one_chain_that_overlap_are_told(
     chain = f'[mechanisms.m]\nkind = "{kind}"\nblocks = [{CHAINS[kind]}'
     (tmp_path / "project.toml").write_text(HEAD + bodies + chain)
     notices = of_bodies(build(load(tmp_path)))
-    told = [(each.key, each.where, each.text.split(", which")[0]) for each in notices]
+    told = [(each.key, each.where, each.text.split(" one;")[0]) for each in notices]
     shared = f"0.48 m3, {100 * deep * 0.6 * 4 / min(0.6 * 4 * 4.5, width * 4 * 1.2):.3g} % of the smaller"
     named = ['bodies "{}" and "{}"'.format(*pair.split()) for pair in pairs if deep]
     assert told == [("overlap", "mechanisms.m", f"{names} overlap by {shared}") for names in named]

@@ -13,7 +13,8 @@ from assess.amplification.floor_motion import FirstMode, FloorFactor, ModalFilte
 from assess.amplification.natural_frequency import rayleigh_mode, slice_cantilever
 from assess.errors import ProjectError
 from assess.geometry.solid import box
-from assess.study.run import envelope, run
+from assess.study.envelope_run import envelope
+from assess.study.run import run
 from assess.study.study import Study
 from records.floor_motion import floor_motion
 from tests.support import projects

@@ -15,7 +15,7 @@ def test_horizontal_and_unnamed_components_are_kept_and_the_others_named() -> No
     found = [record(name) for name in ("N28W", "UP", "", "HNZ")]
     assert [one.component for one in horizontal(found)] == ["N28W", ""]
     (notice,) = left_out(found)
-    assert notice.text == "vertical components are left out: x UP, x HNZ"
+    assert notice.text == "vertical components are not used: x UP, x HNZ"
     assert list(left_out(horizontal(found))) == []
 
 

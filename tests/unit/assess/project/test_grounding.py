@@ -10,7 +10,8 @@ from assess.cli.description import description
 from assess.codes.check import Outcome, Reason
 from assess.project.schema import load
 from assess.study.grounding import BY_BODIES, BY_BUILDING, BY_MECHANISM, BY_TABLE, UNKNOWN, Grounded
-from assess.study.run import parameters, run
+from assess.study.parameters import parameters
+from assess.study.run import run
 from assess.study.study import Study
 from tests.support.projects import project_toml, study_of
 

@@ -332,9 +332,7 @@ def test_a_bare_size_that_is_hardly_a_wall_is_told(tmp_path: Path) -> None:
     thick = "[bodies.thick]\nmaterial = 'brick'\nbox = { thickness = 350, length = 2, height = 3 }\n"
     (doubt,) = load(written(tmp_path, f"{PROJECT}\n{thick}")).doubts
     assert (doubt.key, doubt.where) == ("box-size", "bodies.thick.box.thickness")
-    assert (
-        doubt.text == 'a number without unit is in m, so this is 350 m; if it was meant in another unit write "350 mm"'
-    )
+    assert doubt.text == 'a number without a unit is in m, so this is 350 m; if another unit was meant, write "350 mm"'
 
 
 @pytest.mark.parametrize(

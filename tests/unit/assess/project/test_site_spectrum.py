@@ -10,7 +10,7 @@ from assess.errors import ProjectError
 from assess.project.build import build
 from assess.project.schema import load, resolved
 from assess.project.site_spectrum import site_in, spectrum_of, vertical_of
-from assess.study.outcome import spectrum_result
+from assess.study.site_results import spectrum_result
 from spectra.errors import SpectrumError
 from tests.support.projects import project_toml, published
 

@@ -13,8 +13,10 @@ from assess.codes.families import FAMILIES
 from assess.errors import AssessError
 from assess.mechanisms.lasting import variants
 from assess.study.context import context_of
+from assess.study.envelope_run import envelope
+from assess.study.parameters import parameters
 from assess.study.rocking_case import RockingHistories
-from assess.study.run import envelope, parameters, run
+from assess.study.run import run
 from assess.study.sensitivity import check_case
 from tests.support import projects
 from tests.support.projects import NTC, block, lines, project_toml, wall

@@ -16,8 +16,9 @@ from assess.project.build import build
 from assess.project.schema import load
 from assess.study.history_scan import scan_levels
 from assess.study.motions import motions_of
+from assess.study.parameters import parameters
 from assess.study.rocking_case import RockingCase
-from assess.study.run import parameters, run
+from assess.study.run import run
 from assess.study.study import Study
 from records.response import response_spectrum
 from tests.support import projects
@@ -424,7 +425,7 @@ def test_the_linearised_equation_on_joints_without_a_threshold_is_told(tmp_path,
     made = study_of(tmp_path, mechanism=joint, analysis=f'equation = "{equation}"\nlevels = ["0.02 g"]', records=SUITE)
     texts = [notice.text for notice in made.notices if (notice.key, notice.where) == ("equation", "analysis.equation")]
     assert len(texts) == told
-    assert all("the joints of m have not" in text for text in texts)
+    assert all("the joints of m do not have" in text for text in texts)
     histories = run(made).mechanisms[0].histories
     moved = [history.max_rotation_rad for history in histories if history.level_pga_g < 0.1]
     assert len(moved) == 5

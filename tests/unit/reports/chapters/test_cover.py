@@ -74,7 +74,9 @@ def test_an_incomplete_verdict_gives_the_lines_to_paste(results: Results) -> Non
     section = cover.section(replace(results, verdict=open_ended))
     (code,) = (block for block in section.blocks if isinstance(block, Code))
     assert code.lines == ('[materials."old stone"]', 'disintegration = "excluded"')
-    assert "Were all this given, with the safe value where there is one, the verdict would be: fail." in words(section)
+    assert "With all of these given, at the safe value where there is one, the verdict would be: fail." in words(
+        section
+    )
     assert "materials.old stone.disintegration: whether it may disintegrate." in words(section)
     banner = section.blocks[0]
     assert isinstance(banner, Banner)
@@ -103,7 +105,7 @@ def test_each_mechanism_has_the_answer_that_decides(results: Results, judged_at:
     rows = {row[0]: dict(zip(heads, row, strict=True)) for row in table.rows}
     assert rows["parapet"]["Verdict"] == "fail"
     assert rows["parapet"]["Decided by"] == "asce43-05-history"
-    assert rows["parapet"]["Why"] == "overturns: no rotation holds this demand"
+    assert rows["parapet"]["Why"] == "overturns: no rotation balances this demand"
     wall = rows["Wall 6, eroded base"]
     assert (wall["Verdict"], wall["Decided by"], wall["Index"]) == ("pass", "asce43-05-spectrum", "D/C 0.840")
     assert "Answer" not in wall
@@ -121,7 +123,7 @@ def test_a_run_without_a_basis_says_so_and_how_to_name_one(results: Results) -> 
     section = cover.section(replace(results, verdict=silent))
     banner = section.blocks[0]
     assert isinstance(banner, Banner)
-    assert banner.headline.startswith("No basis is named that decides")
+    assert banner.headline.startswith("No deciding basis is named")
     (code,) = (block for block in section.blocks if isinstance(block, Code))
     assert code.lines[0] == "[verdict]"
     assert cover.section(replace(results, verdict=None)).blocks == (Text(("No verdict: nothing was assessed.",)),)

@@ -76,7 +76,7 @@ def test_what_checks_say_is_told_at_the_sites_own_action_and_elsewhere_where_the
     assert [row["Procedure"] for row in rows if row["Role"] == "deciding"] == ["asce43-05-history"]
     assert {row["Procedure"] for row in rows if row["Reading"] == "thesis"} == {"asce43-05-spectrum-thesis"}
     assert [row["Reading"] for place, row in enumerate(rows) if place in table.muted] == ["thesis"]
-    assert next(row["Why"] for row in rows if row["PGA"] == 0.45).startswith("the demand is beyond")
+    assert next(row["Why"] for row in rows if row["PGA"] == 0.45).startswith("the demand exceeds")
 
 
 def test_joints_without_a_threshold_have_no_pga_at_uplift(results: Results) -> None:
@@ -89,7 +89,7 @@ def test_joints_without_a_threshold_have_no_pga_at_uplift(results: Results) -> N
         table = tables.demands(mechanism, name="d")
         column = [each.label for each in table.columns].index("PGA at uplift")
         assert [row[column] for row in table.rows] == expected
-        assert ("joints answer to any motion" in table.caption) == (mechanism is soft)
+        assert ("joints respond to any motion" in table.caption) == (mechanism is soft)
 
 
 def test_safety_index_and_return_period_stand_only_where_some_check_has_them(results: Results) -> None:

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator
 import numpy as np
 import pytest
 from matplotlib.axes import Axes
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.path import Path
 from matplotlib.ticker import MaxNLocator, NullFormatter
@@ -142,3 +143,19 @@ def test_a_scale_that_has_been_drawn_shows_its_new_range() -> None:
         return [mark.text for mark in marks if isinstance(mark, Letters)]
 
     assert numbers((0.0, 1.0), (0.0, 7e7)) == numbers((0.0, 7e7)) != numbers((0.0, 1.0))
+
+
+def test_drawn_in_pixels_they_look_alike_at_any_resolution(scene: Scene) -> None:
+    """By matplotlib's own renderer: letters and lines stand within a pixel of where its axes have them."""
+    pictures = []
+    for figure in pair(scene):
+        canvas = FigureCanvasAgg(figure)
+        figure.set_dpi(144)
+        canvas.draw()
+        pictures.append(np.asarray(canvas.buffer_rgba())[..., :3].min(axis=-1) < 160)
+    ours, theirs = pictures
+    near = np.zeros_like(theirs)
+    for down in range(-3, 4):
+        for across in range(-3, 4):
+            near |= np.roll(theirs, (down, across), axis=(0, 1))
+    assert (ours & ~near).sum() <= 0.01 * ours.sum()

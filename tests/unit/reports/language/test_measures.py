@@ -78,7 +78,7 @@ def test_a_number_in_us_units_is_within_half_of_its_last_figure(value: float, un
 def test_a_message_is_told_in_both_systems_from_its_values() -> None:
     told = warning("ground-motion-at-height", "mechanisms.w", height=Quantity(1.3643, "length", 3), remedy="see 1.36 m")
     assert si(message_text(told)) == told.text
-    assert us(message_text(told)).startswith("what holds the mechanism is 4.48 ft above the ground")
+    assert us(message_text(told)).startswith("the highest support of the mechanism is 4.48 ft above the ground")
     assert us(message_text(told)).endswith("see 1.36 m")  # a text of somebody's is never converted
     unknown = Message("of-another-version", told.severity, "", told.text, told.values)
     assert message_text(unknown) == told.text

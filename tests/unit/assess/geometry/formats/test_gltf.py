@@ -134,8 +134,8 @@ def test_instances_of_a_scene_stand_in_their_places(tmp_path: Path) -> None:
     content = glb(*gltf(cube.vertices, cube.triangles, nodes, roots=[0, 1, 3]))
     whole = read(tmp_path, "scene.glb", content)
     assert whole.mass == pytest.approx((1.0 + 2.0 + 1.0) * DENSITY, rel=1e-6)
-    assert whole.trail == ('taken as y-up, as glTF prescribes; write mesh_up = "z" if it is not',)
-    assert read(tmp_path, "scene.glb", content, up="y").trail == ()
+    assert whole.history == ('read with y up, as glTF prescribes; write mesh_up = "z" if z is up',)
+    assert read(tmp_path, "scene.glb", content, up="y").history == ()
     # a quarter turn about y takes x to -z, z to x: the scaled cube is 2 m along z at y-up (0, 0, 10 - 5)
     for name, centre, sizes in (
         ("moved", (3, 0, 0), (1, 1, 1)),
@@ -157,7 +157,7 @@ def test_3mf_is_in_the_unit_it_states(tmp_path: Path, unit: str | None, size: fl
     content = mf3(WALL.vertices / size, WALL.triangles, unit=unit, items='<item objectid="1"/>')
     found = read(tmp_path, "wall.3mf", content)
     same(found, WALL)
-    assert found.trail == ()
+    assert found.history == ()
     same(read(tmp_path, "wall.3mf", content, scale=size), WALL)
 
 
@@ -165,7 +165,7 @@ def test_a_unit_that_contradicts_the_file_is_used_and_told(tmp_path: Path) -> No
     content = mf3(WALL.vertices * 100.0, WALL.triangles, unit="millimeter", items='<item objectid="1"/>')
     found = read(tmp_path, "wall.3mf", content, scale=0.01)
     same(found, WALL)
-    assert found.trail == ("its unit is taken to be 0.01 m, as the project says, though the file says 0.001 m",)
+    assert found.history == ("read in units of 0.01 m, as the project states, although the file states 0.001 m",)
 
 
 def test_components_and_items_of_3mf_stand_in_their_places(tmp_path: Path) -> None:
@@ -251,7 +251,7 @@ def test_nodes_of_one_name_are_all_meant_by_it_and_numbered(tmp_path: Path) -> N
     content = glb(*gltf(cube.vertices, cube.triangles, nodes))
     whole = read(tmp_path, "scene.glb", content, element="pier")
     assert whole.mass == pytest.approx(3.0 * DENSITY, rel=1e-6)
-    assert "3 elements joined" in whole.trail[0]
+    assert "3 elements joined" in whole.history[0]
     for name, x in (("pier_0", 0.0), ("pier_1", 3.0), ("pier_2", 6.0)):
         one = read(tmp_path, "scene.glb", content, element=name)
         np.testing.assert_allclose(one.centroid[0], x, rtol=0.0, atol=1e-6)

@@ -60,7 +60,7 @@ def test_elements_are_chosen_by_name_or_identifier_in_metres(tmp_path: Path, pre
     for name, volume in ((None, south + north), ("south", south), ("north", north), (identifiers["north"], north)):
         found = load(file, density=1.0, name="wall", element=name)
         assert found.mass == pytest.approx(volume, rel=1e-9)
-        assert found.trail == ()
+        assert found.history == ()
     assert load(file, density=1.0, name="wall", element="south").vertices[:, 1].min() == pytest.approx(20.0, rel=1e-9)
     with pytest.raises(GeometryError, match='it has no element "hall"; known: north, south'):
         load(file, density=1.0, name="wall", element="hall")
@@ -143,7 +143,7 @@ def test_classes_and_patterns_join_and_say_so(tmp_path: Path) -> None:
     for wanted in ("IfcWall", "IfcBuildingElement", "*th"):
         found = load(file, density=1.0, name="wall", element=wanted)
         assert found.mass == pytest.approx(4.0 * 1.25 * 8.0 + 3.0 * 1.25 * 8.0 - 1.0 * 1.25 * 2.0, rel=1e-9)
-        assert found.trail == ("2 elements joined: north, south",)
+        assert found.history == ("2 elements joined: north, south",)
 
 
 def test_a_broken_element_is_named_and_does_not_refuse_the_others(tmp_path: Path) -> None:
@@ -180,9 +180,9 @@ def test_a_body_or_an_opening_that_is_lost_is_told(tmp_path: Path) -> None:
     model.write(str(file))
     whole = load(file, density=1.0, name="wall", element="north")
     assert whole.mass == pytest.approx(3.0 * 1.25 * 8.0, rel=1e-9)
-    assert 'element "north": not all of it could be built' in whole.trail[0]
-    assert "IfcExtrudedAreaSolid #" in whole.trail[0]
-    assert load(file, density=1.0, name="wall", element="south").trail == ()
+    assert 'element "north": not all of it could be built' in whole.history[0]
+    assert "IfcExtrudedAreaSolid #" in whole.history[0]
+    assert load(file, density=1.0, name="wall", element="south").history == ()
 
 
 def test_what_an_opening_is_made_of_and_the_file_lacks_is_told(tmp_path: Path) -> None:
@@ -195,7 +195,7 @@ def test_what_an_opening_is_made_of_and_the_file_lacks_is_told(tmp_path: Path) -
     for profile, solid in holders.items():
         file.write_text(re.sub(rf"^#{profile}=.*\n", "", text, flags=re.MULTILINE))
         try:
-            trail = load(file, density=1.0, name="wall", element="north").trail
+            trail = load(file, density=1.0, name="wall", element="north").history
         except GeometryError:  # the wall itself
             continue
         found += [solid] if any(f"IfcExtrudedAreaSolid #{solid}" in told for told in trail) else []

@@ -151,4 +151,4 @@ def test_boxes_with_faces_counted_back_have_both_volumes(tmp_path: Path) -> None
         text += "".join("f " + " ".join(str(corner - 9) for corner in quad) + "\n" for quad in quads)
     (tmp_path / "boxes.obj").write_text(text)
     found = load(tmp_path / "boxes.obj", density=1.0, name="boxes")
-    assert (found.mass, found.trail) == (pytest.approx(9.0, rel=1e-12), ())
+    assert (found.mass, found.history) == (pytest.approx(9.0, rel=1e-12), ())

@@ -53,7 +53,7 @@ def test_a_mesh_in_the_unit_of_the_file(tmp_path: Path, unit: str, size: float) 
     found = load(written(tmp_path, model), density=1.0, name="wall")
     assert found.mass == pytest.approx(31.875, rel=1e-6)  # single precision
     np.testing.assert_allclose(found.vertices.max(axis=0), [1.25, 3.0, 8.5], rtol=1e-6, atol=0.0)
-    assert found.trail == ()
+    assert found.history == ()
 
 
 def test_objects_are_chosen_by_name(tmp_path: Path) -> None:

@@ -81,7 +81,7 @@ def test_a_step_solid_comes_in_metres_with_z_up(tmp_path: Path, prefix: str, uni
     assert found.mass == pytest.approx(float(np.prod(SIZES)), rel=1e-6)  # single precision on the way
     np.testing.assert_allclose(found.vertices.min(axis=0), CORNER, rtol=0.0, atol=1e-6)
     np.testing.assert_allclose(found.vertices.max(axis=0), CORNER + SIZES, rtol=0.0, atol=1e-6)
-    assert found.trail == ()
+    assert found.history == ()
 
 
 @pytest.mark.parametrize(

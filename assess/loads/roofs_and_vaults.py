@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from assess.geometry.roof_shape import extent, height, mean_lever_arm, slope, underside
 from assess.geometry.solid import Solid
 from assess.loads.definitions import BodyLoad
-from assess.loads.thrust import CONSTRUCTIONS, even_lever, thrust
+from assess.loads.thrust import CONSTRUCTIONS, arch_thrust, uniform_lever_arm
 from spectra.arrays import FloatArray
 
 SINGLE = 0.5  # one-sidedness above which a roof has a single slope
@@ -53,7 +53,7 @@ def arch_of(load: BodyLoad, body: Solid, *, along: FloatArray) -> Arch | None:
     axis = along if every_way else falls.axis if falls.axis @ along >= 0.0 else -falls.axis
     low, high = extent(body, axis=axis)
     span, rise = load.span or high - low, load.rise or height(body)
-    own = even_lever(span) if load.role == "roof" else _vault_lever(load, body, axis=axis, span=span)
+    own = uniform_lever_arm(span) if load.role == "roof" else _vault_lever(load, body, axis=axis, span=span)
     measures = (("L", span, load.span), ("f", rise, load.rise))
     source = ", ".join(f"{sign} = {value:.4g} m ({'given' if given else 'found'})" for sign, value, given in measures)
     return Arch(axis, span, rise, own, source)
@@ -89,7 +89,7 @@ def thrust_of(load: BodyLoad, arch: Arch | None, *, along: FloatArray, V: float)
     cosine = float(arch.axis @ along)
     if cosine < SQUARE:
         return Thrust(0.0, "no thrust along the motion: its ridge runs that way, it spans across")
-    H = thrust(V, lever=arch.lever, rise=arch.rise)
+    H = arch_thrust(V, lever=arch.lever, rise=arch.rise)
     words = f"H = V x / f = {V / 1e3:.4g} kN x {arch.lever:.4g} m / {arch.rise:.4g} m = {H / 1e3:.4g} kN"
     words += f", {arch.source}, {_spread(load, arch, V=V)}"
     return Thrust(H * cosine, words if cosine > 0.9999 else f"{words}; {H * cosine / 1e3:.4g} kN along the motion")
@@ -99,7 +99,7 @@ def _spread(load: BodyLoad, arch: Arch, *, V: float) -> str:
     """How the weight lies on the span, and what it would thrust if it were spread evenly over the plan."""
     if load.role == "roof":
         return "rafters: x = L / 4"
-    even = thrust(V, lever=even_lever(arch.span), rise=arch.rise)
+    even = arch_thrust(V, lever=uniform_lever_arm(arch.span), rise=arch.rise)
     return f"x to the weight of half the vault from its springing (L / 4 would give {even / 1e3:.4g} kN)"
 
 
@@ -108,7 +108,7 @@ def _vault_lever(load: BodyLoad, body: Solid, *, axis: FloatArray, span: float) 
     low, high = extent(body, axis=axis)
     own = mean_lever_arm(body, axis=axis) * span / (high - low)
     shell, fill = _vault_masses(load, body)
-    return (shell * own + fill * even_lever(span)) / (shell + fill)
+    return (shell * own + fill * uniform_lever_arm(span)) / (shell + fill)
 
 
 def _vault_masses(load: BodyLoad, body: Solid) -> tuple[float, float]:

@@ -1,0 +1,357 @@
+"""Mechanisms by plain data, as a Python session makes them: bodies in, rocking parameters out."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, Literal
+
+from assess.errors import MechanismError
+from assess.geometry.scene import Scene
+from assess.interfaces.definition import Interface
+from assess.loads.definitions import LoadDefinition, Place
+from assess.mechanisms.impact import RestitutionChoice
+from assess.mechanisms.lasting import variants
+from assess.mechanisms.mechanism import Mechanism, Sides
+from assess.messages.message import Message, warning
+from assess.model.body import Bodies, Body
+from assess.model.check import check_definition
+from assess.model.definitions import (
+    CutAngle,
+    CutPlane,
+    Definition,
+    EquivalentBlock,
+    FourHinge,
+    RadialJoints,
+    Restitution,
+    SingleBlock,
+    TwoBlock,
+    Vector,
+)
+from assess.model.gaps import gaps_of
+from assess.model.overlaps import overlaps_of
+from assess.model.weakest import directed
+from assess.oscillator import Oscillator
+from assess.results import OscillatorResult
+from assess.study.oscillator_results import oscillator_result, rigid_branches
+from assess.study.study import Equation
+
+BodyOrBodies = Body | Sequence[Body]
+Direction = Vector | Literal["weakest", "sweep"]
+
+
+@dataclass(frozen=True)
+class RockingParameters:
+    """What rocking needs to know of one branch of a mechanism, as `assess parameters` prints it.
+
+    p : frequency parameter [1/s]; slenderness : of the equivalent block [rad]; radius : of the equivalent block [m]
+    multiplier : acceleration in g that starts the rocking [-], None where a flexible joint lets it start at once
+    overturning : rotation beyond which it falls under gravity alone [rad]; restitution : of the impact [-]; mass [kg]
+    """
+
+    p: float
+    slenderness: float
+    radius: float
+    multiplier: float | None
+    overturning: float
+    restitution: float
+    mass: float
+
+    @classmethod
+    def of(cls, result: OscillatorResult) -> RockingParameters:
+        """Return the parameters of a branch of the results."""
+        return cls(
+            p=result.p_eq_per_s,
+            slenderness=result.slenderness_rad,
+            radius=result.radius_m,
+            multiplier=result.uplift_multiplier,
+            overturning=result.overturning_rad,
+            restitution=result.restitution,
+            mass=result.mass_kg,
+        )
+
+
+@dataclass(frozen=True, repr=False)
+class Block:
+    """A mechanism made of plain data, ready for histories, envelopes and the procedures of the codes.
+
+    definition : what was asked for; bodies : by name; mechanism : as built; scene : its bodies in space
+    """
+
+    name: str
+    definition: Definition
+    bodies: Bodies
+    mechanism: Mechanism
+    scene: Scene | None
+
+    def __repr__(self) -> str:
+        one = self.oscillator
+        multiplier = "none" if one.multiplier is None else f"{one.multiplier:.4g}"
+        return (
+            f"Block({self.name!r}, {self.mechanism.kind}, p={one.p:.4g} 1/s, slenderness={one.slenderness:.4g} rad, "
+            f"multiplier={multiplier}, overturning={one.overturning:.4g} rad, {one.mass:.4g} kg)"
+        )
+
+    @cached_property
+    def oscillator(self) -> RockingParameters:
+        """The parameters of positive rotation, which topples towards the direction."""
+        found = self._parameters[0]
+        assert found is not None
+        return found
+
+    @cached_property
+    def oscillator_negative(self) -> RockingParameters | None:
+        """The parameters of negative rotation; None where it rocks to one side."""
+        return self._parameters[1]
+
+    @cached_property
+    def rocking(self) -> Oscillator:
+        """The oscillator that histories and envelopes move: with what is shown to last up to collapse.
+
+        Raises
+        ------
+        MechanismError : the mechanism stands only by ties or forces that nobody shows to last
+        """
+        found = variants(self.mechanism).collapse
+        if found is None:
+            names = ", ".join(variants(self.mechanism).standing_by)
+            raise MechanismError(
+                f'mechanism "{self.name}": it stands only by {names}, not shown to last up to collapse; give until and '
+                "evidence"
+            )
+        return found
+
+    @property
+    def equation(self) -> Equation:
+        """The equation of motion of its histories: linearised for published parameters, else exact."""
+        return "linearised" if isinstance(self.definition, EquivalentBlock) else "exact"
+
+    @cached_property
+    def messages(self) -> tuple[Message, ...]:
+        """What the engineer should know before using it: gaps, overlaps, doubtful loads and hinges."""
+        where, definitions = f"mechanisms.{self.name}", {self.name: self.definition}
+        return (
+            *overlaps_of(definitions, self.bodies),
+            *gaps_of(definitions, self.bodies),
+            *(warning("mechanism", where, text=text) for text in self.mechanism.notices),
+            *self.mechanism.messages,
+        )
+
+    @cached_property
+    def _parameters(self) -> tuple[RockingParameters, RockingParameters | None]:
+        starting = variants(self.mechanism).starting
+        rigid, mass = rigid_branches(self.mechanism, starting), starting.mass
+        front = oscillator_result(starting.positive, mass=mass, rigid=rigid[0], equilibrium=starting.equilibrium)
+        if starting.negative is None:
+            return RockingParameters.of(front), None
+        back = oscillator_result(
+            starting.negative, mass=mass, rigid=rigid[-1], equilibrium=starting.equilibrium_negative
+        )
+        return RockingParameters.of(front), RockingParameters.of(back)
+
+
+def single_block(
+    body: BodyOrBodies,
+    *,
+    name: str = "block",
+    direction: Direction = "weakest",
+    cut: float | CutPlane | CutAngle | None = None,
+    sides: Sides | None = None,
+    loads: Sequence[LoadDefinition] = (),
+    interface: Interface | None = None,
+    restitution: float | str | tuple[RestitutionChoice, RestitutionChoice] | None = None,
+    hinge: Place | None = None,
+    hinge_negative: Place | None = None,
+    around: Sequence[Body] = (),
+) -> Block:
+    """Return a block that rocks about the edges of its base.
+
+    Parameters
+    ----------
+    body : the body that rocks, or several that move as one
+    name : of the mechanism
+    direction : horizontal (x, y, 0) in which positive rotation topples; "weakest" for that of least resistance, looked
+        for among the normals of the base's edges; "sweep" for the weakest all around
+    cut : only what lies above moves: an elevation [m], or an inclined crack
+    sides : "one" where something behind stops negative rotation; as the bodies touch where None
+    loads : point masses, forces, ties, and bodies among `around`
+    interface : what the hinges press on; rigid without limit of strength where None
+    restitution : velocity after over before the impact [-], or a rule: "thesis", "housner", "sorrentino", "momentum"
+    hinge, hinge_negative : given hinges, in space or in the plane of motion; as the geometry shows where None
+    around : other bodies of the building: floors that load it, walls that stop it
+
+    Raises
+    ------
+    MechanismError or GeometryError : it cannot rock as described; the text says why, and what to do
+    """
+    moving = _several(body)
+    definition = SingleBlock(
+        blocks=(tuple(each.name for each in moving),),
+        cut=cut,
+        hinges=None if hinge is None else (hinge,),
+        hinges_negative=None if hinge_negative is None else (hinge_negative,),
+        **_common(direction, sides, loads, interface, restitution),
+    )
+    return make_block(name, definition, (*moving, *around))
+
+
+def two_block(
+    body: BodyOrBodies,
+    *,
+    name: str = "wall",
+    direction: Direction = "weakest",
+    crack: float | Literal["sorrentino", "minimum"] | None = None,
+    cut: float | CutPlane | CutAngle | None = None,
+    sides: Sides | None = None,
+    loads: Sequence[LoadDefinition] = (),
+    interface: Interface | None = None,
+    restitution: float | str | tuple[RestitutionChoice, RestitutionChoice] | None = None,
+    hinges: tuple[Place, ...] | None = None,
+    hinges_negative: tuple[Place, ...] | None = None,
+    around: Sequence[Body] = (),
+) -> Block:
+    """Return a wall held at its base and its top that opens at a crack between.
+
+    Parameters
+    ----------
+    body : one body, cut at the crack, or two, the lower first
+    crack : an elevation [m], "sorrentino" (thesis eq. 3.27) or "minimum" (least uplift multiplier)
+    hinges, hinges_negative : A, B and C, where they are given
+    others : as for `single_block`
+
+    Raises
+    ------
+    MechanismError or GeometryError : it cannot rock as described; the text says why, and what to do
+    """
+    moving = _several(body)
+    definition = TwoBlock(
+        blocks=tuple((each.name,) for each in moving),
+        crack=crack,
+        cut=cut,
+        hinges=hinges,
+        hinges_negative=hinges_negative,
+        **_common(direction, sides, loads, interface, restitution),
+    )
+    return make_block(name, definition, (*moving, *around))
+
+
+def four_hinge(
+    body: BodyOrBodies,
+    *,
+    hinges: tuple[Place, ...] | Literal["minimum"],
+    hinges_negative: tuple[Place, ...] | None = None,
+    joints: RadialJoints | tuple[tuple[tuple[float, float], tuple[float, float]], ...] | None = None,
+    name: str = "frame",
+    direction: Vector = (1.0, 0.0, 0.0),
+    sides: Sides | None = None,
+    loads: Sequence[LoadDefinition] = (),
+    interface: Interface | None = None,
+    restitution: float | str | tuple[RestitutionChoice, RestitutionChoice] | None = None,
+    around: Sequence[Body] = (),
+) -> Block:
+    """Return three blocks between two fixed hinges, or an arch that opens where it resists least.
+
+    Parameters
+    ----------
+    body : the bodies A-B, B-C and C-D, or one arch
+    hinges, hinges_negative : A, B, C and D of each rotation, or "minimum" for an arch with `joints`
+    joints : where an arch may open, in order
+    others : as for `single_block`
+
+    Raises
+    ------
+    MechanismError or GeometryError : it cannot rock as described; the text says why, and what to do
+    """
+    moving = _several(body)
+    if hinges == "minimum" and (joints is None or len(moving) != 1):
+        raise MechanismError(f'mechanism "{name}": hinges = "minimum" needs one arch, and joints where it may open')
+    if hinges != "minimum" and len(moving) != 3:
+        raise MechanismError(f'mechanism "{name}": {len(moving)} bodies with four hinges; give three, base first')
+    both: Sides = "two" if hinges_negative or hinges == "minimum" else "one"
+    definition = FourHinge(
+        blocks=tuple((each.name,) for each in moving),
+        hinges=hinges,
+        hinges_negative=hinges_negative,
+        joints=joints,
+        **_common(direction, sides or both, loads, interface, restitution),
+    )
+    return make_block(name, definition, (*moving, *around))
+
+
+def equivalent_block(
+    *,
+    p: float,
+    uplift: float,
+    radius: float,
+    mass: float = 1.0,
+    name: str = "block",
+    sides: Sides = "two",
+    elevation: float = 0.0,
+    restitution: float | str | tuple[RestitutionChoice, RestitutionChoice] | None = None,
+) -> Block:
+    """Return a mechanism by its rocking parameters, as published tables give them.
+
+    Parameters
+    ----------
+    p : frequency parameter [1/s]
+    uplift : multiplier that starts rocking, taken as the slenderness [rad]
+    radius : distance from the hinge to the centre of mass [m]
+    mass : [kg]
+    name : of the mechanism
+    sides : "one" where something behind stops negative rotation
+    elevation : of its base [m]
+    restitution : as for `single_block`
+    """
+    definition = EquivalentBlock(
+        p=p,
+        uplift=uplift,
+        radius=radius,
+        mass=mass,
+        sides=sides,
+        elevation=elevation,
+        restitution=_restitution(restitution),
+    )
+    return make_block(name, definition, ())
+
+
+def make_block(name: str, definition: Definition, bodies: Sequence[Body]) -> Block:
+    """Build a mechanism from its definition and the bodies of the building.
+
+    Raises
+    ------
+    MechanismError : two bodies have one name, or a value is one that no mechanism can have
+    """
+    by_name = {body.name: body for body in bodies}
+    if len(by_name) < len(bodies):
+        twice = sorted({body.name for body in bodies if sum(body.name == other.name for other in bodies) > 1})
+        raise MechanismError(f'mechanism "{name}": several bodies are called {", ".join(twice)}; give each its name')
+    check_definition(name, definition, by_name)
+    built = directed(name, definition, by_name)
+    return Block(name, definition, by_name, built.mechanism, built.scene)
+
+
+def _several(body: BodyOrBodies) -> tuple[Body, ...]:
+    return (body,) if isinstance(body, Body) else tuple(body)
+
+
+def _common(
+    direction: Direction,
+    sides: Sides | None,
+    loads: Sequence[LoadDefinition],
+    interface: Interface | None,
+    restitution: float | str | tuple[RestitutionChoice, RestitutionChoice] | None,
+) -> dict[str, Any]:
+    """What all mechanisms of blocks share."""
+    return {
+        "direction": None if direction == "weakest" else direction,
+        "sides": sides,
+        "loads": tuple(loads),
+        "interface": interface or Interface(),
+        "restitution": _restitution(restitution),
+    }
+
+
+def _restitution(given: Any) -> Restitution:
+    """One choice for both impacts, or one for each."""
+    return Restitution(*given) if isinstance(given, tuple) else Restitution(given, given)

@@ -1,0 +1,116 @@
+"""Which row of a flatfile describes which record: by NGA number, else by a file name that one row alone has."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from records.candidates import Candidate
+from records.flatfile import COLUMNS, BadCell, Flatfile, Recording
+
+
+@dataclass(frozen=True)
+class FlatfileMatch:
+    """How a flatfile matches the records: rows matched and not, records described, bad cells.
+
+    warning : why no row matches, or which columns are missing, in words; "" otherwise
+    """
+
+    matched: int
+    unmatched: int
+    records: int
+    bad: tuple[BadCell, ...]
+    warning: str
+
+
+def describe_candidates(candidates: Sequence[Candidate], recordings: Sequence[Recording]) -> tuple[Candidate, ...]:
+    """Describe the candidates by a flatfile, whose values replace those of the record files.
+
+    A recording is found by the NGA number in the name of the candidate's file, else by a file name that it alone has.
+
+    Parameters
+    ----------
+    candidates : records of a catalogue or of files [n]
+    recordings : of the flatfile
+
+    Returns
+    -------
+    tuple of Candidate : in the same order [n]
+    """
+    found = _find_recordings(candidates, recordings)
+    return tuple(one if by is None else _describe(one, by) for one, by in zip(candidates, found, strict=True))
+
+
+def match_flatfile(candidates: Sequence[Candidate], flatfile: Flatfile) -> FlatfileMatch:
+    """Count how many rows of a flatfile and candidates match.
+
+    Parameters
+    ----------
+    candidates : records of a catalogue or of files
+    flatfile : as read, with its bad cells
+    """
+    found = [by for by in _find_recordings(candidates, flatfile.recordings) if by is not None]
+    matched = len({by.nga for by in found})
+    warning = _missing(flatfile.missing) if found else _reason(candidates, flatfile.recordings)
+    return FlatfileMatch(matched, len(flatfile.recordings) - matched, len(found), flatfile.bad, warning)
+
+
+def _find_recordings(candidates: Sequence[Candidate], recordings: Sequence[Recording]) -> list[Recording | None]:
+    """Find the recording of each candidate; None where there is none."""
+    by_number = {one.nga: one for one in recordings}
+    by_file: dict[str, Recording | None] = {}
+    for one in recordings:
+        for file in one.files:
+            by_file[file] = one if by_file.get(file, one) == one else None
+    named = ((one, by_file.get(_file(one.path))) for one in candidates)
+    return [
+        by_number.get(one.nga or 0) or (by if by is not None and one.nga in (None, by.nga) else None)
+        for one, by in named
+    ]
+
+
+def _missing(keys: Sequence[str]) -> str:
+    """Say which columns were not found; "" if none is missing."""
+    if not keys:
+        return ""
+    known = "; ".join(f"{key}: {' or '.join(COLUMNS[key])}" for key in keys)
+    return (
+        f"the flatfile has no column of {', '.join(keys)} under a name that is known, and the records' own files are "
+        f"believed there; is its header misspelt? Known are, however they are spaced: {known}"
+    )
+
+
+def _reason(candidates: Sequence[Candidate], recordings: Sequence[Recording]) -> str:
+    """Say why no row matches a record."""
+    if not candidates:
+        return "no row of the flatfile fits, for there is no record that can be read"
+    numbers = sorted(one.nga for one in candidates if one.nga is not None)
+    first, last = min(one.nga for one in recordings), max(one.nga for one in recordings)
+    if numbers:
+        return (
+            f"no row of the flatfile fits: the files have NGA numbers {numbers[0]} to {numbers[-1]}, the table "
+            f"{first} to {last}; it may be of another search or another NGA project"
+        )
+    names = sorted(file for one in recordings for file in one.files)
+    example = f"{names[0]} as the table names it" if names else f"RSN{first}_….AT2"
+    return (
+        f"no row of the flatfile fits: rows are found by the NGA number in a file's name or by the file's name, and "
+        f"{_file(candidates[0].path)} has neither; keep the names that files had when downloaded, like {example}"
+    )
+
+
+def _file(path: str) -> str:
+    return path.replace("\\", "/").rsplit("/", 1)[-1].lower()
+
+
+def _describe(one: Candidate, by: Recording) -> Candidate:
+    return replace(
+        one,
+        nga=by.nga,
+        event=by.event or one.event,
+        station=by.station or one.station,
+        date=one.date if one.date[:4] == by.year else by.year or one.date,
+        magnitude=one.magnitude if by.magnitude is None else by.magnitude,
+        distance=one.distance if by.distance is None else by.distance,
+        vs30=one.vs30 if by.vs30 is None else by.vs30,
+    )

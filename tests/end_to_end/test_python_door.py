@@ -1,0 +1,180 @@
+"""The same wall by plain data in Python and by a project file: the same numbers, to the last bit."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import assess
+from assess.errors import AssessError, MechanismError, ProcedureError
+from records.errors import RecordError
+
+PROJECT = """
+format = 1
+[site.spectrum]
+code = "ec8"
+a_g = "0.25 g"
+ground_type = "C"
+[building]
+ground_elevation = "0 m"
+[materials.stone]
+density = "2000 kg/m^3"
+[bodies.wall]
+material = "stone"
+box = { thickness = "0.6 m", length = "4.0 m", height = "4.5 m" }
+[mechanisms.W1]
+kind = "single-block"
+blocks = ["wall"]
+[records]
+files = ["motion.csv"]
+scale_to = "none"
+[analysis]
+procedures = ["ntc2018-nonlinear", "nzsee2017-face-loaded", "asce43-05-sliding"]
+[procedures.ntc2018]
+knowledge_level = "LC1"
+"""
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    """A project of one wall with one record, a decaying sine of 1 Hz."""
+    place = tmp_path_factory.mktemp("door")
+    (place / "project.toml").write_text(PROJECT)
+    time = 0.01 * np.arange(800)
+    motion = 3.0 * np.sin(2 * np.pi * time) * np.exp(-0.3 * time)
+    rows = "\n".join(f"{t:.2f},{a!r}" for t, a in zip(time, motion.tolist(), strict=True))
+    (place / "motion.csv").write_text("time [s],acceleration [m/s2]\n" + rows + "\n")
+    return place
+
+
+@pytest.fixture(scope="module")
+def block():
+    wall = assess.box(thickness=0.6, length=4.0, height=4.5, density=2000.0)
+    return assess.single_block(wall, direction="weakest")
+
+
+@pytest.fixture(scope="module")
+def run(folder):
+    heard = []
+    found = assess.run(assess.load(folder / "project.toml"), progress=lambda *step: heard.append(step))
+    assert heard
+    return found
+
+
+def test_parameters_are_those_of_a_run(block, run):
+    (row,) = run.table("parameters").query("branch == 'positive'").to_dict("records")
+    assert block.oscillator.p == row["p_eq_per_s"]
+    assert block.oscillator.slenderness == row["slenderness_rad"]
+    assert block.oscillator.multiplier == row["uplift_multiplier"]
+    assert block.oscillator_negative.overturning == run.results.mechanisms[0].oscillator_negative.overturning_rad
+    # by hand: alpha = atan(b/h), p = sqrt(3 g / (4 R))
+    assert block.oscillator.slenderness == pytest.approx(np.arctan(0.6 / 4.5), rel=1e-12)
+    assert block.oscillator.p == pytest.approx(np.sqrt(0.75 * assess.g / np.hypot(0.3, 2.25)), rel=1e-12)
+
+
+def test_motion_is_that_of_a_run(block, run, folder):
+    record = assess.read_record(folder / "motion.csv")
+    told = run.results.mechanisms[0].histories[0]
+    motion = assess.respond(block, record, scale=told.polarity * told.scale_factor)
+    assert not motion.overturned
+    assert (motion.max_rotation, motion.time_of_max) == (told.max_rotation_rad, told.time_of_max_s)
+    assert (motion.max_ratio, motion.impacts) == (told.max_rotation_ratio, told.impacts)
+    assert motion.time.shape == motion.rotation.shape
+    assert "\n" not in repr(motion)
+    assert len(repr(motion)) < 250
+
+
+def test_motion_that_overturns_says_so(block, folder):
+    record = assess.read_record(folder / "motion.csv")
+    motion = assess.respond(block, record, scale=4.0)
+    assert motion.overturned
+    assert motion.overturning_time < 8.0
+
+
+def test_answers_are_the_checks_of_a_run(block, run):
+    target = assess.spectrum("ec8", a_g=0.25 * assess.g, ground_type="C")
+    asked = ["ntc2018-nonlinear", "nzsee2017-face-loaded", "asce43-05-sliding"]
+    found = assess.answers(block, target, procedures=asked, knowledge_level="LC1")
+    checks = {(each.procedure, each.branch, each.limit_state): each for each in run.results.mechanisms[0].checks}
+    compared = 0
+    for answer in found:
+        check = checks.get((answer.procedure, answer.branch, answer.limit_state))
+        if check is not None:
+            assert (answer.demand, answer.capacity, answer.ratio) == (check.demand, check.capacity, check.ratio)
+            compared += 1
+    assert compared >= 2
+
+
+def test_envelope_holds_the_motion_it_maps(block):
+    frequency, amplitude = np.linspace(0.5, 3.0, 6), np.linspace(0.5, 12.0, 24)
+    found = assess.envelope(block, "sine", frequency=frequency, amplitude=amplitude)
+    reached = np.flatnonzero(np.isfinite(found.lower_bound))
+    assert reached.size
+    time = 0.002 * np.arange(4000)
+    for place in reached[:2]:
+        f, least = frequency[place], found.lower_bound[place]
+        for factor, overturns in ((0.9, False), (1.1, True)):
+            pulse = np.where(time <= 1.0 / f, factor * least * np.sin(2 * np.pi * f * time), 0.0)
+            record = assess.Record(id="pulse", acceleration=pulse, dt=0.002)
+            assert any(assess.respond(block, record, scale=way).overturned for way in (1.0, -1.0)) is overturns
+
+
+def test_report_of_a_run_stands_whole_in_its_folder(run, tmp_path):
+    pdf = assess.write_report(run, tmp_path / "out")
+    assert pdf.read_bytes().startswith(b"%PDF")
+    assert {path.name for path in (tmp_path / "out").iterdir()} >= {"results.json", "report.html", "tables.xlsx"}
+
+
+def test_figures_and_tables_of_a_run(run):
+    figure = run.figure("capacity", mechanism="W1")
+    assert figure.axes
+    assert len(run.table("checks")) == len(run.results.mechanisms[0].checks)
+    with pytest.raises(AssessError, match="checks"):
+        run.table("chekcs")
+
+
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        ({"restitution": 1.5}, r"restitution = 1.5: outside \[0, 1\]"),
+        ({"restitution": "houser"}, "housner"),
+        ({"direction": (0.0, 0.0, 1.0)}, "must be horizontal"),
+        ({"direction": (float("nan"), 0.0, 0.0)}, "finite"),
+        ({"loads": [assess.MassLoad(mass=-3.0, at=(0.0, 1.0))]}, r"loads\[1\].mass = -3: must be greater than 0"),
+        ({"loads": [assess.BodyLoad(body="floor")]}, '"floor" is no body here; give it in `around`'),
+        ({"loads": [assess.MassLoad(mass=3.0, at=(0.0, 1.0), block=1)]}, "block = 1"),
+        ({"interface": assess.Interface(model="flexible")}, "stiffness or course_thickness"),
+        ({"sides": "three"}, 'write "one" or "two"'),
+        ({"cut": 9.0}, "the cut at z = 9 m misses"),
+    ],
+)
+def test_values_no_mechanism_has_are_refused(given, said):
+    wall = assess.box(thickness=0.6, length=4.0, height=4.5, density=2000.0)
+    with pytest.raises(AssessError, match=said):
+        assess.single_block(wall, **given)
+
+
+def test_two_bodies_of_one_name_are_refused():
+    one = assess.box(thickness=0.6, length=4.0, height=4.5, density=2000.0)
+    with pytest.raises(MechanismError, match="several bodies are called box"):
+        assess.single_block([one, one])
+
+
+def test_unknown_procedure_lists_the_known(block):
+    target = assess.spectrum("ec8", a_g=2.0, ground_type="A")
+    with pytest.raises(ProcedureError, match="ntc2018-nonlinear"):
+        assess.answers(block, target, procedures=["ntc2018"])
+
+
+@pytest.mark.parametrize(
+    ("record", "said"),
+    [
+        ([], "give one record"),
+        (assess.Record(id="r", acceleration=np.array([0.0, np.nan, 0.0]), dt=0.01), "finite"),
+        (assess.Record(id="r", acceleration=np.zeros(3), dt=0.0), "time step"),
+        (assess.Record(id="r", acceleration=np.zeros(0), dt=0.01), "samples"),
+    ],
+)
+def test_no_record_is_no_motion(block, record, said):
+    with pytest.raises(RecordError, match=said):
+        assess.respond(block, record)

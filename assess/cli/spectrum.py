@@ -89,11 +89,11 @@ def spectrum(
     _refuse(project, options, as_json=as_json, as_csv=as_csv, output=output)
     from assess.cli.tables.design_spectrum import csv_text, json_text, print_spectrum_warnings, table_text
     from assess.project.site_spectrum import site_of, spectrum_of, vertical_of
-    from assess.project.typed_site import typed_doubts, typed_site
+    from assess.project.typed_site import check_typed_site, typed_site_messages
 
-    site = typed_site(options, folder=Path()) if project is None else site_of(project)
+    site = check_typed_site(options, folder=Path()) if project is None else site_of(project)
     found = (vertical_of if vertical else spectrum_of)(site)
-    print_spectrum_warnings(found, doubts=typed_doubts(options))
+    print_spectrum_warnings(found, messages=typed_site_messages(options))
     if output is not None:
         from assess.cli.tables.design_spectrum import draw
 

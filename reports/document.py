@@ -31,7 +31,7 @@ class Column:
 
     @property
     def heading(self) -> str:
-        """Label and unit, as they stand above the column."""
+        """Label and unit, as shown above the column."""
         return f"{self.label} [{self.unit}]" if self.unit else self.label
 
 
@@ -170,7 +170,7 @@ Block = Text | Items | Code | Table | Figure | Sheet | Signatures | Banner
 
 
 def nonempty(table: Table) -> list[Block]:
-    """The table as blocks: none where it has no rows."""
+    """Return the table as blocks: none where it has no rows."""
     return [table] if table.rows else []
 
 
@@ -218,11 +218,11 @@ class Document:
 
     @property
     def origin(self) -> str:
-        """Where it comes from: the program, and the stamp of the results."""
+        """The program, and the stamp of the results."""
         return f"{self.program}, {STAMP} {self.stamp}" if self.stamp else self.program
 
     def translate(self, text: str) -> str:
-        """A word of a renderer in the language of the document."""
+        """Return a word of a renderer in the language of the document."""
         return self.words.get(text, text)
 
     @property
@@ -247,7 +247,7 @@ class Document:
 
     @property
     def titles(self) -> dict[tuple[str, str], str]:
-        """What figures, tables and sheets are called: (kind, name) -> "Figure 1", counted as they come."""
+        """The titles of figures, tables and sheets, counted as they come: (kind, name) -> "Figure 1"."""
         count: Counter[str] = Counter()
         titles = {}
         for block in self.blocks:

@@ -10,7 +10,7 @@ from reports.language.us_units import in_us_units
 
 
 def localise(document: Document) -> Document:
-    """The document in the units and the language that it is to be written in.
+    """Return the document in the units and the language that it is to be written in.
 
     Tables tell their units by their English headings: so tables first, then the language, then the numbers in
     sentences and figures.

@@ -35,7 +35,7 @@ MEASURES = {
 
 
 def conclusions(results: Results) -> tuple[str, ...]:
-    """The sentences, most important first; those that have nothing to say are left out."""
+    """Return the sentences, most important first, without those that do not apply."""
     own = governing.site_pga(results)
     return (
         *_critical_mechanism(results),
@@ -47,12 +47,12 @@ def conclusions(results: Results) -> tuple[str, ...]:
 
 
 def short_title(mechanism: MechanismResult) -> str:
-    """The name of a mechanism in a sentence."""
+    """Return the title of a mechanism for use in a sentence."""
     return truncate(mechanism_title(mechanism), LONGEST)
 
 
 def list_names(names: list[str]) -> str:
-    """Names with commas and an "and"; of many the first ones, and how many there are besides."""
+    """Join names with commas and "and"; of many only the first ones, and the number of the others."""
     return join_names([*names[:MANY], f"{len(names) - MANY} others"] if len(names) > MANY + 1 else names)
 
 
@@ -76,14 +76,14 @@ def _deciding_procedures(one: MechanismVerdict) -> str:
 
 
 def ranking(results: Results) -> list[tuple[MechanismResult, MechanismVerdict]]:
-    """Mechanisms with their verdict by their margin, rising; those where none is known are left out."""
+    """Sort the mechanisms by the margin of their verdict, smallest first, without those of unknown margin."""
     verdicts = {} if results.verdict is None else {one.mechanism: one for one in results.verdict.mechanisms}
     pairs = ((m, verdicts[m.name]) for m in results.mechanisms if m.name in verdicts)
     return sorted((pair for pair in pairs if pair[1].margin is not None), key=lambda pair: pair[1].margin or 0.0)
 
 
 def disagreements(results: Results, levels: tuple[float, ...]) -> Iterator[str]:
-    """At each level where procedures disagree: who fails whom, and what each of them measures."""
+    """Yield, for each level where procedures disagree, which mechanisms fail by which; then what each measures."""
     failing: dict[str, None] = {}
     for level in levels:
         apart = [m for m in results.mechanisms if _is_disputed(m, level)]
@@ -104,7 +104,7 @@ def disagreements(results: Results, levels: tuple[float, ...]) -> Iterator[str]:
 
 
 def describe_procedure(procedure: str) -> str:
-    """What a procedure measures; empty where nothing is known."""
+    """Return what a procedure measures; empty for one that is not known."""
     return MEASURES[FAMILIES[procedure]] if procedure in FAMILIES else ""
 
 

@@ -41,7 +41,7 @@ PULSES = (
 
 
 def section(results: Results) -> Section:
-    """The references as a list, each once."""
+    """Return the references as a list, each once."""
     return Section("References", 0, (Items(tuple(dict.fromkeys(_cited(results)))),))
 
 

@@ -25,7 +25,7 @@ COLUMNS = (
 
 
 def table(results: Results) -> Table:
-    """One line for each mechanism and limit state that decides; answers where one is not the mechanism's verdict."""
+    """Tabulate the verdict, a line for each mechanism and limit state that decides."""
     caption = (
         "The verdict of each mechanism at the site’s own action: the procedure that decides each limit "
         "state, its index, and the peak ground acceleration up to which the mechanism holds."

@@ -19,7 +19,7 @@ RANKED = (Outcome.FAIL, Outcome.NOT_ANSWERED, Outcome.PASS, Outcome.NOT_APPLICAB
 
 
 def chapter(results: Results) -> list[Section]:
-    """The study; nothing where the site's own action is the only level."""
+    """Return the study; none where the site's own action is the only level."""
     if not governing.other_levels(results):
         return []
     paragraphs = (NOT_A_VERDICT, *passes_beyond_capacity(results))
@@ -29,14 +29,14 @@ def chapter(results: Results) -> list[Section]:
 
 
 def methods(results: Results) -> tuple[str, ...]:
-    """The procedures that may decide; without a basis, all by the letter of a code."""
+    """Return the procedures that may decide; without a basis, all by the letter of a code."""
     accepted = () if results.verdict is None else results.verdict.methods
     asked = dict.fromkeys(c.procedure for m in results.mechanisms for c in governing.code_checks(m.checks))
     return tuple(name for name in asked if name in accepted) or tuple(asked)
 
 
 def table(results: Results) -> Table:
-    """One line for each mechanism and level: the outcome of each method, and the largest ratio."""
+    """Tabulate the outcome of each method and the largest ratio, a line for each mechanism and level."""
     names = methods(results)
     columns = (
         MECHANISM,
@@ -70,7 +70,7 @@ def _outcome(checks: tuple[Check, ...]) -> str | None:
 
 
 def passes_beyond_capacity(results: Results) -> tuple[str, ...]:
-    """Which mechanisms pass at a level above their PGA at capacity, and why that is no slip."""
+    """Explain why mechanisms pass at a level above their PGA at capacity, where some do."""
     names = [
         conclusions.short_title(m)
         for m in results.mechanisms

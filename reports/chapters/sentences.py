@@ -24,7 +24,7 @@ _KINDS = {
 
 
 def description(mechanism: MechanismResult) -> str:
-    """One sentence on what the mechanism is and how it was analysed."""
+    """Describe in one sentence what the mechanism is and how it was analysed."""
     sides = (
         "rocks to both sides" if mechanism.sides == "two" else ("rocks to one side only, stopped by what is behind it")
     )
@@ -43,7 +43,7 @@ def description(mechanism: MechanismResult) -> str:
 
 
 def amplification(mechanism: MechanismResult) -> tuple[str, ...]:
-    """How the ground motion reaches the base of a mechanism that stands above the ground."""
+    """Describe how the ground motion reaches the base of a mechanism above the ground."""
     found = mechanism.amplification
     factors = [each.factor for each in found.factors]
     span = "" if not factors else f" Peak accelerations at the base are {_span(factors)} times those at the ground."
@@ -57,7 +57,7 @@ def amplification(mechanism: MechanismResult) -> tuple[str, ...]:
 
 
 def input_locations(mechanism: MechanismResult) -> str:
-    """Which procedures take their input where, if not all at one place; else empty."""
+    """State where each procedure takes its input; empty where all do at one place."""
     at = {
         place: dict.fromkeys(check.procedure for check in mechanism.checks if check.input_at == place)
         for place in ("ground", "mechanism base")
@@ -72,7 +72,7 @@ def input_locations(mechanism: MechanismResult) -> str:
 
 
 def unequal_inputs(results: Results) -> tuple[str, ...]:
-    """Which mechanisms have histories with another input than that of the ground, for what stands side by side."""
+    """State which mechanisms have histories with another input than the ground's, for a comparison."""
     carried = [m for m in results.mechanisms if m.amplification.height_m is not None and m.histories]
     if not carried:
         return ()
@@ -84,7 +84,7 @@ def unequal_inputs(results: Results) -> tuple[str, ...]:
 
 
 def amplification_caption(mechanism: MechanismResult) -> str:
-    """The caption of a filtered motion beside the original."""
+    """Return the caption of a filtered motion and its original."""
     motion = mechanism.amplification.motion
     name = "" if motion is None else motion.record
     return (
@@ -99,7 +99,7 @@ def _span(factors: list[float]) -> str:
 
 
 def limits(results: Results) -> tuple[str, ...]:
-    """What the engineer must keep in mind before signing."""
+    """Return what the engineer must keep in mind before signing."""
     return (
         *_GENERAL,
         sliding_limit(results),
@@ -128,7 +128,7 @@ _GENERAL = (
 
 
 def sliding_limit(results: Results) -> str:
-    """Where friction was checked, and where it is only taken as sufficient."""
+    """State where friction was checked, and where it is only assumed to be sufficient."""
     asked = {
         mechanism.name: any(c.procedure == SLIDING and c.verdict != Outcome.NOT_APPLICABLE for c in mechanism.checks)
         for mechanism in results.mechanisms
@@ -197,7 +197,7 @@ def _unverified(results: Results) -> Iterator[str]:
 
 
 def capacity_caption(mechanism: MechanismResult) -> str:
-    """The caption of the capacity curve, with the marks that it has."""
+    """Return the caption of the capacity curve, with its marks."""
     on_joints = mechanism.oscillator.overturning_flexible_rad is not None
     marks = (
         "Marks: overturning rotation of the positive branch, the dot with rigid joints, the square on its joints."
@@ -208,7 +208,7 @@ def capacity_caption(mechanism: MechanismResult) -> str:
 
 
 def sketch_caption(mechanism: MechanismResult) -> str:
-    """What the drawing of a mechanism shows."""
+    """Return the caption of the drawing of a mechanism."""
     drawing = mechanism.drawing
     back = drawing.displaced_negative
     turned = f"turned by φ = {drawing.displaced.rotation_rad:.2g} rad in its direction"
@@ -228,7 +228,7 @@ def sketch_caption(mechanism: MechanismResult) -> str:
 
 
 def view_caption(seen: View) -> str:
-    """What the picture of the bodies shows."""
+    """Return the caption of the picture of the bodies."""
     size = measures(seen.size, "m", figures=3, between=" × ")
     stays = " Grey masonry does not move." if -1 in seen.block_of else ""
     cut = " Thin dashes: the section at which it separates." if seen.sections else ""
@@ -244,6 +244,6 @@ def _checks(results: Results) -> list[Check]:
 
 
 def join_names(names: Iterable[str]) -> str:
-    """Names with commas and an "and"."""
+    """Join names with commas and "and"."""
     every = list(names)
     return f"{', '.join(every[:-1])} and {every[-1]}" if len(every) > 1 else "".join(every)

@@ -55,7 +55,7 @@ def write(
 def offsets(
     labels: Sequence[Label], *, window: tuple[float, float], drawn: Sequence[tuple[float, float]] = ()
 ) -> list[tuple[float, float]]:
-    """From each point to the lower left corner of its name [pt], one after the other, least covered first choice."""
+    """Return the offset from each point to the lower left corner of its name [pt], least covered place first."""
     taken = [(x - MARK, y - MARK, x + MARK, y + MARK) for x, y in (*(label.at for label in labels), *drawn)]
     found = []
     for label in labels:
@@ -68,7 +68,7 @@ def offsets(
 
 
 def candidates(label: Label, size: tuple[float, float]) -> list[tuple[tuple[float, float], Box]]:
-    """Where a name of a size [pt] may stand, nearest first: the offset of its lower left corner, and its box."""
+    """Return places for a name of a size [pt], nearest first: the offset of its lower left corner, and its box."""
     (x, y), (wide, high) = label.at, size
     made = []
     for far in DISTANCES:
@@ -81,21 +81,21 @@ def candidates(label: Label, size: tuple[float, float]) -> list[tuple[tuple[floa
 
 
 def cost(box: Box, taken: Sequence[Box], window: tuple[float, float]) -> float:
-    """What a box covers of others, and what of it lies outside the window, which is worse [pt2]."""
+    """Return the area [pt2] that a box covers of others, plus that outside the window, which counts more."""
     inside = overlap(box, (0.0, 0.0, *window))
     area = (box[2] - box[0]) * (box[3] - box[1])
     return sum(overlap(box, other) for other in taken) + 3.0 * (area - inside)
 
 
 def overlap(one: Box, other: Box) -> float:
-    """The area that two boxes share [pt2]."""
+    """Return the area that two boxes share [pt2]."""
     wide = min(one[2], other[2]) - max(one[0], other[0])
     high = min(one[3], other[3]) - max(one[1], other[1])
     return max(wide, 0.0) * max(high, 0.0)
 
 
 def extent(text: str) -> tuple[float, float]:
-    """Width and height of a line of letters [pt]."""
+    """Return width and height of a line of letters [pt]."""
     font = FontProperties(family=FAMILY, size=SIZE)
     wide, high, _ = text_to_path.get_text_width_height_descent(text, font, ismath=False)
     return wide, max(high, 0.75 * SIZE)

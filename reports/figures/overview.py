@@ -20,7 +20,7 @@ NAME, GAP, LEFT = 0.34, 0.12, 0.42  # room for names, between panels, for the ax
 
 
 def draw(mechanisms: tuple[MechanismResult, ...]) -> Figure:
-    """One panel for each mechanism, centred on its masonry; elevations [m] from the lowest of all."""
+    """Draw a panel for each mechanism, centred on its masonry; elevations [m] from the lowest of all."""
     columns = min(COLUMNS, len(mechanisms))
     rows = ceil(len(mechanisms) / columns)
     spans = [_span(mechanism.drawing) for mechanism in mechanisms]

@@ -100,17 +100,17 @@ class _Scale(Axis):
     setting: tuple[str, str]
 
     def reset_ticks(self) -> None:
-        """No artist is made of a tick before somebody asks for it."""
+        """Forget ticks; an artist is made of one only when asked for."""
         self.majorTicks: Any = []
         self.minorTicks: Any = []
         self._found: dict[tuple[object, ...], _Numbered] = {}
 
     def get_children(self) -> list[Artist]:
-        """Its label, and the power of ten of its numbers."""
+        """Return its label, and the power of ten of its numbers."""
         return [self.label, self.offsetText]
 
     def get_tightbbox(self, renderer: Any = None, *, for_layout_only: bool = False) -> Bbox | None:
-        """What its letters cover [px]; in the layout the label counts by its distance from the panel alone."""
+        """Return the box of its letters [px]; in the layout only the distance of the label from the panel counts."""
         if not self.get_visible():
             return None
         ruler = RULER if renderer is None or self._pixels == 1.0 else renderer
@@ -121,7 +121,7 @@ class _Scale(Axis):
         return Bbox.union([box for box in (numbers, power, label) if box is not None])
 
     def draw(self, renderer: RendererBase) -> None:
-        """Grid, ticks, numbers, label and power of ten."""
+        """Draw grid, ticks, numbers, label and power of ten."""
         if not self.get_visible():
             return
         ticks = self._ticks()
@@ -290,11 +290,11 @@ class Panel(Axes):
             self.spines[side].register_axis(axis)
 
     def legend(self, *given: Any, **named: Any) -> Legend:
-        """A legend whose boxes are measured once."""
+        """Return a legend whose boxes are measured once."""
         return cache_extents(super().legend(*given, **named))
 
     def clear(self) -> None:
-        """Frames at the edges of the panel, which take no place beside their scales."""
+        """Put frames at the edges of the panel, which take no place beside their scales."""
         super().clear()
         for spine in self.spines.values():
             spine.set_position(("outward", 0.0))

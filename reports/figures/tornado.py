@@ -49,7 +49,7 @@ class Panel:
 
 
 def draw(panels: Sequence[Panel]) -> Figure:
-    """A panel for each answer; all have the rows of the first."""
+    """Draw a panel for each answer; all have the rows of the first."""
     rows = panels[0].bars
     with report_style():
         figure = sheet(1.1 + LINE * len(rows))
@@ -105,7 +105,7 @@ def _is_drawn(value: float | None) -> TypeGuard[float]:
 
 
 def span(values: Sequence[float]) -> tuple[float, float]:
-    """What an axis shows: all of the values with a margin, and something where they are one."""
+    """Return the ends of an axis: all of the values with a margin, and a width where they are one."""
     low, high = min(values, default=0.0), max(values, default=1.0)
     width = max(high - low, 0.02 * max(abs(low), abs(high)), 1e-6)
     return low - MARGIN * width, high + MARGIN * width

@@ -33,7 +33,7 @@ Say = Callable[[str], str]
 
 
 def map_texts(document: Document, say: Say) -> Document:
-    """The document with `say` applied to each of its texts, figures when they are drawn.
+    """Return the document with `say` applied to each of its texts, in figures when they are drawn.
 
     Left as they are: the author, code, names of tables and files, verdicts, and what was given without a unit.
     """

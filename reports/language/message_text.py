@@ -9,7 +9,7 @@ from reports.language.measures import measure
 
 
 def message_text(message: Message | str) -> str:
-    """The English sentence of a message with its numbers whole; a text as it is."""
+    """Return the English sentence of a message with its numbers whole; a text as it is."""
     if isinstance(message, str):
         return message
     template = TEXTS.get(message.key)

@@ -22,7 +22,7 @@ ROWS: Mapping[str, tuple[str, ...]] = {
 
 
 def in_us_units(document: Document) -> Document:
-    """The document with every number of its tables in US units, to full precision; sheets in both systems.
+    """Return the document with every number of its tables in US units, to full precision; sheets in both systems.
 
     Captions, sentences and figures: `reports.language.measures`, `reports.figures.us_axes`. Headings of tables must be
     English.
@@ -58,7 +58,7 @@ def _line(line: Line) -> Line:
 
 
 def table(one: Table) -> Table:
-    """A table in US units: of columns with a unit, and of rows that tell theirs in a cell."""
+    """Return a table in US units: of columns with a unit, and of rows that give theirs in a cell."""
     rows = tuple(_row(row, one.columns) for row in one.rows)
     return replace(one, columns=tuple(map(_column, one.columns)), rows=rows)
 

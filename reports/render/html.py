@@ -59,14 +59,14 @@ def write_html(document: Document, path: Path, *, pictures: Mapping[str, Picture
 
 
 def policy(*, style: str, script: str) -> str:
-    """The content security policy of a page: this style sheet, this script, and nothing from elsewhere."""
+    """Return the content security policy of a page: this style sheet, this script, and nothing from elsewhere."""
     allowed = f"style-src '{_digest(style)}'; script-src '{_digest(script)}'; img-src data:"
     return f"default-src 'none'; {allowed}; base-uri 'none'; form-action 'none'"
 
 
 @cache
 def resource(name: str) -> str:
-    """A file of reports/web."""
+    """Return the text of a file of reports/render/web."""
     return files("reports.render").joinpath("web", name).read_text(encoding="utf-8")
 
 

@@ -55,7 +55,7 @@ class Heading(Flowable):
 
     @property
     def short(self) -> str:
-        """The text as contents and bookmarks have it."""
+        """The text for contents and bookmarks."""
         return truncate(printable(self.text), _LONGEST_ENTRY)
 
     def getSpaceBefore(self) -> float:  # noqa: N802 - reportlab's name

@@ -56,7 +56,7 @@ def _of_kept(fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Any:
 
 @contextmanager
 def processes(jobs: int, subject: object) -> Iterator[Pool]:
-    """What does work on `jobs` processes besides this one; at 1, and where a process cannot be copied, in this one.
+    """Provide a pool of `jobs` processes besides this one; at 1, and where a process cannot be copied, this one.
 
     A function that is submitted gets the `subject` before its arguments: that need not be sent, however large it is.
     An error ends the rest at once.

@@ -45,17 +45,17 @@ class Picture:
 
     @property
     def box(self) -> str:
-        """The attribute that says what part of the plane is seen."""
+        """The attribute for the visible part of the plane."""
         return f'viewBox="0 0 {self.width:g} {self.height:g}"'
 
     @property
     def upright(self) -> str:
-        """The marks as SVG has them, y downwards."""
+        """The marks as SVG, y downwards."""
         return f'<g transform="matrix(1 0 0 -1 0 {self.height:g})">\n{self.marks}\n</g>'
 
 
 def picture(traced: FigureMarks) -> Picture:
-    """The marks of a figure as elements."""
+    """Return the marks of a figure as elements."""
     letters = dict.fromkeys((m.bold, sign) for m in traced.marks if isinstance(m, Letters) for sign in m.text)
     windows = dict.fromkeys(m.clip for m in traced.marks if isinstance(m, Stroke) and m.clip is not None)
     definitions = {_name(*letter): f'<path id="{_name(*letter)}" d="{_glyph(*letter)[0]}"/>' for letter in letters}
@@ -82,7 +82,7 @@ def write_svg(picture: Picture, path: File, *, creator: str) -> File:
 
 
 def outline(codes: bytes, numbers: tuple[float, ...]) -> str:
-    """Path data of SVG, to five figures."""
+    """Return path data of SVG, to five figures."""
     return _shape(codes) % numbers
 
 

@@ -58,7 +58,7 @@ class Code:
 
 @dataclass(frozen=True)
 class Table:
-    """A table of raw values. name: unique, safe as a file name; muted: rows that inform and decide nothing."""
+    """A table of raw values. name: unique, safe as a file name; muted: rows for information only."""
 
     name: str
     caption: str
@@ -118,7 +118,7 @@ class Figure:
 
 @dataclass(frozen=True)
 class Line:
-    """One step of a calculation: what, where it stands, the formula, the numbers put in, what came out.
+    """One step of a calculation: symbol, clause, formula, formula with numbers, result.
 
     value : a number, or in words where that is all that is known: "≥ 2475"
     beside : the value in another unit, and that unit
@@ -152,7 +152,7 @@ class Signatures:
 
 @dataclass(frozen=True)
 class Banner:
-    """The outcome at a glance. near: whether it lies at the limit; headline: what it means, in one sentence."""
+    """The outcome at a glance. near: whether it is at the limit; headline: its meaning in one sentence."""
 
     verdict: Literal["pass", "fail", "incomplete"]
     headline: str
@@ -176,7 +176,7 @@ def nonempty(table: Table) -> list[Block]:
 
 @dataclass(frozen=True)
 class Section:
-    """A heading and what stands under it. level: 0 for a chapter, 1 for its parts."""
+    """A heading and the blocks under it. level: 0 for a chapter, 1 for its parts."""
 
     title: str
     level: int
@@ -192,7 +192,7 @@ class Document:
     """A report.
 
     facts : (label, text) pairs of the title block
-    sections : in order; the contents stand after the opening section
+    sections : in order; the contents come after the opening section
     data : tables too long to print, for the spreadsheet and the CSV files only
     program : name and version of the program that made it; stamp : of the results that it tells, "" for none
     paper : "A4" or "letter"

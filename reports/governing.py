@@ -1,4 +1,4 @@
-"""Which of many results is shown where one stands for them: the worst check of a procedure, the worst history."""
+"""The results that represent many others: the worst check of a procedure, the worst history."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The joints of a mechanism as the results hold them: which there are, and what one carries at a rotation."""
+"""The joints of a mechanism in the results: their models, and what one carries at a rotation."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def peak_rotation(mechanism: MechanismResult, history: HistoryResult) -> float:
 def event_rotation(interface: dict[str, Any], key: str) -> float | None:
     """Return the rotation of the mechanism [rad] at which a joint opens ("opening_rad") or crushes ("crushing_rad").
 
-    None where it never does, where it does from the start, and where that lies beyond its curve.
+    None where it never does, where it does from the start, and where that is beyond its curve.
     """
     own, of_mechanism = (interface["curve"][name] for name in ("rotation_rad", "mechanism_rotation_rad"))
     at = interface[key]

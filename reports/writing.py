@@ -79,19 +79,19 @@ def write_document(
     Path
         of the PDF
     """
-    document, say = localise(document), progress or (lambda _: None)
+    document, report_stage = localise(document), progress or (lambda _: None)
     for part in ("tables", "figures"):
         (folder / part).mkdir(exist_ok=True)
     with processes(jobs or os.cpu_count() or 1, document) as pool:
-        say("figures")
+        report_stage("figures")
         drawings = trace_figures(document, pool=pool)
         tables = pool.submit(_write_tables, folder)
-        say("report")
+        report_stage("report")
         path = write_pdf(document, folder / name, drawings=drawings)
         pictures = {figure: picture(drawing) for figure, drawing in drawings.items()}
         _write_figures(drawings, pictures, folder / "figures", forms=figures, creator=document.origin)
         write_html(document, path.with_suffix(".html"), pictures=pictures)
-        say("tables")
+        report_stage("tables")
         tables.result()
     return path
 

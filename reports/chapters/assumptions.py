@@ -1,4 +1,4 @@
-"""What the assessment rests on: each value with its source, measured, taken from literature, assumed, or a default."""
+"""The assumptions: each value with its source, measured, taken from literature, assumed, or a default."""
 
 from __future__ import annotations
 
@@ -14,7 +14,14 @@ from reports.language.numerals import entries
 
 SOURCES = "report.sources."
 LEFT_OUT = ("format", "title", "engineer", "checker", "reference", "client", "date", "notes", "report", "bodies")
-OWN = ("kind", "blocks", "label", "cut", "hinges", "hinges_negative")  # what a mechanism is, not what is assumed of it
+OWN = (
+    "kind",
+    "blocks",
+    "label",
+    "cut",
+    "hinges",
+    "hinges_negative",
+)  # the definition of a mechanism, not an assumption
 ASKED = ("analysis.levels", "analysis.procedures", "analysis.pulses", "analysis.sweep", "analysis.sensitivity")
 NOT_SAID = "given"
 SHORT, MANY = 24, 4  # characters of a name and names in a list

@@ -1,4 +1,4 @@
-"""Tables that set procedures and mechanisms beside each other (as thesis Tables 8.6 and 8.10)."""
+"""Tables that compare procedures and mechanisms (as thesis Tables 8.6 and 8.10)."""
 
 from __future__ import annotations
 
@@ -43,11 +43,13 @@ def _worse(one: Cell, other: Cell) -> Cell:
 
 def capacities(results: Results) -> Table:
     """Tabulate the PGA at capacity of every mechanism by every procedure (as thesis Table 8.6)."""
-    asked = {m.name: governing.capacities(m.checks) for m in results.mechanisms}
-    known = dict.fromkeys(name for found in asked.values() for name in found)
+    by_mechanism = {m.name: governing.capacities(m.checks) for m in results.mechanisms}
+    known = dict.fromkeys(name for found in by_mechanism.values() for name in found)
     columns = (MECHANISM, *(Column(breakable_name(name), "g", "number") for name in known))
     rows = tuple(
-        (mechanism_title(m), *(asked[m.name].get(name) for name in known)) for m in results.mechanisms if asked[m.name]
+        (mechanism_title(m), *(by_mechanism[m.name].get(name) for name in known))
+        for m in results.mechanisms
+        if by_mechanism[m.name]
     )
     caption = (
         "Peak ground acceleration at capacity of every mechanism by every procedure (as thesis Table 8.6), the least "

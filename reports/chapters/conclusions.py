@@ -1,4 +1,4 @@
-"""What the numbers say, in sentences: which mechanism is critical, by how much, and which procedures disagree."""
+"""Conclusions in sentences: the critical mechanism and its margin, and where procedures disagree."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ def list_names(names: list[str]) -> str:
 
 
 def _critical_mechanism(results: Results) -> Iterator[str]:
-    """The mechanism that holds the least, by the procedures that decide, and the runner-up."""
+    """The mechanism with the smallest margin by the deciding procedures, and the runner-up."""
     ranked = ranking(results)
     if not ranked or results.verdict is None:
         return
@@ -127,7 +127,7 @@ def _failing_mechanisms(mechanisms: list[MechanismResult], level: float, procedu
 
 
 def _spread(results: Results) -> Iterator[str]:
-    """How far the procedures lie apart in PGA at capacity."""
+    """The spread of the procedures in PGA at capacity."""
     spreads = []
     for mechanism in results.mechanisms:
         known = governing.capacities(governing.code_checks(mechanism.checks))
@@ -156,7 +156,7 @@ def _overturning_records(results: Results) -> Iterator[str]:
 
 
 def _factored_exception(results: Results) -> str:
-    """Which procedures on records still find one that overturns: with a confidence factor, or at a PGA of their own."""
+    """The procedures on records that still find one that overturns: with a confidence factor, or at another PGA."""
     fallen = dict.fromkeys(
         governing.procedure_label(check, mechanism.checks)
         for mechanism in results.mechanisms
@@ -173,7 +173,7 @@ def _overturning_share(mechanism: MechanismResult, suite: SuiteResult) -> str:
 
 
 def _weakest_pulses(results: Results) -> Iterator[str]:
-    """Which mechanism the weakest pulse overturns, where that was asked."""
+    """The mechanism that the weakest pulse overturns, where envelopes were requested."""
     if results.critical is None:
         return
     bands = [(band, band.mechanism) for band in results.critical.bands if band.mechanism is not None]

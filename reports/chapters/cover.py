@@ -1,4 +1,4 @@
-"""The first page: the verdict, what it was asked by, the conditions under which it holds, and what is missing."""
+"""The first page: the verdict, its basis, its conditions, and what is missing."""
 
 from __future__ import annotations
 

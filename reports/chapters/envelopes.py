@@ -192,9 +192,9 @@ def data(results: Results) -> tuple[Table, ...]:
     )
     critical = results.critical.mechanism if results.critical is not None else ()
     rows = tuple(
-        (mechanism.name, f, bound, sign, up, factor, omega, ratio, "critical" if who == mechanism.name else "")
+        (mechanism.name, f, bound, sign, up, factor, omega, ratio, "critical" if name == mechanism.name else "")
         for mechanism, one in mapped
-        for f, bound, sign, up, factor, omega, ratio, who in zip(
+        for f, bound, sign, up, factor, omega, ratio, name in zip(
             one.frequency_hz, one.lower_bound_g, one.polarity, one.uplift_g, one.factor, one.omega,
             one.lower_bound_ratio, critical, strict=True,
         )

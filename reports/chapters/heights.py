@@ -1,4 +1,4 @@
-"""How high over the ground each mechanism has its base, and where its input acts."""
+"""The height of each base above the ground, and of the point where the input acts."""
 
 from __future__ import annotations
 

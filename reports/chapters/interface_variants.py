@@ -1,4 +1,4 @@
-"""Mechanisms that differ by their interface alone, set beside each other (thesis Table 8.7)."""
+"""Mechanisms that differ by their interface alone, compared (thesis Table 8.7)."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from reports.document import Block, Cell, Column, Table, Text
 from reports.language.lettering import truncate
 from reports.mechanism_title import mechanism_title
 
-OWN = ("label", "interface", "interfaces")  # keys in which siblings may differ
+OWN = ("label", "interface", "interfaces")  # keys in which variants may differ
 SHORT = 50  # characters of a name in a sentence
 
 
@@ -23,7 +23,7 @@ class Variants:
 
     @property
     def name(self) -> str:
-        """What they are called together."""
+        """The title of the first, for all of them."""
         return mechanism_title(next(iter(self.members.values())))
 
 
@@ -46,7 +46,7 @@ def _groups(results: Results) -> list[list[MechanismResult]]:
 
 
 def _distinct(group: list[MechanismResult]) -> list[MechanismResult]:
-    """The first mechanism of each interface: others with the same one differ in nothing."""
+    """The first mechanism of each interface; others with the same interface are identical."""
     found: list[MechanismResult] = []
     for mechanism in group:
         if all(mechanism.interfaces != other.interfaces for other in found):

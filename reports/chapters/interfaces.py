@@ -1,4 +1,4 @@
-"""What the report says of the joints of a mechanism: table, figures, and what they carry in the governing record."""
+"""The joints of a mechanism: table, figures, and what they carry in the governing record."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The verdict of each mechanism: the answer that decides each limit state, by which procedure, and why."""
+"""The verdict of each mechanism: the deciding answer of each limit state, its procedure and reason."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ def _rows(one: MechanismVerdict, found: Verdict, names: Mapping[str, str]) -> It
 
 
 def _why(answer: Answer, one: MechanismVerdict) -> str:
-    """Why it ends so, and which input is missing where that alone stands in the way of its answer."""
+    """The reason, and the missing inputs where they alone prevent an answer."""
     if answer.outcome == one.outcome or not one.missing:
         return message_text(answer.reason)
     return f"{message_text(answer.reason)}; missing: {', '.join(each.key for each in one.missing)}"

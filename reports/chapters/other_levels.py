@@ -1,4 +1,4 @@
-"""The chapter on levels besides the site's own: what the accepted methods say there, which is no verdict."""
+"""The chapter on levels other than the site's own: results of the accepted methods there, without a verdict."""
 
 from __future__ import annotations
 
@@ -31,8 +31,8 @@ def chapter(results: Results) -> list[Section]:
 def methods(results: Results) -> tuple[str, ...]:
     """Return the procedures that may decide; without a basis, all by the letter of a code."""
     accepted = () if results.verdict is None else results.verdict.methods
-    asked = dict.fromkeys(c.procedure for m in results.mechanisms for c in governing.code_checks(m.checks))
-    return tuple(name for name in asked if name in accepted) or tuple(asked)
+    procedures = dict.fromkeys(c.procedure for m in results.mechanisms for c in governing.code_checks(m.checks))
+    return tuple(name for name in procedures if name in accepted) or tuple(procedures)
 
 
 def table(results: Results) -> Table:
@@ -59,7 +59,7 @@ def _row(results: Results, mechanism: MechanismResult, level: float, names: tupl
 
 
 def _deciding_states(checks: tuple[Check, ...], results: Results) -> tuple[Check, ...]:
-    """Of the checks of one procedure those of the limit states that decide, where it knows them by name."""
+    """The checks of one procedure at the deciding limit states, where it has them by name."""
     states = () if results.verdict is None else results.verdict.limit_states
     return tuple(check for check in checks if check.limit_state in states) or checks
 

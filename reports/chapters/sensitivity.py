@@ -1,4 +1,4 @@
-"""How the verdict of a mechanism moves with numbers that are not well known: sentences, tornado figure and table."""
+"""How the verdict of a mechanism depends on uncertain numbers: sentences, tornado figure and table."""
 
 from __future__ import annotations
 
@@ -141,7 +141,7 @@ def is_assessed(each: VariedInput, side: Side) -> bool:
 
 def flipping_checks(found: Sequence[VariedInput]) -> Iterator[str]:
     """Yield the checks whose verdict changes, in one sentence."""
-    told = [
+    changes = [
         f"{row.procedure} at {level_text(row)} g with {quantity_name(row)} at {value_text(row, side)} "
         f"({VERDICT_WORDS[row.verdict_base]} → {VERDICT_WORDS[verdict_at(row, side)]})"
         for each in found
@@ -149,9 +149,9 @@ def flipping_checks(found: Sequence[VariedInput]) -> Iterator[str]:
         for side in SIDES
         if row.quantity != "index" and flips(row, side)
     ]
-    if told:
-        more = f"; and {len(told) - MOST} more, see the table sensitivity" if len(told) > MOST else ""
-        yield f"Checks whose verdict changes: {'; '.join(told[:MOST])}{more}."
+    if changes:
+        more = f"; and {len(changes) - MOST} more, see the table sensitivity" if len(changes) > MOST else ""
+        yield f"Checks whose verdict changes: {'; '.join(changes[:MOST])}{more}."
 
 
 def strongest_influence(found: Sequence[VariedInput], place: int) -> str:

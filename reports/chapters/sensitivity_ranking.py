@@ -1,4 +1,4 @@
-"""The numbers that a mechanism's sensitivity varies, in the order in which they move its answers."""
+"""The varied numbers of a mechanism, ranked by their effect on its answers."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from assess.results import SensitivityResult
 from reports.governing import DAMAGE
 
 Case = Literal["base", "low", "high"]
-"""Where a number stands: as assessed, at its low, at its high value."""
+"""The value of a number: as assessed, low or high."""
 
 Side = Literal["low", "high"]
 SIDES: tuple[Side, Side] = ("low", "high")
@@ -25,7 +25,7 @@ NEGLIGIBLE = 2e-3  # of its value: no history repeats better than this when all 
 class VariedInput:
     """One number of a mechanism.
 
-    rows : all its answers; shown : those that stand for them, in one order for all numbers of the mechanism: the PGA at
+    rows : all its answers; shown : those that represent them, in one order for all numbers of the mechanism: the PGA at
     capacity and the ratio of the procedure that governs, as far as they are known, and the ratio of the histories
     """
 
@@ -71,10 +71,10 @@ def answer_key(row: SensitivityResult) -> tuple[str, str, str, float | None]:
 def representative_answers(rows: Sequence[SensitivityResult]) -> list[SensitivityResult]:
     """Choose, among the answers of one number, those that represent all.
 
-    They are the index of what decides, and the PGA at capacity of its procedure. Where nothing decides, they are of the
-    procedure with the least PGA at capacity, at the level nearest to it, and beside it of the histories at this level;
-    where no PGA at capacity is known, of the check with the worst ratio. Damage comes before collapse and stands for it
-    only where a procedure knows nothing else.
+    These are the index of the deciding answer, and the PGA at capacity of its procedure. Where none decides, they are
+    those of the procedure with the least PGA at capacity, at the level nearest to it, and of the histories at this
+    level; where no PGA at capacity is known, of the check with the worst ratio. Damage comes before collapse and
+    replaces it only where a procedure has nothing else.
     """
     index = [row for row in rows if row.quantity == "index"]
     if index:

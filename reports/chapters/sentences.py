@@ -1,4 +1,4 @@
-"""What the report says in words: what the mechanisms are, and what the method cannot do."""
+"""Sentences on the mechanisms, captions of their figures, and the limits of the method."""
 
 from __future__ import annotations
 
@@ -129,20 +129,20 @@ _GENERAL = (
 
 def sliding_limit(results: Results) -> str:
     """State where friction was checked, and where it is only assumed to be sufficient."""
-    asked = {
+    is_checked = {
         mechanism.name: any(c.procedure == SLIDING and c.verdict != Outcome.NOT_APPLICABLE for c in mechanism.checks)
         for mechanism in results.mechanisms
     }
-    taken = "friction at the hinges is assumed to be sufficient"
-    tell = "the tables of forces at the hinges give the friction that rocking needs"
-    if not any(asked.values()):
-        return f"No sliding, no bouncing, no separation other than rocking: {taken}; {tell}."
-    silent = dict.fromkeys(truncate(mechanism_title(m), 40) for m in results.mechanisms if not asked[m.name])
-    others = f" For {join_names(silent)} it was not checked: {taken}." if silent else ""
+    assumed = "friction at the hinges is assumed to be sufficient"
+    forces = "the tables of forces at the hinges give the friction that rocking needs"
+    if not any(is_checked.values()):
+        return f"No sliding, no bouncing, no separation other than rocking: {assumed}; {forces}."
+    unchecked = dict.fromkeys(truncate(mechanism_title(m), 40) for m in results.mechanisms if not is_checked[m.name])
+    others = f" For {join_names(unchecked)} it was not checked: {assumed}." if unchecked else ""
     return (
         "Sliding was checked by equilibrium, at every hinge up to the moment at which the mechanism "
-        f"starts to rock (procedure {SLIDING}; horizontal motion only).{others} While it rocks {taken}: no "
-        f"bouncing, no separation other than rocking; {tell}. The support at the top of a wall of two "
+        f"starts to rock (procedure {SLIDING}; horizontal motion only).{others} While it rocks {assumed}: no "
+        f"bouncing, no separation other than rocking; {forces}. The support at the top of a wall of two "
         "blocks is assumed to hold."
     )
 
@@ -166,13 +166,13 @@ def _input_difference(results: Results) -> tuple[str, ...]:
 
 
 def _unamplified(results: Results) -> tuple[str, ...]:
-    """Which procedures judge which mechanisms at height by the motion of the ground."""
+    """Procedures that check mechanisms at height by the motion of the ground."""
     every = [(m, check) for m in results.mechanisms for check in m.checks]
-    told = [(m, check) for m, check in every if GROUND_AT_HEIGHT in {remark.key for remark in check.remarks}]
-    if not told:
+    unamplified = [(m, check) for m, check in every if GROUND_AT_HEIGHT in {remark.key for remark in check.remarks}]
+    if not unamplified:
         return ()
-    procedures = dict.fromkeys(check.procedure for _, check in told)
-    names = dict.fromkeys(truncate(mechanism_title(mechanism), 40) for mechanism, _ in told)
+    procedures = dict.fromkeys(check.procedure for _, check in unamplified)
+    names = dict.fromkeys(truncate(mechanism_title(mechanism), 40) for mechanism, _ in unamplified)
     return (f"{join_names(procedures)}, for {join_names(names)}: {TEXTS[GROUND_AT_HEIGHT]}.",)
 
 
@@ -188,7 +188,7 @@ def _linearised(results: Results) -> tuple[str, ...]:
 
 
 def _unverified(results: Results) -> Iterator[str]:
-    """What could not be compared with the text of a standard, of the basis and of the procedures."""
+    """Clauses of the basis and procedures that could not be compared with the printed standard."""
     if results.verdict is not None and results.verdict.uncompared:
         yield f"Basis {results.verdict.basis}: {'; '.join(results.verdict.uncompared)}."
     names = dict.fromkeys(check.procedure for check in _checks(results) if check.caveat)

@@ -1,4 +1,4 @@
-"""The chapter on the structure: what it is made of, its bodies, and all mechanisms beside each other."""
+"""The chapter on the structure: its materials, its bodies, and all mechanisms side by side."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the report says of the suite of records: how it was chosen, beside which limits, and how it is amplified."""
+"""The suite of records: its selection, its requirements, and its amplification."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The summary: what the numbers say, and what every procedure answers for every mechanism at the site's own action."""
+"""The summary: conclusions, and the answer of every procedure for every mechanism at the site's own action."""
 
 from __future__ import annotations
 

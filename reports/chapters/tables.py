@@ -1,4 +1,4 @@
-"""The tables of the checks: every number is taken from the results as it stands there."""
+"""The tables of the checks, with the numbers of the results."""
 
 from __future__ import annotations
 
@@ -99,7 +99,7 @@ def demands(mechanism: MechanismResult, *, name: str) -> Table:
 
 
 def _rating(check: Check) -> dict[Column, Cell]:
-    """What a check has where the code and the site know it."""
+    """Safety index and return period of a check, where code and site have them."""
     return {_INDEX: check.safety_index, _YEARS: with_bound(check.return_period_years, check.return_period_bound)}
 
 

@@ -1,4 +1,4 @@
-"""A ground motion beside what it is at the base of a mechanism up the building."""
+"""A ground motion and the motion at the base of a mechanism up the building."""
 
 from __future__ import annotations
 

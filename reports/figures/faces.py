@@ -1,4 +1,4 @@
-"""The faces of bodies in space, made ready to be drawn one over the other."""
+"""The faces of bodies in space, sorted for drawing one over the other."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import shapely
 
 from spectra.arrays import BoolArray, FloatArray, IntArray
 
-EDGE_ON = 1e-3  # of a unit normal: a face that looks to the eye by less is not drawn
+EDGE_ON = 1e-3  # of a unit normal: a face turned to the eye by less is not drawn
 BESIDE = 1e-6  # of the bodies' size: faces that overlap by less do not cover one another
 
 
@@ -22,7 +22,7 @@ class Faces:
     ----------
     corners : anticlockwise seen from outside [m, 3, 3] [m]
     edges : whether the edge from each corner to the next is drawn [m, 3]
-    owner : what each belongs to [m]
+    owner : block of each [m]
     """
 
     corners: FloatArray
@@ -71,7 +71,7 @@ def front_faces(faces: Faces, eye: FloatArray) -> Faces:
 def painting_order(corners: FloatArray) -> list[int]:
     """Return the order in which to draw triangles [m, 3, 3] so that none hides a nearer one.
 
-    Where two cover each other in a ring, the one whose middle is farthest is drawn first.
+    Where faces cover each other in a ring, the one whose middle is farthest is drawn first.
     """
     behind, before = occluding_pairs(corners)
     covers: dict[int, list[int]] = {}

@@ -1,4 +1,4 @@
-"""Names beside the points of a figure, set where there is room."""
+"""Names of points in a figure, placed where there is room."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ LED = 20.0  # a name farther off than this has a line to its point [pt]
 
 @dataclass(frozen=True)
 class Label:
-    """A name for a point, which stands at `at` [pt] from the lower left corner of the panel."""
+    """A name for a point; `at` [pt] from the lower left corner of the panel."""
 
     text: str
     at: tuple[float, float]
@@ -33,7 +33,7 @@ class Label:
 def write(
     axes: Axes, labels: Sequence[Label], *, window: tuple[float, float], drawn: Sequence[tuple[float, float]] = ()
 ) -> None:
-    """Write the labels into a panel of a size `window` [pt], each where it covers least of what stands there.
+    """Write the labels into a panel of a size `window` [pt], each where it covers least.
 
     drawn : points [pt] of lines that the names should leave free
     """

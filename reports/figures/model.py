@@ -1,4 +1,4 @@
-"""The bodies of a mechanism as a model that a reader can turn: what reports/figures/view.py draws, from any side."""
+"""The bodies of a mechanism as a model that a reader can turn: the scene of view.py, from any side."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The moment over rotation of a mechanism with joints, beside those of simpler ones (thesis Fig. 8.8)."""
+"""Moment over rotation of a mechanism with deformable joints and of simpler ones (thesis Fig. 8.8)."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def draw(mechanism: MechanismResult) -> Figure:
 
 
 def _marks(axes: Axes, mechanism: MechanismResult, rotation: FloatArray, moment: FloatArray) -> None:
-    """Where each joint begins to open, and where its edge begins to crush."""
+    """Mark where each joint begins to open, and where its edge begins to crush."""
     for key, face, offset in (("opening_rad", "white", (6, -3)), ("crushing_rad", OWN, (-2, -10))):
         for at, height, hinges in places(mechanism, key, rotation, moment):
             axes.plot([at], [height], "o", color=OWN, markerfacecolor=face, markersize=4.5, zorder=3)

@@ -59,7 +59,7 @@ class _Ticks:
 
 @dataclass(frozen=True)
 class _Numbered:
-    """Where the ticks that are seen stand [n], their numbers [n], and the power of ten of these."""
+    """Values of the visible ticks [n], their numbers [n], and the power of ten of these."""
 
     values: FloatArray
     numbers: tuple[str, ...]
@@ -90,7 +90,7 @@ class _Scale(Axis):
     Attributes
     ----------
     along : place of its coordinate in a point: 0 for x, 1 for y
-    side : the edge at which it stands
+    side : the edge at which it is drawn
     setting : of a number at its tick: across, up
     """
 
@@ -168,14 +168,14 @@ class _Scale(Axis):
         return self._found[known]
 
     def _is_seen(self, values: FloatArray) -> NDArray[np.bool_]:
-        """Which values lie within the panel [n]."""
+        """Whether each value is within the panel [n]."""
         transform = self.get_transform()
         first, last = sorted(transform.transform(np.asarray(self.get_view_interval(), dtype=np.float64)))
         at, room = transform.transform(values), _CLOSE * (last - first)
         return np.asarray((at >= first - room) & (at <= last + room))
 
     def _points(self, values: FloatArray) -> FloatArray:
-        """Where values lie along the scale [px]."""
+        """Positions of values along the scale [px]."""
         points = np.tile(np.asarray(self.axes.viewLim.min, dtype=np.float64), (values.size, 1))
         points[:, self.along] = values
         return np.asarray(self.axes.transData.transform(points))[:, self.along]
@@ -187,7 +187,7 @@ class _Scale(Axis):
 
     @property
     def _edge(self) -> float:
-        """Where the scale stands [px]."""
+        """Position of the scale across its direction [px]."""
         return float(self.axes.bbox.min[1 - self.along])
 
     def _point(self, along: float, away: float) -> Point:
@@ -224,7 +224,7 @@ class _Scale(Axis):
         pen.restore()
 
     def _places(self, ticks: _Ticks) -> list[tuple[Point, str]]:
-        """Numbers and where they stand."""
+        """Positions of the numbers [px], each with its number."""
         if not ticks.is_numbered:
             return []
         away = self._edge - ticks.length - ticks.pad
@@ -283,7 +283,7 @@ class Panel(Axes):
     name = "panel"
 
     def _init_axis(self) -> None:
-        """Where matplotlib's projections make their axes."""
+        """Make the scales, as matplotlib's projections make their axes."""
         self.xaxis: Any = _Across(self, clear=False)
         self.yaxis: Any = _Up(self, clear=False)
         for side, axis in (("bottom", self.xaxis), ("top", self.xaxis), ("left", self.yaxis), ("right", self.yaxis)):
@@ -311,7 +311,7 @@ def _lettered(text: str, size: Any, setting: tuple[str, str]) -> _Lettered:
 
 
 class _Catcher(Ruler):
-    """Keeps the lines that it is asked to draw."""
+    """A renderer that keeps the lines of text it is to draw."""
 
     def __init__(self) -> None:
         super().__init__()

@@ -1,4 +1,4 @@
-"""Response spectra of records, alone or beside a target."""
+"""Response spectra of records, alone or with a target."""
 
 from __future__ import annotations
 

@@ -55,7 +55,7 @@ class Window:
 
 @dataclass(frozen=True)
 class Layout:
-    """How the panels stand: columns, inches to the metre, and the size of a panel [in]."""
+    """Arrangement of the panels: columns, inches to the metre, and the size of a panel [in]."""
 
     columns: int
     scale: float
@@ -227,7 +227,7 @@ def _labels(axes: Axes, named: Sequence[tuple[Point, str, str]], layout: Layout)
 
 
 def _ground(axes: Axes, drawing: Drawing, window: Window) -> None:
-    """What the mechanism stands on: masonry that stays, or level ground, hatched below."""
+    """Draw the support of the mechanism: masonry that does not move, or level ground, hatched below."""
     for ring in drawing.fixed:
         axes.add_artist(Polygon(ring, facecolor=FIXED, edgecolor=MUTED, linewidth=0.6, zorder=0.6))
     if drawing.fixed:

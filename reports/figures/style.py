@@ -32,8 +32,8 @@ PASS, FAIL = "#00694c", "#b3380e"
 BANNER = {"pass": PASS, "fail": FAIL, "incomplete": "#8a6100"}
 STONE_EDGE, LOAD = "#6f6350", "#6b4c9a"
 POSITIVE, NEGATIVE = "#c1121f", "#0072b2"  # the branches
-BLOCKS = ("#d9cdb8", "#a8977a", "#efe8db")  # from the base upwards, told apart in grey too
-FIXED = "#dfe2e5"  # masonry that stays
+BLOCKS = ("#d9cdb8", "#a8977a", "#efe8db")  # from the base upwards, distinct in grey too
+FIXED = "#dfe2e5"  # masonry that does not move
 
 _RC: dict[Any, Any] = {
     "font.family": [FAMILY],
@@ -45,7 +45,7 @@ _RC: dict[Any, Any] = {
     "axes.labelcolor": INK,
     "axes.grid": True,
     "axes.axisbelow": True,
-    "axes.titley": 1.0,  # scales stand below
+    "axes.titley": 1.0,  # scales are below
     "axes.spines.top": False,
     "axes.spines.right": False,
     "axes.formatter.use_mathtext": False,

@@ -1,4 +1,4 @@
-"""The mean of a suite of records beside its target and the limits of codes."""
+"""The mean of a suite of records, its target and the limits of codes."""
 
 from __future__ import annotations
 

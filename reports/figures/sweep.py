@@ -1,4 +1,4 @@
-"""A parametric study: what changes with the number that is swept."""
+"""A parametric study: results over the swept number."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def draw(sweep: SweepResult) -> Figure:
 def panels(sweep: SweepResult) -> list[tuple[Values, str]]:
     """Return the quantities of which any value is known, with their names.
 
-    On joints without a threshold of uplift the overturning rotation stands in the place of the multiplier.
+    On joints without a threshold of uplift the overturning rotation replaces the multiplier.
     """
     threshold = (sweep.uplift_multiplier, "load multiplier at uplift λ [-]")
     overturning = (sweep.overturning_flexible_rad, "overturning on joints φₒᵥ [rad]")

@@ -1,4 +1,4 @@
-"""How the answers of a mechanism move with numbers that are not well known: a bar for each, the widest at the top."""
+"""How the answers of a mechanism depend on uncertain numbers: a bar for each, the widest at the top."""
 
 from __future__ import annotations
 
@@ -23,9 +23,9 @@ LONGEST = 40  # characters of a line beside a bar
 
 @dataclass(frozen=True)
 class Bar:
-    """One number: the two lines that stand beside it, and the answer at its low and its high value.
+    """One number: the two lines of its label, and the answer at its low and its high value.
 
-    low, high : infinite where the body overturns, None where nothing is known
+    low, high : infinite where the body overturns, None where not known
     verdicts : new verdict at the low and at the high value, in a word; empty where it does not change
     """
 
@@ -39,7 +39,7 @@ class Bar:
 class Panel:
     """One answer: its name with the unit, and the procedure; its value as assessed; its bars.
 
-    limit : where passing and failing part, and its name; None where there is none
+    limit : between pass and fail, and its name; None where there is none
     """
 
     name: tuple[str, str]

@@ -1,4 +1,4 @@
-"""Axes of figures in US customary units: what is drawn stays where it is, ticks stand at round numbers of the unit."""
+"""Axes of figures in US customary units: curves stay in place, ticks are at round numbers of the unit."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ def convert(figure: Drawn) -> None:
     _axes(across, besides=(figure.get_supxlabel(),))
     _axes(up, besides=(figure.get_supylabel(),))
     for letters in figure.findobj(Text):
-        assert isinstance(letters, Text)  # as asked for
+        assert isinstance(letters, Text)
         letters.set_text(_LABELLED.sub(_renamed, letters.get_text()))
 
 
@@ -65,7 +65,7 @@ def _axes(axes: Sequence[Axis], *, besides: Iterable[str]) -> None:
 
 
 def _scale(axis: Axis, factor: float) -> None:
-    """Ticks of one axis; what stands for it on axes that share its scale is shared too."""
+    """Convert the ticks of one axis; axes that share its scale share them."""
     axis.set_major_locator(UsLocator(axis.get_major_locator(), factor))
     axis.set_minor_locator(UsLocator(axis.get_minor_locator(), factor))
     axis.set_major_formatter(UsFormatter(axis.get_major_formatter(), factor))
@@ -101,7 +101,7 @@ class _Scaled:
 
 
 class UsLocator(Locator):
-    """Ticks where another locator has them on the axis in US units, told in the axis' own."""
+    """Ticks where another locator puts them on the axis in US units, in the units of the axis."""
 
     def __init__(self, inner: Locator, factor: float) -> None:
         self.inner, self.factor = inner, factor

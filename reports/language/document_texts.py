@@ -129,7 +129,7 @@ def _drawn(draw: Callable[[], Drawn], say: Say) -> Drawn:
         for axis in (axes.xaxis, axes.yaxis):
             _ticks(axis, say)
     for letters in figure.findobj(Letters):
-        assert isinstance(letters, Letters)  # as asked for
+        assert isinstance(letters, Letters)
         letters.set_text(say(letters.get_text()))
     return figure
 

@@ -1,4 +1,4 @@
-"""What is told by messages, with their numbers whole."""
+"""The sentences of messages, with their numbers at full precision."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ def message_text(message: Message | str) -> str:
     if isinstance(message, str):
         return message
     template = TEXTS.get(message.key)
-    if template is None or template.format(**message.values) != message.text:  # told by another version
+    if template is None or template.format(**message.values) != message.text:  # made by another version
         return message.text
     return template.format(
         **{

@@ -42,7 +42,7 @@ def _closed(text: str) -> bool:
 
 
 def _translate(language: str, verbatim: frozenset[str], text: str) -> str:
-    """A text in the language; what says it need not travel with the figures, which other processes draw."""
+    """A text in the language; the translator need not be sent to the processes that draw figures."""
     return _translator(language, verbatim).translate(text)
 
 

@@ -12,7 +12,7 @@ from assess.results import Results
 FREE = ("title", "engineer", "checker", "reference", "client", "date", "notes", "masonry_quality", "label", "name")
 NAMED = ("mechanisms", "bodies", "materials")  # tables of the project file whose keys are names
 SOURCES = "report.sources."
-_FIRST_MARK = 0xF0000  # marks that stand for texts: private use, plane 15
+_FIRST_MARK = 0xF0000  # marks that replace texts: private use, plane 15
 _KEPT = 8  # characters by which a shortened text is known
 
 

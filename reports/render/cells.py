@@ -42,7 +42,7 @@ Piece = tuple[str, Look]
 
 @dataclass(frozen=True)
 class Word:
-    """Pieces that stand together, and their width [pt]; a line of text too."""
+    """Adjacent pieces and their width [pt]; also a line of text."""
 
     pieces: tuple[Piece, ...]
     width: float

@@ -13,7 +13,7 @@ from reports.render.cells import Piece, cell, formula_pieces, plain_cell, text_p
 from reports.render.ruled_table import PADDING, Row, RuledTable, ruled_table
 from reports.render.typeset import SMALL, paragraph, width_of
 
-LONGEST = 400  # characters in a cell; the whole text stands in the CSV file and the spreadsheet
+LONGEST = 400  # characters in a cell; the whole text is in the CSV file and the spreadsheet
 _LONGEST_STEP = 700
 _NARROW, _WIDE = 112.0, 240.0
 _SHARES = (0.13, 0.35, 0.35, 0.17)

@@ -1,6 +1,6 @@
 """The document as one page of HTML that needs nothing else: figures to enlarge, bodies to turn, tables to sort.
 
-The page's frame, look and behaviour stand in reports/web.
+The page's frame, look and behaviour are in the folder web.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from reports.render.elements import Elements, markup
 from reports.render.svg import Picture
 
 SCRIPTS = ("gestures.js", "picture.js", "model.js", "viewer.js", "tables.js")  # in the order they need each other
-FRAME = {  # what the frame of the page says
+FRAME = {  # words of the frame of the page
     "to_report": "To the report",
     "contents_word": "Contents",
     "enlarge": "Enlarge",

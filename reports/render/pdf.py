@@ -45,7 +45,7 @@ _CAPTION = 26 * mm  # left for a caption of five lines below a figure as high as
 
 
 class Drawing(Flowable):
-    """A traced figure on the page, asked for only when its place is sought: it may still be being drawn."""
+    """A traced figure on the page, fetched only when it is placed: until then it may be in the making."""
 
     def __init__(self, drawings: Mapping[str, FigureMarks], name: str, room: tuple[float, float]) -> None:
         super().__init__()
@@ -54,7 +54,7 @@ class Drawing(Flowable):
 
     @property
     def figure(self) -> FigureMarks:
-        """Return the figure; it may still be being drawn."""
+        """The figure, waited for if it is still being drawn."""
         return self.drawings[self.name]
 
     @property

@@ -19,7 +19,7 @@ _ABOVE, _BELOW, _BELOW_CAPTION = 1.6, 2.2, 4.0
 _LEAST_CAPTION = 12.0
 _FILLING = "#edf0f3"
 _FEWEST_FIRST, _FEWEST_LAST = 2, 3  # rows before and after a break of the page
-_TALL = 100.0  # a row: where there is such a one any may stand alone, for a few fill a page
+_TALL = 100.0  # a row: in a table with such a row any may be alone on a page, which a few fill
 _ROUND = 1
 
 Row = Sequence[Cell]

@@ -25,7 +25,7 @@ CONTENTS, SHEETS = "contents", "calculation sheets"
 _LONGEST_TEXT, _LONGEST_NAME, _LONGEST_PROPERTY = 32_000, 31, 255
 _RESERVED = "history"  # a name that Excel keeps for itself
 _NARROWEST, _WIDEST = 9, 60  # columns [characters]
-_LONG = 500  # rows; numbers of longer tables stand as they are, to be computed with
+_LONG = 500  # rows; numbers of longer tables have no format
 _CREATED = datetime.datetime(2000, 1, 1)  # fixed: the same results give the same workbook
 
 

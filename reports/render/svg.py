@@ -29,7 +29,7 @@ _EM = 100.0  # size at which the outline of a letter is taken [pt]
 
 @dataclass(frozen=True)
 class Picture:
-    """A figure in the elements of SVG; what they refer to by an id is the same wherever that id stands.
+    """A figure in the elements of SVG; an id refers to the same element in all figures.
 
     Attributes
     ----------
@@ -129,7 +129,7 @@ def _paint(what: str, colour: Rgba | None) -> str:
 
 
 def _line_of(mark: Letters) -> str:
-    """A line of text: its letters side by side, and the text itself for who cannot see them."""
+    """A line of text: its letters as outlines, and the text itself for screen readers."""
     pen, used = 0.0, []
     for sign in mark.text:
         used.append(f'<use xlink:href="#{_name(mark.bold, sign)}" x="{_number(pen)}"/>')

@@ -76,7 +76,7 @@ class FigureMarks:
 
 
 class _Recorder(Ruler):
-    """A matplotlib renderer that writes down what it is asked to draw; origin at the lower left, unit 1 pt."""
+    """A matplotlib renderer that records what it draws; origin at the lower left, unit 1 pt."""
 
     def __init__(self, width: float, height: float) -> None:
         super().__init__()

@@ -84,7 +84,7 @@ class HingeForces:
         return min(reached) * self.acceleration if reached else None
 
     def _share(self, side: float, mu: float) -> float | None:
-        """Return the share of the acceleration at which `side` T = mu N: 0 if it slides at rest, None if never."""
+        """Return the share of the acceleration at which `side` T = mu N; 0 if it slides at rest, None if never."""
         first, last = (side * each.shear - mu * each.normal for each in (self.resting, self.starting))
         if first > 0.0:
             return 0.0

@@ -102,6 +102,6 @@ def candidate_table(candidates: Sequence[Candidate]) -> DataFrame:
 
 
 def sequence_number(path: str) -> int | None:
-    """The NGA number in a PEER file name, `RSN57_SFERN_ORR021.AT2`; None where there is none."""
+    """Return the NGA number in a PEER file name, `RSN57_SFERN_ORR021.AT2`; None where there is none."""
     found = SEQUENCE_NUMBER.search(path.rsplit("/", 1)[-1])
     return int(found[1]) if found and len(found[1]) < 10 else None

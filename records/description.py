@@ -24,7 +24,18 @@ R = TypeVar("R")
 def read_candidates(
     files: Sequence[Path], *, overrides: HeaderOverrides = NO_OVERRIDES, executor: Executor | None = None
 ) -> tuple[Candidate, ...]:
-    """Every record of `files`, in order, without a catalogue. Raises RecordError for the first that cannot be read."""
+    """Read every record of `files`, in order, without a catalogue.
+
+    Parameters
+    ----------
+    files : record files
+    overrides : for what their headers leave out
+    executor : of processes, that read where files are many
+
+    Raises
+    ------
+    RecordError : for the first file that cannot be read
+    """
     return tuple(
         one
         for made in map_files(partial(_describe_file, overrides=overrides), files, executor=executor)
@@ -42,7 +53,7 @@ def _describe_file(file: Path, *, overrides: HeaderOverrides) -> tuple[Candidate
 def describe_record(
     record: Record, path: str, position: int = 0, *, overrides: HeaderOverrides = NO_OVERRIDES
 ) -> Candidate:
-    """What a catalogue keeps of a record, and what was `overrides` of its file."""
+    """Return what a catalogue keeps of a record, with the overrides its file was read with."""
     return Candidate(
         path=path,
         position=position,
@@ -65,7 +76,7 @@ def describe_record(
 
 
 def map_files(verb: Callable[[T], R], things: Sequence[T], *, executor: Executor | None) -> Iterable[R]:
-    """The verb of each thing, in order; by the executor where they are many."""
+    """Apply a function to each file, in order; by the executor where there are many."""
     if executor is None or len(things) <= FEW:
         return map(verb, things)
     return executor.map(verb, things, chunksize=4)

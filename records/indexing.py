@@ -34,10 +34,10 @@ Progress = Callable[[int, int], None]
 
 @dataclass(frozen=True)
 class IndexSummary:
-    """What an index did: files read and unchanged, those that are gone, records in all, (path, reason) of the rest.
+    """What an index did: files read, unchanged and gone, records in all, (path, reason) of files that cannot be read.
 
-    damaged : files whose rows were changed since they were written, and that were read again
-    older : whether the catalogue was of an older version, so that all was read again
+    damaged : files whose rows were changed since they were written, and that were read again older : whether the
+    catalogue was of an older version, so that every file was read again
     """
 
     read: int
@@ -67,11 +67,19 @@ def index(
     executor: Executor | None = None,
     progress: Progress = lambda done, total: None,
 ) -> IndexSummary:
-    """Bring the catalogue `connection` of `folder` and what is below it up to date.
+    """Bring the catalogue of a folder and its subfolders up to date.
 
-    overrides : what headers leave out, kept in the catalogue for later (files read with other values are read again);
-    executor : of processes, that read where files are many. Raises RecordError where the folder is none, and
-    for a unit, step or response that cannot be.
+    Parameters
+    ----------
+    folder : with the record files
+    connection : its open catalogue
+    overrides : for what headers leave out, kept for later runs (files read with other values are read again)
+    executor : of processes, that read where files are many
+    progress : called with the number of files read and their total
+
+    Raises
+    ------
+    RecordError : the folder does not exist; a unit, step or response is invalid
     """
     check_overrides(overrides)
     overrides = overrides.over(catalogue.header_overrides(connection))
@@ -98,7 +106,7 @@ def index(
 
 
 def _same(found: Found, known: tuple[object, ...] | None, asked: str) -> bool:
-    """Whether the catalogue has the file as it is: size, time and, where it was not read, what was asked."""
+    """Return whether the catalogue has the file as it is: size, time and, where it was not read, what was asked."""
     if known is None:
         return False
     size, mtime, _, before, problem = known
@@ -110,7 +118,7 @@ def _same(found: Found, known: tuple[object, ...] | None, asked: str) -> bool:
 
 
 def _with_hash(found: Found, known: tuple[object, ...] | None, asked: str) -> Found:
-    """The file with the hash of when it was last read, as long as the same was asked then."""
+    """Return the file with the hash of when it was last read, if it was read with the same overrides."""
     if known is None or known[3] != asked:
         return found
     return Found(found.path, found.size, found.mtime, found.problem, str(known[2]))
@@ -139,7 +147,7 @@ def _read(
 
 
 def describe_file(folder: Path, found: Found, *, overrides: HeaderOverrides) -> Described:
-    """The records of one file with their measures and spectra, or why there are none."""
+    """Read the records of one file with their measures and spectra, or the reason why there are none."""
     if found.problem:
         return Described(found, "", found.problem, ())
     file = folder / found.path
@@ -158,7 +166,7 @@ def describe_file(folder: Path, found: Found, *, overrides: HeaderOverrides) -> 
 
 
 def _store(connection: sqlite3.Connection, batch: list[Described], asked: str) -> None:
-    """One batch, whole or not at all."""
+    """Store one batch, whole or not at all."""
     with connection:
         for one in batch:
             found = one.found

@@ -25,7 +25,7 @@ class Found:
 
 
 def files_below(folder: Path) -> Iterator[Found]:
-    """Every file below `folder`, hidden ones left out, in a fixed order; links that lead out of it as problems."""
+    """Yield every file below `folder` but hidden ones, in a fixed order; links that lead out of it as problems."""
     if folder.is_file():
         raise RecordError(f"{folder}: is a file; give the folder that holds it, {folder.parent}")
     if not folder.is_dir():

@@ -102,9 +102,17 @@ class Selection:
 
 
 def select(candidates: Sequence[Candidate], spectrum: Spectrum, criteria: Criteria) -> Selection:
-    """The suite of `criteria` out of `candidates` that fits `spectrum`, 5 % damping.
+    """Select the suite of records that fits a spectrum best, 5 % damping.
 
-    Raises RecordError, saying how many candidates are left after each step, where they are too few.
+    Parameters
+    ----------
+    candidates : records of catalogues and files
+    spectrum : target
+    criteria : number, periods, filters, limits and kind of fit
+
+    Raises
+    ------
+    RecordError : too few candidates are left; lists how many after each step
     """
     band = truncate_band(criteria.band, spectrum.longest_period)
     horizontal = [one for one in candidates if one.shakes]
@@ -136,7 +144,7 @@ def select(candidates: Sequence[Candidate], spectrum: Spectrum, criteria: Criter
 
 
 def passes(candidate: Candidate, filters: Filters) -> bool:
-    """Whether a candidate is what the filters ask for."""
+    """Return whether a candidate is what the filters ask for."""
     measures = candidate.measures
     asked = (
         (filters.magnitude, candidate.magnitude),
@@ -152,7 +160,7 @@ def passes(candidate: Candidate, filters: Filters) -> bool:
 
 
 def _known(level: Sequence[Candidate], filters: Filters) -> list[tuple[str, Sequence[Candidate]]]:
-    """What is left of the horizontal components after each step that drops those of which a filter knows nothing."""
+    """List what is left of the horizontal components after each step that drops those with an unknown value."""
     steps = [("horizontal at the free surface", level)]
     for name, of in KNOWN.items():
         before = steps[-1][1]
@@ -163,7 +171,7 @@ def _known(level: Sequence[Candidate], filters: Filters) -> list[tuple[str, Sequ
 
 
 def _joined(candidates: Sequence[Candidate], components: Components) -> list[tuple[Candidate, ...]]:
-    """Candidates one by one, or those of one recording together, in order of first appearance."""
+    """Take candidates one by one, or those of one recording together, in order of first appearance."""
     if components == "single":
         return [(one,) for one in candidates]
     recordings: dict[str, list[Candidate]] = {}
@@ -175,7 +183,7 @@ def _joined(candidates: Sequence[Candidate], components: Components) -> list[tup
 def _scaled(
     joined: Sequence[tuple[Candidate, ...]], spectrum: Spectrum, band: Band, scale_to: ScaleTo
 ) -> tuple[list[Choice], FloatArray]:
-    """Every choice with its factor and misfit, and ln(target / spectrum) before scaling [n, k].
+    """Return every choice with its factor and misfit, and ln(target / spectrum) before scaling [n, k].
 
     Components kept together count by the geometric mean of their spectra. Those without motion at a period are left
     out.
@@ -203,7 +211,7 @@ def _log_mean(spectra: Sequence[FloatArray]) -> FloatArray:
 
 
 def _ratios(choices: Sequence[Choice], log_ratio: FloatArray) -> FloatArray:
-    """Scaled spectrum over target [n, k]."""
+    """Return the scaled spectrum over the target [n, k]."""
     factor = np.array([choice.factor for choice in choices])
     return np.asarray(factor[:, np.newaxis] * np.exp(-log_ratio))
 

@@ -70,7 +70,7 @@ class Stage:
 
 
 def make_stage(target: Target, *, duration: float, dt: float) -> Stage:
-    """The fixed arrays of a set of records; a random motion's amplitudes go as S_a / sqrt(f) to first order."""
+    """Return the fixed arrays of a set of records; a random motion's amplitudes go as S_a / sqrt(f) to first order."""
     time = dt * np.arange(round(duration / dt) + 1, dtype=np.float64)
     level = envelope(time, duration=float(time[-1]))
     f = np.fft.rfftfreq(2 * time.size, dt)
@@ -92,7 +92,7 @@ def make_stage(target: Target, *, duration: float, dt: float) -> Stage:
 
 
 def envelope(time: FloatArray, *, duration: float) -> FloatArray:
-    """Envelope of the amplitude [-] at `time` [n] [s]: parabola, level, exponential, brought to zero at the end.
+    """Return the amplitude's envelope [-] at `time` [n] [s]: parabola, level, exponential, brought to zero at the end.
 
     Source: Jennings, Housner & Tsai 1968, the form of their type A and B earthquakes, in shares of the duration.
     """
@@ -103,10 +103,11 @@ def envelope(time: FloatArray, *, duration: float) -> FloatArray:
 
 
 def end_weights(npts: int, *, dt: float) -> FloatArray:
-    """Rows w [3, npts]: w . a are final velocity, displacement and time integral of displacement of a motion from rest.
+    """Return rows w [3, npts] so that w . a are the final velocity, displacement and integral of displacement.
 
-    These are the integrals of a(t) (t_end - t)^k / k! for k = 0, 1, 2, exact for a(t) linear between samples: at the
-    two ends of a step that ends `left` before t_end, the weights are integrals of that over the two hat functions.
+    The motion starts from rest. These are the integrals of a(t) (t_end - t)^k / k! for k = 0, 1, 2, exact for a(t)
+    linear between samples: at the two ends of a step that ends `left` before t_end, the weights are integrals of that
+    over the two hat functions.
     """
     left, h = dt * np.arange(npts - 2, -1, -1), dt
     start = (0.5 * h, h * left / 2 + h**2 / 3, h * left**2 / 4 + h**2 * left / 3 + h**3 / 8)
@@ -119,7 +120,7 @@ def end_weights(npts: int, *, dt: float) -> FloatArray:
 
 
 def fit_rounds(target: Target, stage: Stage, *, phase: FloatArray) -> Iterator[Match]:
-    """The accelerograms that these phases [m] [rad] lead to, round after round."""
+    """Yield the accelerograms that these phases [m] [rad] lead to, round after round."""
     n, harmonics = stage.envelope.size, stage.amplitude * np.exp(1j * phase)
     a = stage.envelope * np.fft.irfft(harmonics, 2 * n)[:n]
     a *= target.pga / np.max(np.abs(a))
@@ -132,13 +133,13 @@ def fit_rounds(target: Target, stage: Stage, *, phase: FloatArray) -> Iterator[M
 
 
 def _match(a: FloatArray, ratio: FloatArray) -> Match:
-    """The accelerogram [n] with record / target [k] summed up."""
+    """Return the accelerogram [n] with record / target [k] summed up."""
     low, high, rms = np.min(ratio) - 1.0, np.max(ratio) - 1.0, np.sqrt(np.mean((ratio - 1.0) ** 2))
     return Match(a, float(low), float(high), float(rms))
 
 
 def _without_drift(a: FloatArray, stage: Stage, *, pga: float) -> FloatArray:
-    """The accelerogram [n] with peak `pga` [m/s2] and no velocity or displacement left at the end."""
+    """Return the accelerogram [n] with peak `pga` [m/s2] and no velocity or displacement left at the end."""
     system = stage.ends @ stage.shapes.T
     for _ in range(3):
         a = with_peak(a - np.linalg.solve(system, stage.ends @ a) @ stage.shapes, pga=pga)
@@ -147,7 +148,7 @@ def _without_drift(a: FloatArray, stage: Stage, *, pga: float) -> FloatArray:
 
 
 def with_peak(a: FloatArray, *, pga: float) -> FloatArray:
-    """The accelerogram [n] with its peak at `pga` [m/s2].
+    """Return the accelerogram [n] with its peak at `pga` [m/s2].
 
     Every half-cycle that exceeds it is lowered to it; if none does, the largest is raised. A half-cycle, between
     two changes of sign, is multiplied as a whole: nothing is clipped flat.
@@ -161,6 +162,6 @@ def with_peak(a: FloatArray, *, pga: float) -> FloatArray:
 
 
 def _ratio(a: FloatArray, target: Target, dt: float) -> FloatArray:
-    """5 % response spectrum of the accelerogram over the target [k]."""
+    """Return the accelerogram's 5 % response spectrum over the target [k]."""
     omega = 2.0 * np.pi / target.period
     return np.asarray(omega**2 * peak_displacements(a, dt, target.period, DAMPING) / target.ordinate)

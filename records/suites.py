@@ -29,12 +29,12 @@ class Pool:
     mse: FloatArray
 
     def misfit(self, mean: FloatArray) -> FloatArray:
-        """Of mean spectra over target [..., k]."""
+        """Return the misfit of mean spectra over target [..., k]."""
         return np.asarray(np.log(mean) ** 2 @ self.weight)
 
 
 def best_each(pool: Pool, count: int) -> tuple[list[int], None]:
-    """The `count` of least misfit, the best of each group."""
+    """Choose the `count` records of least misfit, the best of each group."""
     chosen: list[int] = []
     taken: set[int] = set()
     for i in np.argsort(pool.mse, kind="stable").tolist():
@@ -45,7 +45,7 @@ def best_each(pool: Pool, count: int) -> tuple[list[int], None]:
 
 
 def best_suite(pool: Pool, count: int) -> tuple[list[int], float]:
-    """The `count` whose mean fits best, and the misfit of the greedy suite, which it never exceeds."""
+    """Choose the `count` records whose mean fits best; return also the misfit of the greedy suite, its upper bound."""
     first = greedy(pool, count)
     before = _misfit_of(pool, first)
     if comb(pool.mse.size, count) <= COUNTABLE:
@@ -55,7 +55,7 @@ def best_suite(pool: Pool, count: int) -> tuple[list[int], float]:
 
 
 def greedy(pool: Pool, count: int) -> list[int]:
-    """Record by record, each the one that makes the mean of those so far fit best."""
+    """Choose record by record, each time the one that makes the mean fit best."""
     chosen: list[int] = []
     total = np.zeros(pool.weight.size)
     free = np.ones(pool.mse.size, dtype=np.bool_)
@@ -69,7 +69,7 @@ def greedy(pool: Pool, count: int) -> list[int]:
 
 
 def exchange(pool: Pool, start: Sequence[int]) -> list[int]:
-    """A suite improved by exchanging one record at a time for the best other, until no exchange helps."""
+    """Improve a suite by exchanging one record at a time for the best other, until no exchange helps."""
     chosen, among = list(start), np.argsort(pool.mse, kind="stable")[:EXCHANGED]
     ratio, group = pool.ratio[among], pool.group[among]
     least, better = _misfit_of(pool, chosen), True
@@ -86,7 +86,7 @@ def exchange(pool: Pool, start: Sequence[int]) -> list[int]:
 
 
 def exhaustive(pool: Pool, count: int) -> list[int]:
-    """The best of all suites."""
+    """Choose the best of all suites."""
     best, least = greedy(pool, count), inf
     for suites in _chunks(combinations(range(pool.mse.size), count)):
         group = np.sort(pool.group[suites], axis=1)

@@ -38,19 +38,28 @@ def artificial(
     band: tuple[float, float] = BAND,
     threads: int = 1,
 ) -> tuple[Record, ...]:
-    """`count` artificial records for `spectrum`, "artificial-1" and so on; the same for the same `seed`.
+    """Generate spectrum-compatible artificial records, "artificial-1" and so on; the same for the same seed.
 
-    duration, dt : length and step [s]; band : shortest and longest period matched [s], cut where a table ends
+    No 5 % ordinate of a record in the band is more than 10 % below the target (EN 1998-1, 3.2.3.1.2(4)c asks that of
+    the mean), the differences have an rms below 5 %, and the peak acceleration is the target's zero-period ordinate;
+    velocity and displacement end at zero and the mean displacement is zero. The envelope has the form of Jennings,
+    Housner & Tsai (1968): a parabola over a tenth of the duration, a stationary half (12.5 s of 25 s; NTC 2018, 3.2.3.6
+    asks for 10 s of 25 s), then an exponential fall to 5 %. Ordinates are those at 80 periods a decade, as
+    `response_spectrum` defines them. Record k depends on `seed` and k only, not on `count`.
+
+    Parameters
+    ----------
+    spectrum : target
+    count : number of records
+    seed : whole number from 0 up
+    duration, dt : length and time step [s]
+    band : shortest and longest period matched [s], cut where a table ends
     threads : records made at once, 0 for all cores; half of the time is in a kernel, free of the interpreter's lock
 
-    Of each record no 5 % ordinate in the band is more than 10 % below the target (EN 1998-1, 3.2.3.1.2(4)c asks
-    that of the mean), their differences have an rms below 5 %, the peak acceleration is the target's zero-period
-    ordinate; velocity and displacement end at zero and the mean displacement is zero. The envelope has the form
-    of Jennings, Housner & Tsai (1968): a parabola over a tenth of the duration, a stationary half (12.5 s of 25 s;
-    NTC 2018, 3.2.3.6 asks for 10 s of 25 s), then an exponential fall to 5 %. The ordinates are those at 80 periods a
-    decade, as `response_spectrum` defines them. Record k depends on `seed` and k only, not on `count`.
+    Raises
+    ------
+    RecordError : the arguments make no record, or none of the phases tried comes within these bounds
 
-    Raises RecordError for arguments that make no record, and where no phases tried come within these bounds.
     Source: Gasparini & Vanmarcke 1976; Jennings, Housner & Tsai 1968, Simulated earthquake motions, Caltech EERL.
     """
     _check(count=count, seed=seed, duration=duration, dt=dt, band=band)
@@ -62,7 +71,7 @@ def artificial(
 
 
 def _check(*, count: int, seed: int, duration: float, dt: float, band: tuple[float, float]) -> None:
-    """Refuses arguments that make no record."""
+    """Refuse arguments that make no record."""
     if count < 1:
         raise RecordError(f"artificial records: count = {count}; ask for at least one")
     if seed < 0:
@@ -82,7 +91,7 @@ def _check(*, count: int, seed: int, duration: float, dt: float, band: tuple[flo
 
 
 def _target(spectrum: Spectrum, *, band: tuple[float, float]) -> Target:
-    """The 5 % ordinates at log-spaced periods of the band, as far as the spectrum goes."""
+    """Return the 5 % ordinates at log-spaced periods of the band, as far as the spectrum goes."""
     longest = min(band[1], spectrum.longest_period)
     if longest <= band[0]:
         raise RecordError(f"artificial records: the spectrum ends at {longest} s, below the band from {band[0]} s")
@@ -95,7 +104,7 @@ def _target(spectrum: Spectrum, *, band: tuple[float, float]) -> Target:
 
 
 def _record(target: Target, stage: Stage, code: str, seed: int, index: int) -> Record:
-    """Record `index` of the set of `seed`: the first set of phases whose fit is within the bounds."""
+    """Make record `index` of the set of `seed` with the first set of phases whose fit is within the bounds."""
     random = np.random.default_rng([seed, index])
     fits = []
     for _ in range(TRIALS):

@@ -15,7 +15,7 @@ def check(project: ProjectPath) -> None:
     loaded = load(project)
     from assess.cli.description import description, sensitivity_text
     from assess.project.build import build
-    from assess.study.run import parameters
+    from assess.study.parameters import parameters
 
     study = build(loaded)
     print(description(loaded, parameters(study), study.sweeps, study.notices), end="")

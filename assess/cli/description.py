@@ -7,7 +7,7 @@ from math import atan2, degrees
 from typing import Any
 
 from assess.cli.parameter_table import table_text, weakest_text
-from assess.mechanisms.chain import metres
+from assess.mechanisms.chain import format_metres
 from assess.messages.message import Message, text_of
 from assess.project.messages import printable
 from assess.project.schema import Project
@@ -184,7 +184,8 @@ def _ground(m: MechanismResult) -> list[str]:
     if m.base_elevation_m is None or m.input_height_m is None:
         return []
     counts = "above the ground" if m.above_ground else "on the ground"
-    heights = f"base {metres(m.base_elevation_m)} m over the ground, held at {metres(m.input_height_m)} m: {counts}"
+    base, held = format_metres(m.base_elevation_m), format_metres(m.input_height_m)
+    heights = f"base {base} m over the ground, held at {held} m: {counts}"
     return [f"  ground      {heights}; {printable(m.ground_known_from)}"]
 
 
@@ -193,4 +194,4 @@ def _points(points: tuple[NamedPoint, ...]) -> str:
 
 
 def _at(point: tuple[float, float]) -> str:
-    return f"x = {metres(point[0])} m, z = {metres(point[1])} m"
+    return f"x = {format_metres(point[0])} m, z = {format_metres(point[1])} m"

@@ -48,7 +48,7 @@ def envelope(
     from assess.outputs.manifest import ENVELOPES
     from assess.project.build import build
     from assess.results.json import dumps
-    from assess.study.run import envelope as of_study
+    from assess.study.envelope_run import envelope as of_study
 
     wanted = (ENVELOPES, "envelopes.pdf", "envelopes.html", "tables.xlsx")
     place = (

@@ -25,8 +25,8 @@ def parameters(
     from assess.cli.parameter_table import csv_text, directions_text, parameters_text
     from assess.project.build import build
     from assess.results.json import dumps_mechanisms
-    from assess.study.run import case_parameters
-    from assess.study.run import parameters as of_study
+    from assess.study.parameters import case_parameters
+    from assess.study.parameters import parameters as of_study
 
     text = dumps_mechanisms if as_json else csv_text if as_csv else parameters_text
     study = build(loaded)

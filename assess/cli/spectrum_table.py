@@ -12,7 +12,7 @@ from assess.cli.text_table import text_table
 from assess.messages.message import Message, warning
 from assess.results.json import dumps_spectrum
 from assess.results.stamp import origin
-from assess.study.outcome import spectrum_result
+from assess.study.site_results import spectrum_result
 from reports.language.spectrum_parameters import ACCELERATION, corners, parameter_rows
 from reports.render.csv import csv_lines
 from spectra.spectrum import Spectrum

@@ -63,14 +63,14 @@ class Canonical:
         return y
 
 
-def scaled(turn: float) -> Canonical:
+def linear_form(turn: float) -> Canonical:
     """Of the linearised equation, whose inertia is constant and needs no table: y = phi / turn."""
     ends, none = np.array([0.0, 1.0]), np.empty((4, 0))
     line, one = CubicHermiteSpline(ends, turn * ends, [turn, turn]), PPoly([[1.0]], turn * ends)
     return Canonical(turn, ends, none, none, np.empty(0), np.empty((0, 2), dtype=np.int64), line, one)
 
 
-def canonical(branch: Branch) -> Canonical:
+def canonical_form(branch: Branch) -> Canonical:
     """The branch over y: cubics with its values and slopes at the ends of each segment."""
     wide = np.diff(branch.rotation) > 0.0
     left, width = branch.rotation[:-1][wide], np.diff(branch.rotation)[wide]

@@ -43,7 +43,7 @@ class Critical:
     bands: tuple[Band, ...]
 
 
-def critical(frequency: FloatArray, bounds: FloatArray) -> Critical:
+def find_critical(frequency: FloatArray, bounds: FloatArray) -> Critical:
     """From the lower bounds [m, n] of m mechanisms at rising frequencies [n], nan where nothing overturns."""
     filled = np.where(np.isnan(bounds), np.inf, bounds)
     order = np.argsort(filled, axis=0, kind="stable")

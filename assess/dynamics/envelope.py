@@ -23,8 +23,8 @@ import numpy as np
 from scipy.constants import g
 
 from assess.dynamics.kernel import exact, linearised, sine
-from assess.dynamics.packing import Equation, packed, tables_of
-from assess.dynamics.pulse_response import TOLERANCE, check_frequency, closed, polynomials
+from assess.dynamics.packing import Equation, pack, tables_of
+from assess.dynamics.pulse_response import TOLERANCE, check_frequency, has_closed_form, pulse_polynomials
 from assess.oscillator import Branch, Oscillator, energy, linearise
 from assess.short_repr import ShortRepr
 from records.pulses import Shape
@@ -84,7 +84,7 @@ def envelope(
     signs = np.array(polarities(oscillator), dtype=np.float64)
     overturned = np.empty((frequency.size, signs.size, amplitude.size), dtype=np.bool_)
     least = np.empty((frequency.size, 2))
-    each = frequency, times, safe(oscillator, shape, frequency, equation=equation)
+    each = frequency, times, safe_amplitude(oscillator, shape, frequency, equation=equation)
     scan = _scan(oscillator, times, equation=equation, highest=float(amplitude.max()))
 
     def work(part: slice) -> None:
@@ -95,30 +95,30 @@ def envelope(
     with ThreadPoolExecutor(threads or os.cpu_count() or 1) as pool:
         list(pool.map(work, [slice(i, i + CHUNK) for i in range(0, frequency.size, CHUNK)]))
     bound = np.where(np.isfinite(least[:, 0]), least[:, 0], np.nan)
-    polarity, uplift = least[:, 1].astype(np.int64), threshold(oscillator, equation) / times
+    polarity, uplift = least[:, 1].astype(np.int64), uplift_acceleration(oscillator, equation) / times
     worse = np.asarray(np.any(overturned, axis=1))
     return Envelope(shape, equation, frequency, amplitude, worse, bound, polarity, uplift, times)
 
 
 def _filling(oscillator: Oscillator, shape: Shape, equation: Equation) -> Callable[..., None]:
     """The kernel's envelope of the oscillator and the shape."""
-    one = packed(oscillator, equation)
-    if closed(shape, equation):
+    one = pack(oscillator, equation)
+    if has_closed_form(shape, equation):
         return partial(sine.envelope_sine, one.branches, shape.end)
     if equation == "linearised":
-        return partial(linearised.envelope_linearised, one.branches, *polynomials(shape))
+        return partial(linearised.envelope_linearised, one.branches, *pulse_polynomials(shape))
     table, smooth, (span,) = tables_of([one])
-    return partial(exact.envelope_exact, one.branches, table, smooth, span, TOLERANCE, *polynomials(shape))
+    return partial(exact.envelope_exact, one.branches, table, smooth, span, TOLERANCE, *pulse_polynomials(shape))
 
 
 def _scan(oscillator: Oscillator, factor: FloatArray, *, equation: Equation, highest: float) -> FloatArray:
     """Amplitudes of the ground at which the lower bound is looked for first [n, k]; the last ones are `highest`."""
-    lowest = (threshold(oscillator, equation) or FROM * _resisted(oscillator)) / factor
+    lowest = (uplift_acceleration(oscillator, equation) or FROM * _resisted(oscillator)) / factor
     steps = ceil(log(max(highest / lowest.min(), 1.0)) / log(SCAN[equation])) + 1
     return np.minimum(lowest[:, None] * SCAN[equation] ** np.arange(steps), highest)
 
 
-def safe(oscillator: Oscillator, shape: Shape, frequency: FloatArray, *, equation: Equation) -> FloatArray:
+def safe_amplitude(oscillator: Oscillator, shape: Shape, frequency: FloatArray, *, equation: Equation) -> FloatArray:
     """Peak acceleration at the base that is too weak to overturn, whatever the phase, at each frequency [n] [m/s2].
 
     By the impulse: the energy E = I phi'^2 / 2 + V changes at the rate -B u_g'' phi', and |phi'| <= sqrt(2 E / I), so
@@ -150,7 +150,7 @@ def polarities(oscillator: Oscillator) -> tuple[int, ...]:
     return (1,) if oscillator.symmetric else (1, -1)
 
 
-def threshold(oscillator: Oscillator, equation: Equation) -> float:
+def uplift_acceleration(oscillator: Oscillator, equation: Equation) -> float:
     """Acceleration at the base that starts rocking [m/s2]."""
     if equation == "linearised":
         return min(g * linearise(branch).multiplier for branch in oscillator.branches)

@@ -21,7 +21,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from assess.dynamics.kernel import columns, exact, linearised
-from assess.dynamics.packing import Equation, Packed, branches_of, check_jobs, packed, tables_of
+from assess.dynamics.packing import Equation, Packed, branches_of, check_jobs, pack, tables_of
 from assess.oscillator import Oscillator
 from assess.short_repr import ShortRepr
 from records.record import Record, make_record
@@ -125,10 +125,10 @@ def peaks(
 
     Raises ValueError for jobs that name no oscillator or motion, MechanismError for a branch that cannot rock.
     """
-    return prepared(oscillators, motions, equation=equation, threads=threads, tolerance=tolerance)(jobs)
+    return make_solver(oscillators, motions, equation=equation, threads=threads, tolerance=tolerance)(jobs)
 
 
-def prepared(
+def make_solver(
     oscillators: Sequence[Oscillator],
     motions: Sequence[Record],
     *,
@@ -140,7 +140,7 @@ def prepared(
 
     Raises MechanismError for a branch that cannot rock.
     """
-    each = [packed(oscillator, equation) for oscillator in oscillators]
+    each = [pack(oscillator, equation) for oscillator in oscillators]
     run = _RUNS[equation](each, motions, tolerance)
 
     def answer(jobs: Jobs) -> Peaks:
@@ -174,7 +174,7 @@ def trace(
 
     release : rotation of the positive branch at which it is let go, without velocity [rad]
     """
-    one = packed(oscillator, equation)
+    one = pack(oscillator, equation)
     run = _RUNS[equation]([one], [motion], tolerance)
     path = np.zeros((motion.npts, 3))
     first = np.zeros(1, dtype=np.int64)
@@ -200,7 +200,7 @@ def free_rocking(
     tolerance: float = FREE_TOLERANCE,
 ) -> FreeRocking:
     """Released from rest at `rotation` [rad] of the positive branch, for `duration` [s] on still ground."""
-    one = packed(oscillator, equation)
+    one = pack(oscillator, equation)
     samples = 2 + math.ceil(4.0 * one.branches[0, columns.RATE] * duration)
     still = make_record("still ground", np.zeros(samples), duration / (samples - 1))
     run = _RUNS[equation]([one], [still], tolerance)

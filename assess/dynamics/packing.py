@@ -10,7 +10,7 @@ from typing import Literal, TypeVar
 import numpy as np
 from scipy.constants import g
 
-from assess.dynamics.canonical import Canonical, canonical, scaled
+from assess.dynamics.canonical import Canonical, canonical_form, linear_form
 from assess.dynamics.kernel import columns
 from assess.errors import MechanismError
 from assess.oscillator import Branch, Oscillator, elastic_frequency, energy, linearise
@@ -33,7 +33,7 @@ class Packed:
     sides: tuple[Canonical, ...]
 
 
-def packed(oscillator: Oscillator, equation: Equation) -> Packed:
+def pack(oscillator: Oscillator, equation: Equation) -> Packed:
     """The oscillator for the kernel. Raises MechanismError for a branch that cannot rock."""
     if equation not in _PACKING:
         raise ValueError(f'equation "{equation}" is not known; the equations are {", ".join(_PACKING)}')
@@ -45,7 +45,7 @@ def _exact(oscillator: Oscillator) -> Packed:
     for branch, following in zip(oscillator.branches, reversed(oscillator.branches), strict=True):
         _check_branch(branch, following=following)
         _check_pace(branch)
-    sides = _of_each(oscillator, canonical)
+    sides = _of_each(oscillator, canonical_form)
     rows = _rows(oscillator, sides)
     for row, branch, side in zip(rows, oscillator.branches, sides, strict=False):
         E = _positive(float(energy(branch, np.array(branch.unstable))), "work up to the overturning rotation", "J")
@@ -63,7 +63,7 @@ def _linearised(oscillator: Oscillator) -> Packed:
         _positive(form.overturning, "linearised overturning rotation", "rad")
     for branch, following in zip(oscillator.branches, reversed(oscillator.branches), strict=True):
         _check_branch(branch, following=following)
-    sides = tuple(scaled(form.overturning) for form in forms)
+    sides = tuple(linear_form(form.overturning) for form in forms)
     rows = _rows(oscillator, sides)
     for row, form in zip(rows, forms, strict=False):
         row[columns.THRESHOLD], row[columns.RATE] = g * form.multiplier, form.p

@@ -20,7 +20,7 @@ import numpy as np
 from scipy.interpolate import BPoly, PPoly
 
 from assess.dynamics.kernel import columns, exact, linearised, sine
-from assess.dynamics.packing import Equation, Packed, branches_of, check_jobs, packed, tables_of
+from assess.dynamics.packing import Equation, Packed, branches_of, check_jobs, pack, tables_of
 from assess.oscillator import Oscillator
 from records.pulses import Shape
 from spectra.arrays import BoolArray, FloatArray, IntArray
@@ -66,15 +66,26 @@ def outcomes(
     equation: Equation,
     threads: int = 0,
 ) -> Outcomes:
-    """The outcome of every job; the same whatever the number of `threads` (0: all cores).
+    """Return the outcome of every job.
 
-    Raises as `prepared` does, and ValueError for jobs that name no oscillator or frequency, or an amplitude that is not
-    finite.
+    Parameters
+    ----------
+    oscillators : the oscillators that jobs name by their index
+    shape : of the pulse, from `records.pulses`
+    frequency : of the pulses that jobs name by their index [n] [Hz]
+    jobs : which oscillator, frequency and amplitude to run
+    equation : "exact" or "linearised"
+    threads : number of threads, 0 for all cores; the outcomes do not depend on it
+
+    Raises
+    ------
+    MechanismError : a branch that cannot rock
+    ValueError : a frequency that is not positive, or jobs with an unknown index or no finite amplitude
     """
-    return prepared(oscillators, shape, frequency, equation=equation, threads=threads)(jobs)
+    return make_solver(oscillators, shape, frequency, equation=equation, threads=threads)(jobs)
 
 
-def prepared(
+def make_solver(
     oscillators: Sequence[Oscillator], shape: Shape, frequency: FloatArray, *, equation: Equation, threads: int = 0
 ) -> Callable[[PulseJobs], Outcomes]:
     """What answers any number of jobs for these oscillators, this shape and these frequencies [n] [Hz].
@@ -83,11 +94,11 @@ def prepared(
     cannot rock, ValueError for a frequency that is not positive.
     """
     check_frequency(frequency)
-    each = [packed(oscillator, equation) for oscillator in oscillators]
-    if closed(shape, equation):
+    each = [pack(oscillator, equation) for oscillator in oscillators]
+    if has_closed_form(shape, equation):
         run: Run = partial(sine.sine_outcomes, branches_of(each), shape.end, np.ascontiguousarray(frequency))
     else:
-        run = _KERNELS[equation](each, (*polynomials(shape), np.ascontiguousarray(frequency)))
+        run = _KERNELS[equation](each, (*pulse_polynomials(shape), np.ascontiguousarray(frequency)))
 
     def answer(jobs: PulseJobs) -> Outcomes:
         check_jobs(
@@ -121,7 +132,7 @@ def check_frequency(frequency: FloatArray) -> None:
         raise ValueError(f"frequency[{bad[0]}] = {frequency[bad[0]]} Hz of a pulse; it must be a positive number")
 
 
-def closed(shape: Shape, equation: Equation) -> bool:
+def has_closed_form(shape: Shape, equation: Equation) -> bool:
     """Whether the motion between two events is closed: a sine, whole or half, by the linearised equation."""
     return equation == "linearised" and shape.name in ("sine", "half-sine")
 
@@ -137,7 +148,7 @@ def _exact(oscillators: Sequence[Packed], pulse: tuple[FloatArray, float, FloatA
 _KERNELS = {"linearised": _linearised, "exact": _exact}
 
 
-def polynomials(shape: Shape) -> tuple[FloatArray, float]:
+def pulse_polynomials(shape: Shape) -> tuple[FloatArray, float]:
     """The shape as polynomials of phase from the beginning of each piece, lowest power first [n, 6], and the phase of
     a piece [rad]."""
     n = max(ceil(PIECES * (shape.end - shape.start) / (2 * pi)), 2)

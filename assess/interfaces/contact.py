@@ -2,7 +2,7 @@
 
 One solver for every section and regime (full or partial contact, elastic or crushed); thesis 6.2-6.45 are its special
 cases. The rotation is that of one face relative to the other and compresses the edge at depth 0; for the other sense
-take the `mirrored` section.
+take the `mirror` section.
 """
 
 from __future__ import annotations
@@ -15,8 +15,8 @@ from numpy.typing import ArrayLike
 
 from assess.errors import InterfaceError
 from assess.interfaces.kernel.equilibrium import crushing_depth, touch
-from assess.interfaces.law import Law
-from assess.interfaces.section import Section, mirrored
+from assess.interfaces.law import JointLaw
+from assess.interfaces.section import Section, mirror
 from spectra.arrays import FloatArray
 
 
@@ -28,11 +28,11 @@ class Contact:
     ----------
     rotation : phi [rad]; normal_force : N [N]
     resultant : distance of the resultant from the compressed edge, a_f [m]
-    sideways : of the resultant from the centroid along the axis of rotation, positive to the left of the direction of
-        rocking [m]; zero where the section is symmetric about the plane of motion
-    pivot : distance from the compressed edge of the line about which the faces turn at that instant under a constant
-        force, d closing / d rotation: the centroid of what is elastic [m]
-    closing : of the compressed edge, u_e [m]
+    out_of_plane_eccentricity : distance of the resultant from the centroid along the axis of rotation, positive to the
+        left of the direction of rocking [m]; zero for a section symmetric about the plane of motion
+    instantaneous_centre : distance from the compressed edge of the line about which the faces turn under a constant
+        force, d closure / d rotation: the centroid of the elastic zone [m]
+    closure : of the compressed edge, u_e [m]
     depth : in contact, a [m]; crushed_depth : a_2 [m]
     peak_stress : at the compressed edge [Pa]; infinite for a rigid joint without limit of strength
     open_area, crushed_area : [m2]
@@ -41,9 +41,9 @@ class Contact:
     rotation: FloatArray
     normal_force: FloatArray
     resultant: FloatArray
-    sideways: FloatArray
-    pivot: FloatArray
-    closing: FloatArray
+    out_of_plane_eccentricity: FloatArray
+    instantaneous_centre: FloatArray
+    closure: FloatArray
     depth: FloatArray
     crushed_depth: FloatArray
     peak_stress: FloatArray
@@ -52,7 +52,7 @@ class Contact:
 
 
 def contact(
-    section: Section, law: Law, *, normal_force: ArrayLike, rotation: ArrayLike, where: str = "interface"
+    section: Section, law: JointLaw, *, normal_force: ArrayLike, rotation: ArrayLike, where: str = "interface"
 ) -> Contact:
     """The contact under a normal force [N], one or [n], at rotations >= 0, one or [n] [rad].
 
@@ -79,7 +79,9 @@ def contact(
     return Contact(*columns)
 
 
-def thresholds(section: Section, law: Law, *, normal_force: float, where: str = "interface") -> tuple[float, float]:
+def thresholds(
+    section: Section, law: JointLaw, *, normal_force: float, where: str = "interface"
+) -> tuple[float, float]:
     """Rotations at which the far edge opens and at which the compressed edge starts to crush [rad]; inf: never.
 
     The stress missing to the strength is that of the mirrored section under the force missing to its bearing capacity.
@@ -102,10 +104,10 @@ def thresholds(section: Section, law: Law, *, normal_force: float, where: str = 
         return opening, f / (k * crushing_depth(section.table, N / f))
     missing = f * section.area - N
     crushing = missing / (k * section.area * section.centroid)
-    return f / (k * crushing_depth(mirrored(section).table, missing / f)), crushing
+    return f / (k * crushing_depth(mirror(section).table, missing / f)), crushing
 
 
-def semi_flexible_shift(section: Section, law: Law, *, normal_force: float, where: str = "interface") -> float:
+def semi_flexible_shift(section: Section, law: JointLaw, *, normal_force: float, where: str = "interface") -> float:
     """Distance of the fixed hinge from the compressed edge, a_SF: the resultant's when crushing starts [m].
 
     It does not depend on the stiffness, and is zero for infinite strength (thesis 6.3.1.2).
@@ -117,14 +119,14 @@ def semi_flexible_shift(section: Section, law: Law, *, normal_force: float, wher
     _refuse_load(section, law, np.array([float(normal_force)]), where=where)
     if law.strength == inf:
         return 0.0
-    any_joint = Law(stiffness=law.strength / section.depth, strength=law.strength)
+    any_joint = JointLaw(stiffness=law.strength / section.depth, strength=law.strength)
     _, crushing = thresholds(section, any_joint, normal_force=normal_force)
     return float(contact(section, any_joint, normal_force=normal_force, rotation=crushing).resultant[0])
 
 
-def sideways_doubt(section: Section, found: Contact) -> str:
+def out_of_plane_warning(section: Section, found: Contact) -> str:
     """A sentence where the resultant leaves the plane of motion by more than a hundredth of the breadth, or ""."""
-    largest = float(np.abs(found.sideways).max())
+    largest = float(np.abs(found.out_of_plane_eccentricity).max())
     if largest <= 0.01 * section.breadth:
         return ""
     return (
@@ -142,7 +144,7 @@ def _refuse_rotation(turns: FloatArray, *, where: str) -> None:
         )
 
 
-def _refuse_load(section: Section, law: Law, forces: FloatArray, *, where: str) -> None:
+def _refuse_load(section: Section, law: JointLaw, forces: FloatArray, *, where: str) -> None:
     """Raise where the law is none, or the section cannot carry a force under it."""
     for what, value, unit in (("stiffness", law.stiffness, "Pa/m"), ("strength", law.strength, "Pa")):
         if not value > 0.0:

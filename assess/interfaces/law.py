@@ -7,7 +7,7 @@ from math import inf
 
 
 @dataclass(frozen=True)
-class Law:
+class JointLaw:
     """No tension, linear up to the strength, plastic beyond, without memory.
 
     stiffness : of the joint for each area, k_n = E / thickness [Pa/m]; infinite: rigid

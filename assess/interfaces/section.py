@@ -76,7 +76,7 @@ def section_of_discs(outer: float, *, inner: float = 0.0) -> Section:
     return Section(2.0 * outer, 2.0 * outer, area, float(outer), _frozen(np.empty((0, 12))), _frozen(discs))
 
 
-def mirrored(section: Section) -> Section:
+def mirror(section: Section) -> Section:
     """The same region rocking the other way."""
     if not section.pieces.size:
         return section  # discs are concentric

@@ -23,7 +23,7 @@ AT_ONCE = 20_000  # choices of four joints that are looked at together: of 80 vo
 
 
 @dataclass(frozen=True)
-class Hinging:
+class ArchHinges:
     """A mechanism of an arch: the joints that hinge, their hinges A to D, and its uplift multiplier [-]."""
 
     joints: tuple[int, int, int, int]
@@ -31,7 +31,7 @@ class Hinging:
     multiplier: float
 
 
-def weakest(voussoirs: Sequence[Block], joints: Sequence[Joint], *, name: str) -> Hinging:
+def weakest_hinges(voussoirs: Sequence[Block], joints: Sequence[Joint], *, name: str) -> ArchHinges:
     """The four hinges, at alternate faces, that open under the least horizontal acceleration along +x.
 
     Parameters
@@ -65,10 +65,10 @@ def weakest(voussoirs: Sequence[Block], joints: Sequence[Joint], *, name: str) -
     places = [ends[joint, (face + number) % 2] for number, joint in enumerate(chosen)]
     a, b, c, d = ((float(at.real), float(at.imag)) for at in places)
     first, second, third, last = chosen
-    return Hinging((first, second, third, last), (a, b, c, d), least)
+    return ArchHinges((first, second, third, last), (a, b, c, d), least)
 
 
-def hinged(voussoirs: Sequence[PlanarBody], hinging: Hinging) -> tuple[list[PlanarBody], Chain]:
+def divide_arch(voussoirs: Sequence[PlanarBody], hinging: ArchHinges) -> tuple[list[PlanarBody], Chain]:
     """The three blocks between the hinging joints, and their chain."""
     spans = list(pairwise(hinging.joints))
     bodies = [join_planar(voussoirs[a:b], name=f"block {n}") for n, (a, b) in enumerate(spans, start=1)]

@@ -9,13 +9,13 @@ import numpy as np
 
 from assess.geometry.outline import Outline
 from assess.mechanisms.chain import Chain, require_movable
-from assess.mechanisms.doubts import pulling_supports
-from assess.mechanisms.flexible import FlexibleChain, through_top
-from assess.mechanisms.impact import RestitutionChoice, impact
+from assess.mechanisms.flexible import FlexibleChain, top_loads
+from assess.mechanisms.impact import RestitutionChoice, find_restitution
 from assess.mechanisms.joint import Joint
 from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.restitution import Restitution
 from assess.mechanisms.virtual_work import require_stable, virtual_work
+from assess.mechanisms.warnings import supports_in_tension
 
 Impacts = tuple[Restitution, Restitution]
 
@@ -23,7 +23,7 @@ INSIDE = ", about hinges a_SF inside the edges"
 CRUSHED = ", about the resultants of the crushed joints"
 
 
-def assembled(
+def assemble(
     name: str,
     kind: str,
     positive: Chain,
@@ -42,8 +42,8 @@ def assembled(
     for chain in chains.values():
         require_movable(chain, name=name)
         require_stable(chain, name=name)
-    pulling = [text for mark, chain in chains.items() for text in pulling_supports(chain, mark=mark)]
-    kept, back = impacts(restitution, positive, negative, kind=kind, name=name)
+    pulling = [text for mark, chain in chains.items() for text in supports_in_tension(chain, mark=mark)]
+    kept, back = find_restitutions(restitution, positive, negative, kind=kind, name=name)
     return Mechanism(
         name=name,
         label=label or name,
@@ -61,7 +61,7 @@ def assembled(
     )
 
 
-def on_joints(
+def add_joints(
     mechanism: Mechanism,
     positive: tuple[Joint | None, ...],
     negative: tuple[Joint | None, ...],
@@ -76,12 +76,14 @@ def on_joints(
     Raises MechanismError or InterfaceError where a joint cannot carry what presses on it.
     """
     name, kind = mechanism.name, mechanism.kind
-    front = replace(mechanism.positive, joints=bearing(mechanism.positive, positive))
-    back = mechanism.negative and replace(mechanism.negative, joints=bearing(mechanism.negative, negative))
+    front = replace(mechanism.positive, joints=bearing_joints(mechanism.positive, positive))
+    back = mechanism.negative and replace(mechanism.negative, joints=bearing_joints(mechanism.negative, negative))
     ahead, behind = FlexibleChain(front, name), FlexibleChain(back, name) if back else None
-    fixed = impacts(restitution, ahead.fixed, behind.fixed if behind else None, kind=kind, name=name)
-    kept, returned = on_moving_hinges(fixed, ahead, behind)
-    rigid = impacts(restitution, mechanism.positive, mechanism.negative, kind=kind, name=name)
+    fixed = find_restitutions(
+        restitution, ahead.fixed_hinge_chain, behind.fixed_hinge_chain if behind else None, kind=kind, name=name
+    )
+    kept, returned = adjust_to_moving_hinges(fixed, ahead, behind)
+    rigid = find_restitutions(restitution, mechanism.positive, mechanism.negative, kind=kind, name=name)
     others = [notice for notice in mechanism.notices if notice not in {each.notice for each in rigid}]
     stiff = all(joint is None or joint.model == "rigid" for joint in (*positive, *negative))
     about = CRUSHED if stiff else INSIDE
@@ -97,17 +99,17 @@ def on_joints(
     )
 
 
-def on_moving_hinges(found: Impacts, front: FlexibleChain, back: FlexibleChain | None) -> Impacts:
+def adjust_to_moving_hinges(found: Impacts, front: FlexibleChain, back: FlexibleChain | None) -> Impacts:
     """Coefficients found about fixed hinges, for the inertia with which the branches begin: the same shares of energy.
 
     On joints in full contact both branches begin about the same point, so none can be above 1.
     """
     if back is None:
         return found
-    works = [chain.held(np.zeros(1)).work for chain in (front, back)]
+    works = [chain.solve_equilibrium(np.zeros(1)).work for chain in (front, back)]
     leaning = [work for work in works if work.restoring[0] < 0.0]  # both branches begin where this one stands
     own = [(leaning if len(leaning) == 1 else [work])[0].inertia[0] for work in works]
-    fixed = [virtual_work(chain.fixed, np.zeros(1)).inertia[0] for chain in (front, back)]
+    fixed = [virtual_work(chain.fixed_hinge_chain, np.zeros(1)).inertia[0] for chain in (front, back)]
     faster = float(np.sqrt(own[0] / own[1] * fixed[1] / fixed[0]))
     return _times(found[0], faster), _times(found[1], 1.0 / faster)
 
@@ -120,12 +122,12 @@ def _times(kept: Restitution, factor: float) -> Restitution:
     return replace(kept, value=value, notice=kept.notice if value > 1.0 or kept.value <= 1.0 else "")
 
 
-def bearing(chain: Chain, joints: tuple[Joint | None, ...]) -> tuple[Joint | None, ...]:
+def bearing_joints(chain: Chain, joints: tuple[Joint | None, ...]) -> tuple[Joint | None, ...]:
     """The joints without that at the top of a wall where no load comes through it."""
-    return (*joints[:2], None) if len(chain.blocks) == 2 and not through_top(chain) else joints
+    return (*joints[:2], None) if len(chain.blocks) == 2 and not top_loads(chain) else joints
 
 
-def impacts(
+def find_restitutions(
     choices: tuple[RestitutionChoice, RestitutionChoice],
     positive: Chain,
     negative: Chain | None,
@@ -134,10 +136,10 @@ def impacts(
     name: str,
 ) -> Impacts:
     """The coefficients of the impacts that end the positive and the negative branch."""
-    kept = impact(choices[0], ending=positive, starting=negative, kind=kind, name=name)
+    kept = find_restitution(choices[0], ending=positive, starting=negative, kind=kind, name=name)
     if negative is None:
         return kept, kept
-    return kept, impact(choices[1], ending=negative, starting=positive, kind=kind, name=name)
+    return kept, find_restitution(choices[1], ending=negative, starting=positive, kind=kind, name=name)
 
 
 def _stopped(positive: Restitution, negative: Restitution) -> float | None:

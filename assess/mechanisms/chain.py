@@ -59,12 +59,12 @@ def hinge_names(chain: Chain) -> str:
     return "ABCD"[: len(chain.hinges)]
 
 
-def mirrored(point: Point) -> Point:
+def mirror_point(point: Point) -> Point:
     """The point reflected in the vertical through the origin."""
     return (-point[0], point[1])
 
 
-def mirrored_chain(
+def mirror_chain(
     blocks: Sequence[Block],
     hinges: Sequence[Point],
     loads: Sequence[Load] = (),
@@ -72,10 +72,10 @@ def mirrored_chain(
 ) -> Chain:
     """The chain of the negative branch in its own sign, from blocks, hinges, loads and joints as they stand."""
     return Chain(
-        tuple(Block(block.mass, mirrored(block.centroid), block.inertia) for block in blocks),
-        tuple(mirrored(hinge) for hinge in hinges),
+        tuple(Block(block.mass, mirror_point(block.centroid), block.inertia) for block in blocks),
+        tuple(mirror_point(hinge) for hinge in hinges),
         tuple(mirrored_load(load) for load in loads),
-        joints=tuple(joint and replace(joint, inward=mirrored(joint.inward)) for joint in joints),
+        joints=tuple(joint and replace(joint, inward=mirror_point(joint.inward)) for joint in joints),
     )
 
 
@@ -89,7 +89,9 @@ def require_movable(chain: Chain, *, name: str) -> None:
     size = max((hypot(b[0] - a[0], b[1] - a[1]) for a, b in pairwise(chain.hinges)), default=1.0)
     for (first, a), (second, b) in pairwise(zip(hinge_names(chain), chain.hinges, strict=True)):
         if hypot(b[0] - a[0], b[1] - a[1]) <= STRAIGHT * size:
-            raise MechanismError(f'mechanism "{name}": hinges {first} and {second} coincide at {written(a)}; move one')
+            raise MechanismError(
+                f'mechanism "{name}": hinges {first} and {second} coincide at {format_point(a)}; move one'
+            )
         if hypot(b[0] - a[0], b[1] - a[1]) * APART < size:
             raise MechanismError(
                 f'mechanism "{name}": hinges {first} and {second} lie {hypot(b[0] - a[0], b[1] - a[1]):.4g} m apart, '
@@ -97,23 +99,24 @@ def require_movable(chain: Chain, *, name: str) -> None:
             )
     if count == 2 and abs(_rise(chain.hinges[1], chain.hinges[2])) <= STRAIGHT:
         raise MechanismError(
-            f'mechanism "{name}": hinges B {written(chain.hinges[1])} and C {written(chain.hinges[2])} lie at one '
-            "elevation, so the block between them cannot turn while C slides on the vertical; move one"
+            f'mechanism "{name}": hinges B {format_point(chain.hinges[1])} and '
+            f"C {format_point(chain.hinges[2])} lie at one elevation, so the block between them cannot turn while "
+            "C slides on the vertical; move one"
         )
     if count == 3 and abs(_bend(*chain.hinges[1:])) <= STRAIGHT:
-        places = ", ".join(f"{letter} {written(at)}" for letter, at in zip("BCD", chain.hinges[1:], strict=True))
+        places = ", ".join(f"{letter} {format_point(at)}" for letter, at in zip("BCD", chain.hinges[1:], strict=True))
         raise MechanismError(
             f'mechanism "{name}": hinges {places} lie on one line, so the loop is locked; '
             "put them at opposite faces of the blocks"
         )
 
 
-def written(point: Point) -> str:
+def format_point(point: Point) -> str:
     """A point as errors print it."""
-    return f"({metres(point[0])}, {metres(point[1])}) m"
+    return f"({format_metres(point[0])}, {format_metres(point[1])}) m"
 
 
-def metres(length: float) -> str:
+def format_metres(length: float) -> str:
     """A coordinate [m] to four figures, rounding about 0 as 0."""
     return f"{0.0 if abs(length) < ROUNDING else length:.4g}"
 

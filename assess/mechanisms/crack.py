@@ -41,7 +41,7 @@ def crack_ratio(*, load: float, tension: float, place: float, arm: float = ARM) 
     return sqrt(a) / (sqrt(a) + sqrt(c))
 
 
-def least(
+def find_least(
     multiplier: Callable[[float], float], *, low: float, high: float, jumps: Sequence[float] = (), apart: float = 0.0
 ) -> float:
     """The elevation [m] between those of base and top at which `multiplier` of the cracked wall is least.
@@ -51,7 +51,7 @@ def least(
     Raises CrackError where it is least at the end, for then there is no crack between.
     """
     ends = (low + MARGIN * (high - low), high - MARGIN * (high - low))
-    parts = list(between(ends, jumps, apart=apart))
+    parts = list(split_range(ends, jumps, apart=apart))
     best, at, bounds = inf, low, ends
     for start, end in parts:
         stations = np.linspace(start, end, STATIONS)
@@ -70,7 +70,7 @@ def least(
     return float(found.x)
 
 
-def between(ends: tuple[float, float], jumps: Sequence[float], *, apart: float) -> Iterator[tuple[float, float]]:
+def split_range(ends: tuple[float, float], jumps: Sequence[float], *, apart: float) -> Iterator[tuple[float, float]]:
     """The parts of a range between jumps, without what is nearer than `apart` to one."""
     start = ends[0]
     for jump in sorted(each for each in set(jumps) if ends[0] < each + apart and each - apart < ends[1]):

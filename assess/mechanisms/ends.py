@@ -13,13 +13,13 @@ from scipy.optimize import brentq
 
 from assess.loads.load import Action, PointMass, Tie, lasts
 from assess.mechanisms.chain import Chain
-from assess.mechanisms.motion import FLAT, Path, limit, move, place
+from assess.mechanisms.motion import FLAT, Path, limit, move, trace_point
 from spectra.arrays import FloatArray
 
 STATIONS = 2001  # of a scan from rest to the geometric limit
 
 
-def stations(chain: Chain) -> FloatArray:
+def scan_rotations(chain: Chain) -> FloatArray:
     """Rotations from rest to the geometric limit at which a chain is looked at [n] [rad]."""
     return np.linspace(0.0, limit(chain) * (1.0 - FLAT), STATIONS)
 
@@ -28,7 +28,7 @@ def end_of(chain: Chain, action: Action) -> float:
     """Rotation [rad] up to which a force or tie is shown to be there; 0 where nothing is shown, inf where it lasts."""
     broken = breaking_rotation(chain, action) if isinstance(action, Tie) else inf
     if isinstance(action.until, float | int):
-        return min(broken, reached(chain, action, float(action.until), _moved))
+        return min(broken, rotation_reaching(chain, action, float(action.until), _moved))
     return broken if lasts(action) else 0.0
 
 
@@ -36,26 +36,28 @@ def breaking_rotation(chain: Chain, tie: Tie) -> float:
     """Rotation [rad] at which a tie has lengthened by its fracture strain; inf where it never does or none is known."""
     if tie.elongation is None:
         return inf
-    return reached(chain, tie, tie.elongation, lambda path: _lengthened(tie, path))
+    return rotation_reaching(chain, tie, tie.elongation, lambda path: _lengthened(tie, path))
 
 
 def unseating_rotation(chain: Chain, mass: PointMass) -> float:
     """Rotation [rad] at which the point of a load has moved sideways by its seat; inf where it never does."""
     if mass.seat is None:
         return inf
-    return reached(chain, mass, mass.seat, lambda path: np.abs(path.x - path.x[0]))
+    return rotation_reaching(chain, mass, mass.seat, lambda path: np.abs(path.x - path.x[0]))
 
 
-def reached(chain: Chain, load: Action | PointMass, amount: float, measure: Callable[[Path], FloatArray]) -> float:
+def rotation_reaching(
+    chain: Chain, load: Action | PointMass, amount: float, measure: Callable[[Path], FloatArray]
+) -> float:
     """First rotation [rad] at which a measure of the path of a load reaches an amount [m]; inf where it never does.
 
     measure : path over rotations that begin at rest [n] -> [n] [m]
     """
 
     def over(rotation: FloatArray) -> FloatArray:
-        return measure(place(move(chain, rotation), block=load.block, at=load.at)) - amount
+        return measure(trace_point(move(chain, rotation), block=load.block, at=load.at)) - amount
 
-    scan = stations(chain)
+    scan = scan_rotations(chain)
     beyond = np.flatnonzero(over(scan) >= 0.0)
     if not beyond.size:
         return inf
@@ -66,9 +68,9 @@ def reached(chain: Chain, load: Action | PointMass, amount: float, measure: Call
     return float(found)
 
 
-def moved_at(chain: Chain, load: Action, rotation: float) -> float:
+def displacement_at(chain: Chain, load: Action, rotation: float) -> float:
     """Displacement of the point of a load from rest to a rotation [m]."""
-    path = place(move(chain, np.array([0.0, rotation])), block=load.block, at=load.at)
+    path = trace_point(move(chain, np.array([0.0, rotation])), block=load.block, at=load.at)
     return float(_moved(path)[1])
 
 

@@ -6,7 +6,7 @@ from math import cos, sin
 
 from scipy.constants import g
 
-from assess.mechanisms.assembly import assembled
+from assess.mechanisms.assembly import assemble
 from assess.mechanisms.chain import Block, Chain, Point
 from assess.mechanisms.impact import RestitutionChoice
 from assess.mechanisms.mechanism import Mechanism, Sides
@@ -36,7 +36,7 @@ def equivalent_block(
     k = g / (p**2 * radius)
     impossible = f"I_O / (M R^2) = g / (p^2 R) = {k:.3g} is less than 1, which no body has; check p and radius"
     outline: tuple[Point, ...] = ((-half, elevation), (half, elevation), (half, top), (-half, top))
-    return assembled(
+    return assemble(
         name,
         "equivalent-block",
         chain,

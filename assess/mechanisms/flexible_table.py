@@ -15,12 +15,12 @@ from dataclasses import replace
 import numpy as np
 
 from assess.errors import MechanismError
-from assess.mechanisms.chain import Chain, mirrored
+from assess.mechanisms.chain import Chain, mirror_point
 from assess.mechanisms.flexible import FlexibleChain
 from assess.mechanisms.joint import Joint
 from assess.mechanisms.mechanism import Mechanism
-from assess.mechanisms.side import FINE, ZERO, Side, columns_of, side_of
-from assess.mechanisms.stages import Moments, Stages, rounding, signature, whole
+from assess.mechanisms.side import FINE, ZERO, Side, columns_of, make_side
+from assess.mechanisms.stages import Moments, Stages, signature, single_stage, zero_moments
 from assess.oscillator import Branch, Oscillator
 
 
@@ -30,15 +30,15 @@ def flexible_oscillator(mechanism: Mechanism, front: Stages, back: Stages) -> Os
     Raises MechanismError where it finds no stable rest, or never overturns.
     """
     name, (first, second) = mechanism.name, mechanism.restitution
-    positive = side_of(front, name=name, restitution=first)
+    positive = make_side(front, name=name, restitution=first)
     if mechanism.negative is None:
-        return Oscillator(table(positive, None), None, mechanism.positive.mass, equilibrium=positive.lean)
+        return Oscillator(branch_from_rest(positive, None), None, mechanism.positive.mass, equilibrium=positive.lean)
     alike = same_stages(front, back) and first == second
-    negative = positive if alike else side_of(back, name=name, restitution=second)
-    if not one_rest(mechanism.positive, mechanism.negative) or front[0].absent != back[0].absent:
+    negative = positive if alike else make_side(back, name=name, restitution=second)
+    if not share_rest(mechanism.positive, mechanism.negative) or front[0].absent != back[0].absent:
         return Oscillator(
-            positive=table(positive, None),
-            negative=table(negative, None),
+            positive=branch_from_rest(positive, None),
+            negative=branch_from_rest(negative, None),
             mass=mechanism.positive.mass,
             equilibrium=positive.lean,
             equilibrium_negative=negative.lean,
@@ -50,22 +50,22 @@ def flexible_oscillator(mechanism: Mechanism, front: Stages, back: Stages) -> Os
             "counted from the hinge on; put hinges on the edges, give the shape between them, or check loads"
         )
     return Oscillator(
-        positive=table(positive, negative),
-        negative=table(negative, positive),
+        positive=branch_from_rest(positive, negative),
+        negative=branch_from_rest(negative, positive),
         mass=mechanism.positive.mass,
         equilibrium=positive.lean - negative.lean,
         equilibrium_negative=negative.lean - positive.lean,
     )
 
 
-def one_rest(positive: Chain, negative: Chain) -> bool:
+def share_rest(positive: Chain, negative: Chain) -> bool:
     """Whether both directions turn on the same joints, and so stand at one rotation.
 
     An arch opens other joints each way: each direction then counts from where its own joints have settled.
     """
     if positive.parts:
         return positive.parts == tuple(
-            (replace(block, centroid=mirrored(block.centroid)), number) for block, number in negative.parts
+            (replace(block, centroid=mirror_point(block.centroid)), number) for block, number in negative.parts
         )
     return True
 
@@ -73,11 +73,11 @@ def one_rest(positive: Chain, negative: Chain) -> bool:
 def flexible_moments(chain: Chain, *, name: str) -> Moments:
     """The moments of the actions on a chain, each as its joints move."""
     flexible = FlexibleChain(chain, name)
-    scan = np.unique(side_of(whole(chain), name=name, restitution=1.0).rotation)
-    return Moments(scan, lambda rotation: flexible.moments(rotation) + rounding(chain))
+    scan = np.unique(make_side(single_stage(chain), name=name, restitution=1.0).rotation)
+    return Moments(scan, lambda rotation: flexible.moments(rotation) + zero_moments(chain))
 
 
-def table(side: Side, other: Side | None) -> Branch:
+def branch_from_rest(side: Side, other: Side | None) -> Branch:
     """The branch of one side, which counts from where the mechanism stands.
 
     Raises MechanismError where the moment never falls to zero.

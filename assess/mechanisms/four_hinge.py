@@ -7,11 +7,11 @@ from collections.abc import Sequence
 from assess.errors import MechanismError
 from assess.geometry.planar import PlanarBody
 from assess.loads.load import Load
-from assess.mechanisms.assembly import assembled
-from assess.mechanisms.chain import Block, Chain, Point, mirrored_chain
-from assess.mechanisms.doubts import loose_hinges
+from assess.mechanisms.assembly import assemble
+from assess.mechanisms.chain import Block, Chain, Point, mirror_chain
 from assess.mechanisms.impact import RestitutionChoice
 from assess.mechanisms.mechanism import Mechanism, Sides
+from assess.mechanisms.warnings import loose_hinges
 
 Hinges = tuple[Point, Point, Point, Point]
 
@@ -37,11 +37,11 @@ def four_hinge(
         raise MechanismError(f'mechanism "{name}": sides = "{sides}": {remedy}')
     outlines = tuple(body.outline for body in bodies)
     blocks = tuple(Block(body.mass, body.centroid, body.inertia) for body in bodies)
-    return assembled(
+    return assemble(
         name,
         "four-hinge",
         Chain(blocks, hinges, loads),
-        None if hinges_negative is None else mirrored_chain(blocks, hinges_negative, loads),
+        None if hinges_negative is None else mirror_chain(blocks, hinges_negative, loads),
         label=label,
         restitution=restitution,
         outlines=outlines,

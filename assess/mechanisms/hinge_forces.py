@@ -12,7 +12,7 @@ from assess.mechanisms.chain import Chain, hinge_names
 from assess.mechanisms.face import Face
 from assess.mechanisms.flexible import FlexibleChain
 from assess.mechanisms.mechanism import Mechanism
-from assess.mechanisms.statics import Verge, standing, verge
+from assess.mechanisms.statics import IncipientMotion, force_at_rest, incipient_motion
 
 ON_TOP = 1e-6  # of a wall's height: a load this near its top stands on it
 
@@ -23,26 +23,26 @@ def hinge_forces(mechanism: Mechanism) -> tuple[HingeForces, ...]:
     return tuple(
         forces
         for chain, faces, first in zip(chains, mechanism.faces, (True, False), strict=False)
-        for forces in of_chain(about(chain, name=mechanism.name), faces, positive=first)
+        for forces in of_chain(chain_at_start(chain, name=mechanism.name), faces, positive=first)
     )
 
 
-def about(chain: Chain, *, name: str) -> Chain:
+def chain_at_start(chain: Chain, *, name: str) -> Chain:
     """The chain about the hinges it starts on: on joints a_SF inside the edges, or at the edges if it cannot there."""
     if not any(chain.joints):
         return chain
-    fixed = FlexibleChain(chain, name).fixed
-    return fixed if verge(fixed).multiplier > 0.0 else chain
+    fixed = FlexibleChain(chain, name).fixed_hinge_chain
+    return fixed if incipient_motion(fixed).multiplier > 0.0 else chain
 
 
 def of_chain(chain: Chain, faces: tuple[Face, ...], *, positive: bool) -> list[HingeForces]:
     """The hinges of one branch in its own sign."""
-    found, mark, single = verge(chain), "" if positive else "'", len(chain.blocks) == 1
+    found, mark, single = incipient_motion(chain), "" if positive else "'", len(chain.blocks) == 1
     made = []
     for number, (letter, face) in enumerate(zip(hinge_names(chain), faces, strict=True)):
-        force = on_pressing(chain, found, number)
+        force = force_on_pressing_block(chain, found, number)
         starting = pressure(force, face.normal)
-        resting = pressure(standing(chain), face.normal) if single else Pressure(starting.normal, 0.0)
+        resting = pressure(force_at_rest(chain), face.normal) if single else Pressure(starting.normal, 0.0)
         made.append(
             HingeForces(
                 hinge=f"{letter}{mark}",
@@ -63,7 +63,7 @@ def of_chain(chain: Chain, faces: tuple[Face, ...], *, positive: bool) -> list[H
     return made
 
 
-def on_pressing(chain: Chain, found: Verge, number: int) -> Vector:
+def force_on_pressing_block(chain: Chain, found: IncipientMotion, number: int) -> Vector:
     """The force (x, z) [N] on the block that presses at a hinge.
 
     At the top of a wall V is what stands there, for the support itself passes on nothing vertical.

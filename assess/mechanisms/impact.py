@@ -16,7 +16,7 @@ import numpy as np
 from assess.errors import MechanismError
 from assess.loads.load import PointMass
 from assess.mechanisms.chain import Chain
-from assess.mechanisms.motion import move, place
+from assess.mechanisms.motion import move, trace_point
 from assess.mechanisms.rest import plain_block
 from assess.mechanisms.restitution import Restitution, housner, sorrentino
 from spectra.arrays import FloatArray
@@ -36,7 +36,7 @@ SAME = 5e-4  # coefficients this near are one as they are printed
 
 
 @dataclass(frozen=True)
-class Field:
+class VelocityField:
     """Velocities at rest for a unit rate of phi, as the branch sees them; one row for each block, then each mass.
 
     mass, along, up : what moves horizontally and vertically, x' and z' [rows] [kg, kg, m, m]; turning : theta' [rows];
@@ -53,7 +53,7 @@ class Field:
     z: FloatArray
 
 
-def field(chain: Chain, *, sliding: bool = False) -> Field:
+def velocity_field(chain: Chain, *, sliding: bool = False) -> VelocityField:
     """The field of velocities with which `chain` leaves or reaches its rest.
 
     sliding : bearing masses slide on their seats and pass on no horizontal momentum
@@ -70,12 +70,12 @@ def field(chain: Chain, *, sliding: bool = False) -> Field:
         if number is None:
             rows.append((shaken, borne, turned, 0.0, 0.0, 0.0, *at))
             continue
-        path = place(motion, block=number, at=at)
+        path = trace_point(motion, block=number, at=at)
         rows.append((shaken, borne, turned, path.dx[0], path.dz[0], motion.rate[number, 0], *at))
-    return Field(*np.array(rows, dtype=np.float64).T)
+    return VelocityField(*np.array(rows, dtype=np.float64).T)
 
 
-def product(ending: Field, starting: Field) -> float:
+def kinetic_product(ending: VelocityField, starting: VelocityField) -> float:
     """The kinetic product of two fields [kg m2], the second mirrored back to the sign of the first.
 
     Of a field with itself, un-mirrored, it is the inertia I of the branch.
@@ -85,52 +85,52 @@ def product(ending: Field, starting: Field) -> float:
     return float(along + up + np.sum(ending.inertia * ending.turning * -starting.turning))
 
 
-def inertia(moving: Field) -> float:
+def inertia_at_rest(moving: VelocityField) -> float:
     """I of the branch at rest [kg m2]."""
     squares = moving.shaken * moving.along**2 + moving.borne * moving.up**2 + moving.inertia * moving.turning**2
     return float(np.sum(squares))
 
 
-def about(moving: Field, x: float, z: float) -> float:
+def angular_momentum(moving: VelocityField, x: float, z: float) -> float:
     """Angular momentum about the point (x, z) of the field's own frame, clockwise [kg m2]."""
     arms = (moving.z - z) * moving.shaken * moving.along - (moving.x - x) * moving.borne * moving.up
     return float(np.sum(arms + moving.inertia * moving.turning))
 
 
-def kept_momentum(ending: Chain, starting: Chain) -> Restitution:
+def conserve_momentum(ending: Chain, starting: Chain) -> Restitution:
     """The impulses at the new hinges do no work on the new motion: projection of the old field onto the new one.
 
     For one block that is the angular momentum about the new hinge. No impact by this rule adds energy.
     """
-    new = field(starting)
-    return Restitution(-product(field(ending), new) / inertia(new), MOMENTUM)
+    new = velocity_field(starting)
+    return Restitution(-kinetic_product(velocity_field(ending), new) / inertia_at_rest(new), MOMENTUM)
 
 
-def kept_about_base(ending: Chain, starting: Chain) -> Restitution:
+def conserve_about_base(ending: Chain, starting: Chain) -> Restitution:
     """The angular momentum of the whole about the new base hinge is kept (3.46, there for two plain rectangles).
 
     That leaves out the impulse of the support at the top.
     """
-    old, new = field(ending), field(starting)
+    old, new = velocity_field(ending), velocity_field(starting)
     x, z = starting.hinges[0]
-    return Restitution(about(old, -x, z) / about(new, x, z), ABOUT_BASE)
+    return Restitution(angular_momentum(old, -x, z) / angular_momentum(new, x, z), ABOUT_BASE)
 
 
-def kept_by_housner(ending: Chain, starting: Chain) -> Restitution:
+def housner_rule(ending: Chain, starting: Chain) -> Restitution:
     """3.44, for a block whose two hinges are alike."""
     return Restitution(housner(plain_block(ending)), HOUSNER)
 
 
-def kept_by_block(ending: Chain, starting: Chain) -> Restitution:
+def single_block_rule(ending: Chain, starting: Chain) -> Restitution:
     """3.44 where the two hinges are alike; elsewhere it would even add energy (tested), so there the law behind it."""
     first, second = plain_block(ending), plain_block(starting)
     alike = isclose(first.slenderness, second.slenderness, rel_tol=1e-9) and isclose(
         first.radius, second.radius, rel_tol=1e-9
     )
-    return kept_by_housner(ending, starting) if alike else kept_momentum(ending, starting)
+    return housner_rule(ending, starting) if alike else conserve_momentum(ending, starting)
 
 
-def rebound(chain: Chain) -> Restitution:
+def sorrentino_rebound(chain: Chain) -> Restitution:
     """One-sided rocking of a block before a wall (3.45); a formula that gives no rebound counts as 0, with a notice."""
     signed = sorrentino(plain_block(chain))
     source = f"Sorrentino et al. 2011, thesis eq. 3.45: {signed:+.3f}"
@@ -146,16 +146,16 @@ def no_rebound(chain: Chain) -> Restitution:
     return Restitution(0.0, "no rebound", notice)
 
 
-_BLOCK: Mapping[Named, Rule] = {"thesis": kept_by_block, "housner": kept_by_housner, "momentum": kept_momentum}
+_BLOCK: Mapping[Named, Rule] = {"thesis": single_block_rule, "housner": housner_rule, "momentum": conserve_momentum}
 TWO_SIDED: Mapping[str, Mapping[Named, Rule]] = {
     "single-block": _BLOCK,
     "equivalent-block": _BLOCK,
-    "two-block": {"thesis": kept_about_base, "sorrentino": kept_about_base, "momentum": kept_momentum},
-    "four-hinge": {"thesis": kept_momentum, "momentum": kept_momentum},
+    "two-block": {"thesis": conserve_about_base, "sorrentino": conserve_about_base, "momentum": conserve_momentum},
+    "four-hinge": {"thesis": conserve_momentum, "momentum": conserve_momentum},
 }
 ONE_SIDED: Mapping[str, Mapping[Named, Rebound]] = {
-    "single-block": {"thesis": rebound, "sorrentino": rebound},
-    "equivalent-block": {"thesis": rebound, "sorrentino": rebound},
+    "single-block": {"thesis": sorrentino_rebound, "sorrentino": sorrentino_rebound},
+    "equivalent-block": {"thesis": sorrentino_rebound, "sorrentino": sorrentino_rebound},
     "two-block": {"thesis": no_rebound},
     "four-hinge": {"thesis": no_rebound},
 }
@@ -166,7 +166,9 @@ def moving_masses(*chains: Chain) -> tuple[str, ...]:
     return tuple(dict.fromkeys(load.name for chain in chains for load in chain.loads if isinstance(load, PointMass)))
 
 
-def impact(choice: RestitutionChoice, *, ending: Chain, starting: Chain | None, kind: str, name: str) -> Restitution:
+def find_restitution(
+    choice: RestitutionChoice, *, ending: Chain, starting: Chain | None, kind: str, name: str
+) -> Restitution:
     """The coefficient of the impact that ends one branch; `starting` is None for one-sided rocking.
 
     A negative one means that the mechanism stops at the impact: 0, with the value found as `stopped`.
@@ -188,13 +190,13 @@ def impact(choice: RestitutionChoice, *, ending: Chain, starting: Chain | None, 
     rule = choice or default_rule(ending, starting, kind=kind)
     kept = TWO_SIDED[kind][rule](ending, starting)
     _refuse_gain(kept, ending=ending, starting=starting, name=name)
-    told = replace(kept, source=kept.source + beside(rule, kept, ending=ending, starting=starting, kind=kind))
+    told = replace(kept, source=kept.source + compare_rules(rule, kept, ending=ending, starting=starting, kind=kind))
     return _stopped(told) if told.value < 0.0 else _noticed(told, ending=ending, starting=starting)
 
 
 def _flattering(given: float, *, ending: Chain, starting: Chain | None) -> str:
     """That a given restitution takes more energy at each impact than momentum does; empty where it does not."""
-    by_momentum = 1.0 if starting is None else kept_momentum(ending, starting).value
+    by_momentum = 1.0 if starting is None else conserve_momentum(ending, starting).value
     if starting is None or given >= by_momentum - NOTABLE:
         return ""
     return (
@@ -211,15 +213,15 @@ def default_rule(ending: Chain, starting: Chain, *, kind: str) -> Named:
     return "momentum" if _gains(kept, ending=ending, starting=starting) else "thesis"
 
 
-def beside(rule: Named, kept: Restitution, *, ending: Chain, starting: Chain, kind: str) -> str:
+def compare_rules(rule: Named, kept: Restitution, *, ending: Chain, starting: Chain, kind: str) -> str:
     """What the other rule would give, and what is left where loads slide on their seats; empty where it is the same."""
     other: Named = "thesis" if rule == "momentum" else "momentum"
     value = TWO_SIDED[kind][other](ending, starting).value
     text = f'; "{other}" would give {value:.3f}' if abs(value - kept.value) > SAME else ""
     if rule != "momentum" or not moving_masses(ending, starting):
         return text
-    new = field(starting, sliding=True)
-    slid = -product(field(ending, sliding=True), new) / inertia(new)
+    new = velocity_field(starting, sliding=True)
+    slid = -kinetic_product(velocity_field(ending, sliding=True), new) / inertia_at_rest(new)
     if abs(slid - kept.value) <= NOTABLE:
         return text
     return f"{text}; {slid:.3f} if the loads slide on their seats and pass on no horizontal momentum"
@@ -241,7 +243,7 @@ def _noticed(kept: Restitution, *, ending: Chain, starting: Chain) -> Restitutio
     loads = moving_masses(ending, starting)
     if not loads:
         return kept
-    plain = kept_momentum(*(without_masses(chain) for chain in (ending, starting))).value
+    plain = conserve_momentum(*(without_masses(chain) for chain in (ending, starting))).value
     if kept.value <= plain + NOTABLE:
         return kept
     notice = (
@@ -258,7 +260,7 @@ def without_masses(chain: Chain) -> Chain:
 
 def _faster(kept: Restitution, *, ending: Chain, starting: Chain) -> str:
     """Why a coefficient is above 1 without a gain of energy."""
-    share = inertia(field(starting)) / inertia(field(ending))
+    share = inertia_at_rest(velocity_field(starting)) / inertia_at_rest(velocity_field(ending))
     return (
         f"restitution {kept.value:.4g} is above 1 though energy is lost: the hinges of the two directions differ, and "
         f"the branch that begins is the faster one, its inertia being {share:.3g} of that of the one that ends; the "
@@ -268,7 +270,9 @@ def _faster(kept: Restitution, *, ending: Chain, starting: Chain) -> str:
 
 def _gains(kept: Restitution, *, ending: Chain, starting: Chain) -> bool:
     """Whether an impact would add energy."""
-    return kept.value > 0.0 and kept.value**2 * inertia(field(starting)) > inertia(field(ending)) * (1 + 1e-9)
+    return kept.value > 0.0 and kept.value**2 * inertia_at_rest(velocity_field(starting)) > inertia_at_rest(
+        velocity_field(ending)
+    ) * (1 + 1e-9)
 
 
 def _refuse_gain(kept: Restitution, *, ending: Chain, starting: Chain, name: str) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-from assess.interfaces.law import Law
+from assess.interfaces.law import JointLaw
 from assess.interfaces.section import Section
 
 Model = Literal["rigid", "flexible", "semi-flexible", "flexible-thesis"]
@@ -36,5 +36,5 @@ class Joint:
 
     inward: tuple[float, float]
     section: Section
-    law: Law
+    law: JointLaw
     model: Model

@@ -25,17 +25,17 @@ from assess.mechanisms.chain import Chain
 from assess.mechanisms.ends import end_of, unseating_rotation
 from assess.mechanisms.flexible_table import flexible_moments
 from assess.mechanisms.mechanism import Mechanism
-from assess.mechanisms.oscillation import oscillator, staged_oscillator
+from assess.mechanisms.oscillation import make_oscillator, oscillator
 from assess.mechanisms.stages import (
     Moments,
     Signature,
     Stage,
     Stages,
     actions_of,
+    divide_into_stages,
     rigid_moments,
     signature,
-    stages,
-    whole,
+    single_stage,
 )
 from assess.mechanisms.table import staged_branch
 from assess.mechanisms.virtual_work import virtual_work
@@ -84,7 +84,7 @@ class Limit:
 
 
 @dataclass(frozen=True)
-class Acting:
+class ChainActions:
     """A chain with the moments of its actions, and the rotation up to which each is shown to be there [rad]."""
 
     chain: Chain
@@ -110,7 +110,7 @@ class Acting:
 
     def up_to(self, ends: Sequence[float]) -> Stages:
         """The chain with its actions up to given ends [rad]."""
-        return stages(self.chain, ends, self.moments)
+        return divide_into_stages(self.chain, ends, self.moments)
 
     def ever_resists(self, number: int) -> bool:
         """Whether an action, by its number, resists at any rotation."""
@@ -126,7 +126,7 @@ def variants(mechanism: Mechanism) -> Variants:
     """The oscillators of a mechanism, each found once."""
     starting, acting = oscillator(mechanism), acting_of(mechanism)
     known: dict[tuple[Signature, ...], Oscillator | None] = {
-        tuple(signature(whole(each.chain)) for each in acting): starting
+        tuple(signature(single_stage(each.chain)) for each in acting): starting
     }
 
     def of(sides: Sequence[Stages]) -> Oscillator | None:
@@ -139,18 +139,23 @@ def variants(mechanism: Mechanism) -> Variants:
         """Keep what crushes a joint by its weight, without which the mechanism would fall later than it starts to."""
         made = of(sides)
         later = (
-            [False] if made is None else [a > b * CLEARLY for a, b in zip(falls(made), falls(starting), strict=True)]
+            [False]
+            if made is None
+            else [
+                a > b * CLEARLY
+                for a, b in zip(overturning_rotations(made), overturning_rotations(starting), strict=True)
+            ]
         )
         if not any(later):
             return made
-        return of([whole(one.chain) if on else side for one, on, side in zip(acting, later, sides, strict=True)])
+        return of([single_stage(one.chain) if on else side for one, on, side in zip(acting, later, sides, strict=True)])
 
     breaking = no_later([each.up_to(each.ends) for each in acting])
     ends = [each.lasting for each in acting]
     sides = [each.up_to(each.lasting) for each in acting]
     collapse = no_later(sides)
     if collapse is not None:
-        ends = [_kept(each, fall) for each, fall in zip(acting, falls(collapse), strict=True)]
+        ends = [_kept(each, fall) for each, fall in zip(acting, overturning_rotations(collapse), strict=True)]
         sides = [each.up_to(kept) for each, kept in zip(acting, ends, strict=True)]
         collapse = no_later(sides)
     if collapse is not None and (breaking is None or _falls_before(breaking, collapse)):
@@ -159,7 +164,7 @@ def variants(mechanism: Mechanism) -> Variants:
     return Variants(starting, breaking, collapse, missing, tuple(ends))
 
 
-def falls(rocker: Oscillator) -> tuple[float, ...]:
+def overturning_rotations(rocker: Oscillator) -> tuple[float, ...]:
     """Where each branch of an oscillator overturns, counted from the geometry [rad]."""
     sides = zip(rocker.branches, equilibria(rocker), strict=False)
     return tuple(branch.unstable + rest for branch, rest in sides)
@@ -170,7 +175,10 @@ def _falls_before(one: Oscillator, other: Oscillator) -> bool:
 
     On soft joints one that loses a tie may fall over to where it stands without: then the curve without it is taken.
     """
-    return any(first < then * (1.0 - SAME) for first, then in zip(falls(one), falls(other), strict=True))
+    return any(
+        first < then * (1.0 - SAME)
+        for first, then in zip(overturning_rotations(one), overturning_rotations(other), strict=True)
+    )
 
 
 def collapse_branch(chain: Chain, *, name: str) -> Branch:
@@ -179,7 +187,7 @@ def collapse_branch(chain: Chain, *, name: str) -> Branch:
     Raises MechanismError for one that never overturns, FallingError for one that falls, or stands by the rest alone.
     """
     rigid = replace(chain, joints=())
-    end = float(staged_branch(whole(rigid), restitution=0.0, name=name).rotation[-1])
+    end = float(staged_branch(single_stage(rigid), restitution=0.0, name=name).rotation[-1])
     acting = _acting(rigid, name=name, end=end)
     found = staged_branch(acting.up_to(acting.lasting), restitution=0.0, name=name)
     return staged_branch(acting.up_to(_kept(acting, found.overturning)), restitution=0.0, name=name)
@@ -196,7 +204,7 @@ def limits(mechanism: Mechanism) -> tuple[Limit, ...]:
     return () if rocker is None else tuple(_limits(rocker, acting_of(mechanism)))
 
 
-def _limits(rocker: Oscillator, acting: Sequence[Acting]) -> Iterator[Limit]:
+def _limits(rocker: Oscillator, acting: Sequence[ChainActions]) -> Iterator[Limit]:
     sides = zip(acting, rocker.branches, BRANCHES, equilibria(rocker), strict=False)
     for one, branch, name, rest in sides:
         jumps = branch.rotation[1:][np.diff(branch.rotation) == 0.0]
@@ -213,7 +221,7 @@ def _among(rotation: float, jumps: NDArray[np.float64]) -> bool:
 
 
 @lru_cache(maxsize=256)
-def acting_of(mechanism: Mechanism) -> tuple[Acting, ...]:
+def acting_of(mechanism: Mechanism) -> tuple[ChainActions, ...]:
     """The actions on each chain of a mechanism, the positive one first."""
     starting = oscillator(mechanism)
     sides = zip((mechanism.positive, mechanism.negative), starting.branches, equilibria(starting), strict=False)
@@ -224,7 +232,7 @@ def acting_of(mechanism: Mechanism) -> tuple[Acting, ...]:
     )
 
 
-def rise_of(mechanism: Mechanism) -> float:
+def height_of_support(mechanism: Mechanism) -> float:
     """Height over its base of what else holds the mechanism [m]: the far support or a lasting tie; 0 without either."""
     return held_above(mechanism) if mechanism.kind == "single-block" else mechanism.rise
 
@@ -245,27 +253,27 @@ def held_above(mechanism: Mechanism) -> float:
     return max(heights, default=0.0)
 
 
-def _acting(chain: Chain, *, name: str, end: float) -> Acting:
+def _acting(chain: Chain, *, name: str, end: float) -> ChainActions:
     actions = actions_of(chain)
     flexible = actions and any(chain.joints)
     moments = flexible_moments(chain, name=name) if flexible else rigid_moments(chain, end=end)
-    return Acting(chain, moments, tuple(end_of(chain, each) for each in actions))
+    return ChainActions(chain, moments, tuple(end_of(chain, each) for each in actions))
 
 
 def _standing(mechanism: Mechanism, sides: Sequence[Stages]) -> Oscillator | None:
     """The oscillator of a mechanism with the stages of its chains; None where it falls at rest."""
     try:
-        return staged_oscillator(mechanism, sides[0], sides[-1])
+        return make_oscillator(mechanism, sides[0], sides[-1])
     except (MechanismError, InterfaceError):
         return None
 
 
-def _kept(acting: Acting, overturning: float) -> tuple[float, ...]:
+def _kept(acting: ChainActions, overturning: float) -> tuple[float, ...]:
     """The ends of the actions that are there up to overturning [rad]; 0 of those that are not."""
     return tuple(end if end >= overturning * (1.0 - SAME) else 0.0 for end in acting.lasting)
 
 
-def _standing_by(acting: Sequence[Acting], sides: Sequence[Stages]) -> tuple[str, ...]:
+def _standing_by(acting: Sequence[ChainActions], sides: Sequence[Stages]) -> tuple[str, ...]:
     """Names of the actions that are missing at rest where a side falls, or where none does at once, of all missing."""
     both = list(zip(acting, sides, strict=True))
     falling = [one.actions[number].name for one, side in both if _falls(side[0]) for number in side[0].absent]

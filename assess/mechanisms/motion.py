@@ -78,14 +78,14 @@ def move(chain: Chain, rotation: FloatArray) -> Motion:
     if len(chain.blocks) == 1:
         still = np.zeros((1, rotation.size))
         return Motion(rotation, rotation[None, :], still + 1.0, still, hinges)
-    turned = closed(arms, lead=arms[0] * lead, span=arms.sum(axis=0))
-    rate = np.concatenate([np.ones((1, rotation.size)), shares(turned, -turned[0])])
-    bend = np.concatenate([np.zeros((1, rotation.size)), shares(turned, 1j * np.sum(turned * rate**2, axis=0))])
+    turned = close_loop(arms, lead=arms[0] * lead, span=arms.sum(axis=0))
+    rate = np.concatenate([np.ones((1, rotation.size)), solve_turnings(turned, -turned[0])])
+    bend = np.concatenate([np.zeros((1, rotation.size)), solve_turnings(turned, 1j * np.sum(turned * rate**2, axis=0))])
     angle = np.concatenate([rotation[None, :], -np.angle(turned[1:] / arms[1:])])
     return Motion(rotation, angle, rate, bend, hinges)
 
 
-def place(motion: Motion, *, block: int, at: Point) -> Path:
+def trace_point(motion: Motion, *, block: int, at: Point) -> Path:
     """The path of the point `at` (x, z) [m] of block number `block`, 0 at the base."""
     turn = np.exp(-1j * motion.angle)
     here = np.full(motion.rotation.size, motion.hinges[0])
@@ -124,7 +124,7 @@ def limit(chain: Chain) -> float:
     return min([turn % (2 * np.pi) for turn in turns] + [np.pi])
 
 
-def closed(arms: ComplexArray, *, lead: ComplexArray, span: ComplexArray) -> ComplexArray:
+def close_loop(arms: ComplexArray, *, lead: ComplexArray, span: ComplexArray) -> ComplexArray:
     """The arms of two or three blocks turned so that they close the loop [blocks, n] [m].
 
     arms : from hinge to hinge at rest [blocks, n or 1]; lead : the first one as it stands [n]; span : from the first
@@ -134,7 +134,7 @@ def closed(arms: ComplexArray, *, lead: ComplexArray, span: ComplexArray) -> Com
     return np.concatenate([lead[None, :], close(arms, span - lead)])
 
 
-def shares(turned: ComplexArray, load: ComplexArray) -> FloatArray:
+def solve_turnings(turned: ComplexArray, load: ComplexArray) -> FloatArray:
     """The turnings [blocks - 1, n] of all blocks but the first whose sum(arm turning) is the load [n].
 
     Of two blocks, on a slider, it is only its horizontal part, the imaginary one, since -i turns an arm.
@@ -167,8 +167,8 @@ def _slider_share(arms: ComplexArray, load: ComplexArray) -> FloatArray:
 
 def _pinned_share(arms: ComplexArray, load: ComplexArray) -> FloatArray:
     """The turnings [2, n] of the second and third block with arm 2 turning 2 + arm 3 turning 3 = `load` [n]."""
-    shares = np.array([_cross(load, arms[2]), _cross(arms[1], load)])
-    return np.asarray(shares / _cross(arms[1], arms[2]), dtype=np.float64)
+    turnings = np.array([_cross(load, arms[2]), _cross(arms[1], load)])
+    return np.asarray(turnings / _cross(arms[1], arms[2]), dtype=np.float64)
 
 
 def _cross(a: ComplexArray, b: ComplexArray) -> FloatArray:

@@ -9,7 +9,7 @@ import numpy as np
 
 from assess.mechanisms.flexible_table import flexible_oscillator, same_stages
 from assess.mechanisms.mechanism import Mechanism
-from assess.mechanisms.stages import Stages, whole
+from assess.mechanisms.stages import Stages, single_stage
 from assess.mechanisms.table import staged_branch
 from assess.oscillator import Branch, Oscillator
 
@@ -26,10 +26,12 @@ def oscillator(mechanism: Mechanism) -> Oscillator:
     Where both directions are the same but for ROUNDING they are one branch, so that what is asked of both, or of both
     polarities of a motion, is worked out once, and no answer hangs on the last digits of a mesh.
     """
-    return staged_oscillator(mechanism, whole(mechanism.positive), whole(mechanism.negative or mechanism.positive))
+    return make_oscillator(
+        mechanism, single_stage(mechanism.positive), single_stage(mechanism.negative or mechanism.positive)
+    )
 
 
-def staged_oscillator(mechanism: Mechanism, front: Stages, back: Stages) -> Oscillator:
+def make_oscillator(mechanism: Mechanism, front: Stages, back: Stages) -> Oscillator:
     """The same as its actions come to an end, with the stages of its chains; of one chain only the first count."""
     made = flexible_oscillator(mechanism, front, back) if mechanism.flexible else _rigid(mechanism, front, back)
     if made.negative is None or not _alike(made.positive, made.negative):

@@ -68,11 +68,11 @@ class Side:
         joints = [(number, joint) for number, joint in enumerate(chain.joints) if joint is not None]
         places = np.full((len(joints), 2), JUST * self.end)
         for _ in range(CORRECTIONS):
-            balance, before = chain.balance(places.ravel()), places.copy()
-            turned = chain.relative(balance.posture)
+            joints_there, before = chain.solve_joints(places.ravel()), places.copy()
+            turned = chain.relative(joints_there.configuration)
             for row, (number, joint) in enumerate(joints):
                 for column, at in enumerate((2 * row, 2 * row + 1)):
-                    force, psi = float(balance.normal_force[number, at]), float(turned[number, at])
+                    force, psi = float(joints_there.normal_force[number, at]), float(turned[number, at])
                     slope = thresholds(joint.section, joint.law, normal_force=force)[column]
                     places[row, column] *= np.arcsin(min(slope, 1.0)) / psi if psi > 0.0 else 1.0
             was, places = before, np.minimum(places, self.end)
@@ -130,7 +130,7 @@ class Side:
         for each in np.unique(number):
             here = number == each
             once, where = np.unique(rotation[here], return_inverse=True)
-            work = self.chains[each].held(once).work
+            work = self.chains[each].solve_equilibrium(once).work
             rows[:, here] = np.array([getattr(work, column.name)[where] for column in fields(work)])
         return Work(*rows)
 
@@ -178,7 +178,7 @@ class Side:
         near = _crossing(self.rotation[here], values[here], first - int(np.flatnonzero(here)[0]))
         for _ in range(CORRECTIONS):
             places = near * np.array([1.0 - NEAR, 1.0, 1.0 + NEAR])
-            before, at, after = value(self.chains[self.number[first]].held(places).work)
+            before, at, after = value(self.chains[self.number[first]].solve_equilibrium(places).work)
             step = float(at * 2.0 * NEAR * near / (after - before))
             near -= step
             if abs(step) <= FOUND * near:
@@ -199,7 +199,7 @@ class Side:
         return columns
 
 
-def side_of(stages: Stages, *, name: str, restitution: float) -> Side:
+def make_side(stages: Stages, *, name: str, restitution: float) -> Side:
     """One side of a mechanism."""
     rigid = tuple(replace(stage, chain=replace(stage.chain, joints=())) for stage in stages)
     return Side(

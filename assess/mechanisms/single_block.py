@@ -8,8 +8,8 @@ from typing import Literal
 from assess.errors import FallingError, MechanismError
 from assess.geometry.planar import PlanarBody
 from assess.loads.load import Load
-from assess.mechanisms.assembly import assembled
-from assess.mechanisms.chain import Block, Chain, Point, mirrored_chain
+from assess.mechanisms.assembly import assemble
+from assess.mechanisms.chain import Block, Chain, Point, mirror_chain
 from assess.mechanisms.impact import RestitutionChoice
 from assess.mechanisms.mechanism import Mechanism, Sides
 from assess.mechanisms.rest import plain_block
@@ -39,9 +39,9 @@ def single_block(
     negative = None
     if sides == "two":
         other = hinge_negative or _edge(body, "negative", name=name)
-        negative = mirrored_chain((block,), (other,), loads)
+        negative = mirror_chain((block,), (other,), loads)
         _require_stable(negative, name=name, towards="negative")
-    return assembled(
+    return assemble(
         name,
         "single-block",
         positive,

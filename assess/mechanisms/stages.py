@@ -17,9 +17,9 @@ from scipy.optimize import brentq
 from assess.loads.load import Action, Force, PointMass
 from assess.mechanisms.chain import Chain
 from assess.mechanisms.ends import STATIONS
-from assess.mechanisms.flexible import through_top
-from assess.mechanisms.motion import move, place
-from assess.mechanisms.virtual_work import pulled
+from assess.mechanisms.flexible import top_loads
+from assess.mechanisms.motion import move, trace_point
+from assess.mechanisms.virtual_work import generalised_moment
 from spectra.arrays import FloatArray
 
 NONE = 1e-12  # of the size of an action times that of its chain: less is no moment
@@ -62,13 +62,13 @@ def rigid_moments(chain: Chain, *, end: float) -> Moments:
 
     def of(rotation: FloatArray) -> FloatArray:
         motion = move(chain, np.concatenate([[0.0], rotation]))  # rest first: it tells whether a tie is slack
-        works = [pulled(each, place(motion, block=each.block, at=each.at)) for each in actions]
-        return np.array(works).reshape(len(actions), -1)[:, 1:] + rounding(chain)
+        works = [generalised_moment(each, trace_point(motion, block=each.block, at=each.at)) for each in actions]
+        return np.array(works).reshape(len(actions), -1)[:, 1:] + zero_moments(chain)
 
     return Moments(np.linspace(0.0, end, STATIONS), of)
 
 
-def rounding(chain: Chain) -> FloatArray:
+def zero_moments(chain: Chain) -> FloatArray:
     """The moment of each action that is none [actions, 1] [N m]."""
     actions = actions_of(chain)
     points = np.array([*chain.hinges, *(block.centroid for block in chain.blocks), *(each.at for each in actions)])
@@ -76,7 +76,7 @@ def rounding(chain: Chain) -> FloatArray:
     return NONE * hypot(*np.ptp(points, axis=0)) * np.array(forces)[:, None]
 
 
-def whole(chain: Chain) -> Stages:
+def single_stage(chain: Chain) -> Stages:
     """The chain with every action at every rotation."""
     return (Stage(0.0, chain),)
 
@@ -86,17 +86,17 @@ def signature(found: Stages) -> Signature:
     return tuple((stage.start, stage.absent) for stage in found)
 
 
-def stages(chain: Chain, ends: Sequence[float], moments: Moments) -> Stages:
+def divide_into_stages(chain: Chain, ends: Sequence[float], moments: Moments) -> Stages:
     """The chain with each action up to its end [rad] where it resists, and everywhere where it drives.
 
     ends : of each of `actions_of(chain)`, 0 where it never resists, inf where it always does
     """
     if not ends:
-        return whole(chain)
+        return single_stage(chain)
     values = moments.of(moments.scan)
     ended = [number for number, end in enumerate(ends) if end < moments.scan[-1] and values[number].min() < 0.0]
     if not ended:
-        return whole(chain)
+        return single_stage(chain)
     marks = {0.0}
     for number in ended:
         marks |= {ends[number], *_turnings(number, values[number], moments, after=ends[number])}
@@ -108,18 +108,18 @@ def stages(chain: Chain, ends: Sequence[float], moments: Moments) -> Stages:
         now = moments.of(np.array([middle]))[:, 0]
         absent = tuple(number for number in ended if middle > ends[number] and now[number] < 0.0)
         if not found or found[-1].absent != absent:
-            found.append(Stage(start, without(chain, absent), absent))
+            found.append(Stage(start, remove_actions(chain, absent), absent))
     return tuple(found)
 
 
-def without(chain: Chain, absent: Sequence[int]) -> Chain:
+def remove_actions(chain: Chain, absent: Sequence[int]) -> Chain:
     """The chain without some of its actions, by their number; a joint at its top without any load is rigid."""
     if not absent:
         return chain
     actions = actions_of(chain)
     gone = [id(actions[number]) for number in absent]
     left = replace(chain, loads=tuple(load for load in chain.loads if id(load) not in gone))
-    if len(chain.blocks) == 2 and chain.joints and not through_top(left):
+    if len(chain.blocks) == 2 and chain.joints and not top_loads(left):
         return replace(left, joints=(*left.joints[:2], None))
     return left
 

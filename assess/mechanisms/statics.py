@@ -10,12 +10,12 @@ from scipy.constants import g
 
 from assess.loads.load import Force, PointMass, Tie, pull_at_rest
 from assess.mechanisms.chain import Chain, Point
-from assess.mechanisms.motion import move, place
+from assess.mechanisms.motion import move, trace_point
 from spectra.arrays import FloatArray
 
 
 @dataclass(frozen=True)
-class Verge:
+class IncipientMotion:
     """A chain on the verge of moving, under horizontal forces of `multiplier` times all weights along the direction.
 
     forces : (x, z) of each hinge on the block above it [hinges, 2] [N]; of D on the ground
@@ -25,7 +25,7 @@ class Verge:
     forces: FloatArray
 
 
-def verge(chain: Chain) -> Verge:
+def incipient_motion(chain: Chain) -> IncipientMotion:
     """Horizontal and vertical force and moment of every block in balance: as many equations as unknowns."""
     count, hinges = len(chain.blocks), len(chain.hinges)
     rows, right = np.zeros((3 * count, 2 * hinges + 1)), np.zeros(3 * count)
@@ -42,10 +42,10 @@ def verge(chain: Chain) -> Verge:
     free = [column for column in range(2 * hinges + 1) if column not in known]
     solved = np.zeros(2 * hinges + 1)
     solved[free] = np.linalg.solve(rows[:, free], right)
-    return Verge(float(solved[-1]), solved[:-1].reshape(-1, 2))
+    return IncipientMotion(float(solved[-1]), solved[:-1].reshape(-1, 2))
 
 
-def standing(chain: Chain) -> Point:
+def force_at_rest(chain: Chain) -> Point:
     """The force (x, z) of the hinge on a single block at rest [N]."""
     x, z = (-sum(force[i] for _, _, force, _ in _loads(chain)) + 0.0 for i in (0, 1))
     return (x, z)
@@ -58,7 +58,7 @@ def compressions(chain: Chain) -> tuple[float, ...]:
     """
     ground = float("-inf")
     heights = [ground, *(block.centroid[1] for block in chain.blocks), ground]
-    up = verge(chain).forces[:, 1]
+    up = incipient_motion(chain).forces[:, 1]
     return tuple(float(u if high >= low else -u) + 0.0 for u, (low, high) in zip(up, pairwise(heights), strict=False))
 
 
@@ -83,6 +83,6 @@ def _loads(chain: Chain) -> list[tuple[int, Point, Point, float]]:
 def _pull(tie: Tie, chain: Chain) -> Point:
     """The force of a tie at rest (x, z) [N]; none where it slackens."""
     along, up = pull_at_rest(tie)
-    leaving = place(move(chain, np.zeros(1)), block=tie.block, at=tie.at)
+    leaving = trace_point(move(chain, np.zeros(1)), block=tie.block, at=tie.at)
     shortens = along * leaving.dx[0] + up * leaving.dz[0] > 0.0
     return (0.0, 0.0) if shortens and not tie.both else (along, up)

@@ -12,7 +12,7 @@ from assess.errors import MechanismError
 from assess.mechanisms.chain import Chain
 from assess.mechanisms.ends import STATIONS
 from assess.mechanisms.motion import FLAT, limit
-from assess.mechanisms.stages import Stages, whole
+from assess.mechanisms.stages import Stages, single_stage
 from assess.mechanisms.virtual_work import Work, require_stable, virtual_work
 from assess.oscillator import Branch
 from spectra.arrays import FloatArray, IntArray
@@ -42,7 +42,7 @@ def branch(chain: Chain, *, restitution: float, name: str) -> Branch:
 
     Raises MechanismError for a chain that falls by itself, or that never overturns before it can turn no further.
     """
-    return staged_branch(whole(chain), restitution=restitution, name=name)
+    return staged_branch(single_stage(chain), restitution=restitution, name=name)
 
 
 def staged_branch(stages: Stages, *, restitution: float, name: str) -> Branch:
@@ -51,7 +51,7 @@ def staged_branch(stages: Stages, *, restitution: float, name: str) -> Branch:
     require_stable(chain, name=name)
     reach = limit(chain) * (1.0 - FLAT)
     scan, number = nodes(stages, reach, STATIONS)
-    scanned = sums(stages, scan, number)
+    scanned = integrate_work(stages, scan, number)
     _require_numbers(scanned, reach, name=name)
 
     def at(phi: float, node: int) -> Work:
@@ -68,7 +68,7 @@ def staged_branch(stages: Stages, *, restitution: float, name: str) -> Branch:
         )
     end = min(max(REACH * overturning, 1.05 * critical), 0.5 * (max(overturning, critical) + edge))
     rotation, number = nodes(stages, end, NODES)
-    work = sums(stages, rotation, number)
+    work = integrate_work(stages, rotation, number)
     _require_numbers(work, end, name=name)
     columns = (rotation, work.inertia, work.restoring, work.excitation, work.participation, work.lift)
     for column in columns:
@@ -98,7 +98,7 @@ def nodes(stages: Stages, end: float, count: int) -> tuple[FloatArray, IntArray]
     return np.concatenate(pieces), np.repeat(np.arange(len(pieces)), [piece.size for piece in pieces])
 
 
-def sums(stages: Stages, rotation: FloatArray, number: IntArray) -> Work:
+def integrate_work(stages: Stages, rotation: FloatArray, number: IntArray) -> Work:
     """The sums of virtual work at rotations [n], each by the stage of its number [n]."""
     found = []
     for stage in np.unique(number):

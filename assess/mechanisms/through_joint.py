@@ -10,7 +10,7 @@ from assess.loads.definitions import Through
 from assess.loads.load import Load
 from assess.loads.overburden import UPPER
 from assess.mechanisms.chain import Chain
-from assess.mechanisms.flexible import through_top
+from assess.mechanisms.flexible import top_loads
 from assess.mechanisms.joint import Joint
 
 ON_MIDDLE = 1e-3  # of the depth of a joint: a load this near its middle comes through it unless said otherwise
@@ -53,6 +53,6 @@ def under_loads(
     """The joints of a chain; without that at the top of a wall where all that stands at its hinge is fixed there."""
     if len(chain.blocks) != 2:
         return joints
-    at_hinge = through_top(chain)
+    at_hinge = top_loads(chain)
     fixed = bool(at_hinge) and all(through.get(load.name) == "fixed" for load in at_hinge)
     return (*joints[:2], None) if fixed else joints

@@ -16,11 +16,11 @@ from __future__ import annotations
 from assess.errors import MechanismError
 from assess.geometry.planar import PlanarBody, top_edge
 from assess.loads.load import Load
-from assess.mechanisms.assembly import assembled
-from assess.mechanisms.chain import Block, Chain, Point, mirrored_chain, written
-from assess.mechanisms.doubts import across_the_crack, loose_hinges
+from assess.mechanisms.assembly import assemble
+from assess.mechanisms.chain import Block, Chain, Point, format_point, mirror_chain
 from assess.mechanisms.impact import RestitutionChoice
 from assess.mechanisms.mechanism import Mechanism, Sides
+from assess.mechanisms.warnings import loads_across_crack, loose_hinges
 
 Hinges = tuple[Point, Point, Point]
 
@@ -52,8 +52,8 @@ def two_block(
     if sides == "two":
         back = hinges_negative or edges(lower, upper, ahead=False, name=name)
         _require_order(back, name=name)
-        negative = mirrored_chain(blocks, back, loads)
-    return assembled(
+        negative = mirror_chain(blocks, back, loads)
+    return assemble(
         name,
         "two-block",
         Chain(blocks, front, loads),
@@ -63,7 +63,7 @@ def two_block(
         outlines=outlines,
         notices=(
             *notices,
-            *across_the_crack(loads, front[1][1]),
+            *loads_across_crack(loads, front[1][1]),
             *loose_hinges(hinges or (), outlines),
             *loose_hinges(hinges_negative or (), outlines, mark="'"),
         ),
@@ -85,6 +85,6 @@ def _require_order(hinges: Hinges, *, name: str) -> None:
     a, b, c = hinges
     if not a[1] < b[1] < c[1]:
         raise MechanismError(
-            f'mechanism "{name}": hinges A {written(a)}, B {written(b)} and C {written(c)} must rise in this order: '
-            "base, crack, top"
+            f'mechanism "{name}": hinges A {format_point(a)}, B {format_point(b)} and C {format_point(c)} must rise '
+            "in this order: base, crack, top"
         )

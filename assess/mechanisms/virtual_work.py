@@ -13,7 +13,7 @@ from scipy.constants import g
 from assess.errors import FallingError, MechanismError
 from assess.loads.load import Force, PointMass, Tie, pull_at_rest
 from assess.mechanisms.chain import Chain
-from assess.mechanisms.motion import Path, move, place
+from assess.mechanisms.motion import Path, move, trace_point
 from spectra.arrays import FloatArray
 
 FACES = {
@@ -54,18 +54,18 @@ def virtual_work(chain: Chain, rotation: FloatArray) -> Work:
     blocks = [(block.mass, block.centroid, True, number) for number, block in enumerate(chain.blocks)]
     points = [(load.mass, load.at, load.bearing, load.block) for load in chain.loads if isinstance(load, PointMass)]
     for mass, at, bearing, number in (*blocks, *points):
-        moved = place(motion, block=number, at=at)
+        moved = trace_point(motion, block=number, at=at)
         excitation += mass * moved.dx
         participation += mass * moved.dx**2
         inertia += mass * (moved.dx**2 + moved.dz**2 if bearing else moved.dx**2)
         lift += mass * moved.dz if bearing else 0.0
     for load in chain.loads:
         if not isinstance(load, PointMass):
-            moment += pulled(load, place(motion, block=load.block, at=load.at))
+            moment += generalised_moment(load, trace_point(motion, block=load.block, at=load.at))
     return Work(inertia, g * lift, moment, excitation, participation, lift)
 
 
-def pulled(load: Force | Tie, moved: Path) -> FloatArray:
+def generalised_moment(load: Force | Tie, moved: Path) -> FloatArray:
     """Generalised moment F.r' [n] [N m] of a force or tie; positive overturns."""
     if isinstance(load, Force):
         return load.force[0] * moved.dx + load.force[1] * moved.dz
@@ -106,7 +106,7 @@ def _blamed(chain: Chain, rest: Work) -> str:
 
 def _moment(load: Force | Tie, chain: Chain) -> float:
     """Generalised moment of a force or tie at rest [N m]; positive overturns."""
-    return float(pulled(load, place(move(chain, np.zeros(1)), block=load.block, at=load.at))[0])
+    return float(generalised_moment(load, trace_point(move(chain, np.zeros(1)), block=load.block, at=load.at))[0])
 
 
 def _described(load: Force | Tie) -> str:

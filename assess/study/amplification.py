@@ -16,7 +16,7 @@ from assess.amplification.floor_motion import (
 )
 from assess.amplification.natural_frequency import ASSUMPTIONS, SLICES, Rayleigh, rayleigh_mode, slice_cantilever
 from assess.errors import GeometryError, ProjectError
-from assess.mechanisms.lasting import rise_of
+from assess.mechanisms.lasting import height_of_support
 from assess.messages.message import Quantity, note
 from assess.model.assembly import Built
 from assess.model.body import Bodies
@@ -134,7 +134,7 @@ def height_of(asked: Amplifying, standing: Standing) -> float:
             f"{standing.where}.height: the mechanism begins {-base:.3g} m below the ground; give height, or "
             "building.ground_elevation"
         )
-    return max(base, 0.0) + rise_of(mechanism) / 2.0
+    return max(base, 0.0) + height_of_support(mechanism) / 2.0
 
 
 def by_floor_factor(asked: Amplifying, standing: Standing, *, height: float) -> Amplified:

@@ -11,9 +11,9 @@ from assess.geometry.outline import Outline, outline
 from assess.geometry.scene import Scene
 from assess.geometry.simplify import simplify
 from assess.loads.load import Force, Load, PointMass
-from assess.mechanisms.chain import Chain, Point, hinge_names, mirrored
+from assess.mechanisms.chain import Chain, Point, hinge_names, mirror_point
 from assess.mechanisms.mechanism import Mechanism
-from assess.mechanisms.motion import move, place
+from assess.mechanisms.motion import move, trace_point
 from assess.oscillator import Branch, Oscillator
 from assess.results import Displaced, Drawing, DrawnLoad, NamedPoint, Ring
 from spectra.arrays import FloatArray
@@ -72,25 +72,32 @@ def draw_negative_side(mechanism: Mechanism, oscillator: Oscillator) -> Displace
     chain, branch = mechanism.negative, oscillator.negative
     if chain is None or branch is None:
         return None
-    outlines = [tuple(tuple(mirrored(point) for point in ring) for ring in outline) for outline in mechanism.outlines]
+    outlines = [
+        tuple(tuple(mirror_point(point) for point in ring) for ring in outline) for outline in mechanism.outlines
+    ]
     seen = draw_displaced(chain, branch, pieces_of(chain, outlines), mark="'")
     return Displaced(
         rotation_rad=seen.rotation_rad,
-        blocks=tuple(tuple(mirrored(point) for point in ring) for ring in seen.blocks),
+        blocks=tuple(tuple(mirror_point(point) for point in ring) for ring in seen.blocks),
         block_of=seen.block_of,
-        hinges=tuple(NamedPoint(hinge.name, mirrored(hinge.at)) for hinge in seen.hinges),
+        hinges=tuple(NamedPoint(hinge.name, mirror_point(hinge.at)) for hinge in seen.hinges),
         loads=tuple(
-            DrawnLoad(load.name, mirrored(load.at), load.kind, None if load.towards is None else mirrored(load.towards))
+            DrawnLoad(
+                load.name,
+                mirror_point(load.at),
+                load.kind,
+                None if load.towards is None else mirror_point(load.towards),
+            )
             for load in seen.loads
         ),
-        centroids=tuple(mirrored(point) for point in seen.centroids),
+        centroids=tuple(mirror_point(point) for point in seen.centroids),
     )
 
 
 def hinges_of(mechanism: Mechanism) -> tuple[NamedPoint, ...]:
     """Hinges A, B, … of the positive branch and A', B', … of the negative one, at rest, not mirrored."""
     negative = () if mechanism.negative is None else hinges_of_chain(mechanism.negative, "'")
-    back = (NamedPoint(hinge.name, mirrored(hinge.at)) for hinge in negative)
+    back = (NamedPoint(hinge.name, mirror_point(hinge.at)) for hinge in negative)
     return (*hinges_of_chain(mechanism.positive, ""), *back)
 
 
@@ -138,7 +145,7 @@ def move_points(chain: Chain, points: FloatArray, *, block: int, rotation: float
     if block == FIXED:
         return points
     motion = move(chain, np.array([rotation]))
-    moved = [place(motion, block=block, at=corner) for corner in ((0.0, 0.0), (1.0, 0.0))]
+    moved = [trace_point(motion, block=block, at=corner) for corner in ((0.0, 0.0), (1.0, 0.0))]
     origin, end = (np.array([each.x[0], each.z[0]]) for each in moved)
     along = end - origin
     return np.asarray(origin + points[:, :1] * along + points[:, 1:] * [-along[1], along[0]], dtype=np.float64)

@@ -7,7 +7,7 @@ from dataclasses import replace
 from math import inf
 
 from assess.loads.load import Force, Load, PointMass, pull_at_rest
-from assess.mechanisms.ends import moved_at
+from assess.mechanisms.ends import displacement_at
 from assess.mechanisms.lasting import acting_of, variants
 from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.stages import actions_of
@@ -53,7 +53,7 @@ def with_duration(mechanism: Mechanism, number: int, load: LoadResult) -> LoadRe
         lasting=_lasting(lasts, broken),
         missing=load.missing if end == 0.0 else (),
         end_rad=end if broken else None,
-        end_m=moved_at(first.chain, first.actions[number], end) if broken else None,
+        end_m=displacement_at(first.chain, first.actions[number], end) if broken else None,
     )
 
 

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.constants import g
 
-from assess.dynamics.critical import Critical, critical
+from assess.dynamics.critical import Critical, find_critical
 from assess.dynamics.envelope import Envelope, envelope
 from assess.oscillator import Oscillator, linearise
 from assess.results import CriticalBand, CriticalResult, EnvelopeResult
@@ -90,7 +90,7 @@ def critical_result(found: dict[str, EnvelopeResult]) -> CriticalResult | None:
     names = list(found)
     frequency = np.array(next(iter(found.values())).frequency_hz)
     bounds = np.array([[np.nan if b is None else b for b in each.lower_bound_g] for each in found.values()])
-    order = critical(frequency, bounds)
+    order = find_critical(frequency, bounds)
     return CriticalResult(
         frequency_hz=tuple(frequency.tolist()),
         mechanism=_names(order.mechanism, names),

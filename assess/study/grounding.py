@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from assess.codes.check import Reason, reason_message
 from assess.codes.context import is_above_ground
-from assess.mechanisms.lasting import rise_of
+from assess.mechanisms.lasting import height_of_support
 from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message, Quantity
 
@@ -64,7 +64,7 @@ def stand_on(
     by_table : whether the mechanism gives its own elevation, as one of published parameters does
     """
     base = ground.below(mechanism, base_elevation)
-    support = max(base, 0.0) + rise_of(mechanism) / 2.0
+    support = max(base, 0.0) + height_of_support(mechanism) / 2.0
     source = _source(ground, base_elevation, by_table=by_table)
     lowest = mechanism.elevation if ground.lowest is None else ground.lowest
     if not source:

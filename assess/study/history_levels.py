@@ -10,7 +10,7 @@ import numpy as np
 
 from assess.codes.check import BranchName
 from assess.codes.context import Suite
-from assess.dynamics.history import Jobs, Peaks, prepared
+from assess.dynamics.history import Jobs, Peaks, make_solver
 from assess.oscillator import Oscillator
 from assess.short_repr import ShortRepr
 from assess.study.motions import ScaledRecord
@@ -45,7 +45,7 @@ def level_solver(
     n, factors = len(motions), np.array([motion.scaling.factor for motion in motions])
     records = [carried.record for carried in case.base]
     oscillators = [with_restitution_factor(case.oscillator, rebound) for rebound in case.rebounds]
-    run = prepared(oscillators, records, equation=case.equation, threads=threads)
+    run = make_solver(oscillators, records, equation=case.equation, threads=threads)
     signs = np.array([1.0] if case.oscillator.symmetric else [1.0, -1.0])
     ways = np.tile(signs, len(oscillators))  # of one record at one level: every polarity with every rebound
     which = np.repeat(np.arange(len(oscillators)), signs.size)

@@ -59,7 +59,7 @@ def _flexible(chain: Chain, side: Branch, names: Sequence[str], name: str) -> li
     step = -(-side.rotation.size // POINTS)
     rotation = np.unique(side.rotation)[::step]
     flexible = FlexibleChain(chain, name)
-    held, rest = flexible.held(rotation), flexible.balance(np.zeros(1)).normal_force[:, 0]
+    held, rest = flexible.solve_equilibrium(rotation), flexible.solve_joints(np.zeros(1)).normal_force[:, 0]
     found = []
     for number, joint in enumerate(chain.joints):
         force = float(rest[number])
@@ -97,7 +97,7 @@ def _finite(value: float) -> float | None:
 
 def interface_curves(mechanism: Mechanism, rigid: Sequence[Branch]) -> InterfaceCurves:
     """The moment of the positive branch with rigid joints, and about its fixed hinges a_SF, beside its own curve."""
-    chain = FlexibleChain(mechanism.positive, mechanism.name).fixed
+    chain = FlexibleChain(mechanism.positive, mechanism.name).fixed_hinge_chain
     rotation = np.linspace(0.0, min(rigid[0].rotation[-1], limit(chain) * (1.0 - FLAT)), NODES)
     fixed = virtual_work(chain, rotation).restoring  # which may be none from the start, where the joint still holds
     return InterfaceCurves(_moment(rigid[0].rotation, rigid[0].restoring), _moment(rotation, fixed))

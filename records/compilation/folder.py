@@ -17,7 +17,7 @@ UNUSED = 30 * 86400.0  # s, after which the code of another version is deleted
 
 
 def find_folder(key: str, *, given: str, user: str) -> Path | None:
-    """The folder for the code of `key`, made where there is none; None where no place is private and can be written.
+    """Find the private folder for the code of `key`, made if there is none; None where no place is private.
 
     given : by NUMBA_CACHE_DIR, "" if not set; user : the user's folder for caches. Then the one for temporary files.
     """
@@ -35,7 +35,7 @@ def find_folder(key: str, *, given: str, user: str) -> Path | None:
 
 
 def is_private(folder: Path) -> bool:
-    """Whether `folder`, made if need be, is a folder of the user's that no one else can write to, and he can."""
+    """Return whether `folder`, made if need be, is a folder of the user's that no one else can write to, and he can."""
     try:
         folder.parent.mkdir(parents=True, exist_ok=True)
         folder.mkdir(mode=0o700, exist_ok=True)
@@ -77,6 +77,6 @@ def _places(given: str, user: str) -> Iterator[Path]:
 
 
 def _mine(folder: Path) -> bool:
-    """Whether the nearest folder that exists is the user's: not so in the home of another, as under sudo."""
+    """Return whether the nearest folder that exists is the user's: not so in the home of another, as under sudo."""
     there = next(one for one in (folder, *folder.parents) if one.exists())
     return os.name != "posix" or there.stat().st_uid == os.getuid()

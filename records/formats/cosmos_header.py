@@ -85,7 +85,7 @@ def _known(values: FloatArray, index: int) -> float | None:
 
 
 def _places(words: str, reals: FloatArray) -> Iterator[str]:
-    """Warnings about where the site and the epicentre are, sign and all."""
+    """Yield warnings about where the site and the epicentre are, sign and all."""
     for *names, pattern, at in PLACES:
         found = pattern.search(words)
         for i, name in enumerate(names):
@@ -94,7 +94,7 @@ def _places(words: str, reals: FloatArray) -> Iterator[str]:
 
 
 def _start(words: str, integers: FloatArray, reals: FloatArray) -> str:
-    """A warning about when the recorder started, to the second."""
+    """Return a warning about when the recorder started, to the second."""
     found = RECORDER.search(words)
     seconds, numbers = _known(reals, SECONDS), [_known(integers, STARTED + i) for i in (0, 2, 3, 4, 5)]
     if found is None or seconds is None or None in numbers:

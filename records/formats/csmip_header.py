@@ -70,7 +70,7 @@ def _of(pattern: re.Pattern[str], text: str) -> float | None:
 
 
 def _block(header: Sequence[str], start: int, shape: tuple[int, int, int]) -> list[float | None]:
-    """The header's numbers from a line on, by columns; None for what is none or zero, which stands for unknown."""
+    """Return the header's numbers from a line on, by columns; None for a blank, or zero, which means unknown."""
     lines, each, width = shape
     rows = [line.ljust(each * width) for line in header[start : start + lines]]
     return [number(row[i * width : (i + 1) * width], unknown=(0.0, -999.0)) for row in rows for i in range(each)]

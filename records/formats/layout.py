@@ -57,7 +57,7 @@ def check_layout(lines: Sequence[str], *, first: int, path: Path) -> str:
 
 
 def _shapes(lines: Sequence[str]) -> Iterator[str]:
-    """Each line with 0 for every digit and E for every mark of an exponent."""
+    """Yield each line with 0 for every digit and E for every mark of an exponent."""
     for i in range(0, len(lines), BATCH):
         yield from "\n".join(lines[i : i + BATCH]).translate(SHAPE).split("\n")
 
@@ -71,7 +71,7 @@ def _form(shape: str) -> Form:
 
 
 def _uneven(lines: Sequence[str], counts: Mapping[str, int], forms: Mapping[str, Form]) -> int | None:
-    """Index of the first line whose numbers end in other columns than the others'; the last may be shorter."""
+    """Return the index of the first line whose numbers end in other columns; the last line may be shorter."""
     held = sum(number for shape, number in counts.items() if forms[shape].ends)
     ends = _most(((forms[shape].ends, number) for shape, number in counts.items() if forms[shape].ends), of=held - 1)
     if ends is None:
@@ -84,12 +84,12 @@ def _uneven(lines: Sequence[str], counts: Mapping[str, int], forms: Mapping[str,
 
 
 def _line_of(lines: Sequence[str], shapes: set[str]) -> int | None:
-    """Index of the first line of one of the `shapes`."""
+    """Return the index of the first line of one of the `shapes`."""
     return next((i for i, shape in enumerate(_shapes(lines)) if shape in shapes), None) if shapes else None
 
 
 def _most(counted: Iterable[tuple[T, int]], *, of: int) -> T | None:
-    """What makes up nearly all `of` them, or all but one where they are few."""
+    """Return what makes up nearly all `of` them, or all but one where they are few."""
     sums: Counter[T] = Counter()
     for thing, number in counted:
         sums[thing] += number
@@ -97,7 +97,7 @@ def _most(counted: Iterable[tuple[T, int]], *, of: int) -> T | None:
 
 
 def _odd_fields(lines: Sequence[str], forms: Mapping[str, Form], usual: Printed) -> Iterator[tuple[int, str]]:
-    """The numbers that are not printed as usual, with the index of their line."""
+    """Yield the numbers that are not printed as usual, with the index of their line."""
     odd = {shape for shape, form in forms.items() if any(each != usual for each in form.printed)}
     for at, shape in enumerate(_shapes(lines) if odd else ()):
         if shape in odd:

@@ -40,17 +40,17 @@ import numpy as np
 from scipy.constants import g
 from scipy.integrate import solve_ivp
 
-from assess.dynamics.critical import critical
+from assess.dynamics.critical import find_critical
 from assess.dynamics.envelope import envelope
 from assess.dynamics.history import _RUNS, Jobs, Peaks, peaks, product
 from assess.dynamics.kernel.columns import FOUND
 from assess.dynamics.kernel.events import REST
-from assess.dynamics.packing import Equation, packed
+from assess.dynamics.packing import Equation, pack
 from assess.dynamics.sine_branches import least
 from assess.geometry.planar import planar_body_from_values
-from assess.interfaces.law import Law
+from assess.interfaces.law import JointLaw
 from assess.interfaces.shapes import rectangle
-from assess.mechanisms.assembly import on_joints
+from assess.mechanisms.assembly import add_joints
 from assess.mechanisms.joint import Joint
 from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block
@@ -208,10 +208,10 @@ def steps_and_scipy(equation: Equation, target: str) -> list[Row]:
 
 def wall(stiffness: float) -> Oscillator:
     """6 m high, 1 m thick, on a joint of this stiffness [Pa/m] that crushes at 1.5 MPa."""
-    mass, joint = 21600.0, Joint((-1.0, 0.0), rectangle(1.0, 2.0), Law(stiffness, 1.5e6), "flexible")
+    mass, joint = 21600.0, Joint((-1.0, 0.0), rectangle(1.0, 2.0), JointLaw(stiffness, 1.5e6), "flexible")
     body = planar_body_from_values(mass=mass, centroid=(0.0, 3.0), inertia=mass * 37 / 12, name="wall")
     rigid = single_block("w", body, hinge=(0.5, 0.0), hinge_negative=(-0.5, 0.0))
-    return oscillator(on_joints(rigid, (joint,), (joint,), restitution=(0.9, 0.9)))
+    return oscillator(add_joints(rigid, (joint,), (joint,), restitution=(0.9, 0.9)))
 
 
 def frame() -> Oscillator:
@@ -306,7 +306,7 @@ def envelopes() -> list[Row]:
         found = [
             envelope(each, SHAPES["sine"], frequency, highest, equation="linearised").lower_bound for each in mechanisms
         ]
-        critical(frequency, np.array(found))
+        find_critical(frequency, np.array(found))
 
     return [*rows, Row("lower bounds, 20 mechanisms x 200 frequencies", best(bounds, times=3), "s", "<= 0.1")]
 
@@ -322,7 +322,7 @@ def rattling(count: int = 3000) -> list[Row]:
     motions += [make_record(f"square {k}", np.sign(each), 0.01) for k, each in enumerate(noise)]
     jointed = [wall(10.0**k) for k in np.linspace(8.0, 10.3, 20)]
     for name, bodies, equation in (("linearised", blocks(20), "linearised"), ("block", blocks(20), "exact"), ("joints", jointed, "exact")):  # fmt: skip  # noqa: E501
-        run = _RUNS[equation]([packed(body, equation) for body in bodies], motions, 1e-10)  # type: ignore[index,arg-type]
+        run = _RUNS[equation]([pack(body, equation) for body in bodies], motions, 1e-10)  # type: ignore[index,arg-type]
         jobs = Jobs(rng.integers(0, 20, count), rng.integers(0, 20, count), 10.0 ** rng.uniform(-4, 2, count))
         cost = np.array([seconds_each(run, jobs, job) for job in range(count)])
         moving = cost[~np.isnan(cost)]

@@ -13,11 +13,11 @@ import numpy as np
 import shapely
 
 from assess.interfaces.contact import contact, thresholds
-from assess.interfaces.law import Law
+from assess.interfaces.law import JointLaw
 from assess.interfaces.shapes import annulus, circle, hollow_rectangle, polygon, rectangle
 
 ROTATIONS = 500
-LAW = Law(3.4e8, 1.28e6)
+LAW = JointLaw(3.4e8, 1.28e6)
 ANGLES = np.linspace(0.0, 2.0 * math.pi, 50, endpoint=False)
 FIFTY = shapely.Polygon(0.75 * np.column_stack([np.cos(ANGLES), np.sin(ANGLES)]))
 SHAPES = {

@@ -11,12 +11,12 @@ import shapely
 from shapely.affinity import rotate, scale, translate
 
 from assess.interfaces.contact import contact, thresholds
-from assess.interfaces.law import Law
-from assess.interfaces.section import mirrored
+from assess.interfaces.law import JointLaw
+from assess.interfaces.section import mirror
 from assess.interfaces.shapes import annulus, circle, hollow_rectangle, polygon, rectangle
 
 K, F = 3e8, 2.5e6
-LAW = Law(K, F)
+LAW = JointLaw(K, F)
 DIRECTION = (1.0, 0.0)
 NAMED = {
     "rectangle": rectangle(1.2, 3.0),
@@ -109,7 +109,7 @@ def test_stress_carries_the_force(seed, share):
     section = polygon(of, direction=DIRECTION)
     N = share * F * section.area
     found = contact(section, LAW, normal_force=N, rotation=rotations(section, N))
-    carried = [force(of, LAW, u, phi) for u, phi in zip(found.closing, found.rotation, strict=True)]
+    carried = [force(of, LAW, u, phi) for u, phi in zip(found.closure, found.rotation, strict=True)]
     np.testing.assert_allclose(carried, N, rtol=1e-12)
 
 
@@ -122,7 +122,7 @@ def test_moment_is_the_derivative_of_the_energy(seed, share):
     N = share * F * section.area
 
     def energy(phi):
-        u = float(contact(section, LAW, normal_force=N, rotation=phi).closing[0])
+        u = float(contact(section, LAW, normal_force=N, rotation=phi).closure[0])
         return strain_energy(of, LAW, u, phi) - N * u
 
     for phi in rotations(section, N):
@@ -139,7 +139,7 @@ def test_restoring_moment_is_the_derivative_of_the_full_potential(seed, share):
     W, radius, slenderness = share * F * section.area, 4.0, 0.35
 
     def potential(phi):
-        u = float(contact(section, LAW, normal_force=W, rotation=sin(phi)).closing[0])
+        u = float(contact(section, LAW, normal_force=W, rotation=sin(phi)).closure[0])
         return W * (radius * cos(slenderness - phi) - u) + strain_energy(of, LAW, u, sin(phi))
 
     for phi in (0.02, 0.1, 0.2, 0.3):
@@ -155,10 +155,10 @@ def test_closing_follows_the_pivot(seed, share):
     N = share * F * section.area
 
     def closing(phi):
-        return float(contact(section, LAW, normal_force=N, rotation=phi).closing[0])
+        return float(contact(section, LAW, normal_force=N, rotation=phi).closure[0])
 
     for phi in rotations(section, N):
-        pivot = contact(section, LAW, normal_force=N, rotation=phi).pivot[0]
+        pivot = contact(section, LAW, normal_force=N, rotation=phi).instantaneous_centre[0]
         assert slope(closing, phi) == pytest.approx(pivot, rel=1e-8, abs=0.0)
 
 
@@ -179,10 +179,10 @@ def test_contact_goes_one_way(share):
         slack = 1e-14 * section.depth
         assert np.all(np.diff(found.resultant) <= slack)
         assert np.all(np.diff(found.depth) <= slack)
-        assert np.all(np.diff(found.closing) > 0.0)
+        assert np.all(np.diff(found.closure) > 0.0)
         assert np.all(np.diff(found.crushed_depth) >= -slack)
         assert np.all((found.resultant > 0.0) & (found.resultant < section.depth))
-        assert np.all((found.crushed_depth <= found.pivot) & (found.pivot <= found.depth))
+        assert np.all((found.crushed_depth <= found.instantaneous_centre) & (found.instantaneous_centre <= found.depth))
         assert np.all(found.crushed_area + found.open_area <= section.area * (1 + 1e-14))
         assert np.all(found.peak_stress <= F)
 
@@ -194,10 +194,14 @@ def test_what_is_missing_to_the_strength_is_a_contact_too(share):
         N, whole = share * F * section.area, F * section.area
         phi = rotations(section, N)
         one = contact(section, LAW, normal_force=N, rotation=phi)
-        other = contact(mirrored(section), LAW, normal_force=whole - N, rotation=phi)
+        other = contact(mirror(section), LAW, normal_force=whole - N, rotation=phi)
         moment = whole * section.centroid - (whole - N) * (section.depth - other.resultant)
         np.testing.assert_allclose(N * one.resultant, moment, rtol=1e-11, atol=1e-12 * whole * section.depth)
-        np.testing.assert_allclose(N * one.sideways, (whole - N) * other.sideways, atol=1e-11 * whole * section.breadth)
+        np.testing.assert_allclose(
+            N * one.out_of_plane_eccentricity,
+            (whole - N) * other.out_of_plane_eccentricity,
+            atol=1e-11 * whole * section.breadth,
+        )
         np.testing.assert_allclose(one.crushed_area, other.open_area, atol=1e-11 * section.area)
 
 
@@ -207,7 +211,7 @@ def test_only_force_over_strength_and_strength_over_stiffness_and_rotation_matte
         N = share * F * section.area
         phi = rotations(section, N)
         found = contact(section, LAW, normal_force=N, rotation=phi)
-        other = contact(section, Law(K * 700.0, F * 7.0), normal_force=N * 7.0, rotation=phi / 100.0)
+        other = contact(section, JointLaw(K * 700.0, F * 7.0), normal_force=N * 7.0, rotation=phi / 100.0)
         np.testing.assert_allclose(other.resultant, found.resultant, rtol=1e-12)
 
 
@@ -222,7 +226,9 @@ def test_larger_contact_of_the_same_shape(size):
         found = contact(small, LAW, normal_force=N, rotation=phi)
         other = contact(large, LAW, normal_force=N * size**2, rotation=phi / size)
         np.testing.assert_allclose(other.resultant, size * found.resultant, rtol=1e-12)
-        np.testing.assert_allclose(other.sideways, size * found.sideways, rtol=1e-10, atol=1e-12 * size)
+        np.testing.assert_allclose(
+            other.out_of_plane_eccentricity, size * found.out_of_plane_eccentricity, rtol=1e-10, atol=1e-12 * size
+        )
 
 
 @every_region
@@ -236,7 +242,7 @@ def test_turned_and_moved_alike_nothing_changes(seed):
     phi = rotations(one, N)
     found, again = (contact(section, LAW, normal_force=N, rotation=phi) for section in (one, other))
     np.testing.assert_allclose(again.resultant, found.resultant, rtol=1e-11)
-    np.testing.assert_allclose(again.sideways, found.sideways, rtol=1e-9, atol=1e-12)
+    np.testing.assert_allclose(again.out_of_plane_eccentricity, found.out_of_plane_eccentricity, rtol=1e-9, atol=1e-12)
 
 
 # ------------------------------------------------------------------------------------------------------------ the rates
@@ -250,9 +256,9 @@ def orders(errors):
 @every_named
 def test_stiff_joint_tends_to_the_plastic_block_with_the_square_of_its_stiffness(section):
     N, phi = 0.2 * F * section.area, 0.05
-    block = contact(section, Law(strength=F), normal_force=N, rotation=phi).resultant[0]
+    block = contact(section, JointLaw(strength=F), normal_force=N, rotation=phi).resultant[0]
     k = 200 * F / (phi * section.depth) * 2.0 ** np.arange(4)
-    errors = [contact(section, Law(each, F), normal_force=N, rotation=phi).resultant[0] - block for each in k]
+    errors = [contact(section, JointLaw(each, F), normal_force=N, rotation=phi).resultant[0] - block for each in k]
     assert orders(errors) == pytest.approx([2.0] * 3, abs=0.02)
 
 
@@ -260,7 +266,8 @@ def test_stiff_elastic_joint_tends_to_the_edge():
     """A rectangle with the root of its stiffness; a circle, whose width itself begins as a root, with the power 2/5."""
     for section, power in ((NAMED["rectangle"], 0.5), (NAMED["circle"], 0.4)):
         found = [
-            contact(section, Law(k), normal_force=1e5, rotation=0.05).resultant[0] for k in 1e14 * 2.0 ** np.arange(4)
+            contact(section, JointLaw(k), normal_force=1e5, rotation=0.05).resultant[0]
+            for k in 1e14 * 2.0 ** np.arange(4)
         ]
         assert orders(found) == pytest.approx([power] * 3, abs=1e-3)
 
@@ -269,7 +276,7 @@ def test_strong_rigid_joint_tends_to_the_edge():
     """The plastic block is as deep as the strength is low; in a circle, with the power 2/3."""
     for section, power in ((NAMED["rectangle"], 1.0), (NAMED["circle"], 2 / 3)):
         found = [
-            contact(section, Law(strength=f), normal_force=1e5, rotation=0.05).resultant[0]
+            contact(section, JointLaw(strength=f), normal_force=1e5, rotation=0.05).resultant[0]
             for f in 1e10 * 2.0 ** np.arange(4)
         ]
         assert orders(found) == pytest.approx([power] * 3, abs=1e-3)
@@ -278,8 +285,8 @@ def test_strong_rigid_joint_tends_to_the_edge():
 @every_named
 def test_strong_joint_is_elastic_once_the_strength_is_not_reached(section):
     phi = np.geomspace(1e-6, 1e-2, 30)
-    elastic = contact(section, Law(K), normal_force=1e5, rotation=phi)
-    strong = contact(section, Law(K, 1.001 * float(elastic.peak_stress.max())), normal_force=1e5, rotation=phi)
+    elastic = contact(section, JointLaw(K), normal_force=1e5, rotation=phi)
+    strong = contact(section, JointLaw(K, 1.001 * float(elastic.peak_stress.max())), normal_force=1e5, rotation=phi)
     np.testing.assert_allclose(strong.resultant, elastic.resultant, rtol=1e-14)
 
 

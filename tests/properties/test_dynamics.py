@@ -12,7 +12,7 @@ import pytest
 from scipy.constants import g
 
 from assess.dynamics.history import _RUNS, Equation, Peaks, _parts, free_rocking, peaks, product, trace
-from assess.dynamics.packing import packed
+from assess.dynamics.packing import pack
 from assess.oscillator import Branch, Oscillator, energy, interpolant, linearise
 from records.record import Record, make_record
 
@@ -230,7 +230,7 @@ def test_as_plain_python_it_gives_the_compiled_answers() -> None:
 @BOTH
 def test_entry_point_as_py_func_gives_the_compiled_bytes(equation: Equation) -> None:
     body, motion = BODIES["swelling"], noise(3, npts=80, peak=5.0)
-    kernel_run = _RUNS[equation]([packed(body, equation)], [motion], 1e-11)
+    kernel_run = _RUNS[equation]([pack(body, equation)], [motion], 1e-11)
     found, first = np.empty((2, 1, 8)), np.zeros(1, dtype=np.int64)
     for call, row in zip((kernel_run.func, kernel_run.func.py_func), found, strict=True):
         call(*kernel_run.args, first, first, np.ones(1), 0.0, row, np.empty((0, 3)), np.zeros((1, 4)))

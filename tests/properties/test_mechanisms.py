@@ -14,16 +14,16 @@ from assess.dynamics.history import free_rocking
 from assess.geometry.planar import join_planar, planar_body_from_values
 from assess.loads.load import Force, PointMass, Tie, pull_at_rest
 from assess.loads.load import mirrored as mirrored_load
-from assess.mechanisms.arch import hinged, weakest
-from assess.mechanisms.chain import Block, Chain, mirrored, mirrored_chain
+from assess.mechanisms.arch import divide_arch, weakest_hinges
+from assess.mechanisms.chain import Block, Chain, mirror_chain, mirror_point
 from assess.mechanisms.face import Face
 from assess.mechanisms.four_hinge import four_hinge
 from assess.mechanisms.hinge_forces import hinge_forces
-from assess.mechanisms.impact import impact
-from assess.mechanisms.motion import move, place
+from assess.mechanisms.impact import find_restitution
+from assess.mechanisms.motion import move, trace_point
 from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block
-from assess.mechanisms.statics import verge
+from assess.mechanisms.statics import incipient_motion
 from assess.mechanisms.table import branch
 from assess.mechanisms.two_block import two_block
 from assess.mechanisms.virtual_work import virtual_work
@@ -45,7 +45,7 @@ class Case:
     loads: tuple = ()
 
     def chains(self):
-        return Chain(self.blocks, self.front, self.loads), mirrored_chain(self.blocks, self.back, self.loads)
+        return Chain(self.blocks, self.front, self.loads), mirror_chain(self.blocks, self.back, self.loads)
 
     def mechanism(self, *, weld=lambda body: body, restitution="momentum"):
         bodies = [weld(body_of(block)) for block in self.blocks]
@@ -77,8 +77,8 @@ def arch():
         middle, reach = (angles[k] + angles[k + 1]) / 2, 5.5 + k / 40
         block = Block(1000.0 + 40 * k, (reach * cos(middle), reach * sin(middle)), 300.0)
         voussoirs.append(body_of(block))
-    found = weakest([Block(v.mass, v.centroid, v.inertia) for v in voussoirs], joints, name="a")
-    chain = hinged(voussoirs, found)[1]
+    found = weakest_hinges([Block(v.mass, v.centroid, v.inertia) for v in voussoirs], joints, name="a")
+    chain = divide_arch(voussoirs, found)[1]
     lower, upper = (tuple(joints[k][face] for k in found.joints) for face in (0, 1))
     back = tuple(
         (upper, lower)[k % 2][k] if lower[0] == found.hinges[0] else (lower, upper)[k % 2][k] for k in range(4)
@@ -130,9 +130,9 @@ def potential(chain, rotation):
     """Sum of m g z of what the blocks bear, less the work of forces, and the pull of taut ties times their length."""
     motion, total = move(chain, rotation), 0.0
     for number, block in enumerate(chain.blocks):
-        total = total + block.mass * g * place(motion, block=number, at=block.centroid).z
+        total = total + block.mass * g * trace_point(motion, block=number, at=block.centroid).z
     for each in chain.loads:
-        at = place(motion, block=each.block, at=each.at)
+        at = trace_point(motion, block=each.block, at=each.at)
         if isinstance(each, PointMass):
             total = total + each.bearing * each.mass * g * at.z
         elif isinstance(each, Force):
@@ -151,7 +151,7 @@ def stretch(tie, at):
 
 def taut(chain, tie):
     """A tie is slack on the branch where it shortens."""
-    length = stretch(tie, place(move(chain, np.array([0.0, 1e-6])), block=tie.block, at=tie.at))
+    length = stretch(tie, trace_point(move(chain, np.array([0.0, 1e-6])), block=tie.block, at=tie.at))
     return tie.both or length[1] > length[0]
 
 
@@ -186,8 +186,8 @@ def test_kinetic_energy_and_momentum_by_differences_of_places(case):
         work = virtual_work(chain, phi)
         for rotation in (phi - step, phi + step):
             motion = move(chain, rotation)
-            points = [(b.mass, b.mass, place(motion, block=k, at=b.centroid)) for k, b in enumerate(chain.blocks)]
-            points += [(one.mass, one.mass * one.bearing, place(motion, block=one.block, at=one.at))
+            points = [(b.mass, b.mass, trace_point(motion, block=k, at=b.centroid)) for k, b in enumerate(chain.blocks)]
+            points += [(one.mass, one.mass * one.bearing, trace_point(motion, block=one.block, at=one.at))
                        for one in chain.loads if isinstance(one, PointMass)]  # fmt: skip
             moved.append((points, motion.angle))
         (before, old), (after, new) = moved
@@ -205,15 +205,15 @@ def test_kinetic_energy_and_momentum_by_differences_of_places(case):
 @EVERY
 def test_balance_of_every_block_gives_the_multiplier_of_virtual_work(case):
     for chain, side in sides(case):
-        assert verge(chain).multiplier == pytest.approx(multiplier(side)[0], rel=1e-12)
+        assert incipient_motion(chain).multiplier == pytest.approx(multiplier(side)[0], rel=1e-12)
 
 
 def image(case):
     """The whole mirrored in the vertical through the origin."""
     return Case(
-        tuple(Block(b.mass, mirrored(b.centroid), b.inertia) for b in case.blocks),
-        tuple(mirrored(each) for each in case.back),
-        tuple(mirrored(each) for each in case.front),
+        tuple(Block(b.mass, mirror_point(b.centroid), b.inertia) for b in case.blocks),
+        tuple(mirror_point(each) for each in case.back),
+        tuple(mirror_point(each) for each in case.front),
         tuple(mirrored_load(each) for each in case.loads),
     )
 
@@ -326,8 +326,8 @@ def test_no_impact_of_a_crowd_adds_energy():
             for b in UNEVEN
         )
         front, back = (tuple(jogged(hinge, rng, 0.3) for hinge in hinges) for hinges in LEGS)
-        ending, starting = Chain(blocks, front), mirrored_chain(blocks, back)
-        kept = impact("momentum", ending=ending, starting=starting, kind="four-hinge", name="m")
+        ending, starting = Chain(blocks, front), mirror_chain(blocks, back)
+        kept = find_restitution("momentum", ending=ending, starting=starting, kind="four-hinge", name="m")
         assert (kept.value == 0.0) == (kept.stopped is not None)
         seen += kept.stopped is None
         before, after = (virtual_work(chain, np.zeros(1)).inertia[0] for chain in (ending, starting))

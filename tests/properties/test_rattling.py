@@ -19,11 +19,11 @@ from assess.dynamics.history import _RUNS, Jobs, peaks
 from assess.dynamics.kernel import exact, linearised
 from assess.dynamics.kernel.columns import IMPACTS
 from assess.dynamics.kernel.march import make_march
-from assess.dynamics.packing import Equation, packed
+from assess.dynamics.packing import Equation, pack
 from assess.geometry.planar import planar_body_from_values
-from assess.interfaces.law import Law
+from assess.interfaces.law import JointLaw
 from assess.interfaces.shapes import rectangle
-from assess.mechanisms.assembly import on_joints
+from assess.mechanisms.assembly import add_joints
 from assess.mechanisms.joint import Joint
 from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block
@@ -45,11 +45,14 @@ def rigid(rng: np.random.Generator) -> Oscillator:
 
 def on_a_joint(rng: np.random.Generator) -> Oscillator:
     """A wall of 6 m by 1 m on a joint of 0.03 to 20 GPa/m."""
-    mass, joint = 21600.0, Joint((-1.0, 0.0), rectangle(1.0, 2.0), Law(10 ** rng.uniform(7.5, 10.3), 1.5e6), "flexible")
+    mass, joint = (
+        21600.0,
+        Joint((-1.0, 0.0), rectangle(1.0, 2.0), JointLaw(10 ** rng.uniform(7.5, 10.3), 1.5e6), "flexible"),
+    )
     body = planar_body_from_values(mass=mass, centroid=(0.0, 3.0), inertia=mass * 37 / 12, name="wall")
     wall = single_block("w", body, hinge=(0.5, 0.0), hinge_negative=(-0.5, 0.0))
     restitution = rng.uniform(0.6, 1.0)
-    return oscillator(on_joints(wall, (joint,), (joint,), restitution=(restitution, restitution)))
+    return oscillator(add_joints(wall, (joint,), (joint,), restitution=(restitution, restitution)))
 
 
 def motion(rng: np.random.Generator, npts: int) -> Record:
@@ -96,7 +99,7 @@ def print_steps(kind: str) -> None:
     step = counted(linearised.linearised_step, count)
     linearised.march_linearised = make_march(linearised.linearised_advance, step, linearised.linearised_potential)
     bodies, motions, jobs = problem(kind, jobs=150, npts=100)
-    run = _RUNS[KINDS[kind]]([packed(body, KINDS[kind]) for body in bodies], motions, 1e-10)
+    run = _RUNS[KINDS[kind]]([pack(body, KINDS[kind]) for body in bodies], motions, 1e-10)
     for k in range(jobs.scale.size):
         count[0], found = 0, np.empty((1, 8))
         columns = (column[k : k + 1] for column in (jobs.oscillator, jobs.motion, jobs.scale))

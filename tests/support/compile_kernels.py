@@ -26,13 +26,13 @@ def compile_exact() -> None:
 def compile_joints_and_records() -> None:
     """Contact of joints; response spectra and motions of floors."""
     from assess.interfaces.contact import contact, thresholds
-    from assess.interfaces.law import Law
+    from assess.interfaces.law import JointLaw
     from assess.interfaces.shapes import rectangle
     from records.floor_motion import floor_motion
     from records.response import response_spectrum
     from tests.support.motions import noise
 
-    section, law = rectangle(1.0, 2.0), Law(2e8, 1.5e6)
+    section, law = rectangle(1.0, 2.0), JointLaw(2e8, 1.5e6)
     contact(section, law, normal_force=2e5, rotation=[0.0, 1e-3])
     thresholds(section, law, normal_force=2e5)
     response_spectrum(noise(npts=50), [0.0, 0.5])

@@ -17,10 +17,10 @@ from assess.codes.registry import CodeOptions, procedure
 from assess.codes.worst_branch import branch_of
 from assess.geometry.planar import planar_body
 from assess.geometry.solid import box
-from assess.interfaces.law import Law
+from assess.interfaces.law import JointLaw
 from assess.interfaces.shapes import rectangle
 from assess.loads.load import PointMass
-from assess.mechanisms.assembly import on_joints
+from assess.mechanisms.assembly import add_joints
 from assess.mechanisms.face import Face
 from assess.mechanisms.hinge_forces import hinge_forces
 from assess.mechanisms.joint import Joint
@@ -80,8 +80,8 @@ def mechanisms() -> Iterator[Mechanism]:
 def on_a_joint(base: float) -> Mechanism:
     """A wall on a flexible joint: it has no threshold, and a period before it rocks."""
     rigid = single_block("on a joint", part(base, 3.0, 0.5))
-    joint = (Joint((-1.0, 0.0), rectangle(0.5, 1.0), Law(1e9, inf), "flexible"),)
-    return on_joints(rigid, joint, joint, restitution=(0.9, 0.9))
+    joint = (Joint((-1.0, 0.0), rectangle(0.5, 1.0), JointLaw(1e9, inf), "flexible"),)
+    return add_joints(rigid, joint, joint, restitution=(0.9, 0.9))
 
 
 def special() -> Iterator[tuple[Mechanism, Context]]:

@@ -65,7 +65,7 @@ def disc_between(x0: float, x1: float, length: float) -> Four:
 
 
 @compiled
-def of_disc(radius: float, edge: float, z0: float, z1: float) -> Four:
+def integrate_disc(radius: float, edge: float, z0: float, z1: float) -> Four:
     """Integrate width, depth times width, A and S of a disc from z0 to z1, depths from the edge of the section."""
     end = edge + 2.0 * radius
     low, high, beyond = max(z0, edge), min(z1, end), max(z1 - max(z0, end), 0.0)

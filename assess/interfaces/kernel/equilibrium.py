@@ -1,4 +1,4 @@
-"""The closing of a contact that carries a given force, and what the contact is then."""
+"""The closure of a contact that carries a given force, and what the contact is then."""
 
 from __future__ import annotations
 
@@ -6,14 +6,14 @@ import math
 
 import numpy as np
 
-from assess.interfaces.kernel.moments import Table, upto, width, zone
+from assess.interfaces.kernel.moments import Table, integrate_zone, moments_upto, width
 from assess.kernel import compiled, entry, reachable
 from spectra.arrays import FloatArray, IntArray
 
 Given = tuple[float, float, float]  # stiffness k [Pa/m], strength f [Pa], rotation phi [rad]
 # columns of `found` [n, 9], as the attributes of `Contact`
-RESULTANT, SIDEWAYS, PIVOT, CLOSING, DEPTH, CRUSHED_DEPTH, PEAK_STRESS, OPEN_AREA, CRUSHED_AREA = range(9)
-# what `find` looks for: the closing that carries a force, the depth of a plastic block, of a triangle at the strength
+RESULTANT, ECCENTRICITY, CENTRE, CLOSURE, DEPTH, CRUSHED_DEPTH, PEAK_STRESS, OPEN_AREA, CRUSHED_AREA = range(9)
+# what `solve` looks for: the closing that carries a force, the depth of a plastic block, of a triangle at the strength
 FORCE, PLASTIC, CRUSHING = range(3)
 THIN = 1e-9
 """Fraction of the plastic depth: a thinner elastic zone is neglected; the error goes with the square of this."""
@@ -24,64 +24,64 @@ ROUNDING = 1e-15
 
 
 @compiled
-def extent(table: Table, given: Given, closing: float) -> tuple[float, float, float]:
-    """Return the depth crushed, the depth in contact, and the closing of the far edge, zero where it is open [m].
+def extent(table: Table, given: Given, closure: float) -> tuple[float, float, float]:
+    """Return the depth crushed, the depth in contact, and the closure of the far edge, zero where it is open [m].
 
     In a crushed contact the last makes the stress at a_2 equal the strength, however thin the elastic zone is.
     """
     k, f, phi = given
-    over = closing - phi * table[2]
-    a = table[2] if over >= 0.0 else closing / phi
-    if k * closing <= f:
+    over = closure - phi * table[2]
+    a = table[2] if over >= 0.0 else closure / phi
+    if k * closure <= f:
         return 0.0, a, max(over, 0.0)
-    a_2 = min((closing - f / k) / phi, a)
+    a_2 = min((closure - f / k) / phi, a)
     return a_2, a, max(f / k - phi * (a - a_2), 0.0) if over > 0.0 else 0.0
 
 
 @compiled
-def scale(given: Given, a_2: float, a: float, over: float) -> float:
+def stress_gradient(given: Given, a_2: float, a: float, over: float) -> float:
     """Return the gradient of stress over depth, k phi [Pa/m], in a form in which force and strength agree."""
     k, f, phi = given
     return f / (a - a_2) if a_2 > 0.0 and over == 0.0 else k * phi
 
 
 @compiled
-def by_closing(table: Table, given: Given, closing: float, hint: IntArray) -> tuple[float, float]:
-    """Return the force [N] and its derivative over the closing of the compressed edge."""
-    a_2, a, over = extent(table, given, closing)
-    elastic, _, f, _, _ = zone(table, a_2, a, hint)
-    return scale(given, a_2, a, over) * f + given[0] * over * table[3], given[0] * elastic
+def force_at_closure(table: Table, given: Given, closure: float, hint: IntArray) -> tuple[float, float]:
+    """Return the force [N] and its derivative over the closure of the compressed edge."""
+    a_2, a, over = extent(table, given, closure)
+    elastic, _, f, _, _ = integrate_zone(table, a_2, a, hint)
+    return stress_gradient(given, a_2, a, over) * f + given[0] * over * table[3], given[0] * elastic
 
 
 @compiled
-def by_plastic_depth(table: Table, given: Given, z: float, hint: IntArray) -> tuple[float, float]:
+def area_at_depth(table: Table, given: Given, z: float, hint: IntArray) -> tuple[float, float]:
     """Return the area up to z [m2] and its derivative."""
-    return upto(table, z, hint[1])[0], width(table, z, hint[1])
+    return moments_upto(table, z, hint[1])[0], width(table, z, hint[1])
 
 
 @compiled
-def by_crushing_depth(table: Table, given: Given, z: float, hint: IntArray) -> tuple[float, float]:
+def force_at_crushing(table: Table, given: Given, z: float, hint: IntArray) -> tuple[float, float]:
     """Return force over strength [m2] for a triangle of stress up to z, and its derivative."""
-    _, s, f, _, _ = zone(table, 0.0, z, hint)
+    _, s, f, _, _ = integrate_zone(table, 0.0, z, hint)
     return f / z, s / z**2
 
 
 @compiled
-def rising(which: int, table: Table, given: Given, x: float, hint: IntArray) -> tuple[float, float]:
+def evaluate(which: int, table: Table, given: Given, x: float, hint: IntArray) -> tuple[float, float]:
     """Return one of the functions above, all of which increase, and its derivative.
 
     It is chosen by a number: numba caches no entry point that takes functions, and closures of one factory share a
     name, so that of two cached entry points the one loaded second would be taken for the first.
     """
     if which == FORCE:
-        return by_closing(table, given, x, hint)
+        return force_at_closure(table, given, x, hint)
     if which == PLASTIC:
-        return by_plastic_depth(table, given, x, hint)
-    return by_crushing_depth(table, given, x, hint)
+        return area_at_depth(table, given, x, hint)
+    return force_at_crushing(table, given, x, hint)
 
 
 @reachable
-def find(which: int, table: Table, given: Given, target: float, start: float, high: float, hint: IntArray) -> float:
+def solve(which: int, table: Table, given: Given, target: float, start: float, high: float, hint: IntArray) -> float:
     """Return where one of the functions reaches a target between 0 and `high`.
 
     Newton's method inside a bracket that only shrinks. Far from the target its steps are taken in logarithms, in which
@@ -89,7 +89,7 @@ def find(which: int, table: Table, given: Given, target: float, start: float, hi
     """
     low, x, step = 0.0, start, high
     for _ in range(200):
-        value, rate = rising(which, table, given, x, hint)
+        value, rate = evaluate(which, table, given, x, hint)
         if value > target:
             high = x
         else:
@@ -107,8 +107,8 @@ def find(which: int, table: Table, given: Given, target: float, start: float, hi
 
 
 @reachable
-def closing(table: Table, given: Given, force: float, plastic: float, near: float, hint: IntArray) -> float:
-    """Return the closing of the compressed edge under a force [m].
+def find_closure(table: Table, given: Given, force: float, plastic: float, near: float, hint: IntArray) -> float:
+    """Return the closure of the compressed edge under a force [m].
 
     plastic: depth of the plastic block [m]; near: a first guess, or nan.
     """
@@ -120,7 +120,7 @@ def closing(table: Table, given: Given, force: float, plastic: float, near: floa
     most, start = force / (k * area) + phi * depth, linear
     if f < math.inf:
         most, start = f / k + phi * depth, min(phi * plastic + 0.5 * f / k, linear)
-    return find(FORCE, table, given, force, near if 0.0 < near < most else start, most, hint)
+    return solve(FORCE, table, given, force, near if 0.0 < near < most else start, most, hint)
 
 
 @reachable
@@ -128,9 +128,9 @@ def rigid(table: Table, given: Given, plastic: float, found: FloatArray) -> None
     """Fill `found` [9] with the contact of a joint without elastic zone."""
     found[:] = 0.0
     if plastic > 0.0:
-        crushed, first, side = upto(table, plastic, 0)
-        found[RESULTANT], found[SIDEWAYS], found[CRUSHED_AREA] = first / crushed, side / crushed, crushed
-    found[PIVOT], found[CLOSING], found[DEPTH], found[CRUSHED_DEPTH] = plastic, given[2] * plastic, plastic, plastic
+        crushed, first, side = moments_upto(table, plastic, 0)
+        found[RESULTANT], found[ECCENTRICITY], found[CRUSHED_AREA] = first / crushed, side / crushed, crushed
+    found[CENTRE], found[CLOSURE], found[DEPTH], found[CRUSHED_DEPTH] = plastic, given[2] * plastic, plastic, plastic
     found[PEAK_STRESS], found[OPEN_AREA] = given[1], table[3] - found[CRUSHED_AREA]
 
 
@@ -140,13 +140,13 @@ def elastic(table: Table, given: Given, u: float, hint: IntArray, found: FloatAr
     k, f, _ = given
     _, _, depth, area, centroid = table
     a_2, a, over = extent(table, given, u)
-    da, ds, force, moment, moment_side = zone(table, a_2, a, hint)
-    per, end = scale(given, a_2, a, over), k * over * area
+    da, ds, force, moment, moment_side = integrate_zone(table, a_2, a, hint)
+    per, end = stress_gradient(given, a_2, a, over), k * over * area
     force = per * force + end
-    found[RESULTANT], found[SIDEWAYS] = (per * moment + end * centroid) / force, per * moment_side / force
-    found[PIVOT] = min(max(ds / da, a_2), a) if da > 0.0 else a
-    found[CLOSING], found[DEPTH], found[CRUSHED_DEPTH], found[PEAK_STRESS] = u, a, a_2, min(k * u, f)
-    found[CRUSHED_AREA] = upto(table, a_2, hint[0])[0] if a_2 > 0.0 else 0.0
+    found[RESULTANT], found[ECCENTRICITY] = (per * moment + end * centroid) / force, per * moment_side / force
+    found[CENTRE] = min(max(ds / da, a_2), a) if da > 0.0 else a
+    found[CLOSURE], found[DEPTH], found[CRUSHED_DEPTH], found[PEAK_STRESS] = u, a, a_2, min(k * u, f)
+    found[CRUSHED_AREA] = moments_upto(table, a_2, hint[0])[0] if a_2 > 0.0 else 0.0
     found[OPEN_AREA] = max(area - found[CRUSHED_AREA] - da, 0.0) if a < depth else 0.0
 
 
@@ -163,18 +163,18 @@ def touch(table: Table, k: float, f: float, force: FloatArray, phi: FloatArray, 
         given = (k, f, phi[n])
         if f < math.inf and force[n] != last:
             last = force[n]
-            plastic = find(PLASTIC, table, given, last / f, depth * last / (f * area), depth, hint)
+            plastic = solve(PLASTIC, table, given, last / f, depth * last / (f * area), depth, hint)
         if k == math.inf or f <= THIN * k * phi[n] * plastic:
             rigid(table, given, plastic, found[n])
         else:
             near = math.nan
             if n > 0 and phi[n - 1] > 0.5 * phi[n]:
-                near = found[n - 1, CLOSING] + found[n - 1, PIVOT] * (phi[n] - phi[n - 1])
-            elastic(table, given, closing(table, given, force[n], plastic, near, hint), hint, found[n])
+                near = found[n - 1, CLOSURE] + found[n - 1, CENTRE] * (phi[n] - phi[n - 1])
+            elastic(table, given, find_closure(table, given, force[n], plastic, near, hint), hint, found[n])
 
 
 @entry
 def crushing_depth(table: Table, share: float) -> float:
     """Return the depth of partial contact at which the edge starts to crush [m]; share: force over strength [m2]."""
     hint = np.zeros(2, dtype=np.int64)
-    return find(CRUSHING, table, (0.0, 0.0, 0.0), share, table[2], table[2], hint)
+    return solve(CRUSHING, table, (0.0, 0.0, 0.0), share, table[2], table[2], hint)

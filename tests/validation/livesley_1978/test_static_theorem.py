@@ -15,9 +15,9 @@ import pytest
 from scipy.optimize import linprog
 
 from assess.errors import MechanismError
-from assess.mechanisms.arch import weakest
+from assess.mechanisms.arch import weakest_hinges
 from assess.mechanisms.chain import Block
-from assess.mechanisms.statics import verge
+from assess.mechanisms.statics import incipient_motion
 from assess.project.build import build
 from assess.project.schema import load
 
@@ -105,7 +105,7 @@ ARCHES = {
 def test_least_mechanism_is_the_largest_balanced_multiplier(voussoirs, joints):
     expected = largest_multiplier(voussoirs, joints)
     assert expected > 0.01
-    assert weakest(voussoirs, joints, name="arch").multiplier == pytest.approx(expected, rel=1e-9)
+    assert weakest_hinges(voussoirs, joints, name="arch").multiplier == pytest.approx(expected, rel=1e-9)
 
 
 def test_the_other_way_too():
@@ -115,7 +115,7 @@ def test_the_other_way_too():
         image = [Block(each.mass, (-each.centroid[0], each.centroid[1]), 1.0) for each in voussoirs[::-1]]
         turned = [tuple((-x, z) for x, z in joint) for joint in joints[::-1]]
         expected = largest_multiplier(image, turned)
-        assert weakest(image, turned, name="arch").multiplier == pytest.approx(expected, rel=1e-9)
+        assert weakest_hinges(image, turned, name="arch").multiplier == pytest.approx(expected, rel=1e-9)
         assert abs(expected / largest_multiplier(voussoirs, joints) - 1) > 1e-3
 
 
@@ -125,7 +125,7 @@ def test_an_arch_that_does_not_stand_is_refused(thickness):
     voussoirs, joints = ring(24, thickness=thickness, opening=180)
     assert largest_multiplier(voussoirs, joints) is None
     with pytest.raises(MechanismError, match='"arch": already falling: its own weight opens joints'):
-        weakest(voussoirs, joints, name="arch")
+        weakest_hinges(voussoirs, joints, name="arch")
 
 
 def test_an_arch_that_barely_stands():
@@ -133,7 +133,7 @@ def test_an_arch_that_barely_stands():
     voussoirs, joints = ring(48, thickness=0.109, opening=180)
     expected = largest_multiplier(voussoirs, joints)
     assert 0.0 < expected < 0.01
-    assert weakest(voussoirs, joints, name="arch").multiplier == pytest.approx(expected, rel=1e-7)
+    assert weakest_hinges(voussoirs, joints, name="arch").multiplier == pytest.approx(expected, rel=1e-7)
 
 
 def test_arch_of_a_project_beside_the_programme_on_its_profile(tmp_path):
@@ -156,7 +156,9 @@ restitution = 0.8
 joints = [{lines}]
 """)
     (mechanism,) = build(load(tmp_path)).mechanisms
-    assert verge(mechanism.positive).multiplier == pytest.approx(largest_multiplier(voussoirs, joints), rel=1e-9)
+    assert incipient_motion(mechanism.positive).multiplier == pytest.approx(
+        largest_multiplier(voussoirs, joints), rel=1e-9
+    )
     image = [Block(each.mass, (-each.centroid[0], each.centroid[1]), 1.0) for each in voussoirs[::-1]]
     turned = [tuple((-x, z) for x, z in joint) for joint in joints[::-1]]
-    assert verge(mechanism.negative).multiplier == pytest.approx(largest_multiplier(image, turned), rel=1e-9)
+    assert incipient_motion(mechanism.negative).multiplier == pytest.approx(largest_multiplier(image, turned), rel=1e-9)

@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 
 from assess.errors import ProjectError
-from assess.mechanisms.arch import weakest
-from assess.mechanisms.chain import Block, mirrored
+from assess.mechanisms.arch import weakest_hinges
+from assess.mechanisms.chain import Block, mirror_point
 from assess.mechanisms.oscillation import oscillator
 from assess.oscillator import multiplier
 from assess.project.build import build
@@ -36,25 +36,25 @@ def arch(count):
 
 @pytest.mark.parametrize(("count", "published", "digits"), [(7, 0.370, 5e-4), (8, 0.3538, 5e-5), (16, 0.3538, 5e-5)])
 def test_least_multiplier_of_analytic_voussoirs(count, published, digits):
-    assert weakest(*arch(count), name="arch").multiplier == pytest.approx(published, abs=digits)
+    assert weakest_hinges(*arch(count), name="arch").multiplier == pytest.approx(published, abs=digits)
 
 
 @pytest.mark.parametrize(("count", "joints"), [(7, (0, 3, 5, 7)), (8, (0, 3, 6, 8)), (16, (0, 6, 12, 16))])
 def test_hinges_alternate_between_intrados_and_extrados_from_springing_to_springing(count, joints):
-    found = weakest(*arch(count), name="arch")
+    found = weakest_hinges(*arch(count), name="arch")
     assert found.joints == joints
     assert [float(np.hypot(*at)) for at in found.hinges] == pytest.approx([INNER, OUTER, INNER, OUTER], rel=1e-12)
 
 
 def test_more_joints_never_make_it_stronger():
-    values = [weakest(*arch(count), name="arch").multiplier for count in (4, 8, 16, 32)]
+    values = [weakest_hinges(*arch(count), name="arch").multiplier for count in (4, 8, 16, 32)]
     assert values == sorted(values, reverse=True)
 
 
 def test_choices_looked_at_in_portions_are_all_looked_at(monkeypatch):
-    whole = weakest(*arch(16), name="arch")
+    whole = weakest_hinges(*arch(16), name="arch")
     monkeypatch.setattr("assess.mechanisms.arch.AT_ONCE", 7)
-    assert weakest(*arch(16), name="arch") == whole
+    assert weakest_hinges(*arch(16), name="arch") == whole
 
 
 @pytest.mark.parametrize("count", [81, 10_000])
@@ -70,8 +70,8 @@ def test_more_voussoirs_than_can_be_searched_are_refused(tmp_path, count):
 
 def test_the_order_of_the_ends_of_joints_does_not_matter():
     voussoirs, joints = arch(7)
-    turned = weakest(voussoirs, [joint[::-1] for joint in joints], name="arch")
-    assert turned == weakest(voussoirs, joints, name="arch")
+    turned = weakest_hinges(voussoirs, [joint[::-1] for joint in joints], name="arch")
+    assert turned == weakest_hinges(voussoirs, joints, name="arch")
 
 
 def ring(*, pieces=280):
@@ -107,7 +107,7 @@ def profile_of():
 def test_profile_of_a_project_file(tmp_path, count, published, digits):
     mechanism = project(tmp_path, count, body=profile_of())
     rocker = oscillator(mechanism)
-    analytic = weakest(*arch(count), name="arch")
+    analytic = weakest_hinges(*arch(count), name="arch")
     for side in rocker.branches:
         assert multiplier(side)[0] == pytest.approx(published, abs=digits)
         assert multiplier(side)[0] == pytest.approx(analytic.multiplier, rel=1e-4)  # chords for arcs
@@ -135,9 +135,9 @@ def test_mesh_of_a_project_file_in_another_place_and_direction(tmp_path):
     body = 'mesh = "arch.obj"\nmesh_unit = "mm"'
     mechanism = project(tmp_path, 7, body=body, direction="[0, 2, 0]", centre="[3.0, 1.5]")
     assert multiplier(oscillator(mechanism).positive)[0] == pytest.approx(0.370, abs=1e-3)
-    expected = [(x + 3.0, z + 1.5) for x, z in weakest(*arch(7), name="arch").hinges]
+    expected = [(x + 3.0, z + 1.5) for x, z in weakest_hinges(*arch(7), name="arch").hinges]
     np.testing.assert_allclose(mechanism.positive.hinges, expected, rtol=0.0, atol=1e-5)
-    back = [(x - 3.0, z + 1.5) for x, z in weakest(*arch(7), name="arch").hinges]
+    back = [(x - 3.0, z + 1.5) for x, z in weakest_hinges(*arch(7), name="arch").hinges]
     np.testing.assert_allclose(mechanism.negative.hinges, back, rtol=0.0, atol=1e-5)
 
 
@@ -145,9 +145,11 @@ def test_the_weakest_mirrors_with_the_arch():
     """A lopsided arch: heavier to the right; to be pushed to the left is to push its mirror image to the right."""
     voussoirs, joints = arch(9)
     heavy = [Block(each.mass * (1 + k / 9), each.centroid, each.inertia) for k, each in enumerate(voussoirs)]
-    image = [Block(each.mass, mirrored(each.centroid), each.inertia) for each in heavy[::-1]]
-    flipped = [(mirrored(a), mirrored(b)) for a, b in joints[::-1]]
-    assert weakest(heavy, joints, name="a").multiplier != pytest.approx(weakest(image, flipped, name="a").multiplier)
+    image = [Block(each.mass, mirror_point(each.centroid), each.inertia) for each in heavy[::-1]]
+    flipped = [(mirror_point(a), mirror_point(b)) for a, b in joints[::-1]]
+    assert weakest_hinges(heavy, joints, name="a").multiplier != pytest.approx(
+        weakest_hinges(image, flipped, name="a").multiplier
+    )
 
 
 def test_joints_of_a_wrong_centre_are_told_and_blamed(tmp_path):

@@ -14,10 +14,10 @@ from scipy.constants import g
 
 from assess.dynamics.history import peaks, product
 from assess.geometry.planar import planar_body_from_values
-from assess.interfaces.law import Law
+from assess.interfaces.law import JointLaw
 from assess.interfaces.shapes import rectangle
 from assess.loads.load import Force
-from assess.mechanisms.assembly import on_joints
+from assess.mechanisms.assembly import add_joints
 from assess.mechanisms.chain import Block
 from assess.mechanisms.four_hinge import four_hinge
 from assess.mechanisms.joint import Joint
@@ -47,9 +47,9 @@ def standing(rigid, beds, *, stiffness, model):
     """The mechanism on joints [(way, depth, length)], or as it is."""
     if model == "rigid":
         return oscillator(rigid)
-    joints = tuple(Joint((float(w), 0.0), rectangle(d, n), Law(stiffness, F_M), model) for w, d, n in beds)
+    joints = tuple(Joint((float(w), 0.0), rectangle(d, n), JointLaw(stiffness, F_M), model) for w, d, n in beds)
     choice = rigid.restitution if rigid.restitution_source == "given" else ("thesis", "thesis")
-    return oscillator(on_joints(rigid, joints, joints, restitution=choice))
+    return oscillator(add_joints(rigid, joints, joints, restitution=choice))
 
 
 def wall(stiffness, model, *, slenderness=None):

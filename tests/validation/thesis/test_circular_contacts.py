@@ -15,13 +15,13 @@ from scipy.integrate import dblquad, quad
 from scipy.optimize import brentq
 
 from assess.interfaces.contact import contact, semi_flexible_shift, thresholds
-from assess.interfaces.law import Law
+from assess.interfaces.law import JointLaw
 from assess.interfaces.shapes import annulus, circle
 
 EXACT = 1e-12
 BY_QUADRATURE = 1e-9
 K, F = 3.4e8, 1.28e6
-LAW = Law(K, F)
+LAW = JointLaw(K, F)
 R = 0.75  # solid [m]
 OUTER = 3.99  # hollow [m]; 0.53 of it is the hole of the Dharahara tower
 RATIOS = [0.53, 0.8, 0.95]
@@ -98,7 +98,7 @@ def shift(a):
 def test_circle_in_partial_contact(a):
     W = 0.3 * F * pi * R**2
     phi = W / (K * carried(a, R))  # 6.19
-    a_f, depth, _ = touch(circle(2 * R), W, phi, law=Law(K))
+    a_f, depth, _ = touch(circle(2 * R), W, phi, law=JointLaw(K))
     assert depth == pytest.approx(a, rel=EXACT, abs=0.0)
     assert a_f == pytest.approx(shift(a), rel=1e-10, abs=0.0)  # of its own terms 6.20 loses some digits at small depths
 
@@ -106,7 +106,7 @@ def test_circle_in_partial_contact(a):
 @pytest.mark.parametrize("share", [0.01, 0.3, 0.6])
 def test_circle_all_plastic(share):
     W = share * F * pi * R**2
-    a_f, _, a_lim = touch(circle(2 * R), W, 0.01, law=Law(strength=F))
+    a_f, _, a_lim = touch(circle(2 * R), W, 0.01, law=JointLaw(strength=F))
     psi = arccos((R - a_lim) / R)
     assert F * segment(psi, R) == pytest.approx(W, rel=EXACT, abs=0.0)  # 6.21
     assert R - a_f == pytest.approx(plastic_centre(psi), rel=1e-11, abs=0.0)  # 6.24
@@ -233,7 +233,7 @@ def test_tube_in_partial_contact(ratio):
     W = 0.3 * F * section.area
     for a in depths(ratio):
         phi = W / (K * carried_by_tube(a, ratio))  # 6.35
-        a_f, depth, _ = touch(section, W, phi, law=Law(K))
+        a_f, depth, _ = touch(section, W, phi, law=JointLaw(K))
         assert depth == pytest.approx(a, rel=1e-11, abs=0.0)
         assert a_f == pytest.approx(shift_of_tube(a, ratio, K * phi / W), rel=1e-9, abs=0.0)
 
@@ -254,7 +254,7 @@ def test_resultant_of_a_tube_in_partial_contact_is_misprinted():
 def test_tube_all_plastic(ratio, share):
     section = tube(ratio)
     W = share * F * section.area
-    a_f, _, a_lim = touch(section, W, 0.01, law=Law(strength=F))
+    a_f, _, a_lim = touch(section, W, 0.01, law=JointLaw(strength=F))
     psi_O, psi_I = psis(a_lim, ratio)
     assert F * (segment(psi_O, OUTER) - segment(psi_I, OUTER * ratio)) == pytest.approx(W, rel=1e-11, abs=0.0)  # 6.37
     x_2 = 2 * F / (3 * W) * (OUTER**3 * sin(psi_O) ** 3 - (OUTER * ratio) ** 3 * sin(psi_I) ** 3)  # 6.39
@@ -329,7 +329,7 @@ def by_6_22(section, ratio, W, phi):
     """The resultant with the plastic depth of 6.22 and the elastic depth that then carries the rest [m]."""
     radius = section.depth / 2
     crushing = thresholds(section, LAW, normal_force=W)[1]
-    a_lim = touch(section, W, 1.0, law=Law(strength=F))[2]
+    a_lim = touch(section, W, 1.0, law=JointLaw(strength=F))[2]
     a_2 = (phi - crushing) / phi * a_lim
     scale = radius / OUTER
     psi_O, psi_I = psis(a_2 / scale, ratio)

@@ -19,7 +19,7 @@ import pytest
 from scipy.constants import g
 from scipy.optimize import brentq
 
-from assess.mechanisms.chain import Block, Chain, mirrored_chain
+from assess.mechanisms.chain import Block, Chain, mirror_chain
 from assess.mechanisms.table import branch
 from assess.mechanisms.virtual_work import virtual_work
 from assess.oscillator import linearise
@@ -140,7 +140,7 @@ class Frame:
     @property
     def chain(self):
         """As the branch sees it."""
-        return Chain(self.blocks, self.hinges) if self.turn > 0 else mirrored_chain(self.blocks, self.hinges)
+        return Chain(self.blocks, self.hinges) if self.turn > 0 else mirror_chain(self.blocks, self.hinges)
 
 
 def rectangle(x, z, width, height, *, density=2000.0):

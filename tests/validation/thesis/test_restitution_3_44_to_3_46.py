@@ -14,7 +14,7 @@ import pytest
 
 from assess.geometry.planar import PlanarBody, planar_body
 from assess.geometry.solid import box
-from assess.mechanisms.chain import mirrored
+from assess.mechanisms.chain import mirror_point
 from assess.mechanisms.four_hinge import four_hinge
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.two_block import two_block
@@ -157,11 +157,11 @@ def test_four_hinges_by_impulses():
 
 def test_restitution_mirrors_with_the_mechanism():
     flipped = tuple(flip(each) for each in PORTAL)
-    ahead, behind = (tuple(mirrored(hinge) for hinge in hinges) for hinges in (BACK, FRONT))
+    ahead, behind = (tuple(mirror_point(hinge) for hinge in hinges) for hinges in (BACK, FRONT))
     one = four_hinge("p", PORTAL, hinges=FRONT, hinges_negative=BACK).restitution
     two = four_hinge("p", flipped, hinges=ahead, hinges_negative=behind).restitution
     assert one == pytest.approx(two[::-1], rel=1e-13)
 
 
 def flip(each: PlanarBody) -> PlanarBody:
-    return replace(each, centroid=mirrored(each.centroid), outline=(), base=None)
+    return replace(each, centroid=mirror_point(each.centroid), outline=(), base=None)

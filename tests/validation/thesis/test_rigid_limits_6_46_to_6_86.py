@@ -18,7 +18,7 @@ from scipy.integrate import solve_ivp
 from assess.dynamics.history import free_rocking
 from assess.geometry.planar import planar_body_from_values
 from assess.loads.load import Force
-from assess.mechanisms.chain import Block, Chain, mirrored_chain
+from assess.mechanisms.chain import Block, Chain, mirror_chain
 from assess.mechanisms.four_hinge import four_hinge
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.two_block import two_block
@@ -287,7 +287,7 @@ def frames(shift=0.0):
 def test_asymmetric_frame_6_73_to_6_79(which, shift):
     frame = frames(shift)[which]
     phi = frame.sign * ROTATION
-    of = Chain if frame.sign > 0 else mirrored_chain
+    of = Chain if frame.sign > 0 else mirror_chain
     work = virtual_work(of(frame.blocks, frame.hinges), ROTATION)
     same(work.inertia, frame.inertia(phi))
     same(work.weight, frame.sign * slope(frame.potential, phi))

@@ -13,10 +13,10 @@ import pytest
 from scipy.constants import g
 
 from assess.geometry.planar import planar_body_from_values
-from assess.interfaces.law import Law
+from assess.interfaces.law import JointLaw
 from assess.interfaces.shapes import rectangle
 from assess.loads.load import Force
-from assess.mechanisms.assembly import on_joints
+from assess.mechanisms.assembly import add_joints
 from assess.mechanisms.chain import Block
 from assess.mechanisms.flexible import FlexibleChain
 from assess.mechanisms.four_hinge import four_hinge
@@ -40,7 +40,7 @@ def body(block):
 
 
 def bed(way, depth, stiffness):
-    return Joint((float(way), 0.0), rectangle(depth, 1.0), Law(stiffness, F_M), "semi-flexible")
+    return Joint((float(way), 0.0), rectangle(depth, 1.0), JointLaw(stiffness, F_M), "semi-flexible")
 
 
 def a_SF(N):
@@ -63,7 +63,7 @@ def test_single_block_6_55_to_6_60(stiffness):
     eta = 1 - 2 * M * R_P**2 / I_SF * sin(alpha_P) ** 2  # 6.60
     rigid = single_block("w", body(block), hinge=(0.5, 0.0), hinge_negative=(-0.5, 0.0))
     joints = (bed(-1, 1.0, stiffness),)
-    found = on_joints(rigid, joints, joints, restitution=("thesis", "thesis"))
+    found = add_joints(rigid, joints, joints, restitution=("thesis", "thesis"))
     assert found.restitution == pytest.approx((eta, eta), rel=1e-12)
     assert found.restitution[0] > rigid.restitution[0]
     side = oscillator(found).positive
@@ -83,8 +83,8 @@ def test_two_blocks_6_66_and_6_67(stiffness):
     load = (Force("overburden", (0.0, -F), (0.2, 3.0), 1),)
     rigid = replace(rigid, positive=replace(rigid.positive, loads=load), negative=replace(rigid.negative, loads=load))
     joints = tuple(bed(way, 0.4, stiffness) for way in (-1, 1, -1))
-    found = on_joints(rigid, joints, joints, restitution=("thesis", "thesis"))
-    fixed = FlexibleChain(found.positive, "w").fixed.hinges
+    found = add_joints(rigid, joints, joints, restitution=("thesis", "thesis"))
+    fixed = FlexibleChain(found.positive, "w").fixed_hinge_chain.hinges
     np.testing.assert_allclose(fixed, ((0.2 - a, 0.0), (-0.2 + b, 2.0), (0.2 - c, 3.0)), rtol=1e-12)
 
     (R1, a1), (R12, a12), (R2, a2) = polar(0.2 - a, 1.0), polar(0.4 - a - b, 2.0), polar(0.2 - b, 0.5)
@@ -102,7 +102,7 @@ def test_two_blocks_6_66_and_6_67(stiffness):
     rate = R12 * np.cos(a12 - PHI) / (span * np.sin(turned))
     crossed = np.cos(a12 - PHI + a2 - phi2)
     I_SF = I1 + m1 * R1**2 + I2 * rate**2 + m2 * (R2**2 * rate**2 + R12**2 - 2 * R12 * R2 * crossed * rate)  # 6.66
-    np.testing.assert_allclose(FlexibleChain(found.positive, "w").held(PHI).work.inertia, I_SF, rtol=1e-9)
+    np.testing.assert_allclose(FlexibleChain(found.positive, "w").solve_equilibrium(PHI).work.inertia, I_SF, rtol=1e-9)
 
 
 @STIFFNESS
@@ -115,11 +115,11 @@ def test_symmetric_frame_6_71_and_6_72(stiffness):
                        hinges=((0.8, 0.0), (0.0, 4.0), (3.8, 4.0), (4.6, 0.0)),
                        hinges_negative=((0.0, 0.0), (0.8, 4.0), (4.6, 4.0), (3.8, 0.0)))  # fmt: skip
     joints = tuple(bed(way, 0.8, stiffness) for way in (-1, 1, 1, -1))
-    found = on_joints(rigid, joints, joints, restitution=("thesis", "thesis"))
+    found = add_joints(rigid, joints, joints, restitution=("thesis", "thesis"))
     (R1, a1), (R12, a12) = polar(0.4 - a, 2.0), polar(0.8 - a - b, 4.0)
     I_SF = 2 * (I1 + m1 * R1**2 + m2 * R12**2 / 2)  # 6.71
     over = I1 + m1 * R1**2 * (1 - 2 * sin(a1) ** 2) + m2 * R12**2 / 2 * (1 - 2 * sin(a12) ** 2)
     eta = over / (I1 + m1 * R1**2 + m2 * R12**2 / 2)  # 6.72
     assert found.restitution == pytest.approx((eta, eta), rel=1e-12)
     assert found.restitution[0] > rigid.restitution[0]
-    np.testing.assert_allclose(FlexibleChain(found.positive, "p").held(PHI).work.inertia, I_SF, rtol=1e-9)
+    np.testing.assert_allclose(FlexibleChain(found.positive, "p").solve_equilibrium(PHI).work.inertia, I_SF, rtol=1e-9)

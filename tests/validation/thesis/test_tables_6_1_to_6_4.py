@@ -15,12 +15,12 @@ from scipy.optimize import brentq
 
 from assess.loads.load import Force
 from assess.mechanisms.chain import Block, Chain
-from assess.mechanisms.statics import verge
+from assess.mechanisms.statics import incipient_motion
 
 
 def vertical(chain):
     """Forces up of the hinges on the block above, of D on the ground [N], and on D's block then."""
-    up = verge(chain).forces[:, 1]
+    up = incipient_motion(chain).forces[:, 1]
     return np.append(up[:-1], -up[-1]) if len(chain.blocks) == 3 else up
 
 
@@ -65,7 +65,7 @@ def test_halves_of_tables_6_2_and_6_3_by_moments_of_the_beam():
     """Elsewhere: F_3 (x_C - x_B) = W_2 (x_G - x_B) + lambda W_2 (z_G - z_B)."""
     W1, W2, W3 = 40000.0, 90000.0, 70000.0
     chain = frame(W1, W2, W3, over=(2.3, 4.35))
-    far = (W2 * 2.3 + verge(chain).multiplier * W2 * 0.35) / 3.8
+    far = (W2 * 2.3 + incipient_motion(chain).multiplier * W2 * 0.35) / 3.8
     np.testing.assert_allclose(np.abs(vertical(chain)), [W1 + W2 - far, W2 - far, far, W3 + far], rtol=1e-12)
 
 
@@ -77,10 +77,10 @@ def vault(wall):
 
 def test_table_6_4_side_aisle_vault():
     """Holds for equal halves without shear at the apex: for the wall whose vault pushes it over by itself."""
-    wall = brentq(lambda mass: verge(vault(mass)).multiplier, 1e2, 1e6, xtol=1e-9, rtol=1e-15)
+    wall = brentq(lambda mass: incipient_motion(vault(mass)).multiplier, 1e2, 1e6, xtol=1e-9, rtol=1e-15)
     W1 = W2 = 2500.0 * g
     T = W1 * 1.15 / 1.3  # half the vault about A, thrust at the apex
-    forces = verge(vault(wall)).forces
+    forces = incipient_motion(vault(wall)).forces
     np.testing.assert_allclose(forces[:, 1], [W1, 0.0, -W2, -(W2 + wall * g)], rtol=1e-9, atol=1e-6)
     np.testing.assert_allclose(np.abs(forces[:, 0]), T, rtol=1e-9)
     assert wall * g * (6.2 - 5.5) + W2 * 1.2 == pytest.approx(T * 7.0, rel=1e-9)  # the wall about D
@@ -89,8 +89,8 @@ def test_table_6_4_side_aisle_vault():
 def test_table_6_4_has_shear_at_the_apex_where_the_ground_shakes():
     W = 2500.0 * g
     chain = vault(40000.0)
-    multiplier, shear = verge(chain).multiplier, verge(chain).forces[1, 1]
+    multiplier, shear = incipient_motion(chain).multiplier, incipient_motion(chain).forces[1, 1]
     assert multiplier > 0.05
-    a, _, c, d = np.abs(verge(chain).forces[:, 1])
+    a, _, c, d = np.abs(incipient_motion(chain).forces[:, 1])
     np.testing.assert_allclose([a, c, d], [W + shear, W - shear, W - shear + 40000.0 * g], rtol=1e-12)
     assert abs(shear) > 0.01 * W

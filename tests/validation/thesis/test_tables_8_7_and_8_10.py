@@ -18,15 +18,15 @@ from scipy.constants import g
 from assess.codes.context import Context
 from assess.codes.registry import CodeOptions, procedure
 from assess.geometry.planar import planar_body_from_values
-from assess.interfaces.law import Law
+from assess.interfaces.law import JointLaw
 from assess.interfaces.shapes import rectangle
-from assess.mechanisms.assembly import on_joints
+from assess.mechanisms.assembly import add_joints
 from assess.mechanisms.joint import Joint
 from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block
 from spectra.asce7 import design_spectrum
 
-DENSITY, JOINT = 2240.0, Law(stiffness=1e10, strength=1e6)  # Table 8.1; 6.89 GPa / 0.69 m is about 10 GPa/m
+DENSITY, JOINT = 2240.0, JointLaw(stiffness=1e10, strength=1e6)  # Table 8.1; 6.89 GPa / 0.69 m is about 10 GPa/m
 ASCE, ITALIAN = "asce43-05-spectrum-thesis", "dmi2008-nonlinear-thesis"
 
 # Table 8.2: R0 [m], lambda [rad]; Table 8.7: PGA [g] by ASCE 43-05, rigid and flexible, and the Italian code
@@ -53,7 +53,7 @@ def box(wall, *, law=JOINT, model="flexible"):
     if law is None:
         return oscillator(rigid)
     joints = (Joint((-1.0, 0.0), rectangle(b, 1.0), law, model),)
-    return oscillator(on_joints(rigid, joints, joints, restitution=("thesis", "thesis")))
+    return oscillator(add_joints(rigid, joints, joints, restitution=("thesis", "thesis")))
 
 
 def answer(name, rocker, *, level=0.3):

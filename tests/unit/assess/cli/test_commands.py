@@ -21,7 +21,7 @@ from assess.project.build import build
 from assess.project.schema import load
 from assess.results import Program, Resolved, Results
 from assess.results.json import dumps
-from assess.study import run as running
+from assess.study.parameters import parameters
 from tests.support.command import ended
 from tests.support.projects import block, project_toml, published
 
@@ -56,7 +56,7 @@ def check(procedure: str, verdict: str, ratio: float | None, *, level: float = 0
 
 def results_of(path: Path, *checks: Check, missing: tuple[Missing, ...] = ()) -> Results:
     """The first mechanism of the project with these checks, judged by ASCE 43-05 at 0.1 g."""
-    mechanisms = running.parameters(build(load(path)))
+    mechanisms = parameters(build(load(path)))
     first = replace(mechanisms[0], checks=checks)
     warnings = (
         Message("fc", Severity.WARNING, "procedures.dmi2008", "FC is 1.00"),

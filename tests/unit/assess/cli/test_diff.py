@@ -17,7 +17,7 @@ from assess.project.schema import load
 from assess.results import SCHEMA_VERSION, Input, Program, Resolved, Results
 from assess.results.diff import Change
 from assess.results.json import dumps
-from assess.study.run import parameters
+from assess.study.parameters import parameters
 from tests.support.command import ended
 from tests.support.projects import project_toml, published
 

@@ -11,9 +11,9 @@ from scipy.optimize import brentq
 
 from assess.codes.asce43_05.clauses import inertia_ratio, thesis_limit, thesis_limit_ratio
 from assess.geometry.planar import planar_body_from_values
-from assess.interfaces.law import Law
+from assess.interfaces.law import JointLaw
 from assess.interfaces.shapes import rectangle
-from assess.mechanisms.assembly import on_joints
+from assess.mechanisms.assembly import add_joints
 from assess.mechanisms.joint import Joint
 from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block
@@ -28,8 +28,8 @@ def wall(b, h, stiffness):
     rigid = single_block("w", body, hinge=(b / 2, 0.0), hinge_negative=(-b / 2, 0.0))
     if stiffness is None:
         return rigid
-    joint = (Joint((-1.0, 0.0), rectangle(b, L), Law(stiffness, inf), "flexible"),)
-    return on_joints(rigid, joint, joint, restitution=(0.9, 0.9))
+    joint = (Joint((-1.0, 0.0), rectangle(b, L), JointLaw(stiffness, inf), "flexible"),)
+    return add_joints(rigid, joint, joint, restitution=(0.9, 0.9))
 
 
 def limit_of(block):

@@ -102,7 +102,7 @@ def test_pieces_of_a_pulse_err_by_the_sixth_power(name: str, monkeypatch: pytest
     shape, counts, errors = SHAPES[name], np.array([12, 24, 48]), []
     for count in counts:
         monkeypatch.setattr(pulse_response, "PIECES", int(count))
-        pieces, width = pulse_response.polynomials(shape)
+        pieces, width = pulse_response.pulse_polynomials(shape)
         middle = sum(pieces[:, m] * (0.5 * width) ** m for m in range(6))
         theta = shape.start + width * (np.arange(len(pieces)) + 0.5)
         errors.append(np.abs(middle - shape.value(theta)).max())

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from assess.dynamics.critical import TIE, Band, critical
+from assess.dynamics.critical import TIE, Band, find_critical
 
 FREQUENCY = np.linspace(1.0, 5.0, 9)
 NAN = np.nan
@@ -15,7 +15,7 @@ def test_bands_meet_where_the_bounds_cross() -> None:
     """Exponentials, whose logarithms are lines, cross where (log a - log b) / (beta - alpha) says."""
     rates, sizes, crossings = (0.9, 0.5, 0.1), (1.0, 2.0, 9.0), (np.log(2.0) / 0.4, np.log(4.5) / 0.4)
     bounds = np.array([a * np.exp(rate * FREQUENCY) for a, rate in zip(sizes, rates, strict=True)])
-    found = critical(FREQUENCY, bounds)
+    found = find_critical(FREQUENCY, bounds)
     expected = [0 if f < crossings[0] else 1 if f < crossings[1] else 2 for f in FREQUENCY]
     assert found.mechanism.tolist() == expected
     assert [band.mechanism for band in found.bands] == [0, 1, 2]
@@ -30,7 +30,7 @@ def test_bands_meet_where_the_bounds_cross() -> None:
 
 def test_one_that_leads_twice_has_two_bands() -> None:
     bounds = np.array([np.ones(9), 1.0 + 0.5 * np.cos(np.pi * (FREQUENCY - 1.0) / 2.0)])
-    found = critical(FREQUENCY, bounds)
+    found = find_critical(FREQUENCY, bounds)
     assert [band.mechanism for band in found.bands] == [0, 1, 0]
     starts, ends = [band.start for band in found.bands], [band.end for band in found.bands]
     assert (starts[0], ends[-1], starts[1:]) == (1.0, 5.0, ends[:-1])
@@ -38,7 +38,7 @@ def test_one_that_leads_twice_has_two_bands() -> None:
 
 def test_ties_go_to_the_first_and_the_near_ones_are_told() -> None:
     bounds = np.array([[2.0], [2.0], [2.0 * (1 + TIE) * (1 - 1e-12)], [2.0 * (1 + TIE) * (1 + 1e-9)], [NAN]])
-    found = critical(np.array([1.0]), bounds)
+    found = find_critical(np.array([1.0]), bounds)
     assert (found.mechanism[0], found.runner_up[0], found.margin[0]) == (0, 1, 0.0)
     assert found.near[:, 0].tolist() == [True, True, True, False, False]
     assert found.bands == (Band(0, 1.0, 1.0),)
@@ -46,7 +46,7 @@ def test_ties_go_to_the_first_and_the_near_ones_are_told() -> None:
 
 def test_where_nothing_overturns_there_is_no_critical_one() -> None:
     bounds = np.array([[NAN, NAN, 3.0, 2.0], [NAN, NAN, NAN, 1.0]])
-    found = critical(np.array([1.0, 2.0, 3.0, 4.0]), bounds)
+    found = find_critical(np.array([1.0, 2.0, 3.0, 4.0]), bounds)
     assert found.mechanism.tolist() == [-1, -1, 0, 1]
     assert found.runner_up.tolist() == [-1, -1, -1, 0]
     np.testing.assert_array_equal(found.lower_bound, [NAN, NAN, 3.0, 1.0])
@@ -56,13 +56,13 @@ def test_where_nothing_overturns_there_is_no_critical_one() -> None:
 
 
 def test_never_anything() -> None:
-    found = critical(FREQUENCY, np.full((2, 9), NAN))
+    found = find_critical(FREQUENCY, np.full((2, 9), NAN))
     assert found.bands == (Band(None, 1.0, 5.0),)
     assert not found.near.any()
 
 
 def test_one_mechanism_has_no_rival() -> None:
-    found = critical(FREQUENCY, np.array([FREQUENCY]))
+    found = find_critical(FREQUENCY, np.array([FREQUENCY]))
     assert found.bands == (Band(0, 1.0, 5.0),)
     assert found.runner_up.tolist() == [-1] * 9
     assert np.isnan(found.margin).all()
@@ -73,7 +73,7 @@ def test_the_least_of_random_bounds_in_any_order(seed: int) -> None:
     rng = np.random.default_rng(seed)
     bounds = rng.uniform(1.0, 4.0, (6, 9))
     order = rng.permutation(6)
-    ours, theirs = critical(FREQUENCY, bounds), critical(FREQUENCY, bounds[order])
+    ours, theirs = find_critical(FREQUENCY, bounds), find_critical(FREQUENCY, bounds[order])
     np.testing.assert_array_equal(ours.mechanism, order[theirs.mechanism])
     np.testing.assert_array_equal(ours.margin, theirs.margin)
     assert [b.start for b in ours.bands] == pytest.approx([b.start for b in theirs.bands], rel=1e-12)

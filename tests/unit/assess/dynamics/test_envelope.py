@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.dynamics.envelope import MARGIN, Envelope, envelope, polarities, safe, threshold
+from assess.dynamics.envelope import MARGIN, Envelope, envelope, polarities, safe_amplitude, uplift_acceleration
 from assess.dynamics.packing import Equation
 from assess.dynamics.pulse_response import PulseJobs, outcomes
 from assess.errors import MechanismError
@@ -111,9 +111,9 @@ def test_nothing_overturned_by_pulses_that_are_too_weak(highest: float, equation
 
 
 def test_uplift_is_lambda_g() -> None:
-    assert threshold(BLOCK, "exact") == pytest.approx(g * np.tan(0.2), rel=1e-12)
-    assert threshold(UNLIKE, "exact") == pytest.approx(g * np.tan(0.14), rel=1e-12)
-    assert threshold(UNLIKE, "linearised") == pytest.approx(g * linearise(OTHER).multiplier, rel=1e-12)
+    assert uplift_acceleration(BLOCK, "exact") == pytest.approx(g * np.tan(0.2), rel=1e-12)
+    assert uplift_acceleration(UNLIKE, "exact") == pytest.approx(g * np.tan(0.14), rel=1e-12)
+    assert uplift_acceleration(UNLIKE, "linearised") == pytest.approx(g * linearise(OTHER).multiplier, rel=1e-12)
 
 
 def joint(softness: float = 0.05) -> Oscillator:
@@ -163,7 +163,7 @@ def test_froude_similarity(equation: Equation) -> None:
 def test_the_impulse_of_a_half_sine_that_a_linearised_block_stands() -> None:
     """2 A / w of the ground gives B / I times that velocity; p phi_ov reaches overturning: A = g lambda w / (2 p)."""
     form, frequency = linearise(ONE), np.array([1.0, 300.0])
-    found = safe(BLOCK, SHAPES["half-sine"], frequency, equation="linearised")
+    found = safe_amplitude(BLOCK, SHAPES["half-sine"], frequency, equation="linearised")
     needed = g * form.multiplier * 2 * np.pi * frequency / (2 * form.p)
     np.testing.assert_allclose(found, MARGIN * needed, rtol=1e-6)
     bound = envelope(BLOCK, SHAPES["half-sine"], frequency, needed * 1.1, equation="linearised").lower_bound
@@ -176,7 +176,7 @@ def test_the_impulse_of_a_half_sine_that_a_linearised_block_stands() -> None:
 def test_nothing_overturns_that_is_called_safe(body: Oscillator, shape: str, equation: Equation) -> None:
     """Up to ten times of it something does: it is no empty promise."""
     frequency = np.array([0.4, 0.8, 6.0])
-    weak = safe(body, SHAPES[shape], frequency, equation=equation)
+    weak = safe_amplitude(body, SHAPES[shape], frequency, equation=equation)
     for f, amplitude in zip(frequency, weak, strict=True):
         below = amplitude * np.linspace(0.02, 1.0, 60)
         assert not falls(body, equation, shape, float(f), np.r_[below, -below]).any()
@@ -189,7 +189,7 @@ def test_an_impact_that_adds_energy_lowers_what_is_safe() -> None:
     heavy = replace(ONE, inertia=4.0 * ONE.inertia, restitution=0.9)
     one = np.array([1.0])
     plain, gaining = (
-        safe(Oscillator(ONE, other, 1.0), SHAPES["sine"], one, equation="exact")[0] for other in (ONE, heavy)
+        safe_amplitude(Oscillator(ONE, other, 1.0), SHAPES["sine"], one, equation="exact")[0] for other in (ONE, heavy)
     )
     assert gaining == pytest.approx(plain / (0.9 * 2.0), rel=1e-12)
 

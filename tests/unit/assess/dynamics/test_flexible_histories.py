@@ -10,13 +10,13 @@ import pytest
 from scipy.constants import g
 from scipy.integrate import solve_ivp
 
-from assess.dynamics.canonical import canonical
+from assess.dynamics.canonical import canonical_form
 from assess.dynamics.history import free_rocking, peaks, product, trace
 from assess.geometry.planar import planar_body_from_values
-from assess.interfaces.law import Law
+from assess.interfaces.law import JointLaw
 from assess.interfaces.shapes import rectangle
 from assess.loads.load import Force
-from assess.mechanisms.assembly import on_joints
+from assess.mechanisms.assembly import add_joints
 from assess.mechanisms.joint import Joint
 from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block
@@ -25,14 +25,14 @@ from records.record import make_record
 
 B, H, L = 1.0, 6.0, 2.0
 MASS, J = 1800.0 * B * H * L, 1800.0 * B * H * L * (B**2 + H**2) / 12
-W, LAW = MASS * g, Law(2e8, 1.5e6)
+W, LAW = MASS * g, JointLaw(2e8, 1.5e6)
 
 
 def wall(*, model="flexible", loads=(), law=LAW) -> Oscillator:
     body = planar_body_from_values(mass=MASS, centroid=(0.0, H / 2), inertia=J, name="wall")
     rigid = single_block("w", body, hinge=(B / 2, 0.0), hinge_negative=(-B / 2, 0.0), loads=loads)
     joints = (Joint((-1.0, 0.0), rectangle(B, L), law, model),)
-    return oscillator(on_joints(rigid, joints, joints, restitution=(0.92, 0.92)))
+    return oscillator(add_joints(rigid, joints, joints, restitution=(0.92, 0.92)))
 
 
 BODIES = {
@@ -252,5 +252,5 @@ def test_a_kink_whose_two_nodes_differ_by_rounding_is_no_jump(body):
     restoring = body.positive.restoring.copy()
     restoring[twice + 1] += 1e-15 * restoring.max()
     rough = replace(body, positive=replace(body.positive, restoring=restoring))
-    np.testing.assert_array_equal(canonical(rough.positive).smooth, canonical(body.positive).smooth)
-    assert np.ptp(canonical(rough.positive).smooth[:, 0]) == 0
+    np.testing.assert_array_equal(canonical_form(rough.positive).smooth, canonical_form(body.positive).smooth)
+    assert np.ptp(canonical_form(rough.positive).smooth[:, 0]) == 0

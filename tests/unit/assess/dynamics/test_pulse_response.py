@@ -19,11 +19,11 @@ from scipy.optimize import brentq, minimize_scalar
 from assess.dynamics.envelope import envelope
 from assess.dynamics.kernel.events import REST
 from assess.dynamics.packing import Equation
-from assess.dynamics.pulse_response import PIECES, PulseJobs, outcomes, polynomials, prepared
+from assess.dynamics.pulse_response import PIECES, PulseJobs, make_solver, outcomes, pulse_polynomials
 from assess.geometry.planar import planar_body_from_values
-from assess.interfaces.law import Law
+from assess.interfaces.law import JointLaw
 from assess.interfaces.shapes import rectangle
-from assess.mechanisms.assembly import on_joints
+from assess.mechanisms.assembly import add_joints
 from assess.mechanisms.joint import Joint
 from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block
@@ -47,8 +47,8 @@ def wall() -> Oscillator:
     """6 m high, 1 m thick, on a joint of 0.2 GPa/m that crushes at 1.5 MPa."""
     body = planar_body_from_values(mass=21600.0, centroid=(0.0, 3.0), inertia=21600.0 * 37 / 12, name="wall")
     rigid = single_block("w", body, hinge=(0.5, 0.0), hinge_negative=(-0.5, 0.0))
-    joints = (Joint((-1.0, 0.0), rectangle(1.0, 2.0), Law(2e8, 1.5e6), "flexible"),)
-    return oscillator(on_joints(rigid, joints, joints, restitution=(0.92, 0.92)))
+    joints = (Joint((-1.0, 0.0), rectangle(1.0, 2.0), JointLaw(2e8, 1.5e6), "flexible"),)
+    return oscillator(add_joints(rigid, joints, joints, restitution=(0.92, 0.92)))
 
 
 PLAIN = plain_branch(SingleBlock(1.0, 1.0, 0.2, g / 4.0), restitution=0.85)
@@ -239,7 +239,7 @@ def test_outcomes_and_impacts_over_the_amplitude(system: str) -> None:
 @pytest.mark.parametrize("shape", SHAPES.values(), ids=SHAPES)
 def test_pieces_are_the_shape_to_1e_12_of_its_peak(shape: Shape) -> None:
     """Of a sine (2 pi / 100)^6 / 46080 = 1.3e-12; shapes of quicker harmonics or curvature have somewhat more."""
-    pieces, width = polynomials(shape)
+    pieces, width = pulse_polynomials(shape)
     assert width <= 2 * math.pi / PIECES * (1 + 1e-12)
     assert len(pieces) * width == pytest.approx(shape.end - shape.start, rel=1e-14)
     inside = np.array([0.0, 0.2, 0.5, 0.77]) * width
@@ -252,7 +252,7 @@ def test_the_same_whatever_the_threads_and_the_order() -> None:
     rng = np.random.default_rng(5)
     frequency = np.array([0.3, 0.9, 2.0])
     jobs = PulseJobs(rng.integers(0, 2, 9000), rng.integers(0, 3, 9000), rng.uniform(-8.0, 8.0, 9000))
-    run = [prepared([BLOCK, FRAME], SHAPES["cosine"], frequency, equation="linearised", threads=n) for n in (1, 2)]
+    run = [make_solver([BLOCK, FRAME], SHAPES["cosine"], frequency, equation="linearised", threads=n) for n in (1, 2)]
     one, two = run[0](jobs), run[1](jobs)
     order = rng.permutation(9000)
     mixed = run[0](PulseJobs(jobs.oscillator[order], jobs.frequency[order], jobs.amplitude[order]))
@@ -275,12 +275,12 @@ def test_uplifted_where_the_ground_exceeds_the_threshold() -> None:
 @pytest.mark.parametrize("bad", [0.0, -1.0, math.nan, math.inf])
 def test_a_frequency_that_is_none_is_named(bad: float) -> None:
     with pytest.raises(ValueError, match=r"frequency\[1\] = .* Hz.* positive"):
-        prepared([BLOCK], SHAPES["sine"], np.array([1.0, bad]), equation="linearised")
+        make_solver([BLOCK], SHAPES["sine"], np.array([1.0, bad]), equation="linearised")
 
 
 @pytest.mark.parametrize("bad", [math.nan, math.inf, -math.inf])
 def test_an_amplitude_that_is_none_is_named(bad: float) -> None:
-    run = prepared([BLOCK], SHAPES["sine"], np.array([1.0]), equation="exact")
+    run = make_solver([BLOCK], SHAPES["sine"], np.array([1.0]), equation="exact")
     none = np.zeros(3, dtype=np.int64)
     with pytest.raises(ValueError, match=r"jobs\[2\]: amplitude .* finite"):
         run(PulseJobs(none, none, np.array([1.0, 2.0, bad])))
@@ -288,6 +288,6 @@ def test_an_amplitude_that_is_none_is_named(bad: float) -> None:
 
 @pytest.mark.parametrize(("name", "oscillators", "frequencies"), [("oscillator", [0, 1], [0, 0]), ("frequency", [0, 0], [0, -1])])  # fmt: skip  # noqa: E501
 def test_a_job_that_names_nothing_is_named(name: str, oscillators: list[int], frequencies: list[int]) -> None:
-    run = prepared([BLOCK], SHAPES["sine"], np.array([1.0]), equation="exact")
+    run = make_solver([BLOCK], SHAPES["sine"], np.array([1.0]), equation="exact")
     with pytest.raises(ValueError, match=rf"jobs\[1\]: {name}"):
         run(PulseJobs(np.array(oscillators), np.array(frequencies), np.ones(2)))

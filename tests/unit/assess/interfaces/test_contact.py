@@ -12,13 +12,13 @@ from scipy.integrate import quad
 from scipy.optimize import brentq
 
 from assess.errors import InterfaceError
-from assess.interfaces.contact import Contact, contact, semi_flexible_shift, sideways_doubt, thresholds
-from assess.interfaces.law import Law
-from assess.interfaces.section import Section, mirrored
+from assess.interfaces.contact import Contact, contact, out_of_plane_warning, semi_flexible_shift, thresholds
+from assess.interfaces.law import JointLaw
+from assess.interfaces.section import Section, mirror
 from assess.interfaces.shapes import annulus, circle, hollow_rectangle, polygon, rectangle
 
 K, F = 3e8, 2.5e6
-LAW = Law(K, F)
+LAW = JointLaw(K, F)
 AGREE = 1e-9
 
 HOLES = [[(0, 0), (0.9, 0.2), (0.4, 1.1)], [(1.5, -0.5), (2, 0), (1.6, 0.8)]]
@@ -131,9 +131,9 @@ def agrees(section: Section, face, *, share: float) -> None:
     for n, rotation in enumerate(phi):
         u, a_f, side, crushed, opened = expected(face, law=LAW, force=force, phi=rotation)
         D = section.depth
-        assert found.closing[n] == pytest.approx(u, rel=AGREE, abs=0.0)
+        assert found.closure[n] == pytest.approx(u, rel=AGREE, abs=0.0)
         assert found.resultant[n] == pytest.approx(a_f, rel=AGREE, abs=0.0)
-        assert found.sideways[n] == pytest.approx(side, rel=AGREE, abs=AGREE * D)
+        assert found.out_of_plane_eccentricity[n] == pytest.approx(side, rel=AGREE, abs=AGREE * D)
         assert found.crushed_area[n] == pytest.approx(crushed, rel=AGREE, abs=AGREE * section.area)
         assert found.open_area[n] == pytest.approx(opened, rel=AGREE, abs=AGREE * section.area)
         assert found.depth[n] == pytest.approx(min(u / rotation, D), rel=AGREE, abs=0.0)
@@ -159,12 +159,12 @@ def test_discs(name, share):
 @pytest.mark.parametrize("name", REGIONS)
 def test_joint_without_limit_of_strength(name):
     section, face = polygon(REGIONS[name], direction=(0.3, 1.0)), Clipped(turned(REGIONS[name], (0.3, 1.0)))
-    law, force = Law(K), 1e6
+    law, force = JointLaw(K), 1e6
     for phi in thresholds(section, law, normal_force=force)[0] * np.array([0.2, 1.5, 40.0]):
         found = contact(section, law, normal_force=force, rotation=phi)
-        u, a_f, side, _, opened = expected(face, law=Law(K, 1e99), force=force, phi=phi)
-        assert (found.closing[0], found.resultant[0]) == pytest.approx((u, a_f), rel=AGREE, abs=0.0)
-        assert found.sideways[0] == pytest.approx(side, abs=AGREE)
+        u, a_f, side, _, opened = expected(face, law=JointLaw(K, 1e99), force=force, phi=phi)
+        assert (found.closure[0], found.resultant[0]) == pytest.approx((u, a_f), rel=AGREE, abs=0.0)
+        assert found.out_of_plane_eccentricity[0] == pytest.approx(side, abs=AGREE)
         assert found.open_area[0] == pytest.approx(opened, rel=AGREE, abs=AGREE)
         assert found.peak_stress[0] == pytest.approx(K * u, rel=AGREE, abs=0.0)
         assert found.crushed_area[0] == found.crushed_depth[0] == 0.0
@@ -203,12 +203,14 @@ def test_shift_of_the_semi_flexible_hinge(section):
     """The resultant where crushing starts, whatever the stiffness."""
     force = 0.3 * F * section.area
     for k in (1e6, 1e12):
-        law = Law(k, F)
+        law = JointLaw(k, F)
         _, crushing = thresholds(section, law, normal_force=force)
         found = contact(section, law, normal_force=force, rotation=crushing).resultant[0]
         assert semi_flexible_shift(section, law, normal_force=force) == pytest.approx(found, rel=1e-10, abs=0.0)
-    assert semi_flexible_shift(section, Law(inf, F), normal_force=force) == pytest.approx(found, rel=1e-10, abs=0.0)
-    assert semi_flexible_shift(section, Law(K), normal_force=force) == 0.0
+    assert semi_flexible_shift(section, JointLaw(inf, F), normal_force=force) == pytest.approx(
+        found, rel=1e-10, abs=0.0
+    )
+    assert semi_flexible_shift(section, JointLaw(K), normal_force=force) == 0.0
 
 
 # --------------------------------------------------------------------------------------------------------------- limits
@@ -221,42 +223,42 @@ def test_at_rest_nothing_is_lost(section, phi):
     force = 0.4 * F * section.area
     found = contact(section, LAW, normal_force=force, rotation=phi)
     assert found.resultant[0] == pytest.approx(section.centroid, rel=1e-8 if phi == 1e-12 else 1e-13, abs=0.0)
-    assert found.pivot[0] == pytest.approx(section.centroid, rel=1e-13, abs=0.0)
-    assert found.closing[0] == pytest.approx(force / (K * section.area), rel=1e-8 if phi == 1e-12 else 1e-13, abs=0.0)
+    assert found.instantaneous_centre[0] == pytest.approx(section.centroid, rel=1e-13, abs=0.0)
+    assert found.closure[0] == pytest.approx(force / (K * section.area), rel=1e-8 if phi == 1e-12 else 1e-13, abs=0.0)
     assert (found.depth[0], found.open_area[0], found.crushed_area[0]) == (section.depth, 0.0, 0.0)
 
 
 def test_small_rotations_of_a_rectangle_to_the_last_digits():
     b, l, force = 1.2, 3.0, 1e6  # noqa: E741
     phi = np.geomspace(1e-12, 1e-3, 10)
-    found = contact(rectangle(b, l), Law(K), normal_force=force, rotation=phi * force / (K * b**2 * l))
+    found = contact(rectangle(b, l), JointLaw(K), normal_force=force, rotation=phi * force / (K * b**2 * l))
     np.testing.assert_allclose(found.resultant, b / 2 - b * phi / 12, rtol=1e-15)
-    np.testing.assert_allclose(found.closing, force / (K * b * l) * (1.0 + phi / 2), rtol=1e-15)
+    np.testing.assert_allclose(found.closure, force / (K * b * l) * (1.0 + phi / 2), rtol=1e-15)
 
 
 @every_section
 def test_rigid_joints_are_the_limit_of_stiff_ones(section):
     """The plastic block of a joint with strength, its edge without: areas as well as places."""
     force, phi = 0.3 * F * section.area, 0.01
-    block = contact(section, Law(inf, F), normal_force=force, rotation=phi)
-    stiff = contact(section, Law(1e7 * F, F), normal_force=force, rotation=phi)
+    block = contact(section, JointLaw(inf, F), normal_force=force, rotation=phi)
+    stiff = contact(section, JointLaw(1e7 * F, F), normal_force=force, rotation=phi)
     for each in fields(Contact):
         found, limit = getattr(stiff, each.name)[0], getattr(block, each.name)[0]
         assert found == pytest.approx(limit, rel=1e-4, abs=1e-5), each.name
     assert block.crushed_area[0] == pytest.approx(force / F, rel=1e-13, abs=0.0)
-    edge = contact(section, Law(), normal_force=force, rotation=phi)
-    assert (edge.resultant[0], edge.depth[0], edge.closing[0], edge.crushed_area[0]) == (0.0, 0.0, 0.0, 0.0)
+    edge = contact(section, JointLaw(), normal_force=force, rotation=phi)
+    assert (edge.resultant[0], edge.depth[0], edge.closure[0], edge.crushed_area[0]) == (0.0, 0.0, 0.0, 0.0)
     assert isinf(edge.peak_stress[0])
     assert edge.open_area[0] == section.area
 
 
 def test_rigid_block_of_a_rectangle():
     b, l, force = 1.2, 3.0, 1e6  # noqa: E741
-    found = contact(rectangle(b, l), Law(strength=F), normal_force=force, rotation=[0.0, 0.1])
+    found = contact(rectangle(b, l), JointLaw(strength=F), normal_force=force, rotation=[0.0, 0.1])
     np.testing.assert_allclose(found.crushed_depth, force / (F * l), rtol=1e-14)
     np.testing.assert_allclose(found.resultant, force / (F * l) / 2, rtol=1e-14)
-    assert thresholds(rectangle(b, l), Law(strength=F), normal_force=force) == (0.0, 0.0)
-    assert thresholds(rectangle(b, l), Law(), normal_force=force) == (0.0, inf)
+    assert thresholds(rectangle(b, l), JointLaw(strength=F), normal_force=force) == (0.0, 0.0)
+    assert thresholds(rectangle(b, l), JointLaw(), normal_force=force) == (0.0, inf)
 
 
 @pytest.mark.parametrize("stiffness", np.geomspace(1e9, 1e15, 7))
@@ -266,7 +268,7 @@ def test_almost_all_crushed_and_the_far_edge_still_pressed(stiffness):
     g = 0.5 * f / (stiffness * phi)
     missing = stiffness * phi * l * g**2 / 2
     force = f * b * l - missing
-    found = contact(rectangle(b, l), Law(stiffness, f), normal_force=force, rotation=phi)
+    found = contact(rectangle(b, l), JointLaw(stiffness, f), normal_force=force, rotation=phi)
     moment = f * l * b**2 / 2 - missing * (b - g / 3)
     assert found.open_area[0] == 0.0
     assert found.depth[0] == b
@@ -279,9 +281,9 @@ def test_parts_that_do_not_touch_between_which_the_contact_opens():
     piers = polygon(shapely.MultiPolygon([shapely.box(0, 0, 1, 2), shapely.box(3, 0, 4, 2)]), direction=(1.0, 0.0))
     force = 1e5
     phi = force / K * np.array([1.0, 1.5]) / (2 * (2.0 - 0.5))  # the near pier alone: opens at u = 2 phi ... 1.33 phi
-    found = contact(piers, Law(K), normal_force=force, rotation=phi)
+    found = contact(piers, JointLaw(K), normal_force=force, rotation=phi)
     u = force / (K * 2.0) + 0.5 * phi
-    np.testing.assert_allclose(found.closing, u, rtol=1e-13)
+    np.testing.assert_allclose(found.closure, u, rtol=1e-13)
     np.testing.assert_allclose(found.open_area, 2.0, rtol=1e-13)
     np.testing.assert_allclose(found.resultant, 0.5 - K * phi * 2.0 / 12 / force, rtol=1e-12)
 
@@ -292,7 +294,7 @@ def test_plastic_block_that_ends_in_a_gap():
     What the far pier takes goes with the square of the contact's depth in it, so rounding hides 1e-8 of that.
     """
     piers = polygon(shapely.MultiPolygon([shapely.box(0, 0, 1, 2), shapely.box(3, 0, 4, 2)]), direction=(1.0, 0.0))
-    for law in (Law(strength=F), Law(1e12, F)):
+    for law in (JointLaw(strength=F), JointLaw(1e12, F)):
         found = contact(piers, law, normal_force=2.0 * F, rotation=0.01)
         assert found.resultant[0] == pytest.approx(0.5, rel=1e-9, abs=0.0)
         assert found.crushed_area[0] == pytest.approx(2.0, rel=1e-9, abs=0.0)
@@ -328,14 +330,14 @@ def test_result_is_read_only():
 def test_section_askew_is_doubted_with_the_size():
     section = SECTIONS["hollow"]
     found = contact(section, LAW, normal_force=1e6, rotation=0.01)
-    text = sideways_doubt(section, found)
-    assert f"{abs(found.sideways[0]):.3g} m" in text
+    text = out_of_plane_warning(section, found)
+    assert f"{abs(found.out_of_plane_eccentricity[0]):.3g} m" in text
     assert "along the axis of rotation" in text
 
 
 @pytest.mark.parametrize("section", [rectangle(1.0, 2.0), rectangle(1.0, 2.0, direction=(0, 1)), circle(1.0)])
 def test_section_symmetric_about_the_plane_of_motion_is_not_doubted(section):
-    assert sideways_doubt(section, contact(section, LAW, normal_force=1e5, rotation=[0.0, 0.1])) == ""
+    assert out_of_plane_warning(section, contact(section, LAW, normal_force=1e5, rotation=[0.0, 0.1])) == ""
 
 
 SQUARE = rectangle(1.0, 1.0)
@@ -350,11 +352,11 @@ SQUARE = rectangle(1.0, 1.0)
         ({"normal_force": inf}, "normal force is inf N"),
         ({"normal_force": F}, "2.5e+06 N, is 1 times what it can carry, 2.5e+06 N"),
         ({"normal_force": [1.0, 2 * F]}, "is 2 times what it can carry"),
-        ({"law": Law(0.0, F)}, "stiffness is 0 Pa/m"),
-        ({"law": Law(-1.0, F)}, "stiffness is -1 Pa/m"),
-        ({"law": Law(nan, F)}, "stiffness is nan Pa/m"),
-        ({"law": Law(K, 0.0)}, "strength is 0 Pa"),
-        ({"law": Law(K, nan)}, "strength is nan Pa"),
+        ({"law": JointLaw(0.0, F)}, "stiffness is 0 Pa/m"),
+        ({"law": JointLaw(-1.0, F)}, "stiffness is -1 Pa/m"),
+        ({"law": JointLaw(nan, F)}, "stiffness is nan Pa/m"),
+        ({"law": JointLaw(K, 0.0)}, "strength is 0 Pa"),
+        ({"law": JointLaw(K, nan)}, "strength is nan Pa"),
         ({"rotation": -0.1}, "rotation is -0.1 rad"),
         ({"rotation": [0.0, nan]}, "rotation is nan rad"),
         ({"rotation": inf}, "rotation is inf rad"),
@@ -381,7 +383,7 @@ def test_mirrored_section_is_the_other_sense_of_rotation():
     region = REGIONS["U"]
     one, other = polygon(region, direction=(1.0, 0.3)), polygon(region, direction=(-1.0, -0.3))
     phi = np.linspace(0.0, 0.05, 9)
-    found = contact(mirrored(one), LAW, normal_force=2e6, rotation=phi)
+    found = contact(mirror(one), LAW, normal_force=2e6, rotation=phi)
     wanted = contact(other, LAW, normal_force=2e6, rotation=phi)
     for each in fields(Contact):
         np.testing.assert_allclose(getattr(found, each.name), getattr(wanted, each.name), rtol=1e-11, atol=1e-12)

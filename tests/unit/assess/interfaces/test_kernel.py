@@ -13,7 +13,7 @@ from scipy.special import beta, betainc
 
 from assess.interfaces.kernel import discs, equilibrium, moments
 from assess.interfaces.kernel.discs import disc_upto
-from assess.interfaces.kernel.equilibrium import CLOSING, RESULTANT, crushing_depth, touch
+from assess.interfaces.kernel.equilibrium import CLOSURE, RESULTANT, crushing_depth, touch
 from assess.interfaces.shapes import annulus, circle, polygon, rectangle
 
 U = shapely.Polygon([(0, 0), (3, 0), (3, 2), (2.2, 2.1), (2, 0.7), (1, 0.6), (0.8, 2.3), (0, 2)])
@@ -106,7 +106,7 @@ def test_order_of_the_rotations_does_not_matter(section):
     straight, shuffled = np.empty((300, 9)), np.empty((300, 9))
     touch(section.table, K, F, force, phi, straight)
     touch(section.table, K, F, force[order], phi[order], shuffled)
-    np.testing.assert_allclose(shuffled[:, [RESULTANT, CLOSING]], straight[order][:, [RESULTANT, CLOSING]], rtol=1e-13)
+    np.testing.assert_allclose(shuffled[:, [RESULTANT, CLOSURE]], straight[order][:, [RESULTANT, CLOSURE]], rtol=1e-13)
 
 
 def rough():
@@ -131,8 +131,8 @@ def test_thin_elastic_zone_loses_no_digits(section, share, thickness):
     phi = F / K / (thickness * section.depth)
     found = np.empty((1, 9))
     touch(section.table, K, F, np.array([N]), np.array([phi]), found)
-    a = Fraction(found[0, CLOSING]) / Fraction(phi)
-    a_2 = (Fraction(found[0, CLOSING]) - Fraction(F) / Fraction(K)) / Fraction(phi)
+    a = Fraction(found[0, CLOSURE]) / Fraction(phi)
+    a_2 = (Fraction(found[0, CLOSURE]) - Fraction(F) / Fraction(K)) / Fraction(phi)
     assert 0 < a_2 < a < Fraction(section.depth)
     stress = Fraction(K) * Fraction(phi)
     carried, moment = (stress * (p - q) for p, q in zip(exactly(section, a), exactly(section, a_2), strict=True))

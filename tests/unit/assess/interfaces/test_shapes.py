@@ -14,7 +14,7 @@ from assess.errors import GeometryError
 from assess.geometry.cut import divide, heading, inclined_plane, level_plane
 from assess.geometry.solid import box, profile
 from assess.interfaces.kernel.moments import BEGIN, SUM_A, SUM_S, SUM_T, V0, V1, V2, W0, W1, A, S, T
-from assess.interfaces.section import Section, mirrored
+from assess.interfaces.section import Section, mirror
 from assess.interfaces.shapes import annulus, circle, hollow_rectangle, polygon, rectangle
 
 EXACT = 1e-13
@@ -115,7 +115,7 @@ def test_moments_up_to_each_knot(name, direction):
 @every_region
 @every_direction
 def test_mirrored_is_the_opposite_direction(name, direction):
-    found = mirrored(polygon(REGIONS[name], direction=direction))
+    found = mirror(polygon(REGIONS[name], direction=direction))
     expected = polygon(REGIONS[name], direction=(-direction[0], -direction[1]))
     assert (found.depth, found.breadth) == pytest.approx((expected.depth, expected.breadth), rel=EXACT, abs=0.0)
     assert (found.area, found.centroid) == pytest.approx((expected.area, expected.centroid), rel=EXACT, abs=0.0)
@@ -128,7 +128,7 @@ def test_mirrored_is_the_opposite_direction(name, direction):
 @every_region
 def test_mirrored_twice_is_the_same(name):
     section = polygon(REGIONS[name], direction=(1.0, 0.7))
-    again = mirrored(mirrored(section))
+    again = mirror(mirror(section))
     np.testing.assert_allclose(again.pieces, section.pieces, rtol=1e-12, atol=1e-12)
 
 
@@ -193,7 +193,7 @@ def test_discs(section):
     inner = 0.45 if len(section.discs) == 2 else 0.0
     assert (section.depth, section.breadth, section.centroid) == (1.5, 1.5, 0.75)
     assert section.area == pytest.approx(pi * (0.75**2 - inner**2), rel=EXACT, abs=0.0)
-    assert mirrored(section) is section
+    assert mirror(section) is section
 
 
 def test_section_is_read_only():

@@ -13,7 +13,7 @@ from assess.cli.description import description
 from assess.errors import GeometryError, MechanismError, ProjectError
 from assess.project.build import build
 from assess.project.schema import load
-from assess.study.run import parameters
+from assess.study.parameters import parameters
 from tests.support import projects
 from tests.support.projects import block, project_toml, wall
 

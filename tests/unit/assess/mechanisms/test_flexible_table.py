@@ -13,11 +13,11 @@ from scipy.optimize import brentq
 
 from assess.errors import MechanismError
 from assess.geometry.planar import planar_body_from_values
-from assess.interfaces.law import Law
+from assess.interfaces.law import JointLaw
 from assess.interfaces.shapes import rectangle
 from assess.loads.load import Force, PointMass
 from assess.loads.load import mirrored as mirrored_load
-from assess.mechanisms.assembly import on_joints
+from assess.mechanisms.assembly import add_joints
 from assess.mechanisms.chain import Block
 from assess.mechanisms.flexible import FlexibleChain
 from assess.mechanisms.four_hinge import four_hinge
@@ -40,7 +40,7 @@ from assess.oscillator import (
 B, H, L, RHO = 1.0, 6.0, 2.0, 1800.0
 MASS = B * H * L * RHO
 W = MASS * g
-LAW = Law(2e8, 1.5e6)
+LAW = JointLaw(2e8, 1.5e6)
 THESIS = ("thesis", "thesis")
 
 
@@ -58,7 +58,7 @@ def wall(*, law=LAW, model="flexible", loads=(), sides="two", size=1.0):
     ends = {"hinge": (b / 2, 0.0)} | ({"hinge_negative": (-b / 2, 0.0)} if sides == "two" else {})
     rigid = single_block("w", body(m, (0.0, h / 2), m * (b**2 + h**2) / 12), sides=sides, loads=loads, **ends)
     joint = (bed(-1, b, law=law, model=model, length=l),)
-    return on_joints(rigid, joint, joint, restitution=THESIS)
+    return add_joints(rigid, joint, joint, restitution=THESIS)
 
 
 def block(x, z, width, height):
@@ -77,7 +77,7 @@ def chain_of(blocks, front, back, ways, *, over=0.0, depth, law=LAW, model="flex
                         negative=replace(rigid.negative, loads=loads))  # fmt: skip
     else:
         rigid = four_hinge("m", bodies, hinges=front, hinges_negative=back)
-    return on_joints(rigid, joints, joints, restitution=("momentum", "momentum"))
+    return add_joints(rigid, joints, joints, restitution=("momentum", "momentum"))
 
 
 def storey(**more):
@@ -96,8 +96,8 @@ def portal(**more):
 
 ALL = {
     "wall": wall(),
-    "elastic wall": wall(law=Law(2e8, inf)),
-    "stiff wall": wall(law=Law(1e11, 1.5e6)),
+    "elastic wall": wall(law=JointLaw(2e8, inf)),
+    "stiff wall": wall(law=JointLaw(1e11, 1.5e6)),
     "semi-flexible wall": wall(model="semi-flexible"),
     "wall leaning under a load": wall(loads=(Force("F", (0.0, -5e4), (0.2, 5.5)),)),
     "wall on one side": wall(sides="one"),
@@ -152,7 +152,7 @@ def test_moments_are_stationary_through_the_kinks_of_the_table():
 
 def test_plastic_block_overturns_by_hand():
     """tan phi_ov = (b / 2 - W / (2 f l)) / (h / 2)."""
-    side = oscillator(wall(law=Law(inf, 1.5e6), model="rigid")).positive
+    side = oscillator(wall(law=JointLaw(inf, 1.5e6), model="rigid")).positive
     c = W / (2 * 1.5e6 * L)
     assert side.overturning_flexible == pytest.approx(atan2(B / 2 - c, H / 2), rel=1e-9)
     assert side.restoring[0] == pytest.approx(W * (B / 2 - c), rel=1e-12)
@@ -166,7 +166,7 @@ def test_between_nodes_the_table_is_what_the_chain_answers(mechanism):
     chain = FlexibleChain(mechanism.positive, "m")
     side = found.positive
     phi = np.unique((side.rotation[1:] + side.rotation[:-1]) / 2)
-    work = chain.held(phi).work
+    work = chain.solve_equilibrium(phi).work
     for what in ("restoring", "inertia", "excitation", "participation", "lift"):
         exact = getattr(work, what)
         table = interpolant(side.rotation, getattr(side, what))(phi)
@@ -207,7 +207,7 @@ def test_elastic_frequency_by_hand(floor):
 
 
 def test_rigid_joints_have_a_threshold_and_no_frequency():
-    side = oscillator(wall(law=Law(inf, 1.5e6), model="rigid")).positive
+    side = oscillator(wall(law=JointLaw(inf, 1.5e6), model="rigid")).positive
     assert elastic_frequency(side) is None
     assert resisted(side) == multiplier(side)[0] == pytest.approx((B / 2 - W / (2 * 1.5e6 * L)) / (H / 2), rel=1e-12)
 
@@ -224,7 +224,7 @@ def excess(phi, *, F, at, law=LAW):
 
 
 @pytest.mark.parametrize("side", [1.0, -1.0])
-@pytest.mark.parametrize("law", [LAW, Law(2e8, inf)])
+@pytest.mark.parametrize("law", [LAW, JointLaw(2e8, inf)])
 def test_rest_under_an_eccentric_load_by_hand(side, law):
     F, at = 5e4, (0.15, 5.5)
     expected = brentq(lambda phi: excess(phi, F=F, at=at), 0.0, 2e-3, xtol=1e-16)
@@ -251,7 +251,7 @@ def total(phi):
     """The potential at a rotation of either sign [J]: weight, force and joint, stationary over its closing."""
     chain = LEANING.positive if phi >= 0.0 else LEANING.negative
     flexible, at = FlexibleChain(chain, "m"), np.array([abs(phi)])
-    u, s = float(flexible.balance(at).closing[0, 0]), sin(abs(phi))
+    u, s = float(flexible.solve_joints(at).closure[0, 0]), sin(abs(phi))
     down, e = u - float(flexible.rest[0]), 0.15 * np.sign(phi)
     z_G = -down + B / 2 * s + H / 2 * cos(phi)
     z_F = -down + (B / 2 - e) * s + 5.5 * cos(phi)
@@ -283,14 +283,14 @@ def test_branches_meet_at_the_eccentric_rest():
     rest, ahead, back = found.equilibrium, found.positive, found.negative
     first, second = (FlexibleChain(chain, "m") for chain in (LEANING.positive, LEANING.negative))
     scale = ahead.restoring.max()
-    assert abs(first.held(np.array([rest])).work.restoring[0]) < 1e-9 * scale
+    assert abs(first.solve_equilibrium(np.array([rest])).work.restoring[0]) < 1e-9 * scale
     beyond = np.array([0.01, 0.03, 0.08])
-    expected = first.held(rest + beyond).work.restoring
+    expected = first.solve_equilibrium(rest + beyond).work.restoring
     np.testing.assert_allclose(restoring(ahead, beyond), expected, rtol=1e-6)
     way_back = rest * np.array([0.2, 0.5, 0.9])
-    expected = -first.held(rest - way_back).work.restoring
+    expected = -first.solve_equilibrium(rest - way_back).work.restoring
     np.testing.assert_allclose(restoring(back, way_back), expected, rtol=0, atol=1e-6 * scale)
-    expected = second.held(beyond).work.restoring
+    expected = second.solve_equilibrium(beyond).work.restoring
     np.testing.assert_allclose(restoring(back, rest + beyond), expected, rtol=1e-6)
     around = restoring(back, rest * np.array([1.0 - 1e-7, 1.0 + 1e-7]))
     assert np.ptp(around) < 1e-5 * scale
@@ -323,12 +323,12 @@ def pulled(phi):
 
 def of_all(chain, phi):
     """The restoring moment of a chain at a rotation [N m]."""
-    return float(chain.held(np.array([phi])).work.restoring[0])
+    return float(chain.solve_equilibrium(np.array([phi])).work.restoring[0])
 
 
 def of_weight(chain, phi):
     """The same without that of the forces."""
-    return float(chain.held(np.array([phi])).work.weight[0])
+    return float(chain.solve_equilibrium(np.array([phi])).work.weight[0])
 
 
 def test_mirrored_loads_change_the_branches():
@@ -361,7 +361,7 @@ def test_one_sided_wall_leans_away_from_what_is_behind():
 
 def test_no_stable_rest_under_a_load_too_far_out():
     """It stands on rigid joints, for the loads' line meets the base; the joint gives way under it."""
-    soft = Law(6e6, 1.5e6)
+    soft = JointLaw(6e6, 1.5e6)
     assert soft.stiffness * L * B**3 / 12 > 3.0 * W  # a wall alone would stand
     with pytest.raises(MechanismError, match=r'mechanism "w": it falls by itself: the load on its joints lies too far'):
         oscillator(wall(law=soft, loads=(Force("F", (0.0, -5e4), (0.4, 5.5)),)))
@@ -370,7 +370,7 @@ def test_no_stable_rest_under_a_load_too_far_out():
 @pytest.mark.parametrize("sides", ["one", "two"])
 def test_no_stable_rest_on_a_joint_too_soft(sides):
     """k I < W h: upright it is in balance, but any push makes it fall."""
-    soft = Law(0.9 * 3.0 * W / (L * B**3 / 12), inf)
+    soft = JointLaw(0.9 * 3.0 * W / (L * B**3 / 12), inf)
     with pytest.raises(MechanismError, match=r'mechanism "w": it falls by itself: its joints are too soft'):
         oscillator(wall(law=soft, sides=sides))
 
@@ -381,7 +381,7 @@ def test_no_stable_rest_on_a_joint_too_soft(sides):
 def test_larger_walls_of_the_same_shape_rock_more_slowly():
     """Lengths times s, f_m times s, k_n as it is: p goes with s^(-1/2), rotations and multipliers stay."""
     s = 4.0
-    large = oscillator(wall(size=s, law=Law(LAW.stiffness, s * LAW.strength))).positive
+    large = oscillator(wall(size=s, law=JointLaw(LAW.stiffness, s * LAW.strength))).positive
     small = oscillator(wall()).positive
     assert linearise(large).p == pytest.approx(linearise(small).p / sqrt(s), rel=1e-9)
     assert large.overturning_flexible == pytest.approx(small.overturning_flexible, rel=1e-9)
@@ -393,9 +393,9 @@ def test_larger_walls_of_the_same_shape_rock_more_slowly():
 @pytest.mark.parametrize("made", [wall, storey, portal], ids=["wall", "storey", "portal"])
 def test_stiff_strong_joints_tend_to_the_rigid_oscillator(made):
     """At the root of the stiffness, in overturning and in the largest multiplier."""
-    rigid = [oscillator(made(law=Law(inf, 1e15), model="rigid")).positive]
+    rigid = [oscillator(made(law=JointLaw(inf, 1e15), model="rigid")).positive]
     stiff = 10.0 ** np.arange(12.0, 16.0)
-    found = [oscillator(made(law=Law(k, inf))).positive for k in stiff]
+    found = [oscillator(made(law=JointLaw(k, inf))).positive for k in stiff]
     off = np.array([side.overturning - side.overturning_flexible for side in found])
     assert np.polyfit(np.log(stiff), np.log(off), 1)[0] == pytest.approx(-0.5, abs=0.01)
     assert found[-1].restitution == pytest.approx(rigid[0].restitution, rel=1e-9)  # no strength: a_SF = 0

@@ -14,10 +14,10 @@ from assess.codes.multiplier_step import multiplier_step
 from assess.dynamics.history import Jobs, peaks
 from assess.errors import MechanismError
 from assess.geometry.planar import planar_body_from_values
-from assess.interfaces.law import Law
+from assess.interfaces.law import JointLaw
 from assess.interfaces.shapes import rectangle
 from assess.loads.load import Force, PointMass
-from assess.mechanisms.assembly import on_joints
+from assess.mechanisms.assembly import add_joints
 from assess.mechanisms.joint import Joint
 from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block
@@ -29,7 +29,7 @@ from records.record import Record
 B, H, L, RHO = 1.0, 6.0, 2.0, 1800.0
 MASS = B * H * L * RHO
 W = MASS * g
-STIFF, SOFT = Law(2e8, 1.5e6), Law(4.3e6, float("inf"))
+STIFF, SOFT = JointLaw(2e8, 1.5e6), JointLaw(4.3e6, float("inf"))
 
 
 def wall(*, law=STIFF, loads=(), sides="two", model="flexible", ways=(0.0, 0.0), choice="momentum"):
@@ -41,13 +41,13 @@ def wall(*, law=STIFF, loads=(), sides="two", model="flexible", ways=(0.0, 0.0),
     size = sqrt(B**2 + (ways[0] - ways[1]) ** 2)
     along = np.array([-B, ways[1] - ways[0]]) / size, np.array([-B, ways[0] - ways[1]]) / size
     joints = [(Joint(tuple(way), rectangle(size, L), law, model),) for way in along]
-    return on_joints(rigid, *joints, restitution=(choice, choice))
+    return add_joints(rigid, *joints, restitution=(choice, choice))
 
 
 def test_a_force_that_takes_half_of_the_resistance_still_has_a_table_up_to_phi_cr():
     """phi_cr of the weights alone lies beyond 1.5 phi_ov."""
     push = Force("F", (0.5 * W * B / 2 / 5.0, 0.0), (0.0, 5.0))
-    side = oscillator(wall(law=Law(1e14, float("inf")), loads=(push,))).positive
+    side = oscillator(wall(law=JointLaw(1e14, float("inf")), loads=(push,))).positive
     assert side.critical > 1.5 * side.unstable
     assert side.critical < side.rotation[-1]
     assert side.unstable == pytest.approx(side.overturning, rel=1e-3)  # as stiff as rigid
@@ -57,7 +57,7 @@ def test_a_force_that_takes_half_of_the_resistance_still_has_a_table_up_to_phi_c
 @pytest.mark.parametrize("model", ["flexible", "semi-flexible"])
 def test_an_impact_between_unlike_hinges_keeps_its_share_of_energy(model):
     """Of the energy as much is left as momentum keeps between the edges, whatever inertia the branches begin with."""
-    found = wall(model=model, ways=(0.3, -0.3), law=Law(2e8, float("inf")))  # a_SF = 0: hinges at the edges
+    found = wall(model=model, ways=(0.3, -0.3), law=JointLaw(2e8, float("inf")))  # a_SF = 0: hinges at the edges
     x, z, J = B / 2, H / 2, MASS * (B**2 + H**2) / 12
     ahead, behind = J + MASS * (x**2 + (z - 0.3) ** 2), J + MASS * (x**2 + (z + 0.3) ** 2)
     between = J + MASS * (-(x**2) + (z - 0.3) * (z + 0.3))
@@ -116,7 +116,7 @@ def test_ratios_are_of_rigid_overturning_whatever_the_equation():
 def test_a_wall_that_stands_though_its_fixed_hinge_would_let_it_fall():
     """The centre of all weights lies between the middle of the crushed part at last, and a_SF, 4/3 of it."""
     load = PointMass("m", 15000.0, (0.5, 5.0), bearing=True)
-    law = Law(2e9, 4e5)
+    law = JointLaw(2e9, 4e5)
     arm = B / 2 - 15000.0 * 0.5 / (MASS + 15000.0)
     crushed = (MASS + 15000.0) * g / (law.strength * L) / 2
     assert crushed < arm < 4 / 3 * crushed
@@ -134,4 +134,4 @@ def test_hinges_inside_the_edges_of_their_contact_are_named():
     rigid = single_block("w", body, hinge=(0.4, 0.0), hinge_negative=(-0.4, 0.0), sides="two")
     joint = (Joint((-1.0, 0.0), rectangle(B, L), STIFF, "flexible"),)
     with pytest.raises(MechanismError, match=r"pushed off its rest both ways.*hinge inside the edge of its contact"):
-        oscillator(on_joints(rigid, joint, joint, restitution=("thesis", "thesis")))
+        oscillator(add_joints(rigid, joint, joint, restitution=("thesis", "thesis")))

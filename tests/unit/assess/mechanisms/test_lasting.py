@@ -15,10 +15,10 @@ from assess.codes.italian.kinematic import displacement_at_collapse
 from assess.errors import FallingError
 from assess.geometry.planar import planar_body
 from assess.geometry.solid import box
-from assess.interfaces.law import Law
+from assess.interfaces.law import JointLaw
 from assess.interfaces.shapes import rectangle
 from assess.loads.load import Force, PointMass, Tie, lasts, mirrored
-from assess.mechanisms.assembly import on_joints
+from assess.mechanisms.assembly import add_joints
 from assess.mechanisms.joint import Joint
 from assess.mechanisms.lasting import collapse_branch, held_above, limits, variants
 from assess.mechanisms.single_block import single_block
@@ -48,8 +48,8 @@ def d0(rocker):
 
 
 def on_joint(stiffness, *loads, strength=inf):
-    joint = (Joint((-1.0, 0.0), rectangle(T, L), Law(stiffness, strength), "flexible"),)
-    return on_joints(wall(*loads), joint, joint, restitution=("thesis", "thesis"))
+    joint = (Joint((-1.0, 0.0), rectangle(T, L), JointLaw(stiffness, strength), "flexible"),)
+    return add_joints(wall(*loads), joint, joint, restitution=("thesis", "thesis"))
 
 
 def test_a_thrust_beside_a_tie_of_its_size_collapses_as_the_thrust_alone():

@@ -14,8 +14,8 @@ import pytest
 from scipy.optimize import brentq
 
 from assess.errors import MechanismError
-from assess.mechanisms.chain import Block, Chain, mirrored, mirrored_chain, require_movable, written
-from assess.mechanisms.motion import limit, move, place
+from assess.mechanisms.chain import Block, Chain, format_point, mirror_chain, mirror_point, require_movable
+from assess.mechanisms.motion import limit, move, trace_point
 
 STEP = 1e-30
 COUNT = {1: 1, 3: 2, 4: 3}  # blocks by hinges
@@ -151,7 +151,7 @@ def test_places_over_the_whole_range_are_those_of_circle_intersection(hinges):
     phi = np.linspace(0.0, drawing.end() * (1 - 1e-9), 400)
     motion = move(chain_of(*hinges), phi)
     for block, at in points_of(hinges):
-        found = place(motion, block=block, at=at)
+        found = trace_point(motion, block=block, at=at)
         # at the very limit a square root of a vanishing number is left of 16 digits with 8: one step off, 1e-10
         inside = slice(0, -1)
         np.testing.assert_allclose([found.x[inside], found.z[inside]], _drawn(drawing, at, block, phi[inside]),
@@ -170,7 +170,7 @@ def test_first_derivatives_to_1e_minus_10(hinges):
     phi = np.linspace(0.0, 0.97 * drawing.end(), 60)
     motion = move(chain_of(*hinges), phi)
     for block, at in points_of(hinges):
-        found, expected = place(motion, block=block, at=at), drawing.slope(at, block, phi)
+        found, expected = trace_point(motion, block=block, at=at), drawing.slope(at, block, phi)
         size = np.abs(expected).max()
         np.testing.assert_allclose([found.dx, found.dz], expected, rtol=1e-10, atol=1e-12 * size)
 
@@ -181,7 +181,10 @@ def test_second_derivatives_to_1e_minus_8(hinges):
     phi = np.linspace(0.02, 0.85 * drawing.end(), 40)
     motion = move(chain_of(*hinges), phi)
     for block, at in points_of(hinges):
-        found, expected = place(motion, block=block, at=at), drawing.bend(at, block, phi, step=3e-4 * drawing.end())
+        found, expected = (
+            trace_point(motion, block=block, at=at),
+            drawing.bend(at, block, phi, step=3e-4 * drawing.end()),
+        )
         np.testing.assert_allclose([found.ddx, found.ddz], expected, rtol=1e-8, atol=1e-9 * np.abs(expected).max())
 
 
@@ -192,10 +195,10 @@ def test_hinges_are_one_point_of_both_blocks_and_supports_stay(hinges):
     motion = move(chain, phi)
     last = len(chain.blocks) - 1
     for number in range(last):
-        one, other = (place(motion, block=number + n, at=hinges[number + 1]) for n in (0, 1))
+        one, other = (trace_point(motion, block=number + n, at=hinges[number + 1]) for n in (0, 1))
         for name in ("x", "z", "dx", "dz", "ddx", "ddz"):
             np.testing.assert_allclose(getattr(one, name), getattr(other, name), rtol=0, atol=0, err_msg=name)
-    end = place(motion, block=last, at=hinges[-1])
+    end = trace_point(motion, block=last, at=hinges[-1])
     fixed = [(end.x, end.dx, end.ddx)] + [(end.z, end.dz, end.ddz)] * (last == 2)
     for number, (at, first, second) in enumerate(fixed):
         np.testing.assert_allclose(at, hinges[-1][number], rtol=0.0, atol=1e-12)
@@ -207,7 +210,7 @@ def test_hinges_are_one_point_of_both_blocks_and_supports_stay(hinges):
 def test_blocks_are_rigid_and_turn_by_their_angle(hinges):
     motion = move(chain_of(*hinges), np.linspace(0.0, 0.9 * limit(chain_of(*hinges)), 50))
     for block in range(COUNT[len(hinges)]):
-        first, second = (place(motion, block=block, at=at) for at in ((0.3, 1.0), (2.0, 3.5)))
+        first, second = (trace_point(motion, block=block, at=at) for at in ((0.3, 1.0), (2.0, 3.5)))
         across, up = second.x - first.x, second.z - first.z
         np.testing.assert_allclose(np.hypot(across, up), np.hypot(1.7, 2.5), rtol=1e-13)
         turned = np.unwrap(np.arctan2(up, across)) - atan2(2.5, 1.7)
@@ -235,8 +238,8 @@ def test_equal_columns_go_no_further_than_flat_on_the_ground():
         assert limit(chain) == pytest.approx(pi / 2 + atan2(t, h), abs=1e-6)  # of a cosine near 1: half the digits
         phi = np.linspace(0.0, limit(chain) * (1 - 1e-6), 50)
         for number, at in enumerate((chain.hinges[0], chain.hinges[1], chain.hinges[3])):
-            origin = place(move(chain, phi), block=number, at=at)
-            apart = place(move(chain, phi), block=number, at=(at[0], at[1] + 1.0))
+            origin = trace_point(move(chain, phi), block=number, at=at)
+            apart = trace_point(move(chain, phi), block=number, at=(at[0], at[1] + 1.0))
             angle = np.arctan2(apart.x - origin.x, apart.z - origin.z)
             np.testing.assert_allclose(angle, 0.0 if number == 1 else phi, rtol=0.0, atol=1e-6)  # the beam stays level
 
@@ -244,12 +247,12 @@ def test_equal_columns_go_no_further_than_flat_on_the_ground():
 @CHAINS
 def test_a_mirrored_chain_moves_as_the_mirror_image(hinges):
     chain = chain_of(*hinges)
-    image = mirrored_chain(chain.blocks, hinges)
+    image = mirror_chain(chain.blocks, hinges)
     phi = np.linspace(0.0, 0.5 * limit(image), 30)
     drawing = Drawing(hinges)
     motion = move(image, phi)
     for block, at in points_of(hinges):
-        found = place(motion, block=block, at=mirrored(at))
+        found = trace_point(motion, block=block, at=mirror_point(at))
         x, z = drawing.carried(at, block, -phi)  # the chain itself, turned the other way
         np.testing.assert_allclose(found.x, -x + 0 * phi, rtol=0.0, atol=1e-12)
         np.testing.assert_allclose(found.z, z + 0 * phi, rtol=0.0, atol=1e-12)
@@ -274,7 +277,7 @@ def test_a_seeded_crowd_of_loops_and_walls():
         phi = np.linspace(0.0, 0.95 * end, 9)
         motion = move(chain, phi)
         for block in range(COUNT[count]):
-            found = place(motion, block=block, at=(0.7, 1.9))
+            found = trace_point(motion, block=block, at=(0.7, 1.9))
             np.testing.assert_allclose([found.x, found.z], _drawn(drawing, (0.7, 1.9), block, phi), atol=1e-10, rtol=0)
             slope = drawing.slope((0.7, 1.9), block, phi)
             np.testing.assert_allclose([found.dx, found.dz], slope, rtol=1e-8, atol=1e-10 * np.abs(slope).max())
@@ -283,7 +286,7 @@ def test_a_seeded_crowd_of_loops_and_walls():
 
 def test_one_block_turns_about_its_hinge():
     phi = np.array([0.0, 0.3, 1.2])
-    found = place(move(chain_of((0.4, 0.1)), phi), block=0, at=(-0.1, 2.1))
+    found = trace_point(move(chain_of((0.4, 0.1)), phi), block=0, at=(-0.1, 2.1))
     r, beta = np.hypot(-0.5, 2.0), atan2(2.0, -0.5)
     for k, angle in enumerate(phi):
         assert (found.x[k] - 0.4, found.z[k] - 0.1) == pytest.approx((r * cos(beta - angle), r * sin(beta - angle)))
@@ -322,5 +325,5 @@ def test_chains_that_move_are_not_refused(hinges):
 
 
 def test_rounding_is_written_as_nought():
-    assert written((-5.561e-17, 4.0)) == "(0, 4) m"
-    assert written((-1.25e-6, 1e-8)) == "(-1.25e-06, 1e-08) m"
+    assert format_point((-5.561e-17, 4.0)) == "(0, 4) m"
+    assert format_point((-1.25e-6, 1e-8)) == "(-1.25e-06, 1e-08) m"

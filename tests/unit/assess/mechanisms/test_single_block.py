@@ -14,7 +14,7 @@ from assess.geometry.planar import join_planar, planar_body, planar_body_from_va
 from assess.geometry.solid import box
 from assess.mechanisms.chain import Block, Chain
 from assess.mechanisms.equivalent_block import equivalent_block
-from assess.mechanisms.motion import move, place
+from assess.mechanisms.motion import move, trace_point
 from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.rest import plain_block
 from assess.mechanisms.single_block import single_block
@@ -38,7 +38,7 @@ def test_rates_are_the_derivatives_of_the_turned_centroid():
         return np.array([-behind * np.cos(phi) + height * np.sin(phi), behind * np.sin(phi) + height * np.cos(phi)])
 
     central = (position(rotation + step) - position(rotation - step)) / (2 * step)
-    motion = place(move(chain, rotation), block=0, at=(-0.4, 2.1))
+    motion = trace_point(move(chain, rotation), block=0, at=(-0.4, 2.1))
     np.testing.assert_allclose(motion.dx, central[0], rtol=1e-8)
     np.testing.assert_allclose(motion.dz, central[1], rtol=1e-8)
 

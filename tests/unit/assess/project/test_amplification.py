@@ -15,7 +15,8 @@ from assess.errors import ProjectError
 from assess.geometry.solid import box
 from assess.project.build import build
 from assess.project.schema import load
-from assess.study.run import envelope, run
+from assess.study.envelope_run import envelope
+from assess.study.run import run
 from assess.study.study import Study
 from records.floor_motion import floor_motion
 

@@ -11,7 +11,8 @@ from assess.codes.check import Outcome, Reason
 from assess.project.build import build
 from assess.project.schema import load
 from assess.study.grounding import BY_BODIES, BY_BUILDING, BY_MECHANISM, BY_TABLE, UNKNOWN, Grounded
-from assess.study.run import parameters, run
+from assess.study.parameters import parameters
+from assess.study.run import run
 from assess.study.study import Study
 
 HEAD = """

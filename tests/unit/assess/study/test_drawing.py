@@ -13,7 +13,7 @@ from shapely.affinity import rotate
 from assess.geometry.planar import planar_body
 from assess.geometry.solid import box
 from assess.loads.load import Force, PointMass, Tie
-from assess.mechanisms.chain import Block, Chain, mirrored_chain
+from assess.mechanisms.chain import Block, Chain, mirror_chain
 from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block
@@ -37,7 +37,7 @@ def portal(loads=()) -> Mechanism:
     )
     hinges = ((1.0, 0.0), (0.0, 5.0), (5.0, 5.0), (6.0, 0.0))
     back = tuple((6.0 - x, z) for x, z in (hinges[3], hinges[2], hinges[1], hinges[0]))
-    negative = mirrored_chain(blocks, back, loads)
+    negative = mirror_chain(blocks, back, loads)
     return Mechanism(
         "portal", "", "four-hinge", "two", Chain(blocks, hinges, loads), negative, (0.8, 0.8), "given", 0.0,
         tuple((ring,) for ring in rings),

@@ -15,8 +15,10 @@ from assess.mechanisms.lasting import variants
 from assess.project.build import build
 from assess.project.schema import load
 from assess.study.context import context_of
+from assess.study.envelope_run import envelope
+from assess.study.parameters import parameters
 from assess.study.rocking_case import RockingHistories
-from assess.study.run import envelope, parameters, run
+from assess.study.run import run
 from assess.study.sensitivity import check_case
 
 PROJECT = """

@@ -16,8 +16,9 @@ from assess.project.build import build
 from assess.project.schema import load
 from assess.study.history_scan import scan_levels
 from assess.study.motions import motions_of
+from assess.study.parameters import parameters
 from assess.study.rocking_case import RockingCase
-from assess.study.run import parameters, run
+from assess.study.run import run
 from assess.study.study import Study
 from records.response import response_spectrum
 

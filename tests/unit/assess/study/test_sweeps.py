@@ -18,9 +18,11 @@ from assess.project.build import build
 from assess.project.schema import load
 from assess.results import MechanismResult
 from assess.results.json import dumps
-from assess.study.run import case_parameters, parameters, run
+from assess.study.case_severity import controlling_index
+from assess.study.parameters import case_parameters, parameters
+from assess.study.run import run
 from assess.study.study import Study
-from assess.study.sweeps import CaseResult, controlling_index
+from assess.study.sweep_cases import CaseResult
 
 PROJECT = """
 [verdict]

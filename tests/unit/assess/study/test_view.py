@@ -17,7 +17,7 @@ from assess.geometry.solid import box, polyhedron
 from assess.mechanisms.single_block import single_block
 from assess.project.build import build
 from assess.project.schema import load
-from assess.study import run as running
+from assess.study.parameters import parameters
 from assess.study.view import LIMIT, view
 
 PROJECT = """
@@ -68,7 +68,7 @@ radius = 2.84
 def results(tmp_path_factory):
     path: Path = tmp_path_factory.mktemp("view") / "project.toml"
     path.write_text(PROJECT.replace("PROFILE", str([*ring(3.4), *ring(2.6)[::-1]])))
-    return {each.name: each for each in running.parameters(build(load(path)))}
+    return {each.name: each for each in parameters(build(load(path)))}
 
 
 def ring(radius):

@@ -12,7 +12,7 @@ from scipy.constants import g
 from assess.project.build import build
 from assess.project.schema import load
 from assess.results import HistoryResult, MechanismResult, Resolved, Results, Trace
-from assess.study.run import parameters
+from assess.study.parameters import parameters
 from reports import joints
 from reports.assessment import assessment
 from reports.chapters import interface_variants, interfaces, sentences

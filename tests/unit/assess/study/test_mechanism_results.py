@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from assess.results import HistoryResult
-from assess.study.outcome import suite_statistics
+from assess.study.mechanism_results import suite_statistics
 
 
 def history(ratio: float | None) -> HistoryResult:

@@ -12,10 +12,10 @@ from assess.oscillator import Oscillator, SingleBlock, elastic_frequency, plain_
 from assess.project.build import build
 from assess.project.schema import load
 from assess.results import Results
+from assess.study.coarse_records import coarse_record_messages, longest_step
 from assess.study.envelopes import EnvelopeCase
 from assess.study.motions import ScaledRecord
 from assess.study.run import run
-from assess.study.sampling import coarse_record_messages, longest_step
 from records.record import make_record
 from records.scaling import Scaling
 

@@ -1,8 +1,8 @@
 """Records whose time step is too coarse for a mechanism.
 
-Between samples the ground acceleration is taken as a straight line. That lowers a harmonic of n samples a period by
-sinc^2(pi / n), 9 % for 6, and what is beyond half the sampling rate is not in the record at all. The integration itself
-takes steps of its own, whatever the record's.
+Between samples the ground acceleration is taken as linear. That lowers a harmonic of n samples a period by
+sinc^2(pi / n), 9 % for 6; what lies beyond half the sampling rate is not in the record at all. The integration takes
+steps of its own, whatever the record's.
 """
 
 from __future__ import annotations
@@ -19,31 +19,31 @@ FEWEST = 6.0
 """Samples in a period of the elastic vibration about rest."""
 FEWEST_ROCKING = 10.0
 """Samples within 1 / p, in which a rocking rotation grows e-fold."""
-NAMED = 3
-"""Records that a notice names."""
+MOST_NAMES = 3
+"""Records that a message names."""
 
 
-def coarse_record_messages(rockers: Sequence[EnvelopeCase], motions: Sequence[ScaledRecord]) -> Iterator[Message]:
-    """One for each mechanism, by name, that some record is too coarse for."""
-    for rocker in rockers:
-        longest, why = longest_step(rocker.oscillator, equation=rocker.equation)
+def coarse_record_messages(cases: Sequence[EnvelopeCase], motions: Sequence[ScaledRecord]) -> Iterator[Message]:
+    """Yield a warning for each mechanism for which some record is too coarse."""
+    for case in cases:
+        longest, why = longest_step(case.oscillator, equation=case.equation)
         coarse = [motion.record for motion in motions if motion.record.dt > longest]
         if coarse:
-            named = ", ".join(f"{record.id} ({record.dt:.4g} s)" for record in coarse[:NAMED])
-            more = f" and {len(coarse) - NAMED} more" if len(coarse) > NAMED else ""
+            names = ", ".join(f"{record.id} ({record.dt:.4g} s)" for record in coarse[:MOST_NAMES])
+            more = f" and {len(coarse) - MOST_NAMES} more" if len(coarse) > MOST_NAMES else ""
             yield warning(
                 "coarse-record",
-                f"mechanisms.{rocker.name}",
-                records=f"{named}{more}",
+                f"mechanisms.{case.name}",
+                records=f"{names}{more}",
                 motion=why,
                 longest=Quantity(longest, "time", 3),
             )
 
 
 def longest_step(oscillator: Oscillator, *, equation: Equation) -> tuple[float, str]:
-    """The longest step [s] of a record for this oscillator, and what asks for it, in words.
+    """Return the longest step of a record for an oscillator [s], and the motion that requires it, in words.
 
-    The linearised equation knows no vibration about rest.
+    The linearised equation has no vibration about rest.
     """
     p = max(linearise(branch).p for branch in oscillator.branches)
     elastic = max((elastic_frequency(branch) or 0.0) for branch in oscillator.branches)

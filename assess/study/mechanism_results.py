@@ -1,4 +1,4 @@
-"""From the field's objects to the results tree: plain numbers, units in the names."""
+"""A mechanism in the results, with its checks and its histories."""
 
 from __future__ import annotations
 
@@ -8,7 +8,6 @@ from math import ceil
 import numpy as np
 from scipy.constants import g
 
-from assess.amplification.floor_motion import BaseMotion, ModalFilter
 from assess.codes.check import Check
 from assess.geometry.scene import Scene
 from assess.hinge_forces import HingeForces
@@ -21,90 +20,22 @@ from assess.oscillator import (
 )
 from assess.results import (
     AmplificationResult,
-    CarriedMotion,
     ComparisonRow,
     DirectionCandidate,
     DirectionSweep,
-    Factor,
     HingeForceResult,
     HistoryResult,
     MechanismResult,
-    RecordResult,
-    RecordSpectrum,
-    SpectrumResult,
     SuiteResult,
 )
+from assess.study.amplification_results import UNAMPLIFIED
 from assess.study.drawing import draw
 from assess.study.endurance import load_results
 from assess.study.grounding import Grounded
 from assess.study.joint_results import interface_curves, interface_results
-from assess.study.motions import ScaledRecord
-from assess.study.oscillator_results import curve_of, floats, oscillator_result, overturning_rotations, rigid_branches
-from assess.study.study import Amplified, Equation
+from assess.study.oscillator_results import curve_of, oscillator_result, overturning_rotations, rigid_branches
+from assess.study.study import Equation
 from assess.study.view import view
-from records.candidates import sequence_number
-from records.record import Record, scale
-from records.response import response_spectrum
-from spectra.arrays import FloatArray
-from spectra.spectrum import Spectrum
-
-UNAMPLIFIED = AmplificationResult("none", ())
-SHORTEST_PERIOD, LONGEST_DRAWN = 0.05, 4.0  # s, of the spectra of a filtered motion
-ROUND = (0.02, 0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.75, 1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 7.5)  # [s]
-SHORTEST_SHOWN = 0.01  # [s]
-SAME_PERIOD = 1e-9  # relative difference of periods that are one
-LONGEST_PERIOD = 10.0  # s, of the spectra in the results, where the spectrum reaches so far
-
-
-def display_periods(spectrum: Spectrum) -> FloatArray:
-    """Periods [s] at which spectra are shown: 0, evenly in the logarithm, round ones, and the corners of the code."""
-    longest = min(LONGEST_PERIOD, spectrum.longest_period)
-    corners = [float(value) for key, value in spectrum.parameters.items() if key.startswith("t_") and value != "none"]
-    extra = [period for period in (*ROUND, *corners) if SHORTEST_SHOWN < period < longest]
-    even = np.geomspace(SHORTEST_SHOWN, longest, 160)
-    apart = [period for period in extra if np.abs(even / period - 1.0).min() > SAME_PERIOD]
-    return np.concatenate(([0.0], np.unique(np.concatenate([even, apart]))))
-
-
-def spectrum_result(spectrum: Spectrum) -> SpectrumResult:
-    """The site's spectrum, ordinate by ordinate."""
-    period = display_periods(spectrum)
-    scale = {} if spectrum.factor == 1.0 else {"scale": spectrum.factor}
-    return SpectrumResult(
-        code=spectrum.code,
-        parameters={**spectrum.parameters, **scale},
-        damping=spectrum.damping,
-        damping_rule=spectrum.damping_rule,
-        clause=spectrum.clause,
-        pga_g=spectrum.pga / g,
-        period_s=floats(period),
-        acceleration_g=floats(spectrum.acceleration(period) / g),
-    )
-
-
-def record_result(motion: ScaledRecord, spectrum: Spectrum, *, nga: int | None = None) -> RecordResult:
-    """A record as used: scaled to the site's target; nga: its number in the NGA database."""
-    used = scale(motion.record, motion.scaling.factor)
-    period = display_periods(spectrum)
-    return RecordResult(
-        id=used.id,
-        path=used.path,
-        event=used.event,
-        station=used.station,
-        component=used.component,
-        dt_s=used.dt,
-        npts=used.npts,
-        pga_g=used.pga / g,
-        scale_factor=motion.scaling.factor,
-        mse=motion.scaling.mse,
-        trail=used.processing_history,
-        spectrum=RecordSpectrum(floats(period), floats(response_spectrum(used, period) / g)),
-        date=used.earthquake.time,
-        magnitude=used.earthquake.magnitude,
-        distance_km=None if used.distance is None else used.distance / 1000.0,
-        vs30_m_per_s=used.site.vs30,
-        nga=sequence_number(used.path) if nga is None else nga,
-    )
 
 
 def mechanism_result(
@@ -118,7 +49,32 @@ def mechanism_result(
     amplification: AmplificationResult = UNAMPLIFIED,
     grounded: Grounded | None = None,
 ) -> MechanismResult:
-    """One mechanism with its checks and its histories [level][record]; `scene` has its bodies in space."""
+    """Return one mechanism as results.
+
+    Parameters
+    ----------
+    mechanism : Mechanism
+        The mechanism.
+    oscillator : Oscillator
+        Its branches with every action that is there at rest.
+    equation : {"exact", "linearised"}
+        The equation of motion of its histories.
+    scene : Scene, optional
+        Its bodies in space.
+    checks : sequence of Check
+        The answers of the procedures.
+    histories : sequence of sequence of HistoryResult
+        By level and record.
+    amplification : AmplificationResult
+        The motion at its base.
+    grounded : Grounded, optional
+        Where it is above the ground.
+
+    Returns
+    -------
+    MechanismResult
+        Without envelope.
+    """
     positive, negative, mass = oscillator.positive, oscillator.negative, oscillator.mass
     deciding = variants(mechanism).deciding
     same = deciding is oscillator
@@ -162,38 +118,8 @@ def mechanism_result(
     )
 
 
-def amplification_result(
-    amplified: Amplified, motions: Sequence[ScaledRecord] = (), base: Sequence[BaseMotion] = ()
-) -> AmplificationResult:
-    """How the motions reached the base of a mechanism; `base` as they act there."""
-    filtered = isinstance(amplified.amplification, ModalFilter) and len(base) > 0
-    most = max(range(len(base)), key=lambda place: base[place].factor) if filtered else 0
-    return AmplificationResult(
-        method=amplified.method,
-        factors=tuple(Factor(each.record.id, each.factor) for each in base),
-        height_m=amplified.height,
-        said=(*amplified.said, *amplified.assumed),
-        motion=carried_motion_result(motions[most], base[most].record) if filtered else None,
-    )
-
-
-def carried_motion_result(motion: ScaledRecord, base: Record) -> CarriedMotion:
-    """A motion scaled to the target, at the ground and at the base of a mechanism, on the steps of the latter."""
-    ground, scale = motion.record, motion.scaling.factor
-    period = np.geomspace(SHORTEST_PERIOD, LONGEST_DRAWN, 120)
-    return CarriedMotion(
-        record=ground.id,
-        time_s=floats(base.time),
-        ground_acceleration_g=floats(scale / g * np.interp(base.time, ground.time, ground.acceleration, right=0.0)),
-        base_acceleration_g=floats(scale / g * base.acceleration),
-        period_s=floats(period),
-        ground_spectrum_g=floats(scale / g * response_spectrum(ground, period)),
-        base_spectrum_g=floats(scale / g * response_spectrum(base, period)),
-    )
-
-
 def hinge_force_result(forces: HingeForces) -> HingeForceResult:
-    """What one hinge passes on when the mechanism starts to rock."""
+    """Return the forces of one hinge when rocking starts, as results."""
     return HingeForceResult(
         hinge=forces.hinge,
         branch=forces.branch,
@@ -212,7 +138,7 @@ def hinge_force_result(forces: HingeForces) -> HingeForceResult:
 
 
 def direction_sweep(found: Directions) -> DirectionSweep:
-    """The search for the weakest direction."""
+    """Return the search for the weakest direction as results."""
     return DirectionSweep(
         angle_deg=found.angle,
         uplift_multiplier=found.multiplier,
@@ -225,7 +151,7 @@ def direction_sweep(found: Directions) -> DirectionSweep:
 
 
 def suite_statistics(histories: Sequence[HistoryResult]) -> SuiteResult:
-    """All records at one level."""
+    """Return the statistics of all records at one level."""
     standing = [history.max_rotation_ratio for history in histories if history.max_rotation_ratio is not None]
     overturned = len(histories) - len(standing)
     ranked = [*sorted(standing), *[None] * overturned]
@@ -241,7 +167,7 @@ def suite_statistics(histories: Sequence[HistoryResult]) -> SuiteResult:
 
 
 def comparison_rows(mechanisms: Sequence[MechanismResult]) -> tuple[ComparisonRow, ...]:
-    """Every check of every mechanism on one line."""
+    """Return one row for every check of every mechanism."""
     return tuple(
         ComparisonRow(
             mechanism=mechanism.name,

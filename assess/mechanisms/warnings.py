@@ -8,7 +8,7 @@ import shapely
 
 from assess.geometry.outline import Outline
 from assess.loads.load import Load
-from assess.mechanisms.chain import Chain, Point, hinge_names, written
+from assess.mechanisms.chain import Chain, Point, format_point, hinge_names
 from assess.mechanisms.statics import compressions
 
 NEAR = 0.01  # of the size of a block: a hinge this far outside it still touches it
@@ -23,21 +23,21 @@ def loose_hinges(hinges: Sequence[Point], outlines: Sequence[Outline], *, mark: 
                 continue
             gap = float(areas[block].distance(shapely.Point(hinge)))
             if gap > NEAR * float(areas[block].length) / 4.0:
-                yield f"hinge {letter}{mark} at {written(hinge)} is {gap:.3g} m away from block {block}; check it"
+                yield f"hinge {letter}{mark} at {format_point(hinge)} is {gap:.3g} m away from block {block}; check it"
 
 
-def across_the_crack(loads: Sequence[Load], elevation: float) -> Iterator[str]:
+def loads_across_crack(loads: Sequence[Load], elevation: float) -> Iterator[str]:
     """A sentence for each load of a wall of two blocks that lies on the other side of the crack than its block."""
     for load in loads:
         side = int(load.at[1] >= elevation)
         if load.block != side:
             yield (
-                f'load "{load.name}" at {written(load.at)} acts on block {load.block}, yet the crack is at z = '
+                f'load "{load.name}" at {format_point(load.at)} acts on block {load.block}, yet the crack is at z = '
                 f"{elevation:.4g} m; write block = {side} if it moves with that one"
             )
 
 
-def pulling_supports(chain: Chain, *, mark: str = "") -> Iterator[str]:
+def supports_in_tension(chain: Chain, *, mark: str = "") -> Iterator[str]:
     """A sentence for each hinge on the ground that would have to hold its block down when the chain starts to move."""
     for letter, force in zip(hinge_names(chain), compressions(chain), strict=True):
         if letter in "AD" and force < 0.0:

@@ -26,6 +26,7 @@ from records.band import Band, band
 from records.candidates import PERIODS
 from records.errors import RecordError
 from records.formats.header_overrides import HeaderOverrides
+from records.paths import relative_path
 from records.reading import read_with
 from records.selection import Criteria, Filters, select
 from spectra.spectrum import Spectrum

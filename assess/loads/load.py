@@ -115,7 +115,7 @@ def pull_at_rest(tie: Tie) -> Point:
 
 
 def lasts(action: Action) -> bool:
-    """Return whether an action is shown to last to collapse (NTC 2018, C8.7.1.2.1.6), a tie's strain at fracture aside."""
+    """Return whether it is shown to last to collapse (NTC 2018, C8.7.1.2.1.6), but for a tie's fracture strain."""
     return action.until == "collapse" and not action.missing
 
 

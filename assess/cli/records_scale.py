@@ -42,7 +42,7 @@ def scale(
     from assess.cli.warning import tell
     from assess.outputs.folder import output_folder
     from assess.outputs.manifest import RECORDS
-    from assess.project.choosing import scaled_files
+    from assess.project.choosing import write_scaled_files
     from assess.results.stamp import stamp_of_files
     from records.formats.header_overrides import HeaderOverrides
     from records.record import scale
@@ -55,7 +55,7 @@ def scale(
         else output_folder(output, command="assess records scale", owner=RECORDS, tell=tell)
     )
     with place as stage:
-        motions, suite = scaled_files(target, files, to=to, at=at, periods=periods, overrides=overrides)
+        motions, suite = write_scaled_files(target, files, to=to, at=at, periods=periods, overrides=overrides)
         stamp = stamp_of_files("records scale", files, json_text(suite))
         for number, motion in enumerate(motions, start=1):
             if stage is not None:

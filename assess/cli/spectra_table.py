@@ -13,7 +13,7 @@ from scipy.constants import g
 
 from assess.cli.text_table import text_table
 from assess.errors import AssessError
-from assess.project.record_set import offered
+from assess.project.record_set import candidate_records
 from assess.results.stamp import origin
 from records.candidates import DAMPING, PERIODS
 from records.formats.header_overrides import HeaderOverrides
@@ -52,7 +52,7 @@ def found_in(
         ordinates = [response_spectrum(record, PERIODS, damping=damping) for record in records]
         pga = np.array([record.pga for record in records])
         return Spectra(tuple(record.id for record in records), pga, np.array(ordinates))
-    found = offered(places, overrides=overrides, kept=kept, executor=executor).candidates
+    found = candidate_records(places, overrides=overrides, kept=kept, executor=executor).candidates
     if not found:
         raise AssessError(f"{folders[0]}: no records in the folder that can be read; `assess records index` says why")
     pga = np.array([one.measures["pga"] for one in found])

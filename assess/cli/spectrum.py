@@ -73,11 +73,11 @@ def spectrum(
     _refuse(project, options, as_json=as_json, as_csv=as_csv, output=output)
     from assess.cli.spectrum_table import csv_text, json_text, table_text, told
     from assess.project.site_spectrum import site_of, spectrum_of, vertical_of
-    from assess.project.typed_site import typed_doubts, typed_site
+    from assess.project.typed_site import check_typed_site, typed_site_messages
 
-    site = typed_site(options, folder=Path()) if project is None else site_of(project)
+    site = check_typed_site(options, folder=Path()) if project is None else site_of(project)
     found = (vertical_of if vertical else spectrum_of)(site)
-    told(found, doubts=typed_doubts(options))
+    told(found, doubts=typed_site_messages(options))
     if output is not None:
         from assess.cli.spectrum_table import draw
 

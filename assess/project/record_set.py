@@ -59,7 +59,7 @@ class Offer:
 def all_of(section: sections.Records, folder: Path) -> RecordSet:
     """Every record that [records] names; `folder` is that of the project file."""
     found = [record for path in section.files for record in read_with(path, overrides_of(section))]
-    records = uniquely_named([replace(one, path=relative(Path(one.path), folder)) for one in found])
+    records = with_unique_names([replace(one, path=relative(Path(one.path), folder)) for one in found])
     return RecordSet(records, Fitting(EVERYWHERE))
 
 
@@ -68,7 +68,7 @@ def overrides_of(section: sections.Records) -> HeaderOverrides:
     return HeaderOverrides(section.unit, section.step, section.response)
 
 
-def chosen(
+def select_records(
     section: sections.Records,
     wanted: sections.Select,
     *,
@@ -82,14 +82,14 @@ def chosen(
     executor : of processes, that read where files are many
     """
     overrides = overrides_of(section)
-    offer = offered(section.files, overrides=overrides, flatfile=section.flatfile, executor=executor)
+    offer = candidate_records(section.files, overrides=overrides, flatfile=section.flatfile, executor=executor)
     try:
         over = band(*periods_of(wanted, spectrum, mechanisms), weights=wanted.weights)
         found = select(offer.candidates, spectrum, criteria_of(section, wanted, over))
     except RecordError as error:
         raise ProjectError(f"records.select: {error}") from None
     suite = record_set(found, over, folder=folder)
-    return suite, (*notices_of(offer), *doubts_of(suite.records))
+    return suite, (*notices_of(offer), *record_messages(suite.records))
 
 
 def periods_of(wanted: sections.Select, spectrum: Spectrum, mechanisms: Iterable[Mechanism]) -> tuple[float, float]:
@@ -116,7 +116,7 @@ def criteria_of(section: sections.Records, wanted: sections.Select, over: Band) 
     )
 
 
-def offered(
+def candidate_records(
     files: Sequence[Path],
     *,
     overrides: HeaderOverrides = NO_OVERRIDES,
@@ -156,7 +156,7 @@ def catalogue_of(folder: Path) -> Path | None:
 def record_set(found: Selection, over: Band, *, folder: Path) -> RecordSet:
     """The records of a selection, read from their files; ids that stand twice numbered."""
     parts = [(choice, one) for choice in found.choices for one in choice.components]
-    records = uniquely_named([_record(one, folder=folder) for _, one in parts])
+    records = with_unique_names([_record(one, folder=folder) for _, one in parts])
     by_choice: dict[int, list[str]] = {}
     for (choice, _), record in zip(parts, records, strict=True):
         by_choice.setdefault(id(choice), []).append(record.id)
@@ -201,7 +201,7 @@ def cell_text(cell: BadCell) -> str:
     return f'row {cell.row}, {cell.column}: "{cell.value[:LONGEST]}"'
 
 
-def doubts_of(records: Sequence[Record]) -> Iterator[Message]:
+def record_messages(records: Sequence[Record]) -> Iterator[Message]:
     """Which records have peaks or steps that ground hardly has, or files that contradict themselves."""
     doubts = [*(doubt for record in records if (doubt := record_warning(record))), *warnings_among(records)]
     if doubts:
@@ -213,7 +213,7 @@ def _first(told: Sequence[str]) -> str:
     return "; ".join(told[:TOLD]) + more
 
 
-def uniquely_named(records: Sequence[Record]) -> tuple[Record, ...]:
+def with_unique_names(records: Sequence[Record]) -> tuple[Record, ...]:
     """The records, a second one of the same id numbered "id (2)", and so on."""
     seen: dict[str, int] = {}
     named = []

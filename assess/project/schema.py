@@ -1,7 +1,7 @@
 """The project file: read, checked against its schema, every quantity in SI.
 
     load(path) -> Project      raises ProjectError with one line: file: key: value: what is wrong; remedy
-    resolved(project)          every key with its value and whether it was given or is a default
+    resolve(project)          every key with its value and whether it was given or is a default
     json_schema()              the schema itself, for editors
 
 The tables are the classes of `assess.project.sections`.
@@ -85,7 +85,7 @@ def _check_sources(project: Project) -> None:
     """Every key of [report.sources] is one of the file, or the beginning of one."""
     if not project.content.report.sources:
         return
-    keys = [key for key in resolved(project) if not key.startswith("report.sources.")]
+    keys = [key for key in resolve(project) if not key.startswith("report.sources.")]
     starts = {".".join(key.split(".")[: n + 1]) for key in keys for n in range(key.count(".") + 1)}
     for key in project.content.report.sources:
         if key not in starts:
@@ -172,7 +172,7 @@ def _upgraded(raw: dict[str, Any]) -> dict[str, Any]:
     return raw
 
 
-def resolved(project: Project) -> dict[str, Resolved]:
+def resolve(project: Project) -> dict[str, Resolved]:
     """Every key, written with dots, with its value in SI and whether it was given or is a default.
 
     Paths are written relative to the project file.

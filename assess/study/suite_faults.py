@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from assess.codes.families import SUITE_CODES
 from assess.codes.verdict import methods_of
-from assess.messages.message import Message, Quantity, Severity, Value, count, message
+from assess.messages.message import Message, Quantity, Severity, Value, message, whole_number
 from assess.study.motions import ScaledRecord
 from assess.study.study import Study
 from assess.study.suite_remedies import FILES, REMEDIES, Remedy, SuiteReview
@@ -101,4 +101,4 @@ def _message(key: str, values: Mapping[str, Value], remedy: Remedy) -> Message:
 
 
 def _number(one: Requirement, value: float) -> Quantity:
-    return count(round(value)) if one.rule in WHOLE else Quantity(value, DIMENSIONS[one.unit], 3)
+    return whole_number(round(value)) if one.rule in WHOLE else Quantity(value, DIMENSIONS[one.unit], 3)

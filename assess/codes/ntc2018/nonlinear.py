@@ -39,7 +39,7 @@ from assess.codes.ntc2018.clauses import (
 from assess.codes.ntc2018.linear import demand_steps
 from assess.codes.ntc2018.sheet import first_mode_steps, ordinate_steps, peak_steps, period_steps, share_steps
 from assess.oscillator import Oscillator
-from spectra.floor_spectrum import PLATEAU
+from spectra.circolare2019 import PLATEAU
 
 PROCEDURE = "ntc2018-nonlinear"
 CLAUSE = "C8.7.1.2.1.8"

@@ -10,38 +10,17 @@ from assess.project.build import build
 from assess.project.dependents import dependents
 from assess.project.schema import json_schema, load, resolve
 from assess.project.variations import Variation
+from tests.support.projects import block, project_toml, published, wall
 
-PROJECT = """
-[site.spectrum]
-code = "asce7-16"
-s_ds = "0.5 g"
-s_d1 = "0.2 g"
-t_l = 6
-[materials.stone]
-density = "2000 kg/m^3"
-[materials.brick]
-density = "1800 kg/m^3"
-[bodies.wall]
-material = "stone"
-box = { thickness = 0.6, length = 4.0, height = "4.5 m" }
-[bodies."tower no. 1"]
-material = "brick"
-box = { thickness = 3, length = 3, height = 12 }
-[mechanisms.wall]
-kind = "single-block"
-blocks = ["wall"]
-restitution = 0.9
-loads = [{ kind = "mass", mass = 100, at = [0, 0, 4] }]
-[mechanisms.spire]
-kind = "single-block"
-blocks = ["tower no. 1"]
-cut = { point = [0, 0, 6], angle = "10 deg" }
-[mechanisms.published]
-kind = "equivalent-block"
-p = 1.6
-uplift = 0.14
-radius = 2.84
-"""
+PROJECT = project_toml(
+    materials={"stone": {"density": "2000 kg/m^3"}, "brick": {"density": "1800 kg/m^3"}},
+    bodies={"wall": wall(length=4.0, height="4.5 m", material="stone"), "tower no. 1": wall(3, 3, 12)},
+    mechanisms={
+        "wall": block(restitution=0.9, loads=[{"kind": "mass", "mass": 100, "at": [0, 0, 4]}]),
+        "spire": block("tower no. 1", cut={"point": [0, 0, 6], "angle": "10 deg"}),
+        "published": published(),
+    },
+)
 
 
 def swept(folder: Path, sweep: str) -> tuple[Variation, ...]:

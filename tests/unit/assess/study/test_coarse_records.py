@@ -18,31 +18,19 @@ from assess.study.motions import ScaledRecord
 from assess.study.run import run
 from records.record import make_record
 from records.scaling import Scaling
+from tests.support.projects import ASCE7, block, project_toml, wall
 
-PROJECT = """
-[site.spectrum]
-code = "asce7-16"
-s_ds = "0.3 g"
-s_d1 = "0.1 g"
-t_l = 6
-[materials.m]
-density = 2000
-[bodies.w]
-material = "m"
-box = {{ thickness = 0.6, length = 4.0, height = 4.5 }}
-[mechanisms."on joints"]
-kind = "single-block"
-blocks = ["w"]
-interface = {{ model = "flexible", stiffness = "10 GPa/m", strength = "2 MPa" }}
-[mechanisms.rigid]
-kind = "single-block"
-blocks = ["w"]
-[records]
-files = ["motion.csv"]
-scale_to = "none"
-[analysis]
-procedures = ["asce43-05-spectrum"]
-"""
+PROJECT = project_toml(
+    site={"spectrum": ASCE7 | {"s_ds": "0.3 g", "s_d1": "0.1 g"}},
+    materials={"m": {"density": 2000}},
+    bodies={"w": wall(0.6, 4.0, 4.5, material="m")},
+    mechanisms={
+        "on joints": block("w", interface={"model": "flexible", "stiffness": "10 GPa/m", "strength": "2 MPa"}),
+        "rigid": block("w"),
+    },
+    records={"files": ["motion.csv"], "scale_to": "none"},
+    analysis={"procedures": ["asce43-05-spectrum"]},
+)
 
 
 def block(p: float) -> Oscillator:
@@ -79,7 +67,7 @@ def results(folder: Path, *, dt: float) -> Results:
     time = np.arange(0.0, 6.0, dt)
     rows = "\n".join(f"{t:.6f},{a:.6f}" for t, a in zip(time, np.sin(4.0 * time), strict=True))
     (folder / "motion.csv").write_text(f"time [s],acceleration [m/s2]\n{rows}\n")
-    (folder / "project.toml").write_text(PROJECT.format())
+    (folder / "project.toml").write_text(PROJECT)
     return run(build(load(folder)))
 
 

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.constants import g
 
-from assess.cli.text_table import text_table
+from assess.cli.tables.text_table import text_table
 from assess.errors import AssessError
 from assess.project.record_set import candidate_records
 from assess.results.stamp import origin
@@ -75,7 +75,7 @@ def csv_text(spectra: Spectra) -> str:
     return csv_lines([header, [0.0, *spectra.pga.tolist()], *([T, *column] for T, column in columns)])
 
 
-def drawn(spectra: Spectra, path: Path) -> None:
+def draw(spectra: Spectra, path: Path) -> None:
     """The figure in the file at `path`."""
     figure = record_spectra.draw(spectra.names, PERIODS, spectra.ordinates / g)
     write_figure(figure, path, creator=origin("records spectra", csv_text(spectra)))

@@ -29,10 +29,10 @@ class InterfaceCurves(ShortRepr):
 class HingeForceResult(ShortRepr):
     """The force through a hinge when its mechanism starts to rock, at the ground acceleration activation_g.
 
-    horizontal_n, vertical_n: on the block that presses, along the branch's own direction and up; normal_n, shear_n: normal to
-    its faces (compression positive) and along them; face: unit normal of the faces (along, up), towards that block;
-    face_found: False if the geometry has no faces there and they are taken as level. needed_friction: |shear_n| /
-    normal_n, None without compression; friction: of the joint, None if not known. sliding_g: ground acceleration at
+    horizontal_n, vertical_n: on the block that presses, along the branch's own direction and up; normal_n, shear_n:
+    normal to its faces (compression positive) and along them; face: unit normal of the faces (along, up), towards that
+    block; face_found: False if the geometry has no faces there and they are taken as level. needed_friction: |shear_n|
+    / normal_n, None without compression; friction: of the joint, None if not known. sliding_g: ground acceleration at
     which it slides before it rocks, None if it rocks first or friction is not known. held: whether a support holds it
     besides friction, as at the top of a wall.
     """

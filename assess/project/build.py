@@ -34,7 +34,7 @@ from assess.project.survey import survey_of
 from assess.project.variables import variables_of
 from assess.project.variations import Variant, Variation
 from assess.results import Input
-from assess.study.amplification import Standing, amplify
+from assess.study.amplification import MechanismInPlace, amplify
 from assess.study.record_set import EVERYWHERE, RecordSet, record_messages
 from assess.study.study import Artificial, Case, Equation, Fitting, PulseGrid, Study, Sweep
 from assess.study.verdict import levels_with_site
@@ -136,7 +136,7 @@ def part_of(content: sections.Content, files: Files, *, names: Iterable[str]) ->
         amplified={
             name: amplify(
                 amplification_method_of(section),
-                Standing(
+                MechanismInPlace(
                     name=name,
                     definition=definitions[name],
                     built=built[name],

@@ -14,12 +14,10 @@ from assess.results.json import dumps
 from assess.study.run import run
 from spectra.table import read_table
 from tests.support.command import ended
-from tests.support.projects import project_toml, published
+from tests.support.projects import EC8, project_toml, published, tables_toml
 
-PROJECT = project_toml(
-    site={"pga": "0.15 g", "spectrum": {"code": "ec8", "a_g": "0.25 g", "ground_type": "B", "damping": 0.08}},
-    materials=None,
-    bodies=None,
+PROJECT = tables_toml(
+    site={"pga": "0.15 g", "spectrum": EC8 | {"damping": 0.08}},
     mechanisms={"quick": published(3.36, 0.34, 0.62, restitution=0.8)},
     records={"synthetic": {"count": 1, "duration": 8}},
     analysis={"procedures": ["asce43-05-spectrum"]},

@@ -16,26 +16,15 @@ from assess.project.schema import load, resolved
 from assess.study.parameters import parameters
 from assess.study.run import run
 from assess.study.study import Study
+from tests.support.projects import ASCE7, tables_toml
 
-HEAD = """
-[materials.stone]
-density = 2400
-[materials.rubble]
-density = 1800
-"""
 MECHANISM = '\n[mechanisms.m]\nkind = "single-block"\ndirection = {direction}\nblocks = [{blocks}]\n'
-SITE = """
-[site.spectrum]
-code = "asce7-16"
-s_ds = "0.5 g"
-s_d1 = "0.2 g"
-t_l = 6
-[records.synthetic]
-count = 1
-duration = "8 s"
-[analysis]
-procedures = ["asce43-05-spectrum"]
-"""
+HEAD = tables_toml(materials={"stone": {"density": 2400}, "rubble": {"density": 1800}})
+SITE = tables_toml(
+    site={"spectrum": ASCE7},
+    records={"synthetic": {"count": 1, "duration": "8 s"}},
+    analysis={"procedures": ["asce43-05-spectrum"]},
+)
 
 
 def obj(solid: Solid, *, faces: slice = slice(None)) -> str:

@@ -16,12 +16,9 @@ from assess.project.build import build
 from assess.project.schema import load
 from assess.study.parameters import parameters
 from assess.study.study import Study
+from tests.support.projects import tables_toml
 
-HEAD = """
-[materials.m]
-density = 2000
-tensile_strength = "0.02 MPa"
-"""
+HEAD = tables_toml(materials={"m": {"density": 2000, "tensile_strength": "0.02 MPa"}})
 WALL = """
 [bodies.wall]
 material = "m"

@@ -13,9 +13,9 @@ from assess.study.grounding import BY_BODIES, BY_BUILDING, BY_MECHANISM, BY_TABL
 from assess.study.parameters import parameters
 from assess.study.run import run
 from assess.study.study import Study
-from tests.support.projects import project_toml, study_of
+from tests.support.projects import ASCE7, study_of, tables_toml
 
-HEAD = project_toml(materials={"m": {"density": 2000}}, bodies=None, mechanisms=None)
+HEAD = tables_toml(site={"spectrum": ASCE7}, materials={"m": {"density": 2000}})
 BUILDING = '[building]\nheight = "9 m"\n'
 TABLE = '[mechanisms.t]\nkind = "equivalent-block"\np = 1.6\nuplift = 0.14\nradius = 2.84\n'
 

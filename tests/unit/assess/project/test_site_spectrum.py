@@ -12,7 +12,7 @@ from assess.project.schema import load, resolved
 from assess.project.site_spectrum import site_in, spectrum_of, vertical_of
 from assess.study.site_results import spectrum_result
 from spectra.errors import SpectrumError
-from tests.support.projects import project_toml, published
+from tests.support.projects import published, tables_toml
 
 ROWS = """hazard = [
   { return_period = 30, a_g = "0.05 g", f_0 = 2.4, t_c_star = "0.28 s" },
@@ -31,7 +31,7 @@ PGA = {"asce7-16": 0.4, "ec8": 0.30, "nzs1170.5": 0.532, "ntc2018": 0.3010, "haz
 
 def loaded(folder: Path, table: str, *, site: str = "", rest: str = ""):
     path = folder / "project.toml"
-    wall = project_toml(site=None, materials=None, bodies=None, mechanisms={"wall": published()})
+    wall = tables_toml(mechanisms={"wall": published()})
     path.write_text(f"[site]\n{site}\n[site.spectrum]\n{table}\n{wall}{rest}", encoding="utf-8")
     return load(path)
 

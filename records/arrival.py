@@ -1,4 +1,4 @@
-"""When waves of an earthquake can reach a site: what a record's clock says of its time step."""
+"""Arrival times: whether a record's peak comes when waves of its earthquake can reach the site."""
 
 from __future__ import annotations
 

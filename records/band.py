@@ -1,4 +1,4 @@
-"""The periods over which a suite is to fit its target, and how much each counts."""
+"""The periods over which a suite is to fit its target, with their weights."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ class Band:
 
     @property
     def columns(self) -> slice:
-        """Where its nodes stand among the periods of a catalogue."""
+        """Slice of its nodes among the periods of a catalogue."""
         first = int(np.searchsorted(PERIODS, self.nodes[0]))
         return slice(first, first + self.nodes.size)
 

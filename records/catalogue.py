@@ -46,7 +46,7 @@ CREATE TABLE recordings (nga INTEGER PRIMARY KEY, event TEXT, year TEXT, station
 COLUMNS = (
     "path, position, id, event, station, component, date, magnitude, distance, vs30, place, nga, dt, npts, spectrum"
 )
-TOLD = tuple(COLUMNS.split(", "))[:-1]
+TEXT_COLUMNS = tuple(COLUMNS.split(", "))[:-1]
 ROWS = f"SELECT {COLUMNS}, {', '.join(MEASURES)}, seal FROM records ORDER BY path, position"
 FILES = "SELECT path, size, mtime, sha256, asked, problem, records, seal FROM files"
 FLATFILE = ("nga", "event", "year", "station", "magnitude", "distance", "vs30", "files")
@@ -125,7 +125,7 @@ def _tables(connection: Catalogue) -> int:
 
 def _make(connection: Catalogue) -> None:
     """Make empty tables, and keep the header overrides and the flatfile of an older version."""
-    told = _rows(connection, "SELECT unit, step, response FROM stated")
+    overrides = _rows(connection, "SELECT unit, step, response FROM stated")
     flatfile = _rows(connection, f"SELECT {', '.join(FLATFILE)} FROM recordings")
     connection.executescript(
         "BEGIN;"
@@ -134,7 +134,7 @@ def _make(connection: Catalogue) -> None:
         + f"PRAGMA application_id = {APPLICATION}; PRAGMA user_version = {VERSION}; COMMIT;"
     )
     with connection:
-        connection.executemany("INSERT INTO stated VALUES (?, ?, ?, ?)", [with_seal(row) for row in told[:1]])
+        connection.executemany("INSERT INTO stated VALUES (?, ?, ?, ?)", [with_seal(row) for row in overrides[:1]])
         marks = ", ".join("?" * (len(FLATFILE) + 1))
         connection.executemany(f"INSERT INTO recordings VALUES ({marks})", [with_seal(row) for row in flatfile])
 
@@ -193,7 +193,9 @@ def candidates(connection: sqlite3.Connection) -> tuple[Candidate, ...]:
 def _candidate(row: Sequence[Any], overrides: HeaderOverrides) -> Candidate:
     spectrum = np.frombuffer(row[14], dtype="<f8")
     measures = dict(zip(MEASURES, row[15:-1], strict=True))
-    return Candidate(**dict(zip(TOLD, row, strict=False)), measures=measures, spectrum=spectrum, overrides=overrides)
+    return Candidate(
+        **dict(zip(TEXT_COLUMNS, row, strict=False)), measures=measures, spectrum=spectrum, overrides=overrides
+    )
 
 
 def header_overrides(connection: sqlite3.Connection) -> HeaderOverrides:

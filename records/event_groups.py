@@ -1,4 +1,4 @@
-"""Which recordings are of one earthquake, or one motion in two files."""
+"""Event groups: recordings of one earthquake, or of one motion in two files."""
 
 from __future__ import annotations
 

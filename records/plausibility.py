@@ -1,4 +1,4 @@
-"""Whether a record can be of ground in an earthquake, or its unit or step is another than was read."""
+"""Plausibility of a record: whether it can be ground motion, or its unit or step was misread."""
 
 from __future__ import annotations
 

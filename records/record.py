@@ -34,11 +34,11 @@ class Earthquake:
 
 @dataclass(frozen=True)
 class Site:
-    """Where the instrument stands, as far as the file says.
+    """The site of the instrument, as far as the file says.
 
     latitude, longitude : [deg], north and east positive; elevation : above sea level [m]
     vs30 : mean shear-wave velocity of the upper 30 m [m/s]; ground : its class with the code ("EC8 B"), or the soil
-    place : where in the ground or a structure it stands ("borehole"), "" for the free surface or unknown
+    place : location of the instrument in the ground or a structure ("borehole"), "" for the free surface or unknown
     """
 
     latitude: float | None = None
@@ -72,7 +72,7 @@ class Record:
     stationary : of an artificial record, how long its envelope is level [s]; None of recorded ones
     longest_period : up to which the processing of its source left the motion usable [s]; None where it does not say
     start : time of the first sample, as `earthquake.time`, "" unknown
-    warnings : what in its file is odd, in words
+    warnings : what is odd in its file, one sentence each
     """
 
     id: str

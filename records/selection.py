@@ -131,10 +131,10 @@ def select(candidates: Sequence[Candidate], spectrum: Spectrum, criteria: Criter
         ("of different earthquakes" if criteria.one_per_event else "to choose from", len(set(groups.tolist()))),
     )
     if counted[-1][1] < criteria.count:
-        said = ", ".join(f"{number} {step}" for step, number in counted)
+        steps = ", ".join(f"{number} {step}" for step, number in counted)
         remedy = "widen the limits, or add records"
         remedy += ", or a flatfile that knows more of them" if len(known[-1][1]) < len(horizontal) else ""
-        raise RecordError(f"{criteria.count} records wanted; there are {said}: {remedy}")
+        raise RecordError(f"{criteria.count} records wanted; there are {steps}: {remedy}")
     chosen, greedy = FITS[criteria.fit](_pool(choices, log_ratio, band, groups), criteria.count)
     ratio = _ratios([choices[i] for i in chosen], log_ratio[chosen])
     misfit = float(mean_square(np.log(ratio.mean(axis=0)), weight=band.weight))

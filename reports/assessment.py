@@ -1,4 +1,4 @@
-"""The assessment as a document: what is said, and in which order; every number is taken from the results."""
+"""The assessment as a document: its chapters in order, with every number taken from the results."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ _FACTS = (
 
 
 def assessment(results: Results) -> Document:
-    """The whole report of one run."""
+    """Return the whole report of one run, in English and SI."""
     title = project_text(results, "title") or "Rocking assessment"
     chapters = [cover.section(results), summary.section(results), *structure.section(results), *_site(results)]
     chapters.append(assumptions.section(results))
@@ -96,7 +96,7 @@ def assessment(results: Results) -> Document:
 
 
 def envelope_report(results: Results) -> Document:
-    """The report of `assess envelope`: the critical mechanisms, and the envelope of each."""
+    """Return the report of `assess envelope`: the critical mechanisms, and the envelope of each."""
     chapters = envelopes.critical_chapter(results)
     for place, mechanism in enumerate(results.mechanisms, start=1):
         chapters += envelopes.chapter(mechanism, results.records, file_stem(mechanism.name, place), level=0)
@@ -120,13 +120,24 @@ def _facts(results: Results) -> tuple[tuple[str, str], ...]:
 
 
 def project_text(results: Results, key: str) -> str:
-    """A text of the project file, empty where it gives none."""
+    """Return a text of the project file.
+
+    Parameters
+    ----------
+    results : of a run
+    key : with dots, as "report.language"
+
+    Returns
+    -------
+    str
+        empty where the project gives none
+    """
     found = results.project.get(key)
     return "" if found is None or found.value is None else str(found.value)
 
 
 def file_stem(name: str, place: int) -> str:
-    """A unique and safe beginning for the file names of a mechanism: its place and what is plain in its name."""
+    """Return a unique and safe beginning for the file names of a mechanism: its place and its name in plain letters."""
     plain = re.sub(r"[^a-z0-9]+", "-", name.lower()).strip("-")[:40].strip("-")
     return f"{place:02d}-{plain}" if plain else f"{place:02d}"
 

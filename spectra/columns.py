@@ -47,7 +47,7 @@ class Columns:
 
     @property
     def units(self) -> tuple[str | None, str | None]:
-        """What stands in brackets in each label, None where nothing does."""
+        """Text in brackets in each label, None where there is none."""
         return unit_of(self.header[0]), unit_of(self.header[1])
 
 
@@ -96,7 +96,7 @@ def decode(data: bytes, *, where: str) -> str:
 
 
 def separator_of(line: str) -> str | None:
-    """Return the first of semicolon, tab and comma that `line` holds; None stands for blanks."""
+    """Return the first of semicolon, tab and comma that `line` holds; None for blanks."""
     return next((mark for mark in SEPARATORS if mark in line.strip()), None)
 
 

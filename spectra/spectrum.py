@@ -30,11 +30,11 @@ class Spectrum:
     damping_rule : the code's rule for other damping, in words with its clause
     ordinates : f(period [s], damping [-]) -> pseudo-acceleration [m/s2], before `factor`
     factor : what the ordinates are multiplied by; corner periods stay fixed [-]
-    clause : where the shape stands
+    clause : that gives the shape
     longest_period : up to which ordinates are known [s]
     displacements : f(period [s], damping [-]) -> spectral displacement [m], before `factor`, where the code gives
         one of its own for long periods; None where it is S_a (T / 2 pi)^2 throughout
-    warnings : what the engineer has to know before using it, with the clause, one sentence each
+    warnings : sentences for the engineer to read before using it, with the clause
     """
 
     code: str

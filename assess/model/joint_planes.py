@@ -43,27 +43,27 @@ class View:
 
     @classmethod
     def of(cls, direction: Sequence[float], *, sign: float) -> View:
-        """The plane of a direction, or of the one against it."""
+        """Return the plane of a direction, or of its opposite."""
         return cls(sign * np.array(direction) / np.linalg.norm(direction), sign)
 
     @property
     def axis(self) -> FloatArray:
-        """Of rotation, level across the motion [3]."""
+        """The axis of rotation, horizontal across the motion [3]."""
         return np.array([-self.along[1], self.along[0], 0.0])
 
     def world(self, vector: Vector) -> FloatArray:
-        """A vector or place (x, z) of the branch in space [3]."""
+        """Return a vector or point (x, z) of the branch in space [3]."""
         return np.asarray(vector[0] * self.along + vector[1] * np.array([0.0, 0.0, 1.0]))
 
     def seen(self, vector: FloatArray) -> Vector:
-        """The unit vector (x, z) of a vector in space [3], as it is seen in the plane of motion."""
+        """Return the unit vector (x, z) of a vector in space [3] in the plane of motion."""
         x, z = float(vector @ self.along), float(vector[2])
         length = float(np.hypot(x, z))
         return (x / length, z / length)
 
 
 @dataclass(frozen=True)
-class Bed:
+class JointPlane:
     """The plane of a joint, and where the faces touch there.
 
     normal : from the held face to the pressing block, in the plane of motion; region : in coordinates of the plane
@@ -74,13 +74,15 @@ class Bed:
     region: shapely.MultiPolygon
 
     def beyond(self, hinge: FloatArray, out: FloatArray) -> float:
-        """How far the contact reaches beyond a hinge [3] in a direction of the plane [2] [m]."""
+        """Return how far the contact reaches beyond a hinge [3] in a direction of the plane [2] [m]."""
         at = project_on_plane(self.plane, hinge - self.plane.point) @ out
         return float((shapely.get_coordinates(self.region) @ out).max() - at)
 
 
-def bed_at(number: int, hinge: Point, definition: Chained, pieces: Sequence[Piece], view: View, *, where: str) -> Bed:
-    """Where a hinge presses: on the ground or the cut, on the support at the top, or on the block beside it.
+def find_joint_plane(
+    number: int, hinge: Point, definition: Chained, pieces: Sequence[Piece], view: View, *, where: str
+) -> JointPlane:
+    """Find the joint plane at a hinge: on the ground or the cut, at the support at the top, or between blocks.
 
     Raises GeometryError where no faces meet at the hinge.
     """
@@ -93,20 +95,20 @@ def bed_at(number: int, hinge: Point, definition: Chained, pieces: Sequence[Piec
             "{ rectangle = [thickness, length] }"
         )
     if face is not None:
-        return bed_between(number, hinge, ordered, blocks, view, where=where)
+        return joint_plane_between(number, hinge, ordered, blocks, view, where=where)
     piece = ordered[-1 if pressing == blocks - 1 else 0]
     if blocks == number == 2:
-        return bed_on_face(piece.solids, hinge, view, UP, where=where)
+        return joint_plane_on_face(piece.solids, hinge, view, UP, where=where)
     plane = cut_of(definition, where=where) if piece.cut and len(pieces) == blocks else None
     if plane is None:
-        return bed_on_face(piece.solids, hinge, view, DOWN, where=where)
-    return Bed(view.seen(plane.normal), plane, divide(piece.solids, plane, where=where).region)
+        return joint_plane_on_face(piece.solids, hinge, view, DOWN, where=where)
+    return JointPlane(view.seen(plane.normal), plane, divide(piece.solids, plane, where=where).region)
 
 
 def normal_at(
     number: int, hinge: Point, definition: Chained, pieces: Sequence[Piece], view: View, *, where: str
 ) -> Vector:
-    """The normal of the bed at a hinge, from the held face to the pressing block; a cut is not made again for it.
+    """Return the normal of the joint plane at a hinge, from the held face to the pressing block; a known cut is reused.
 
     Raises GeometryError where no faces meet at the hinge.
     """
@@ -116,11 +118,11 @@ def normal_at(
         plane = cut_of(definition, where=where)
         if plane is not None:
             return view.seen(plane.normal)
-    return bed_at(number, hinge, definition, pieces, view, where=where).normal
+    return find_joint_plane(number, hinge, definition, pieces, view, where=where).normal
 
 
-def bed_on_face(solids: Sequence[Solid], hinge: Point, view: View, side: Vector, *, where: str) -> Bed:
-    """The face of a block on the ground, or of a wall under the support at its top.
+def joint_plane_on_face(solids: Sequence[Solid], hinge: Point, view: View, side: Vector, *, where: str) -> JointPlane:
+    """Find the face of a block on the ground, or of a wall under the support at its top.
 
     It is the one through the hinge that looks most to that side; the lowest (highest) one where none does.
     """
@@ -138,11 +140,13 @@ def bed_on_face(solids: Sequence[Solid], hinge: Point, view: View, side: Vector,
         raise GeometryError(
             f"{where}: no face of its block lies at the hinge ({hinge[0]:.4g}, {hinge[1]:.4g}) m; give shape"
         )
-    return Bed(view.seen(-plane.normal), plane, region)
+    return JointPlane(view.seen(-plane.normal), plane, region)
 
 
-def bed_between(number: int, hinge: Point, pieces: Sequence[Piece], blocks: int, view: View, *, where: str) -> Bed:
-    """Where two blocks, or two voussoirs of an arch, touch with an edge of the contact at the hinge."""
+def joint_plane_between(
+    number: int, hinge: Point, pieces: Sequence[Piece], blocks: int, view: View, *, where: str
+) -> JointPlane:
+    """Find where two blocks, or two voussoirs of an arch, touch with an edge of the contact at the hinge."""
     at = view.world(hinge)
     for over, under in _neighbours(number, pieces, blocks):
         for outward in normals_at(over, at, view):
@@ -151,7 +155,7 @@ def bed_between(number: int, hinge: Point, pieces: Sequence[Piece], blocks: int,
             region = as_multi(shapely.intersection(faces_in(over, plane), facing))
             if region.area <= SLIVER:
                 continue
-            bed = Bed(view.seen(-outward), plane, region)
+            bed = JointPlane(view.seen(-outward), plane, region)
             way = heading(plane, view.world((outward[2], -float(outward @ view.along))), axis=view.axis)
             ends = abs(bed.beyond(at, way)), abs(bed.beyond(at, -way))
             if min(ends) <= max(EDGE * max(ends), TOUCH):
@@ -176,7 +180,7 @@ def _neighbours(
 
 
 def normals_at(solids: Sequence[Solid], at: FloatArray, view: View) -> list[FloatArray]:
-    """Outward unit normals of the faces that the axis through a place [3] lies in, largest face first."""
+    """Return the outward unit normals of the faces that contain the axis through a point [3], largest face first."""
     there: list[tuple[FloatArray, FloatArray]] = []
     for corners, normal, area in map(_faces, solids):
         off = np.abs(np.einsum("ij,ij->i", corners[:, 0] - at, normal))
@@ -192,7 +196,7 @@ def normals_at(solids: Sequence[Solid], at: FloatArray, view: View) -> list[Floa
 
 
 def faces_in(solids: Sequence[Solid], plane: Plane, *, seen_in: Plane | None = None) -> shapely.Geometry:
-    """The faces of solids that lie in a plane and look to the side of its normal, in the coordinates of `seen_in`."""
+    """Return the faces of solids that lie in a plane and face along its normal, in the coordinates of `seen_in`."""
     shown, pieces = seen_in or plane, []
     axes = np.column_stack([project_on_plane(shown, unit) for unit in np.eye(3)])
     for corners, normal, _ in map(_faces, solids):
@@ -203,7 +207,7 @@ def faces_in(solids: Sequence[Solid], plane: Plane, *, seen_in: Plane | None = N
 
 
 def as_multi(region: shapely.Geometry) -> shapely.MultiPolygon:
-    """The parts of a region that have area."""
+    """Return the parts of a region that have area."""
     return shapely.MultiPolygon([part for part in shapely.get_parts(region) if part.area > SLIVER])
 
 

@@ -27,13 +27,13 @@ from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.through_joint import THROUGH_TOP, through_joint, under_loads
 from assess.model.body import Bodies, Material
 from assess.model.definitions import Chained
-from assess.model.joint_planes import DOWN, UP, Vector, View, bed_at
+from assess.model.joint_planes import DOWN, UP, Vector, View, find_joint_plane
 
 NEAR = 0.02  # of the depth of a contact: a hinge farther from its edge is told
 TURNED = 0.05  # rad: where the resultant of an unsymmetric contact is looked at
 
 
-def put_on_joints(
+def place_on_joints(
     mechanism: Mechanism,
     definition: Chained,
     pieces: Sequence[Piece],
@@ -41,7 +41,7 @@ def put_on_joints(
     *,
     restitution: tuple[RestitutionChoice, RestitutionChoice],
 ) -> Mechanism:
-    """The mechanism on the interfaces of its table; as it is where all of them are rigid and without limit of strength.
+    """Place a mechanism on its interfaces; it is returned unchanged if all are rigid and of unlimited strength.
 
     Raises GeometryError where a contact is not found, MechanismError or InterfaceError where one cannot carry its load.
     """
@@ -63,14 +63,14 @@ def put_on_joints(
         return loaded
     if loaded.positive.loads != mechanism.positive.loads and "joint" not in through.values():
         doubts.append(THROUGH_TOP)
-    doubts += apart(mechanism, joints)
+    doubts += contact_offset_warnings(mechanism, joints)
     found = add_joints(loaded, joints[0], joints[-1] if len(joints) > 1 else (), restitution=restitution)
-    notices = dict.fromkeys((*found.notices, *doubts, *sideways(found)))
+    notices = dict.fromkeys((*found.notices, *doubts, *eccentricity_warnings(found)))
     return replace(found, notices=tuple(notices))
 
 
-def apart(mechanism: Mechanism, joints: Sequence[Sequence[Joint | None]]) -> Iterator[str]:
-    """A sentence where the contacts at the base do not lie in one place for both directions."""
+def contact_offset_warnings(mechanism: Mechanism, joints: Sequence[Sequence[Joint | None]]) -> Iterator[str]:
+    """Warn if the contacts at the base lie in different places for the two directions."""
     if mechanism.negative is None or mechanism.kind == "four-hinge":
         return
     front, back = joints[0][0], joints[1][0]
@@ -97,7 +97,7 @@ def joint_at(
     sign: float,
     doubts: list[str],
 ) -> Joint | None:
-    """The joint under one hinge of a chain in its own sign; None where it is rigid or carries nothing.
+    """Return the joint under one hinge of a chain in its own sign; None if it is rigid or carries nothing.
 
     sign : -1 for the branch that is mirrored; doubts : sentences are added to it
     """
@@ -114,11 +114,11 @@ def joint_at(
     if isinstance(interface.shape, Shape):
         normal = DOWN if at_top(chain, number) else UP
         try:
-            normal = bed_at(number, chain.hinges[number], definition, pieces, view, where=where).normal
+            normal = find_joint_plane(number, chain.hinges[number], definition, pieces, view, where=where).normal
         except GeometryError:
             doubts.append(f"{what}: no faces meet at its hinge, so its joint is taken level")
-        return Joint(_inward(normal, sense), shaped(interface.shape, view), law, interface.model)
-    bed = bed_at(number, chain.hinges[number], definition, pieces, view, where=where)
+        return Joint(_inward(normal, sense), section_of_shape(interface.shape, view), law, interface.model)
+    bed = find_joint_plane(number, chain.hinges[number], definition, pieces, view, where=where)
     inward = _inward(bed.normal, sense)
     out = heading(bed.plane, -view.world(inward), axis=view.axis)
     found = polygon(bed.region, direction=out)
@@ -132,7 +132,7 @@ def joint_at(
 
 
 def law_of(interface: Interface, material: Material | None, *, where: str) -> JointLaw | None:
-    """Stiffness and strength, None for a rigid joint without limit of strength."""
+    """Return stiffness and strength; None for a rigid joint of unlimited strength."""
     strength = interface.strength
     if interface.model == "rigid":
         return None if strength in (None, inf) else JointLaw(strength=strength or inf)
@@ -148,17 +148,17 @@ def law_of(interface: Interface, material: Material | None, *, where: str) -> Jo
 
 
 def material_of(definition: Chained, bodies: Bodies) -> Material | None:
-    """That of the first body of a mechanism that has one."""
+    """Return the material of the first body of a mechanism that has one."""
     return next((material for name in definition.bodies if (material := bodies[name].material) is not None), None)
 
 
 def at_top(chain: Chain, number: int) -> bool:
-    """Whether a hinge is the support at the top of a wall."""
+    """Return whether a hinge is the support at the top of a wall."""
     return len(chain.blocks) == number == 2
 
 
-def shaped(shape: Shape, view: View) -> Section:
-    """A contact of given sizes, seen in the direction of motion."""
+def section_of_shape(shape: Shape, view: View) -> Section:
+    """Return a contact of given sizes, seen in the direction of motion."""
     if shape.rectangle is not None:
         return rectangle(*shape.rectangle)
     if shape.hollow_rectangle is not None:
@@ -176,8 +176,8 @@ def _inward(normal: Vector, sense: float) -> Vector:
     return (-sense * normal[1] + 0.0, sense * normal[0] + 0.0)
 
 
-def sideways(mechanism: Mechanism) -> Iterator[str]:
-    """Sentences on contacts that are not symmetric about the plane of motion."""
+def eccentricity_warnings(mechanism: Mechanism) -> Iterator[str]:
+    """Warn of contacts that are not symmetric about the plane of motion."""
     for chain, mark in ((mechanism.positive, ""), (mechanism.negative, "'")):
         if chain is None:
             continue

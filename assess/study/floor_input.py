@@ -20,7 +20,7 @@ from assess.study.motions import ScaledRecord
 from records.record import Record, scale
 from records.response import response_spectrum
 from spectra.arrays import FloatArray
-from spectra.floor_spectrum import Mode, circolare2019, first_mode_factor
+from spectra.circolare2019 import Mode, circolare2019, first_mode_factor
 from spectra.spectrum import Spectrum
 
 LEAST_RECORDS = 5  # of the response-history method of the same standard

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from math import inf
 
-from assess.messages.message import Message, count, note, warning
+from assess.messages.message import Message, note, warning, whole_number
 from assess.results import SweepResult
 from assess.study.case_severity import deciding_checks, least_capacity, weaker_branch, worst_ratio
 from assess.study.study import Case, Sweep
@@ -48,7 +48,7 @@ def case_messages(found: MechanismSweep) -> Iterator[Message]:
     """Yield which case represents the mechanism, and the messages on the mechanism in that case."""
     where, sweep = f"mechanisms.{found.mechanism}", found.sweep
     case = f"{sweep.key} = {value_text(sweep, found.case)}"
-    yield note("sweep", where, cases=count(len(sweep.cases)), case=case)
+    yield note("sweep", where, cases=whole_number(len(sweep.cases)), case=case)
     for mechanism in found.case.study.mechanisms:
         if mechanism.name == found.mechanism:
             yield from (warning("mechanism", where, text=text) for text in mechanism.notices)

@@ -35,7 +35,7 @@ def find_folder(key: str, *, given: str, user: str) -> Path | None:
 
 
 def is_private(folder: Path) -> bool:
-    """Return whether `folder`, made if need be, is a folder of the user's that no one else can write to, and he can."""
+    """Return whether `folder`, made if need be, is a folder of the user's, writable by no one else."""
     try:
         folder.parent.mkdir(parents=True, exist_ok=True)
         folder.mkdir(mode=0o700, exist_ok=True)
@@ -55,7 +55,7 @@ def is_private(folder: Path) -> bool:
 def remove_unused(place: Path) -> None:
     """Delete code in `place` that no process has started with for a month.
 
-    Who runs with it all the same finds its files missing, compiles again, and cannot write: none of that is an error.
+    A process that still uses it finds its files missing, compiles again, and cannot write: none of that is an error.
     """
     try:
         for folder in place.iterdir():
@@ -72,7 +72,7 @@ def _places(given: str, user: str) -> Iterator[Path]:
         yield Path(user)
     try:
         yield Path(tempfile.gettempdir()) / (f"{NAME}-{os.getuid()}" if os.name == "posix" else NAME)
-    except OSError:  # there is none
+    except OSError:  # no folder for temporary files
         return
 
 

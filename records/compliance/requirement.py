@@ -39,10 +39,10 @@ class Rule(StrEnum):
 class Requirement:
     """One line of a code.
 
-    value, limit : in `unit`, None where not answered; sense : how the value has to stand to the limit
-    factors : on every record, the least and the largest with which it is met; (0, inf) where it hangs on none
+    value, limit : in `unit`, None where not answered; sense : how the value has to compare with the limit
+    factors : on every record, the least and the largest with which it is met; (0, inf) where no factor changes it
     periods : range that the value was taken over [s], None where it is not of a spectrum
-    remark : what the reader should know; caveat : what the clause could not be compared with
+    remark : a note for the reader; caveat : how far the clause is verified
     """
 
     code: str

@@ -4,7 +4,7 @@
     SAMPLING INTERVAL (sec) : 0.01
     RAW PGA VALUES (gal)    : (N-S) 78.7235 (E-W) 87.939778 (U-D) 45.10789
 
-The unit stands with the peaks. AFAD's present portal gives DYNA files instead.
+The unit is printed with the peaks. AFAD's present portal gives DYNA files instead.
 """
 
 from __future__ import annotations
@@ -53,14 +53,14 @@ def read(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
     dt = positive_number(text["SAMPLING INTERVAL (sec)"], name="SAMPLING INTERVAL", line=after, path=path)
     columns, uneven = _columns(lines, after, path=path)
     check_count(text["NUMBER OF DATA"], len(columns), path=path, name="NUMBER OF DATA")
-    told = [
+    texts = [
         (uneven, check_peak(peaks.get(name), column, unit=unit, digits=1e-6, path=path))
         for name, column in zip(names, columns.T, strict=True)
     ]
     factor = acceleration_factor(unit, line=after, path=path)
     return tuple(
         _record(text, name, factor * column, dt, unit, warnings, path=path)
-        for name, column, warnings in zip(names, columns.T, told, strict=True)
+        for name, column, warnings in zip(names, columns.T, texts, strict=True)
     )
 
 
@@ -94,7 +94,7 @@ def _columns_named(lines: list[str]) -> tuple[int, tuple[str, ...]]:
 
 
 def _columns(lines: list[str], after: int, *, path: Path) -> tuple[FloatArray, str]:
-    """Return every row of three numbers [n, 3], and a warning about how they stand."""
+    """Return every row of three numbers [n, 3], and a warning about their layout."""
     uneven = next((i for i, line in enumerate(lines[after:]) if line.strip() and len(line.split()) != 3), None)
     if uneven is not None:
         line = after + 1 + uneven
@@ -106,7 +106,7 @@ def _columns(lines: list[str], after: int, *, path: Path) -> tuple[FloatArray, s
 
 
 def _header(lines: list[str]) -> dict[str, str]:
-    """Return what stands behind each key."""
+    """Return the value of each key."""
     parts = (line.partition(":") for line in lines if ":" in line)
     return {key.strip(): value.strip() for key, _, value in parts}
 

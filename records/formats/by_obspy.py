@@ -157,9 +157,9 @@ def _record(trace: Any, overrides: HeaderOverrides, response: Any, *, name: str,
     if response is None:
         unit = str(overrides.unit)
         factor = acceleration_factor(unit, line=0, path=path)
-        samples, said = factor * np.asarray(trace.data, dtype=np.float64), f"unit {unit} as given"
+        samples, source = factor * np.asarray(trace.data, dtype=np.float64), f"unit {unit} as given"
     else:
-        samples, said = (
+        samples, source = (
             _without_response(trace, response, path=path),
             f"response of {Path(overrides.response or '').name}",
         )
@@ -172,7 +172,7 @@ def _record(trace: Any, overrides: HeaderOverrides, response: Any, *, name: str,
         event=_text(trace, "kevnm"),
         station=".".join(part for part in (trace.stats.network, trace.stats.station) if part),
         component=channel,
-        processing_history=(f"read from {name}, {said}", *(["mean taken off"] if response is not None else [])),
+        processing_history=(f"read from {name}, {source}", *(["mean taken off"] if response is not None else [])),
         azimuth=_azimuth(trace, channel),
         distance=None if (km := _number(trace, "dist")) is None else 1000.0 * km,
         earthquake=Earthquake(

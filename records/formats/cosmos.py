@@ -166,6 +166,6 @@ def _earthquake(header: list[str], reals: FloatArray) -> Earthquake:
 
 
 def _time(origin: re.Match[str]) -> str:
-    """Return dates are month/day/year, or year/month/day where the year stands first."""
+    """Return the time as ISO 8601; dates are month/day/year, or year/month/day where the year comes first."""
     one, two, three, *clock = origin.groups()
     return iso(one, two, three, *clock) if len(one) == 4 else iso(three, one, two, *clock)

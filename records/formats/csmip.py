@@ -160,7 +160,7 @@ def _station(header: list[str], at: int) -> str:
 
 
 def _column(header: list[str], at: int) -> str:
-    """Return what stands in a line before a wide gap."""
+    """Return the text of a line before a wide gap."""
     return re.split(r"\s{3,}", header[at].strip())[0] if at < len(header) else ""
 
 

@@ -32,7 +32,7 @@ from spectra.columns import (
 )
 
 NAME = "CSV"
-UNIFORM = 0.05  # how far a printed time may stand from its place, in steps
+UNIFORM = 0.05  # largest distance of a printed time from its place, in steps
 
 
 def looks_like(head: bytes) -> bool:
@@ -108,7 +108,7 @@ def _units(columns: Columns, unit: str | None, *, path: Path) -> tuple[float, fl
 def _step(time: FloatArray, *, path: Path) -> float:
     """Return the step of uniform times [n] [s], to ten digits.
 
-    A printed time is rounded, so the step is that of the whole length and each time may stand 5 % of it away.
+    A printed time is rounded, so the step is that of the whole length and each time may be off by 5 % of it.
     """
     bad = np.flatnonzero(~np.isfinite(time))
     if bad.size:

@@ -75,7 +75,7 @@ def coordinates(line: str) -> tuple[float | None, float | None]:
 
 
 def _number(header: Sequence[str], index: int) -> float | None:
-    """Return one of the numbers; None where there is none or zero, which stands for unknown."""
+    """Return one of the numbers; None for a blank or zero, which means unknown."""
     row, column = divmod(index, COLUMNS)
     return number(header[TEXT_LINES + row][8 * column : 8 * column + 8], unknown=(0.0,))
 

@@ -118,7 +118,7 @@ def _samples(lines: list[str], start: int, *, path: Path) -> tuple[FloatArray, F
 
 
 def _found(pattern: re.Pattern[str], lines: list[str], at: int, *, path: Path) -> re.Match[str]:
-    """Return what stands in a line of the header."""
+    """Match a line of the header; refuse another."""
     found = pattern.match(lines[at]) if at < len(lines) else None
     if found is None:
         held = lines[at].strip()[:40] if at < len(lines) else "the end of the file"
@@ -138,7 +138,7 @@ def _place(line: str) -> str:
 
 
 def _kilometres(line: str, key: str) -> float | None:
-    """Return what stands behind `key` in kilometres, in metres."""
+    """Return the kilometres behind `key`, in metres."""
     found = re.search(rf"{key}\s+([\d.]+)\s*km", line)
     value = number(found[1]) if found else None
     return None if value is None else 1000.0 * value

@@ -82,6 +82,6 @@ def read(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
 
 
 def _header(lines: list[str]) -> dict[str, str]:
-    """Return what stands behind each key."""
+    """Return the value of each key."""
     parts = (line.partition(" : ") for line in lines)
     return {key.strip(): value.strip() for key, _, value in parts}

@@ -78,7 +78,7 @@ def read(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
 
 
 def _header(lines: list[str], *, path: Path) -> dict[str, str]:
-    """Return what stands behind each key."""
+    """Return the value of each key."""
     header = {line[:KEY_WIDTH].strip(): line[KEY_WIDTH:].strip() for line in lines[:HEADER_LINES]}
     needed = ("Sampling Freq(Hz)", "Duration Time(s)", "Dir.", "Scale Factor", "Max. Acc. (gal)", "Station Code")
     absent = [key for key in needed if key not in header]

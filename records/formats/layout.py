@@ -1,7 +1,7 @@
 """How the numbers of a file are printed: alike in every line, unless characters were lost.
 
 Programs print accelerations with one format, so that every number has the same decimals and every line the same
-columns. A number that is printed otherwise has lost characters, and so has a line whose columns stand elsewhere.
+columns. A number that is printed otherwise has lost characters, and so has a line whose columns are elsewhere.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ class Form(NamedTuple):
 def check_layout(lines: Sequence[str], *, first: int, path: Path) -> str:
     """Refuse a number that is printed otherwise than all the others; return a warning about columns that are uneven.
 
-    Nothing is said of files that no one format printed, and a 0 may be printed as programs please, unless it is the
+    Files without one format get no warning, and a 0 may be printed in any way, unless it is the
     last number. `first` is the number of the first line in the file.
     """
     counts = Counter(_shapes(lines))

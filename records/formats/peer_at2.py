@@ -5,7 +5,7 @@
     ACCELERATION TIME SERIES IN UNITS OF G
     NPTS=   5435, DT=   .0100 SEC,   0 POLE @    13.90000 HZ,  -5 POLE @      .10000
 
-Line 4 comes in several dresses: lower case, with or without SEC and the corner frequencies, or as bare numbers
+Line 4 comes in several forms: lower case, with or without SEC and the corner frequencies, or as bare numbers
 before their names (`4096    0.0100    NPTS, DT`). Line 2 is `Event, m/d/yyyy, Station, Component` in the NGA files
 and `EVENT mm/dd/yy hhmm, STATION, COMPONENT (AGENCY)` in the older ones.
 """
@@ -107,7 +107,7 @@ def parse_title(line: str) -> Title:
 
 
 def _corners(line: str) -> tuple[float | None, float | None]:
-    """Return the corners [Hz] of the filters in line 4, None where there is none; the low one has negative poles."""
+    """Return the corners [Hz] of the filters in line 4, None where there is none; the low one has poles below 0."""
     corners = {poles.startswith("-"): number(corner, unknown=(0.0,)) for poles, corner in CORNERS.findall(line)}
     return corners.get(True), corners.get(False)
 

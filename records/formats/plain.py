@@ -64,7 +64,7 @@ def looks_like(head: bytes) -> bool:
 def read(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
     """Return the one record in the file at `path`, of the unit and step that it or the caller states.
 
-    Raises RecordError, naming the file, for a unit or step that nobody states, a first column that is time, samples
+    Raises RecordError, naming the file, for a unit or step that neither states, a first column that is time, samples
     that are not as many as the header says, and what is not a number.
     """
     lines = text_lines(path)
@@ -81,21 +81,25 @@ def read(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
         _refuse_tables(body, samples, path=path)
     for line, found in enumerate(map(AGAIN.match, lines[: header.length]), start=1):
         if found and header.count:
-            told = (float(found[1]), number(found[2]))
-            check_same("the header's count", float(header.count), f"that of line {line}", told[0], slack=0.0, path=path)
-            check_same("the header's step", number(header.step), f"that of line {line}", told[1], slack=1e-6, path=path)
+            again = (float(found[1]), number(found[2]))
+            check_same(
+                "the header's count", float(header.count), f"that of line {line}", again[0], slack=0.0, path=path
+            )
+            check_same(
+                "the header's step", number(header.step), f"that of line {line}", again[1], slack=1e-6, path=path
+            )
     unit = header.unit or overrides.unit
     if unit is None:
         raise RecordError(f"{path}: the file does not state the unit of its accelerations; {GIVE_UNIT}")
     dt = _step(header, overrides, path=path)
-    said = f"unit {unit}" + ("" if header.unit else " as given, for the file does not say")
+    source = f"unit {unit}" + ("" if header.unit else " as given, for the file does not say")
     return (
         make_record(
             path.stem,
             acceleration_factor(unit, line=1, path=path) * samples,
             dt,
             path=str(path),
-            processing_history=(f"read from {NAME} numbers, {said}",),
+            processing_history=(f"read from {NAME} numbers, {source}",),
             warnings=(uneven,),
         ),
     )

@@ -31,7 +31,8 @@ def text_lines(path: Path) -> list[str]:
 def numbers(lines: Sequence[str], *, first: int, path: Path) -> FloatArray:
     """Return all numbers in `lines` [n]; blanks separate them, and a sign ends the number before it.
 
-    `first` is the number of the first of these lines in the file, from 1. RecordError names the line of what is none.
+    `first` is the number of the first of these lines in the file, from 1. RecordError names the line of a field that
+    is not a number.
     """
     parts = [_parsed("\n".join(lines[i : i + BATCH])) for i in range(0, len(lines), BATCH)]
     held = [part for part in parts if part is not None]
@@ -41,7 +42,7 @@ def numbers(lines: Sequence[str], *, first: int, path: Path) -> FloatArray:
 
 
 def _parsed(text: str) -> FloatArray | None:
-    """Return all numbers in a text; None where one is none."""
+    """Return all numbers in a text; None where a field is not a number."""
     for separated in (text.split(), TOUCHING.sub(" ", text).split()):
         try:
             return np.array(separated, dtype=np.float64)
@@ -79,7 +80,7 @@ def positive_number(text: str, *, name: str, line: int, path: Path) -> float:
 
 
 def number(text: str, *, unknown: Sequence[float] = ()) -> float | None:
-    """Return the finite number in `text`; None where there is none, or it is one of those that stand for `unknown`."""
+    """Return the finite number in `text`; None where it is not one, or one of those that mean `unknown`."""
     try:
         value = float(text)
     except ValueError:
@@ -96,7 +97,7 @@ def acceleration_factor(unit: str, *, line: int, path: Path) -> float:
 
 
 def _first_bad(lines: Sequence[str], *, first: int) -> str:
-    """Return where the first field that is not a number stands."""
+    """Say where the first field is that is not a number."""
     for at, line in enumerate(lines, start=first):
         for field in TOUCHING.sub(" ", line).split():
             try:

@@ -1,4 +1,4 @@
-"""What the assessment rests on: each value with its source, measured, taken from literature, assumed, or a default."""
+"""The assumptions: each value with its source, measured, taken from literature, assumed, or a default."""
 
 from __future__ import annotations
 
@@ -14,7 +14,14 @@ from reports.language.numerals import entries
 
 SOURCES = "report.sources."
 LEFT_OUT = ("format", "title", "engineer", "checker", "reference", "client", "date", "notes", "report", "bodies")
-OWN = ("kind", "blocks", "label", "cut", "hinges", "hinges_negative")  # what a mechanism is, not what is assumed of it
+OWN = (
+    "kind",
+    "blocks",
+    "label",
+    "cut",
+    "hinges",
+    "hinges_negative",
+)  # the definition of a mechanism, not an assumption
 ASKED = ("analysis.levels", "analysis.procedures", "analysis.pulses", "analysis.sweep", "analysis.sensitivity")
 NOT_SAID = "given"
 SHORT, MANY = 24, 4  # characters of a name and names in a list
@@ -32,7 +39,7 @@ class _Row:
 
 
 def section(results: Results) -> Section:
-    """The list, and the procedures with what could not be compared."""
+    """Return the chapter: the values with their sources, the rules of the basis, and the procedures."""
     introduction = (
         "Each value is measured, taken from literature or assumed, as the project file states under "
         "report.sources; given, without a source; or a default of the program. A key with * applies to "
@@ -44,14 +51,14 @@ def section(results: Results) -> Section:
 
 
 def rules(results: Results) -> Table:
-    """The rules of the basis that decides, with the clauses they come from."""
+    """Return the rules of the deciding basis, with their clauses, as a table."""
     columns = (Column("Rule"), Column("Clause"))
     rows = () if results.verdict is None else results.verdict.clauses
     return Table("basis-rules", "The rules of the basis, and the clauses they come from.", columns, rows)
 
 
 def table(results: Results) -> Table:
-    """Every value that a result rests on, those alike in several mechanisms in one line."""
+    """Tabulate every value that a result rests on; values shared by several mechanisms have one line."""
     columns = (
         Column("Key", kind="given"),
         Column("Value (SI)", kind="given"),

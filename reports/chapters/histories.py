@@ -8,7 +8,7 @@ from reports.document import Cell, Column, Table
 
 
 def suites(mechanism: MechanismResult, *, name: str) -> Table:
-    """The record suite at each level."""
+    """Tabulate the statistics of the suite of records at each level."""
     columns = (
         LEVEL,
         Column("Records", kind="number"),
@@ -43,7 +43,7 @@ def _mean(mean_ratio: float | None, overturned: int) -> Cell:
 
 
 def histories(mechanism: MechanismResult, *, name: str) -> Table:
-    """The largest response to each record at each level."""
+    """Tabulate the largest response to each record at each level."""
     columns = (
         Column("Record"),
         LEVEL,

@@ -18,7 +18,7 @@ from assess.codes.check import Check, Outcome, PgaCurve, Reason, Step, reason_me
 from assess.codes.context import Context, Suite
 from assess.codes.incremental import fails_below, pga_before_failure, pga_curve, uplift_multiplier
 from assess.codes.worst_branch import branch_of
-from assess.messages.message import Message, count
+from assess.messages.message import Message, whole_number
 from assess.oscillator import Branch, Oscillator
 
 CLAUSE = "ASCE 43-05, response-history method"
@@ -115,10 +115,10 @@ def _check(oscillator: Oscillator, suite: Suite, context: Context, scanned: Scan
 def _verdict(suite: Suite, share: float | None) -> tuple[Outcome, Message]:
     n, fallen = len(suite.ratio), suite.overturned
     if n < LEAST_RECORDS:
-        few = {"n": count(n), "fallen": count(fallen), "least": count(LEAST_RECORDS)}
+        few = {"n": whole_number(n), "fallen": whole_number(fallen), "least": whole_number(LEAST_RECORDS)}
         return Outcome.NOT_ANSWERED, reason_message(Reason.TOO_FEW_RECORDS, clause="the method", **few)
     if share is None:
-        return Outcome.FAIL, reason_message(Reason.RECORDS_OVERTURN, fallen=count(fallen), n=count(n))
+        return Outcome.FAIL, reason_message(Reason.RECORDS_OVERTURN, fallen=whole_number(fallen), n=whole_number(n))
     if share == 0.0:
         return Outcome.PASS, reason_message(Reason.NO_ROCKING)
     if share <= HALF:
@@ -132,7 +132,7 @@ def _steps(suite: Suite, found: tuple[float | None, ...], share: float | None, b
     overturns = {"φ_u": (branch.unstable, "rad")}
     lines = [
         step("n", at_least, CLAUSE, "count", float(n)),
-        step("n_ov", "records that overturn the body; none may", CLAUSE, "count", float(suite.overturned)),
+        step("n_ov", "records that overturn the body; none is allowed", CLAUSE, "count", float(suite.overturned)),
         step("φ_u", f"rotation that overturns it, {suite.branch} branch", CLAUSE, "restoring moment = 0",
              branch.unstable, "rad", remark="curve, joints included"),
         _largest_step(found),
@@ -151,9 +151,9 @@ def _standing(found: tuple[float | None, ...]) -> dict[str, float]:
 
 
 def _largest_step(found: tuple[float | None, ...]) -> Step:
-    symbol, words, each = "max φ/φ_u", "largest of those that stand, each by its branch", _standing(found)
+    symbol, words, each = "max φ/φ_u", "largest without overturning, each by its branch", _standing(found)
     if not each:
-        return step(symbol, words, CLAUSE, "max |φ(t)| / φ_u", None, remark="none stands")
+        return step(symbol, words, CLAUSE, "max |φ(t)| / φ_u", None, remark="all overturn")
     return step(symbol, words, CLAUSE, f"max({', '.join(each)})", max(each.values()), given=each)
 
 

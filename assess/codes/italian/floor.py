@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from assess.codes.check import InputAt, Outcome
 from assess.codes.context import Context
-from spectra.floor_spectrum import first_mode_factor
+from spectra.circolare2019 import first_mode_factor
 
 
 @dataclass(frozen=True)

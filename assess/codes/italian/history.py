@@ -28,7 +28,7 @@ from assess.codes.italian.kinematic import rotation_at
 from assess.codes.italian.limit_state import pga_ratio, pga_step
 from assess.codes.italian.thresholds import Rule as Limit
 from assess.codes.italian.thresholds import Threshold, seat_conditions, threshold_of, threshold_steps
-from assess.messages.message import Message, count
+from assess.messages.message import Message, whole_number
 from assess.oscillator import Oscillator, displacement, participation_ratio
 from spectra.spectrum import Spectrum
 
@@ -241,12 +241,14 @@ def _rotation(found: Found) -> float | None:
 def _verdict(found: Found, *, state: str) -> tuple[Outcome, Message]:
     n, fallen, passed = len(found.displacements), found.suite.overturned, _beyond_collapse(found)
     if n < LEAST_RECORDS:
-        few = {"n": count(n), "fallen": count(fallen), "least": count(LEAST_RECORDS)}
+        few = {"n": whole_number(n), "fallen": whole_number(fallen), "least": whole_number(LEAST_RECORDS)}
         return Outcome.NOT_ANSWERED, reason_message(Reason.TOO_FEW_RECORDS, clause=NUMBER_CLAUSE, **few)
     if fallen:
-        return Outcome.FAIL, reason_message(Reason.RECORDS_OVERTURN, fallen=count(fallen), n=count(n))
+        return Outcome.FAIL, reason_message(Reason.RECORDS_OVERTURN, fallen=whole_number(fallen), n=whole_number(n))
     if passed:
-        return Outcome.FAIL, reason_message(Reason.RECORDS_BEYOND_COLLAPSE, fallen=count(passed), n=count(n))
+        return Outcome.FAIL, reason_message(
+            Reason.RECORDS_BEYOND_COLLAPSE, fallen=whole_number(passed), n=whole_number(n)
+        )
     value = found.governing_ratio or 0.0
     if value == 0.0:
         return Outcome.PASS, reason_message(Reason.NO_ROCKING)
@@ -260,9 +262,9 @@ def _beyond_collapse(found: Found) -> int:
 
 def _record_steps(found: Found, rule: Rule, *, FC: float) -> tuple[Step, ...]:
     n, fallen, run = float(len(found.displacements)), float(found.suite.overturned), found.suite.pga
-    words = "PGA at which the records are run, as fitted to the site's spectrum; FC goes with the motion"
+    words = "PGA at which the records are run, scaled to the site's spectrum; FC multiplies the motion"
     counted = f"records, both polarities; at least {LEAST_RECORDS}, {FOR_THE_MEAN} for the mean"
-    collapse, over = "largest of those that stand; at most 1", "records that overturn; none may"
+    collapse, over = "largest without overturning; at most 1", "records that overturn; none is allowed"
     given: Given = {"PGA": (found.pga, "m/s2"), "FC": FC}
     stand = f"{len(found.limit_ratios)} records"
     return (

@@ -16,7 +16,7 @@ import numpy as np
 from assess.codes.context import Context
 from assess.codes.italian.floor import Floor, floor_of
 from spectra.arrays import FloatArray
-from spectra.floor_spectrum import PLATEAU, circolare2019_first_mode, first_mode_peak
+from spectra.circolare2019 import PLATEAU, circolare2019_first_mode, first_mode_peak
 
 SOFTENING = (1.5, 2.0)  # T_1' / T_1
 SOFTENED_DAMPING, SHOWN_DAMPING = 0.10, 0.20

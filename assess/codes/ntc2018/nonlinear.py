@@ -39,7 +39,7 @@ from assess.codes.ntc2018.clauses import (
 from assess.codes.ntc2018.linear import demand_steps
 from assess.codes.ntc2018.sheet import first_mode_steps, ordinate_steps, peak_steps, period_steps, share_steps
 from assess.oscillator import Oscillator
-from spectra.floor_spectrum import PLATEAU
+from spectra.circolare2019 import PLATEAU
 
 PROCEDURE = "ntc2018-nonlinear"
 CLAUSE = "C8.7.1.2.1.8"
@@ -116,7 +116,7 @@ def _answer(case: Case, worked: Worked) -> Answer:
 def _capacity_steps(case: Case, cap: Capacity) -> tuple[Step, ...]:
     state, ultimate = case.state, ULTIMATE[case.state]
     d, a = f"d_{state}", f"a(d_{state})"
-    curve = curve_step(case, "C8.7.1.3", a, "acceleration of actions that have not ended", moved=cap.d)
+    curve = curve_step(case, "C8.7.1.3", a, "acceleration with actions that have not ended", moved=cap.d)
     if cap.T0 > 0.0 and cap.a < curve.value:  # type: ignore[operator]
         given = {d: (cap.d, "m"), "T0": (cap.T0, "s")}
         curve = step(

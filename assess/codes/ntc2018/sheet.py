@@ -8,8 +8,8 @@ from assess.codes.calculation_step import Given
 from assess.codes.check import Step, step
 from assess.codes.italian.limit_state import Case
 from assess.codes.ntc2018.building import FirstModes, ordinate, peak_acceleration
+from spectra.circolare2019 import PLATEAU
 from spectra.damping import ec8_eta
-from spectra.floor_spectrum import PLATEAU
 
 
 def period_steps(case: Case, *, T0: float) -> tuple[Step, ...]:

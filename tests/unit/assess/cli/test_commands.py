@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 from scipy.constants import g
 
-from assess.cli.summary import summary
+from assess.cli.tables.summary import summary
 from assess.codes.bases import BASES
 from assess.codes.check import Check, Outcome, Reason, reason_message
 from assess.codes.verdict import Action, MechanismChecks, Missing, Question, verdict
@@ -251,7 +251,7 @@ def test_summary_tells_the_verdict_and_what_it_rests_on(project: Path) -> None:
     assert [line.split() for line in summary(results).splitlines()] == [
         ["mechanism", "verdict", "state", "decided", "by", "index", "holds", "up", "to"],
         ["=wall,", "1", "FAIL", "DBE", "asce43-05-spectrum", "D/C", "1.25", "0.0800", "g", "=", "0.800", "x"],
-        ["=wall,", "1:", "the", "demand", "is", "beyond", "the", "allowable"],
+        ["=wall,", "1:", "the", "demand", "exceeds", "the", "allowable"],
         ["note:", "bodies.wall:", "one", "hole", "filled"],
         [],
         ["verdict:", "FAIL"],

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from assess.cli.diff_table import changes_text
+from assess.cli.tables.diff import changes_text
 from assess.messages.message import Message, Severity
 from assess.project.build import build
 from assess.project.schema import load

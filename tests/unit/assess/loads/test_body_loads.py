@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.cli.description import description
+from assess.cli.tables.project import description
 from assess.errors import GeometryError, MechanismError, ProjectError
 from assess.project.build import build
 from assess.project.schema import load

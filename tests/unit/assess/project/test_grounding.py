@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from assess.cli.description import description
+from assess.cli.tables.project import description
 from assess.codes.check import Outcome, Reason
 from assess.project.schema import load
 from assess.study.grounding import BY_BODIES, BY_BUILDING, BY_MECHANISM, BY_TABLE, UNKNOWN, Grounded

@@ -8,7 +8,7 @@ from scipy.constants import g
 from assess.codes.context import FirstMode
 from assess.errors import ProjectError
 from assess.project.build import build
-from assess.project.schema import load, resolved
+from assess.project.schema import load, resolve
 from assess.project.site_spectrum import site_in, spectrum_of, vertical_of
 from assess.study.site_results import spectrum_result
 from spectra.errors import SpectrumError
@@ -202,7 +202,7 @@ def test_a_parameter_can_be_swept(tmp_path: Path) -> None:
 
 
 def test_defaults_are_told_apart(tmp_path: Path) -> None:
-    found = resolved(loaded(tmp_path, CODES["ec8"]))
+    found = resolve(loaded(tmp_path, CODES["ec8"]))
     assert (found["site.spectrum.type"].value, found["site.spectrum.type"].given) == (1, False)
     assert found["site.spectrum.a_g"].given
 

@@ -8,7 +8,7 @@ import pytest
 from assess.errors import AssessError, ProjectError
 from assess.project.build import build
 from assess.project.dependents import dependents
-from assess.project.schema import json_schema, load, resolved
+from assess.project.schema import json_schema, load, resolve
 from assess.project.variations import Variation
 from tests.support.projects import block, project_toml, published, wall
 
@@ -217,12 +217,12 @@ def test_a_key_that_no_mechanism_uses_is_refused(tmp_path: Path) -> None:
 
 def test_the_sweep_is_resolved_as_it_was_written(tmp_path: Path) -> None:
     one(tmp_path, "bodies.wall.box.height", "from = 3\nto = 4\ncount = 2")
-    found = resolved(load(tmp_path))
+    found = resolve(load(tmp_path))
     assert found["analysis.sweep.from"].value == 3
     assert found["analysis.sweep.from"].given
     assert not found["analysis.sweep.values"].given
     swept(tmp_path, '[[analysis.sweep]]\nkey = "bodies.wall.box.height"\nvalues = [3]\n')
-    assert resolved(load(tmp_path))["analysis.sweep"].value[0]["key"] == "bodies.wall.box.height"
+    assert resolve(load(tmp_path))["analysis.sweep"].value[0]["key"] == "bodies.wall.box.height"
 
 
 def test_the_schema_for_editors_knows_the_keys() -> None:

@@ -7,7 +7,7 @@ from math import asin
 
 import pytest
 
-from assess.cli.description import lasting_text
+from assess.cli.tables.project import duration_text
 from assess.codes.check import Family, Outcome
 from assess.codes.families import FAMILIES
 from assess.errors import AssessError
@@ -55,7 +55,7 @@ def test_a_tie_with_all_its_proofs_lasts_and_holds_the_wall_at_its_height(tmp_pa
     (found,) = loads_of(study)
     assert (found.lasting, found.missing) == ("to collapse", ())
     assert found.end_rad == pytest.approx(asin(0.2 * 8.0 / 4.5), rel=1e-12)  # by its fracture strain, beyond collapse
-    assert "lasts to collapse" in lasting_text(found)
+    assert "lasts to collapse" in duration_text(found)
     assert not any(notice.key == "not-lasting" for notice in study.notices)
     context = context_of(study, study.spectrum, study.mechanisms[0], RockingHistories((), ()), (), ())
     assert context.rise == 4.5
@@ -81,7 +81,7 @@ def test_what_a_tie_lacks_is_told(tmp_path, more, top, missing):
     assert (found.lasting, found.missing) == ("not shown", missing)
     (told,) = [notice for notice in study.notices if notice.key == "not-lasting"]
     assert f"give {', '.join(missing)} (" in told.text
-    assert all(key in lasting_text(found) for key in missing)
+    assert all(key in duration_text(found) for key in missing)
     context = context_of(study, study.spectrum, study.mechanisms[0], RockingHistories((), ()), (), ())
     assert context.rise == 0.0
 
@@ -108,7 +108,7 @@ def test_seats_are_local_limits_and_printed(tmp_path):
     first = context.limits[0]
     assert (first.kind, first.what, first.branch) == ("seat", "mass 1", "positive")
     assert first.rotation == pytest.approx(asin(0.12 / 4.0), rel=1e-12)
-    assert [lasting_text(each) for each in loads_of(study)] == ["; seat 0.12 m", "; seat not given"]
+    assert [duration_text(each) for each in loads_of(study)] == ["; seat 0.12 m", "; seat not given"]
 
 
 @pytest.mark.parametrize(

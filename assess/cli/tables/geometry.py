@@ -8,7 +8,7 @@ from math import atan2, degrees
 from pathlib import Path
 from typing import Any
 
-from assess.cli.text_table import text_table
+from assess.cli.tables.text_table import text_table
 from assess.geometry.formats.element_selection import list_names, one_line
 from assess.geometry.formats.mesh_file import Element
 from assess.geometry.inventory import Entry

@@ -1,4 +1,4 @@
-"""`assess records scale`: records scaled to a target."""
+"""`assess records scale`: records scaled to a target spectrum."""
 
 from __future__ import annotations
 
@@ -8,17 +8,18 @@ from typing import Annotated
 
 import typer
 
-from assess.cli.records import Response, Step, Unit
+from assess.cli.options import refuse_both
+from assess.cli.records.options import Files, Response, Step, Target, Unit
 
 
 def scale(
-    files: Annotated[list[Path], typer.Argument(metavar="FILES…", help="Record files, of any format known.")],
-    target: Annotated[
-        Path, typer.Option(metavar="FILE", help="A project, for its site's spectrum, or a CSV of period and ordinate.")
-    ],
-    to: Annotated[str, typer.Option(help="What is met: spectrum (least squares), pga, or none.")] = "spectrum",
-    at: Annotated[float | None, typer.Option(metavar="PERIOD", help="Meet the ordinate at this period [s].")] = None,
-    periods: Annotated[tuple[float, float], typer.Option(metavar="FROM TO", help="Of the least squares [s].")] = (
+    files: Files,
+    target: Target,
+    to: Annotated[str, typer.Option(help="Match the spectrum (least squares), its pga, or none.")] = "spectrum",
+    at: Annotated[float | None, typer.Option(metavar="PERIOD", help="Match the ordinate at this period [s].")] = None,
+    periods: Annotated[
+        tuple[float, float], typer.Option(metavar="FROM TO", help="Periods of the least squares [s].")
+    ] = (
         0.1,
         2.0,
     ),
@@ -28,21 +29,21 @@ def scale(
     as_json: Annotated[
         bool, typer.Option("--json", help="Print records and ground_motion as in results.json.")
     ] = False,
-    as_csv: Annotated[bool, typer.Option("--csv", help="Print the records as CSV, at full precision.")] = False,
+    as_csv: Annotated[bool, typer.Option("--csv", help="Print the records as CSV at full precision.")] = False,
     output: Annotated[
-        Path | None, typer.Option("-o", "--output", metavar="DIR", help="Write each scaled record there as CSV.")
+        Path | None,
+        typer.Option("-o", "--output", metavar="DIR", help="Folder in which to write each scaled record as CSV."),
     ] = None,
 ) -> None:
-    """Scale records to a design spectrum, to its peak ground acceleration, or to its ordinate at a period."""
-    if as_json and as_csv:
-        raise typer.BadParameter("--json and --csv exclude each other")
+    """Scale records to a design spectrum, its peak ground acceleration, or its ordinate at one period."""
+    refuse_both(as_json=as_json, as_csv=as_csv)
     if at is not None and to != "spectrum":
         raise typer.BadParameter("--at and --to exclude each other")
-    from assess.cli.suite_table import csv_text, json_text, table_text
-    from assess.cli.warning import tell
+    from assess.cli.stderr import print_message
+    from assess.cli.tables.suite import csv_text, json_text, table_text
     from assess.outputs.folder import output_folder
     from assess.outputs.manifest import RECORDS
-    from assess.project.choosing import scaled_files
+    from assess.project.suites import write_scaled_files
     from assess.results.stamp import stamp_of_files
     from records.formats.header_overrides import HeaderOverrides
     from records.record import scale
@@ -52,10 +53,10 @@ def scale(
     place = (
         nullcontext()
         if output is None
-        else output_folder(output, command="assess records scale", owner=RECORDS, tell=tell)
+        else output_folder(output, command="assess records scale", owner=RECORDS, tell=print_message)
     )
     with place as stage:
-        motions, suite = scaled_files(target, files, to=to, at=at, periods=periods, overrides=overrides)
+        motions, suite = write_scaled_files(target, files, to=to, at=at, periods=periods, overrides=overrides)
         stamp = stamp_of_files("records scale", files, json_text(suite))
         for number, motion in enumerate(motions, start=1):
             if stage is not None:

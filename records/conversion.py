@@ -1,4 +1,4 @@
-"""What `assess records convert` does: one record chosen, processed in a fixed order, and written."""
+"""Conversion of records: one record chosen, processed in a fixed order, and written as text."""
 
 from __future__ import annotations
 
@@ -7,8 +7,7 @@ from dataclasses import dataclass
 from math import isfinite, radians
 from pathlib import Path
 
-from assess.errors import AssessError
-from assess.outputs.single import write_file
+from records.errors import RecordError
 from records.orientation import is_vertical
 from records.processing import butterworth, correct_baseline, resample, trim
 from records.record import Record, scale
@@ -21,10 +20,18 @@ ENDINGS = (".csv", ".at2")
 
 @dataclass(frozen=True)
 class Processing:
-    """What is asked for, None what is not.
+    """The processing requested; None where a step is not.
 
-    azimuth [deg], rotd : percentile; baseline : degree; low_cut, high_cut [Hz], order : of the filter
-    trim : shares of Arias intensity; step [s] to resample to; scale : factor
+    Attributes
+    ----------
+    azimuth : to which two horizontal components are rotated [deg]
+    rotd : percentile of peaks to which they are rotated
+    baseline : degree of the polynomial removed
+    low_cut, high_cut : corners of the filter [Hz]
+    order : of the filter
+    trim : shares of Arias intensity that remain
+    step : to resample to [s]
+    scale : factor
     """
 
     azimuth: float | None
@@ -39,31 +46,48 @@ class Processing:
 
     @property
     def turns(self) -> bool:
-        """Whether two components become one."""
+        """Whether two components are rotated into one."""
         return self.azimuth is not None or self.rotd is not None
 
 
-def chosen(found: Sequence[Record], *, component: str | None, turned: bool) -> tuple[Record, ...]:
-    """The one record to convert, or the two horizontal ones that are turned; AssessError lists those there are."""
+def choose_records(found: Sequence[Record], *, component: str | None, turned: bool) -> tuple[Record, ...]:
+    """Choose the one record to convert, or the two horizontal ones to rotate.
+
+    Parameters
+    ----------
+    found : the records of the files
+    component : name of the one to convert
+    turned : whether two are rotated into one
+
+    Raises
+    ------
+    RecordError : the choice is not unique; it lists the records there are
+    """
     names = ", ".join(f'"{record.component}" of {record.id}' for record in found)
     if turned:
         level = tuple(record for record in found if not is_vertical(record.component))
         if len(level) != 2 or component is not None:
-            raise AssessError(f"two horizontal components are turned, without --component; the files hold {names}")
+            raise RecordError(f"two horizontal components are turned, without --component; the files hold {names}")
         return level
     kept = tuple(record for record in found if component is None or _plain(record.component) == _plain(component))
     if len(kept) != 1:
-        raise AssessError(f"one record is converted, {len(kept)} fit; choose with --component: {names}")
+        raise RecordError(f"one record is converted, {len(kept)} fit; choose with --component: {names}")
     return kept
 
 
 def _plain(component: str) -> str:
-    """A component's name, capitals and blanks aside."""
+    """Return a component's name in lower case with single spaces."""
     return " ".join(component.casefold().split())
 
 
-def processed(records: tuple[Record, ...], wanted: Processing) -> Record:
-    """One record: turned, baseline corrected, filtered, trim, resampled and scaled, as far as asked for."""
+def process(records: tuple[Record, ...], wanted: Processing) -> Record:
+    """Process records into one: rotated, baseline corrected, filtered, trimmed, resampled and scaled, as requested.
+
+    Parameters
+    ----------
+    records : one record, or the two horizontal ones that are rotated
+    wanted : the steps
+    """
     record = records[0]
     if wanted.azimuth is not None:
         record = rotate_to_azimuth(*records, azimuth=radians(wanted.azimuth))
@@ -81,28 +105,32 @@ def processed(records: tuple[Record, ...], wanted: Processing) -> Record:
 
 def _scaled(record: Record, factor: float) -> Record:
     if not isfinite(factor) or factor == 0.0:
-        raise AssessError(f"--scale {factor}: it must be a finite number, not zero")
+        raise RecordError(f"--scale {factor}: it must be a finite number, not zero")
     return scale(record, factor)
 
 
 def text_of(record: Record, path: Path, *, unit: str | None, stamp: str = "") -> str:
-    """The record in the format that the ending of `path` names; CSV in `unit`, m/s2 if None. AT2 is always in g."""
+    """Write a record in the format that a file extension names.
+
+    Parameters
+    ----------
+    record : as processed
+    path : ends in .csv or .at2
+    unit : of the accelerations of a CSV, m/s2 if None; AT2 is always in g
+    stamp : written into the header
+
+    Raises
+    ------
+    RecordError : another extension, or a unit that the format does not have
+    """
     ending = path.suffix.lower()
     if ending not in ENDINGS:
-        raise AssessError(f"{path}: ends in {path.suffix or 'nothing'}; choose one of {', '.join(ENDINGS)}")
+        raise RecordError(f"{path}: ends in {path.suffix or 'nothing'}; choose one of {', '.join(ENDINGS)}")
     if ending == ".at2":
         if unit not in (None, "g"):
-            raise AssessError(f"--to-unit {unit}: PEER AT2 is in g by its format; leave --to-unit out, or write .csv")
+            raise RecordError(f"--to-unit {unit}: PEER AT2 is in g by its format; leave --to-unit out, or write .csv")
         return at2_text(record, stamp=stamp)
     try:
         return csv_text(record, unit=unit or "m/s2", stamp=stamp)
     except ColumnError as error:
-        raise AssessError(f"--to-unit: {error}") from None
-
-
-def write(text: str, path: Path, *, inputs: Sequence[Path]) -> None:
-    """The text in the file at `path`, whole or not at all."""
-    if path.is_dir() or any(path.exists() and path.samefile(each) for each in inputs):
-        raise AssessError(f"{path}: is a folder or a file that is read; give another name with -o")
-    with write_file(path, command="assess records convert") as made:
-        made.write_text(text, encoding="utf-8", newline="\n")
+        raise RecordError(f"--to-unit: {error}") from None

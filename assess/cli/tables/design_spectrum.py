@@ -7,8 +7,8 @@ from pathlib import Path
 
 from scipy.constants import g
 
-from assess.cli.description import warned
-from assess.cli.text_table import text_table
+from assess.cli.tables.messages import messages_text
+from assess.cli.tables.text_table import text_table
 from assess.messages.message import Message, warning
 from assess.results.json import dumps_spectrum
 from assess.results.stamp import origin
@@ -56,10 +56,10 @@ def json_text(spectrum: Spectrum) -> str:
     return dumps_spectrum(spectrum_result(spectrum))
 
 
-def told(spectrum: Spectrum, *, doubts: tuple[Message, ...] = ()) -> None:
-    """What the engineer has to know before using the spectrum, on stderr; doubts: of what was typed."""
-    notices = tuple(warning("site-study", "site.spectrum", text=text) for text in spectrum.warnings)
-    print(warned((*doubts, *notices)), end="", file=sys.stderr)
+def print_spectrum_warnings(spectrum: Spectrum, *, messages: tuple[Message, ...] = ()) -> None:
+    """Print on stderr what to consider before using the spectrum; messages: on the options given."""
+    found = tuple(warning("site-study", "site.spectrum", text=text) for text in spectrum.warnings)
+    print(messages_text((*messages, *found)), end="", file=sys.stderr)
 
 
 def draw(spectrum: Spectrum, path: Path) -> Path:

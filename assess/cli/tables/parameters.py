@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import fields
 
-from assess.cli.text_table import text_table
+from assess.cli.tables.text_table import text_table
 from assess.project.messages import printable
 from assess.results import DirectionSweep, HingeForceResult, LinearisedResult, MechanismResult, OscillatorResult
 from reports.render.csv import csv_lines

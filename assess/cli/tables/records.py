@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from scipy.constants import g
 
-from assess.cli.text_table import text_table
+from assess.cli.tables.text_table import text_table
 from records.intensity import Measures, measures
 from records.orientation import is_vertical
 from records.record import Record

@@ -13,12 +13,12 @@ from scipy.constants import g
 
 from assess.errors import AssessError
 from assess.messages.message import Message
-from assess.project import record_set
 from assess.project.build import build
 from assess.project.components import horizontal
 from assess.project.schema import load
 from assess.project.site_spectrum import site_of, spectrum_of
 from assess.results import GroundMotionResult, RecordResult
+from assess.study import record_set
 from assess.study.ground_motion import ground_motion, ground_motion_result
 from assess.study.motions import ScaledRecord, motions_of, scale_together
 from assess.study.run import require_spectrum
@@ -89,7 +89,7 @@ def of_target(
     spectrum, criteria = spectrum_at(target), criteria_of(wanted)
     if kept is not None and sum(place.is_dir() for place in places) > 1:
         raise AssessError(f"--catalogue {kept}: one catalogue is of one folder; give one folder")
-    offer = record_set.offered(places, overrides=overrides, flatfile=flatfile, kept=kept, executor=executor)
+    offer = record_set.candidate_records(places, overrides=overrides, flatfile=flatfile, kept=kept, executor=executor)
     found = select(offer.candidates, spectrum, criteria)
     chosen = record_set.record_set(found, criteria.band, folder=Path.cwd())
     motions = scale_together(chosen.records, spectrum, chosen.fitting, scale_to=criteria.scale_to)
@@ -97,7 +97,7 @@ def of_target(
     return Suite(
         results_of(motions, spectrum, chosen.fitting),
         motion,
-        (*record_set.notices_of(offer), *record_set.doubts_of(chosen.records)),
+        (*record_set.offer_messages(offer), *record_set.record_messages(chosen.records)),
     )
 
 
@@ -125,13 +125,13 @@ def criteria_of(wanted: Wanted) -> Criteria:
     )
 
 
-def scaled_files(
+def write_scaled_files(
     target: Path, files: Sequence[Path], *, to: str, at: float | None, periods: Range, overrides: HeaderOverrides
 ) -> tuple[tuple[ScaledRecord, ...], Suite]:
     """Every record of `files` scaled to the spectrum of `target`: as `to` says, or to its ordinate `at` a period."""
     _check_period(at)
     spectrum, fitting = spectrum_at(target), Fitting(band(*periods))
-    found = record_set.uniquely_named([record for file in files for record in read_with(file, overrides)])
+    found = record_set.with_unique_names([record for file in files for record in read_with(file, overrides)])
     records = horizontal(found)
     if at is None:
         motions = scale_together(records, spectrum, fitting, scale_to=_one_of("to", to, ScaleTo))
@@ -141,7 +141,7 @@ def scaled_files(
         scalings = [Scaling(f, misfit(r, spectrum, factor=f, **over)) for r, f in zip(records, factors, strict=True)]
         motions = tuple(ScaledRecord(record, scaling) for record, scaling in zip(records, scalings, strict=True))
     motion = ground_motion_result(motions, spectrum, fitting, source="given", equivalent={})
-    return motions, Suite(results_of(motions, spectrum, fitting), motion, tuple(record_set.doubts_of(records)))
+    return motions, Suite(results_of(motions, spectrum, fitting), motion, tuple(record_set.record_messages(records)))
 
 
 def _check_period(at: float | None) -> None:

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from assess.cli.description import warned
-from assess.cli.text_table import text_table
-from assess.project.choosing import Suite
+from assess.cli.tables.messages import messages_text
+from assess.cli.tables.text_table import text_table
+from assess.project.suites import Suite
 from assess.results import RecordResult
 from assess.results.json import dumps_suite
 from assess.results.stamp import origin
@@ -33,7 +33,7 @@ def table_text(suite: Suite) -> str:
                 text_table(_COLUMNS, [_row(record) for record in suite.records]),
                 f"{told}\n",
                 text_table(columns, asked),
-                warned(suite.notices),
+                messages_text(suite.notices),
             )
         ).rstrip("\n")
         + "\n"
@@ -54,7 +54,7 @@ def json_text(suite: Suite) -> str:
     return dumps_suite(suite.records, suite.motion)
 
 
-def drawn(suite: Suite, path: Path) -> None:
+def draw(suite: Suite, path: Path) -> None:
     """Target, records, means and limits in the file at `path`."""
     write_figure(
         record_spectra.beside_target(suite.motion, suite.records),

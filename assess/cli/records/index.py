@@ -1,4 +1,4 @@
-"""`assess records index`: the catalogue of a folder, brought up to date."""
+"""`assess records index`: the catalogue of a folder of records, created or updated."""
 
 from __future__ import annotations
 
@@ -7,17 +7,10 @@ from typing import Annotated
 
 import typer
 
-from assess.cli.arguments import Jobs
-from assess.cli.processes import processes
-from assess.cli.records import Response, Step, Unit
+from assess.cli.options import Jobs
+from assess.cli.records.options import Catalogue, Flatfile, Response, Step, Unit
 
-Folder = Annotated[Path, typer.Argument(metavar="FOLDER", help="Folder of record files, with all below it.")]
-Flatfile = Annotated[
-    Path | None, typer.Option(metavar="CSV", help="PEER flatfile: magnitude, distance, Vs30, NGA number.")
-]
-Catalogue = Annotated[
-    Path | None, typer.Option(metavar="FILE", help="Where the catalogue is, if not in the folder itself.")
-]
+Folder = Annotated[Path, typer.Argument(metavar="FOLDER", help="Folder of record files, with its subfolders.")]
 
 
 def index(
@@ -28,15 +21,16 @@ def index(
     step: Step = None,
     response: Response = None,
     jobs: Jobs = None,
-    as_json: Annotated[bool, typer.Option("--json", help="Print counts and unreadable files as JSON.")] = False,
+    as_json: Annotated[bool, typer.Option("--json", help="Print the counts and the unreadable files as JSON.")] = False,
 ) -> None:
-    """Read the records of a folder once into a catalogue beside them: metadata, measures, 5 % spectra.
+    """Catalogue the records of a folder: metadata, measures and 5 % spectra.
 
-    Later runs read only files that are new or have changed; one that was stopped goes on where it ended.
+    Later runs read only new and changed files; an interrupted run continues where it stopped.
     """
-    from assess.cli.index_table import json_text, table_text
     from assess.cli.progress import progress
-    from assess.cli.warning import warn
+    from assess.cli.stderr import print_warnings
+    from assess.cli.tables.index import json_text, table_text
+    from assess.workers import process_pool
     from records.catalogue import NAME, candidates, open_catalogue, store_flatfile
     from records.flatfile import read_flatfile
     from records.flatfile_match import match_flatfile
@@ -46,12 +40,12 @@ def index(
     from records.record_files import files_below
 
     table = None if flatfile is None else read_flatfile(flatfile)
-    next(files_below(folder), None)  # a folder that is none is told before a catalogue is made
+    next(files_below(folder), None)  # a missing folder is reported before a catalogue is created
     place = catalogue or folder / NAME
     with (
-        progress() as said,
+        progress() as shown,
         open_catalogue(place) as connection,
-        processes(jobs) as executor,
+        process_pool(jobs) as executor,
     ):
         if table is not None:
             store_flatfile(connection, table.recordings)
@@ -60,10 +54,10 @@ def index(
             connection,
             overrides=HeaderOverrides(unit, step, response),
             executor=executor,
-            progress=lambda done, total: said.count("records", done, total),
+            progress=lambda done, total: shown.count("records", done, total),
         )
         listed = candidates(connection)
     described = sum(one.magnitude is not None for one in listed)
     met = None if table is None else match_flatfile(listed, table)
-    warn(["" if met is None else met.warning, *(candidate_warning(one) for one in listed)])
+    print_warnings(["" if met is None else met.warning, *(candidate_warning(one) for one in listed)])
     print((json_text if as_json else table_text)(found, place, described=described, merged=met), end="")

@@ -16,9 +16,8 @@ from multiprocessing.connection import Connection
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from assess.cli.processes import cores
 from assess.outputs.signals import ENDING
-from assess.workers import end_with_parent, hear_signals, hold_signals
+from assess.workers import available_cores, end_with_parent, hear_signals, hold_signals
 
 if TYPE_CHECKING:
     from assess.results import Results
@@ -29,9 +28,9 @@ Begin = Callable[["Results", Path, Say], Callable[[], Path]]
 
 
 @contextmanager
-def writer(jobs: int | None) -> Iterator[Begin]:
+def report_writer(jobs: int | None) -> Iterator[Begin]:
     """What writes a report by `jobs` processes, of all cores if None."""
-    number = jobs or cores()
+    number = jobs or available_cores()
     if number == 1 or sys.platform != "linux":
         yield lambda results, folder, say: lambda: _write(results, folder, say, jobs=number)
         return

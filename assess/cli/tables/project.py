@@ -6,7 +6,8 @@ from collections.abc import Sequence
 from math import atan2, degrees
 from typing import Any
 
-from assess.cli.parameter_table import table_text, weakest_text
+from assess.cli.tables.messages import messages_text
+from assess.cli.tables.parameters import table_text, weakest_text
 from assess.mechanisms.chain import format_metres
 from assess.messages.message import Message, text_of
 from assess.project.messages import printable
@@ -26,30 +27,27 @@ def description(
     for mechanism in mechanisms:
         lines += [*_mechanism(mechanism), ""]
     lines += [*map(_sweep, sweeps), *[""] * bool(sweeps)]
-    return "\n".join(lines) + "\n" + table_text(mechanisms) + warned(notices)
-
-
-def warned(notices: tuple[Message, ...]) -> str:
-    """A line for each warning and note."""
-    return "".join(f"{notice.severity}: {printable(notice.where)}: {printable(notice.text)}\n" for notice in notices)
+    return "\n".join(lines) + "\n" + table_text(mechanisms) + messages_text(notices)
 
 
 def sensitivity_text(variables: Sequence[Variable | Unvaried]) -> str:
     """A line for each mechanism whose sensitivity is asked for: its numbers with their low and high values."""
     lines: dict[str, list[str]] = {}
     for each in variables:
-        lines.setdefault(each.mechanism, []).append(_varied(each) if isinstance(each, Variable) else _unvaried(each))
+        lines.setdefault(each.mechanism, []).append(
+            _variable_text(each) if isinstance(each, Variable) else _unvaried_text(each)
+        )
     return "".join(f"sensitivity of {printable(name)}: {'; '.join(each)}\n" for name, each in lines.items())
 
 
-def _varied(variable: Variable) -> str:
+def _variable_text(variable: Variable) -> str:
     unit = "" if variable.unit == "-" else f" {variable.unit}"
     table, _, rest = variable.key.partition(".")
     of = f" of {printable(rest.rpartition('.')[0])}" if table == "materials" else ""
     return f"{variable.parameter}{of} {variable.low:.4g} to {variable.high:.4g}{unit}"
 
 
-def _unvaried(number: Unvaried) -> str:
+def _unvaried_text(number: Unvaried) -> str:
     return printable(f"{number.parameter} not varied, {number.why}".lstrip())
 
 
@@ -125,7 +123,7 @@ def _interface(found: dict[str, Any]) -> str:
 
 def _loads(loads: tuple[LoadResult, ...]) -> list[str]:
     lines = [
-        f"{printable(load.name)} at {_at(load.at)}: {_size(load)}; {printable(load.source)}{lasting_text(load)}"
+        f"{printable(load.name)} at {_at(load.at)}: {_size(load)}; {printable(load.source)}{duration_text(load)}"
         for load in loads
     ]
     return [f"  {'loads' if i == 0 else '':<11} {line}" for i, line in enumerate(lines or ["none"])]
@@ -138,7 +136,7 @@ def _size(load: LoadResult) -> str:
     return f"{load.kind} {along / 1e3:.4g} kN along the direction, {up / 1e3:.4g} kN up"
 
 
-def lasting_text(load: LoadResult) -> str:
+def duration_text(load: LoadResult) -> str:
     """How long a load is there where it resists, and how far it may move on its seat."""
     if load.bearing:
         return "; seat not given" if load.seat_m is None else f"; seat {load.seat_m:.4g} m"

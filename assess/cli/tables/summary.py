@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from textwrap import wrap
 
-from assess.cli.text_table import on_one_line, text_table
+from assess.cli.tables.text_table import on_one_line, text_table
 from assess.codes.verdict import Answer, Decision, MechanismVerdict, Verdict
 from assess.codes.verdict_text import (
     action_text,

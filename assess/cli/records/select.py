@@ -1,4 +1,4 @@
-"""`assess records select`: the suite of records that fits a target."""
+"""`assess records select`: the suite of records that best fits a target spectrum."""
 
 from __future__ import annotations
 
@@ -8,18 +8,11 @@ from typing import Annotated
 
 import typer
 
-from assess.cli.arguments import Jobs
-from assess.cli.figures import FigurePath, refuse_figure
-from assess.cli.processes import processes
-from assess.cli.records import Response, Step, Unit
-from assess.cli.records_index import Catalogue, Flatfile
+from assess.cli.options import FigurePath, Jobs, refuse_both, refuse_figure
+from assess.cli.records.options import Catalogue, Flatfile, Response, Step, Target, Unit
 
 OWN = ("places", "jobs", "as_json", "as_csv", "output", "target")
 Span = tuple[float, float] | None
-Target = Annotated[
-    Path | None,
-    typer.Option(metavar="FILE", help="A project, for its site's spectrum, or a CSV of period and ordinate."),
-]
 
 
 def _span(words: str) -> typer.models.OptionInfo:
@@ -32,21 +25,23 @@ def select(
     places: Annotated[
         list[Path],
         typer.Argument(
-            metavar="PROJECT|FOLDERS…", help="A project with [records] select; or with --target folders, files."
+            metavar="PROJECT|FOLDERS…", help="A project with [records] select; or, with --target, folders and files."
         ),
     ],
-    target: Target = None,
-    count: Annotated[int, typer.Option(min=1, max=200, help="How many records.")] = 7,
-    periods: Annotated[tuple[float, float], typer.Option(metavar="FROM TO", help="Periods to fit over [s].")] = (
+    target: Target | None = None,
+    count: Annotated[int, typer.Option(min=1, max=200, help="Number of records.")] = 7,
+    periods: Annotated[tuple[float, float], typer.Option(metavar="FROM TO", help="Periods over which to fit [s].")] = (
         0.1,
         2.0,
     ),
     scale_limits: Annotated[
-        tuple[float, float], typer.Option(metavar="FROM TO", help="Least and largest scale factor.")
+        tuple[float, float], typer.Option(metavar="FROM TO", help="Smallest and largest scale factor.")
     ] = (0.25, 4.0),
-    fit: Annotated[str, typer.Option(help="What fits best: the mean of the suite, or each record.")] = "suite",
-    components: Annotated[str, typer.Option(help="Components single, or of a recording together.")] = "single",
-    scale_to: Annotated[str, typer.Option(help="How each is scaled: spectrum, pga or none.")] = "spectrum",
+    fit: Annotated[str, typer.Option(help="Fit the mean of the suite, or each record: suite, record.")] = "suite",
+    components: Annotated[
+        str, typer.Option(help="Use components separately (single), or those of a recording together.")
+    ] = "single",
+    scale_to: Annotated[str, typer.Option(help="Scale each record to: spectrum, pga or none.")] = "spectrum",
     several_per_event: Annotated[
         bool, typer.Option("--several-per-event", help="Allow several records of one earthquake.")
     ] = False,
@@ -56,7 +51,7 @@ def select(
     pga: Annotated[Span, _span("Peak ground acceleration before scaling [g].")] = None,
     duration: Annotated[Span, _span("Duration D5-95 [s].")] = None,
     event: Annotated[
-        list[str] | None, typer.Option(metavar="TEXT", help="Part of an earthquake's name; repeat it.")
+        list[str] | None, typer.Option(metavar="TEXT", help="Part of an earthquake's name; may be repeated.")
     ] = None,
     flatfile: Flatfile = None,
     catalogue: Catalogue = None,
@@ -67,41 +62,41 @@ def select(
     as_json: Annotated[
         bool, typer.Option("--json", help="Print records and ground_motion as in results.json.")
     ] = False,
-    as_csv: Annotated[bool, typer.Option("--csv", help="Print the records as CSV, at full precision.")] = False,
+    as_csv: Annotated[bool, typer.Option("--csv", help="Print the records as CSV at full precision.")] = False,
     output: FigurePath = None,
 ) -> None:
-    """Choose the records that fit a target spectrum best, scale them, and say what codes ask of the suite.
+    """Select the records that best fit a target spectrum, scale them, and check the suite against code rules.
 
-    A project's own [records] select decides for it; folders are indexed first, and only what changed is read.
+    A project uses its own [records] select. Folders are indexed first; only new and changed files are read.
     """
-    if as_json and as_csv:
-        raise typer.BadParameter("--json and --csv exclude each other")
+    refuse_both(as_json=as_json, as_csv=as_csv)
     refuse_figure(output)
     given = [name for name in context.params if name not in OWN and _typed(context, name)]
     if target is None and (given or len(places) != 1):
         what = f"--{given[0].replace('_', '-')}" if given else "several places"
         raise typer.BadParameter(f"{what} needs --target; a PROJECT has its own [records] select")
-    from assess.cli.description import warned
-    from assess.cli.suite_table import csv_text, drawn, json_text, table_text
-    from assess.project.choosing import Wanted, of_project, of_target
+    from assess.cli.tables.messages import messages_text
+    from assess.cli.tables.suite import csv_text, draw, json_text, table_text
+    from assess.project.suites import Wanted, of_project, of_target
+    from assess.workers import process_pool
     from records.formats.header_overrides import HeaderOverrides
 
     if target is None:
-        with processes(jobs) as executor:
+        with process_pool(jobs) as executor:
             found = of_project(places[0], executor=executor)
     else:
         spans = {"magnitude": magnitude, "distance": distance, "vs30": vs30, "pga": pga, "duration": duration}
         one_per_event, events = not several_per_event, tuple(event or ())
         wanted = Wanted(count, periods, scale_limits, fit, components, scale_to, one_per_event, spans, events)
         overrides = HeaderOverrides(unit, step, response)
-        with processes(jobs) as executor:
+        with process_pool(jobs) as executor:
             found = of_target(
                 target, places, wanted, overrides=overrides, flatfile=flatfile, kept=catalogue, executor=executor
             )
     if output is not None:
-        drawn(found, output)
+        draw(found, output)
     if as_json or as_csv:  # the table ends with them
-        print(warned(found.notices), end="", file=sys.stderr)
+        print(messages_text(found.notices), end="", file=sys.stderr)
     print((json_text if as_json else csv_text if as_csv else table_text)(found), end="")
 
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from assess.cli.description import warned
-from assess.cli.text_table import text_table
+from assess.cli.tables.messages import messages_text
+from assess.cli.tables.text_table import text_table
 from assess.results import CriticalResult, EnvelopeResult, Results
 from assess.results.json import dumps_envelopes
 from reports.document import Cell
@@ -17,7 +17,7 @@ def table_text(results: Results) -> str:
     if results.critical is None:
         return "the project has no mechanisms\n"
     bands = text_table(["critical mechanism", "from [Hz]", "to [Hz]"], _bands(results.critical))
-    return f"{bands}\n{_bounds(results)}{warned(results.warnings)}"
+    return f"{bands}\n{_bounds(results)}{messages_text(results.warnings)}"
 
 
 def _bands(critical: CriticalResult) -> list[list[str]]:

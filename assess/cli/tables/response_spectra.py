@@ -11,10 +11,10 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.constants import g
 
-from assess.cli.text_table import text_table
+from assess.cli.tables.text_table import text_table
 from assess.errors import AssessError
-from assess.project.record_set import offered
 from assess.results.stamp import origin
+from assess.study.record_set import candidate_records
 from records.candidates import DAMPING, PERIODS
 from records.formats.header_overrides import HeaderOverrides
 from records.reading import read_with
@@ -52,7 +52,7 @@ def found_in(
         ordinates = [response_spectrum(record, PERIODS, damping=damping) for record in records]
         pga = np.array([record.pga for record in records])
         return Spectra(tuple(record.id for record in records), pga, np.array(ordinates))
-    found = offered(places, overrides=overrides, kept=kept, executor=executor).candidates
+    found = candidate_records(places, overrides=overrides, kept=kept, executor=executor).candidates
     if not found:
         raise AssessError(f"{folders[0]}: no records in the folder that can be read; `assess records index` says why")
     pga = np.array([one.measures["pga"] for one in found])
@@ -75,7 +75,7 @@ def csv_text(spectra: Spectra) -> str:
     return csv_lines([header, [0.0, *spectra.pga.tolist()], *([T, *column] for T, column in columns)])
 
 
-def drawn(spectra: Spectra, path: Path) -> None:
+def draw(spectra: Spectra, path: Path) -> None:
     """The figure in the file at `path`."""
     figure = record_spectra.draw(spectra.names, PERIODS, spectra.ordinates / g)
     write_figure(figure, path, creator=origin("records spectra", csv_text(spectra)))

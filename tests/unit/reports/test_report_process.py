@@ -14,7 +14,7 @@ from typing import Any
 import pytest
 
 import reports.writing
-from assess.cli.writer import writer
+from reports.report_process import report_writer
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="a process is copied on Linux only")
 
@@ -36,7 +36,7 @@ def test_stages_are_said_and_the_path_comes_back(monkeypatch: pytest.MonkeyPatch
 
     parent, said = os.getpid(), list[str]()
     stand_in(monkeypatch, write)
-    with writer(jobs) as begin:
+    with report_writer(jobs) as begin:
         path = begin("walls", tmp_path, said.append)()  # type: ignore[arg-type]  # stands for results
     assert said == ["figures", "report"]
     assert path == tmp_path / "report.pdf"
@@ -50,7 +50,7 @@ def test_what_goes_wrong_is_raised_here(monkeypatch: pytest.MonkeyPatch, tmp_pat
         raise OSError(28, "No space left on device", str(tmp_path / "report.pdf"))
 
     stand_in(monkeypatch, write)
-    with pytest.raises(OSError, match="No space left") as raised, writer(jobs) as begin:
+    with pytest.raises(OSError, match="No space left") as raised, report_writer(jobs) as begin:
         begin("walls", tmp_path, print)()  # type: ignore[arg-type]
     assert raised.value.filename == str(tmp_path / "report.pdf")
     assert not multiprocessing.active_children()
@@ -61,19 +61,19 @@ def test_the_place_of_a_mistake_in_the_program_is_kept(monkeypatch: pytest.Monke
         raise ZeroDivisionError("a mistake")
 
     stand_in(monkeypatch, write)
-    with pytest.raises(ZeroDivisionError) as raised, writer(2) as begin:
+    with pytest.raises(ZeroDivisionError) as raised, report_writer(2) as begin:
         begin("walls", tmp_path, print)()  # type: ignore[arg-type]
-    assert any("test_writer.py" in note for note in raised.value.__notes__)
+    assert any("test_report_process.py" in note for note in raised.value.__notes__)
 
 
 def test_a_writer_that_is_killed_is_told(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     stand_in(monkeypatch, lambda *_: os.kill(os.getpid(), signal.SIGKILL))
-    with pytest.raises(RuntimeError, match=r"ended by itself \(exit code -9\)"), writer(2) as begin:
+    with pytest.raises(RuntimeError, match=r"ended by itself \(exit code -9\)"), report_writer(2) as begin:
         begin("walls", tmp_path, print)()  # type: ignore[arg-type]
 
 
 def test_a_writer_that_is_killed_before_it_is_asked_is_told(tmp_path: Path) -> None:
-    with writer(2) as begin:
+    with report_writer(2) as begin:
         (child,) = multiprocessing.active_children()
         os.kill(child.pid or 0, signal.SIGKILL)
         child.join(20.0)
@@ -83,7 +83,7 @@ def test_a_writer_that_is_killed_before_it_is_asked_is_told(tmp_path: Path) -> N
 
 def test_what_goes_wrong_while_it_gets_ready_is_raised_here(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.setitem(sys.modules, "reports.writing", None)
-    with pytest.raises(ModuleNotFoundError, match="writing"), writer(2) as begin:
+    with pytest.raises(ModuleNotFoundError, match="writing"), report_writer(2) as begin:
         begin("walls", tmp_path, print)()  # type: ignore[arg-type]
 
 
@@ -98,7 +98,10 @@ def test_ctrl_c_reaches_the_writer_only_where_it_reaches_the_analysis(
     stand_in(monkeypatch, write)
     before = signal.signal(signal.SIGINT, signal.SIG_IGN if ignored else signal.default_int_handler)
     try:
-        with nullcontext() if ignored else pytest.raises(RuntimeError, match="ended by itself"), writer(2) as begin:
+        with (
+            nullcontext() if ignored else pytest.raises(RuntimeError, match="ended by itself"),
+            report_writer(2) as begin,
+        ):
             assert begin("walls", tmp_path, print)() == tmp_path  # type: ignore[arg-type]
     finally:
         signal.signal(signal.SIGINT, before)
@@ -110,7 +113,7 @@ def test_nothing_waits_for_a_report_that_is_not_wanted_any_more(
 ) -> None:
     stand_in(monkeypatch, lambda *_: time.sleep(60))
     start = time.monotonic()
-    with suppress(KeyboardInterrupt), writer(2) as begin:
+    with suppress(KeyboardInterrupt), report_writer(2) as begin:
         if asked:
             begin("walls", tmp_path, print)  # type: ignore[arg-type]
         raise KeyboardInterrupt

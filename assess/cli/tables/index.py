@@ -7,11 +7,11 @@ from dataclasses import asdict
 from pathlib import Path
 
 from assess.project.messages import printable
-from assess.project.record_set import cell_text
+from assess.study.record_set import cell_text
 from records.flatfile_match import FlatfileMatch
 from records.indexing import IndexSummary
 
-TOLD = 20  # bad cells of a flatfile
+MAX_CELLS = 20  # bad cells of a flatfile
 
 
 def table_text(found: IndexSummary, place: Path, *, described: int, merged: FlatfileMatch | None) -> str:
@@ -37,8 +37,10 @@ def json_text(found: IndexSummary, place: Path, *, described: int, merged: Flatf
 
 def _flatfile(merged: FlatfileMatch) -> list[str]:
     counts = f"{merged.matched} rows matched, {merged.unmatched} unmatched, {len(merged.bad)} bad cells"
-    bad = [f"flatfile, {cell_text(cell)}: no value that can be; passed over" for cell in merged.bad[:TOLD]]
-    more = [f"flatfile: and {len(merged.bad) - TOLD} more; --json lists all"] if len(merged.bad) > TOLD else []
+    bad = [f"flatfile, {cell_text(cell)}: no value that can be; passed over" for cell in merged.bad[:MAX_CELLS]]
+    more = (
+        [f"flatfile: and {len(merged.bad) - MAX_CELLS} more; --json lists all"] if len(merged.bad) > MAX_CELLS else []
+    )
     return [f"flatfile: {counts}; {merged.records} records described", *bad, *more]
 
 

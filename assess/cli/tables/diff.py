@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 from itertools import groupby
 from typing import Any
 
-from assess.cli.text_table import on_one_line, text_table
+from assess.cli.tables.text_table import on_one_line, text_table
 from assess.messages.plural import count_noun
 from assess.project.messages import printable
 from assess.results.diff import Change, Kind, is_number

@@ -28,16 +28,17 @@ from assess.project.dependents import dependents
 from assess.project.grounding import base_elevation_of, ground_mechanism, ground_of
 from assess.project.messages import shown
 from assess.project.notices import notices_of
-from assess.project.record_set import RecordSet
-from assess.project.schema import Project, relative, resolve
+from assess.project.schema import Project, resolve
 from assess.project.site_spectrum import hazard_over_periods, site_in, spectrum_of
 from assess.project.survey import survey_of
 from assess.project.variables import variables_of
 from assess.project.variations import Variant, Variation
 from assess.results import Input
 from assess.study.amplification import Standing, amplify
+from assess.study.record_set import EVERYWHERE, RecordSet, record_messages
 from assess.study.study import Artificial, Case, Equation, Fitting, PulseGrid, Study, Sweep
 from assess.study.verdict import levels_with_site
+from records.paths import relative_path
 from records.pulses import shape as pulse_shape
 from records.record import Record
 from spectra.spectrum import Spectrum
@@ -242,11 +243,11 @@ def grid_of(section: sections.Pulses) -> PulseGrid:
 def all_records(section: sections.Records, folder: Path) -> tuple[RecordSet, tuple[Message, ...]]:
     """Every horizontal record that is named, and what is left out; none yet where a suite is to be chosen."""
     if section.select is not None:
-        return RecordSet((), Fitting(record_set.EVERYWHERE)), ()
+        return RecordSet((), Fitting(EVERYWHERE)), ()
     found = record_set.all_of(section, folder)
     return replace(found, records=horizontal(found.records)), (
         *left_out(found.records),
-        *record_set.record_messages(found.records),
+        *record_messages(found.records),
     )
 
 
@@ -261,4 +262,4 @@ def inputs_of(project: Project, records: Sequence[Record]) -> Iterator[Input]:
     used = [project.folder / record.path for record in records] if chosen else content.records.files
     beside = [path for path in (content.records.flatfile, content.records.response) if path is not None]
     for path in dict.fromkeys([*bodies, *tables, *used, *beside]):
-        yield Input(relative(path, project.folder), hashlib.sha256(path.read_bytes()).hexdigest())
+        yield Input(relative_path(path, project.folder), hashlib.sha256(path.read_bytes()).hexdigest())

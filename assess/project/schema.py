@@ -29,6 +29,7 @@ from assess.project.sections.content import Content
 from assess.project.variations import Variation, variations
 from assess.project.weight_densities import weight_densities
 from assess.results import Resolved
+from records.paths import relative_path
 
 FORMAT = 1
 FILE_NAME = "project.toml"
@@ -195,15 +196,10 @@ def _resolved(key: str, value: Any, given: bool, folder: Path) -> Iterator[tuple
 def _plain(value: Any, folder: Path) -> Any:
     """A value as JSON holds it."""
     if isinstance(value, Path):
-        return relative(value, folder)
+        return relative_path(value, folder)
     if isinstance(value, Section):
         return {key: _plain(item, folder) for key, item in value.entries().items()}
     return [_plain(item, folder) for item in value] if isinstance(value, tuple) else value
-
-
-def relative(path: Path, folder: Path) -> str:
-    """The path as the project file would write it."""
-    return path.relative_to(folder).as_posix() if path.is_relative_to(folder) else path.as_posix()
 
 
 def json_schema() -> dict[str, Any]:

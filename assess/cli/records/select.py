@@ -77,7 +77,7 @@ def select(
         raise typer.BadParameter(f"{what} needs --target; a PROJECT has its own [records] select")
     from assess.cli.tables.messages import messages_text
     from assess.cli.tables.suite import csv_text, draw, json_text, table_text
-    from assess.project.choosing import Wanted, of_project, of_target
+    from assess.project.suites import Wanted, of_project, of_target
     from assess.workers import process_pool
     from records.formats.header_overrides import HeaderOverrides
 

@@ -7,7 +7,7 @@ from dataclasses import asdict
 from pathlib import Path
 
 from assess.project.messages import printable
-from assess.project.record_set import cell_text
+from assess.study.record_set import cell_text
 from records.flatfile_match import FlatfileMatch
 from records.indexing import IndexSummary
 

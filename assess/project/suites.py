@@ -13,12 +13,12 @@ from scipy.constants import g
 
 from assess.errors import AssessError
 from assess.messages.message import Message
-from assess.project import record_set
 from assess.project.build import build
 from assess.project.components import horizontal
 from assess.project.schema import load
 from assess.project.site_spectrum import site_of, spectrum_of
 from assess.results import GroundMotionResult, RecordResult
+from assess.study import record_set
 from assess.study.ground_motion import ground_motion, ground_motion_result
 from assess.study.motions import ScaledRecord, motions_of, scale_together
 from assess.study.run import require_spectrum
@@ -97,7 +97,7 @@ def of_target(
     return Suite(
         results_of(motions, spectrum, chosen.fitting),
         motion,
-        (*record_set.notices_of(offer), *record_set.record_messages(chosen.records)),
+        (*record_set.offer_messages(offer), *record_set.record_messages(chosen.records)),
     )
 
 

@@ -72,10 +72,10 @@ def study_of(project: Project, *, executor: Executor | None = None) -> Study:
     spectrum = None if site is None else spectrum_of(site)
     models = models_of(content.bodies, known={})
     solids = {name: solid_of(name, body, content.materials, models) for name, body in content.bodies.items()}
-    named, notices = all_records(content.records, project.folder)
+    named, messages = all_records(content.records, project.folder)
     study = part_of(content, Files(models, solids, spectrum, named), names=content.mechanisms)
     if content.records.select is not None and spectrum is not None:
-        named, notices = record_set.select_records(
+        named, messages = record_set.select_records(
             content.records,
             content.records.select,
             spectrum=spectrum,
@@ -90,11 +90,11 @@ def study_of(project: Project, *, executor: Executor | None = None) -> Study:
         fitting=named.fitting,
         inputs=tuple(inputs_of(project, named.records)),
         resolved=with_asked_procedures(resolve(project), content),
-        notices=(
+        messages=(
             *project.messages,
             *(warning("site-study", "site.spectrum", text=text) for text in (spectrum.warnings if spectrum else ())),
             *project_messages(content, solids, study),
-            *notices,
+            *messages,
         ),
         sweeps=tuple(
             sweep_of(variation, project, files, beside={m.name: m.beside for m in study.mechanisms})
@@ -151,7 +151,7 @@ def part_of(content: sections.Content, files: Files, *, names: Iterable[str]) ->
         equations={name: equation_of(section, content) for name, section in chosen.items()},
         inputs=(),
         resolved={},
-        notices=(),
+        messages=(),
         sweeps=(),
         pulses=None if content.analysis.pulses is None else grid_of(content.analysis.pulses),
         hazard=None if site is None else hazard_over_periods(site),

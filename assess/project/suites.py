@@ -44,7 +44,7 @@ class Suite:
 
     records: tuple[RecordResult, ...]
     motion: GroundMotionResult
-    notices: tuple[Message, ...] = ()
+    messages: tuple[Message, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -71,8 +71,8 @@ def of_project(path: Path, *, executor: Executor | None = None) -> Suite:
     motions = motions_of(replace(study, artificial=None), spectrum)
     found = ground_motion(study, spectrum, motions)
     assert found is not None  # there are records
-    notices = tuple(notice for notice in study.notices if notice.where.startswith("records"))
-    return Suite(results_of(motions, spectrum, study.fitting), found, notices)
+    messages = tuple(each for each in study.messages if each.where.startswith("records"))
+    return Suite(results_of(motions, spectrum, study.fitting), found, messages)
 
 
 def of_target(

@@ -197,7 +197,7 @@ Cut = Annotated[
 
 
 def _block_names(value: Any) -> Any:
-    """Each entry of `blocks` as a tuple of bodies that move as one."""
+    """Write each entry of `blocks` as a list of bodies that move as one."""
     return [[entry] if isinstance(entry, str) else entry for entry in value] if isinstance(value, list) else value
 
 

@@ -1,6 +1,6 @@
-"""The writer of the report: where a process can be copied, one of its own that gets ready while the analysis runs.
+"""The report written in a process of its own, which gets ready while the analysis runs, where processes can be forked.
 
-What draws pages takes a second to import, and in most of that time the analysis has no use for a second core.
+The drawing packages take a second to import, during most of which the analysis has no use for a second core.
 """
 
 from __future__ import annotations
@@ -29,7 +29,12 @@ Begin = Callable[["Results", Path, Say], Callable[[], Path]]
 
 @contextmanager
 def report_writer(jobs: int | None) -> Iterator[Begin]:
-    """What writes a report by `jobs` processes, of all cores if None."""
+    """Provide a function that starts to write a report.
+
+    Parameters
+    ----------
+    jobs : number of processes to write with, all cores if None
+    """
     number = jobs or available_cores()
     if number == 1 or sys.platform != "linux":
         yield lambda results, folder, say: lambda: _write(results, folder, say, jobs=number)
@@ -54,6 +59,7 @@ class _Process:
         self._asked = self._answered = False
 
     def begin(self, results: Results, folder: Path, say: Say) -> Callable[[], Path]:
+        """Send the results to be written to a folder; return a function that waits for the path of the PDF."""
         self._asked = True
         try:
             self._connection.send((results, folder))
@@ -84,7 +90,7 @@ class _Process:
         return RuntimeError(f"the process that writes the report ended by itself (exit code {self._process.exitcode})")
 
     def end(self) -> None:
-        """Wait until it has ended; what it has not begun or not finished is not wanted any more."""
+        """Wait until the process has ended; a report that is not finished is abandoned."""
         self._connection.close()
         if not self._asked:
             self._process.kill()
@@ -94,7 +100,7 @@ class _Process:
 
 
 def _serve(connection: Connection, other_end: Connection, jobs: int) -> None:
-    """Get ready, write what comes, tell the stages, and last the path or what went wrong."""
+    """Prepare, write the report received, send the stages, and finally the path or the error."""
     other_end.close()
     end_with_parent()
     for number in ENDING:
@@ -115,7 +121,7 @@ def _serve(connection: Connection, other_end: Connection, jobs: int) -> None:
 
 
 def _interrupt(*_: object) -> None:
-    """End once, however often it is asked for."""
+    """Interrupt once, however often a signal arrives."""
     for number in ENDING:
         signal.signal(number, lambda *_: None)  # SIG_IGN says so of one that has come already
     raise KeyboardInterrupt

@@ -10,7 +10,7 @@ from assess.codes.check import PgaCurve
 from assess.codes.context import Suite
 from assess.codes.worst_branch import least_known
 from assess.messages.message import Message, Quantity, message
-from assess.oscillator import Oscillator, linearise, threshold
+from assess.oscillator import Oscillator, threshold
 
 
 def uplift_multiplier(oscillator: Oscillator, *, linearised: bool) -> float | None:
@@ -19,7 +19,7 @@ def uplift_multiplier(oscillator: Oscillator, *, linearised: bool) -> float | No
     The linearised equation has one, even on joints that answer to any motion.
     """
     if linearised:
-        return min(linearise(branch).multiplier for branch in oscillator.branches)
+        return min(branch.linearised.multiplier for branch in oscillator.branches)
     return least_known([threshold(branch) for branch in oscillator.branches])
 
 

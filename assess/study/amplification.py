@@ -16,7 +16,7 @@ from assess.amplification.floor_motion import (
 )
 from assess.amplification.natural_frequency import ASSUMPTIONS, SLICES, Rayleigh, rayleigh_mode, slice_cantilever
 from assess.errors import GeometryError, ProjectError
-from assess.mechanisms.lasting import height_of_support
+from assess.mechanisms.limits import height_of_support
 from assess.messages.message import Quantity, note
 from assess.model.assembly import Built
 from assess.model.body import Bodies

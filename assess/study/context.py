@@ -9,7 +9,7 @@ from assess.codes.check import Reason, reason_message
 from assess.codes.context import Context, LocalLimit, Transfer
 from assess.loads.load import PointMass
 from assess.mechanisms.hinge_forces import hinge_forces
-from assess.mechanisms.lasting import height_of_support, limits, variants
+from assess.mechanisms.limits import height_of_support, limits
 from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message, Quantity
 from assess.study.endurance import unheld_messages
@@ -73,7 +73,7 @@ def context_of(
 def _without_floor_spectrum(
     study: Study, spectrum: Spectrum, mechanism: Mechanism, rocked: RockingHistories, base: tuple[BaseMotion, ...]
 ) -> Context:
-    grounded, rise, ways = study.grounded[mechanism.name], height_of_support(mechanism), variants(mechanism)
+    grounded, rise, ways = study.grounded[mechanism.name], height_of_support(mechanism), mechanism.variants
     amplified = study.amplified[mechanism.name]
     return Context(
         spectrum=spectrum,

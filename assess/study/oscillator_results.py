@@ -13,7 +13,6 @@ from assess.oscillator import (
     displacement,
     elastic_frequency,
     equivalent_block,
-    linearise,
     participating_mass,
     threshold,
 )
@@ -28,7 +27,7 @@ def floats(values: FloatArray) -> tuple[float, ...]:
 
 def oscillator_result(branch: Branch, *, mass: float, rigid: Branch, equilibrium: float) -> OscillatorResult:
     """The rocking parameters of one branch; rigid: the same with rigid interfaces; equilibrium: phi_e in its sign."""
-    block, linear = equivalent_block(rigid, mass=mass), linearise(branch)
+    block, linear = equivalent_block(rigid, mass=mass), branch.linearised
     return OscillatorResult(
         mass_kg=mass,
         inertia_kg_m2=block.inertia,

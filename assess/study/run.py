@@ -9,7 +9,6 @@ from functools import partial
 from assess.amplification.floor_motion import pulse_factor
 from assess.codes.verdict import Question
 from assess.errors import ProjectError, locate_errors
-from assess.mechanisms.lasting import variants
 from assess.messages.message import Message, note, warning
 from assess.results import SCHEMA_VERSION, MechanismResult, Results
 from assess.results.stamp import stamp, this_program
@@ -137,7 +136,7 @@ def envelope_cases(study: Study, standing: Mapping[str, MechanismSweep]) -> tupl
         swept = standing.get(mechanism.name)
         of, case = (study, "") if swept is None else (swept.case.study, _case_of(swept))
         used = next(each for each in of.mechanisms if each.name == mechanism.name)
-        rocker = variants(used).collapse
+        rocker = used.variants.collapse
         if rocker is None:
             continue
         factor = partial(pulse_factor, of.amplified[used.name].amplification)
@@ -150,7 +149,7 @@ def parameters(study: Study) -> tuple[MechanismResult, ...]:
     return tuple(
         mechanism_result(
             mechanism,
-            variants(mechanism).starting,
+            mechanism.variants.starting,
             equation=study.equations[mechanism.name],
             scene=study.scenes.get(mechanism.name),
             amplification=amplification_result(study.amplified[mechanism.name]),

@@ -22,7 +22,6 @@ from scipy.constants import g
 from assess.dynamics.history import trace
 from assess.geometry.planar import planar_direct
 from assess.mechanisms.chain import Block
-from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block
 from assess.oscillator import Oscillator
 from records.record import Record
@@ -79,7 +78,7 @@ def wall_oscillator() -> Oscillator:
     block = Block(mass, (0.0, HEIGHT / 2), mass * (THICKNESS**2 + HEIGHT**2) / 12)
     body = planar_direct(mass=block.mass, centroid=block.centroid, inertia=block.inertia, name="wall")
     half = THICKNESS / 2
-    return oscillator(single_block("wall", body, hinge=(half, 0.0), hinge_negative=(-half, 0.0)))
+    return single_block("wall", body, hinge=(half, 0.0), hinge_negative=(-half, 0.0)).oscillator
 
 
 def ground() -> Record:

@@ -15,7 +15,6 @@ from assess.geometry.planar import PlanarBody, join_planar, planar_body
 from assess.geometry.repair import repair
 from assess.geometry.solid import Solid, box, polyhedron, profile
 from assess.geometry.surface import merge_vertices
-from assess.mechanisms.oscillation import oscillator
 from assess.mechanisms.single_block import single_block
 from assess.oscillator import Branch, Oscillator
 
@@ -60,7 +59,7 @@ EVERY = pytest.mark.parametrize("body", BODIES.values(), ids=BODIES)
 def rocking(*bodies: Solid, direction: tuple[float, float, float] = X) -> Oscillator:
     """The bodies as one block on the ground."""
     seen = [planar_body(each, direction=direction) for each in bodies]
-    return oscillator(single_block("m", seen[0] if len(seen) == 1 else join_planar(seen, name="block")))
+    return single_block("m", seen[0] if len(seen) == 1 else join_planar(seen, name="block")).oscillator
 
 
 def meshed(vertices: np.ndarray, triangles: np.ndarray) -> Solid:

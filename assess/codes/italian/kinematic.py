@@ -18,12 +18,9 @@ from assess.codes.italian.limit_state import Case
 from assess.oscillator import (
     Branch,
     displacement,
-    excitation_integral,
-    excitation_spline,
     multiplier,
     participation_ratio,
     resisted,
-    restoring_spline,
     threshold,
 )
 
@@ -49,13 +46,13 @@ def displacement_at(branch: Branch, rotation: float, *, mass: float) -> float:
 
 def rotation_at(branch: Branch, moved: float, *, mass: float) -> float:
     """Rotation [rad] at which the control point has moved by `moved` [m], up to the overturning rotation."""
-    integral = excitation_integral(branch)
+    integral = branch.excitation_integral
     return float(brentq(lambda phi: float(integral(phi)) / mass - moved, 0.0, branch.unstable, xtol=1e-15))
 
 
 def multiplier_at(branch: Branch, rotation: float) -> float:
     """lambda [-] of the model's own curve at a rotation [rad]."""
-    return float(restoring_spline(branch)(rotation)) / float(excitation_spline(branch)(rotation)) / g
+    return float(branch.restoring_spline(rotation)) / float(branch.excitation_spline(rotation)) / g
 
 
 def acceleration_at(branch: Branch, moved: float, *, mass: float, confidence_factor: float) -> float:

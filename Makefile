@@ -39,8 +39,9 @@ fuzz: .venv/installed      ## mutated inputs for SECONDS by SEED, of CLASS if gi
 kill: .venv/installed      ## KILLS runs and indexes killed at random and at aimed moments: nothing may be lost
 	$(BIN)/python tests/kill/study.py $(KILLS)
 
-figures: .venv/installed   ## pictures of README.md and docs/, into docs/images; figures of the thesis drawn again, into build/figures
+figures: .venv/installed   ## pictures and the notebook of docs/, with those of README.md; figures of the thesis drawn again, into build/figures
 	$(BIN)/python docs/images/draw.py
+	$(BIN)/python docs/notebook/write.py
 	$(BIN)/python tests/validation/thesis/draw_chapter_7.py
 
 same: .venv/installed      ## BASE=<commit>: no number, name, outcome, order or key of results has changed since; texts that did are listed

@@ -1,6 +1,6 @@
-"""What the hinges of a mechanism pass on when it starts to rock, and how much friction that takes.
+"""The forces at the hinges of a mechanism when it starts to rock, and how much friction they need.
 
-On the block that presses at a hinge act H along the branch's own direction and V up; with n square to the faces there,
+H along the branch's own direction and V up act on the block that presses at a hinge; with n square to the faces there,
 
     N = H n_x + V n_z        T = H n_z - V n_x        friction needed: |T| / N
 
@@ -19,7 +19,7 @@ Vector = tuple[float, float]
 
 @dataclass(frozen=True)
 class Pressure:
-    """Force on the block that presses, square to the faces (compression > 0) and along them [N]."""
+    """The force on the block that presses, square to the faces (compression > 0) and along them [N]."""
 
     normal: float
     shear: float
@@ -34,7 +34,7 @@ class HingeForces:
     face : unit vector (x, z) square to the faces, to the block that presses; found : on the geometry, else taken level
     starting, resting : square to the faces and along them, when it starts to rock and without any acceleration
     acceleration : of the ground at which it starts to rock [m/s2]
-    friction : coefficient [-], None where it is not known; remedy : what the project would have to say
+    friction : coefficient [-], None where it is not known; remedy : the input that would give it
     held : whether a support holds it besides friction, as it does the top of a wall
     """
 
@@ -54,11 +54,11 @@ class HingeForces:
 
     @property
     def required_friction(self) -> float | None:
-        """The coefficient of friction without which it slides before it rocks [-]; None where it lifts."""
+        """The coefficient of friction below which it slides before it rocks [-]; None where it lifts."""
         return required_friction(self.starting)
 
     def pressure_at(self, acceleration: float) -> Pressure:
-        """What it passes on at an acceleration of the ground [m/s2]; beyond the one that starts rocking no more."""
+        """Return the force at an acceleration of the ground [m/s2]; beyond incipient motion it does not change."""
         share = min(acceleration / self.acceleration, 1.0)
         low, high = self.resting, self.starting
         return Pressure(
@@ -67,7 +67,7 @@ class HingeForces:
         )
 
     def mobilised_friction(self, acceleration: float) -> float | None:
-        """The largest coefficient of friction that ground accelerations up to this one need [-]; None where it lifts.
+        """Return the friction coefficient needed up to an acceleration of the ground [m/s2]; None where it lifts.
 
         |T| / N of two linear functions is largest at an end.
         """
@@ -84,7 +84,7 @@ class HingeForces:
         return min(reached) * self.acceleration if reached else None
 
     def _share(self, side: float, mu: float) -> float | None:
-        """The share of the acceleration at which `side` T = mu N; 0 where rest is beyond, None where not reached."""
+        """Return the share of the acceleration at which `side` T = mu N; 0 if it slides at rest, None if never."""
         first, last = (side * each.shear - mu * each.normal for each in (self.resting, self.starting))
         if first > 0.0:
             return 0.0
@@ -92,5 +92,5 @@ class HingeForces:
 
 
 def required_friction(pressure: Pressure) -> float | None:
-    """|T| / N [-]; None where nothing presses."""
+    """Return |T| / N [-]; None where nothing presses."""
     return abs(pressure.shear) / pressure.normal if pressure.normal > 0.0 else None

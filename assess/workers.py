@@ -7,7 +7,7 @@ import signal
 import sys
 import threading
 from collections.abc import Callable, Iterator
-from concurrent.futures import InvalidStateError, ProcessPoolExecutor
+from concurrent.futures import Executor, InvalidStateError, ProcessPoolExecutor
 from contextlib import contextmanager
 from multiprocessing import active_children, get_context, parent_process
 from multiprocessing.resource_tracker import ensure_running
@@ -46,6 +46,27 @@ class SpawnedPool(ProcessPoolExecutor):
     def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Any:
         with hold_signals():
             return super().submit(fn, *args, **kwargs)
+
+
+def available_cores() -> int:
+    """Return the number of processor cores that this process may use."""
+    allowed = getattr(os, "sched_getaffinity", None)
+    return len(allowed(0)) if allowed is not None else os.cpu_count() or 1
+
+
+@contextmanager
+def process_pool(jobs: int | None) -> Iterator[Executor | None]:
+    """Provide an executor of `jobs` processes, of all cores if None; None for a single one, which is this process.
+
+    Its workers start only when they are given something to do.
+    """
+    number = jobs or available_cores()
+    if number == 1:
+        yield None
+        return
+    pool = SpawnedPool(number)
+    with end_on_error(pool):
+        yield pool
 
 
 @contextmanager

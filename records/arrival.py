@@ -1,4 +1,4 @@
-"""When waves of an earthquake can reach a site: what a record's clock says of its time step."""
+"""Arrival times: whether a record's peak comes when waves of its earthquake can reach the site."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ CLOCK, RUPTURE = 5.0, 60.0  # s, of clocks and origins, and of how long the sour
 
 
 def arrival_warning(record: Record) -> str:
-    """One line where the peak comes earlier or later after the earthquake's origin than waves take; else ""."""
+    """Return one line where the peak comes earlier or later after the earthquake's origin than waves take; else ""."""
     origin, start, distance = _instant(record.earthquake.time), _instant(record.start), _distance(record)
     if origin is None or start is None or distance is None:
         return ""
@@ -31,7 +31,7 @@ def arrival_warning(record: Record) -> str:
 
 
 def _distance(record: Record) -> float | None:
-    """Distance of the site from the epicentre [m], as given or by the two places; None where unknown."""
+    """Return the distance of the site from the epicentre [m], as given or by the two places; None where unknown."""
     if record.distance is not None:
         return record.distance
     places = (record.earthquake.latitude, record.earthquake.longitude, record.site.latitude, record.site.longitude)
@@ -44,7 +44,7 @@ def _distance(record: Record) -> float | None:
 
 
 def _instant(text: str) -> datetime | None:
-    """A time of ISO 8601 with its hour; None for a date alone, or nothing."""
+    """Return a time of ISO 8601 with its hour; None for a date alone, or nothing."""
     try:
         return datetime.fromisoformat(text) if "T" in text else None
     except ValueError:

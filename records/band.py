@@ -1,4 +1,4 @@
-"""The periods over which a suite is to fit its target, and how much each counts."""
+"""The periods over which a suite is to fit its target, with their weights."""
 
 from __future__ import annotations
 
@@ -33,17 +33,28 @@ class Band:
 
     @property
     def columns(self) -> slice:
-        """Where its nodes stand among the periods of a catalogue."""
+        """Slice of its nodes among the periods of a catalogue."""
         first = int(np.searchsorted(PERIODS, self.nodes[0]))
         return slice(first, first + self.nodes.size)
 
     def at_periods(self, logarithm: FloatArray) -> FloatArray:
-        """Logarithms of spectra at the nodes [..., m], as `interpolate`, at the periods [..., k]."""
+        """Return the logarithms of spectra at the nodes [..., m], as `interpolate`, at the periods [..., k]."""
         return interpolate(self.period, self.nodes, logarithm)
 
 
 def interpolate(period: FloatArray, nodes: FloatArray, logarithm: FloatArray) -> FloatArray:
-    """Logarithms at `nodes` [..., m] [s], linear in the logarithm of the period, at each `period` [..., k] [s]."""
+    """Interpolate logarithms linearly over the logarithm of the period.
+
+    Parameters
+    ----------
+    period : periods to interpolate at [..., k] [s]
+    nodes : rising periods [m] [s]
+    logarithm : values at the nodes [..., m]
+
+    Returns
+    -------
+    array [..., k]
+    """
     at = np.interp(np.log(period), np.log(nodes), np.arange(nodes.size))
     before, after = np.floor(at).astype(np.int64), np.ceil(at).astype(np.int64)
     share = at - before
@@ -51,14 +62,20 @@ def interpolate(period: FloatArray, nodes: FloatArray, logarithm: FloatArray) ->
 
 
 def band(shortest: float, longest: float, *, weights: Sequence[tuple[float, float]] = ()) -> Band:
-    """The range from `shortest` to `longest` [s]: its ends, and the catalogue's periods between.
+    """Return the periods from `shortest` to `longest`: both ends, and the periods of a catalogue between them.
 
-    Those nearer than half a step to an end, which stands for them, are left out: so that all can count alike.
-    weights : (period [s], weight) at rising periods; between them linear in the logarithm of the period, as the PEER
-    web application does, and constant beyond; equal if absent.
+    Periods of the catalogue within half a step of an end are left out, so that all can count alike.
 
-    Raises RecordError for a range outside the catalogue's 0.01 to 10 s, or so narrow that none of its periods lies in
-    it, and for weights that are negative, all zero, or at periods that do not rise.
+    Parameters
+    ----------
+    shortest, longest : ends of the range [s]
+    weights : (period [s], weight [-]) at rising periods; linear in the logarithm of the period between them, as in the
+        PEER web application, and constant beyond; equal if absent
+
+    Raises
+    ------
+    RecordError : the range leaves the catalogue's 0.01 to 10 s or holds none of its periods; weights are negative, all
+        zero, or at periods that do not rise
     """
     low, high = PERIODS[0], PERIODS[-1]
     if not low * (1 - ROUNDING) <= shortest <= longest <= high * (1 + ROUNDING):
@@ -79,7 +96,17 @@ def band(shortest: float, longest: float, *, weights: Sequence[tuple[float, floa
 
 
 def truncate_band(band: Band, longest: float) -> Band:
-    """The periods of the band that a target has; RecordError where it ends before the first."""
+    """Keep the periods of the band up to `longest`, where a target spectrum ends.
+
+    Parameters
+    ----------
+    band : periods to fit at
+    longest : longest period of the target [s]
+
+    Raises
+    ------
+    RecordError : the target ends before the first period of the band
+    """
     kept = band.period <= longest
     if not kept.any():
         raise RecordError(

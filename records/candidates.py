@@ -1,4 +1,4 @@
-"""What a record is chosen by: its earthquake, site, measures and 5 % spectrum at fixed periods."""
+"""Candidates for selection: earthquake, site, measures and 5 % spectrum at fixed periods of a record."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ class Candidate:
     position : of the record in its file, from 0; id, event, station, component : as in the record
     date : of the earthquake, ISO 8601, as far as known, "" unknown
     magnitude : [-]; distance [m]: to the rupture where a flatfile gives it, else as the file has it; vs30 [m/s]
-    place : where in the ground or a structure the instrument stands, "" for the free surface or unknown
+    place : location of the instrument in the ground or a structure, "" for the free surface or unknown
     nga : number of the recording in the PEER NGA database; None where any of these four is unknown
     dt [s], npts, measures : by name, SI ("pga" [m/s2], "d5_95" [s], …)
     spectrum : 5 % pseudo-acceleration at PERIODS [k] [m/s2]
@@ -102,6 +102,6 @@ def candidate_table(candidates: Sequence[Candidate]) -> DataFrame:
 
 
 def sequence_number(path: str) -> int | None:
-    """The NGA number in a PEER file name, `RSN57_SFERN_ORR021.AT2`; None where there is none."""
+    """Return the NGA number in a PEER file name, `RSN57_SFERN_ORR021.AT2`; None where there is none."""
     found = SEQUENCE_NUMBER.search(path.rsplit("/", 1)[-1])
     return int(found[1]) if found and len(found[1]) < 10 else None

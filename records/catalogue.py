@@ -46,7 +46,7 @@ CREATE TABLE recordings (nga INTEGER PRIMARY KEY, event TEXT, year TEXT, station
 COLUMNS = (
     "path, position, id, event, station, component, date, magnitude, distance, vs30, place, nga, dt, npts, spectrum"
 )
-TOLD = tuple(COLUMNS.split(", "))[:-1]
+TEXT_COLUMNS = tuple(COLUMNS.split(", "))[:-1]
 ROWS = f"SELECT {COLUMNS}, {', '.join(MEASURES)}, seal FROM records ORDER BY path, position"
 FILES = "SELECT path, size, mtime, sha256, asked, problem, records, seal FROM files"
 FLATFILE = ("nga", "event", "year", "station", "magnitude", "distance", "vs30", "files")
@@ -61,9 +61,11 @@ class Catalogue(sqlite3.Connection):
 
 @contextmanager
 def open_catalogue(file: Path | None) -> Iterator[Catalogue]:
-    """The catalogue in `file`, made if it does not exist; in memory alone if None. Closed at the end.
+    """Open the catalogue in `file`, made if it does not exist, or in memory if None; close it at the end.
 
-    Raises RecordError for a file that cannot be written, is damaged, is of a newer version, or is not a catalogue.
+    Raises
+    ------
+    RecordError : the file cannot be written, is damaged, of a newer version, or not a catalogue
     """
     if file is not None and (file.is_symlink() or file.is_dir()):
         what = "a link" if file.is_symlink() else "a folder"
@@ -89,7 +91,7 @@ def open_catalogue(file: Path | None) -> Iterator[Catalogue]:
 
 
 def _prepare(connection: Catalogue) -> None:
-    """Tables in an empty file or one of an older version of ours; refuses one that is not ours, newer, or damaged."""
+    """Make tables in an empty file or in one of an older version; refuse one that is newer, damaged, or not ours."""
     connection.execute("PRAGMA foreign_keys = ON")
     application, version = (
         int(connection.execute(f"PRAGMA {key}").fetchone()[0]) for key in ("application_id", "user_version")
@@ -114,7 +116,7 @@ def _prepare(connection: Catalogue) -> None:
 
 
 def _tables(connection: Catalogue) -> int:
-    """How many tables there are; the error for a damaged statement of one quotes it, and may be no text."""
+    """Return how many tables there are; the error for a damaged statement of one quotes it, and may be no text."""
     try:
         return int(connection.execute("SELECT COUNT(*) FROM sqlite_master WHERE type = 'table'").fetchone()[0])
     except UnicodeDecodeError:
@@ -122,8 +124,8 @@ def _tables(connection: Catalogue) -> int:
 
 
 def _make(connection: Catalogue) -> None:
-    """Empty tables, but for what an older version was told: what is stated of files, and the flatfile."""
-    told = _rows(connection, "SELECT unit, step, response FROM stated")
+    """Make empty tables, and keep the header overrides and the flatfile of an older version."""
+    overrides = _rows(connection, "SELECT unit, step, response FROM stated")
     flatfile = _rows(connection, f"SELECT {', '.join(FLATFILE)} FROM recordings")
     connection.executescript(
         "BEGIN;"
@@ -132,13 +134,13 @@ def _make(connection: Catalogue) -> None:
         + f"PRAGMA application_id = {APPLICATION}; PRAGMA user_version = {VERSION}; COMMIT;"
     )
     with connection:
-        connection.executemany("INSERT INTO stated VALUES (?, ?, ?, ?)", [with_seal(row) for row in told[:1]])
+        connection.executemany("INSERT INTO stated VALUES (?, ?, ?, ?)", [with_seal(row) for row in overrides[:1]])
         marks = ", ".join("?" * (len(FLATFILE) + 1))
         connection.executemany(f"INSERT INTO recordings VALUES ({marks})", [with_seal(row) for row in flatfile])
 
 
 def _rows(connection: sqlite3.Connection, query: str) -> list[tuple[Any, ...]]:
-    """What an older version has, nothing where it has no such table or text that is none."""
+    """Return the rows of an older version; none where it has no such table, or text that cannot be read."""
     try:
         rows: list[tuple[Any, ...]] = connection.execute(query).fetchall()
         "".join(value for row in rows for value in row if isinstance(value, str)).encode()
@@ -156,8 +158,8 @@ def _shown(text: str) -> str:
     return text.encode("utf-8", "replace").decode()[:120]
 
 
-def mend(connection: sqlite3.Connection) -> tuple[str, ...]:
-    """Take out the files of which a row was changed since it was written; their paths, as far as they can be read."""
+def remove_damaged(connection: sqlite3.Connection) -> tuple[str, ...]:
+    """Remove the files of which a row was changed since it was written; return their paths, as far as legible."""
     rows: dict[str, list[bool]] = {}
     for row in connection.execute(ROWS):
         rows.setdefault(str(row[0]), []).append(_whole(row))
@@ -173,12 +175,12 @@ def mend(connection: sqlite3.Connection) -> tuple[str, ...]:
 
 
 def _whole(row: Sequence[Any]) -> bool:
-    """Whether a row says what it was with_seal with, its last value."""
+    """Return whether a row still matches its seal, its last value."""
     return bool(row[-1] == seal(row[:-1]))
 
 
 def candidates(connection: sqlite3.Connection) -> tuple[Candidate, ...]:
-    """Every record of the catalogue, by path, with what a flatfile taken in says of it."""
+    """Return every record of the catalogue, by path, described by the flatfile that was stored."""
     overrides = header_overrides(connection)
     rows = connection.execute(ROWS).fetchall()
     for row in rows:
@@ -191,11 +193,13 @@ def candidates(connection: sqlite3.Connection) -> tuple[Candidate, ...]:
 def _candidate(row: Sequence[Any], overrides: HeaderOverrides) -> Candidate:
     spectrum = np.frombuffer(row[14], dtype="<f8")
     measures = dict(zip(MEASURES, row[15:-1], strict=True))
-    return Candidate(**dict(zip(TOLD, row, strict=False)), measures=measures, spectrum=spectrum, overrides=overrides)
+    return Candidate(
+        **dict(zip(TEXT_COLUMNS, row, strict=False)), measures=measures, spectrum=spectrum, overrides=overrides
+    )
 
 
 def header_overrides(connection: sqlite3.Connection) -> HeaderOverrides:
-    """What was stated of the files that do not say it themselves."""
+    """Return the header overrides that the files were read with."""
     row = connection.execute("SELECT unit, step, response, seal FROM stated").fetchone()
     if row is None:
         return HeaderOverrides()
@@ -205,7 +209,7 @@ def header_overrides(connection: sqlite3.Connection) -> HeaderOverrides:
 
 
 def store_overrides(connection: sqlite3.Connection, overrides: HeaderOverrides) -> None:
-    """Keep what is stated of the files, in place of what was."""
+    """Store the header overrides that the files are read with, in place of earlier ones."""
     response = None if overrides.response is None else str(overrides.response)
     with connection:
         connection.execute("DELETE FROM stated")
@@ -214,8 +218,14 @@ def store_overrides(connection: sqlite3.Connection, overrides: HeaderOverrides) 
         )
 
 
-def take(connection: sqlite3.Connection, flatfile: Sequence[Recording]) -> None:
-    """Take a flatfile into the catalogue, in place of an earlier one."""
+def store_flatfile(connection: sqlite3.Connection, flatfile: Sequence[Recording]) -> None:
+    """Store a flatfile in the catalogue, in place of an earlier one.
+
+    Parameters
+    ----------
+    connection : the open catalogue
+    flatfile : its recordings
+    """
     rows = [with_seal((*astuple(one)[:-1], "\n".join(one.files))) for one in flatfile]
     with connection:
         connection.execute("DELETE FROM recordings")
@@ -223,7 +233,7 @@ def take(connection: sqlite3.Connection, flatfile: Sequence[Recording]) -> None:
 
 
 def recordings(connection: sqlite3.Connection) -> tuple[Recording, ...]:
-    """The flatfile that was taken in."""
+    """Return the flatfile that was taken in."""
     found = []
     for row in connection.execute(f"SELECT {', '.join(FLATFILE)}, seal FROM recordings ORDER BY nga"):
         if not _whole(row):
@@ -234,13 +244,23 @@ def recordings(connection: sqlite3.Connection) -> tuple[Recording, ...]:
 
 
 def problems(connection: sqlite3.Connection) -> tuple[tuple[str, str], ...]:
-    """(path, reason) of every file that could not be read."""
+    """Return (path, reason) of every file that could not be read."""
     rows = connection.execute("SELECT path, problem FROM files WHERE problem <> '' ORDER BY path")
     return tuple((str(path), str(problem)) for path, problem in rows)
 
 
-def inside(folder: Path, path: str) -> Path:
-    """The file at `path` below `folder`; RecordError where it leads out of it."""
+def path_inside(folder: Path, path: str) -> Path:
+    """Return the file at `path` below a folder.
+
+    Parameters
+    ----------
+    folder : of the catalogue
+    path : of the file, relative to the folder, as the catalogue has it
+
+    Raises
+    ------
+    RecordError : the path leads out of the folder
+    """
     file = folder / path
     if PurePosixPath(path).is_absolute() or not file.resolve().is_relative_to(folder.resolve()):
         raise RecordError(f'catalogue: "{path}" leads out of {folder}; delete the catalogue and index again')

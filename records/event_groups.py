@@ -1,4 +1,4 @@
-"""Which recordings are of one earthquake, or one motion in two files."""
+"""Event groups: recordings of one earthquake, or of one motion in two files."""
 
 from __future__ import annotations
 
@@ -19,10 +19,10 @@ COARSE = 8  # of how many ordinates one is compared first
 
 
 def event_groups(recordings: Sequence[Recording], *, one_per_event: bool) -> IntArray:
-    """A number for each recording [n]; no two of one number may stand in a suite.
+    """Number the groups of recordings [n] of which a suite may have only one.
 
-    Those of one motion have one number, and with `one_per_event` also those of one earthquake. Where a motion stands
-    in two files of which only one names its earthquake, both are of that earthquake.
+    Recordings of one motion are one group, and with `one_per_event` also those of one earthquake. Where a motion is in
+    two files of which only one names its earthquake, both are of that earthquake.
     """
     pairs = [same_motion(recordings)]
     if one_per_event:
@@ -33,14 +33,14 @@ def event_groups(recordings: Sequence[Recording], *, one_per_event: bool) -> Int
 
 
 def same_earthquake(recordings: Sequence[Recording]) -> IntArray:
-    """Pairs [m, 2]: each recording, and the first of its earthquake."""
+    """Pair each recording with the first of its earthquake [m, 2]."""
     first: dict[str, int] = {}
     pairs = [(first.setdefault(parts[0].earthquake, place), place) for place, parts in enumerate(recordings)]
     return np.array(pairs, dtype=np.int64).reshape(-1, 2)
 
 
 def same_motion(recordings: Sequence[Recording]) -> IntArray:
-    """Pairs [m, 2] with a component whose spectrum has one shape, to one percent, whatever their files say of them."""
+    """Pair recordings [m, 2] with a component whose spectrum has the same shape, to one percent."""
     of = np.array([place for place, parts in enumerate(recordings) for _ in parts], dtype=np.int64)
     spectra = [one.spectrum for parts in recordings for one in parts]
     if not spectra:

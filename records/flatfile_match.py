@@ -11,9 +11,9 @@ from records.flatfile import COLUMNS, BadCell, Flatfile, Recording
 
 @dataclass(frozen=True)
 class FlatfileMatch:
-    """What became of a flatfile: rows matched and not, the records that they describe, bad cells.
+    """How a flatfile matches the records: rows matched and not, records described, bad cells.
 
-    warning : why no row fits, or which columns are missing, in words; "" where all is well
+    warning : why no row matches, or which columns are missing, in words; "" otherwise
     """
 
     matched: int
@@ -24,16 +24,31 @@ class FlatfileMatch:
 
 
 def describe_candidates(candidates: Sequence[Candidate], recordings: Sequence[Recording]) -> tuple[Candidate, ...]:
-    """The candidates, with what `recordings` know of them before what their files say.
+    """Describe the candidates by a flatfile, whose values replace those of the record files.
 
-    They are found by the NGA number in their file's name, else by a file name that one recording alone has.
+    A recording is found by the NGA number in the name of the candidate's file, else by a file name that it alone has.
+
+    Parameters
+    ----------
+    candidates : records of a catalogue or of files [n]
+    recordings : of the flatfile
+
+    Returns
+    -------
+    tuple of Candidate : in the same order [n]
     """
     found = _find_recordings(candidates, recordings)
     return tuple(one if by is None else _describe(one, by) for one, by in zip(candidates, found, strict=True))
 
 
 def match_flatfile(candidates: Sequence[Candidate], flatfile: Flatfile) -> FlatfileMatch:
-    """How far the rows of a flatfile and the candidates found each other."""
+    """Count how many rows of a flatfile and candidates match.
+
+    Parameters
+    ----------
+    candidates : records of a catalogue or of files
+    flatfile : as read, with its bad cells
+    """
     found = [by for by in _find_recordings(candidates, flatfile.recordings) if by is not None]
     matched = len({by.nga for by in found})
     warning = _missing(flatfile.missing) if found else _reason(candidates, flatfile.recordings)
@@ -41,7 +56,7 @@ def match_flatfile(candidates: Sequence[Candidate], flatfile: Flatfile) -> Flatf
 
 
 def _find_recordings(candidates: Sequence[Candidate], recordings: Sequence[Recording]) -> list[Recording | None]:
-    """The recording of each candidate, None where there is none."""
+    """Find the recording of each candidate; None where there is none."""
     by_number = {one.nga: one for one in recordings}
     by_file: dict[str, Recording | None] = {}
     for one in recordings:
@@ -55,7 +70,7 @@ def _find_recordings(candidates: Sequence[Candidate], recordings: Sequence[Recor
 
 
 def _missing(keys: Sequence[str]) -> str:
-    """Which columns were not found, in words."""
+    """Say which columns were not found; "" if none is missing."""
     if not keys:
         return ""
     known = "; ".join(f"{key}: {' or '.join(COLUMNS[key])}" for key in keys)
@@ -66,7 +81,7 @@ def _missing(keys: Sequence[str]) -> str:
 
 
 def _reason(candidates: Sequence[Candidate], recordings: Sequence[Recording]) -> str:
-    """Why no row is of a record, in words."""
+    """Say why no row matches a record."""
     if not candidates:
         return "no row of the flatfile fits, for there is no record that can be read"
     numbers = sorted(one.nga for one in candidates if one.nga is not None)

@@ -17,15 +17,24 @@ FADED = 0.01  # of the free vibration after the record is left when the motion e
 
 
 def floor_motion(record: Record, *, frequency: float, shape: float, damping: float = 0.05) -> Record:
-    """Absolute acceleration a_g + shape * u'' where the first mode stands `shape` times as far out as its oscillator.
+    """Return the absolute acceleration a_g + shape * u'' at a height of a building that responds in its first mode.
 
-    u'' is the acceleration relative to the ground of an oscillator of `frequency` [Hz] and `damping` [-], exact for
-    ground acceleration that is linear between samples; `shape` = participation factor times mode shape at the height
-    [-]. The step is divided to a hundredth of the period. The motion goes on after the record until the free vibration
-    has faded to a hundredth, or for as long again as the record lasts.
+    u'' is the acceleration relative to the ground of an oscillator, exact for ground acceleration that is linear
+    between samples. The step is divided to a hundredth of the period. The motion continues after the record until the
+    free vibration has faded to a hundredth, or for as long again as the record lasts.
 
-    Raises RecordError for a frequency that is not positive or far above what the record's step shows, a damping outside
-    0 < damping < 1, a shape that is not finite.
+    Parameters
+    ----------
+    record : motion of the ground
+    frequency : of the first mode [Hz]
+    shape : participation factor times mode shape at the height [-]
+    damping : damping ratio of the mode [-]
+
+    Raises
+    ------
+    RecordError : the frequency is not positive or far too high for the record's step, the damping is outside 0 <
+        damping < 1, or the shape is not finite
+
     Source: equation of motion of the first mode; thesis 8.4.2 names the method.
     """
     _check(record, frequency=frequency, shape=shape, damping=damping)
@@ -43,7 +52,7 @@ def floor_motion(record: Record, *, frequency: float, shape: float, damping: flo
 def between(
     acceleration: np.ndarray[tuple[int], np.dtype[np.float64]], parts: int
 ) -> np.ndarray[tuple[int], np.dtype[np.float64]]:
-    """Samples [n] with `parts` - 1 points on the line between every two [(n - 1) parts + 1]."""
+    """Return samples [n] with `parts` - 1 points on the line between every two [(n - 1) parts + 1]."""
     n = acceleration.size
     return np.interp(np.arange((n - 1) * parts + 1) / parts, np.arange(n), acceleration)
 

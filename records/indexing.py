@@ -7,45 +7,37 @@ come, so that an index that was stopped goes on where it ended. Files that canno
 from __future__ import annotations
 
 import hashlib
-import os
 import sqlite3
-import stat
 import warnings
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable
 from concurrent.futures import Executor
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import TypeVar
 
 import numpy as np
 
 from records import catalogue
-from records.candidates import DAMPING, PERIODS, Candidate, sequence_number
+from records.candidates import Candidate
 from records.catalogue import MEASURES, Catalogue, problems
+from records.description import describe_record, map_files
 from records.errors import RecordError
 from records.formats import FORMATS
 from records.formats.header_overrides import NO_OVERRIDES, HeaderOverrides, check_overrides
-from records.intensity import measures
 from records.reading import read_with
-from records.record import Record
-from records.response import response_spectrum
+from records.record_files import Found, files_below
 from records.seal import seal, with_seal
 
 BATCH = 50  # files to a commit
-FEW = 24  # files that are read here rather than by an executor, whose workers take seconds to start
-LARGEST = 500_000_000  # bytes of one record file
 Progress = Callable[[int, int], None]
-T = TypeVar("T")
-R = TypeVar("R")
 
 
 @dataclass(frozen=True)
-class Indexed:
-    """What an index did: files read and unchanged, those that are gone, records in all, (path, reason) of the rest.
+class IndexSummary:
+    """What an index did: files read, unchanged and gone, records in all, (path, reason) of files that cannot be read.
 
-    damaged : files whose rows were changed since they were written, and that were read again
-    older : whether the catalogue was of an older version, so that all was read again
+    damaged : files whose rows were changed since they were written, and that were read again older : whether the
+    catalogue was of an older version, so that every file was read again
     """
 
     read: int
@@ -55,17 +47,6 @@ class Indexed:
     problems: tuple[tuple[str, str], ...]
     damaged: tuple[str, ...] = ()
     older: bool = False
-
-
-@dataclass(frozen=True)
-class Found:
-    """A file below the folder as it is; problem "" where it may be read; stored: its hash when it was last read."""
-
-    path: str
-    size: int
-    mtime: int
-    problem: str = ""
-    stored: str = ""
 
 
 @dataclass(frozen=True)
@@ -85,18 +66,26 @@ def index(
     overrides: HeaderOverrides = NO_OVERRIDES,
     executor: Executor | None = None,
     progress: Progress = lambda done, total: None,
-) -> Indexed:
-    """Bring the catalogue `connection` of `folder` and what is below it up to date.
+) -> IndexSummary:
+    """Bring the catalogue of a folder and its subfolders up to date.
 
-    overrides : what headers leave out, kept in the catalogue for later (files read with other values are read again);
-    executor : of processes, that read where files are many. Raises RecordError where the folder is none, and
-    for a unit, step or response that cannot be.
+    Parameters
+    ----------
+    folder : with the record files
+    connection : its open catalogue
+    overrides : for what headers leave out, kept for later runs (files read with other values are read again)
+    executor : of processes, that read where files are many
+    progress : called with the number of files read and their total
+
+    Raises
+    ------
+    RecordError : the folder does not exist; a unit, step or response is invalid
     """
     check_overrides(overrides)
     overrides = overrides.over(catalogue.header_overrides(connection))
     asked = f"{overrides.key} {' '.join(FORMATS)}"
     on_disk = {found.path: found for found in files_below(folder)}
-    damaged = catalogue.mend(connection)
+    damaged = catalogue.remove_damaged(connection)
     known = {
         row[0]: row[1:] for row in connection.execute("SELECT path, size, mtime, sha256, asked, problem FROM files")
     }
@@ -113,45 +102,11 @@ def index(
     number = int(connection.execute("SELECT COUNT(*) FROM records").fetchone()[0])
     older = isinstance(connection, Catalogue) and connection.older
     counts = (len(changed), len(on_disk) - len(changed), len(gone), number)
-    return Indexed(*counts, problems(connection), tuple(path for path in damaged if path in on_disk), older)
-
-
-def files_below(folder: Path) -> Iterator[Found]:
-    """Every file below `folder`, hidden ones left out, in a fixed order; links that lead out of it as problems."""
-    if folder.is_file():
-        raise RecordError(f"{folder}: is a file; give the folder that holds it, {folder.parent}")
-    if not folder.is_dir():
-        raise RecordError(f"{folder}: no such folder; give the folder that holds the record files")
-    root = folder.resolve()
-    for place, folders, names in os.walk(folder, onerror=_unreadable):
-        folders[:] = sorted(name for name in folders if not name.startswith("."))
-        for name in sorted(name for name in names if not name.startswith(".")):
-            file = Path(place) / name
-            yield _found(file, file.relative_to(folder).as_posix(), root)
-
-
-def _unreadable(error: OSError) -> None:
-    raise RecordError(f"{error.filename}: the folder cannot be read: {error.strerror}")
-
-
-def _found(file: Path, path: str, root: Path) -> Found:
-    shown = path.encode("utf-8", "replace").decode()
-    try:
-        status = file.stat()
-        if shown != path:
-            return Found(shown, 0, 0, "its name is not UTF-8; rename it")
-        if not file.resolve().is_relative_to(root):
-            return Found(path, 0, 0, "a link that leads out of the folder; it is not followed")
-    except (OSError, RuntimeError):
-        return Found(shown, 0, 0, "cannot be found or opened; a broken link, or no permission")
-    if not stat.S_ISREG(status.st_mode):
-        return Found(path, 0, 0, "not a regular file")
-    problem = f"{status.st_size} bytes are too many for a record" if status.st_size > LARGEST else ""
-    return Found(path, status.st_size, status.st_mtime_ns, problem)
+    return IndexSummary(*counts, problems(connection), tuple(path for path in damaged if path in on_disk), older)
 
 
 def _same(found: Found, known: tuple[object, ...] | None, asked: str) -> bool:
-    """Whether the catalogue has the file as it is: size, time and, where it was not read, what was asked."""
+    """Return whether the catalogue has the file as it is: size, time and, where it was not read, what was asked."""
     if known is None:
         return False
     size, mtime, _, before, problem = known
@@ -163,7 +118,7 @@ def _same(found: Found, known: tuple[object, ...] | None, asked: str) -> bool:
 
 
 def _with_hash(found: Found, known: tuple[object, ...] | None, asked: str) -> Found:
-    """The file with the hash of when it was last read, as long as the same was asked then."""
+    """Return the file with the hash of when it was last read, if it was read with the same overrides."""
     if known is None or known[3] != asked:
         return found
     return Found(found.path, found.size, found.mtime, found.problem, str(known[2]))
@@ -179,8 +134,8 @@ def _read(
     executor: Executor | None,
     progress: Progress,
 ) -> None:
-    describe = partial(described, folder, overrides=overrides)
-    results = _mapped(describe, files, executor=executor)
+    describe = partial(describe_file, folder, overrides=overrides)
+    results = map_files(describe, files, executor=executor)
     batch: list[Described] = []
     for done, one in enumerate(results, start=1):
         batch.append(one)
@@ -191,15 +146,8 @@ def _read(
     _store(connection, batch, asked)
 
 
-def _mapped(verb: Callable[[T], R], things: Sequence[T], *, executor: Executor | None) -> Iterable[R]:
-    """The verb of each thing, in order; by the executor where they are many."""
-    if executor is None or len(things) <= FEW:
-        return map(verb, things)
-    return executor.map(verb, things, chunksize=4)
-
-
-def described(folder: Path, found: Found, *, overrides: HeaderOverrides) -> Described:
-    """The records of one file with their measures and spectra, or why there are none."""
+def describe_file(folder: Path, found: Found, *, overrides: HeaderOverrides) -> Described:
+    """Read the records of one file with their measures and spectra, or the reason why there are none."""
     if found.problem:
         return Described(found, "", found.problem, ())
     file = folder / found.path
@@ -209,7 +157,7 @@ def described(folder: Path, found: Found, *, overrides: HeaderOverrides) -> Desc
             sha256 = hashlib.file_digest(opened, "sha256").hexdigest()
             if sha256 == found.stored:
                 return Described(found, sha256, "", None)
-            made = tuple(candidate(record, found.path, i) for i, record in enumerate(read_with(file, overrides)))
+            made = tuple(describe_record(record, found.path, i) for i, record in enumerate(read_with(file, overrides)))
     except (RecordError, OSError) as error:
         return Described(found, "", str(error).removeprefix(f"{file}: "), ())
     except Exception as error:  # of a thousand files one may meet a fault of a reader: the others go on
@@ -217,46 +165,8 @@ def described(folder: Path, found: Found, *, overrides: HeaderOverrides) -> Desc
     return Described(found, sha256, "", made)
 
 
-def candidates_of(
-    files: Sequence[Path], *, overrides: HeaderOverrides = NO_OVERRIDES, executor: Executor | None = None
-) -> tuple[Candidate, ...]:
-    """Every record of `files`, in order, without a catalogue. Raises RecordError for the first that cannot be read."""
-    return tuple(
-        one for made in _mapped(partial(_candidates, overrides=overrides), files, executor=executor) for one in made
-    )
-
-
-def _candidates(file: Path, *, overrides: HeaderOverrides) -> tuple[Candidate, ...]:
-    return tuple(
-        candidate(record, str(file), i, overrides=overrides) for i, record in enumerate(read_with(file, overrides))
-    )
-
-
-def candidate(record: Record, path: str, position: int = 0, *, overrides: HeaderOverrides = NO_OVERRIDES) -> Candidate:
-    """What a catalogue keeps of a record, and what was `overrides` of its file."""
-    return Candidate(
-        path=path,
-        position=position,
-        id=record.id,
-        event=record.event,
-        station=record.station,
-        component=record.component,
-        date=record.earthquake.time,
-        magnitude=record.earthquake.magnitude,
-        distance=record.distance,
-        vs30=record.site.vs30,
-        place=record.site.place,
-        nga=sequence_number(path),
-        dt=record.dt,
-        npts=record.npts,
-        measures=asdict(measures(record)),
-        spectrum=response_spectrum(record, PERIODS, damping=DAMPING),
-        overrides=overrides,
-    )
-
-
 def _store(connection: sqlite3.Connection, batch: list[Described], asked: str) -> None:
-    """One batch, whole or not at all."""
+    """Store one batch, whole or not at all."""
     with connection:
         for one in batch:
             found = one.found

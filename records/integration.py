@@ -9,7 +9,7 @@ from spectra.arrays import FloatArray
 
 
 def velocity(record: Record) -> FloatArray:
-    """Velocity of the ground at each sample [n] [m/s], from rest.
+    """Return the velocity of the ground at each sample [n] [m/s], from rest.
 
     As recorded: an offset of the baseline becomes a drift; correct the record first (records/processing.py).
     """
@@ -18,13 +18,13 @@ def velocity(record: Record) -> FloatArray:
 
 
 def displacement(record: Record) -> FloatArray:
-    """Displacement of the ground at each sample [n] [m], from rest. As `velocity`."""
+    """Return the displacement of the ground at each sample [n] [m], from rest. As `velocity`."""
     a, v, h = record.acceleration, velocity(record), record.dt
     return _cumulative_sum(h * v[:-1] + h**2 / 6.0 * (2.0 * a[:-1] + a[1:]))
 
 
 def largest_velocity(record: Record) -> float:
-    """Largest |velocity| [m/s], at the samples or between two where the acceleration passes through zero."""
+    """Return the largest |velocity| [m/s], at the samples or between two where the acceleration passes through zero."""
     a, b, v = record.acceleration[:-1], record.acceleration[1:], velocity(record)
     passes = a * b < 0.0
     until = record.dt * a[passes] / (a - b)[passes]
@@ -32,7 +32,7 @@ def largest_velocity(record: Record) -> float:
 
 
 def largest_displacement(record: Record) -> float:
-    """Largest |displacement| [m], at the samples or between two where the velocity v + a t + j t^2 / 2 is zero."""
+    """Return the largest |displacement| [m], at the samples or between, where v + a t + j t^2 / 2 is zero."""
     a, v, d = record.acceleration[:-1], velocity(record)[:-1], displacement(record)
     j = np.diff(record.acceleration) / record.dt
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -43,13 +43,13 @@ def largest_displacement(record: Record) -> float:
 
 
 def integrate_squared(record: Record) -> FloatArray:
-    """Integral of the squared acceleration up to each sample [n] [m2/s3]."""
+    """Integrate the squared acceleration up to each sample [n] [m2/s3]."""
     a, b = record.acceleration[:-1], record.acceleration[1:]
     return _cumulative_sum(record.dt / 3.0 * (a**2 + a * b + b**2))
 
 
 def integrate_absolute(record: Record) -> FloatArray:
-    """Integral of the absolute acceleration up to each sample [n] [m/s]; a step that changes sign is two triangles."""
+    """Integrate the absolute acceleration up to each sample [n] [m/s]; a step that changes sign is two triangles."""
     a, b = record.acceleration[:-1], record.acceleration[1:]
     total = np.abs(a) + np.abs(b)
     crossing = (a**2 + b**2) / np.where(total > 0.0, total, 1.0)
@@ -57,5 +57,5 @@ def integrate_absolute(record: Record) -> FloatArray:
 
 
 def _cumulative_sum(steps: FloatArray) -> FloatArray:
-    """Running sum from 0, one longer than `steps`."""
+    """Return the running sum from 0, one longer than `steps`."""
     return np.concatenate(([0.0], np.cumsum(steps)))

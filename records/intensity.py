@@ -38,7 +38,7 @@ class Measures:
 
 
 def measures(record: Record) -> Measures:
-    """Every measure of the record as it is: no baseline is corrected, so that `pgv` and `pgd` may hold a drift."""
+    """Compute every measure of the record as it is; without a corrected baseline `pgv` and `pgd` may hold a drift."""
     return Measures(
         pga=record.pga,
         pgv=pgv(record),
@@ -53,17 +53,17 @@ def measures(record: Record) -> Measures:
 
 
 def pgv(record: Record) -> float:
-    """Peak ground velocity [m/s], of acceleration that is linear between samples."""
+    """Return the peak ground velocity [m/s], of acceleration that is linear between samples."""
     return largest_velocity(record)
 
 
 def pgd(record: Record) -> float:
-    """Peak ground displacement [m], of acceleration that is linear between samples."""
+    """Return the peak ground displacement [m], of acceleration that is linear between samples."""
     return largest_displacement(record)
 
 
 def arias(record: Record) -> float:
-    """Arias intensity pi / (2 g) * integral of a^2 dt [m/s].
+    """Return the Arias intensity pi / (2 g) * integral of a^2 dt [m/s].
 
     Source: Arias (1970), A measure of earthquake intensity, in Hansen (ed.), Seismic design for nuclear power plants.
     """
@@ -71,12 +71,12 @@ def arias(record: Record) -> float:
 
 
 def cav(record: Record) -> float:
-    """Cumulative absolute velocity, integral of |a| dt [m/s]. Source: EPRI (1988), report NP-5930."""
+    """Return the cumulative absolute velocity, integral of |a| dt [m/s]. Source: EPRI (1988), report NP-5930."""
     return float(integrate_absolute(record)[-1])
 
 
 def significant_duration(record: Record, *, start: float, end: float) -> float:
-    """Time [s] in which the Arias intensity grows from `start` to `end` of the whole; 0 without motion.
+    """Return the time [s] in which the Arias intensity grows from `start` to `end` of the whole; 0 without motion.
 
     Source: Trifunac & Brady (1975), BSSA 65, 581-626: D5-95; Somerville et al. (1997), Seism. Res. Lett. 68: D5-75.
     """
@@ -88,10 +88,11 @@ def significant_duration(record: Record, *, start: float, end: float) -> float:
 
 
 def mean_period(record: Record) -> float:
-    """Mean period T_m = sum(C^2 / f) / sum(C^2) [s] over Fourier amplitudes C at 0.25 Hz <= f <= 20 Hz; 0 without any.
+    """Return the mean period T_m = sum(C^2 / f) / sum(C^2) [s] over Fourier amplitudes C from 0.25 to 20 Hz.
 
-    Zeros after the record make the frequencies at most 0.05 Hz apart. Source: Rathje, Abrahamson & Bray (1998), J.
-    Geotech. Geoenviron. Eng. 124, 150-159; spacing: Rathje, Faraj, Russell & Bray (2004), Earthquake Spectra 20.
+    It is 0 without any. Zeros after the record make the frequencies at most 0.05 Hz apart. Source: Rathje, Abrahamson &
+    Bray (1998), J. Geotech. Geoenviron. Eng. 124, 150-159; spacing: Rathje, Faraj, Russell & Bray (2004), Earthquake
+    Spectra 20.
     """
     size = max(record.npts, int(np.ceil(1.0 / (FINEST * record.dt))))
     f = np.fft.rfftfreq(size, record.dt)
@@ -103,10 +104,10 @@ def mean_period(record: Record) -> float:
 
 
 def housner(record: Record, *, damping: float = 0.05) -> float:
-    """Spectrum intensity, integral of the pseudo-velocity over periods of 0.1 to 2.5 s [m], for a `damping` ratio [-].
+    """Return the spectrum intensity [m], the integral of the pseudo-velocity over periods of 0.1 to 2.5 s.
 
-    Source: Housner (1952), Spectrum intensities of strong-motion earthquakes, Proc. symp. earthquake and blast effects
-    on structures, EERI; by the trapezoidal rule over 121 periods.
+    damping : ratio [-]. Source: Housner (1952), Spectrum intensities of strong-motion earthquakes, Proc. symp.
+    earthquake and blast effects on structures, EERI; by the trapezoidal rule over 121 periods.
     """
     PSV = response_spectrum(record, HOUSNER_PERIODS, damping=damping) * HOUSNER_PERIODS / (2.0 * pi)
     return float(np.trapezoid(PSV, HOUSNER_PERIODS))

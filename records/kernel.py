@@ -27,7 +27,7 @@ NEAR = 1e-5  # [rad] from a maximum, where a parabola is off by its third power
 def advance(
     u: float, v: float, a: float, slope: float, time: float, omega: float, damping: float
 ) -> tuple[float, float]:
-    """Displacement [m] and velocity [m/s] after `time` [s] under ground acceleration a + slope t [m/s2], from u, v."""
+    """Return displacement [m] and velocity [m/s] after `time` [s] of ground acceleration a + slope t [m/s2]."""
     omega_d = omega * math.sqrt(1.0 - damping * damping)
     drift = -slope / omega**2
     start = -a / omega**2 + 2.0 * damping * slope / omega**3
@@ -41,7 +41,7 @@ def advance(
 
 @njit(nogil=True)
 def recurrence(period: FloatArray, damping: float, h: float) -> FloatArray:
-    """What displacement and velocity become over h [s]: of themselves, of the acceleration and its slope [8, k]."""
+    """Return the coefficients of a step of h [s] on u, v, the acceleration and its slope, of u then of v [8, k]."""
     found = np.empty((8, period.size))
     for k in range(period.size):
         omega = 2.0 * math.pi / period[k]
@@ -54,7 +54,7 @@ def recurrence(period: FloatArray, damping: float, h: float) -> FloatArray:
 
 @njit(nogil=True)
 def free_part(period: FloatArray, damping: float) -> FloatArray:
-    """Coefficients [4, k] of the free vibration within a step, u(t) + a(t) / omega^2 - 2 damping slope / omega^3.
+    """Return coefficients [4, k] of the free vibration in a step, u(t) + a(t) / omega^2 - 2 damping slope / omega^3.
 
     It is free = u + [0] a + [1] slope, and a quarter of its turn away [2] free + [3] (v + [0] slope).
     """
@@ -70,7 +70,7 @@ def free_part(period: FloatArray, damping: float) -> FloatArray:
 @njit(nogil=True, fastmath=FUSED)
 def sweep(start: FloatArray, slope: FloatArray, of: FloatArray, free: FloatArray, u: FloatArray, v: FloatArray,
           largest: FloatArray, swing: FloatArray) -> None:  # fmt: skip
-    """Through some steps with all oscillators [k] side by side, which the compiler does four at a time.
+    """Advance all oscillators [k] side by side through some steps; the compiler takes four at a time.
 
     start, slope : ground acceleration at the beginning of each step and its slope in it [n], n a multiple of VISIT
     of, free : `recurrence` over a step and `free_part` of the oscillators; u, v : displacement, velocity [k], moved on
@@ -98,7 +98,7 @@ def sweep(start: FloatArray, slope: FloatArray, of: FloatArray, free: FloatArray
 def extremum(
     u: float, v: float, a: float, slope: float, low: float, high: float, fraction: float, omega: float, damping: float
 ) -> float:
-    """|u| [m] where u' is zero from `low` to `high` [s], between which it is monotone and changes its sign.
+    """Return |u| [m] where u' is zero between `low` and `high` [s], where it is monotone and changes its sign.
 
     By Newton's method, first at a `fraction` of the way, kept within ends that close in; otherwise as `advance`.
     """
@@ -122,7 +122,7 @@ def extremum(
 
 @njit(nogil=True)
 def largest_within(u: float, v: float, a: float, slope: float, time: float, omega: float, damping: float) -> float:
-    """Largest |u| [m] during `time` [s], ends included; otherwise as `advance`.
+    """Return the largest |u| [m] during `time` [s], ends included; otherwise as `advance`.
 
     u'' is a free vibration, as what the ground adds to u is a line. Its zeros are half a turn apart, and from one to
     the next u' is monotone: u has one extremum there if the sign of u' changes, or none.
@@ -147,17 +147,17 @@ def largest_within(u: float, v: float, a: float, slope: float, time: float, omeg
 
 @njit(nogil=True)
 def turns(v: float, y: float, time: float, omega: float, F: float) -> bool:
-    """Whether u' may be zero during `time` [s], from v to y at its ends: it leaves the chord by an arc, as u does."""
+    """Return whether u' may be zero during `time` [s], v and y at its ends: it leaves its chord by an arc."""
     return v * y <= 0.0 or min(abs(v), abs(y)) <= (omega * time) ** 2 / 8.0 * omega * F
 
 
 @njit(nogil=True)
 def largest_in(start: FloatArray, slope: FloatArray, dt: float, of: FloatArray, free: FloatArray, u: float, v: float,
                omega: float, damping: float, most: float, held: FloatArray) -> float:  # fmt: skip
-    """The larger of `most` and |u| [m] of one oscillator within some steps of dt [s]; at their ends it is no larger.
+    """Return the larger of `most` and |u| [m] of one oscillator within some steps of dt [s], but not at their ends.
 
     of, free : `recurrence` over a step and `free_part` of the oscillator
-    held : the step that may hold more between its ends and is not looked into yet, as a later one mostly exceeds it:
+    held : the step that may have a larger |u| between its ends, not refined yet, as a later one mostly exceeds it:
     the bound of |u| in it, u and v at its beginning, acceleration and slope there [5]; changed
     """
     arc = (omega * dt) ** 2 / 8.0
@@ -181,7 +181,7 @@ def largest_in(start: FloatArray, slope: FloatArray, dt: float, of: FloatArray, 
 
 @njit(nogil=True)
 def refine_held(held: FloatArray, dt: float, omega: float, damping: float, most: float) -> float:
-    """The larger of `most` and |u| [m] in the step that is `held`, where its bound is larger."""
+    """Return the larger of `most` and |u| [m] in the step that is `held`, where its bound is larger."""
     if held[0] > most:
         return max(most, largest_within(held[1], held[2], held[3], held[4], dt, omega, damping))
     return most
@@ -190,7 +190,7 @@ def refine_held(held: FloatArray, dt: float, omega: float, damping: float, most:
 @cache_on_disk
 @njit(nogil=True)
 def peak_displacements(acceleration: FloatArray, dt: float, period: FloatArray, damping: float) -> FloatArray:
-    """Largest |relative displacement| of each oscillator [m], from rest, during the motion and after it.
+    """Return the largest |relative displacement| of each oscillator [m], from rest, during the motion and after it.
 
     acceleration : of the ground, linear between samples, zero after the last [n] [m/s2]
     dt : step [s]; period [k] [s], positive; damping [-], below 1
@@ -235,7 +235,7 @@ def peak_displacements(acceleration: FloatArray, dt: float, period: FloatArray, 
 def relative_accelerations(
     acceleration: FloatArray, dt: float, parts: int, period: float, damping: float
 ) -> FloatArray:
-    """Relative acceleration u'' [m/s2] of the oscillator, from rest, at the samples and `parts` - 1 points between.
+    """Return the relative acceleration u'' [m/s2], from rest, at the samples and `parts` - 1 points between.
 
     acceleration : of the ground, linear between samples [n] [m/s2]
     dt : step [s]; period [s], positive; damping [-], below 1

@@ -17,10 +17,11 @@ NUMBERED = re.compile(r"([A-Z-]+)[12]")  # KiK-net: 1 in the borehole, 2 at the 
 
 
 def azimuth_of(component: str) -> float | None:
-    """Direction of positive motion of `component`, clockwise from north [rad]; None if vertical, reversed or not told.
+    """Return the direction of positive motion of `component`, clockwise from north [rad].
 
-    Understood are degrees ("360", "90 DEG"), quadrants ("N28W"), letters ("E", "EW", "E-W", "EW2": each positive
-    towards north or east) and SEED channels ("HNE"; SEED manual 2.4, appendix A).
+    None if it is vertical, reversed or unknown. Understood are degrees ("360", "90 DEG"), quadrants ("N28W"), letters
+    ("E", "EW", "E-W", "EW2": each positive towards north or east) and SEED channels ("HNE"; SEED manual 2.4, appendix
+    A).
     """
     if component.lstrip().startswith("-") or SIGNED.search(component):
         return None
@@ -35,18 +36,18 @@ def azimuth_of(component: str) -> float | None:
 
 
 def is_vertical(component: str) -> bool:
-    """Whether `component` is named as a vertical one ("UP", "U-D", "UD2", "HNZ")."""
+    """Return whether `component` is named as a vertical one ("UP", "U-D", "UD2", "HNZ")."""
     return _plain(component) in VERTICAL
 
 
 def _plain(component: str) -> str:
-    """The name in capitals without blanks and hyphens; the orientation alone of a channel or a numbered name."""
+    """Return the name in capitals without blanks and hyphens; the orientation alone of a channel or a numbered name."""
     name = re.sub(r"[\s.-]", "", component.upper())
     found = CHANNEL.fullmatch(name) or NUMBERED.fullmatch(name)
     return found[1] if found and name not in VERTICAL else name
 
 
 def _from_quadrant(start: str, angle: float, towards: str) -> float:
-    """Azimuth [deg] of "N28W": `angle`, at most 90, from north or south `towards` east or west."""
+    """Return the azimuth [deg] of "N28W": `angle`, at most 90, from north or south `towards` east or west."""
     clockwise = (start == "N") == (towards == "E")
     return (COMPASS[start] + (angle if clockwise else -angle)) % 360.0

@@ -1,4 +1,4 @@
-"""Whether a record can be of ground in an earthquake, or its unit or step is another than was read."""
+"""Plausibility of a record: whether it can be ground motion, or its unit or step was misread."""
 
 from __future__ import annotations
 
@@ -39,11 +39,11 @@ FARTHEST = 20_100e3  # m, half of the earth's girth
 
 
 def record_warning(record: Record) -> str:
-    """One line about what is odd in the record, "" where nothing is.
+    """Return one line about what is odd in the record; "" where nothing is.
 
     What its file contradicts; a peak above 3 g or below 1e-5 g, with the unit that is likely meant; a step at which its
     motion is slower or faster than earthquakes are; a peak that comes before or long after waves can; places,
-    magnitudes and the like that cannot be.
+    magnitudes and the like that are impossible.
     """
     texts = [*record.warnings, _of_peak(record), _of_step(record), arrival_warning(record), *_of_origin(record)]
     text = "; ".join(text for text in texts if text)
@@ -51,7 +51,7 @@ def record_warning(record: Record) -> str:
 
 
 def warnings_among(records: Sequence[Record]) -> Iterator[str]:
-    """A line for each recording of one station and earthquake whose components have different steps."""
+    """Yield a line for each recording of one station and earthquake whose components have different steps."""
     known = [one for one in records if one.station and one.earthquake.time]
     for _, group in groupby(sorted(known, key=_recording), key=_recording):
         first, *others = group
@@ -61,7 +61,7 @@ def warnings_among(records: Sequence[Record]) -> Iterator[str]:
 
 
 def candidate_warning(one: Candidate) -> str:
-    """The same for a record of a catalogue, which does not keep the unit it was read in."""
+    """Return the same for a record of a catalogue, which does not keep the unit it was read in."""
     texts = _peak_warning(one.measures["pga"])
     return f"{one.path}: {texts}" if texts else ""
 
@@ -83,10 +83,10 @@ def _of_peak(record: Record) -> str:
 
 
 def _of_step(record: Record) -> str:
-    """A doubt about a step at which the motion has no frequencies of an earthquake.
+    """Return a warning about a step at which the motion has no frequencies of an earthquake.
 
-    Of 210 real records none is doubted. With a step ten times too long 99 % are, with one ten times too short two
-    thirds; a factor of two cannot be texts from the motion.
+    Of 210 real records none gets one. With a step ten times too long 99 % do, with one ten times too short two thirds;
+    a factor of two cannot be seen from the motion.
     """
     if record.artificial or not record.processing_history or record.processing_history[0].startswith(BY_SAMPLE):
         return ""
@@ -101,7 +101,7 @@ def _of_step(record: Record) -> str:
 
 
 def _of_frequencies(dt: float, half: float, most: float) -> str:
-    """`half` and `most` (95 %) of the power are below these frequencies [Hz] at a step [s]."""
+    """Return a warning from the frequencies [Hz] below which half and 95 % of the power lie at a step [s]."""
     if dt > COARSE and most < SLOW:
         return (
             f"with a step of {dt:.6g} s its motion stays below {most:.3g} Hz, slower than earthquakes; check the step"
@@ -112,7 +112,7 @@ def _of_frequencies(dt: float, half: float, most: float) -> str:
 
 
 def _of_origin(record: Record) -> Iterator[str]:
-    """A doubt for each number about the earthquake and the site that cannot be."""
+    """Yield a warning for each impossible number about the earthquake and the site."""
     known = [(what, getattr(getattr(record, of), key), *limits) for of, key, what, *limits in BOUNDS]
     for what, value, least, most, unit in (*known, ("the distance", record.distance, 0.0, FARTHEST, " m")):
         if value is not None and not least <= value <= most:
@@ -131,7 +131,7 @@ def _peak_warning(pga: float) -> str:
 
 
 def _likely(pga: float, unit: str) -> str:
-    """The unit in which the numbers of the file, read in `unit`, come nearest to a usual peak."""
+    """Return the unit in which the numbers of the file, read in `unit`, come nearest to a usual peak."""
     try:
         peak = pga / factor_of(unit.rstrip(";,"), known=ACCELERATION_UNITS)
     except ColumnError:

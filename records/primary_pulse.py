@@ -60,7 +60,7 @@ class PrimaryPulse:
     at_end: bool
 
     def acceleration(self, time: ArrayLike) -> FloatArray:
-        """The pulse [m/s2] at `time` [n] [s] of the record."""
+        """Return the pulse [m/s2] at `time` [n] [s] of the record."""
         theta = self.shape.start + 2 * pi * self.frequency * (np.asarray(time, dtype=np.float64) - self.start)
         return self.polarity * self.amplitude * self.shape.value(theta)
 
@@ -83,13 +83,21 @@ class _Fit:
 def primary_pulses(
     record: Record, *, shape: Shape = SHAPES["sine"], period: ArrayLike = PERIODS, count: int = 8
 ) -> tuple[PrimaryPulse, ...]:
-    """The pulse of `shape` that matches the record best, then the other local maxima over the period, at most `count`.
+    """Find the pulse of `shape` that matches the record best, then other local maxima over the period.
 
-    period : grid [k] [s], rising, neighbours within 25 %; those shorter than five of the record's steps are left out.
-    Its ends are maxima too, where the match grows towards them. The record should be free of an offset and drift, which
-    look like very long pulses.
+    The record should be free of offset and drift, which look like very long pulses.
 
-    Raises RecordError for a record without motion or a grid that is not as said.
+    Parameters
+    ----------
+    record : accelerogram
+    shape : of the pulse
+    period : grid [k] [s], rising, neighbours within 25 %; periods below five of the record's steps are left out. Its
+        ends count as maxima where the match grows towards them
+    count : largest number of pulses
+
+    Raises
+    ------
+    RecordError : the record has no motion, or the grid is not as described
     """
     T = _grid(record, period, shape=shape)
     energy = float(record.acceleration @ record.acceleration)
@@ -103,7 +111,7 @@ def primary_pulses(
 
 
 def _grid(record: Record, period: ArrayLike, *, shape: Shape) -> FloatArray:
-    """The periods [s] that the record's step allows, checked."""
+    """Return the periods [s] that the record's step allows, checked."""
     T = np.atleast_1d(np.asarray(period, dtype=np.float64))
     if not (np.all(np.isfinite(T)) and np.all(T > 0.0) and np.all(np.diff(T) > 0.0)):
         raise RecordError(f'record "{record.id}": the periods of a pulse must be positive and rising')
@@ -121,7 +129,7 @@ def _grid(record: Record, period: ArrayLike, *, shape: Shape) -> FloatArray:
 
 
 def _best_at_each(record: Record, period: FloatArray, *, shape: Shape) -> list[_Fit]:
-    """For each `period` the start, at a sample, before the record's too, with the largest correlation."""
+    """Return for each `period` the start, at a sample or before the record, with the largest correlation."""
     a, dt = record.acceleration, record.dt
     size = next_fast_len(a.size + ceil(shape.duration(1.0 / period[-1]) / dt) + 1, real=True)
     spectrum = rfft(a, size)
@@ -137,7 +145,7 @@ def _best_at_each(record: Record, period: FloatArray, *, shape: Shape) -> list[_
 
 
 def _at(record: Record, *, shape: Shape, period: float, start: float) -> _Fit:
-    """The pulse of `period` that begins at `start` [s], at the record's samples and those beyond its ends."""
+    """Return the pulse of `period` that begins at `start` [s], at the record's samples and those beyond its ends."""
     a, dt = record.acceleration, record.dt
     first, last = ceil(start / dt), floor((start + shape.duration(1.0 / period)) / dt)
     theta = shape.start + 2 * pi / period * (dt * np.arange(first, last + 1) - start)
@@ -148,7 +156,7 @@ def _at(record: Record, *, shape: Shape, period: float, start: float) -> _Fit:
 
 
 def _refined(record: Record, fit: _Fit, *, shape: Shape, grid: FloatArray) -> _Fit:
-    """The maximum near `fit` over period and start, within the ends of the `grid` of periods."""
+    """Return the maximum near `fit` over period and start, within the ends of the `grid` of periods."""
     T, width = fit.period, log(grid[1] / grid[0])
 
     def near(x: FloatArray) -> _Fit:
@@ -169,7 +177,7 @@ def _refined(record: Record, fit: _Fit, *, shape: Shape, grid: FloatArray) -> _F
 
 
 def _best(coarse: list[_Fit], record: Record, *, shape: Shape, grid: FloatArray, count: int) -> list[_Fit]:
-    """The `count` best maxima, refined, best first; those that cannot come so far are left as they are."""
+    """Return the `count` best maxima, refined, best first; those that cannot come so far are left as they are."""
     refined: list[_Fit] = []
     found: list[_Fit] = []
     for fit in sorted(coarse, key=lambda fit: -fit.explained_energy):
@@ -181,7 +189,7 @@ def _best(coarse: list[_Fit], record: Record, *, shape: Shape, grid: FloatArray,
 
 
 def _distinct(fits: list[_Fit]) -> list[_Fit]:
-    """The fits, best first, without those that are the same maximum as a better one."""
+    """Return the fits, best first, without those that are the same maximum as a better one."""
     kept: list[_Fit] = []
     for fit in sorted(fits, key=lambda fit: -fit.explained_energy):
         if not any(abs(log(fit.period / k.period)) < 0.02 and abs(fit.start - k.start) < 0.05 * k.period for k in kept):
@@ -190,7 +198,7 @@ def _distinct(fits: list[_Fit]) -> list[_Fit]:
 
 
 def _pulse(fit: _Fit, *, shape: Shape, energy: float, grid: FloatArray) -> PrimaryPulse:
-    """The pulse of a fit in a record of `energy` <a, a>."""
+    """Return the pulse of a fit in a record of `energy` <a, a>."""
     share = fit.explained_energy / energy
     amplitude = fit.correlation / fit.energy
     polarity = 1 if amplitude > 0.0 else -1

@@ -23,9 +23,16 @@ CUT_OFF, KAISER, REACH = 0.91, 8.6, 32  # of the anti-aliasing filter: -6 dB the
 
 
 def correct_baseline(record: Record, *, degree: int) -> Record:
-    """The record less the polynomial of `degree` that fits its acceleration best (least squares); 0 takes off the mean.
+    """Subtract the polynomial that fits the acceleration best (least squares).
 
-    Raises RecordError for a degree below 0 or above 10.
+    Parameters
+    ----------
+    record : accelerogram
+    degree : of the polynomial, 0 to 10; 0 subtracts the mean
+
+    Raises
+    ------
+    RecordError : the degree is outside 0 to 10
     """
     if not 0 <= degree <= HIGHEST_DEGREE:
         raise RecordError(f"{_where(record)}: baseline of degree {degree}; it must be from 0 to {HIGHEST_DEGREE}")
@@ -35,12 +42,20 @@ def correct_baseline(record: Record, *, degree: int) -> Record:
 
 
 def butterworth(record: Record, *, low: float | None = None, high: float | None = None, order: int = 4) -> Record:
-    """The record between the corner frequencies `low` and `high` [Hz], either None for open, by an acausal filter.
+    """Filter the record between two corner frequencies, forwards and backwards, so that no phase shifts.
 
-    A Butterworth filter of `order` runs forwards and backwards, so that no phase shifts; at a corner the amplitude is
-    halved. Zeros are put before and after, 1.5 order / low each, and taken off again.
+    At a corner the amplitude is halved. Zeros are put before and after, 1.5 order / low each, and removed again.
 
-    Raises RecordError for corners that are not 0 < low < high < half the rate, and an order not from 1 to 10.
+    Parameters
+    ----------
+    record : accelerogram
+    low, high : corner frequencies [Hz]; None leaves that side open
+    order : of the Butterworth filter, 1 to 10
+
+    Raises
+    ------
+    RecordError : the corners are not 0 < low < high < half the sampling rate, or the order is not from 1 to 10
+
     Source: Converse & Brady (1992), USGS Open-File Report 92-296A; Boore (2005), BSSA 95, 745-750 (on the zeros).
     """
     nyquist = 0.5 / record.dt
@@ -66,13 +81,19 @@ def butterworth(record: Record, *, low: float | None = None, high: float | None 
 
 
 def resample(record: Record, *, dt: float) -> Record:
-    """The record at step `dt` [s], band-limited: what the new step cannot show is filtered off first, without phase.
+    """Resample the record, band-limited: what the new step cannot represent is filtered off first, without phase.
 
-    Frequencies to 0.82 of half the lower rate pass, those above half of it are 90 dB down. The first sample stays where
-    it is; zeros are taken before and after the record.
+    Frequencies to 0.82 of half the lower rate pass, those above half of it are 90 dB down. The first sample keeps its
+    place; the motion is taken as zero before and after the record.
 
-    Raises RecordError for a step that is not positive, or whose ratio to the record's is not one of whole numbers to
-    10,000.
+    Parameters
+    ----------
+    record : accelerogram
+    dt : new step [s]
+
+    Raises
+    ------
+    RecordError : the step is not positive, or its ratio to the record's is not one of whole numbers to 10,000
     """
     if not (np.isfinite(dt) and dt > 0.0):
         raise RecordError(f"{_where(record)}: step {dt} s to resample to; it must be positive")
@@ -92,9 +113,16 @@ def resample(record: Record, *, dt: float) -> Record:
 
 
 def trim(record: Record, *, start: float = 0.0, end: float = 1.0) -> Record:
-    """The record between the instants when its Arias intensity reaches the shares `start` and `end` of the whole.
+    """Trim the record to the instants when its Arias intensity reaches two shares of the whole.
 
-    Raises RecordError for shares that are not 0 <= start < end <= 1.
+    Parameters
+    ----------
+    record : accelerogram
+    start, end : shares of the Arias intensity, 0 <= start < end <= 1 [-]
+
+    Raises
+    ------
+    RecordError : for other shares
     """
     if not 0.0 <= start < end <= 1.0:
         raise RecordError(
@@ -116,13 +144,13 @@ def _with(record: Record, samples: FloatArray, *, step: str, dt: float | None = 
 
 
 def _corners(low: float | None, high: float | None) -> str:
-    """Those that are given: "low corner 0.1 Hz, high corner 60 Hz"."""
+    """Return those that are given: "low corner 0.1 Hz, high corner 60 Hz"."""
     named = {"low": low, "high": high}
     return ", ".join(f"{name} corner {corner:.6g} Hz" for name, corner in named.items() if corner is not None)
 
 
 def _fitting(size: float, record: Record) -> int:
-    """`size` samples, rounded up, if they are not too many."""
+    """Return `size` samples, rounded up; refuse too many."""
     if not size <= LONGEST:
         raise RecordError(f"{_where(record)}: {size:.3g} samples would be needed; at most {LONGEST:.0e} are allowed")
     return ceil(size)

@@ -36,7 +36,7 @@ class Harmonics:
     phase: tuple[float, ...]
 
     def derivative(self, theta: FloatArray, *, order: int) -> FloatArray:
-        """Derivative of `order`, 0 for the value, over the phase at `theta` [n] [rad] -> [n]."""
+        """Return the derivative of `order`, 0 for the value, over the phase at `theta` [n] [rad] -> [n]."""
         terms = zip(self.amplitude, self.rate, self.phase, strict=True)
         turn = 0.5 * pi * order  # each derivative of a cosine is a quarter turn ahead
         return np.asarray(sum(a * r**order * np.cos(r * theta + (phase + turn)) for a, r, phase in terms))
@@ -53,7 +53,7 @@ class GaussianDerivative:
     factor: float
 
     def derivative(self, theta: FloatArray, *, order: int) -> FloatArray:
-        """Derivative of `order`, 0 for the value, over the phase at `theta` [n] [rad] -> [n].
+        """Return the derivative of `order`, 0 for the value, over the phase at `theta` [n] [rad] -> [n].
 
         By (d/dx)^m exp(-x^2 / 2) = (-1)^m He_m(x) exp(-x^2 / 2).
         """
@@ -63,7 +63,7 @@ class GaussianDerivative:
 
 
 def _hermite(order: int, x: FloatArray) -> FloatArray:
-    """The probabilists' Hermite polynomial He_order at x."""
+    """Return the probabilists' Hermite polynomial He_order at x."""
     return np.asarray(hermeval(x, [0.0] * order + [1.0]), dtype=np.float64)
 
 
@@ -87,11 +87,11 @@ class Shape:
     nu: float | None = None
 
     def value(self, theta: ArrayLike) -> FloatArray:
-        """u at `theta` [n] [rad] -> [n] [-]."""
+        """Return u at `theta` [n] [rad] -> [n] [-]."""
         return self._derivative(np.asarray(theta, dtype=np.float64), order=0)
 
     def derivatives(self, theta: ArrayLike) -> FloatArray:
-        """u and its first five derivatives over the phase at `theta` [n] [rad] -> [6, n] [-].
+        """Return u and its first five derivatives over the phase at `theta` [n] [rad] -> [6, n] [-].
 
         Exact within the closed interval, so that at its ends they are the limits from within; zero outside.
         """
@@ -104,15 +104,16 @@ class Shape:
         return np.where(within, self.form.derivative(inside, order=order), 0.0)
 
     def duration(self, frequency: float) -> float:
-        """Time [s] from start to end of a pulse of `frequency` f_p [Hz]."""
+        """Return the time [s] from start to end of a pulse of `frequency` f_p [Hz]."""
         return (self.end - self.start) / (2 * pi * frequency)
 
 
 def _ricker(name: str, *, order: int) -> Shape:
-    """A Ricker wavelet, a derivative of the Gaussian, cut where it is below 1e-12; f_p is its dominant frequency.
+    """Return a Ricker wavelet of dominant frequency f_p, cut where it is below 1e-12.
 
-    order 2, symmetric: u = (1 - 2 b) exp(-b), b = (pi f_p t)^2 = theta^2 / 4, theta = 0 at the peak.
-    order 3, antisymmetric: u = x (x^2 - 3) exp(-x^2 / 2) / 1.380, x = theta / sqrt(3) = 2 pi f_p t / sqrt(3).
+        order 2, symmetric      u = (1 - 2 b) exp(-b), b = (pi f_p t)^2 = theta^2 / 4, theta = 0 at the peak
+        order 3, antisymmetric  u = x (x^2 - 3) exp(-x^2 / 2) / 1.380, x = theta / sqrt(3) = 2 pi f_p t / sqrt(3)
+
     Sources: Ricker 1953, Geophysics 18, 10-40; as ground pulses Vassiliou & Makris 2011, BSSA 101, 596-618.
     """
     x_peak = {2: 0.0, 3: sqrt(3 - sqrt(6))}[order]  # first zero of He_(order + 1)
@@ -122,7 +123,7 @@ def _ricker(name: str, *, order: int) -> Shape:
 
 
 def mavroeidis_papageorgiou(*, gamma: float = GAMMA, nu: float = NU) -> Shape:
-    """The acceleration of Mavroeidis & Papageorgiou's velocity pulse, of largest absolute value 1.
+    """Return the acceleration of Mavroeidis & Papageorgiou's velocity pulse, of largest absolute value 1.
 
     v = A/2 [1 + cos(theta / gamma)] cos(theta + nu), |theta| <= pi gamma, theta = 2 pi f_p (t - t_0). The product of
     cosines is a sum of three, so its derivative is one too. At both ends u = 0. With a_p the peak acceleration,
@@ -145,7 +146,7 @@ def mavroeidis_papageorgiou(*, gamma: float = GAMMA, nu: float = NU) -> Shape:
 
 
 def _peak(form: Harmonics, *, reach: float) -> float:
-    """Largest |value| of `form` over [-reach, reach], zero at both ends: its extremes by Newton's method."""
+    """Return the largest |value| of `form` over [-reach, reach], zero at both ends: its extremes by Newton's method."""
     grid, step = np.linspace(-reach, reach, 64 * ceil(reach), retstep=True)
     size = np.abs(form.derivative(grid, order=0))
     coarse = grid[1:-1][(size[1:-1] >= size[:-2]) & (size[1:-1] >= size[2:])]
@@ -167,7 +168,17 @@ SHAPES: Mapping[str, Shape] = {
 
 
 def shape(name: str, *, gamma: float | None = None, nu: float | None = None) -> Shape:
-    """The shape called `name`, one of `SHAPES`; `gamma` [-] and `nu` [rad] are of mavroeidis-papageorgiou alone."""
+    """Return the pulse shape of that name.
+
+    Parameters
+    ----------
+    name : one of `SHAPES`
+    gamma, nu : of mavroeidis-papageorgiou alone [-] [rad]
+
+    Raises
+    ------
+    RecordError : the name is unknown, or gamma and nu are given for another shape
+    """
     if name not in SHAPES:
         raise RecordError(f"pulse {name!r}: no such shape; known are {', '.join(SHAPES)}")
     if gamma is None and nu is None:
@@ -178,7 +189,7 @@ def shape(name: str, *, gamma: float | None = None, nu: float | None = None) -> 
 
 
 def pulse_record(shape: Shape, *, frequency: float, amplitude: float, dt: float) -> Record:
-    """The pulse sampled every `dt` [s] from its start, for `frequency` f_p [Hz] and peak `amplitude` [m/s2].
+    """Return the pulse sampled every `dt` [s] from its start, for `frequency` f_p [Hz] and peak `amplitude` [m/s2].
 
     It begins and ends with a sample of zero: where the shape jumps (cosine), a step before and one after are ramps.
     A negative amplitude is the pulse reversed. Straight lines between n samples per period lower the harmonic at f_p
@@ -205,7 +216,7 @@ def pulse_record(shape: Shape, *, frequency: float, amplitude: float, dt: float)
 
 
 def _phases(shape: Shape, *, step: float) -> FloatArray:
-    """Phases from start by `step` [rad] to the last one within the shape: its end itself, where they meet it."""
+    """Return phases from start by `step` [rad] to the last one within the shape: its end itself, where they meet it."""
     steps = (shape.end - shape.start) / step
     if abs(steps - round(steps)) < 1e-9 * steps:
         return np.asarray(np.linspace(shape.start, shape.end, round(steps) + 1), dtype=np.float64)
@@ -213,6 +224,6 @@ def _phases(shape: Shape, *, step: float) -> FloatArray:
 
 
 def _between_zeros(value: FloatArray) -> FloatArray:
-    """The samples `value` with a zero at either end, put there where there is none; below 1e-12 is zero."""
+    """Return the samples `value` with a zero at either end, put there where there is none; below 1e-12 is zero."""
     samples = np.where(np.abs(value) < NIL, 0.0, value)
     return np.concatenate([[0.0] * bool(samples[0]), samples, [0.0] * bool(samples[-1])])

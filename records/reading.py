@@ -43,12 +43,22 @@ def read_record(
 def read_records(
     path: Path, *, unit: str | None = None, step: float | None = None, response: Path | None = None
 ) -> tuple[Record, ...]:
-    """Return every record of the file at `path`; the arguments are those of `read_record`."""
+    """Read every record of the file at `path`.
+
+    Parameters
+    ----------
+    path : file in one of the known formats
+    unit, step, response : as in `read_record`
+
+    Returns
+    -------
+    tuple of Record : accelerations [m/s2], in the order of the file
+    """
     return read_with(path, HeaderOverrides(unit, step, response))
 
 
 def read_with(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
-    """Return every record of the file at `path`, with `overrides` for what its header leaves out.
+    """Read every record of the file at `path`, with `overrides` for what its header leaves out.
 
     Parameters
     ----------

@@ -34,11 +34,11 @@ class Earthquake:
 
 @dataclass(frozen=True)
 class Site:
-    """Where the instrument stands, as far as the file says.
+    """The site of the instrument, as far as the file says.
 
     latitude, longitude : [deg], north and east positive; elevation : above sea level [m]
     vs30 : mean shear-wave velocity of the upper 30 m [m/s]; ground : its class with the code ("EC8 B"), or the soil
-    place : where in the ground or a structure it stands ("borehole"), "" for the free surface or unknown
+    place : location of the instrument in the ground or a structure ("borehole"), "" for the free surface or unknown
     """
 
     latitude: float | None = None
@@ -72,7 +72,7 @@ class Record:
     stationary : of an artificial record, how long its envelope is level [s]; None of recorded ones
     longest_period : up to which the processing of its source left the motion usable [s]; None where it does not say
     start : time of the first sample, as `earthquake.time`, "" unknown
-    warnings : what in its file is odd, in words
+    warnings : what is odd in its file, one sentence each
     """
 
     id: str
@@ -135,10 +135,19 @@ def make_record(
     start: str = "",
     warnings: Sequence[str] = (),
 ) -> Record:
-    """A checked record with a read-only copy of `acceleration` [n] [m/s2] at step `dt` [s], without empty `warnings`.
+    """Make a record, checked, with a read-only copy of the samples.
 
-    Raises RecordError for fewer than two samples, values not finite or beyond any ground motion, or a step
-    that is not positive.
+    Parameters
+    ----------
+    id : short name
+    acceleration : of the ground [n] [m/s2]
+    dt : time step [s]
+    path, event, station, component, processing_history, azimuth, distance, earthquake, site, longest_period, start,
+        warnings : as in `Record`; empty warnings are dropped
+
+    Raises
+    ------
+    RecordError : fewer than two samples, values not finite or beyond any ground motion, a step that is not positive
     """
     samples = np.array(acceleration, dtype=np.float64)
     where = path or f'record "{id}"'
@@ -178,7 +187,7 @@ def make_record(
 
 
 def usable_period(low_cut: float | None) -> float | None:
-    """Longest period [s] that a low cut [Hz] of the source's filter leaves usable; None without one.
+    """Return the longest period [s] that a low cut [Hz] of the source's filter leaves usable; None without one.
 
     The lowest usable frequency is 1.25 times the corner, as in the NGA database of PEER.
     """
@@ -186,7 +195,7 @@ def usable_period(low_cut: float | None) -> float | None:
 
 
 def designation(earthquake: Earthquake) -> str:
-    """What an earthquake without a name is called: "2018-01-24 10:51, M6.2, 41.00N 142.50E", as far as known.
+    """Return what an earthquake without a name is called: "2018-01-24 10:51, M6.2, 41.00N 142.50E", as far as known.
 
     A time alone stays as it is, ISO 8601.
     """
@@ -204,12 +213,24 @@ def _at(degrees: float, sides: str) -> str:
 
 
 def scale(record: Record, factor: float) -> Record:
-    """The record with every acceleration multiplied by `factor`."""
+    """Multiply every acceleration of the record by `factor`.
+
+    Parameters
+    ----------
+    record : accelerogram
+    factor : scale factor [-]
+    """
     samples = record.acceleration * factor
     samples.flags.writeable = False
     return with_step(replace(record, acceleration=samples), f"scaled by {factor:.6g}")
 
 
 def with_step(record: Record, step: str) -> Record:
-    """Add a sentence on one step, the latest, to the record's processing history."""
+    """Add one step, in words, to the record's processing history.
+
+    Parameters
+    ----------
+    record : accelerogram
+    step : what was done to it, a sentence
+    """
     return replace(record, processing_history=(*record.processing_history, step))

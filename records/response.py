@@ -14,14 +14,27 @@ COARSEST = 1000.0  # longest step, in periods, that is worth dividing
 
 
 def response_spectrum(record: Record, period: ArrayLike, *, damping: float = 0.05) -> FloatArray:
-    """Pseudo-acceleration (2 pi / T)^2 S_d [m/s2] at each `period` [s] (same shape), for a `damping` ratio [-].
+    """Return the pseudo-acceleration (2 pi / T)^2 S_d of the record; at T = 0 its peak ground acceleration.
 
-    At T = 0 it is the record's peak ground acceleration. The response is exact for ground acceleration that is
-    linear between samples, free vibration after the end included, and so is its maximum, between samples too. Maxima
-    at samples, as in the PEER database, are lower: up to 1 - cos(pi dt / T), 1.2 % where a period has 20 samples.
+    The response is exact for ground acceleration that is linear between samples, free vibration after the end included,
+    and so is its maximum, between samples too. Maxima at samples, as in the PEER database, are lower: up to 1 - cos(pi
+    dt / T), 1.2 % where a period has 20 samples.
 
-    Raises RecordError for a period that is negative or not finite, or shorter than 1/1000 of the record's step,
-    and for a damping outside 0 <= damping < 1.
+    Parameters
+    ----------
+    record : accelerogram
+    period : periods of the oscillators [any shape] [s]
+    damping : damping ratio [-]
+
+    Returns
+    -------
+    array [shape of period] [m/s2]
+
+    Raises
+    ------
+    RecordError : a period is negative, not finite or shorter than 1/1000 of the record's step; the damping is outside 0
+        <= damping < 1
+
     Source: Nigam & Jennings 1969, BSSA 59, 909-922.
     """
     T = np.asarray(period, dtype=np.float64)
@@ -32,7 +45,10 @@ def response_spectrum(record: Record, period: ArrayLike, *, damping: float = 0.0
 
 
 def displacement_spectrum(record: Record, period: ArrayLike, *, damping: float = 0.05) -> FloatArray:
-    """Largest relative displacement S_d [m] at each `period` [s] (same shape); 0 at T = 0. As `response_spectrum`."""
+    """Return the largest relative displacement S_d [m] at each `period` [s] (same shape), as `response_spectrum`.
+
+    At T = 0 it is 0.
+    """
     T = np.asarray(period, dtype=np.float64)
     bad = T[~(np.isfinite(T) & (T >= 0.0))]
     if bad.size:

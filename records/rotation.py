@@ -20,10 +20,16 @@ COINCIDE = 1e-6  # relative difference of steps that are one
 
 
 def rotate_to_azimuth(first: Record, second: Record, *, azimuth: float) -> Record:
-    """The motion of two horizontal components in the direction `azimuth` [rad], clockwise from north.
+    """Return the motion of two horizontal components in one direction; both begin together, the longer is cut.
 
-    Both begin together; the longer is cut. Raises RecordError for a component whose azimuth is unknown, components of
-    different steps, and ones less than 10 degrees apart.
+    Parameters
+    ----------
+    first, second : components with known azimuths, at least 10 degrees apart
+    azimuth : direction, clockwise from north [rad]
+
+    Raises
+    ------
+    RecordError : an azimuth is unknown, the steps differ, or the components are less than 10 degrees apart
     """
     if not isfinite(azimuth):
         raise RecordError(f'records "{first.id}" and "{second.id}": azimuth {azimuth} to turn to; it must be finite')
@@ -40,11 +46,20 @@ def rotate_to_azimuth(first: Record, second: Record, *, azimuth: float) -> Recor
 
 
 def rotd(first: Record, second: Record, *, percentile: float) -> Record:
-    """The motion in a direction whose peak is the `percentile` of the peaks of all directions.
+    """Return the motion in a direction whose peak is a percentile of the peaks of all directions.
 
-    50 is RotD50 and 100 RotD100 of the peak acceleration; the percentile is that of directions every degree over half
-    a turn, the direction lies anywhere, and the components are perpendicular. Raises RecordError for a percentile
-    outside 0 to 100, components of different steps and those known not to be perpendicular.
+    50 is RotD50 and 100 RotD100 of the peak acceleration. The percentile is that of directions every degree over half a
+    turn; the direction itself may lie between them.
+
+    Parameters
+    ----------
+    first, second : perpendicular horizontal components
+    percentile : 0 to 100
+
+    Raises
+    ------
+    RecordError : the percentile is outside 0 to 100, the steps differ, or the components are not perpendicular
+
     Source: Boore (2010), BSSA 100, 1830-1835.
     """
     a, b = _perpendicular(first, second)
@@ -56,7 +71,7 @@ def rotd(first: Record, second: Record, *, percentile: float) -> Record:
 def rotd_spectrum(
     first: Record, second: Record, period: ArrayLike, *, percentile: float, damping: float = 0.05
 ) -> FloatArray:
-    """The `percentile` over all directions of the pseudo-acceleration [m/s2] at each `period` [s] (same shape).
+    """Return the `percentile` over all directions of the pseudo-acceleration [m/s2] at each `period` [s] (same shape).
 
     As `rotd`, period by period. Source: Boore (2010), BSSA 100, 1830-1835: RotD50 and RotD100.
     """
@@ -70,7 +85,7 @@ def rotd_spectrum(
 
 
 def _angle(a: FloatArray, b: FloatArray, percentile: float) -> float:
-    """Angle [rad] from `a` towards `b` [n] at which the peak is the `percentile` of those at ANGLES.
+    """Return the angle [rad] from `a` towards `b` [n] at which the peak is the `percentile` of those at ANGLES.
 
     The peak is a continuous function of the angle: where it is on either side of the percentile a degree apart, it is
     the percentile between. Of several such angles the one beside which a peak is nearest.
@@ -92,7 +107,7 @@ def _angle(a: FloatArray, b: FloatArray, percentile: float) -> float:
 
 
 def _side_by_side(first: Record, second: Record) -> tuple[FloatArray, FloatArray]:
-    """Both accelerations over the time that they share, of two components of one recording."""
+    """Return both accelerations over the time that they share, of two components of one recording."""
     for what, one, other in (("station", first.station, second.station), ("event", first.event, second.event)):
         if one and other and one != other:
             raise RecordError(
@@ -109,7 +124,7 @@ def _side_by_side(first: Record, second: Record) -> tuple[FloatArray, FloatArray
 
 
 def _perpendicular(first: Record, second: Record) -> tuple[FloatArray, FloatArray]:
-    """Both accelerations; refused where the azimuths are known and not a right angle, to 5 degrees, apart."""
+    """Return both accelerations; refused where the azimuths are known and not a right angle, to 5 degrees, apart."""
     if first.azimuth is not None and second.azimuth is not None:
         apart = first.azimuth - second.azimuth
         if abs(cos(apart)) > sin(pi / 36.0):
@@ -131,7 +146,7 @@ def _azimuths(first: Record, second: Record) -> tuple[float, float]:
 
 
 def _azimuth_at(first: Record, second: Record, angle: float) -> float | None:
-    """Azimuth [rad] at `angle` from the first component towards the second."""
+    """Return the azimuth [rad] at `angle` from the first component towards the second."""
     if first.azimuth is None or second.azimuth is None:
         return None
     clockwise = sin(second.azimuth - first.azimuth) > 0.0
@@ -145,7 +160,7 @@ def _checked(percentile: float) -> float:
 
 
 def _turned(first: Record, second: Record, samples: FloatArray, *, name: str, azimuth: float | None) -> Record:
-    """What has become of two components, under the names of the first."""
+    """Return what has become of two components, under the names of the first."""
     known = "" if azimuth is None else f", azimuth {degrees(azimuth):.6g} deg"
     step = f'turned with component "{second.component}" of "{second.id}": {name}{known}'
     made = make_record(f"{first.id} {name}", samples, first.dt, path=first.path)

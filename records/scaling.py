@@ -28,10 +28,15 @@ class Scaling:
 
 
 def least_squares(log_ratio: FloatArray, *, weight: FloatArray | None = None) -> tuple[FloatArray, FloatArray]:
-    """ln(factor) and mse [...] that bring spectra closest to a target: log_ratio = ln(target / record) [..., k].
+    """Return the scale factors that bring spectra closest to a target, as ln(factor) and mse [...].
 
-    mse = sum w (ln(target) - ln(factor record))^2 / sum w is least at ln(factor) = sum w ln(target / record) / sum w;
-    `weight` [k], equal if None.
+    mse = sum w (ln(target) - ln(factor record))^2 / sum w is least at ln(factor) = sum w ln(target / record) / sum w.
+
+    Parameters
+    ----------
+    log_ratio : ln(target / record) [..., k] [-]
+    weight : of each period [k], equal if None
+
     Source: PEER (2010), Technical report for the PEER ground motion database web application, §3 (mean squared error).
     """
     log_factor = np.average(log_ratio, axis=-1, weights=weight)
@@ -39,7 +44,13 @@ def least_squares(log_ratio: FloatArray, *, weight: FloatArray | None = None) ->
 
 
 def mean_square(difference: FloatArray, *, weight: FloatArray | None = None) -> FloatArray:
-    """Weighted mean of the squares of differences [..., k] of logarithms: the mse [...] of a given factor."""
+    """Return the weighted mean of the squares: the mse of a given factor.
+
+    Parameters
+    ----------
+    difference : of logarithms [..., k] [-]
+    weight : of each period [k], equal if None
+    """
     return np.asarray(np.average(difference**2, axis=-1, weights=weight))
 
 
@@ -51,10 +62,19 @@ def scale_to_spectrum(
     weight: FloatArray | None = None,
     nodes: FloatArray | None = None,
 ) -> Scaling:
-    """The factor that brings the record's 5 % spectrum closest to the target over `period` [k] [s], as `least_squares`.
+    """Find the factor that brings the record's 5 % spectrum closest to the target, as `least_squares`.
 
-    `weight` [k], equal if None; `nodes` as of `log_ratio`. Raises RecordError for a record without motion at these
-    periods.
+    Parameters
+    ----------
+    record : accelerogram
+    spectrum : target
+    period : periods that are compared [k] [s]
+    weight : of each period [k], equal if None
+    nodes : as in `log_ratio`
+
+    Raises
+    ------
+    RecordError : the record has no motion at these periods
     """
     ratio = log_ratio(record, spectrum, period=period, nodes=nodes)
     log_factor, mse = least_squares(ratio, weight=None if weight is None else weight[: ratio.size])
@@ -62,12 +82,29 @@ def scale_to_spectrum(
 
 
 def scale_to_ordinate(record: Record, spectrum: Spectrum, *, period: float) -> float:
-    """The factor that brings the record's 5 % ordinate at `period` [s] to the target's."""
+    """Find the factor that brings the record's 5 % ordinate at one period to the target's.
+
+    Parameters
+    ----------
+    record : accelerogram
+    spectrum : target
+    period : at which they are equal [s]
+    """
     return _factor(float(log_ratio(record, spectrum, period=period)[0]), record)
 
 
 def scale_to_pga(record: Record, pga: float) -> float:
-    """The factor that brings the record's peak ground acceleration to `pga` [m/s2]."""
+    """Find the factor that brings the record's peak ground acceleration to `pga`.
+
+    Parameters
+    ----------
+    record : accelerogram
+    pga : peak ground acceleration [m/s2]
+
+    Raises
+    ------
+    RecordError : the record has no motion, the PGA is not positive, or the factor is beyond 1e9 either way
+    """
     if not record.pga > 0.0:
         raise RecordError(f'record "{record.id}": no motion; it cannot be scaled to a peak ground acceleration')
     if not (np.isfinite(pga) and pga > 0.0):
@@ -88,7 +125,17 @@ def misfit(
     weight: FloatArray | None = None,
     nodes: FloatArray | None = None,
 ) -> float:
-    """Mean squared natural-log difference [-] between target and 5 % spectrum of the record times `factor`."""
+    """Return the mean squared natural-log difference [-] between target and 5 % spectrum of the scaled record.
+
+    Parameters
+    ----------
+    record : accelerogram
+    spectrum : target
+    factor : scale factor of the record [-]
+    period : periods that are compared [k] [s]
+    weight : of each period [k], equal if None
+    nodes : as in `log_ratio`
+    """
     left = log_ratio(record, spectrum, period=period, nodes=nodes) - np.log(factor)
     return float(mean_square(left, weight=None if weight is None else weight[: left.size]))
 
@@ -100,10 +147,19 @@ def log_ratio(
     period: ArrayLike = SCALING_PERIODS,
     nodes: FloatArray | None = None,
 ) -> FloatArray:
-    """ln(target / record), 5 % damping, at each `period` [k] [s], rising, up to the spectrum's longest.
+    """Return ln(target / record), 5 % damping, at each period up to the spectrum's longest.
 
-    nodes : rising periods [m] [s] at which the record's spectrum is taken, linear in logarithms between; `period` if
-    None. RecordError where the record has no motion, or the spectrum ends before all periods.
+    Parameters
+    ----------
+    record : accelerogram
+    spectrum : target
+    period : rising [k] [s]
+    nodes : rising periods [m] [s] at which the record's spectrum is computed, linear in logarithms between them;
+        `period` if None
+
+    Raises
+    ------
+    RecordError : the record has no motion, or the spectrum ends before the first period
     """
     T = np.atleast_1d(np.asarray(period, dtype=np.float64))
     T = T[spectrum.longest_period >= T]

@@ -9,12 +9,12 @@ from typing import Any
 
 
 def with_seal(row: Sequence[Any]) -> tuple[Any, ...]:
-    """The row with its seal."""
+    """Return the row with its seal."""
     return (*row, seal(row))
 
 
 def seal(row: Sequence[Any]) -> str:
-    """A hash of the values of a row, the same before and after SQLite has kept them."""
+    """Return a hash of the values of a row, the same before and after SQLite has kept them."""
     digest = hashlib.sha256()
     for value in row:
         plain = _plain(value)
@@ -23,7 +23,7 @@ def seal(row: Sequence[Any]) -> str:
 
 
 def _plain(value: Any) -> bytes:
-    """A value as bytes that tell its kind; SQLite may give 1.0 back as 1, and gives nan back as None."""
+    """Return a value as bytes that tell its kind; SQLite may give 1.0 back as 1, and gives nan back as None."""
     if isinstance(value, bytes):
         return b"b" + value
     if isinstance(value, str):

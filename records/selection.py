@@ -8,10 +8,9 @@ suites are few, all of them are tried.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from itertools import combinations, islice
-from math import comb, inf
+from math import inf
 from typing import Literal
 
 import numpy as np
@@ -21,17 +20,14 @@ from records.candidates import DAMPING, Candidate
 from records.errors import RecordError
 from records.event_groups import event_groups
 from records.scaling import least_squares, mean_square
-from spectra.arrays import BoolArray, FloatArray, IntArray
+from records.suites import FITS, Fit, Pool
+from spectra.arrays import FloatArray, IntArray
 from spectra.spectrum import Spectrum
 
 Range = tuple[float, float]
 ScaleTo = Literal["spectrum", "pga", "none"]
-Fit = Literal["suite", "each"]
 Components = Literal["single", "together"]
 
-COUNTABLE = 20_000  # suites that are all tried
-EXCHANGED = 2_000  # records, those of least misfit, that may be exchanged into a suite
-CHUNK = 1_000
 KNOWN: Mapping[str, Callable[[Candidate], float | None]] = {
     "magnitude": lambda one: one.magnitude,
     "distance": lambda one: one.distance,
@@ -106,9 +102,17 @@ class Selection:
 
 
 def select(candidates: Sequence[Candidate], spectrum: Spectrum, criteria: Criteria) -> Selection:
-    """The suite of `criteria` out of `candidates` that fits `spectrum`, 5 % damping.
+    """Select the suite of records that fits a spectrum best, 5 % damping.
 
-    Raises RecordError, saying how many candidates are left after each step, where they are too few.
+    Parameters
+    ----------
+    candidates : records of catalogues and files
+    spectrum : target
+    criteria : number, periods, filters, limits and kind of fit
+
+    Raises
+    ------
+    RecordError : too few candidates are left; lists how many after each step
     """
     band = truncate_band(criteria.band, spectrum.longest_period)
     horizontal = [one for one in candidates if one.shakes]
@@ -127,11 +131,11 @@ def select(candidates: Sequence[Candidate], spectrum: Spectrum, criteria: Criter
         ("of different earthquakes" if criteria.one_per_event else "to choose from", len(set(groups.tolist()))),
     )
     if counted[-1][1] < criteria.count:
-        said = ", ".join(f"{number} {step}" for step, number in counted)
+        steps = ", ".join(f"{number} {step}" for step, number in counted)
         remedy = "widen the limits, or add records"
         remedy += ", or a flatfile that knows more of them" if len(known[-1][1]) < len(horizontal) else ""
-        raise RecordError(f"{criteria.count} records wanted; there are {said}: {remedy}")
-    chosen, greedy = FITS[criteria.fit](_suite(choices, log_ratio, band, groups), criteria.count)
+        raise RecordError(f"{criteria.count} records wanted; there are {steps}: {remedy}")
+    chosen, greedy = FITS[criteria.fit](_pool(choices, log_ratio, band, groups), criteria.count)
     ratio = _ratios([choices[i] for i in chosen], log_ratio[chosen])
     misfit = float(mean_square(np.log(ratio.mean(axis=0)), weight=band.weight))
     return Selection(
@@ -140,7 +144,7 @@ def select(candidates: Sequence[Candidate], spectrum: Spectrum, criteria: Criter
 
 
 def passes(candidate: Candidate, filters: Filters) -> bool:
-    """Whether a candidate is what the filters ask for."""
+    """Return whether a candidate is what the filters ask for."""
     measures = candidate.measures
     asked = (
         (filters.magnitude, candidate.magnitude),
@@ -156,7 +160,7 @@ def passes(candidate: Candidate, filters: Filters) -> bool:
 
 
 def _known(level: Sequence[Candidate], filters: Filters) -> list[tuple[str, Sequence[Candidate]]]:
-    """What is left of the horizontal components after each step that drops those of which a filter knows nothing."""
+    """List what is left of the horizontal components after each step that drops those with an unknown value."""
     steps = [("horizontal at the free surface", level)]
     for name, of in KNOWN.items():
         before = steps[-1][1]
@@ -167,7 +171,7 @@ def _known(level: Sequence[Candidate], filters: Filters) -> list[tuple[str, Sequ
 
 
 def _joined(candidates: Sequence[Candidate], components: Components) -> list[tuple[Candidate, ...]]:
-    """Candidates one by one, or those of one recording together, in order of first appearance."""
+    """Take candidates one by one, or those of one recording together, in order of first appearance."""
     if components == "single":
         return [(one,) for one in candidates]
     recordings: dict[str, list[Candidate]] = {}
@@ -179,7 +183,7 @@ def _joined(candidates: Sequence[Candidate], components: Components) -> list[tup
 def _scaled(
     joined: Sequence[tuple[Candidate, ...]], spectrum: Spectrum, band: Band, scale_to: ScaleTo
 ) -> tuple[list[Choice], FloatArray]:
-    """Every choice with its factor and misfit, and ln(target / spectrum) before scaling [n, k].
+    """Return every choice with its factor and misfit, and ln(target / spectrum) before scaling [n, k].
 
     Components kept together count by the geometric mean of their spectra. Those without motion at a period are left
     out.
@@ -207,103 +211,11 @@ def _log_mean(spectra: Sequence[FloatArray]) -> FloatArray:
 
 
 def _ratios(choices: Sequence[Choice], log_ratio: FloatArray) -> FloatArray:
-    """Scaled spectrum over target [n, k]."""
+    """Return the scaled spectrum over the target [n, k]."""
     factor = np.array([choice.factor for choice in choices])
     return np.asarray(factor[:, np.newaxis] * np.exp(-log_ratio))
 
 
-@dataclass(frozen=True)
-class Pool:
-    """What suites are made of: scaled spectrum over target [n, k], weights [k] that sum to 1, group and misfit [n]."""
-
-    ratio: FloatArray
-    weight: FloatArray
-    group: IntArray
-    mse: FloatArray
-
-    def misfit(self, mean: FloatArray) -> FloatArray:
-        """Of mean spectra over target [..., k]."""
-        return np.asarray(np.log(mean) ** 2 @ self.weight)
-
-
-def _suite(choices: Sequence[Choice], log_ratio: FloatArray, band: Band, group: IntArray) -> Pool:
+def _pool(choices: Sequence[Choice], log_ratio: FloatArray, band: Band, group: IntArray) -> Pool:
     mse = np.array([choice.mse for choice in choices])
     return Pool(_ratios(choices, log_ratio), band.weight / band.weight.sum(), group, mse)
-
-
-def best_each(pool: Pool, count: int) -> tuple[list[int], None]:
-    """The `count` of least misfit, the best of each group."""
-    chosen: list[int] = []
-    taken: set[int] = set()
-    for i in np.argsort(pool.mse, kind="stable").tolist():
-        if pool.group[i] not in taken and len(chosen) < count:
-            chosen.append(i)
-            taken.add(int(pool.group[i]))
-    return chosen, None
-
-
-def best_suite(pool: Pool, count: int) -> tuple[list[int], float]:
-    """The `count` whose mean fits best, and the misfit of the greedy suite, which it never exceeds."""
-    first = greedy(pool, count)
-    before = _misfit_of(pool, first)
-    if comb(pool.mse.size, count) <= COUNTABLE:
-        return exhaustive(pool, count), before
-    starts = (first, best_each(pool, count)[0])
-    return min((exchanged(pool, start) for start in starts), key=lambda chosen: _misfit_of(pool, chosen)), before
-
-
-FITS: Mapping[Fit, Callable[[Pool, int], tuple[list[int], float | None]]] = {"suite": best_suite, "each": best_each}
-
-
-def greedy(pool: Pool, count: int) -> list[int]:
-    """Record by record, each the one that makes the mean of those so far fit best."""
-    chosen: list[int] = []
-    total = np.zeros(pool.weight.size)
-    free = np.ones(pool.mse.size, dtype=np.bool_)
-    for size in range(1, count + 1):
-        score = np.where(free, pool.misfit((total + pool.ratio) / size), inf)
-        best = int(np.argmin(score))
-        chosen.append(best)
-        total = total + pool.ratio[best]
-        free &= pool.group != pool.group[best]
-    return chosen
-
-
-def exchanged(pool: Pool, start: Sequence[int]) -> list[int]:
-    """A suite improved by exchanging one record at a time for the best other, until no exchange helps."""
-    chosen, among = list(start), np.argsort(pool.mse, kind="stable")[:EXCHANGED]
-    ratio, group = pool.ratio[among], pool.group[among]
-    least, better = _misfit_of(pool, chosen), True
-    while better:
-        better = False
-        for place in range(len(chosen)):
-            others = [i for k, i in enumerate(chosen) if k != place]
-            free = ~np.isin(group, pool.group[others])
-            score = np.where(free, pool.misfit((pool.ratio[others].sum(axis=0) + ratio) / len(chosen)), inf)
-            best = int(np.argmin(score))
-            if score[best] < least * (1 - 1e-9):
-                chosen[place], least, better = int(among[best]), float(score[best]), True
-    return chosen
-
-
-def exhaustive(pool: Pool, count: int) -> list[int]:
-    """The best of all suites."""
-    best, least = greedy(pool, count), inf
-    for suites in _chunks(combinations(range(pool.mse.size), count)):
-        group = np.sort(pool.group[suites], axis=1)
-        allowed: BoolArray = np.all(np.diff(group, axis=1) > 0, axis=1)
-        if not allowed.any():
-            continue
-        score = pool.misfit(pool.ratio[suites[allowed]].mean(axis=1))
-        if score.min() < least:
-            least, best = float(score.min()), suites[allowed][int(np.argmin(score))].tolist()
-    return best
-
-
-def _chunks(suites: Iterator[tuple[int, ...]]) -> Iterator[IntArray]:
-    while part := list(islice(suites, CHUNK)):
-        yield np.array(part, dtype=np.int64)
-
-
-def _misfit_of(pool: Pool, chosen: Sequence[int]) -> float:
-    return float(pool.misfit(pool.ratio[list(chosen)].mean(axis=0)))

@@ -9,58 +9,23 @@ displacement and its mean to zero, so that the corrections that follow undo what
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 
 import numpy as np
 
 from records.errors import RecordError
-from records.kernel import peak_displacements
 from records.record import Record, make_record
-from spectra.arrays import FloatArray
+from records.spectral_fit import DAMPING, RISE, STATIONARY, Match, Stage, Target, fit_rounds, make_stage
 from spectra.spectrum import Spectrum
 
-DAMPING = 0.05
 BAND = (0.04, 5.0)  # periods the spectrum is matched at [s]: 25 Hz to 0.2 Hz, those of ASCE 43-05, 2.4
 PERIODS_PER_DECADE = 80
 SHORTFALL = 0.10  # of any ordinate below the target, at most [-]
 RMS = 0.05  # of record / target - 1 over the band, at most [-]
-ROUNDS = 40
 TRIALS = 8  # sets of phases before the record is given up
 MAX_SAMPLES = 2**18
-
-RISE, STATIONARY = 0.1, 0.5  # shares of the duration
-END_LEVEL = 0.05  # of the envelope at the end of the duration
-TAPER = 0.05  # share of the duration over which the end is brought to zero
-
-
-@dataclass(frozen=True)
-class Match:
-    """An accelerogram [n] [m/s2] and how its spectrum compares with the target over the band.
-
-    low, high : smallest and largest of record / target - 1 [-]; rms of it [-]
-    """
-
-    acceleration: FloatArray
-    low: float
-    high: float
-    rms: float
-
-    @property
-    def worst(self) -> float:
-        """Largest difference, either way [-]."""
-        return max(-self.low, self.high)
-
-
-@dataclass(frozen=True)
-class Target:
-    """What an accelerogram is fitted to: ordinates [k] [m/s2] at rising period [k] [s]; zero-period ordinate [m/s2]."""
-
-    period: FloatArray
-    ordinate: FloatArray
-    pga: float
 
 
 def artificial(
@@ -73,56 +38,40 @@ def artificial(
     band: tuple[float, float] = BAND,
     threads: int = 1,
 ) -> tuple[Record, ...]:
-    """`count` artificial records for `spectrum`, "artificial-1" and so on; the same for the same `seed`.
+    """Generate spectrum-compatible artificial records, "artificial-1" and so on; the same for the same seed.
 
-    duration, dt : length and step [s]; band : shortest and longest period matched [s], cut where a table ends
+    No 5 % ordinate of a record in the band is more than 10 % below the target (EN 1998-1, 3.2.3.1.2(4)c asks that of
+    the mean), the differences have an rms below 5 %, and the peak acceleration is the target's zero-period ordinate;
+    velocity and displacement end at zero and the mean displacement is zero. The envelope has the form of Jennings,
+    Housner & Tsai (1968): a parabola over a tenth of the duration, a stationary half (12.5 s of 25 s; NTC 2018, 3.2.3.6
+    asks for 10 s of 25 s), then an exponential fall to 5 %. Ordinates are those at 80 periods a decade, as
+    `response_spectrum` defines them. Record k depends on `seed` and k only, not on `count`.
+
+    Parameters
+    ----------
+    spectrum : target
+    count : number of records
+    seed : whole number from 0 up
+    duration, dt : length and time step [s]
+    band : shortest and longest period matched [s], cut where a table ends
     threads : records made at once, 0 for all cores; half of the time is in a kernel, free of the interpreter's lock
 
-    Of each record no 5 % ordinate in the band is more than 10 % below the target (EN 1998-1, 3.2.3.1.2(4)c asks
-    that of the mean), their differences have an rms below 5 %, the peak acceleration is the target's zero-period
-    ordinate; velocity and displacement end at zero and the mean displacement is zero. The envelope has the form
-    of Jennings, Housner & Tsai (1968): a parabola over a tenth of the duration, a stationary half (12.5 s of 25 s;
-    NTC 2018, 3.2.3.6 asks for 10 s of 25 s), then an exponential fall to 5 %. The ordinates are those at 80 periods a
-    decade, as `response_spectrum` defines them. Record k depends on `seed` and k only, not on `count`.
+    Raises
+    ------
+    RecordError : the arguments make no record, or none of the phases tried comes within these bounds
 
-    Raises RecordError for arguments that make no record, and where no phases tried come within these bounds.
     Source: Gasparini & Vanmarcke 1976; Jennings, Housner & Tsai 1968, Simulated earthquake motions, Caltech EERL.
     """
     _check(count=count, seed=seed, duration=duration, dt=dt, band=band)
     target = _target(spectrum, band=band)
-    stage = _stage(target, duration=duration, dt=dt)
+    stage = make_stage(target, duration=duration, dt=dt)
     with ThreadPoolExecutor(threads or os.cpu_count() or 1) as pool:
         made = partial(_record, target, stage, spectrum.code, seed)
         return tuple(pool.map(made, range(1, count + 1)))
 
 
-@dataclass(frozen=True)
-class _Stage:
-    """What all records of a set share.
-
-    dt, duration : step and length [s]; n samples from 0
-    envelope : of the amplitude [n]
-    gate : 1 wherever the envelope is above a twentieth, less outside, so that nothing creeps into the ends [n]
-    ends : see `end_weights` [3, n]
-    shapes : accelerations that correct the ends [3, n]
-    log_period : of each harmonic, ln(T / 1 s), held within the band [m]
-    amplitude : of each harmonic at the start, up to a factor [m]
-    high_pass : what each harmonic is multiplied by in each round: 0 for periods above 2.5 times the band's longest [m]
-    """
-
-    dt: float
-    duration: float
-    envelope: FloatArray
-    gate: FloatArray
-    ends: FloatArray
-    shapes: FloatArray
-    log_period: FloatArray
-    amplitude: FloatArray
-    high_pass: FloatArray
-
-
 def _check(*, count: int, seed: int, duration: float, dt: float, band: tuple[float, float]) -> None:
-    """Refuses arguments that make no record."""
+    """Refuse arguments that make no record."""
     if count < 1:
         raise RecordError(f"artificial records: count = {count}; ask for at least one")
     if seed < 0:
@@ -142,7 +91,7 @@ def _check(*, count: int, seed: int, duration: float, dt: float, band: tuple[flo
 
 
 def _target(spectrum: Spectrum, *, band: tuple[float, float]) -> Target:
-    """The 5 % ordinates at log-spaced periods of the band, as far as the spectrum goes."""
+    """Return the 5 % ordinates at log-spaced periods of the band, as far as the spectrum goes."""
     longest = min(band[1], spectrum.longest_period)
     if longest <= band[0]:
         raise RecordError(f"artificial records: the spectrum ends at {longest} s, below the band from {band[0]} s")
@@ -154,62 +103,13 @@ def _target(spectrum: Spectrum, *, band: tuple[float, float]) -> Target:
     )
 
 
-def _stage(target: Target, *, duration: float, dt: float) -> _Stage:
-    """The fixed arrays of a set of records; a random motion's amplitudes go as S_a / sqrt(f) to first order."""
-    time = dt * np.arange(round(duration / dt) + 1, dtype=np.float64)
-    level = envelope(time, duration=float(time[-1]))
-    f = np.fft.rfftfreq(2 * time.size, dt)
-    T = 1.0 / np.maximum(f, f[1])
-    log_period = np.log(np.clip(T, target.period[0], target.period[-1]))
-    start = np.interp(log_period, np.log(target.period), target.ordinate) * np.sqrt(T)
-    high_pass = np.clip(5.0 * f * target.period[-1] - 2.0, 0.0, 1.0)
-    return _Stage(
-        dt=dt,
-        duration=float(time[-1]),
-        envelope=level,
-        gate=np.minimum(1.0, 20.0 * level),
-        ends=end_weights(time.size, dt=dt),
-        shapes=np.vstack([level * (time / time[-1]) ** power for power in range(3)]),
-        log_period=log_period,
-        amplitude=start * high_pass,
-        high_pass=high_pass,
-    )
-
-
-def envelope(time: FloatArray, *, duration: float) -> FloatArray:
-    """Envelope of the amplitude [-] at `time` [n] [s]: parabola, level, exponential, brought to zero at the end.
-
-    Source: Jennings, Housner & Tsai 1968, the form of their type A and B earthquakes, in shares of the duration.
-    """
-    rise, fall = RISE * duration, (RISE + STATIONARY) * duration
-    decay = np.log(END_LEVEL) / (duration - fall)
-    level = np.minimum(1.0, (time / rise) ** 2) * np.exp(decay * np.maximum(time - fall, 0.0))
-    return np.asarray(level * np.sin(0.5 * np.pi * np.clip((duration - time) / (TAPER * duration), 0.0, 1.0)) ** 2)
-
-
-def end_weights(npts: int, *, dt: float) -> FloatArray:
-    """Rows w [3, npts]: w . a are final velocity, displacement and time integral of displacement of a motion from rest.
-
-    These are the integrals of a(t) (t_end - t)^k / k! for k = 0, 1, 2, exact for a(t) linear between samples: at the
-    two ends of a step that ends `left` before t_end, the weights are integrals of that over the two hat functions.
-    """
-    left, h = dt * np.arange(npts - 2, -1, -1), dt
-    start = (0.5 * h, h * left / 2 + h**2 / 3, h * left**2 / 4 + h**2 * left / 3 + h**3 / 8)
-    end = (0.5 * h, h * left / 2 + h**2 / 6, h * left**2 / 4 + h**2 * left / 6 + h**3 / 24)
-    weights = np.zeros((3, npts))
-    for row in range(3):
-        weights[row, :-1] += start[row]
-        weights[row, 1:] += end[row]
-    return weights
-
-
-def _record(target: Target, stage: _Stage, code: str, seed: int, index: int) -> Record:
-    """Record `index` of the set of `seed`: the first set of phases whose fit is within the bounds."""
+def _record(target: Target, stage: Stage, code: str, seed: int, index: int) -> Record:
+    """Make record `index` of the set of `seed` with the first set of phases whose fit is within the bounds."""
     random = np.random.default_rng([seed, index])
     fits = []
     for _ in range(TRIALS):
         phase = random.uniform(0.0, 2.0 * np.pi, stage.amplitude.size)
-        fit = min(_rounds(target, stage, phase=phase), key=lambda match: match.worst)
+        fit = min(fit_rounds(target, stage, phase=phase), key=lambda match: match.worst)
         if fit.low >= -SHORTFALL and fit.rms <= RMS:
             history = _history(fit, target, stage, code, seed, index)
             made = make_record(f"artificial-{index}", fit.acceleration, stage.dt, processing_history=history)
@@ -223,55 +123,7 @@ def _record(target: Target, stage: _Stage, code: str, seed: int, index: int) -> 
     )
 
 
-def _rounds(target: Target, stage: _Stage, *, phase: FloatArray) -> Iterator[Match]:
-    """The accelerograms that these phases [m] [rad] lead to, round after round."""
-    n, harmonics = stage.envelope.size, stage.amplitude * np.exp(1j * phase)
-    a = stage.envelope * np.fft.irfft(harmonics, 2 * n)[:n]
-    a *= target.pga / np.max(np.abs(a))
-    for _ in range(ROUNDS):
-        a = _settled(a * stage.gate, stage, pga=target.pga)
-        ratio = _ratio(a, target, stage.dt)
-        yield _match(a, ratio)
-        correction = stage.high_pass * np.exp(-np.interp(stage.log_period, np.log(target.period), np.log(ratio)))
-        a = np.fft.irfft(correction * np.fft.rfft(a, 2 * n), 2 * n)[:n]
-
-
-def _match(a: FloatArray, ratio: FloatArray) -> Match:
-    """The accelerogram [n] with record / target [k] summed up."""
-    low, high, rms = np.min(ratio) - 1.0, np.max(ratio) - 1.0, np.sqrt(np.mean((ratio - 1.0) ** 2))
-    return Match(a, float(low), float(high), float(rms))
-
-
-def _settled(a: FloatArray, stage: _Stage, *, pga: float) -> FloatArray:
-    """The accelerogram [n] with peak `pga` [m/s2] and no velocity or displacement left at the end."""
-    system = stage.ends @ stage.shapes.T
-    for _ in range(3):
-        a = with_peak(a - np.linalg.solve(system, stage.ends @ a) @ stage.shapes, pga=pga)
-    a = a - np.linalg.solve(system, stage.ends @ a) @ stage.shapes
-    return np.asarray(a * (pga / np.max(np.abs(a))))
-
-
-def with_peak(a: FloatArray, *, pga: float) -> FloatArray:
-    """The accelerogram [n] with its peak at `pga` [m/s2].
-
-    Every half-cycle that exceeds it is lowered to it; if none does, the largest is raised. A half-cycle, between
-    two changes of sign, is multiplied as a whole: nothing is clipped flat.
-    """
-    starts = np.concatenate([[0], np.flatnonzero(np.diff(np.signbit(a))) + 1])
-    peak = np.maximum.reduceat(np.abs(a), starts)
-    scale = pga / np.maximum(peak, pga)
-    if np.max(peak) < pga:
-        scale[np.argmax(peak)] = pga / np.max(peak)
-    return np.asarray(a * np.repeat(scale, np.diff(np.append(starts, a.size))))
-
-
-def _ratio(a: FloatArray, target: Target, dt: float) -> FloatArray:
-    """5 % response spectrum of the accelerogram over the target [k]."""
-    omega = 2.0 * np.pi / target.period
-    return np.asarray(omega**2 * peak_displacements(a, dt, target.period, DAMPING) / target.ordinate)
-
-
-def _history(fit: Match, target: Target, stage: _Stage, code: str, seed: int, index: int) -> tuple[str, ...]:
+def _history(fit: Match, target: Target, stage: Stage, code: str, seed: int, index: int) -> tuple[str, ...]:
     rise, level = RISE * stage.duration, STATIONARY * stage.duration
     return (
         f"artificial: random phases, seed {seed}, number {index}; envelope of Jennings, Housner & Tsai (1968), "

@@ -13,10 +13,17 @@ LONGEST_LINE = 200
 
 
 def csv_text(record: Record, *, unit: str = "m/s2", stamp: str = "") -> str:
-    """Times [s] and accelerations at full precision, below comments that the reader of CSV understands.
+    """Return times [s] and accelerations at full precision as CSV, below comments that the reader of CSV understands.
 
-    unit : of the accelerations; ColumnError for one that is not known
+    Parameters
+    ----------
+    record : accelerogram
+    unit : of the accelerations
     stamp : of what the record was made from, a comment of its own
+
+    Raises
+    ------
+    ColumnError : the unit is unknown
     """
     samples = record.acceleration / factor_of(unit, known=ACCELERATION_UNITS)
     printed = repr if unit == "m/s2" else "{:.15g}".format  # what was divided has no more digits
@@ -26,8 +33,11 @@ def csv_text(record: Record, *, unit: str = "m/s2", stamp: str = "") -> str:
 
 
 def at2_text(record: Record, *, stamp: str = "") -> str:
-    """PEER AT2: four lines of header, then accelerations in g, five to a line, of eight digits.
+    """Return the record in PEER AT2: four lines of header, then accelerations in g, five to a line, of eight digits.
 
+    Parameters
+    ----------
+    record : accelerogram
     stamp : of what the record was made from, at the head of the first line
     """
     values = [f"{a / g:15.7E}" for a in record.acceleration.tolist()]
@@ -42,7 +52,7 @@ def at2_text(record: Record, *, stamp: str = "") -> str:
 
 
 def _title(record: Record) -> str:
-    """`Event, m/d/yyyy, Station, Component`; commas part the fields where there is no date."""
+    """Return `Event, m/d/yyyy, Station, Component`; commas separate the fields where there is no date."""
     year, month, day = (*record.earthquake.time[:10].split("-"), "", "", "")[:3]
     if year.isdecimal() and month.isdecimal() and day.isdecimal():
         return f"{record.event}, {int(month)}/{int(day)}/{year}, {record.station}, {_without_commas(record.component)}"
@@ -54,5 +64,5 @@ def _without_commas(text: str) -> str:
 
 
 def _on_one_line(text: str) -> str:
-    """`text` without line breaks and control characters, cut."""
+    """Return `text` without line breaks and control characters, cut."""
     return "".join(c if c.isprintable() else " " for c in text)[:LONGEST_LINE]

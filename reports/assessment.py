@@ -1,4 +1,4 @@
-"""The assessment as a document: what is said, and in which order; every number is taken from the results."""
+"""The assessment as a document: its chapters in order, with every number taken from the results."""
 
 from __future__ import annotations
 
@@ -38,6 +38,7 @@ from reports.language.catalogue import ENGLISH
 from reports.language.numerals import numeral
 from reports.language.verbatim import verbatim
 from reports.mechanism_title import mechanism_title
+from reports.references import reference, resolve_references
 
 LONG = 120  # characters; longer titles and names are shortened where they head something and printed once in full
 _FACTS = (
@@ -51,14 +52,15 @@ _FACTS = (
 
 
 def assessment(results: Results) -> Document:
-    """The whole report of one run."""
+    """Return the whole report of one run, in English and SI."""
     title = project_text(results, "title") or "Rocking assessment"
     chapters = [cover.section(results), summary.section(results), *structure.section(results), *_site(results)]
     chapters.append(assumptions.section(results))
-    seen = interface_variants.earlier_variants(results)
-    for place, mechanism in enumerate(results.mechanisms, start=1):
-        name = file_stem(mechanism.name, place)
-        chapters += _mechanism(results, mechanism, name, sibling=seen.get(mechanism.name, ""))
+    earlier = interface_variants.earlier_variants(results)
+    stems = {each.name: file_stem(each.name, place) for place, each in enumerate(results.mechanisms, start=1)}
+    for mechanism in results.mechanisms:
+        name = stems[mechanism.name]
+        chapters += _mechanism(results, mechanism, name, twin=stems.get(earlier.get(mechanism.name, ""), ""))
         chapters += sensitivity.chapter(results, mechanism.name, called=mechanism_title(mechanism), name=name)
     chapters += [
         *other_levels.chapter(results),
@@ -67,7 +69,7 @@ def assessment(results: Results) -> Document:
         _limits(results),
     ]
     chapters += [literature.section(results), _signatures(results), _annex(results)]
-    return Document(
+    document = Document(
         title=title,
         subject="Seismic assessment of masonry by rocking dynamics",
         author=project_text(results, "engineer"),
@@ -90,10 +92,11 @@ def assessment(results: Results) -> Document:
         units=_units(results),
         stamp=results.stamp,
     )
+    return resolve_references(document)
 
 
 def envelope_report(results: Results) -> Document:
-    """The report of `assess envelope`: the critical mechanisms, and the envelope of each."""
+    """Return the report of `assess envelope`: the critical mechanisms, and the envelope of each."""
     chapters = envelopes.critical_chapter(results)
     for place, mechanism in enumerate(results.mechanisms, start=1):
         chapters += envelopes.chapter(mechanism, results.records, file_stem(mechanism.name, place), level=0)
@@ -117,13 +120,24 @@ def _facts(results: Results) -> tuple[tuple[str, str], ...]:
 
 
 def project_text(results: Results, key: str) -> str:
-    """A text of the project file, empty where it gives none."""
+    """Return a text of the project file.
+
+    Parameters
+    ----------
+    results : of a run
+    key : with dots, as "report.language"
+
+    Returns
+    -------
+    str
+        empty where the project gives none
+    """
     found = results.project.get(key)
     return "" if found is None or found.value is None else str(found.value)
 
 
 def file_stem(name: str, place: int) -> str:
-    """A unique and safe beginning for the file names of a mechanism: its place and what is plain in its name."""
+    """Return a unique and safe beginning for the file names of a mechanism: its place and its name in plain letters."""
     plain = re.sub(r"[^a-z0-9]+", "-", name.lower()).strip("-")[:40].strip("-")
     return f"{place:02d}-{plain}" if plain else f"{place:02d}"
 
@@ -165,10 +179,10 @@ def _fitted(results: Results) -> str:
     return "; artificial records are fitted up to a period of 4 s" if artificial else ""
 
 
-def _mechanism(results: Results, mechanism: MechanismResult, name: str, *, sibling: str) -> list[Section]:
+def _mechanism(results: Results, mechanism: MechanismResult, name: str, *, twin: str) -> list[Section]:
     own = [sweep for sweep in results.sweeps if sweep.mechanism == mechanism.name]
     chapters = [
-        _shape(mechanism, name, sibling=sibling),
+        _shape(mechanism, name, twin=twin),
         sweeps.studies(own, name=name),
         _answer(results, mechanism, name),
         _histories(mechanism, name),
@@ -178,12 +192,12 @@ def _mechanism(results: Results, mechanism: MechanismResult, name: str, *, sibli
     return [chapter for chapter in chapters if chapter.blocks]
 
 
-def _shape(mechanism: MechanismResult, name: str, *, sibling: str) -> Section:
+def _shape(mechanism: MechanismResult, name: str, *, twin: str) -> Section:
     blocks = (
         Text((sentences.description(mechanism),)),
         *sweeps.weakest_direction(mechanism, name=name),
         Figure(f"{name}-sketch", sentences.sketch_caption(mechanism), partial(sketch.draw, mechanism)),
-        *_view(mechanism, name, sibling=sibling),
+        *_view(mechanism, name, twin=twin),
         *nonempty(parameters.loads(mechanism, name=f"{name}-loads")),
         parameters.parameters(mechanism, name=f"{name}-parameters"),
         Figure(f"{name}-capacity", sentences.capacity_caption(mechanism), partial(capacity.draw, mechanism)),
@@ -193,13 +207,16 @@ def _shape(mechanism: MechanismResult, name: str, *, sibling: str) -> Section:
     return Section(f"Mechanism: {mechanism_title(mechanism)}", 0, blocks, starts_page=True)
 
 
-def _view(mechanism: MechanismResult, name: str, *, sibling: str) -> list[Block]:
-    """The bodies in space, once for mechanisms that differ by their interface alone."""
+def _view(mechanism: MechanismResult, name: str, *, twin: str) -> list[Block]:
+    """The bodies in space, once for mechanisms that differ by their interface alone.
+
+    twin : file stem of an earlier mechanism with the same bodies, empty for none
+    """
     seen = mechanism.view
     if seen is None:
         return []
-    if sibling:
-        return [Text((f"Its bodies in space are those of {sibling}, drawn there.",))]
+    if twin:
+        return [Text((f"For its bodies in space see {reference('Figure', f'{twin}-view')}.",))]
     positive = len(mechanism.drawing.displaced.hinges)
     model = model_of_view(seen, positive=positive)
     return [Figure(f"{name}-view", sentences.view_caption(seen), partial(view.draw, seen, positive), model)]
@@ -293,8 +310,8 @@ def _limits(results: Results) -> Section:
 
 def _signatures(results: Results) -> Section:
     statement = (
-        "The results above follow from the inputs and assumptions listed in this report. They become an assessment by "
-        "the judgement of the engineer who signs it."
+        "The results above follow from the inputs and assumptions listed in this report. They become an "
+        "assessment through the judgement of the engineer who signs it."
     )
     places = (("Engineer", project_text(results, "engineer")), ("Checker", project_text(results, "checker")))
     return Section("Signatures", 0, (Text((statement,)), Signatures(places)))

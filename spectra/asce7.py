@@ -26,14 +26,24 @@ HAZARD_FACTOR: Mapping[str, float] = {"design": 1.0, "mce": 1.5}
 def mapped_spectrum(
     *, s_s: float, s_1: float, site_class: str, t_l: float, code: str = "asce7-16", hazard: str = "design"
 ) -> Spectrum:
-    """The design spectrum from the mapped S_S and S_1 of the rock [m/s2], the site class, and T_L [s].
+    """Return the design spectrum from the mapped accelerations of the rock and the site class.
 
         S_MS = F_a S_S    S_M1 = F_v S_1    S_DS = 2/3 S_MS    S_D1 = 2/3 S_M1
 
-    site_class : "A" to "E"; ASCE 7-16 also "B-unmeasured" (§11.4.3) and "D-default" (§11.4.4)
+    Where the standard has coefficients and yet asks for a study of the site, the spectrum has a warning.
 
-    What the standard leaves to a study of the site and yet has coefficients for stands in `warnings`. Raises
-    SpectrumError for site class F, and for what `design_spectrum` refuses.
+    Parameters
+    ----------
+    s_s, s_1 : mapped spectral accelerations at short periods and at 1 s [m/s2]
+    site_class : "A" to "E"; ASCE 7-16 also "B-unmeasured" (§11.4.3) and "D-default" (§11.4.4)
+    t_l : long-period transition period T_L [s]
+    code : edition, a key of `EDITIONS`
+    hazard : "design" or "mce"
+
+    Raises
+    ------
+    SpectrumError : site class F, and whatever `design_spectrum` refuses
+
     Source: ASCE 7-16 §11.4.4-11.4.5, 7-10 and 7-05 §11.4.3-11.4.4, with Tables 11.4-1 and 11.4-2 of each.
     """
     edition = edition_of(code)
@@ -60,9 +70,9 @@ def mapped_spectrum(
 
 
 def site_coefficient(mapped: float, *, table: SiteTable, site_class: str, study: str) -> float:
-    """F_a or F_v [-] at the `mapped` acceleration [m/s2], linear between columns and held beyond them.
+    """Return F_a or F_v [-] at the `mapped` acceleration [m/s2], linear between columns and constant beyond them.
 
-    Raises SpectrumError for site class F, citing the clause `study`, and for a class that the table has not.
+    Raises SpectrumError for site class F, citing the clause `study`, and for a class that the table does not have.
     """
     if site_class == "F":
         raise SpectrumError(
@@ -77,18 +87,28 @@ def site_coefficient(mapped: float, *, table: SiteTable, site_class: str, study:
 def design_spectrum(
     *, s_ds: float, s_d1: float, t_l: float, code: str = "asce7-16", hazard: str = "design"
 ) -> Spectrum:
-    """The design spectrum from S_DS [m/s2], S_D1 (the ordinate at 1 s) [m/s2] and T_L [s].
+    """Return the design spectrum from its two design ordinates.
 
         T < T_0          S_DS (0.4 + 0.6 T / T_0)         T_0 = 0.2 T_S
         T_0 <= T <= T_S  S_DS                             T_S = S_D1 / S_DS
         T_S < T <= T_L   S_D1 / T
         T > T_L          S_D1 T_L / T^2
 
-    `hazard` "mce" multiplies every ordinate by 1.5. Damping other than 5 % divides the ordinates from T_0 on by B.
-    The code divides S_a by B and is silent on T < T_0; a rigid body feels the ground whatever its damping, so
-    here the zero-period ordinate is kept and the ordinates are linear in between.
+    Damping other than 5 % divides the ordinates from T_0 on by B. The code divides S_a by B and is silent on T < T_0; a
+    rigid body moves with the ground whatever its damping, so here the zero-period ordinate is kept and the ordinates
+    are linear in between.
 
-    Raises SpectrumError for an unknown code or hazard, for values that are not positive, and where T_S > T_L.
+    Parameters
+    ----------
+    s_ds, s_d1 : design spectral accelerations at short periods and at 1 s [m/s2]
+    t_l : long-period transition period T_L [s]
+    code : edition, a key of `EDITIONS`
+    hazard : "design", or "mce", which multiplies every ordinate by 1.5
+
+    Raises
+    ------
+    SpectrumError : the code or hazard is unknown, a value is not positive, or T_S > T_L
+
     Source: ASCE 7-16 §11.4.6-11.4.7, 7-10 and 7-05 §11.4.5-11.4.6; damping Table 18.7-1 (18.6-1).
     """
     edition = edition_of(code)

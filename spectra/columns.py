@@ -47,12 +47,12 @@ class Columns:
 
     @property
     def units(self) -> tuple[str | None, str | None]:
-        """What stands in brackets in each label, None where nothing does."""
+        """Text in brackets in each label, None where there is none."""
         return unit_of(self.header[0]), unit_of(self.header[1])
 
 
 def read_columns(path: Path) -> Columns:
-    """The header and the numbers of the file at `path`.
+    """Return the header and the numbers of the file at `path`.
 
     Raises ColumnError for a file that is empty, is not text, has a line that is not two numbers, or no numbers.
     """
@@ -73,7 +73,17 @@ def read_columns(path: Path) -> Columns:
 
 
 def decode(data: bytes, *, where: str) -> str:
-    """The text in `data`, UTF-8 or Latin-1; ColumnError, naming `where`, for what is no text."""
+    """Decode a text file, UTF-8 or Latin-1.
+
+    Parameters
+    ----------
+    data : content of the file
+    where : its name, for errors
+
+    Raises
+    ------
+    ColumnError : the content is not text
+    """
     try:
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError:
@@ -86,12 +96,18 @@ def decode(data: bytes, *, where: str) -> str:
 
 
 def separator_of(line: str) -> str | None:
-    """The first of semicolon, tab and comma that `line` holds; None stands for blanks."""
+    """Return the first of semicolon, tab and comma that `line` holds; None for blanks."""
     return next((mark for mark in SEPARATORS if mark in line.strip()), None)
 
 
 def split(line: str, separator: str | None) -> list[str]:
-    """The fields of `line`, stripped; decimal commas become points where semicolons separate."""
+    """Split a line into fields, stripped; decimal commas become points where semicolons separate.
+
+    Parameters
+    ----------
+    line : text without its end
+    separator : as `separator_of` finds it; None for blanks
+    """
     if separator is None:
         return line.split()
     text = line.replace(",", ".") if separator == ";" else line
@@ -99,7 +115,7 @@ def split(line: str, separator: str | None) -> list[str]:
 
 
 def is_row(fields: Sequence[str]) -> bool:
-    """Whether every field is a number."""
+    """Return whether every field is a number."""
     try:
         np.array(fields, dtype=np.float64)
     except ValueError:
@@ -108,13 +124,23 @@ def is_row(fields: Sequence[str]) -> bool:
 
 
 def unit_of(label: str) -> str | None:
-    """The unit in brackets or parentheses in a column's label, None where there is none."""
+    """Return the unit in brackets or parentheses in a column's label, None where there is none."""
     found = BRACKETS.search(label)
     return None if found is None else (found[1] or found[2] or "").strip() or None
 
 
 def factor_of(unit: str, *, known: Mapping[str, float]) -> float:
-    """What a value in `unit` is multiplied by for SI; ColumnError lists the `known` ones."""
+    """Return the factor that converts a unit to SI.
+
+    Parameters
+    ----------
+    unit : as written, like "cm/s^2"
+    known : factors by unit
+
+    Raises
+    ------
+    ColumnError : the unit is unknown; lists those known
+    """
     name = unit.strip().lower().replace(" ", "").replace("²", "2").replace("**", "").replace("^", "")
     name = name.replace("sec", "s").replace("/s/s", "/s2")
     if name not in known:
@@ -123,7 +149,7 @@ def factor_of(unit: str, *, known: Mapping[str, float]) -> float:
 
 
 def _each(text: str) -> Iterator[str]:
-    """The lines of a text, a part of it at a time, for a long file has millions of them."""
+    """Yield the lines of a text, a part of it at a time, for a long file has millions of them."""
     start = 0
     while start < len(text):
         end = text.find("\n", start + PART) + 1 or len(text)
@@ -132,13 +158,13 @@ def _each(text: str) -> Iterator[str]:
 
 
 def _lines(text: str) -> Iterator[tuple[int, str]]:
-    """Line number and content of every line that is neither blank nor a comment."""
+    """Return the line number and content of every line that is neither blank nor a comment."""
     lines = enumerate(_each(text), start=1)
     return ((number, line) for number, line in lines if line.strip() and not line.lstrip().startswith("#"))
 
 
 def _header(fields: list[str], *, where: str) -> tuple[str, str]:
-    """Both labels of a header line; labels separated by blanks keep their bracketed unit apart."""
+    """Return both labels of a header line; labels separated by blanks keep their bracketed unit apart."""
     if len(fields) > 2:
         fields = _rejoined(fields)
     if len(fields) != 2:
@@ -149,7 +175,7 @@ def _header(fields: list[str], *, where: str) -> tuple[str, str]:
 
 
 def _rejoined(fields: list[str]) -> list[str]:
-    """Fields with each lone `[unit]` put back onto the label before it."""
+    """Return fields with each lone `[unit]` put back onto the label before it."""
     joined: list[str] = []
     for field in fields:
         if joined and field[:1] in ("[", "("):
@@ -160,7 +186,7 @@ def _rejoined(fields: list[str]) -> list[str]:
 
 
 def _numbers(rows: list[tuple[int, str]], separator: str | None, *, path: Path) -> FloatArray:
-    """The numbers of all rows [n, 2]."""
+    """Return the numbers of all rows [n, 2]."""
     fields = [split(line, separator) for _, line in rows]
     for (number, line), row in zip(rows, fields, strict=True):
         if len(row) != 2:
@@ -175,5 +201,5 @@ def _numbers(rows: list[tuple[int, str]], separator: str | None, *, path: Path) 
 
 
 def _comma(line: str) -> str:
-    """What to do about a line with decimal commas; empty where there is none."""
+    """Return what to do about a line with decimal commas; empty where there is none."""
     return "two are expected, and decimal commas only between semicolons" if DECIMAL_COMMA.search(line) else ""

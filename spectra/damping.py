@@ -12,7 +12,7 @@ ETA_FLOOR = 0.55
 
 
 def asce7_b_factor(damping: float) -> float:
-    """Damping coefficient B that spectral ordinates are divided by [-], for a `damping` ratio [-].
+    """Return the damping coefficient B that spectral ordinates are divided by [-], for a `damping` ratio [-].
 
     Linear between the rows of the table; its first row is "2 % or less", its last "100 % or more".
     Raises SpectrumError for a negative damping or one that is not a number.
@@ -22,7 +22,7 @@ def asce7_b_factor(damping: float) -> float:
 
 
 def ec8_eta(damping: float) -> float:
-    """Damping correction eta = sqrt(10 / (5 + xi)) >= 0.55 that ordinates are multiplied by [-], xi in per cent.
+    """Return eta = sqrt(10 / (5 + xi)) >= 0.55 [-], by which damping of xi per cent multiplies ordinates.
 
     `damping` is the ratio xi / 100 [-]. Raises SpectrumError for a negative damping or one that is not a number.
     Source: EN 1998-1:2004, 3.2.2.2(3), eq. (3.6).
@@ -32,7 +32,7 @@ def ec8_eta(damping: float) -> float:
 
 
 def check_damping(damping: float) -> float:
-    """`damping` [-] itself, once it is known to be a finite number that is not negative."""
+    """Return the damping ratio [-]; refuse one that is negative or not finite."""
     if not (np.isfinite(damping) and damping >= 0.0):
         raise SpectrumError(f"damping ratio {damping}: it must be a number from 0 up (0.05 is 5 % of critical)")
     return damping

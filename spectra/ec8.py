@@ -55,12 +55,22 @@ VERTICAL_CORNERS = (0.05, 0.15, 1.0)  # T_B, T_C, T_D [s] of both types, Table 3
 def elastic_spectrum(
     *, a_g: float, ground_type: str, spectrum_type: int = 1, importance_factor: float = 1.0
 ) -> Spectrum:
-    """The horizontal elastic spectrum from `a_g`, the reference peak ground acceleration a_gR on type A [m/s2].
+    """Return the horizontal elastic spectrum.
 
     The design ground acceleration is importance_factor a_gR. The standard gives the spectrum up to 4 s; beyond, its
     last branch continues, which is on the safe side of the displacements of Annex A (type 1 only).
 
-    Raises SpectrumError for values that are not positive, for an unknown type or ground, and for S1 and S2.
+    Parameters
+    ----------
+    a_g : a_gR, reference peak ground acceleration on type A [m/s2]
+    ground_type : "A" to "E"
+    spectrum_type : 1, or 2 where earthquakes of M_s <= 5.5 govern
+    importance_factor : gamma_I [-]
+
+    Raises
+    ------
+    SpectrumError : a value is not positive; the type or ground is unknown, or is S1 or S2
+
     Source: EN 1998-1:2004, 3.2.2.2, (3.2)-(3.7), Tables 3.2 and 3.3; Annex A; importance 3.2.1(3).
     """
     check_positive("ec8", a_g=a_g, importance_factor=importance_factor)
@@ -86,7 +96,11 @@ def elastic_spectrum(
 def vertical_spectrum(
     *, a_g: float, ground_type: str = "A", spectrum_type: int = 1, importance_factor: float = 1.0
 ) -> Spectrum:
-    """The vertical elastic spectrum; the arguments are those of `elastic_spectrum`, the ground changes nothing.
+    """Return the vertical elastic spectrum, which does not depend on the ground.
+
+    Parameters
+    ----------
+    a_g, ground_type, spectrum_type, importance_factor : as in `elastic_spectrum`
 
     Source: EN 1998-1:2004, 3.2.2.3, (3.8)-(3.11), Table 3.4.
     """
@@ -112,7 +126,7 @@ def vertical_spectrum(
 
 
 def _given(a_g: float, ground_type: str, spectrum_type: int, importance_factor: float) -> dict[str, float | str]:
-    """What a spectrum was asked for, with the design ground acceleration."""
+    """Return what a spectrum was asked for, with the design ground acceleration."""
     return {
         "a_g": a_g,
         "importance_factor": importance_factor,

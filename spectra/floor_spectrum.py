@@ -2,71 +2,60 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
-
 import numpy as np
 from numpy.typing import ArrayLike
 from scipy.constants import g
 
 from spectra.arrays import FloatArray
-from spectra.damping import check_damping, ec8_eta
 from spectra.errors import SpectrumError
-from spectra.floor import ec8_floor_factors, height_ratio
+from spectra.floor import ec8_floor_factors
 from spectra.floor import nzs1170_5 as floor_height_coefficient
-from spectra.spectrum import Spectrum, check_periods
+from spectra.spectrum import check_periods
 
 PART_DUCTILITIES = (1.0, 1.25, 1.5, 1.75, 2.0, 3.0)  # NZS 1170.5 Table 8.2; 1.5 and 1.75 after its commentary
 PART_RESPONSE_FACTORS = (1.00, 0.85, 0.75, 0.65, 0.55, 0.45)
 LARGEST_PART_COEFFICIENT = 3.6  # F_ph / W_p, NZS 1170.5 8.5.1
-COUPLING = (0.4, 0.5)  # beta of C7.2.4
-PLATEAU = (0.8, 1.1)  # a, b of C7.2.6: the level branch lies between a T_k and b T_k
-
-
-@dataclass(frozen=True)
-class Mode:
-    """A mode of the building: T_k [s], damping xi_k [-], and |gamma_k psi_k(z)|, its share at the part's height [-]."""
-
-    period: float
-    damping: float
-    share: float
-
-
-@dataclass(frozen=True)
-class FrameCoefficients:
-    """a, b and a_p of C7.2.11 [-]."""
-
-    a: float
-    b: float
-    a_p: float
-
-
-FRAMES: Mapping[str, FrameCoefficients] = {  # Circolare 7/2019, after C7.2.11
-    "short": FrameCoefficients(0.8, 1.4, 5.0),  # T_1 < 0.5 s
-    "medium": FrameCoefficients(0.3, 1.2, 4.0),  # 0.5 s to 1.0 s
-    "long": FrameCoefficients(0.3, 1.0, 2.5),  # T_1 > 1.0 s
-}
 
 
 def ec8(
     period: ArrayLike, *, ground: float, height: float, building_height: float, building_period: float
 ) -> FloatArray:
-    """S_a g [m/s2] of a part with T_a = `period` [s] (same shape).
+    """Return S_a g of a part at a height of a building.
 
-    ground : a_g S, peak acceleration of the surface [m/s2]; height z and building_height H [m]; building_period T_1 [s]
+    Parameters
+    ----------
+    period : T_a of the part [any shape] [s]
+    ground : a_g S, peak acceleration of the surface [m/s2]
+    height, building_height : z and H [m]
+    building_period : T_1 [s]
 
-    Raises SpectrumError for a height outside the building, and for a T_1 that is not positive.
+    Returns
+    -------
+    array [shape of period] [m/s2]
+
+    Raises
+    ------
+    SpectrumError : the height is outside the building, or T_1 is not positive
+
     Source: EN 1998-1:2004, 4.3.5.2, eq. (4.25); not checked against the printed standard.
     """
-    T_a = _periods(period)
-    T_1 = _first_period(building_period, clause="EN 1998-1, 4.3.5.2")
+    T_a = period_array(period)
+    T_1 = first_period(building_period, clause="EN 1998-1, 4.3.5.2")
     return ground * ec8_floor_factors(T_a / T_1, height=height, building_height=building_height)
 
 
 def nzs1170_5(period: ArrayLike, *, ground: float, height: float, building_height: float) -> FloatArray:
-    """C_p(T_p) g = C(0) C_Hi C_i(T_p) g [m/s2] of a part with T_p = `period` [s] (same shape).
+    """Return C_p(T_p) g = C(0) C_Hi C_i(T_p) g of a part at a height of a building.
 
-    ground : C(0) g, zero-period ordinate of the site spectrum [m/s2]; height h_i and building_height h_n [m]
+    Parameters
+    ----------
+    period : T_p of the part [any shape] [s]
+    ground : C(0) g, zero-period ordinate of the site spectrum [m/s2]
+    height, building_height : h_i and h_n [m]
+
+    Returns
+    -------
+    array [shape of period] [m/s2]
 
     Source: NZS 1170.5:2004, 8.2, eq. 8.2(1); not checked against the printed standard.
     """
@@ -74,19 +63,22 @@ def nzs1170_5(period: ArrayLike, *, ground: float, height: float, building_heigh
 
 
 def part_shape(period: ArrayLike) -> FloatArray:
-    """C_i(T_p) [-]: 2 up to 0.75 s, 2 (1.75 - T_p) to 1.5 s, 0.5 beyond. Source: NZS 1170.5:2004, 8.4."""
-    return np.asarray(np.clip(2.0 * (1.75 - _periods(period)), 0.5, 2.0))
+    """Return C_i(T_p) [-]: 2 up to 0.75 s, 2 (1.75 - T_p) to 1.5 s, 0.5 beyond. Source: NZS 1170.5:2004, 8.4."""
+    return np.asarray(np.clip(2.0 * (1.75 - period_array(period)), 0.5, 2.0))
 
 
 def part_response_factor(ductility: float) -> float:
-    """C_ph [-] of a part with ductility mu_p, linear between rows; 0.45 from 3 on. Source: NZS 1170.5, Table 8.2."""
+    """Return C_ph [-] of a part with ductility mu_p, linear between rows; 0.45 from 3 on.
+
+    Source: NZS 1170.5, Table 8.2.
+    """
     if not ductility >= 1.0:
         raise SpectrumError(f"ductility of the part {ductility}; NZS 1170.5 Table 8.2 begins at 1")
     return float(np.interp(ductility, PART_DUCTILITIES, PART_RESPONSE_FACTORS))
 
 
 def part_action(coefficient: ArrayLike, *, ductility: float = 1.0, risk_factor: float = 1.0) -> FloatArray:
-    """F_ph / W_p g = C_p C_ph R_p g [m/s2], at most 3.6 g, from C_p(T_p) g [m/s2] (same shape).
+    """Return F_ph / W_p g = C_p C_ph R_p g [m/s2], at most 3.6 g, from C_p(T_p) g [m/s2] (same shape).
 
     Source: NZS 1170.5:2004, 8.5.1, eq. 8.5(1), Table 8.1 for R_p; not checked against the printed standard.
     """
@@ -94,152 +86,11 @@ def part_action(coefficient: ArrayLike, *, ductility: float = 1.0, risk_factor: 
     return np.asarray(np.minimum(action, LARGEST_PART_COEFFICIENT * g))
 
 
-def first_mode_factor(storeys: int) -> float:
-    """gamma_1 = 3 n / (2 n + 1) [-] of a linear first mode. Source: Circolare 7/2019, C7.2.10; 617/2009, C8A.4.2.3."""
-    if storeys < 1:
-        raise SpectrumError(f"{storeys} storeys; C7.2.10 needs at least one")
-    return 3.0 * storeys / (2.0 * storeys + 1.0)
-
-
-def circolare2019_peak(spectrum: Spectrum, *, modes: Sequence[Mode]) -> float:
-    """a_Z [m/s2]: peak acceleration of the floor, the modes combined by squares.
-
-    Source: Circolare 7/2019, C7.2.7, C7.2.8.
-    """
-    return float(np.sqrt(sum(_modal_peak(spectrum, mode) ** 2 for mode in _some(modes))))
-
-
-def circolare2019(period: ArrayLike, *, spectrum: Spectrum, modes: Sequence[Mode], damping: float = 0.05) -> FloatArray:
-    """S_eZ(T, xi, z) [m/s2] of a part with T = `period` [s] (same shape) and xi = `damping` [-].
-
-    spectrum : of the ground; modes : of the building, with their shares at the height of the part
-
-    The modes are combined by squares; beyond the longest of their periods S_eZ is at least S_e of the ground.
-    The text says xi_k is in per cent. That suits C7.2.7; in A of C7.2.6 it can only be the ratio, else A is below 1.
-    Where great damping brings A below 1 all the same, it is kept at 1, as the curve would turn negative.
-    Source: Circolare 7/2019, C7.2.5-C7.2.7, by a public transcription of the text.
-    """
-    T = _periods(period)
-    summed = np.sqrt(sum(_modal_floor_spectrum(T, spectrum, mode, damping) ** 2 for mode in _some(modes)))
-    beyond = max(mode.period for mode in modes) < T
-    ground = spectrum.acceleration(T, damping=damping)
-    return np.asarray(np.where(beyond, np.maximum(summed, ground), summed), dtype=np.float64)
-
-
-def circolare2019_first_mode(
-    period: ArrayLike, *, spectrum: Spectrum, first: ArrayLike, mode_damping: float, share: float, damping: float
-) -> FloatArray:
-    """S_eZ(T, xi, z) [m/s2] of `circolare2019` under one mode, for each of its periods `first` [s]; shapes broadcast.
-
-    mode_damping : xi_1 of the building [-]; share : |gamma_1 psi_1(z)| [-]; damping : xi of the part [-]
-    """
-    T, T_1 = _periods(period), np.asarray(first, dtype=np.float64)
-    _some([Mode(float(T_1.min()), mode_damping, share)])
-    peak = first_mode_peak(T_1, spectrum=spectrum, mode_damping=mode_damping, share=share)
-    found = _stretches(T, T_1, peak, _resonance(mode_damping, damping))
-    ground = spectrum.acceleration(T, damping=damping)
-    return np.asarray(np.where(T_1 < T, np.maximum(found, ground), found), dtype=np.float64)
-
-
-def first_mode_peak(first: ArrayLike, *, spectrum: Spectrum, mode_damping: float, share: float) -> FloatArray:
-    """a_Z [m/s2] under one mode, for each of its periods `first` [s] (same shape). Source: C7.2.7, C7.2.8."""
-    xi = 100.0 * check_damping(mode_damping)
-    ordinate = spectrum.acceleration(first, damping=mode_damping)
-    return np.asarray(ordinate * abs(share) * np.sqrt(1.0 + 0.0004 * xi**2))
-
-
-def circolare2019_modal(
-    period: ArrayLike, *, spectrum: Spectrum, modes: Sequence[Mode], damping: float = 0.05, beta: float = 0.5
-) -> FloatArray:
-    """S_a [m/s2] of a part with T_a = `period` [s] (same shape) and xi_a = `damping` [-], mode by mode.
-
-        S_a,ij = R S_ij     S_ij = phi_ij Gamma_i S_i(T_i)     combined by squares
-
-    spectrum : of the ground; modes : of the building, `share` = |phi_ij Gamma_i| at the floor of the part
-    beta : of the coupling between part and building, 0.4 to 0.5 [-]; 0.5 is the larger near resonance
-
-    Raises SpectrumError for beta outside its range, and without modes.
-    Source: Circolare 7/2019, C7.2.1-C7.2.4, by a public transcription of the text.
-    """
-    T_a = _periods(period)
-    if not COUPLING[0] <= beta <= COUPLING[1]:
-        raise SpectrumError(f"beta = {beta}; Circolare 7/2019, C7.2.4 has {COUPLING[0]} to {COUPLING[1]}")
-    squares = [
-        (_modal_floor_acceleration(spectrum, mode) * part_amplification(T_a / mode.period, damping, beta=beta)) ** 2
-        for mode in _some(modes)
-    ]
-    return np.asarray(np.sqrt(sum(squares)), dtype=np.float64)
-
-
-def part_amplification(period_ratio: ArrayLike, damping: float, *, beta: float) -> FloatArray:
-    """R = [(2 xi_a r)^2 + (1 - r^2)^2]^-beta [-] at r = T_a / T_i (same shape); 1 for a rigid part (C7.2.4)."""
-    r, xi = np.asarray(period_ratio, dtype=np.float64), check_damping(damping)
-    return np.asarray(((2.0 * xi * r) ** 2 + (1.0 - r**2) ** 2) ** -beta)
-
-
-def resonance_factor(mode: Mode, damping: float) -> float:
-    """A = 1.1 xi_k^-0.5 eta(xi) [-], at least 1, with xi_k as a ratio. Source: Circolare 7/2019, C7.2.6."""
-    return _resonance(mode.damping, damping)
-
-
-def _resonance(mode_damping: float, damping: float) -> float:
-    return float(max(1.1 * mode_damping**-0.5 * ec8_eta(damping), 1.0))
-
-
-def circolare2019_frame(
-    period: ArrayLike, *, ground: float, height: float, building_height: float, building_period: float
-) -> FloatArray:
-    """S_a g [m/s2] of a part with T_a = `period` [s] (same shape) in a building of frames.
-
-    ground : a_g S [m/s2]; height z and building_height H [m]; building_period T_1 [s]
-
-    Source: Circolare 7/2019, C7.2.11, by a public transcription of the text.
-    """
-    T_a, T_1 = _periods(period), _first_period(building_period, clause="Circolare 7/2019, C7.2.11")
-    ratio = height_ratio(height, building_height, clause="Circolare 7/2019, C7.2.11")
-    frame = FRAMES["short" if T_1 < 0.5 else "medium" if T_1 <= 1.0 else "long"]
-    below, above = np.maximum(1.0 - T_a / (frame.a * T_1), 0.0), np.maximum(T_a / (frame.b * T_1) - 1.0, 0.0)
-    resonance = frame.a_p / (1.0 + (frame.a_p - 1.0) * (below**2 + above**2))
-    return np.asarray(ground * np.maximum(1.0, (1.0 + ratio) * resonance))
-
-
-def _modal_peak(spectrum: Spectrum, mode: Mode) -> float:
-    """a_Z,k = S_e(T_k, xi_k) |gamma_k psi_k| sqrt(1 + 0.0004 xi_k^2) [m/s2], xi_k in per cent (C7.2.7)."""
-    return float(first_mode_peak(mode.period, spectrum=spectrum, mode_damping=mode.damping, share=mode.share))
-
-
-def _modal_floor_acceleration(spectrum: Spectrum, mode: Mode) -> float:
-    """S_ij = |phi_ij Gamma_i| S_i(T_i) [m/s2] (C7.2.1)."""
-    return float(spectrum.acceleration(mode.period, damping=mode.damping)) * abs(mode.share)
-
-
-def _modal_floor_spectrum(period: FloatArray, spectrum: Spectrum, mode: Mode, damping: float) -> FloatArray:
-    """S_eZ,k [m/s2] (C7.2.6): rises from a_Z,k at T = 0 to A a_Z,k about T_k, and falls."""
-    return _stretches(period, mode.period, _modal_peak(spectrum, mode), resonance_factor(mode, damping))
-
-
-def _stretches(period: FloatArray, first: ArrayLike, peak: ArrayLike, A: float) -> FloatArray:
-    """The three stretches of C7.2.6 under a mode of period `first` [s] with a_Z = `peak` [m/s2]; shapes broadcast."""
-    (a, b), T_1 = PLATEAU, np.asarray(first, dtype=np.float64)
-    rising = np.maximum(1.0 - period / (a * T_1), 0.0) ** 1.6
-    falling = np.maximum(period / (b * T_1) - 1.0, 0.0) ** 1.2
-    return np.asarray(A * np.asarray(peak) / (1.0 + (A - 1.0) * (rising + falling)))
-
-
-def _some(modes: Sequence[Mode]) -> Sequence[Mode]:
-    if not modes:
-        raise SpectrumError("a floor spectrum of Circolare 7/2019 needs at least one mode of the building")
-    for mode in modes:
-        if not (mode.period > 0.0 and mode.damping > 0.0):
-            raise SpectrumError(f"mode of {mode.period} s, damping {mode.damping}; C7.2.6 needs both positive")
-    return modes
-
-
-def _periods(period: ArrayLike) -> FloatArray:
+def period_array(period: ArrayLike) -> FloatArray:
     return check_periods(np.asarray(period, dtype=np.float64))
 
 
-def _first_period(building_period: float, *, clause: str) -> float:
+def first_period(building_period: float, *, clause: str) -> float:
     if not building_period > 0.0:
         raise SpectrumError(f"period of the building {building_period} s; {clause} needs one that is positive")
     return building_period

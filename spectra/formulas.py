@@ -14,23 +14,28 @@ _MARKED = re.compile(r"([,;]\s*)'(?=[\"'\s]*[=+\-@])")
 
 
 def is_formula(text: str) -> bool:
-    """Whether a cell of `text` would be run; a lone dash, as tables print it, is not."""
+    """Return whether a cell of `text` would be run; a lone dash, as tables print it, is not."""
     return text != "-" and text.lstrip(" \n\v\f").startswith(SIGNS)
 
 
 def harmless_cell(text: str, *, shown: str) -> str:
-    """`text`, as it is `shown`, for a cell between commas: behind an apostrophe where it or a part of it would run.
+    """Write a text for a cell between commas, so that a spreadsheet runs no part of it: behind an apostrophe.
 
-    A spreadsheet in a language of decimal commas parts the cells at semicolons.
+    A spreadsheet in a language of decimal commas splits the cells at semicolons.
+
+    Parameters
+    ----------
+    text : content of the cell
+    shown : the same as it is printed, in quotes if need be
     """
     return _AFTER_SEMICOLON.sub(r"\1'", f"'{shown}" if is_formula(text) else shown)
 
 
 def mark_formulas(line: str) -> str:
-    """A line of free text, with an apostrophe before each part that a spreadsheet would take for a cell and run."""
+    """Put an apostrophe before each part of a line that a spreadsheet would take for a cell and run."""
     return _PARTS.sub(r"\1'", line)
 
 
 def unmark_formulas(line: str) -> str:
-    """The text of which `mark_formulas` made `line`."""
+    """Return the text from which `mark_formulas` made `line`."""
     return _MARKED.sub(r"\1", line)

@@ -29,7 +29,7 @@ class FourBranches:
     t_d: float
 
     def ordinates(self, period: FloatArray, damping: float) -> FloatArray:
-        """S_e [m/s2] at `period` [s] (same shape) and `damping` [-].
+        """Return S_e [m/s2] at `period` [s] (same shape) and `damping` [-].
 
             T < T_B           a (1 + T / T_B (eta F - 1))         a = ground, F = amplification
             T_B <= T <= T_C   a eta F
@@ -44,7 +44,7 @@ class FourBranches:
         return np.asarray(np.where(period < T_B, a * (1.0 + period / T_B * (F - 1.0)), falling), dtype=np.float64)
 
     def displacements(self, period: FloatArray, damping: float, *, t_e: float, t_f: float) -> FloatArray:
-        """S_De [m] at `period` [s] (same shape): S_e (T / 2 pi)^2 up to T_E, then towards d_g, reached at T_F.
+        """Return S_De [m] at `period` [s] (same shape): S_e (T / 2 pi)^2 up to T_E, then towards d_g, reached at T_F.
 
         Source: EN 1998-1:2004 (3.7), Annex A (A.1), (A.2), (3.12); NTC 2018 (3.2.10)-(3.2.12).
         """

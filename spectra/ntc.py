@@ -73,12 +73,22 @@ class Place:
 
 
 def elastic_spectrum(hazard: Hazard, *, place: Place, code: str = "ntc2018") -> Spectrum:
-    """The horizontal elastic spectrum.
+    """Return the horizontal elastic spectrum.
 
         S = S_S S_T   T_C = C_C T_C*   T_B = T_C / 3   T_D = 4 a_g / g + 1.6
 
     The code gives it up to 4 s; beyond, its last branch continues, on the safe side of the code's displacements.
-    Raises SpectrumError for an unknown code, soil or topography and for values outside the clause.
+
+    Parameters
+    ----------
+    hazard : a_g, F_0 and T_C* on rock
+    place : soil and topography
+    code : "ntc2008" or "ntc2018"
+
+    Raises
+    ------
+    SpectrumError : the code, soil or topography is unknown, or a value is outside the clause
+
     Source: NTC 2018 §3.2.3.2.1, (3.2.2)-(3.2.7), §3.2.3.2.3, (3.2.10)-(3.2.12); NTC 2008 §3.2.3.2.1.
     """
     clause = _check(hazard, place, code)
@@ -110,7 +120,11 @@ def elastic_spectrum(hazard: Hazard, *, place: Place, code: str = "ntc2018") -> 
 
 
 def vertical_spectrum(hazard: Hazard, *, place: Place, code: str = "ntc2018") -> Spectrum:
-    """The vertical elastic spectrum: F_V = 1.35 F_0 (a_g / g)^0.5 on the level branch, S_S = 1 on every soil.
+    """Return the vertical elastic spectrum: F_V = 1.35 F_0 (a_g / g)^0.5 on the level branch, S_S = 1 on every soil.
+
+    Parameters
+    ----------
+    hazard, place, code : as in `elastic_spectrum`
 
     Source: NTC 2018 §3.2.3.2.2, (3.2.8), (3.2.9).
     """
@@ -137,18 +151,26 @@ def vertical_spectrum(hazard: Hazard, *, place: Place, code: str = "ntc2018") ->
 
 
 def soil_factor(hazard: Hazard, soil: str) -> float:
-    """S_S [-]. Source: NTC 2018 Table 3.2.IV (2008: 3.2.V)."""
+    """Return S_S [-].
+
+    Parameters
+    ----------
+    hazard : a_g and F_0 on rock
+    soil : subsoil category, "A" to "E"
+
+    Source: NTC 2018 Table 3.2.IV (2008: 3.2.V).
+    """
     row = SOILS[soil]
     return min(max(row.constant - row.slope * hazard.f_0 * hazard.a_g / g, row.least), row.most)
 
 
 def period_coefficient(hazard: Hazard, soil: str) -> float:
-    """C_C [-]. Source: NTC 2018 Table 3.2.IV (2008: 3.2.V)."""
+    """Return C_C [-]. Source: NTC 2018 Table 3.2.IV (2008: 3.2.V)."""
     return float(SOILS[soil].factor * hazard.t_c_star ** SOILS[soil].power)
 
 
 def topographic_factor(place: Place) -> float:
-    """S_T [-]: that of the category at the top of the relief, falling to 1 at its base.
+    """Return S_T [-]: that of the category at the top of the relief, falling to 1 at its base.
 
     Source: NTC 2018 §3.2.3.2.1, Table 3.2.V (2008: 3.2.VI).
     """
@@ -156,21 +178,37 @@ def topographic_factor(place: Place) -> float:
 
 
 def reference_life(nominal_life: float, *, use_class: str) -> float:
-    """V_R = V_N C_U [years], at least 35. Source: NTC 2018 §2.4.3, (2.4.1)."""
+    """Return V_R = V_N C_U [years], at least 35.
+
+    Parameters
+    ----------
+    nominal_life : V_N [years]
+    use_class : class of use, "I" to "IV"
+
+    Source: NTC 2018 §2.4.3, (2.4.1).
+    """
     _known("use_class", use_class, USE_FACTORS)
     check_positive("ntc", nominal_life=nominal_life)
     return max(nominal_life * USE_FACTORS[use_class], SHORTEST_LIFE)
 
 
 def return_period(limit_state: str, *, reference_life: float) -> float:
-    """T_R = -V_R / ln(1 - P_VR) [years], within the hazard's 30 to 2475. Source: NTC 2018 §3.2.1, (3.2.0)."""
+    """Return T_R = -V_R / ln(1 - P_VR) [years], within the hazard's 30 to 2475.
+
+    Parameters
+    ----------
+    limit_state : "SLO", "SLD", "SLV" or "SLC"
+    reference_life : V_R [years]
+
+    Source: NTC 2018 §3.2.1, (3.2.0).
+    """
     _known("limit_state", limit_state, EXCEEDANCE)
     T_R = -reference_life / np.log1p(-EXCEEDANCE[limit_state])
     return float(np.clip(T_R, *RETURN_PERIODS))
 
 
 def hazard_at(table: Sequence[Hazard], *, return_period: float) -> Hazard:
-    """The hazard at `return_period` [years]: between two rows log p is linear in log T_R, for each of the three.
+    """Return the hazard at `return_period` [years]: between two rows log p is linear in log T_R, for each of the three.
 
     Raises SpectrumError for rows without or not rising in return period, and beyond the first and last of them.
     Source: NTC 2008, Annex A, eq. (2).
@@ -194,13 +232,21 @@ def hazard_at(table: Sequence[Hazard], *, return_period: float) -> Hazard:
 def limit_state_hazard(
     table: Sequence[Hazard], *, limit_state: str, nominal_life: float, use_class: str = "II"
 ) -> Hazard:
-    """The hazard of a limit state, SLO, SLD, SLV or SLC, from the `table` of the site over return periods."""
+    """Return the hazard of a limit state.
+
+    Parameters
+    ----------
+    table : hazard of the site over return periods, rising
+    limit_state : "SLO", "SLD", "SLV" or "SLC"
+    nominal_life : V_N [years]
+    use_class : class of use, "I" to "IV"
+    """
     life = reference_life(nominal_life, use_class=use_class)
     return hazard_at(table, return_period=return_period(limit_state, reference_life=life))
 
 
 def _check(hazard: Hazard, place: Place, code: str) -> str:
-    """The clause of the `code`, once the values are within it."""
+    """Return the clause of the `code`, once the values are within it."""
     _known("code", code, CLAUSES)
     check_positive(code, a_g=hazard.a_g, f_0=hazard.f_0, t_c_star=hazard.t_c_star)
     if hazard.f_0 < LEAST_F_0:
@@ -220,7 +266,7 @@ def _check(hazard: Hazard, place: Place, code: str) -> str:
 
 
 def _given(hazard: Hazard, place: Place) -> dict[str, float | str]:
-    """The hazard and the site as used."""
+    """Return the hazard and the site as used."""
     years = {} if hazard.return_period is None else {"return_period": hazard.return_period}
     return {
         **years,

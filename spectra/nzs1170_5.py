@@ -51,7 +51,7 @@ class Subsoil:
     velocity: float
 
     def shape(self, period: FloatArray, eta: float) -> FloatArray:
-        """C_h(T) [-] at `period` [s] (same shape), damped by `eta` [-]. Branches join within 0.5 %, as published."""
+        """Return C_h(T) [-] at `period` [s] (same shape), damped by `eta` [-]; branches join within 0.5 %."""
         T = np.maximum(period, RISE)
         middle = np.minimum(self.coefficient * (self.reference / T) ** 0.75, self.plateau)
         long = self.velocity / T * np.minimum(1.0, 3.0 / T)
@@ -70,15 +70,22 @@ SUBSOILS: Mapping[str, Subsoil] = {
 
 
 def site_spectrum(*, subsoil: str, z: float, r: float, near_fault_distance: float | None = None) -> Spectrum:
-    """The horizontal elastic site spectrum C(T) = C_h(T) Z R N(T, D), with C_h of modal and time-history analysis.
+    """Return the horizontal elastic site spectrum C(T) = C_h(T) Z R N(T, D).
 
-    subsoil : site subsoil class, A (strong rock) to E (very soft)
-    z : hazard factor Z [-]; r : return period factor R [-]; Z R is taken up to 0.7
+    C_h is that of modal and time-history analysis. Table 3.1 ends at 4.5 s; beyond, its last branch continues. Where Z
+    R is reduced to 0.7 the spectrum has a warning.
+
+    Parameters
+    ----------
+    subsoil : site subsoil class, "A" (strong rock) to "E" (very soft)
+    z : hazard factor Z [-]
+    r : return period factor R [-]; Z R is taken up to 0.7
     near_fault_distance : D, to the nearest major fault of Table 3.6 [m]; None where there is none
 
-    Table 3.1 ends at 4.5 s; beyond, its last branch continues.
-    What Z R loses by this stands in `warnings`.
-    Raises SpectrumError for an unknown class, for numbers that are not positive, and for Z above 2.
+    Raises
+    ------
+    SpectrumError : the class is unknown, a number is not positive, or Z is above 2
+
     Source: NZS 1170.5:2004, 3.1.1, eq. 3.1(1), Table 3.1 (commentary C3.1.2), 3.1.6.
     """
     check_positive("nzs1170.5", z=z, r=r)
@@ -113,7 +120,11 @@ def site_spectrum(*, subsoil: str, z: float, r: float, near_fault_distance: floa
 
 
 def vertical_spectrum(*, subsoil: str, z: float, r: float, near_fault_distance: float | None = None) -> Spectrum:
-    """The vertical elastic site spectrum, C_v(T) = 0.7 C(T); the arguments are those of `site_spectrum`.
+    """Return the vertical elastic site spectrum, C_v(T) = 0.7 C(T).
+
+    Parameters
+    ----------
+    subsoil, z, r, near_fault_distance : as in `site_spectrum`
 
     Source: NZS 1170.5:2004, 3.2.
     """
@@ -130,7 +141,7 @@ def vertical_spectrum(*, subsoil: str, z: float, r: float, near_fault_distance: 
 
 
 def _capped(z: float, r: float) -> tuple[str, ...]:
-    """A sentence where Z R is more than the standard asks for."""
+    """Return a sentence where Z R is more than the standard asks for."""
     if z * r <= LARGEST_ZR:
         return ()
     return (
@@ -140,7 +151,7 @@ def _capped(z: float, r: float) -> tuple[str, ...]:
 
 
 def return_period_factor(years: float) -> float:
-    """R [-] for a return period of 20 to 2500 years, linear between the rows.
+    """Return R [-] for a return period of 20 to 2500 years, linear between the rows.
 
     Raises SpectrumError outside the table. Source: NZS 1170.5:2004, Table 3.5.
     """
@@ -150,10 +161,10 @@ def return_period_factor(years: float) -> float:
 
 
 def near_fault_factor(period: ArrayLike, *, distance: float, r: float) -> FloatArray:
-    """N(T, D) [-] at `period` [s] (same shape): N_max up to D = 2 km, 1 from 20 km on, linear in between.
+    """Return N(T, D) [-] at `period` [s] (same shape): N_max up to D = 2 km, 1 from 20 km on, linear in between.
 
-    distance : D [m]; r : R [-], as an event of 250 years or less (R <= 0.75) has N = 1.
-    Source: NZS 1170.5:2004, 3.1.6, Table 3.7.
+    distance : D [m]; r : R [-], as an event of 250 years or less (R <= 0.75) has N = 1. Source: NZS 1170.5:2004, 3.1.6,
+    Table 3.7.
     """
     N_max = np.interp(np.asarray(period, dtype=np.float64), NEAR_FAULT_PERIODS, NEAR_FAULT_FACTORS)
     share = 0.0 if r <= FREQUENT else float(np.clip((FAR - distance) / (FAR - NEAR), 0.0, 1.0))
@@ -167,7 +178,7 @@ def _subsoil(name: str) -> Subsoil:
 
 
 def _distance(given: float | None) -> float:
-    """D [m]; infinite where no fault is near."""
+    """Return D [m]; infinite where no fault is near."""
     if given is not None and not given >= 0.0:
         raise SpectrumError(f"nzs1170.5 spectrum: near_fault_distance = {given} m; it must be 0 or more")
     return np.inf if given is None else given

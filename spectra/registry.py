@@ -98,7 +98,7 @@ def _check_names(code: str, form: Form, parameters: Mapping[str, Any]) -> None:
 
 
 def _ec8(*, a_g: float, ground_type: str, type: int = 1, importance_factor: float = 1.0) -> Spectrum:
-    """Name the type of the spectrum as the project file does."""
+    """Return the name the type of the spectrum as the project file does."""
     return ec8.elastic_spectrum(
         a_g=a_g, ground_type=ground_type, spectrum_type=type, importance_factor=importance_factor
     )

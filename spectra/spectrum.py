@@ -30,11 +30,11 @@ class Spectrum:
     damping_rule : the code's rule for other damping, in words with its clause
     ordinates : f(period [s], damping [-]) -> pseudo-acceleration [m/s2], before `factor`
     factor : what the ordinates are multiplied by; corner periods stay fixed [-]
-    clause : where the shape stands
+    clause : that gives the shape
     longest_period : up to which ordinates are known [s]
     displacements : f(period [s], damping [-]) -> spectral displacement [m], before `factor`, where the code gives
         one of its own for long periods; None where it is S_a (T / 2 pi)^2 throughout
-    warnings : what the engineer has to know before using it, with the clause, one sentence each
+    warnings : sentences for the engineer to read before using it, with the clause
     """
 
     code: str
@@ -53,14 +53,17 @@ class Spectrum:
         return f"Spectrum(code={self.code!r}, pga={self.pga:.4g} m/s2, damping={self.damping:g})"
 
     def acceleration(self, period: ArrayLike, *, damping: float | None = None) -> FloatArray:
-        """Pseudo-acceleration [m/s2] at `period` [s] (same shape), at `damping` [-] (default: the spectrum's own)."""
+        """Return the pseudo-acceleration [m/s2] at `period` [s] (same shape).
+
+        `damping` [-] is the spectrum's own unless given.
+        """
         at = np.asarray(period, dtype=np.float64)
         return self.factor * self.ordinates(at, self.damping if damping is None else damping)
 
     def displacement(self, period: ArrayLike, *, damping: float | None = None) -> FloatArray:
-        """Spectral displacement [m] at `period` [s] (same shape), at `damping` [-] (default: the spectrum's own).
+        """Return the spectral displacement [m] at `period` [s] (same shape): S_a (T / 2 pi)^2, or what the code gives.
 
-        S_a (T / 2 pi)^2, or what the code itself gives for long periods.
+        `damping` [-] is the spectrum's own unless given. Some codes give displacements of their own for long periods.
         """
         at = np.asarray(period, dtype=np.float64)
         if self.displacements is None:
@@ -74,7 +77,7 @@ class Spectrum:
 
 
 def check_periods(period: FloatArray) -> FloatArray:
-    """`period` [s] itself, once every one of them is known to be a number from 0 up."""
+    """Return `period` [s]; refuse periods that are negative or not numbers."""
     if not np.all(period >= 0.0):
         raise SpectrumError(f"period {np.min(period)} s: a spectrum is asked at periods from 0 up")
     return period
@@ -88,7 +91,7 @@ def check_positive(code: str, **values: float) -> None:
 
 
 def plausibility_warnings(**values: float) -> tuple[str, ...]:
-    """A sentence for each of `values` [m/s2], accelerations by name, that is larger than any site has."""
+    """Return a sentence for each of `values` [m/s2], accelerations by name, that is larger than any site has."""
     return tuple(
         f"{name} = {value / g:.4g} g is beyond any plausible site, {LARGEST_PLAUSIBLE:g} g; is it in another unit?"
         for name, value in values.items()
@@ -97,5 +100,11 @@ def plausibility_warnings(**values: float) -> tuple[str, ...]:
 
 
 def scale_to_pga(spectrum: Spectrum, pga: float) -> Spectrum:
-    """The same shape with its zero-period ordinate at `pga` [m/s2]; corner periods stay fixed."""
+    """Scale the spectrum's ordinates to a peak ground acceleration; corner periods stay fixed.
+
+    Parameters
+    ----------
+    spectrum : design spectrum
+    pga : its new zero-period ordinate [m/s2]
+    """
     return replace(spectrum, factor=spectrum.factor * pga / spectrum.pga)

@@ -24,13 +24,21 @@ DAMPING_RULE = (
 def table_spectrum(
     period: ArrayLike, acceleration: ArrayLike, *, damping: float = 0.05, pga: float | None = None
 ) -> Spectrum:
-    """A spectrum linear between its points: `acceleration` [n] [m/s2] at rising `period` [n] [s], at `damping` [-].
+    """Return a spectrum linear between its points.
 
-    The entry at T = 0 is the peak ground acceleration; only where the table has none, `pga` [m/s2] is it. (To scale
-    a whole table to a PGA: `scale_to_pga`.) Beyond the last period nothing is known: asking there raises
-    SpectrumError. Other damping: see `DAMPING_RULE`; a table sampled from EN 1998-1 then gives EN 1998-1.
+    Beyond the last period nothing is known: asking there raises SpectrumError. Other damping: see `DAMPING_RULE`; a
+    table sampled from EN 1998-1 then gives EN 1998-1. To scale a whole table to a PGA: `scale_to_pga`.
 
-    Raises SpectrumError for points that are not finite, not positive, not rising in period, or lack a PGA.
+    Parameters
+    ----------
+    period : rising [n] [s]
+    acceleration : at these periods [n] [m/s2]
+    damping : of the table [-]
+    pga : zero-period ordinate [m/s2], used only where the table has no entry at T = 0
+
+    Raises
+    ------
+    SpectrumError : points are not finite, not positive or not rising in period, or there is no PGA
     """
     points = _with_pga(*_check(period, acceleration), pga=pga)
     T_max = float(points.period[-1])
@@ -48,10 +56,19 @@ def table_spectrum(
 
 
 def read_table(path: Path, *, damping: float = 0.05, pga: float | None = None) -> Spectrum:
-    """The spectrum in a text file of two columns, period and acceleration, with their units in the header.
+    """Read the spectrum from a text file of two columns, period and acceleration, with their units in the header.
 
-    `period [s], acceleration [g]` or `T (s);Sa (m/s2)`; units s, ms; g, m/s2, cm/s2, gal, mm/s2. `pga` [m/s2] as in
-    `table_spectrum`. Raises SpectrumError, naming the file, for what cannot be read.
+    The header is like `period [s], acceleration [g]` or `T (s);Sa (m/s2)`; units s, ms; g, m/s2, cm/s2, gal, mm/s2.
+
+    Parameters
+    ----------
+    path : text file
+    damping : of the table [-]
+    pga : zero-period ordinate [m/s2], used only where the table has no entry at T = 0
+
+    Raises
+    ------
+    SpectrumError : names the file, and what cannot be read
     """
     try:
         columns = read_columns(path)
@@ -80,7 +97,7 @@ class _Points:
     acceleration: FloatArray
 
     def ordinates(self, period: FloatArray, eta: float) -> FloatArray:
-        """Ordinates [m/s2] at `period` [s] (same shape), `eta` [-] times as high where damping acts in full."""
+        """Return ordinates [m/s2] at `period` [s] (same shape), `eta` [-] times as high where damping acts in full."""
         outside = period[~((period >= 0.0) & (period <= self.period[-1]))]
         if outside.size:
             raise SpectrumError(
@@ -90,7 +107,7 @@ class _Points:
         return np.interp(period, self.period, self.acceleration * self._damped(eta))
 
     def _damped(self, eta: float) -> FloatArray:
-        """What damping multiplies each point by [n]: 1 at T = 0, eta from the largest ordinate on, (3.2) between."""
+        """Return the factor of damping on each point [n]: 1 at T = 0, eta from the largest ordinate on."""
         T, T_B = self.period, self.period[np.argmax(self.acceleration)]
         amplification = np.max(self.acceleration) / self.acceleration[0]
         tau = np.minimum(T / T_B, 1.0) if T_B > 0.0 else (T > 0.0).astype(np.float64)
@@ -98,7 +115,7 @@ class _Points:
 
 
 def _check(period: ArrayLike, acceleration: ArrayLike) -> tuple[FloatArray, FloatArray]:
-    """Both columns as arrays [n], once they make a spectrum."""
+    """Return both columns as arrays [n], once they make a spectrum."""
     T, S_a = np.array(period, dtype=np.float64), np.array(acceleration, dtype=np.float64)
     if T.ndim != 1 or T.shape != S_a.shape or T.size == 0:
         raise SpectrumError(
@@ -127,7 +144,7 @@ def _check(period: ArrayLike, acceleration: ArrayLike) -> tuple[FloatArray, Floa
 
 
 def _with_pga(period: FloatArray, acceleration: FloatArray, *, pga: float | None) -> _Points:
-    """The points from T = 0: the table's own first entry, or `pga` [m/s2] put before it."""
+    """Return the points from T = 0: the table's own first entry, or `pga` [m/s2] put before it."""
     if pga is not None and not (np.isfinite(pga) and pga > 0.0):
         raise SpectrumError(f"spectrum table: pga = {pga} m/s2; it must be a positive number")
     if period[0] > 0.0:

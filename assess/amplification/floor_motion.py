@@ -6,7 +6,7 @@
     floor factor   the motion times the factor of a code for the height (spectra.floor)
     modal filter   the record through the first mode, absolute acceleration at the height
 
-`carried` takes a record up; `factor_over_frequency` says what a pulse of one full sine is multiplied by.
+`base_motion` gives a record at the base of the mechanism, `pulse_factor` the factor on a pulse of one full sine.
 """
 
 from __future__ import annotations
@@ -40,9 +40,9 @@ class FirstMode:
     damping: float = 0.05
 
     def shape(self, height: float) -> float:
-        """Participation factor times mode shape at `height` [m] above the base: h / h_e [-].
+        """Return participation factor times mode shape at `height` [m] above the base: h / h_e [-].
 
-        For a shape linear in height it is so whatever the distribution of mass: Gamma phi(h) = h sum m z / sum m z^2.
+        For a shape linear in height this holds for any distribution of mass: Gamma phi(h) = h sum m z / sum m z^2.
         """
         return height / self.effective_height
 
@@ -54,7 +54,7 @@ class Unamplified:
 
 @dataclass(frozen=True)
 class FloorFactor:
-    """A factor of a code on the whole motion [-], by its clause."""
+    """The whole motion is multiplied by a factor of a code [-], by its clause."""
 
     factor: float
     clause: str
@@ -107,9 +107,21 @@ class BaseMotion:
 
 
 def base_motion(amplification: Amplification, record: Record) -> BaseMotion:
-    """The ground motion `record` at the base of the mechanism.
+    """Return a ground motion at the base of the mechanism.
 
-    Raises RecordError for a record without motion, or one whose step does not show the structure's period.
+    Parameters
+    ----------
+    amplification : how the structure changes the motion
+    record : of the ground
+
+    Returns
+    -------
+    BaseMotion
+
+    Raises
+    ------
+    RecordError
+        For a record without motion, or with a time step too coarse for the period of the structure.
     """
     match amplification:
         case Unamplified():
@@ -126,27 +138,51 @@ def base_motion(amplification: Amplification, record: Record) -> BaseMotion:
 
 
 def srss_factor(mode: FirstMode, record: Record, *, height: float) -> float:
-    """SF = sqrt((S_a(T_n) / a_g h / h_e)^2 + 1) [-], S_a the pseudo-acceleration of the record, a_g its peak.
+    """Return SF = sqrt((S_a(T_n) / a_g h / h_e)^2 + 1), of the record's pseudo-acceleration and peak (thesis eq. 3.48).
 
-    Source: thesis eq. 3.48.
+    Parameters
+    ----------
+    mode : first mode of the structure
+    record : of the ground
+    height : of the mechanism's base [m]
+
+    Returns
+    -------
+    float [-]
     """
     S_a = float(response_spectrum(record, 1.0 / mode.frequency, damping=mode.damping))
     return float(np.hypot(S_a / _moving(record) * mode.shape(height), 1.0))
 
 
 def srss_relative_factor(response: FloatArray, *, shape: float) -> FloatArray:
-    """a_sc / a_g = sqrt((a_r / a_g h / h_e)^2 + 1) [-] for largest responses a_r / a_g [-] (same shape).
+    """Return a_sc / a_g = sqrt((a_r / a_g h / h_e)^2 + 1) (thesis eq. 3.47).
 
-    Source: thesis eq. 3.47.
+    Parameters
+    ----------
+    response : largest responses a_r / a_g [n] [-]
+    shape : h / h_e [-]
+
+    Returns
+    -------
+    array [n] [-]
     """
     return np.hypot(response * shape, 1.0)
 
 
 def pulse_factor(amplification: Amplification, frequency: ArrayLike) -> FloatArray:
-    """What the amplitude of a one-sine pulse of each `frequency` [Hz] is multiplied by (same shape) [-].
+    """Return the factor on the amplitude of pulses of one full sine.
 
-    Of the modal filter it is the ratio of the peaks alone: that the structure swings on after the pulse is left out.
-    Below 1 it takes amplitude away (a pulse much faster than the structure).
+    For the modal filter it is the ratio of the peaks alone: the motion of the structure after the pulse is left out.
+    Below 1 it reduces the amplitude, as of a pulse much faster than the structure.
+
+    Parameters
+    ----------
+    amplification : how the structure changes the motion
+    frequency : of the pulses [n] [Hz]
+
+    Returns
+    -------
+    array [n] [-]
     """
     f = np.asarray(frequency, dtype=np.float64)
     match amplification:
@@ -168,7 +204,23 @@ def pulse_factor(amplification: Amplification, frequency: ArrayLike) -> FloatArr
 
 
 def first_mode(*, frequency: float, effective_height: float, damping: float = 0.05) -> FirstMode:
-    """A checked first mode. Raises MechanismError for values that no structure has."""
+    """Return a first mode with checked values.
+
+    Parameters
+    ----------
+    frequency : f_n [Hz]
+    effective_height : h_e [m]
+    damping : [-]
+
+    Returns
+    -------
+    FirstMode
+
+    Raises
+    ------
+    MechanismError
+        For values that no structure has.
+    """
     for name, value, unit in (("frequency", frequency, "Hz"), ("effective height", effective_height, "m")):
         if not (np.isfinite(value) and value > 0.0):
             raise MechanismError(f"first mode: {name} {value} {unit}; it must be positive")

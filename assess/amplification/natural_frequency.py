@@ -1,7 +1,7 @@
 """The first natural frequency of a free-standing structure by Rayleigh's method on horizontal slices.
 
-The structure is a cantilever of slices. Its own weight, turned to act sideways, bends and shears it; the shape it takes
-stands for the first mode (Lord Rayleigh's principle, as in thesis 4.3.3):
+The structure is a cantilever of slices. Its own weight, applied sideways, bends and shears it; the deflected shape
+approximates the first mode (Lord Rayleigh's principle, as in thesis 4.3.3):
 
     omega^2 = g sum m u / sum m u^2,   h_e = sum m u z / sum m u
 
@@ -38,7 +38,7 @@ class Slices:
     height : of each slice [n] [m]
     mass : of each slice [n] [kg]
     bending : E I of the section [n] [N m2]
-    shear : G A_s of the section [n] [N]; infinite where shear does not count
+    shear : G A_s of the section [n] [N]; infinite where shear is left out
     """
 
     height: FloatArray
@@ -56,9 +56,19 @@ class Rayleigh:
 
 
 def slice_cantilever(solids: Sequence[Solid], young_modulus: Sequence[float], *, direction: Sequence[float]) -> Slices:
-    """SLICES level slices of bodies that stand as one, bent in the horizontal `direction` [3].
+    """Cut bodies that stand as one into SLICES level slices.
 
-    young_modulus : E of each body [Pa]. A section of several bodies is one section, each part with its E.
+    A section of several bodies is one section, each part with its own modulus.
+
+    Parameters
+    ----------
+    solids : the bodies
+    young_modulus : E of each body [Pa]
+    direction : of bending, horizontal [3]
+
+    Returns
+    -------
+    Slices
     """
     low = min(float(solid.vertices[:, 2].min()) for solid in solids)
     high = max(float(solid.vertices[:, 2].max()) for solid in solids)
@@ -75,9 +85,21 @@ def slice_cantilever(solids: Sequence[Solid], young_modulus: Sequence[float], *,
 
 
 def rayleigh_mode(slices: Slices, *, top_mass: float = 0.0) -> Rayleigh:
-    """Rayleigh's quotient of `slices`, with a point mass [kg] on top.
+    """Return frequency and effective height of the first mode by Rayleigh's quotient.
 
-    Raises GeometryError where a slice has no mass or no stiffness: nothing carries what is above.
+    Parameters
+    ----------
+    slices : the structure
+    top_mass : a point mass on top [kg]
+
+    Returns
+    -------
+    Rayleigh
+
+    Raises
+    ------
+    GeometryError
+        Where a slice has no mass or no stiffness, so that nothing carries the slices above.
     """
     for name, values in (("mass", slices.mass), ("bending stiffness", slices.bending)):
         empty = np.flatnonzero(~(values > 0.0))
@@ -92,7 +114,7 @@ def rayleigh_mode(slices: Slices, *, top_mass: float = 0.0) -> Rayleigh:
 
 
 def deflection(slices: Slices, *, top_mass: float = 0.0) -> FloatArray:
-    """Sideways deflection under the own weight, at the middle of each slice and at the top [n + 1] [m]."""
+    """Return the sideways deflection under the own weight, at the middle of each slice and at the top [n + 1] [m]."""
     h, w = slices.height, g * slices.mass / slices.height
     V = g * top_mass + np.append(np.cumsum((w * h)[::-1])[::-1], 0.0)  # at the joints [n + 1]
     M = np.append(np.cumsum((h * (V[1:] + w * h / 2.0))[::-1])[::-1], 0.0)
@@ -106,9 +128,9 @@ def deflection(slices: Slices, *, top_mass: float = 0.0) -> FloatArray:
 
 
 def _gained(slices: Slices, i: int, s: float, turn: float, V: float, M: float, w: float) -> tuple[float, float]:
-    """Rotation at `s` above the foot of slice i, and the deflection gained up to there, under V, M at its foot and w.
+    """Return the rotation at `s` above the foot of slice i, and the deflection gained up to there.
 
-    The moment at s is M - V s + w s^2 / 2, exact for a uniform slice.
+    V, M act at its foot, w along it. The moment at s is M - V s + w s^2 / 2, exact for a uniform slice.
     """
     EI, GA = slices.bending[i], slices.shear[i]
     rotation = turn + (M * s - V * s**2 / 2.0 + w * s**3 / 6.0) / EI

@@ -22,25 +22,49 @@ POINTS = 400  # in a period of the pulse or of the oscillator, whichever is shor
 
 
 def largest_relative(ratio: ArrayLike, *, damping: float = 0.05) -> FloatArray:
-    """Largest |u''|, relative to the ground, over the pulse's amplitude [-] at each f_p / f_n = `ratio` (same shape).
+    """Return the largest |u''|, relative to the ground, over the pulse's amplitude (thesis 3.4.1.1, as worded).
 
-    Source: thesis 3.4.1.1, as worded: the response acceleration is relative.
+    Parameters
+    ----------
+    ratio : f_p / f_n [n] [-]
+    damping : [-]
+
+    Returns
+    -------
+    array [n] [-]
     """
     return _largest(ratio, lambda pulse, u, v: _relative(pulse, u, v, damping), damping=damping)
 
 
 def largest_pseudo(ratio: ArrayLike, *, damping: float = 0.05) -> FloatArray:
-    """Largest w^2 |u|, the pseudo-acceleration S_a, over the pulse's amplitude [-] at each f_p / f_n (same shape).
+    """Return the largest w^2 |u|, the pseudo-acceleration S_a, over the pulse's amplitude (thesis 3.4.1.2).
 
-    Source: thesis 3.4.1.2; what its scaled envelopes of 8.3.1 turn out to use.
+    The scaled envelopes of 8.3.1 turn out to use it.
+
+    Parameters
+    ----------
+    ratio : f_p / f_n [n] [-]
+    damping : [-]
+
+    Returns
+    -------
+    array [n] [-]
     """
     return _largest(ratio, lambda pulse, u, v: u, damping=damping)
 
 
 def largest_total(ratio: ArrayLike, *, shape: float, damping: float = 0.05) -> FloatArray:
-    """Largest |a_g + shape u''| over the pulse's amplitude [-] at each f_p / f_n = `ratio` (same shape).
+    """Return the largest |a_g + shape u''| over the pulse's amplitude.
 
+    Parameters
+    ----------
+    ratio : f_p / f_n [n] [-]
     shape : of the first mode times its participation factor, 1 at the effective height, 0 at the ground [-]
+    damping : [-]
+
+    Returns
+    -------
+    array [n] [-]
     """
     return _largest(ratio, lambda pulse, u, v: pulse + shape * _relative(pulse, u, v, damping), damping=damping)
 
@@ -57,7 +81,7 @@ def _largest(ratio: ArrayLike, quantity: Quantity, *, damping: float) -> FloatAr
 
 
 def _responses(r: float, damping: float) -> tuple[tuple[FloatArray, FloatArray, FloatArray], ...]:
-    """a_g, u and u' during the pulse, and for two periods after; time in units of 1 / w, so w_p = r."""
+    """Return a_g, u and u' during the pulse, and for two periods after; time in units of 1 / w, so w_p = r."""
     during = np.linspace(0.0, 2.0 * np.pi / r, int(np.ceil(POINTS * max(1.0, 1.0 / r))) + 1)
     after = np.linspace(0.0, 4.0 * np.pi, 2 * POINTS + 1)
     u, v = _forced(during, r, damping)
@@ -65,12 +89,12 @@ def _responses(r: float, damping: float) -> tuple[tuple[FloatArray, FloatArray, 
 
 
 def _relative(pulse: FloatArray, u: FloatArray, v: FloatArray, damping: float) -> FloatArray:
-    """u'', by the equation of motion."""
+    """Return u'', by the equation of motion."""
     return -pulse - 2.0 * damping * v - u
 
 
 def _forced(t: FloatArray, r: float, damping: float) -> tuple[FloatArray, FloatArray]:
-    """u and u' from rest under -sin(r t): the steady motion, and the free vibration that cancels its start."""
+    """Return u and u' from rest under -sin(r t): the steady motion, and the free vibration that cancels its start."""
     D = (1.0 - r**2) ** 2 + (2.0 * damping * r) ** 2
     S, C = -(1.0 - r**2) / D, 2.0 * damping * r / D
     u, v = _free(t, -C, -S * r, damping)
@@ -78,14 +102,14 @@ def _forced(t: FloatArray, r: float, damping: float) -> tuple[FloatArray, FloatA
 
 
 def _free(t: FloatArray, u: float, v: float, damping: float) -> tuple[FloatArray, FloatArray]:
-    """Free vibration u and u' from u, v at t = 0."""
+    """Return the free vibration u and u' from u, v at t = 0."""
     w_d = np.sqrt(1.0 - damping**2)
     decay, cosine, sine = np.exp(-damping * t), np.cos(w_d * t), np.sin(w_d * t) / w_d
     return decay * (u * cosine + (v + damping * u) * sine), decay * (v * cosine - (u + damping * v) * sine)
 
 
 def _peak(values: FloatArray) -> float:
-    """Largest |value| of a smooth curve: the top of the parabola through its largest point and the neighbours."""
+    """Return the largest |value| of a smooth curve: the top of the parabola through its largest point."""
     size = np.abs(values)
     at = int(np.argmax(size))
     if not 0 < at < size.size - 1:

@@ -1,7 +1,7 @@
-"""The command line: one file per command, no logic. `main` is the entry point and turns every failure into one line.
+"""The command line: one file per command, without logic. `main` is the entry point and reduces every error to one line.
 
-Exit codes: 0 done, no check fails; 1 done, some check fails; 2 the input is wrong; 70 a bug in the program;
-128 and the number of the signal that ended it.
+Exit codes: 0 success; of `run` 1 for a fail and 3 for an incomplete verdict; 2 the input is wrong; 70 a bug in the
+program; 128 plus the number of the signal that ended it.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from spectra.errors import SpectrumError
 INPUT_IS_WRONG = 2
 BY_SIGNAL = 128
 BUG = 70
-MADE_BETWEEN_COLLECTIONS = 2_000_000  # objects: looking for unreachable ones oftener takes a twentieth of a run
+MADE_BETWEEN_COLLECTIONS = 2_000_000  # objects: collecting garbage more often takes a twentieth of a run
 
 
 def main(arguments: list[str] | None = None) -> NoReturn:
@@ -33,15 +33,15 @@ def main(arguments: list[str] | None = None) -> NoReturn:
     except (AssessError, RecordError, SpectrumError) as error:
         _end(f"error: {error}", INPUT_IS_WRONG)
     except OSError as error:
-        _end(f"error: {_file_trouble(error)}", INPUT_IS_WRONG)
+        _end(f"error: {_file_error(error)}", INPUT_IS_WRONG)
     except Terminated as signalled:
         _end("interrupted" if signalled.number == signal.SIGINT else "terminated", BY_SIGNAL + signalled.number)
     except KeyboardInterrupt:
         _end("interrupted", BY_SIGNAL + signal.SIGINT)
     except Exception as error:
-        from assess.cli.usage import usage
+        from assess.cli.usage import usage_error
 
-        wrong = usage(error)
+        wrong = usage_error(error)
         if wrong:
             _end(f"error: {wrong}", INPUT_IS_WRONG)
         _end(f"internal error: {type(error).__name__}: {error} (log: {_log()})", BUG)
@@ -49,19 +49,19 @@ def main(arguments: list[str] | None = None) -> NoReturn:
 
 
 def _end(line: str, code: int) -> NoReturn:
-    """Print one line on stderr, whatever the text holds, and end."""
+    """Print one line on stderr, whatever the text contains, and exit."""
     text = "".join(c if c.isprintable() else " " for c in line)
     print(f"assess: {text}", file=sys.stderr)
     sys.exit(code)
 
 
-def _file_trouble(error: OSError) -> str:
+def _file_error(error: OSError) -> str:
     where = f"{error.filename}: " if error.filename else ""
     return f"{where}{error.strerror or error}; check the path, its permissions and the space on the disk"
 
 
 def _log() -> str:
-    """The traceback in a new file of the system's folder for temporary files; its path."""
+    """Write the traceback to a new temporary file and return its path."""
     import tempfile
     import traceback
 

@@ -1,4 +1,4 @@
-"""The commands under one name. What is heavy is imported inside the commands, so that --help answers at once."""
+"""The commands under one name. Heavy modules are imported inside the commands, so that --help stays fast."""
 
 from __future__ import annotations
 
@@ -12,18 +12,14 @@ from assess.cli.envelope import envelope
 from assess.cli.geometry import geometry
 from assess.cli.new import new
 from assess.cli.parameters import parameters
-from assess.cli.records import records
-from assess.cli.records_index import index
-from assess.cli.records_scale import scale
-from assess.cli.records_select import select
-from assess.cli.records_spectra import spectra
+from assess.cli.records.group import records
 from assess.cli.report import report
 from assess.cli.run import run
 from assess.cli.schema import schema
 from assess.cli.spectrum import spectrum
 
 app = typer.Typer(
-    help="Seismic safety of masonry walls: rocking dynamics beside the code checks, in a report to sign.",
+    help="Seismic assessment of masonry walls: rocking dynamics and code checks, in a report to sign.",
     invoke_without_command=True,
     add_completion=False,
     rich_markup_mode=None,
@@ -36,8 +32,6 @@ app = typer.Typer(
 )
 for command in (new, check, run, parameters, spectrum, envelope, geometry, report, diff, schema):
     app.command()(command)
-for of_records in (index, spectra, select, scale):
-    records.command()(of_records)
 app.add_typer(records, name="records")
 
 
@@ -53,7 +47,7 @@ def _print_version(wanted: bool) -> None:
 def _assess(
     context: typer.Context,
     version: Annotated[
-        bool, typer.Option("--version", callback=_print_version, is_eager=True, help="Print the version and end.")
+        bool, typer.Option("--version", callback=_print_version, is_eager=True, help="Print the version and exit.")
     ] = False,
 ) -> None:
     if context.invoked_subcommand is None:

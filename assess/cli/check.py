@@ -1,21 +1,21 @@
-"""`assess check`: read and validate a project, without analysis."""
+"""`assess check`: a project read, validated and described, without analysis."""
 
 from __future__ import annotations
 
-from assess.cli.arguments import ProjectPath
+from assess.cli.options import ProjectPath
 
 
 def check(project: ProjectPath) -> None:
-    """Read a project, validate it, and print each mechanism; no analysis.
+    """Read and validate a project and describe each mechanism, without analysis.
 
-    Shows what the program understood: hinges, loads, interfaces and the rocking parameters.
+    Shows how the program understood the file: hinges, loads, interfaces and rocking parameters.
     """
     from assess.project.schema import load
 
     loaded = load(project)
-    from assess.cli.description import description, sensitivity_text
+    from assess.cli.tables.project import description, sensitivity_text
     from assess.project.build import build
-    from assess.study.run import parameters
+    from assess.study.parameters import parameters
 
     study = build(loaded)
     print(description(loaded, parameters(study), study.sweeps, study.notices), end="")

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from assess.cli.checked import share
+from assess.cli.options import check_share, refuse_both
 
 
 def diff(
@@ -16,27 +16,29 @@ def diff(
     tolerance: Annotated[
         float,
         typer.Option(
-            metavar="SHARE", help="Numbers that differ by no more of their size, 0 to 1, are one.", callback=share
+            metavar="SHARE",
+            help="Relative difference, 0 to 1, up to which numbers count as equal.",
+            callback=check_share,
         ),
     ] = 1e-6,
-    exit_code: Annotated[bool, typer.Option("--exit-code", help="End with 1 where anything differs.")] = False,
+    exit_code: Annotated[bool, typer.Option("--exit-code", help="Exit with code 1 if anything differs.")] = False,
     as_json: Annotated[bool, typer.Option("--json", help="Print the changes as JSON.")] = False,
     as_csv: Annotated[
-        bool, typer.Option("--csv", help="Print the changes as one CSV table, at full precision.")
+        bool, typer.Option("--csv", help="Print the changes as one CSV table at full precision.")
     ] = False,
 ) -> None:
-    """List what changed between two runs, as before and after a retrofit; verdicts first.
+    """List the changes between two runs, such as before and after a retrofit, verdicts first.
 
-    Results of `assess run` or `assess envelope`, or the folders of projects that have been run.
+    Compares results of `assess run` or `assess envelope`, or the folders of projects that have been run.
     """
-    if as_json and as_csv:
-        raise typer.BadParameter("--json and --csv exclude each other")
-    from assess.cli.diff_table import changes_text, csv_text, json_text
-    from assess.cli.reading import results_at
+    refuse_both(as_json=as_json, as_csv=as_csv)
+    from assess.cli.stderr import print_message
+    from assess.cli.tables.diff import changes_text, csv_text, json_text
+    from assess.outputs.found_results import open_results
     from assess.results.diff import changes
 
-    first, second = results_at(before), results_at(after)
-    with first.believed(), second.believed():
+    first, second = (open_results(each, tell=print_message) for each in (before, after))
+    with first.blame_changes(), second.blame_changes():
         found = changes(first.results, second.results, tolerance=tolerance)
         text = (json_text if as_json else csv_text if as_csv else changes_text)(found)
     print(text, end="")

@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from assess.cli.options import refuse_both
+
 if TYPE_CHECKING:
     from assess.geometry.inventory import Entry
 
@@ -20,26 +22,33 @@ class Axis(StrEnum):
 
 
 def geometry(
-    files: Annotated[list[Path], typer.Argument(metavar="FILES…", help="Model files, of any format known.")],
+    files: Annotated[list[Path], typer.Argument(metavar="FILES…", help="Model files of any known format.")],
     unit: Annotated[
-        str | None, typer.Option("--unit", "--mesh-unit", metavar="UNIT", help="Of coordinates, as `mesh_unit`: mm.")
+        str | None,
+        typer.Option(
+            "--unit",
+            "--mesh-unit",
+            metavar="UNIT",
+            help="Unit of the coordinates, such as mm (`mesh_unit` of a project).",
+        ),
     ] = None,
-    up: Annotated[Axis | None, typer.Option("--up", "--mesh-up", help="The axis that points up, as `mesh_up`.")] = None,
+    up: Annotated[
+        Axis | None, typer.Option("--up", "--mesh-up", help="Axis that points up (`mesh_up` of a project).")
+    ] = None,
     element: Annotated[
-        str | None, typer.Option(metavar="NAME", help="Only these, as `element`: name, GlobalId, class, pattern.")
+        str | None, typer.Option(metavar="NAME", help="Only these elements: name, GlobalId, class or pattern.")
     ] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print the parts as JSON.")] = False,
-    as_csv: Annotated[bool, typer.Option("--csv", help="Print the table as CSV, at full precision.")] = False,
+    as_csv: Annotated[bool, typer.Option("--csv", help="Print the table as CSV at full precision.")] = False,
 ) -> None:
-    """Print the parts of model files: name, class, storey, size, volume, place, closed or why not, thin direction.
+    """List the parts of model files: name, class, storey, size, volume, position, closed or why not, thin direction.
 
-    The thin direction is what `direction` of a wall's mechanism takes. A broken part, or a file that cannot be read,
-    has a line of its own among the others; ends with 2 if nothing could be listed.
+    The thin direction is the usual `direction` of a wall's mechanism. A broken part or an unreadable file has its own
+    line; the exit code is 2 if nothing could be listed.
     """
-    if as_json and as_csv:
-        raise typer.BadParameter("--json and --csv exclude each other")
+    refuse_both(as_json=as_json, as_csv=as_csv)
     scale = _length(unit)
-    from assess.cli.geometry_table import csv_text, json_text, table_text
+    from assess.cli.tables.geometry import csv_text, json_text, table_text
     from assess.errors import GeometryError
 
     listed = [_entries(file, scale, up, element) for file in files]
@@ -52,7 +61,7 @@ def geometry(
 
 
 def _entries(file: Path, scale: float | None, up: Axis | None, element: str | None) -> tuple[Entry, ...] | Exception:
-    """The parts of a file, or what is wrong with it."""
+    """Return the parts of a file, or what is wrong with it."""
     from assess.errors import GeometryError
     from assess.geometry.inventory import inventory
 
@@ -63,7 +72,7 @@ def _entries(file: Path, scale: float | None, up: Axis | None, element: str | No
 
 
 def _length(unit: str | None) -> float | None:
-    """The length of a unit [m], as the project file's `mesh_unit`."""
+    """Return the length of a unit [m], given as the project file's `mesh_unit`."""
     if unit is None:
         return None
     from assess.project.quantities import length_of_unit

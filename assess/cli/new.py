@@ -10,14 +10,14 @@ import typer
 
 def new(
     folder: Annotated[
-        Path | None, typer.Argument(metavar="DIR", help="The folder to make; it must not exist yet, or be empty.")
+        Path | None, typer.Argument(metavar="DIR", help="Folder to create; it must be empty or not exist yet.")
     ] = None,
     example: Annotated[
-        str, typer.Option("--example", metavar="NAME", help="Which example; --list shows them.")
+        str, typer.Option("--example", metavar="NAME", help="Name of the example; --list shows them.")
     ] = "casa_grande",
-    list_examples: Annotated[bool, typer.Option("--list", help="List the examples and end.")] = False,
+    list_examples: Annotated[bool, typer.Option("--list", help="List the examples and exit.")] = False,
 ) -> None:
-    """Make a runnable example project to start from."""
+    """Create a runnable example project to start from."""
     from assess.examples import EXAMPLES, copy_example
 
     if list_examples:
@@ -25,5 +25,5 @@ def new(
             print(f"{name:20} {each.about}")
         return
     if folder is None:
-        raise typer.BadParameter("give the folder to make, or --list")
+        raise typer.BadParameter("give the folder to create, or --list")
     print(copy_example(example, folder))

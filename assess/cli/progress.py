@@ -1,4 +1,4 @@
-"""Progress on stderr: a bar on a terminal, nothing elsewhere."""
+"""Progress on stderr: a bar in a terminal, nothing elsewhere."""
 
 from __future__ import annotations
 
@@ -9,13 +9,13 @@ from typing import Protocol
 
 
 class Progress(Protocol):
-    """What a long command reports to."""
+    """The receiver of a long command's progress."""
 
     def count(self, stage: str, done: int, total: int) -> None:
-        """`done` of `total` things of a stage."""
+        """Show that `done` of `total` items of a stage are done."""
 
     def step(self, stage: str) -> None:
-        """A stage without parts has begun."""
+        """Show that a stage without items has begun."""
 
 
 class _Silent:
@@ -28,7 +28,7 @@ class _Silent:
 
 @contextmanager
 def progress() -> Iterator[Progress]:
-    """A progress display while the block runs."""
+    """Show progress while the block runs."""
     if not sys.stderr.isatty():
         yield _Silent()
         return

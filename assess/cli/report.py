@@ -1,4 +1,4 @@
-"""`assess report`: the report again from results.json."""
+"""`assess report`: the report rewritten from results.json."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import typer
 
 
 class Language(StrEnum):
-    """The languages that a report can be written in."""
+    """Languages in which a report can be written."""
 
     ENGLISH = "en"
     ITALIAN = "it"
@@ -22,26 +22,26 @@ def report(
     results: Annotated[Path, typer.Argument(metavar="RESULTS.json", help="The results.json of an earlier run.")],
     output: Annotated[
         Path | None,
-        typer.Option("-o", "--output", metavar="DIR", help="Where to write; beside RESULTS.json if absent."),
+        typer.Option("-o", "--output", metavar="DIR", help="Output folder (default: that of RESULTS.json)."),
     ] = None,
-    png: Annotated[bool, typer.Option("--png", help="Write the figures as PNG files too, 200 dots per inch.")] = False,
+    png: Annotated[bool, typer.Option("--png", help="Also write the figures as PNG files at 200 dpi.")] = False,
     language: Annotated[
-        Language | None, typer.Option("--language", help="Language of the report; that of the project if absent.")
+        Language | None, typer.Option("--language", help="Language of the report (default: that of the project).")
     ] = None,
 ) -> None:
-    """Write the report again from results.json, or from the envelopes.json of `assess envelope`, without analysis."""
-    from assess.cli.reading import results_at
+    """Rewrite the report from results.json, or from the envelopes.json of `assess envelope`, without analysis."""
+    from assess.cli.stderr import print_message
+    from assess.outputs.found_results import open_results
 
-    read = results_at(results)
+    read = open_results(results, tell=print_message)
     found = read.results
     from assess.cli.progress import progress
-    from assess.cli.warning import tell
     from assess.outputs.folder import output_folder
     from assess.outputs.manifest import ENVELOPES, RESULTS
     from reports.assessment import envelope_report, project_text
     from reports.writing import Form, write_all, write_document
 
-    spoken = language or _known(project_text(found, "report.language"), source=results)
+    chosen = language or _known(project_text(found, "report.language"), source=results)
     folder = output or read.path.parent
     alone = found.critical is not None and not any(mechanism.checks for mechanism in found.mechanisms)
     name, stem = (ENVELOPES, "envelopes") if alone else (RESULTS, "report")
@@ -49,22 +49,22 @@ def report(
     wanted = (f"{stem}.pdf", f"{stem}.html", "tables.xlsx", *copied)
     figures: tuple[Form, ...] = ("svg", "png") if png else ("svg",)
     with (
-        output_folder(folder, command="assess report", owner=name, wanted=wanted, tell=tell) as stage,
-        progress() as said,
-        read.believed(),
+        output_folder(folder, command="assess report", owner=name, wanted=wanted, tell=print_message) as stage,
+        progress() as shown,
+        read.blame_changes(),
     ):
         if alone:
-            envelopes = replace(envelope_report(found), language=spoken)
-            pdf = write_document(envelopes, stage, name="envelopes.pdf", figures=figures, progress=said.step)
+            envelopes = replace(envelope_report(found), language=chosen)
+            pdf = write_document(envelopes, stage, name="envelopes.pdf", figures=figures, progress=shown.step)
         else:
-            pdf = write_all(found, stage, language=spoken, figures=figures, progress=said.step)
+            pdf = write_all(found, stage, language=chosen, figures=figures, progress=shown.step)
         for copy in copied:
             (stage / copy).write_bytes(read.path.read_bytes())
     print(folder / pdf.relative_to(stage))
 
 
 def _known(language: str, *, source: Path) -> str:
-    """The language of results, English where they have none. Raises ResultsError for one without a catalogue."""
+    """Return the language of results, English by default; raise ResultsError for one without a catalogue."""
     from assess.errors import ResultsError
     from reports.language.catalogue import ENGLISH, languages
 

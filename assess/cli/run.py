@@ -8,14 +8,14 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from assess.cli.arguments import Jobs, ProjectPath
-from assess.cli.writer import Begin, writer
+from assess.cli.options import Jobs, ProjectPath
 
 if TYPE_CHECKING:
     from assess.results import Results
+    from reports.report_process import Begin
 
 WRITTEN = ("report.pdf", "report.html", "tables.xlsx")
-"""What the report is, beside its tables and figures."""
+"""Files of the report besides its tables and figures."""
 
 
 def run(
@@ -26,48 +26,50 @@ def run(
             "-o",
             "--output",
             metavar="DIR",
-            help="Where to write; NAME-results beside the project file NAME.toml if absent.",
+            help="Output folder (default: NAME-results beside the project file NAME.toml).",
         ),
     ] = None,
     jobs: Jobs = None,
-    no_report: Annotated[bool, typer.Option("--no-report", help="Write results.json only.")] = False,
+    no_report: Annotated[bool, typer.Option("--no-report", help="Write only results.json.")] = False,
 ) -> None:
     """Assess every mechanism and write the report.
 
-    Writes report.pdf, report.html, results.json, tables.xlsx, tables/*.csv and figures/*.svg; prints the verdicts and
-    the path of the report. Ends with 0 when the verdict is pass, 1 when it is fail, 3 when it is incomplete; the last
+    Writes report.pdf, report.html, results.json, tables.xlsx, tables/*.csv and figures/*.svg, and prints the verdicts
+    and the path of the report. The exit code is 0 for a pass, 1 for a fail and 3 for an incomplete verdict; the last
     lines then say what is missing.
     """
-    with nullcontext() if no_report else writer(jobs) as report:
-        results, path = _assessed(project, output, jobs, report)
-    from assess.cli.summary import exit_code, summary
+    from reports.report_process import report_writer
+
+    with nullcontext() if no_report else report_writer(jobs) as report:
+        results, path = _assess(project, output, jobs, report)
+    from assess.cli.tables.summary import exit_code, summary
 
     print(summary(results), end="")
     print(path)
     raise typer.Exit(exit_code(results))
 
 
-def _assessed(project: Path, output: Path | None, jobs: int | None, report: Begin | None) -> tuple[Results, Path]:
-    """The results, and the path of what was written: the PDF where `report` writes one, else results.json."""
+def _assess(project: Path, output: Path | None, jobs: int | None, report: Begin | None) -> tuple[Results, Path]:
+    """Run the study and write its files; return the results and the path of the report, or of results.json."""
     from assess.project.schema import load
 
-    loaded = load(project)  # before the physics is imported, which takes seconds: a slip of the pen is told at once
-    from assess.cli.processes import cores, processes
+    loaded = load(project)  # before the physics is imported, which takes seconds, so that an error is reported at once
     from assess.cli.progress import progress
-    from assess.cli.warning import tell
+    from assess.cli.stderr import print_message
     from assess.outputs.folder import output_folder
     from assess.outputs.manifest import RESULTS
     from assess.project.build import build
     from assess.results.json import dumps
     from assess.study.run import run as run_study
+    from assess.workers import available_cores, process_pool
 
     folder = output or loaded.folder / f"{loaded.path.stem}-results"
     wanted = (RESULTS, *(WRITTEN if report else ()))
-    with output_folder(folder, command="assess run", wanted=wanted, tell=tell) as stage, progress() as said:
-        with processes(jobs) as executor:
+    with output_folder(folder, command="assess run", wanted=wanted, tell=print_message) as stage, progress() as shown:
+        with process_pool(jobs) as executor:
             study = build(loaded, executor=executor)
-        results = run_study(study, jobs=jobs or cores(), progress=said.count)
-        written = report(results, stage, said.step) if report else None
+        results = run_study(study, jobs=jobs or available_cores(), progress=shown.count)
+        written = report(results, stage, shown.step) if report else None
         main_file = stage / RESULTS
         main_file.write_bytes(dumps(results).encode())
         main_file = written() if written else main_file

@@ -6,7 +6,7 @@ from __future__ import annotations
 def schema() -> None:
     """Print the JSON Schema of the project file.
 
-    An editor with TOML support checks and completes a project file with it.
+    Editors with TOML support use it to check and complete a project file.
     """
     import json
 

@@ -1,4 +1,4 @@
-"""A command that was typed wrongly, told in one line."""
+"""Errors in the use of a command, in one line."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ PLAIN = (
     (r"\. Did you mean (.*)\?$", r"; did you mean \1?"),
     (r" \(Possible options: (.*)\)", r"; did you mean \1?"),
 )
-"""What the libraries say, and how it reads here."""
+"""Patterns of the libraries' sentences, and the sentences that replace them."""
 
 
-def usage(error: Any) -> str | None:
-    """What is wrong with the command, and where to read on; None for any other error."""
+def usage_error(error: Any) -> str | None:
+    """Return what is wrong with the command and where its help is; None for any other error."""
     if not isinstance(error, WRONG_USAGE):
         return None
     command = "assess" if error.ctx is None else error.ctx.command_path
@@ -30,7 +30,7 @@ def usage(error: Any) -> str | None:
 
 
 def _plain(error: Any) -> str:
-    """What is wrong, with the value where the library leaves it out."""
+    """Return what is wrong, with the value where the library omits it."""
     text: str = error.format_message().rstrip(".")
     for theirs, ours in PLAIN:
         text = re.sub(theirs, ours, text)
@@ -38,7 +38,7 @@ def _plain(error: Any) -> str:
 
 
 def _value(error: Any) -> str:
-    """The value that was typed, as the library that checked it kept it."""
+    """Return the value given, as the library that checked it kept it."""
     from assess.project.messages import printable
 
     for cause in (error.__cause__, error.__context__):

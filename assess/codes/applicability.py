@@ -1,8 +1,8 @@
-"""Whether a procedure may be asked of a mechanism at all, decided in one place before its numbers count.
+"""Whether a procedure may be applied to a mechanism at all, decided in one place before its numbers count.
 
-A check may be asked; or it may only fail, where the motion of the ground stands in for that of a floor; or it is not
-answered for want of an input that could be given; or the clause is not for such a mechanism. The numbers are worked out
-all the same where they can be, and stand in the check as `provisional`.
+A procedure may answer; or only fail, where the motion of the ground replaces that of a floor; or it is not answered,
+because an input is missing that could be given; or the clause does not cover such a mechanism. The numbers are worked
+out all the same where they can be, and are kept in the check as `provisional`.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ FLOOR_CLAUSES: dict[Family, str] = {
 
 
 class Allowed(StrEnum):
-    """What a procedure may say of a mechanism."""
+    """What a procedure may answer for a mechanism."""
 
     ANSWER = "answer"
     ONLY_FAIL = "only fail"
@@ -50,10 +50,10 @@ class Allowed(StrEnum):
 
 @dataclass(frozen=True)
 class Applicability:
-    """What a procedure may say, and the reason where that is not everything.
+    """What a procedure may answer, and the reason where that is restricted.
 
-    safe : whether the numbers were worked out with the safe value of what is missing, so that they may be shown beside
-    void : whether the numbers are of another mechanism than the one asked about, so that they may not be shown
+    safe : whether the numbers were worked out with the safe value of what is missing, so that they may be shown
+    void : whether the numbers are of another mechanism than the one in question, so that they may not be shown
     others : further reasons of the same kind, each with its remedy
     """
 
@@ -68,9 +68,19 @@ APPLICABLE = Applicability(Allowed.ANSWER)
 
 
 def find_applicability(procedure: str, oscillator: Oscillator, context: Context) -> Applicability:
-    """Find whether `procedure` may be asked: the first rule that speaks decides, the strictest first.
+    """Find whether a procedure may be applied: the first rule that objects decides, the strictest rule first.
 
-    What the other rules miss stands beside it, so that all that is missing is listed at once.
+    What the other rules object to is added, so that all that is missing is listed at once.
+
+    Parameters
+    ----------
+    procedure : its name
+    oscillator : the mechanism
+    context : what is known of it
+
+    Returns
+    -------
+    Applicability
     """
     family = FAMILIES[procedure]
     rules = (_of_clause, _of_unheld, _of_impossible, _of_histories, _of_height)
@@ -86,7 +96,19 @@ def find_applicability(procedure: str, oscillator: Oscillator, context: Context)
 def apply_procedure(
     procedure: str, assess: Callable[[Oscillator, Context], tuple[Check, ...]], oscillator: Oscillator, context: Context
 ) -> tuple[Check, ...]:
-    """The checks of a procedure, each as its admission lets it stand."""
+    """Return the checks of a procedure, restricted as its applicability asks.
+
+    Parameters
+    ----------
+    procedure : its name
+    assess : makes the checks of an oscillator in a context
+    oscillator : the mechanism
+    context : what is known of it
+
+    Returns
+    -------
+    tuple of Check
+    """
     given = find_applicability(procedure, oscillator, context)
     if given.void:  # no number is kept, and what breaks may fall before the mechanism that stands in here
         context = replace(context, starting=None, breaking=None, limits=())
@@ -98,7 +120,7 @@ def apply_procedure(
 
 
 def _if_held(check: Check, context: Context) -> Check:
-    """The check; a pass by rocking of what slides before it rocks holds where something keeps it from sliding."""
+    """Return the check; a pass by rocking of what slides first depends on its being kept from sliding."""
     slides_at = sliding_pga(context) if FAMILIES[check.procedure] in ROCKING and check.verdict == Outcome.PASS else None
     if slides_at is None or check.level_pga_g * g <= slides_at:
         return check
@@ -108,7 +130,7 @@ def _if_held(check: Check, context: Context) -> Check:
 
 
 def _with(given: Applicability, lacking: tuple[MissingInput, ...]) -> Applicability:
-    """The admission of a procedure with what one of its limit states lacks."""
+    """Return the applicability of a procedure together with what one of its limit states lacks."""
     if not lacking or given.may in (Allowed.NOT_APPLY, Allowed.NOT_ANSWER):
         return replace(given, others=(*given.others, *(each.reason for each in lacking)))
     reasons = [each.reason for each in lacking]
@@ -142,7 +164,18 @@ def _as_admitted(check: Check, given: Applicability) -> Check:
 
 
 def without_numbers(check: Check, reason: Message, others: tuple[Message, ...] = ()) -> Check:
-    """A check that is not answered, as it would be where nothing could be worked out."""
+    """Return a check that is not answered, without any number.
+
+    Parameters
+    ----------
+    check : of which procedure, branch and level are kept
+    reason : why it is not answered
+    others : further reasons
+
+    Returns
+    -------
+    Check
+    """
     return Check(
         procedure=check.procedure,
         edition=check.edition,
@@ -163,7 +196,7 @@ def without_numbers(check: Check, reason: Message, others: tuple[Message, ...] =
 
 
 def _of_clause(procedure: str, family: Family, oscillator: Oscillator, context: Context) -> Applicability | None:
-    """What the clause is not for."""
+    """Return the objection of the clause: mechanisms that it does not cover."""
     if procedure in BY_IMPACTS and oscillator.negative is None:
         return Applicability(Allowed.NOT_APPLY, reason_message(Reason.ONE_SIDED))
     if procedure in BY_IMPACTS and min(branch.restitution for branch in oscillator.branches) == 0.0:
@@ -176,19 +209,19 @@ def _of_clause(procedure: str, family: Family, oscillator: Oscillator, context: 
 
 
 def _of_impossible(procedure: str, family: Family, oscillator: Oscillator, context: Context) -> Applicability | None:
-    """What makes every answer impossible, as a ground whose elevation nobody gave."""
+    """Return the objection to any answer, as where the elevation of the ground is not known."""
     return Applicability(Allowed.NOT_ANSWER, context.impossible[0]) if context.impossible else None
 
 
 def _of_unheld(procedure: str, family: Family, oscillator: Oscillator, context: Context) -> Applicability | None:
-    """What makes answers by displacements and histories impossible: it stands only by what is not shown to last."""
+    """Return the objection to displacements and histories where only actions not shown to last hold it."""
     if family not in ON_THE_WAY or not context.not_lasting:
         return None
     return Applicability(Allowed.NOT_ANSWER, context.not_lasting[0], void=True, others=context.impossible)
 
 
 def _of_histories(procedure: str, family: Family, oscillator: Oscillator, context: Context) -> Applicability | None:
-    """What makes histories impossible: an impact without rebound, or a suite that misses its code's rules."""
+    """Return the objection to histories: an impact without rebound, or a suite that misses its code's rules."""
     if family != Family.HISTORY:
         return None
     faults = (*context.impossible_by_histories, *context.suite_faults.get(SUITE_CODES[procedure], ()))
@@ -196,7 +229,7 @@ def _of_histories(procedure: str, family: Family, oscillator: Oscillator, contex
 
 
 def _of_height(procedure: str, family: Family, oscillator: Oscillator, context: Context) -> Applicability | None:
-    """Above the ground the ground's motion may fail a check and cannot pass it."""
+    """Return the objection to the motion of the ground at height: it may fail a check and cannot pass it."""
     if not context.above_ground or (family not in FLOOR_CLAUSES and family != Family.PART):
         return None
     if context.above_building and family in (Family.LINEAR, Family.DISPLACEMENT, Family.ELEMENT, Family.PART):

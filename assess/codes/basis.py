@@ -1,4 +1,4 @@
-"""What decides: the data that one code's basis of verdict is made of. The rules that read them are in verdict.py."""
+"""The basis of a verdict: which limit states and methods of one code decide, as data. The rules are in `verdict`."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ class Acceptance(StrEnum):
 
 
 class Role(StrEnum):
-    """When a limit state decides: as the one that is chosen for the building, or besides it in some classes of use."""
+    """When a limit state decides: as the one chosen for the building, or besides it in some classes of use."""
 
     CHOSEN = "chosen"
     BESIDES = "besides"
 
 
 class Premise(StrEnum):
-    """What a pass rests on besides its numbers."""
+    """What a pass depends on besides its numbers."""
 
     SOUND_MASONRY = "sound-masonry"
     ANCHORAGE = "anchorage"
@@ -30,7 +30,7 @@ class Premise(StrEnum):
 
 
 class IndexKind(StrEnum):
-    """What the code counts the answer in."""
+    """The measure in which a code gives its answer."""
 
     ZETA_E = "zeta_E"
     NBS = "%NBS"
@@ -58,7 +58,7 @@ class LimitState:
     name : as `[verdict] limit_state` writes it
     checked_as : the limit state of the checks of its methods
     actions : what `[site] limit_state` may call the action that belongs to it
-    ranks : methods in order of refinement, the most refined first; those of one rank must all hold
+    ranks : methods in order of refinement, the most refined first; those of one rank must all pass
     role : whether it is one that may be chosen
     classes : classes of use in which it decides besides the chosen one
     """
@@ -73,11 +73,11 @@ class LimitState:
 
 @dataclass(frozen=True)
 class Basis:
-    """One code's way to a verdict.
+    """The rules of one code for a verdict.
 
-    edition : how it is cited; index : what it counts in; states : its limit states, the default one first
-    default : the limit state where none is chosen; empty where the site's own action tells
-    premises : what a pass rests on; clauses : (rule, clause) pairs for the report
+    edition : how it is cited; index : the measure of the answer; states : its limit states, the default one first
+    default : the limit state where none is chosen; empty where the site's own action decides it
+    premises : what a pass depends on; clauses : (rule, clause) pairs for the report
     uncompared : what could not be compared with any text of the standard
     """
 

@@ -1,4 +1,4 @@
-"""One line of a calculation sheet, whose numbers are put into its formula by `substitute`, never written twice."""
+"""One line of a calculation sheet; its numbers are put into its formula by `substitute`, never written twice."""
 
 from __future__ import annotations
 
@@ -30,10 +30,10 @@ class Input:
 
 @dataclass(frozen=True, repr=False)
 class Step(ShortRepr):
-    """One line of a calculation sheet: the formula, the numbers put into it, and what came out.
+    """One line of a calculation sheet: the formula, the numbers put into it, and the result.
 
     inputs : the symbols of the formula; `substituted` is made from them (see `step`)
-    bound : "<=" or ">=" where all that is known is that it is no more, or no less, than `value`
+    bound : "<=" or ">=" where the value is only an upper or a lower bound
     """
 
     symbol: str
@@ -68,13 +68,21 @@ def step(
     remark: str = "",
     bound: Bound = "",
 ) -> Step:
-    """The line of `formula`, with the values `given` put into it.
+    """Return the line of a calculation sheet with the given values put into its formula.
 
     Parameters
     ----------
-    value : what came out, in `unit`; None where there is no finite value
-    given : the value of each symbol of the formula; those that do not stand in it are printed after it
+    symbol, description, clause : as the sheet prints them
+    formula : in terms of the symbols of `given`
+    value : the result, in `unit`; None where there is no finite value
+    unit : of the result
+    given : the value of each symbol of the formula; symbols that are not in it are printed after it
     remark : words in place of numbers where the formula has none to put in, as "curve" or "geometry"
+    bound : "<=" or ">=" where `value` is a bound
+
+    Returns
+    -------
+    Step
     """
     inputs = tuple(_input(name, each) for name, each in (given or {}).items())
     substituted = substitute(formula, inputs) if inputs else remark or _plain(value)
@@ -84,7 +92,7 @@ def step(
 
 
 def substitute(formula: str, inputs: tuple[Input, ...]) -> str:
-    """The formula with numbers for its symbols, and g as a number; other symbols follow with their values."""
+    """Return the formula with numbers for its symbols, and g as a number; other symbols follow with their values."""
     values = {each.symbol: each.value for each in inputs}
     absent = [each for each in inputs if not _pattern([each.symbol]).search(formula)]
     known = {**{name: value for name, value in CONSTANTS.items() if name == "g"}, **values}

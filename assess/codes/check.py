@@ -1,4 +1,4 @@
-"""One answer of one code procedure: demand beside capacity, and every step between."""
+"""One check of one code procedure: demand beside capacity, and every step between."""
 
 from __future__ import annotations
 
@@ -35,8 +35,11 @@ Unbounded = Literal["", "overturned", "beyond the spectrum"]
 
 
 class Outcome(StrEnum):
-    """What a check says: not answered where something that could be given is missing, not applicable where the
-    clause is not for such a mechanism."""
+    """The outcome of a check.
+
+    It is not answered where an input is missing that could be given, not applicable where the clause does not cover
+    such a mechanism.
+    """
 
     PASS = "pass"
     FAIL = "fail"
@@ -45,7 +48,7 @@ class Outcome(StrEnum):
 
 
 class Family(StrEnum):
-    """What a procedure compares."""
+    """The kind of comparison that a procedure makes."""
 
     LINEAR = "linear"
     DISPLACEMENT = "displacement"
@@ -110,12 +113,23 @@ class Reason(StrEnum):
 
 
 def reason_message(reason: Reason, **values: Value) -> Message:
-    """The message of a reason."""
+    """Return the message of a reason, with its values."""
     return message(reason, values, severity=Severity.NOTE)
 
 
 def missing_ordinate(clause: str, symbol: str, key: str) -> Message:
-    """That a clause asks for a number which a table of ordinates does not state, with its key."""
+    """Return the message that a clause needs an ordinate which a table of a spectrum does not state.
+
+    Parameters
+    ----------
+    clause : that needs it
+    symbol : of the ordinate
+    key : of the project file that gives it
+
+    Returns
+    -------
+    Message
+    """
     line = f'{key.rpartition(".")[2]} = "…"  # {symbol} in g'
     values = {"clause": clause, "symbol": symbol, "key": key, "toml": f"# {line}"}
     return message(Reason.NOT_BY_NAME, values, severity=Severity.NOTE, where=key)
@@ -123,7 +137,7 @@ def missing_ordinate(clause: str, symbol: str, key: str) -> Message:
 
 @dataclass(frozen=True, repr=False)
 class PgaCurve(ShortRepr):
-    """Peak ground acceleration that takes the mechanism to each rotation, by one procedure.
+    """The peak ground acceleration that takes the mechanism to each rotation, by one procedure.
 
     rotation_ratio [n]: rotation / rigid overturning rotation; pga_g [n]: in g.
     """
@@ -134,20 +148,24 @@ class PgaCurve(ShortRepr):
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class Check(ShortRepr):
-    """Demand, capacity, ratio and verdict of one procedure at one level, with the steps that led there.
+    """Demand, capacity, ratio and outcome of one procedure at one level, with the steps of its calculation sheet.
 
-    `demand`, `capacity` are in `unit` and measure `quantity`; None where there is no finite value (a body that
-    overturns has no largest rotation). `uplift_pga_g` is None on joints that answer to any motion. `caveat` says what
-    could not be compared with the printed standard. A check that does not apply leaves its numbers out.
-    `rotation_ratio` and `allowable_ratio` put the same answer as rotation /
-    rigid overturning rotation of the branch, None where the procedure knows no rotation or the body overturned.
-    `score`: what the code itself counts the answer in, by name, as {"%NBS": 43.1}; empty where it has nothing.
-    `safety_index` (capacity over demand, both as PGA) and `return_period_years` of the capacity stand where the code
-    and the site have them; `return_period_bound` is "<=" or ">=" where the capacity lies beyond the rows of the hazard,
-    whose end it then is. `provisional`: of a check that is not answered for want of an input, what its numbers say.
-    `may_pass`: whether its input lets it pass at all. `informs`: it may not decide, whatever the basis, as with a
-    confidence factor below the code's. `conditions`: what a pass rests on and nobody has shown; `remarks`: what else
-    bears on the answer.
+    Attributes
+    ----------
+    demand, capacity : in `unit`, of `quantity`; None where there is no finite value, as of a body that overturns
+    uplift_pga_g : None on flexible joints without a threshold
+    caveat : what could not be compared with the printed standard
+    rotation_ratio : the demand as rotation / rigid overturning rotation of the branch; None where the procedure has no
+        rotation or the body overturned
+    capacity_rotation_ratio : the capacity in the same measure
+    score : the code's own measures, by name, as {"%NBS": 43.1}; empty where it has none
+    safety_index : capacity over demand, both as PGA; None where the code has none
+    return_period_years : of the capacity; return_period_bound : "<=" or ">=" where the capacity lies beyond the rows of
+        the hazard, and the value is that of the end
+    provisional : outcome that the numbers would give, of a check that is not answered because an input is missing
+    may_pass : whether its input allows a pass at all
+    informs : whether it may not decide under any basis, as with a confidence factor below the code's
+    conditions : what a pass depends on and is not shown; remarks : further messages about the answer
     """
 
     procedure: str

@@ -1,4 +1,4 @@
-"""What a procedure may know besides the oscillator: the site, the building, where the mechanism sits, its histories."""
+"""What a procedure may know besides the oscillator: the site, the building, where the mechanism is, its histories."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ Kind = Literal["break", "seat"]
 
 @dataclass(frozen=True)
 class Gravity:
-    """What weight gives to the rocking of one branch: the wall's own, and that of what presses on it.
+    """The share of weight in the rocking of one branch: of the wall itself, and of what presses on it.
 
     overburden_ratio : P / W, of what presses on the wall to the wall's own weight [-]
     own_moment, moment : of the restoring moment at rest, from the wall and from what presses on it [N m]
@@ -41,13 +41,23 @@ class Gravity:
 
 
 def is_above_ground(support: float, height: float) -> bool:
-    """Whether what holds a mechanism, `support` [m] high in a building of `height` [m], is above the ground."""
+    """Return whether the supports of a mechanism are above the ground, and not on its plinth.
+
+    Parameters
+    ----------
+    support : height of the supports above the ground [m]
+    height : of the building [m]
+
+    Returns
+    -------
+    bool
+    """
     return support > max(PLINTH, PLINTH_SHARE * height)
 
 
 @dataclass(frozen=True)
 class Wall:
-    """A wall seen across its plane.
+    """The size of a wall across its plane.
 
     height : between its supports, or of what stands free, from its base to its top [m]
     thickness : along the direction of motion, at the base, or at the crack where it spans [m]
@@ -61,7 +71,7 @@ class Wall:
 
 @dataclass(frozen=True)
 class FirstMode:
-    """First mode of the building at one limit state, as the engineer states it: period [s], damping [-], and why."""
+    """The first mode of the building at one limit state, as the engineer states it: period [s], damping [-], reason."""
 
     period: float
     damping: float
@@ -85,7 +95,7 @@ class Building:
 
 @dataclass(frozen=True)
 class Hazard:
-    """What an Italian site gives over return periods.
+    """The hazard of an Italian site over return periods.
 
     spectra : the elastic spectrum of each limit state that the rows reach, by name
     return_period, pga : of each row, rising in return period [n] [years], [n] [m/s2] at the surface, S a_g
@@ -120,7 +130,7 @@ class LocalLimit:
 
 @dataclass(frozen=True)
 class Suite:
-    """Largest rocking responses of one branch pair to all records at one level, the worse polarity of each.
+    """The largest responses of one mechanism to all records at one level, the worse polarity of each.
 
     pga : level, peak ground acceleration of the target [m/s2]
     ratio : largest |rotation| / rigid overturning rotation of each record, None where it overturned
@@ -135,50 +145,50 @@ class Suite:
 
     @property
     def overturned(self) -> int:
-        """How many records overturned the mechanism."""
+        """Number of records that overturned the mechanism."""
         return sum(1 for ratio in self.ratio if ratio is None)
 
     @property
     def mean(self) -> float | None:
-        """Mean of the maxima; None where a record overturned (its maximum does not exist)."""
+        """Mean of the maxima; None where a record overturned, as it has no maximum."""
         standing = [ratio for ratio in self.ratio if ratio is not None]
         return sum(standing) / len(standing) if len(standing) == len(self.ratio) > 0 else None
 
 
 @dataclass(frozen=True)
 class Context:
-    """Site, building and position of one mechanism, and what its time histories gave.
+    """Site, building and position of one mechanism, and the results of its time histories.
 
     spectrum : the site's elastic spectrum at its own PGA
     levels : PGA at which demands are compared [m/s2]
     vertical_ratio : S_aV / S_aH [-]
-    elevation : of the base above the ground [m]; rise : of the far support over it, 0 where there is none [m]
+    elevation : of the base above the ground [m]; rise : of the far support above it, 0 where there is none [m]
     building : None where the project gives none
     suites : time histories, one suite for each of `levels`, in that order; empty when none were run
-    besides : suites at the other PGA that procedures want, of limit states of their own
+    incremental : further suites at rising PGA, for the curve and the PGA at capacity; empty when none were run
     linearised : whether the histories solve the linearised equation, which lifts off at its own multiplier
     histories_at : where the motion of the time histories is given
-    carried : how it got there; one number misses resonance
+    transfer : how it got there; a single factor misses resonance
     starting : the mechanism with every action that is there at rest, for multipliers; None: the oscillator itself
     breaking : the same with actions until they end, for the acceleration on the capacity curve; None: the oscillator
     limits : rotations at which actions end or seats are lost
-    seats_unknown : floors and beams that rest on the mechanism, by name, whose seat nobody gave
+    seats_unknown : floors and beams that rest on the mechanism, by name, whose seat is not given
     crushing : whether every hinge presses on a joint of finite strength
-    knowledge : level of knowledge that the project gives for this mechanism, by the code that asks for it
-    limit_state : what the site's single spectrum is declared for; None where nobody says, or the site gives its hazard
+    knowledge : level of knowledge that the project gives for this mechanism, by the code that needs it
+    limit_state : that the site's single spectrum is declared for; None where it is not, or the site gives its hazard
     floor_spectrum : of the motion at the mechanism's base, at the site's PGA; None where none is given
-    impossible : why no answer can be given at all, and why none by histories; each with the remedy
-    unheld : why none by displacements and histories: it stands only by what is not shown to last; with the remedy
+    impossible, impossible_by_histories : why no answer can be given, and why none by histories; with the remedies
+    not_lasting : why none by displacements and histories: it is held only by what is not shown to last; with the remedy
+    suite_faults : by the code of a procedure, the rules for suites that the records miss, with the remedies
     amplification : the largest, over the records, of peak acceleration at the mechanism's base over that at the ground
-    suite_faults : by the code of a procedure, the rules for suites that the records miss, with the change that would do
-    hinges : what the hinges of both branches pass on when the mechanism starts to rock; none where that is not known
-    incremental : further suites at rising PGA, for the curve and the PGA at collapse; empty when none were run
     support : how the masonry is held: it stands free on its base, spans between two supports, or is a chain of hinges
     carries_floors : whether a floor, roof or vault presses on it or moves with it
-    actions : ties and given forces on it, by name
+    actions : ties and applied forces on it, by name
     wall : its size, None where the mechanism is no wall or has no geometry
-    hazard : of an Italian site over return periods; None where the site has but one spectrum
+    hazard : of an Italian site over return periods; None where the site has one spectrum
     free_period : of an element that vibrates before it lifts off; None where the project gives none
+    extra_suites : suites at the other PGA that procedures need, of limit states of their own
+    hinges : forces at the hinges of both branches when the mechanism starts to rock; empty where they are not known
     """
 
     spectrum: Spectrum
@@ -216,12 +226,12 @@ class Context:
 
     @property
     def support_height(self) -> float:
-        """Height above the ground of what holds the mechanism [m]: its base, or the mean of base and far support."""
+        """Height of the supports above the ground [m]: of the base, or the mean of base and far support."""
         return max(self.elevation, 0.0) + self.rise / 2.0
 
     @property
     def above_ground(self) -> bool:
-        """Whether what holds the mechanism is above the ground; a plinth is ground."""
+        """Whether the supports are above the ground; a plinth counts as ground."""
         return is_above_ground(self.support_height, 0.0 if self.building is None else self.building.height)
 
     @property

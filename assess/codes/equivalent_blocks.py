@@ -1,4 +1,4 @@
-"""Mechanisms on flexible joints as the thesis put them into rigid formulas (8.4, Table 8.7)."""
+"""Mechanisms on flexible joints in the formulas of rigid blocks, as in the thesis (8.4, Table 8.7)."""
 
 from __future__ import annotations
 
@@ -9,9 +9,18 @@ from assess.oscillator import Branch, Oscillator, block_at, plain_branch
 
 
 def to_equivalent_blocks(oscillator: Oscillator, rotation_of: Callable[[Branch], float]) -> Oscillator:
-    """Each branch as the plain block that it is like at a rotation [rad]; rigid ones as they are.
+    """Replace each branch with its equivalent plain block at a rotation; rigid branches stay as they are.
 
-    R, alpha and p at that rotation stand for those at rest, as the resultant of the joint has moved inward (6.50-6.52).
+    R, alpha and p at that rotation replace those at rest, as the resultant of the joint has moved inward (6.50-6.52).
+
+    Parameters
+    ----------
+    oscillator : the mechanism
+    rotation_of : gives the rotation of a branch [rad]
+
+    Returns
+    -------
+    Oscillator
     """
     if all(branch.overturning_flexible is None for branch in oscillator.branches):
         return oscillator

@@ -1,4 +1,4 @@
-"""What each procedure compares, whose code it belongs to, and for which site spectra it is written."""
+"""What each procedure compares, the code it belongs to, and the site spectra it is written for."""
 
 from __future__ import annotations
 
@@ -55,17 +55,17 @@ ONLY_ON_REQUEST = ("ec8-element",)  # whether a mechanism is a non-structural el
 
 
 def uses_histories(procedure: str) -> bool:
-    """Whether a procedure asks for time histories."""
+    """Return whether a procedure uses time histories."""
     return FAMILIES.get(procedure) == Family.HISTORY
 
 
 def is_written_for(procedure: str, spectrum_code: str) -> bool:
-    """Whether a site of this spectrum is one that the procedure is written for; True for those without a family."""
+    """Return whether a procedure is written for a spectrum of this code; True where it is for any."""
     return procedure not in WRITTEN_FOR or spectrum_code in (*WRITTEN_FOR[procedure], TABLE_SPECTRUM)
 
 
 def other_spectrum_note(procedure: str, spectrum_code: str) -> str:
-    """A sentence for the caveat where the spectrum is of another family; else empty."""
+    """Return a sentence for the caveat where the spectrum is of a code the procedure is not written for; else ""."""
     if is_written_for(procedure, spectrum_code):
         return ""
     return (
@@ -74,5 +74,5 @@ def other_spectrum_note(procedure: str, spectrum_code: str) -> str:
 
 
 def procedures_of_site(spectrum_code: str) -> tuple[str, ...]:
-    """The procedures that a site of this spectrum brings with it, unasked."""
+    """Return the procedures that are added for a spectrum of this code without being requested."""
     return tuple(name for name, codes in WRITTEN_FOR.items() if spectrum_code in codes and name not in ONLY_ON_REQUEST)

@@ -14,9 +14,19 @@ from assess.oscillator import Oscillator, threshold
 
 
 def uplift_multiplier(oscillator: Oscillator, *, linearised: bool) -> float | None:
-    """The least PGA [g] at which the equation of the histories lets the mechanism lift off; None without a threshold.
+    """Return the least PGA at which the equation of the histories lets the mechanism lift off.
 
-    The linearised equation has one, even on joints that answer to any motion.
+    The linearised equation has a threshold even on flexible joints.
+
+    Parameters
+    ----------
+    oscillator : the mechanism
+    linearised : whether the histories solve the linearised equation
+
+    Returns
+    -------
+    float or None
+        PGA [g]; None without a threshold.
     """
     if linearised:
         return min(branch.linearised.multiplier for branch in oscillator.branches)
@@ -24,7 +34,7 @@ def uplift_multiplier(oscillator: Oscillator, *, linearised: bool) -> float | No
 
 
 def pga_curve(incremental: Sequence[Suite]) -> PgaCurve:
-    """Mean of the maxima over PGA, up to the first suite with a record that overturned."""
+    """Return the mean of the maxima over PGA, up to the first suite with a record that overturned the mechanism."""
     standing: list[tuple[float, float]] = []
     for suite in incremental:
         if suite.mean is None:
@@ -36,10 +46,21 @@ def pga_curve(incremental: Sequence[Suite]) -> PgaCurve:
 def pga_before_failure(
     incremental: Sequence[Suite], passes: Callable[[Suite], bool], *, least_records: int
 ) -> float | None:
-    """PGA [g] of the last suite before the first that fails; None if none failed, too few records, or no scan.
+    """Return the PGA of the last suite before the first that fails.
 
-    Responses are not monotone in PGA: a suite beyond the first failure may pass again, and does not count, so a level
-    can pass above this PGA.
+    Responses are not monotone in PGA: a suite beyond the first failure may pass again and does not count, so that a
+    level can pass above this PGA.
+
+    Parameters
+    ----------
+    incremental : suites at rising PGA
+    passes : whether a suite passes
+    least_records : that a suite must have
+
+    Returns
+    -------
+    float or None
+        PGA [g]; None if none failed, with too few records, or without a scan.
     """
     last: float | None = None
     for suite in incremental:
@@ -52,7 +73,7 @@ def pga_before_failure(
 
 
 def fails_below(at_collapse: float | None, level: float) -> tuple[Message, ...]:
-    """A remark where a level passes above the least PGA at which the scan fails, both in g."""
+    """Return a message where a level passes above the least PGA at which the scan fails, both in g."""
     if at_collapse is None or level <= at_collapse:
         return ()
     return (message("fails-below", {"pga": Quantity(at_collapse, "ground acceleration", 3)}),)

@@ -1,4 +1,4 @@
-"""The multiplier of linear checks, worked out for the calculation sheets."""
+"""The multiplier of linear checks, as a line of their calculation sheets."""
 
 from __future__ import annotations
 
@@ -7,7 +7,17 @@ from assess.oscillator import Branch, multiplier, resisted
 
 
 def multiplier_step(symbol: str, description: str, clause: str, branch: Branch) -> Step:
-    """The line of `resisted`: the multiplier at rest, or on joints the largest of the curve [-]."""
+    """Write the multiplier at rest, or on flexible joints the largest of the curve [-].
+
+    Parameters
+    ----------
+    symbol, description, clause : as the sheet prints them
+    branch : the direction of rocking
+
+    Returns
+    -------
+    Step
+    """
     found = resisted(branch)
     if found > float(multiplier(branch)[0]):
         return step(symbol, description, clause, "largest (V' − M) / (g B)", found, remark="of the curve")

@@ -1,15 +1,15 @@
-"""The PGA that takes a mechanism to each rotation, and the two questions asked of it: demand and capacity.
+"""The PGA that takes a mechanism to each rotation, from which demand and capacity are read.
 
 Spectral procedures scale one spectrum with its PGA, so each gives a curve PGA(phi). It starts high (a stiff body
 feels the ground's own acceleration), falls where the equivalent period enters the plateau, and rises again as
-the period lengthens. An equilibrium on a falling stretch is unstable: a little more rotation asks for less. So
+the period lengthens. An equilibrium on a falling stretch is unstable: a slightly larger rotation needs less PGA. So
 below the bottom of the first fall nothing rocks, and above it the demand is the first rotation beyond the bottom
-at which the curve reaches the level. `PgaRelation.least` is the PGA that takes the body at least to each rotation
-in that sense; it never falls, and both questions are read from it.
+at which the curve reaches the level. `PgaRotation.least` is the PGA that takes the body at least to each rotation
+in that sense; it never falls, and demand and capacity are read from it.
 
-A floor spectrum has several peaks, so its curve falls more than once, and where the first fall ends tells nothing. Of
-such a curve `least` is the smallest PGA from each rotation on: the demand is the last rotation at which the spectrum
-still asks for what the body has, whatever lies between.
+A floor spectrum has several peaks, so its curve falls more than once, and the end of its first fall has no meaning.
+There `least` is the smallest PGA from each rotation on: the demand is the last rotation at which the curve reaches
+the level, whatever lies between.
 """
 
 from __future__ import annotations
@@ -53,10 +53,21 @@ def pga_rotation(
     period_of: PgaOf | None = None,
     longest_period: float = inf,
 ) -> PgaRotation:
-    """The relation from nearly rest to `overturning` [rad]: finer near rest, where periods change fastest.
+    """Return PGA over rotation, from nearly rest to overturning.
 
-    Nothing rocks below `uplift` [m/s2]. Where `period_of` (rotation -> period [s]) exceeds `longest_period`, the
-    spectrum says nothing and the relation ends.
+    Points are closer near rest, where periods change fastest.
+
+    Parameters
+    ----------
+    pga_of : the curve, PGA [m/s2] of rotations [rad]
+    overturning : [rad]
+    uplift : PGA below which nothing rocks [m/s2]
+    period_of : period [s] of rotations [rad]; None where the spectrum has no end
+    longest_period : end of the spectrum [s]; the curve ends there
+
+    Returns
+    -------
+    PgaRotation
     """
     rotation, complete = _rotations(overturning, period_of, longest_period)
     pga = pga_of(rotation)
@@ -69,14 +80,14 @@ def pga_rotation(
 def floor_pga_rotation(
     pga_of: PgaOf, *, overturning: float, uplift: float, period_of: PgaOf, longest_period: float
 ) -> PgaRotation:
-    """The same on a floor spectrum, whose curve may fall again."""
+    """Return PGA over rotation on a floor spectrum, whose curve may fall again; arguments as of `pga_rotation`."""
     rotation, complete = _rotations(overturning, period_of, longest_period)
     least = np.minimum.accumulate(pga_of(rotation)[::-1])[::-1]
     return PgaRotation(rotation, pga_of, 0, np.maximum(least, uplift), complete, falls_again=True)
 
 
 def _rotations(overturning: float, period_of: PgaOf | None, longest_period: float) -> tuple[FloatArray, bool]:
-    """The rotations of a relation [n] [rad], and whether they reach overturning."""
+    """Return the rotations of a curve [n] [rad], and whether they reach overturning."""
     ratio = np.concatenate((np.geomspace(1e-4, 0.04, 60, endpoint=False), np.linspace(0.04, 1.0, 97)))
     rotation = ratio * overturning
     if period_of is not None:
@@ -85,10 +96,18 @@ def _rotations(overturning: float, period_of: PgaOf | None, longest_period: floa
 
 
 def rotation_demand(curve: PgaRotation, level: float) -> float | None:
-    """Rotation [rad] at PGA `level` [m/s2].
+    """Return the rotation at a PGA.
 
-    0 where nothing rocks; None where the level lies above the whole curve: no equilibrium, the body overturns, or,
-    if the curve is not complete, the spectrum ends too early to tell.
+    Parameters
+    ----------
+    curve : PGA over rotation
+    level : PGA [m/s2]
+
+    Returns
+    -------
+    float or None
+        Rotation [rad], 0 where nothing rocks; None where the level lies above the whole curve: there is no equilibrium
+        and the body overturns, or, if the curve is not complete, the spectrum ends too early to tell.
     """
     if not curve.least.size:
         return None
@@ -106,7 +125,18 @@ def rotation_demand(curve: PgaRotation, level: float) -> float | None:
 
 
 def pga_capacity(curve: PgaRotation, allowable: float) -> float | None:
-    """Largest PGA [m/s2] whose demand does not exceed `allowable` [rad]; None beyond the spectrum's end."""
+    """Return the largest PGA whose demand does not exceed an allowable rotation.
+
+    Parameters
+    ----------
+    curve : PGA over rotation
+    allowable : [rad]
+
+    Returns
+    -------
+    float or None
+        PGA [m/s2]; None beyond the spectrum's end.
+    """
     if not curve.least.size or allowable > curve.rotation[-1] * (1 + 1e-12):
         return None
     if curve.falls_again:
@@ -118,7 +148,7 @@ def pga_capacity(curve: PgaRotation, allowable: float) -> float | None:
 
 
 def to_pga_curve(curve: PgaRotation, branch: Branch) -> PgaCurve:
-    """The relation as it goes into the results: rotation over the branch's overturning rotation, PGA in g."""
+    """Return the curve of the results: rotation over the branch's overturning rotation, PGA in g."""
     return PgaCurve(
         rotation_ratio=tuple((curve.rotation / branch.overturning).tolist()),
         pga_g=tuple((curve.least / g).tolist()),

@@ -72,7 +72,7 @@ LIMIT_STATES: dict[str, tuple[str, ...]] = {  # that an Italian procedure checks
 
 
 def history_rules(options: CodeOptions) -> dict[str, tuple[Rule, ItalianOptions]]:
-    """The Italian procedures that want suites of time histories at a PGA of their own, with their options."""
+    """Return the Italian procedures that need suites of time histories at a PGA of their own, with their options."""
     return {
         dmi2008_history.RULE.procedure: (dmi2008_history.RULE, options.dmi2008),
         ntc2018_history.RULE.procedure: (ntc2018_history.RULE, options.ntc2018),
@@ -80,7 +80,23 @@ def history_rules(options: CodeOptions) -> dict[str, tuple[Rule, ItalianOptions]
 
 
 def procedure(name: str, options: CodeOptions) -> Assess:
-    """The procedure `name` with its code's options put in; ProcedureError for an unknown name."""
+    """Return a procedure with its code's options.
+
+    Parameters
+    ----------
+    name : one of `PROCEDURES`
+    options : of every code
+
+    Returns
+    -------
+    callable
+        Takes an oscillator and a context, returns checks.
+
+    Raises
+    ------
+    ProcedureError
+        For an unknown name; it lists the known ones.
+    """
     if name not in PROCEDURES:
         raise ProcedureError(f'procedure "{name}" is not known; known are: {", ".join(PROCEDURES)}')
     return PROCEDURES[name](options)

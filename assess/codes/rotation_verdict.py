@@ -1,4 +1,4 @@
-"""The verdict of a procedure that reads rotations from a PGA-rotation curve."""
+"""The outcome of a procedure that reads rotations from a curve of PGA over rotation."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from assess.messages.message import Message, Quantity
 
 @dataclass(frozen=True)
 class Answer:
-    """Verdict, why, and the PGA at capacity [g] where it is known."""
+    """Outcome, reason, and the PGA at capacity [g] where it is known."""
 
     verdict: Outcome
     reason: Message
@@ -30,10 +30,20 @@ def rotation_verdict(
     uplift: float | None,
     context: Context,
 ) -> Answer:
-    """What the demand `rotation` [rad] (None: none found) means beside `allowable` [rad] at PGA `level` [m/s2].
+    """Compare the demand with the allowable rotation; without an outcome where the spectrum ends before the answer.
 
-    uplift: the true multiplier [-], None on joints without a threshold. Where the spectrum ends before the answer,
-    nothing is claimed.
+    Parameters
+    ----------
+    rotation : demand [rad]; None where none was found
+    allowable : [rad]
+    curve : PGA over rotation
+    level : PGA [m/s2]
+    uplift : multiplier at uplift [-]; None on joints without a threshold
+    context : the site
+
+    Returns
+    -------
+    Answer
     """
     at_capacity = pga_capacity(curve, allowable)
     in_g = None if at_capacity is None else at_capacity / g

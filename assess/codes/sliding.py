@@ -1,8 +1,8 @@
 """Does a hinge slide before the mechanism rocks? Equilibrium of the blocks and Coulomb's friction; no clause of a code.
 
 The ground acceleration pushes on the mechanism at rest; each hinge needs friction |T| / N (`assess.hinge_forces`).
-Where that reaches the coefficient of the joint before the mechanism starts to rock, it slides, and the answers of the
-rocking procedures are not the ones that count. Vertical motion is left out.
+Where that reaches the coefficient of the joint before the mechanism starts to rock, it slides, and the checks by
+rocking do not represent it. Vertical motion is left out.
 """
 
 from __future__ import annotations
@@ -31,9 +31,9 @@ HELD = "; the top of a wall is taken as held, the sheet says with what"
 
 
 def assess(oscillator: Oscillator, context: Context) -> tuple[Check, ...]:
-    """One check for each level: the hinge whose friction is used up most, of both branches.
+    """Return one check for each level, of the hinge that uses the largest share of its friction, of both branches.
 
-    It decides only where the friction of every hinge is known, and every hinge presses.
+    It is answered only where the friction of every hinge is known, and every hinge presses.
     """
     silent = reason_unanswerable(context.hinges)
     checks = [_unanswered(level, context, silent) if silent else _judged(level, context) for level in context.levels]
@@ -42,7 +42,7 @@ def assess(oscillator: Oscillator, context: Context) -> tuple[Check, ...]:
 
 
 def reason_unanswerable(hinges: Sequence[HingeForces]) -> Message | None:
-    """Why nothing can be said of sliding, with the remedy; None where something can."""
+    """Return why sliding cannot be checked, with the remedy; None where it can."""
     if not hinges:
         return reason_message(Reason.NO_HINGE_FORCES)
     for each in _resting_on_friction(hinges):
@@ -59,7 +59,17 @@ def _resting_on_friction(hinges: Sequence[HingeForces]) -> tuple[HingeForces, ..
 
 
 def friction_utilisation(hinge: HingeForces, acceleration: float) -> float:
-    """The friction needed up to a ground acceleration [m/s2] over that of the joint [-]."""
+    """Return the friction needed up to a ground acceleration over that of the joint.
+
+    Parameters
+    ----------
+    hinge : its forces and friction
+    acceleration : of the ground [m/s2]
+
+    Returns
+    -------
+    float [-]
+    """
     mobilised = hinge.mobilised_friction(acceleration)
     if mobilised is None:
         return inf
@@ -69,7 +79,7 @@ def friction_utilisation(hinge: HingeForces, acceleration: float) -> float:
 
 
 def sliding_pga(context: Context) -> float | None:
-    """The least PGA [m/s2] at which a hinge slides before the mechanism rocks; None where none does."""
+    """Return the least PGA [m/s2] at which a hinge slides before the mechanism rocks; None where none does."""
     found = [
         each.sliding_acceleration
         for each in _resting_on_friction(context.hinges)
@@ -152,7 +162,7 @@ def _check(
 
 
 def _steps(hinge: HingeForces, level: float, context: Context, slides_at: float | None) -> tuple[Step, ...]:
-    """The hinge that governs, from its forces on."""
+    """Write the sheet of the governing hinge, from its forces on."""
     held = [each for each in context.hinges if each.held and each.branch == hinge.branch]
     return (
         *incipient_motion_steps(hinge),
@@ -163,7 +173,7 @@ def _steps(hinge: HingeForces, level: float, context: Context, slides_at: float 
 
 
 def _held_steps(top: HingeForces) -> tuple[Step, ...]:
-    """What the support at the top of a wall has to take, by friction under what stands there or by an anchorage."""
+    """Write the force on the support at the top of a wall, and the friction it needs without an anchorage."""
     N, name = top.starting.normal, top.hinge
     said = "friction it would need without an anchorage; none where nothing stands on the top"
     friction = _friction_step(f"μ_{name}", said, top) if N > 0.0 else step(f"μ_{name}", said, EDITION, "|T| / N", None)
@@ -174,13 +184,13 @@ def _held_steps(top: HingeForces) -> tuple[Step, ...]:
 
 
 def _friction_step(symbol: str, words: str, hinge: HingeForces) -> Step:
-    """The friction a hinge needs when the mechanism starts to rock."""
+    """Write the friction a hinge needs when the mechanism starts to rock."""
     pressed = {"T": (hinge.starting.shear, "N"), "N": (hinge.starting.normal, "N")}
     return step(symbol, words, EDITION, "|T| / N", hinge.required_friction, given=pressed)
 
 
 def incipient_motion_steps(hinge: HingeForces) -> tuple[Step, ...]:
-    """H, V, N and T of a hinge when the mechanism starts to rock, and the friction they need."""
+    """Write H, V, N and T of a hinge when the mechanism starts to rock, and the friction they need."""
     H, V, (n_x, n_z), name = hinge.horizontal, hinge.vertical, hinge.face, hinge.hinge
     N, T = hinge.starting.normal, hinge.starting.shear
     faces = "faces on the geometry" if hinge.found else "no faces found: taken level"
@@ -197,7 +207,7 @@ def incipient_motion_steps(hinge: HingeForces) -> tuple[Step, ...]:
 
 
 def _horizontal_step(hinge: HingeForces) -> Step:
-    """How H comes about: of a single block what it is at rest less the push on the moved mass."""
+    """Write H; of a single block it is H at rest less the push on the moved mass."""
     symbol, words, H = f"H_{hinge.hinge}", "on the block that presses, along the motion", hinge.horizontal
     if not hinge.single:
         return step(symbol, words, EDITION, BALANCE, H, "N", remark=TABLE)
@@ -208,7 +218,7 @@ def _horizontal_step(hinge: HingeForces) -> Step:
 
 
 def _level_steps(hinge: HingeForces, level: float, context: Context) -> tuple[Step, ...]:
-    """The same at the acceleration of the level, or at the one that starts rocking where that is less."""
+    """Write N, T and friction at the acceleration of the level, or at incipient motion where that is less."""
     a = min(level * context.amplification, hinge.acceleration)
     now, rest, start, name = hinge.pressure_at(a), hinge.resting, hinge.starting, hinge.hinge
     reached = {"a": (a, "m/s2"), "a_r": (hinge.acceleration, "m/s2")}

@@ -1,4 +1,4 @@
-"""A verdict in words: what the command line and the report both print of it. All text is English, in SI."""
+"""A verdict in words, for the command line and the report. All text is English, in SI."""
 
 from __future__ import annotations
 
@@ -17,12 +17,22 @@ _BARE = re.compile(r"[A-Za-z0-9_-]+")
 
 
 def outcome_text(outcome: Decision, *, near: bool) -> str:
-    """The outcome, and whether it lies at the limit: "fail at the limit"."""
+    """Return the outcome in words: "fail", or "fail at the limit".
+
+    Parameters
+    ----------
+    outcome : pass, fail or incomplete
+    near : whether it is at the limit
+
+    Returns
+    -------
+    str
+    """
     return outcome.value + (AT_THE_LIMIT if near and outcome != Decision.INCOMPLETE else "")
 
 
 def index_text(index: Index | None) -> str:
-    """An index with its name and grade: "zeta_E 0.83", "45 %NBS, grade C"; empty where there is none."""
+    """Return an index with its name and grade, as "zeta_E 0.83" or "45 %NBS, grade C"; empty where there is none."""
     if index is None:
         return ""
     value = figures(index.value)
@@ -31,7 +41,7 @@ def index_text(index: Index | None) -> str:
 
 
 def building_index_text(verdict: Verdict) -> str:
-    """The index of the building, which local mechanisms alone can only bound; empty where none is known."""
+    """Return the index of the building, which local mechanisms alone can only bound; empty where none is known."""
     if verdict.index is None:
         return ""
     bound = "at least" if verdict.index.name == "D/C" else "at most"
@@ -39,17 +49,17 @@ def building_index_text(verdict: Verdict) -> str:
 
 
 def target_text(verdict: Verdict) -> str:
-    """What the index is compared with; empty where that is not known."""
+    """Return the target that the index is compared with; empty where that is not known."""
     return "" if verdict.target is None else f"{verdict.target:.3g}"
 
 
 def figures(value: float) -> str:
-    """A number to three figures, all of them written: 1.00 for one."""
+    """Return a number to three figures, with trailing zeros: 1.00 for one."""
     return f"{value:#.3g}".rstrip(".") if value else "0"
 
 
 def action_text(action: Action) -> str:
-    """The site's own action: PGA, limit state and return period as far as they are known."""
+    """Return the site's own action in words: PGA, limit state and return period as far as they are known."""
     known = [f"PGA {action.pga_g:.3g} g"]
     known += [f"stated for {action.limit_state}"] if action.limit_state else []
     known += ["each limit state by the hazard of the site"] if action.over_periods else []
@@ -58,19 +68,36 @@ def action_text(action: Action) -> str:
 
 
 def margin_text(one: MechanismVerdict, action: Action) -> str:
-    """Up to which PGA a mechanism holds: "0.18 g = 2.7 x the site's"; empty where that is not known."""
+    """Return the PGA up to which a mechanism passes, as "0.18 g = 2.7 x the site's"; empty where it is not known.
+
+    Parameters
+    ----------
+    one : verdict of the mechanism
+    action : of the site
+
+    Returns
+    -------
+    str
+    """
     return "" if one.margin is None else f"{figures(one.margin * action.pga_g)} g = {figures(one.margin)} x the site's"
 
 
 def relevant_warnings(warnings: Sequence[Message]) -> tuple[Message, ...]:
-    """The warnings that bear on a verdict: all but notes."""
+    """Return the messages that bear on a verdict: all but notes."""
     return tuple(each for each in warnings if each.severity != Severity.NOTE)
 
 
 def toml_lines(missing: Sequence[Missing], given: Collection[str]) -> tuple[str, ...]:
-    """The missing keys as TOML to paste, table by table.
+    """Return the missing keys as TOML to paste, table by table.
 
-    given : keys that the project file gives, written with dots; a table that stands there already is marked
+    Parameters
+    ----------
+    missing : the missing inputs
+    given : keys that the project file gives, written with dots; a table that is already there is marked
+
+    Returns
+    -------
+    tuple of str
     """
     tables: dict[str, list[str]] = {}
     for each in missing:
@@ -83,12 +110,12 @@ def toml_lines(missing: Sequence[Missing], given: Collection[str]) -> tuple[str,
 
 
 def table_of(key: str) -> str:
-    """The table that a missing key stands in; for a line of the sources that is the key itself."""
+    """Return the table that a missing key belongs to; for a line of the sources that is the key itself."""
     return key if key == SOURCES else key.rpartition(".")[0]
 
 
 def _there(table: str, given: Collection[str]) -> str:
-    """A remark to the heading of a table that the file has, or may have where only tables within it are known."""
+    """Return a remark for the heading of a table that the file has, or may have."""
     within = [key.removeprefix(f"{table}.") for key in given if key.startswith(f"{table}.")]
     own = bool(within) if table == SOURCES else any("." not in key for key in within)
     if own:
@@ -97,7 +124,7 @@ def _there(table: str, given: Collection[str]) -> str:
 
 
 def heading(table: str) -> str:
-    """The heading of a table of the project file, its own name quoted where TOML wants that."""
+    """Return the heading of a table of the project file, a name given by the user quoted where TOML needs it."""
     first, _, name = table.partition(".")
     plain = first not in NAMED or _BARE.fullmatch(name)
     return f"[{table}]" if plain else f"[{first}.{json.dumps(name, ensure_ascii=False)}]"

@@ -1,4 +1,4 @@
-"""Every procedure runs on both branches at every level; the worse branch is the answer."""
+"""Every procedure runs on both branches at every level; the check of the worse branch is kept."""
 
 from __future__ import annotations
 
@@ -14,10 +14,20 @@ NAMES: tuple[BranchName, BranchName] = ("positive", "negative")
 
 
 def check_worst_branch(oscillator: Oscillator, levels: Sequence[float], one: OneCheck) -> tuple[Check, ...]:
-    """For each PGA of `levels` [m/s2] the worse of `one(branch, name, level)` over the oscillator's branches.
+    """Return for each level the check of the worse branch.
 
-    PGA at capacity and at uplift are the smaller of the branches', whichever is the worse at the level. Of a branch
-    that serves both ways the positive one is asked.
+    PGA at capacity and at uplift are the smaller of the branches', whichever is the worse at the level. Where one
+    branch serves both ways, it is the positive one.
+
+    Parameters
+    ----------
+    oscillator : the mechanism
+    levels : PGA [m/s2]
+    one : makes the check of a branch, its name and a level
+
+    Returns
+    -------
+    tuple of Check
     """
     branches = tuple(dict.fromkeys(oscillator.branches))
     named = tuple(zip(branches, NAMES, strict=False))
@@ -25,12 +35,12 @@ def check_worst_branch(oscillator: Oscillator, levels: Sequence[float], one: One
 
 
 def branch_of(oscillator: Oscillator, name: BranchName) -> Branch:
-    """The branch of a check; the positive one where there is no other."""
+    """Return the branch of a name; the positive one where there is no other."""
     return oscillator.positive if name == "positive" or oscillator.negative is None else oscillator.negative
 
 
 def worst_branch_check(checks: Sequence[Check]) -> Check:
-    """The check of the worse branch, with the smaller PGA at capacity and at uplift of all."""
+    """Return the check of the worse branch, with the smallest PGA at capacity and at uplift of all."""
     return replace(
         worst_check(checks),
         capacity_pga_g=least_known([check.capacity_pga_g for check in checks]),
@@ -39,15 +49,15 @@ def worst_branch_check(checks: Sequence[Check]) -> Check:
 
 
 def least_known(values: Sequence[float | None]) -> float | None:
-    """The smallest, None where one is not known."""
+    """Return the smallest value; None where one is not known."""
     known = [value for value in values if value is not None]
     return min(known) if len(known) == len(values) else None
 
 
 def worst_check(checks: Sequence[Check]) -> Check:
-    """The check that fails, then the one with the larger demand/capacity, then the smaller PGA at collapse.
+    """Return the check that fails, then the one with the larger demand/capacity, then the smaller PGA at capacity.
 
-    The first of equals (the positive branch) stands.
+    Of equals the first is kept, that of the positive branch.
     """
 
     def severity(check: Check) -> tuple[bool, float, float]:

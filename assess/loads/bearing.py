@@ -79,16 +79,16 @@ def share_of(found: Support, *, centroid: FloatArray) -> float:
     return float(np.clip(r[0], 0.0, 1.0))
 
 
-def carrying(found: Support, *, axis: FloatArray | None = None) -> Support:
+def bearing_contacts(found: Support, *, axis: FloatArray | None = None) -> Support:
     """The same without those of the others that the body only pushes against.
 
     axis : along which a vault springs [3]; its faces across that carry it though they are upright
     """
-    others = {name: each for name, each in found.others.items() if carries(each, axis=axis)}
+    others = {name: each for name, each in found.others.items() if carries_weight(each, axis=axis)}
     return Support(found.contact, others)
 
 
-def carries(contact: Contact, *, axis: FloatArray | None) -> bool:
+def carries_weight(contact: Contact, *, axis: FloatArray | None) -> bool:
     """Whether weight goes through a contact: where it bears, or where a vault springs from it along the axis [3]."""
     return contact.bearing or (axis is not None and abs(float(contact.normal @ axis)) > ACROSS)
 
@@ -107,7 +107,7 @@ def overburden(
         found = support(body, block=block, others=others, tolerance=tolerance)
         if found is None or not found.contact.bearing:
             raise GeometryError(f'body "{body.name}": it does not bear on the block; {nearest(body, block=block)}')
-        share = share_of(carrying(found), centroid=body.centroid)
+        share = share_of(bearing_contacts(found), centroid=body.centroid)
         if share == 0.0:
             raise GeometryError(f'body "{body.name}": by statics it lifts off the block; give its load as a force')
         weights.append(g * body.mass * share)

@@ -13,7 +13,7 @@ from assess.geometry.contact import find_contact
 from assess.geometry.overlap import OVERLAP, SAME_PLACE, shared_with
 from assess.geometry.roof_shape import extent
 from assess.geometry.solid import Solid
-from assess.loads.bearing import Support, carries, carrying, nearest, share_of, support
+from assess.loads.bearing import Support, bearing_contacts, carries_weight, nearest, share_of, support
 from assess.loads.definitions import BodyLoad
 from assess.loads.load import Force, Load, Point, PointMass
 from assess.loads.plane import point_in_plane
@@ -41,7 +41,7 @@ class Surroundings:
 
 
 @dataclass(frozen=True)
-class Brought:
+class FoundLoads:
     """The loads that bodies bring, and sentences on what is doubtful of them.
 
     follows : of each load, whether its block follows from where it is
@@ -98,13 +98,13 @@ class Part:
     doubts: tuple[str, ...] = ()
 
 
-def meeting(load: BodyLoad, body: Solid | None, around: Surroundings) -> Meeting:
+def find_meeting(load: BodyLoad, body: Solid | None, around: Surroundings) -> Meeting:
     """Where a body meets the block and what else carries it, whichever way the motion goes; and what is doubtful.
 
     Raises GeometryError where the body touches nothing of the block, or has no geometry where it needs one.
     """
     given = load.at is not None and load.bearing is not None
-    found = met(load, body, given=given, around=around)
+    found = find_support(load, body, given=given, around=around)
     if found is not None:
         return beside_the_block(found, around=around)
     if body is None or given:
@@ -121,8 +121,8 @@ def body_loads(
     body: Solid | None,
     mass: float,
     around: Surroundings,
-    meet: Meet = meeting,
-) -> Brought:
+    meet: Meet = find_meeting,
+) -> FoundLoads:
     """The point mass of a body, and the force of its thrust if it has one.
 
     block : number of the one that it loads; body : None for direct values; mass : of the whole body by its table [kg]
@@ -142,7 +142,7 @@ def body_loads(
     whole, of = weight(load, body, mass=mass)
     bearing, how = bearing_of(case)
     part = part_of(case, bearing=bearing)
-    source, pushed = [of, part.source, how, *placed(load, found, along=around.along)], list[Force]()
+    source, pushed = [of, part.source, how, *place_text(load, found, along=around.along)], list[Force]()
     if covering is not None:
         thrust = thrust_on(case, V=g * part.share * whole, along=around.along)
         force = Force(f"{load.body} (thrust)", (thrust.size, 0.0), at, block, thrust.source)
@@ -151,15 +151,15 @@ def body_loads(
     if load.seat is not None and not bearing:
         raise GeometryError(f"{case.where}: it only pushes, so it has no seat; remove seat, or write bearing = true")
     carried = PointMass(load.body, part.share * whole, at, bearing, block, "; ".join(source), load.seat)
-    return Brought((carried, *pushed), told_of(load, (*met_by.doubts, *part.doubts)))
+    return FoundLoads((carried, *pushed), name_load(load, (*met_by.doubts, *part.doubts)))
 
 
-def told_of(load: BodyLoad, doubts: Iterable[str]) -> tuple[str, ...]:
+def name_load(load: BodyLoad, doubts: Iterable[str]) -> tuple[str, ...]:
     """Sentences with the name of the load that they are about."""
     return tuple(f'load "{load.body}": {text}' for text in doubts)
 
 
-def met(load: BodyLoad, body: Solid | None, *, given: bool, around: Surroundings) -> Support | None:
+def find_support(load: BodyLoad, body: Solid | None, *, given: bool, around: Surroundings) -> Support | None:
     """Where the body meets the block and others; None where it does not, or where nothing can tell.
 
     given : whether the user says all that follows from it
@@ -176,10 +176,10 @@ def met(load: BodyLoad, body: Solid | None, *, given: bool, around: Surroundings
             raise GeometryError(f"{where}: {whose} has no geometry, so it is not known where they touch; {place}")
         return None
     found = support(body, block=around.block, others=(*around.others, *around.fixed), tolerance=load.tolerance)
-    return None if found is None else apart(found, around.block, tolerance=load.tolerance)
+    return None if found is None else without_shared_space(found, around.block, tolerance=load.tolerance)
 
 
-def apart(found: Support, block: tuple[Solid, ...], *, tolerance: float) -> Support:
+def without_shared_space(found: Support, block: tuple[Solid, ...], *, tolerance: float) -> Support:
     """The same without contacts with what a cut parted from the block where both lie at one elevation.
 
     There the face that the cut made is as near to the body as the face on which it stands.
@@ -213,14 +213,14 @@ def bearing_of(case: Case) -> tuple[bool, str]:
     if case.found is None:
         return bool(given), f"{words[bool(given)]} (given)"
     contact = case.found.contact
-    shown = carries(contact, axis=case.springs)
+    shown = carries_weight(contact, axis=case.springs)
     seen = f"{words[shown]} on {contact.area:.3g} m2"
     return (shown, seen) if given is None else (given, f"{words[given]} (given; by its contact it {seen})")
 
 
 def part_of(case: Case, *, bearing: bool) -> Part:
     """The part of the body that the block carries."""
-    carried = None if case.found is None else carrying(case.found, axis=case.springs)
+    carried = None if case.found is None else bearing_contacts(case.found, axis=case.springs)
     statics = None
     if case.body is not None and carried is not None and carried.others:
         statics = share_of(carried, centroid=case.body.centroid)
@@ -256,7 +256,7 @@ def place_of(load: BodyLoad, found: Support | None, *, along: FloatArray) -> Poi
     return point_in_plane(at, along.tolist())
 
 
-def placed(load: BodyLoad, found: Support | None, *, along: FloatArray) -> list[str]:
+def place_text(load: BodyLoad, found: Support | None, *, along: FloatArray) -> list[str]:
     """A clause where the user's own place stands for that of the contact."""
     if load.at is None:
         return []

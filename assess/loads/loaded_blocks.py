@@ -12,7 +12,7 @@ from assess.geometry.contact import Contact, find_contact, join_contacts
 from assess.geometry.outline import distance
 from assess.geometry.piece import Piece
 from assess.geometry.solid import Solid
-from assess.loads.bearing import carries
+from assess.loads.bearing import carries_weight
 from assess.loads.definitions import BodyLoad
 from assess.loads.load import Point
 from assess.loads.plane import point_in_plane
@@ -60,7 +60,7 @@ def loaded_blocks(load: BodyLoad, body: Solid | None, *, among: Blocks, taken: C
         number = load.block if load.block is not None else nearest_block(load, body, among)
         return (Loaded(number, number),), ()
     axis = springing(load, body, along=among.along)
-    bears = [number for number, each in contacts.items() if carries(each, axis=axis)]
+    bears = [number for number, each in contacts.items() if carries_weight(each, axis=axis)]
     if load.block is not None:
         left_out = [number for number in bears if number not in taken]
         return as_given(load, load.block, contacts, [*bears, *contacts][0], left_out, among=among)

@@ -33,7 +33,7 @@ def overburden_of(
 
     Raises GeometryError for a wall without geometry, a body that does not bear on it, or a load beside its top.
     """
-    name = named(number)
+    name = name_of(number)
     head = top_edge(piece.body)
     if head is None:
         raise GeometryError(f'{where}: {name}: the wall has no geometry, so no top; write a load of kind = "force"')
@@ -42,7 +42,7 @@ def overburden_of(
     if load.force is not None:
         at = (middle + (load.eccentricity or 0.0), elevation)
         return Force(name, (0.0, -load.force), at, UPPER, until="collapse", evidence=WEIGHT)
-    carried = [pressing(body, solids, where=f"{where}: {name}") for body in load.bodies]
+    carried = [pressing_solid(body, solids, where=f"{where}: {name}") for body in load.bodies]
     beside = [solid for key, solid in solids.items() if solid is not None and key not in (*moving, *load.bodies)]
     states = [solid.name for solid in beside if shared_with(piece.solids, solid)[0] > SAME_PLACE]
     others = [solid for solid in beside if solid.name not in states]
@@ -65,7 +65,7 @@ def require_on_top(load: OverburdenLoad, *, thickness: float, where: str) -> Non
         )
 
 
-def pressing(body: str, solids: Mapping[str, Solid | None], *, where: str) -> Solid:
+def pressing_solid(body: str, solids: Mapping[str, Solid | None], *, where: str) -> Solid:
     """The solid of a body that presses; raises GeometryError for one of direct values."""
     solid = solids[body]
     if solid is None:
@@ -73,7 +73,7 @@ def pressing(body: str, solids: Mapping[str, Solid | None], *, where: str) -> So
     return solid
 
 
-def named(number: int) -> str:
+def name_of(number: int) -> str:
     """Of the overburden that is entry `number` of the loads, from 1."""
     return f"overburden {number}"
 
@@ -81,4 +81,4 @@ def named(number: int) -> str:
 def through_of(loads: Sequence[LoadDefinition]) -> dict[str, Through]:
     """How each overburden comes to its wall, by the name of its force."""
     entries = enumerate(loads, start=1)
-    return {named(number): load.through for number, load in entries if isinstance(load, OverburdenLoad)}
+    return {name_of(number): load.through for number, load in entries if isinstance(load, OverburdenLoad)}

@@ -85,7 +85,7 @@ def text_of(said: Message | str) -> str:
     return said if isinstance(said, str) else said.text
 
 
-def count(number: int) -> Quantity:
+def whole_number(number: int) -> Quantity:
     """A whole number as a value."""
     return Quantity(float(number), "ratio", 12)
 

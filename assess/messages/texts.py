@@ -174,7 +174,7 @@ TEXTS: Mapping[str, str] = {
     "{period}; give period = {reciprocal} so that both refer to the same building",
     "confidence-factor": "crushing of the masonry is not modelled in {mechanisms}: under {circular}, the FC of LC1, "
     "{least}, decides there",
-    "sweep": "swept: the mechanism is represented by its most critical case of {cases}, {case}",
+    "sweep": "swept: the mechanism is represented by its most critical case, {case} (cases evaluated: {cases})",
     "sweep-left-out": "not swept in the envelopes, which use the values in the file: {keys}; `assess run` evaluates "
     "every case",
     # records

@@ -29,7 +29,7 @@ BEYOND = 0.1  # of the arch: more than this beyond its end joints is told
 SKEW = 0.35  # rad: a joint farther off square to the arch is told
 
 
-def hinged_arch(
+def arch_mechanism(
     name: str, definition: FourHinge, piece: Piece, *, sides: Sides, **common: Any
 ) -> tuple[Mechanism, list[Piece]]:
     """The four-hinge mechanism of one body that opens at the joints where it resists least, for each direction.
@@ -40,34 +40,34 @@ def hinged_arch(
     Raises MechanismError or GeometryError where a joint misses the body, or no four joints make a mechanism.
     """
     pieces, joints = voussoirs_of(piece, lines_of(definition), definition.towards, where=f'mechanism "{name}"')
-    doubts = tuple(doubtful(pieces, joints))
+    doubts = tuple(joint_warnings(pieces, joints))
     try:
-        made = hinged_at(name, [each.body for each in pieces], joints, sides=sides, **common)
+        made = arch_at_weakest_hinges(name, [each.body for each in pieces], joints, sides=sides, **common)
     except MechanismError as error:
         start = f'mechanism "{name}": '
         raise MechanismError(start + "; ".join((*doubts, str(error).removeprefix(start)))) from None
     return replace(made, notices=(*doubts, *made.notices)), pieces
 
 
-def hinged_at(
+def arch_at_weakest_hinges(
     name: str, voussoirs: Sequence[PlanarBody], joints: Sequence[Joint], *, sides: Sides, **common: Any
 ) -> Mechanism:
     """The mechanism of an arch of voussoirs that opens at the weakest of its joints, for each direction."""
     plain = [block_of(body) for body in voussoirs]
     front = weakest_hinges(plain, joints, name=name)
     _, positive = divide_arch(voussoirs, front)
-    negative, notices = None, [told(front, "positive", len(joints), flip=False)]
+    negative, notices = None, [hinges_text(front, "positive", len(joints), flip=False)]
     if sides == "two":
         turned = [replace(block, centroid=mirror_point(block.centroid)) for block in plain[::-1]]
         back = weakest_hinges(turned, [(mirror_point(a), mirror_point(b)) for a, b in joints[::-1]], name=name)
         a, b, c, d = (mirror_point(hinge) for hinge in back.hinges)
-        negative = mirrored_back(divide_arch(voussoirs[::-1], replace(back, hinges=(a, b, c, d)))[1])
-        notices.append(told(back, "negative", len(joints), flip=True))
+        negative = mirror_chain_back(divide_arch(voussoirs[::-1], replace(back, hinges=(a, b, c, d)))[1])
+        notices.append(hinges_text(back, "negative", len(joints), flip=True))
     outlines = tuple(body.outline for body in voussoirs)
     return assemble(name, "four-hinge", positive, negative, outlines=outlines, notices=notices, **common)
 
 
-def doubtful(pieces: Sequence[Piece], joints: Sequence[Joint]) -> Iterator[str]:
+def joint_warnings(pieces: Sequence[Piece], joints: Sequence[Joint]) -> Iterator[str]:
     """Sentences where joints do not look like those of this arch: much of it beyond them, or not square to it."""
     left, whole = (
         sum(solid.mass for solid in solids)
@@ -87,13 +87,13 @@ def doubtful(pieces: Sequence[Piece], joints: Sequence[Joint]) -> Iterator[str]:
             return
 
 
-def mirrored_back(chain: Chain) -> Chain:
+def mirror_chain_back(chain: Chain) -> Chain:
     """A chain that begins at the far springing, in the sign of the negative branch; parts in order from the near."""
     parts = tuple((replace(part, centroid=mirror_point(part.centroid)), number) for part, number in chain.parts[::-1])
     return replace(mirror_chain(chain.blocks, chain.hinges), parts=parts)
 
 
-def told(found: ArchHinges, rotation: str, joints: int, *, flip: bool) -> str:
+def hinges_text(found: ArchHinges, rotation: str, joints: int, *, flip: bool) -> str:
     """Which hinges were found, in the project's own axes."""
     places = ", ".join(
         f"{letter} {format_point(mirror_point(at) if flip else at)}"
@@ -135,7 +135,7 @@ def voussoirs_of(
                 f"{where}: joint {number} lies beyond the end of the body; remove it or mend the joints"
             )
         parts = side(rest, line, -normal, along, where=f"{where}: joint {number}")
-        pieces.append(Piece(as_voussoir(parts.above, direction, number - 1), parts.above, None))
+        pieces.append(Piece(voussoir_body(parts.above, direction, number - 1), parts.above, None))
         joints.append(ends_of(parts.foot, line, along))
         rest = parts.below
     springing = side(pieces[0].solids, lines[0], normals[0], along, where=f"{where}: joint 1").foot
@@ -187,6 +187,6 @@ def ahead(lines: Sequence[Line]) -> list[FloatArray]:
     return normals
 
 
-def as_voussoir(solids: Sequence[Solid], direction: Sequence[float], number: int) -> PlanarBody:
+def voussoir_body(solids: Sequence[Solid], direction: Sequence[float], number: int) -> PlanarBody:
     """What lies between two joints."""
     return replace(as_one([planar_body(solid, direction=direction) for solid in solids]), name=f"voussoir {number}")

@@ -18,16 +18,16 @@ from assess.mechanisms.four_hinge import four_hinge
 from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.single_block import single_block
 from assess.mechanisms.two_block import two_block
-from assess.model.arches import hinged_arch
+from assess.model.arches import arch_mechanism
 from assess.model.body import Bodies
 from assess.model.definitions import Chained, Definition, EquivalentBlock, FourHinge, SingleBlock, TwoBlock
 from assess.model.faces import faces_of
-from assess.model.joints import put_on_joints
+from assess.model.joints import place_on_joints
 from assess.model.loading import loads_of
-from assess.model.pieces import doubts_of, pieces_of, scene_of
+from assess.model.pieces import hinge_warnings, pieces_of, scene_of
 from assess.model.walls import Crack, blocks_at, crack_of, require_as_found
 
-Parted = tuple[Mechanism, Sequence[Piece]]  # a mechanism, and the piece of masonry of each of its outlines
+MechanismPieces = tuple[Mechanism, Sequence[Piece]]  # a mechanism, and the piece of masonry of each of its outlines
 
 
 @dataclass(frozen=True)
@@ -43,7 +43,7 @@ def mechanism_of(name: str, definition: Definition, bodies: Bodies) -> Built:
     if isinstance(definition, EquivalentBlock):
         return Built(of_parameters(name, definition), None)
     rigid, members = on_rigid_hinges(name, definition, bodies)
-    told = put_on_joints(rigid, definition, members, bodies, restitution=restitution_of(definition))
+    told = place_on_joints(rigid, definition, members, bodies, restitution=restitution_of(definition))
     told = replace(told, faces=faces_of(told, definition, members, bodies), direction=definition.towards)
     return Built(told, scene_of(members, definition.towards))
 
@@ -63,20 +63,20 @@ def of_parameters(name: str, definition: EquivalentBlock) -> Mechanism:
     )
 
 
-def on_rigid_hinges(name: str, definition: Chained, bodies: Bodies) -> Parted:
+def on_rigid_hinges(name: str, definition: Chained, bodies: Bodies) -> MechanismPieces:
     """The mechanism of one table before it is put on its joints."""
     try:
-        pieces, told = parted(name, definition, bodies)
-        brought = loads_of(name, definition, pieces, bodies)
-        require_as_found(told, brought.loads)
-        mechanism, members = BUILDERS[type(definition)](name, definition, pieces, bodies, loads=brought.loads)
+        pieces, told = cut_into_blocks(name, definition, bodies)
+        found_loads = loads_of(name, definition, pieces, bodies)
+        require_as_found(told, found_loads.loads)
+        mechanism, members = BUILDERS[type(definition)](name, definition, pieces, bodies, loads=found_loads.loads)
     except CrackError as error:
         raise MechanismError(f'mechanism "{name}": {error}') from None
     notices = mechanism.notices if told is None else (*told.notices, *mechanism.notices)
-    return replace(mechanism, notices=(*notices, *brought.doubts)), members
+    return replace(mechanism, notices=(*notices, *found_loads.doubts)), members
 
 
-def parted(name: str, definition: Chained, bodies: Bodies) -> tuple[Sequence[Piece], Crack | None]:
+def cut_into_blocks(name: str, definition: Chained, bodies: Bodies) -> tuple[Sequence[Piece], Crack | None]:
     """The blocks of one table, and the crack of a wall of one body, which parts it in two."""
     pieces = pieces_of(name, definition, bodies)
     if not isinstance(definition, TwoBlock) or len(pieces) == 2:
@@ -93,7 +93,7 @@ def of_one_block(
     bodies: Bodies,
     *,
     loads: tuple[Load, ...],
-) -> Parted:
+) -> MechanismPieces:
     """A single block about the edges of its base."""
     front, back = hinges_of(definition.given_hinges, definition), hinges_of(definition.hinges_negative, definition)
     mechanism = single_block(
@@ -102,7 +102,7 @@ def of_one_block(
         hinge=front[0] if front else None,
         hinge_negative=back[0] if back else None,
         loads=loads,
-        notices=() if front else tuple(doubts_of(pieces[0], definition.towards)),
+        notices=() if front else tuple(hinge_warnings(pieces[0], definition.towards)),
         **common(definition),
     )
     return mechanism, pieces
@@ -115,11 +115,11 @@ def of_two_blocks(
     bodies: Bodies,
     *,
     loads: tuple[Load, ...],
-) -> Parted:
+) -> MechanismPieces:
     """A wall held at base and top, of two bodies or of one that is cracked."""
     front, back = hinges_of(definition.given_hinges, definition), hinges_of(definition.hinges_negative, definition)
     lower, upper = pieces
-    doubts = () if front else tuple(text for piece in pieces for text in doubts_of(piece, definition.towards))
+    doubts = () if front else tuple(text for piece in pieces for text in hinge_warnings(piece, definition.towards))
     mechanism = two_block(
         name,
         lower.body,
@@ -140,10 +140,10 @@ def of_four_hinges(
     bodies: Bodies,
     *,
     loads: tuple[Load, ...],
-) -> Parted:
+) -> MechanismPieces:
     """Three blocks between four hinges that are given, or an arch whose hinges are looked for."""
     if definition.hinges == "minimum":
-        return hinged_arch(name, definition, pieces[0], **common(definition))
+        return arch_mechanism(name, definition, pieces[0], **common(definition))
     mechanism = four_hinge(
         name,
         [piece.body for piece in pieces],
@@ -155,7 +155,7 @@ def of_four_hinges(
     return mechanism, pieces
 
 
-BUILDERS: dict[type[Chained], Callable[..., Parted]] = {
+BUILDERS: dict[type[Chained], Callable[..., MechanismPieces]] = {
     SingleBlock: of_one_block,
     TwoBlock: of_two_blocks,
     FourHinge: of_four_hinges,

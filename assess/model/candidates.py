@@ -26,8 +26,8 @@ from assess.mechanisms.virtual_work import virtual_work
 from assess.model.assembly import on_rigid_hinges
 from assess.model.body import Bodies
 from assess.model.definitions import Chained, CutAngle, Restitution, SingleBlock, TwoBlock
-from assess.model.directions import S, block_towards, facing, normals_of, standing_block, standing_of
-from assess.model.obstacles import Obstacle, obstacles_of, stopping
+from assess.model.directions import S, block_above_cut, block_by_direction, normals_of, solids_of_blocks, turn_towards
+from assess.model.obstacles import Obstacle, bodies_that_stop, obstacles_of
 from assess.oscillator import displacement
 from spectra.arrays import FloatArray
 
@@ -63,17 +63,17 @@ class Look:
         return f"mechanisms.{self.name}"
 
 
-def looking(name: str, definition: SingleBlock | TwoBlock, bodies: Bodies) -> Look:
+def look_around(name: str, definition: SingleBlock | TwoBlock, bodies: Bodies) -> Look:
     """The candidates of a mechanism and what stands beside it."""
-    standing, bare = standing_of(name, definition, bodies), plain(definition)
+    standing, bare = solids_of_blocks(name, definition, bodies), plain(definition)
     if isinstance(bare, SingleBlock) and not isinstance(bare.cut, CutAngle):
-        block = standing_block(name, bare, standing)
-        standing, foot, at = block.solids, block.foot, block_towards(name, bare, block, bodies)
+        block = block_above_cut(name, bare, standing)
+        standing, foot, at = block.solids, block.foot, block_by_direction(name, bare, block, bodies)
     else:
         foot = lowest_corners(standing)
 
         def at(way: Vector) -> Mechanism:
-            return on_rigid_hinges(name, facing(bare, way), bodies)[0]
+            return on_rigid_hinges(name, turn_towards(bare, way), bodies)[0]
 
     ways = ways_of(definition, foot, np.concatenate([solid.vertices for solid in standing]))
     return Look(name, definition, bodies, foot, obstacles_of(definition, standing, bodies), ways, at)
@@ -94,7 +94,7 @@ def plain(definition: S) -> S:
     """The same table for one side, whatever its impacts keep, without what is measured along the direction."""
     changes: dict[str, Any] = {"sides": "one", "restitution": Restitution(positive=0.0, negative=0.0)}
     if definition.direction is None:
-        keys = set(definition.turning())
+        keys = set(definition.keys_along())
         flat = {key[1] for key in keys if key[0] == "loads"}
         changes["loads"] = tuple(load for place, load in enumerate(definition.loads) if place not in flat)
         if any(key[0] == "hinges" for key in keys):
@@ -109,7 +109,7 @@ def across(plan: FloatArray, normals: FloatArray) -> FloatArray:
     return normals[[int(np.argmin(np.round(width / width.max(), DIGITS)))]]
 
 
-def evaluated(look: Look) -> tuple[Candidate, ...]:
+def evaluate_all(look: Look) -> tuple[Candidate, ...]:
     """Every candidate with its multiplier, or why it cannot rock that way, and what touches it there."""
     return tuple(evaluate(angle, look) for angle in look.ways)
 
@@ -117,7 +117,7 @@ def evaluated(look: Look) -> tuple[Candidate, ...]:
 def evaluate(angle: float, look: Look) -> Candidate:
     """One candidate. Raises FallingError where it already falls and nobody said which way it moves."""
     asked = Candidate(angle)
-    asked = replace(asked, touching=stopping(look.obstacles, asked.way))
+    asked = replace(asked, touching=bodies_that_stop(look.obstacles, asked.way))
     if not on_side(look, asked.way):
         return replace(asked, why=OTHER_SIDE)
     try:

@@ -113,9 +113,9 @@ class Chained:
         """Return what the hinge of this letter presses on."""
         return self.interfaces.get(letter, self.interface)
 
-    def turning(self) -> Iterator[tuple[str | int, ...]]:
+    def keys_along(self) -> Iterator[tuple[str | int, ...]]:
         """Name what is given in the plane of motion: two numbers of loads and hinges, and the joints of an arch."""
-        yield from turning(self)
+        yield from keys_along_direction(self)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -167,7 +167,7 @@ class EquivalentBlock:
 Definition = SingleBlock | TwoBlock | FourHinge | EquivalentBlock
 
 
-def turning(chained: Any) -> Iterator[tuple[str | int, ...]]:
+def keys_along_direction(chained: Any) -> Iterator[tuple[str | int, ...]]:
     """Name what of a mechanism of blocks is measured along its direction, with the way to it, entries from 0."""
     for place, load in enumerate(chained.loads):
         yield from (("loads", place, name) for name in measured_along(load))

@@ -14,7 +14,7 @@ from assess.geometry.footprint import edge_normals
 from assess.geometry.piece import Piece
 from assess.geometry.planar import base_of_section, lowest_corners, planar_body_without_outline
 from assess.geometry.solid import Solid
-from assess.loads.body_loads import Meeting, Surroundings, meeting
+from assess.loads.body_loads import Meeting, Surroundings, find_meeting
 from assess.loads.definitions import BodyLoad
 from assess.mechanisms.directions import Directions, Vector, towards
 from assess.mechanisms.mechanism import Mechanism
@@ -40,26 +40,26 @@ SAME = 1e-6  # deg: directions this near are one
 TIE = 1e-9  # multipliers this near the least are as weak
 
 
-def swept_directions(name: str, definition: Sought, bodies: Bodies) -> Built:
+def sweep_directions(name: str, definition: Sought, bodies: Bodies) -> Built:
     """The mechanism of one table [mechanisms.NAME] in the weakest of many directions."""
-    standing = standing_of(name, definition, bodies)
+    standing = solids_of_blocks(name, definition, bodies)
     told: tuple[str, ...] = ()
     if isinstance(definition, SingleBlock) and not isinstance(definition.cut, CutAngle):
-        block = standing_block(name, definition, standing)
-        found = directions(block_towards(name, definition, block, bodies), angles(normals_of(block.foot)))
-        told = (CORNER,) if sloping(block.foot) else ()
+        block = block_above_cut(name, definition, standing)
+        found = directions(block_by_direction(name, definition, block, bodies), angles(normals_of(block.foot)))
+        told = (CORNER,) if is_sloping(block.foot) else ()
     else:  # the crack turns with the direction, and with it the blocks
         plan = np.concatenate([solid.vertices for solid in standing])
         found = directions(
-            lambda way: mechanism_of(name, facing(definition, way), bodies).mechanism,
+            lambda way: mechanism_of(name, turn_towards(definition, way), bodies).mechanism,
             angles(edge_normals(plan)),
         )
-    built = mechanism_of(name, facing(definition, towards(found.weakest)), bodies)
+    built = mechanism_of(name, turn_towards(definition, towards(found.weakest)), bodies)
     kept = (text for text in built.mechanism.notices if text != ASKEW)  # every direction has been looked at
     return replace(built, mechanism=replace(built.mechanism, directions=found, notices=(*kept, *told)))
 
 
-def standing_of(name: str, definition: Chained, bodies: Bodies) -> tuple[Solid, ...]:
+def solids_of_blocks(name: str, definition: Chained, bodies: Bodies) -> tuple[Solid, ...]:
     """The solids of all blocks; raises MechanismError for a body of direct values, which has one plane only."""
     found = []
     for body in (body for block in definition.blocks for body in block):
@@ -84,7 +84,7 @@ def angles(normals: FloatArray) -> tuple[float, ...]:
     return tuple(np.sort(np.concatenate([even, normals[apart]])).tolist())
 
 
-def sloping(foot: FloatArray) -> bool:
+def is_sloping(foot: FloatArray) -> bool:
     """Whether the corners [k, 3] of what a body stands on lie at different elevations."""
     return float(np.ptp(foot[:, 2])) > LEVEL
 
@@ -96,7 +96,7 @@ def normals_of(foot: FloatArray) -> FloatArray:
     """
     normals = edge_normals(foot)
     beside = [normals + turn for turn in (-BESIDE, 0.0, BESIDE)]
-    return np.unique(np.concatenate(beside) % 360.0) if sloping(foot) else normals
+    return np.unique(np.concatenate(beside) % 360.0) if is_sloping(foot) else normals
 
 
 @dataclass(frozen=True)
@@ -111,7 +111,7 @@ class Standing:
     fixed: tuple[Solid, ...] = ()
 
 
-def standing_block(name: str, definition: SingleBlock, solids: tuple[Solid, ...]) -> Standing:
+def block_above_cut(name: str, definition: SingleBlock, solids: tuple[Solid, ...]) -> Standing:
     """The block above its cut, which is the same in every direction."""
     plane = cut_of(definition, where=f'mechanism "{name}"')
     if plane is None:
@@ -120,7 +120,7 @@ def standing_block(name: str, definition: SingleBlock, solids: tuple[Solid, ...]
     return Standing(parts.above, parts.foot, parts.below)
 
 
-def block_towards(
+def block_by_direction(
     name: str, definition: SingleBlock, standing: Standing, bodies: Bodies
 ) -> Callable[[Vector], Mechanism]:
     """The single block towards any direction; cut once, met by its loads once, and not drawn."""
@@ -128,21 +128,21 @@ def block_towards(
 
     def meet(load: BodyLoad, body: Solid | None, around: Surroundings) -> Meeting:
         if load.body not in known:
-            known[load.body] = meeting(load, body, around)
+            known[load.body] = find_meeting(load, body, around)
         return known[load.body]
 
     def block(direction: Vector) -> Mechanism:
         body = as_one([planar_body_without_outline(solid, direction=direction) for solid in standing.solids])
         body = replace(body, base=base_of_section(standing.foot, direction=direction))
         pieces = [Piece(body, standing.solids, None, fixed=standing.fixed)]
-        faced = facing(definition, direction)
-        brought = loads_of(name, faced, pieces, bodies, meet=meet)
-        return of_one_block(name, faced, pieces, bodies, loads=brought.loads)[0]
+        faced = turn_towards(definition, direction)
+        found_loads = loads_of(name, faced, pieces, bodies, meet=meet)
+        return of_one_block(name, faced, pieces, bodies, loads=found_loads.loads)[0]
 
     return block
 
 
-def facing(definition: S, direction: Vector) -> S:
+def turn_towards(definition: S, direction: Vector) -> S:
     """The same table with its direction given."""
     return replace(definition, direction=direction)
 

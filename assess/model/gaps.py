@@ -26,23 +26,25 @@ def gaps_of(definitions: Mapping[str, Definition], bodies: Bodies) -> Iterator[M
     """
     for name, definition in definitions.items():
         chained = definition.blocks if isinstance(definition, Chained) else ()
-        blocks = [known(block, bodies) for block in chained]
+        blocks = [solids_of_block(block, bodies) for block in chained]
         where = f"mechanisms.{name}"
-        yield from (warning("gap", where, **each) for block in blocks for each in loose(block))
+        yield from (warning("gap", where, **each) for block in blocks for each in gaps_in_block(block))
         pairs = pairwise(blocks)
-        yield from (warning("gap-at-hinge", where, **each) for one, other in pairs for each in parted(one, other))
+        yield from (
+            warning("gap-at-hinge", where, **each) for one, other in pairs for each in gaps_at_hinge(one, other)
+        )
 
 
-def known(block: Sequence[str], bodies: Bodies) -> list[Solid]:
+def solids_of_block(block: Sequence[str], bodies: Bodies) -> list[Solid]:
     """The solids of a block; none where a body has direct values, for nobody knows where that one reaches."""
     found = [solid for body in block if (solid := bodies[body].solid) is not None]
     return found if len(found) == len(block) else []
 
 
-def loose(block: Sequence[Solid]) -> Iterator[Gap]:
+def gaps_in_block(block: Sequence[Solid]) -> Iterator[Gap]:
     """What is said of each gap that would have to be closed for the bodies of a block to hang together."""
     pairs = list(combinations(range(len(block)), 2))
-    joined = [(i, j) for i, j in pairs if touching(block[i], block[j])]
+    joined = [(i, j) for i, j in pairs if are_touching(block[i], block[j])]
     while len(block) > 1:
         group = connected_groups(np.array(joined, dtype=np.int64).reshape(-1, 2), count=len(block))
         across = [(shortest_distance(block[i], block[j]), (i, j)) for i, j in pairs if group[i] != group[j]]
@@ -50,23 +52,23 @@ def loose(block: Sequence[Solid]) -> Iterator[Gap]:
             return
         distance, (i, j) = min(across)
         joined.append((i, j))
-        yield said(block[i], block[j], distance)
+        yield gap_values(block[i], block[j], distance)
 
 
-def parted(one: Sequence[Solid], other: Sequence[Solid]) -> Iterator[Gap]:
+def gaps_at_hinge(one: Sequence[Solid], other: Sequence[Solid]) -> Iterator[Gap]:
     """What is said where two blocks with a hinge between them touch nowhere."""
     pairs = list(product(one, other))
-    if not pairs or any(touching(*pair) for pair in pairs):
+    if not pairs or any(are_touching(*pair) for pair in pairs):
         return
     distances = [shortest_distance(*pair) for pair in pairs]
-    yield said(*pairs[int(np.argmin(distances))], min(distances))
+    yield gap_values(*pairs[int(np.argmin(distances))], min(distances))
 
 
-def touching(one: Solid, other: Solid) -> bool:
+def are_touching(one: Solid, other: Solid) -> bool:
     """Whether two bodies are as near as a joint is thick."""
     return shortest_distance(one, other, limit=TOLERANCE) < TOLERANCE
 
 
-def said(one: Solid, other: Solid, distance: float) -> Gap:
+def gap_values(one: Solid, other: Solid, distance: float) -> Gap:
     """Which two bodies are apart, and by how much [m]."""
     return {"one": one.name, "other": other.name, "distance": Quantity(distance, "length", 3)}

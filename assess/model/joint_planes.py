@@ -63,7 +63,7 @@ class View:
 
 
 @dataclass(frozen=True)
-class Bed:
+class JointPlane:
     """The plane of a joint, and where the faces touch there.
 
     normal : from the held face to the pressing block, in the plane of motion; region : in coordinates of the plane
@@ -79,7 +79,9 @@ class Bed:
         return float((shapely.get_coordinates(self.region) @ out).max() - at)
 
 
-def bed_at(number: int, hinge: Point, definition: Chained, pieces: Sequence[Piece], view: View, *, where: str) -> Bed:
+def find_joint_plane(
+    number: int, hinge: Point, definition: Chained, pieces: Sequence[Piece], view: View, *, where: str
+) -> JointPlane:
     """Where a hinge presses: on the ground or the cut, on the support at the top, or on the block beside it.
 
     Raises GeometryError where no faces meet at the hinge.
@@ -93,14 +95,14 @@ def bed_at(number: int, hinge: Point, definition: Chained, pieces: Sequence[Piec
             "{ rectangle = [thickness, length] }"
         )
     if face is not None:
-        return bed_between(number, hinge, ordered, blocks, view, where=where)
+        return joint_plane_between(number, hinge, ordered, blocks, view, where=where)
     piece = ordered[-1 if pressing == blocks - 1 else 0]
     if blocks == number == 2:
-        return bed_on_face(piece.solids, hinge, view, UP, where=where)
+        return joint_plane_on_face(piece.solids, hinge, view, UP, where=where)
     plane = cut_of(definition, where=where) if piece.cut and len(pieces) == blocks else None
     if plane is None:
-        return bed_on_face(piece.solids, hinge, view, DOWN, where=where)
-    return Bed(view.seen(plane.normal), plane, divide(piece.solids, plane, where=where).region)
+        return joint_plane_on_face(piece.solids, hinge, view, DOWN, where=where)
+    return JointPlane(view.seen(plane.normal), plane, divide(piece.solids, plane, where=where).region)
 
 
 def normal_at(
@@ -116,10 +118,10 @@ def normal_at(
         plane = cut_of(definition, where=where)
         if plane is not None:
             return view.seen(plane.normal)
-    return bed_at(number, hinge, definition, pieces, view, where=where).normal
+    return find_joint_plane(number, hinge, definition, pieces, view, where=where).normal
 
 
-def bed_on_face(solids: Sequence[Solid], hinge: Point, view: View, side: Vector, *, where: str) -> Bed:
+def joint_plane_on_face(solids: Sequence[Solid], hinge: Point, view: View, side: Vector, *, where: str) -> JointPlane:
     """The face of a block on the ground, or of a wall under the support at its top.
 
     It is the one through the hinge that looks most to that side; the lowest (highest) one where none does.
@@ -138,10 +140,12 @@ def bed_on_face(solids: Sequence[Solid], hinge: Point, view: View, side: Vector,
         raise GeometryError(
             f"{where}: no face of its block lies at the hinge ({hinge[0]:.4g}, {hinge[1]:.4g}) m; give shape"
         )
-    return Bed(view.seen(-plane.normal), plane, region)
+    return JointPlane(view.seen(-plane.normal), plane, region)
 
 
-def bed_between(number: int, hinge: Point, pieces: Sequence[Piece], blocks: int, view: View, *, where: str) -> Bed:
+def joint_plane_between(
+    number: int, hinge: Point, pieces: Sequence[Piece], blocks: int, view: View, *, where: str
+) -> JointPlane:
     """Where two blocks, or two voussoirs of an arch, touch with an edge of the contact at the hinge."""
     at = view.world(hinge)
     for over, under in _neighbours(number, pieces, blocks):
@@ -151,7 +155,7 @@ def bed_between(number: int, hinge: Point, pieces: Sequence[Piece], blocks: int,
             region = as_multi(shapely.intersection(faces_in(over, plane), facing))
             if region.area <= SLIVER:
                 continue
-            bed = Bed(view.seen(-outward), plane, region)
+            bed = JointPlane(view.seen(-outward), plane, region)
             way = heading(plane, view.world((outward[2], -float(outward @ view.along))), axis=view.axis)
             ends = abs(bed.beyond(at, way)), abs(bed.beyond(at, -way))
             if min(ends) <= max(EDGE * max(ends), TOUCH):

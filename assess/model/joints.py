@@ -27,13 +27,13 @@ from assess.mechanisms.mechanism import Mechanism
 from assess.mechanisms.through_joint import THROUGH_TOP, through_joint, under_loads
 from assess.model.body import Bodies, Material
 from assess.model.definitions import Chained
-from assess.model.joint_planes import DOWN, UP, Vector, View, bed_at
+from assess.model.joint_planes import DOWN, UP, Vector, View, find_joint_plane
 
 NEAR = 0.02  # of the depth of a contact: a hinge farther from its edge is told
 TURNED = 0.05  # rad: where the resultant of an unsymmetric contact is looked at
 
 
-def put_on_joints(
+def place_on_joints(
     mechanism: Mechanism,
     definition: Chained,
     pieces: Sequence[Piece],
@@ -63,13 +63,13 @@ def put_on_joints(
         return loaded
     if loaded.positive.loads != mechanism.positive.loads and "joint" not in through.values():
         doubts.append(THROUGH_TOP)
-    doubts += apart(mechanism, joints)
+    doubts += contact_offset_warnings(mechanism, joints)
     found = add_joints(loaded, joints[0], joints[-1] if len(joints) > 1 else (), restitution=restitution)
-    notices = dict.fromkeys((*found.notices, *doubts, *sideways(found)))
+    notices = dict.fromkeys((*found.notices, *doubts, *eccentricity_warnings(found)))
     return replace(found, notices=tuple(notices))
 
 
-def apart(mechanism: Mechanism, joints: Sequence[Sequence[Joint | None]]) -> Iterator[str]:
+def contact_offset_warnings(mechanism: Mechanism, joints: Sequence[Sequence[Joint | None]]) -> Iterator[str]:
     """A sentence where the contacts at the base do not lie in one place for both directions."""
     if mechanism.negative is None or mechanism.kind == "four-hinge":
         return
@@ -114,11 +114,11 @@ def joint_at(
     if isinstance(interface.shape, Shape):
         normal = DOWN if at_top(chain, number) else UP
         try:
-            normal = bed_at(number, chain.hinges[number], definition, pieces, view, where=where).normal
+            normal = find_joint_plane(number, chain.hinges[number], definition, pieces, view, where=where).normal
         except GeometryError:
             doubts.append(f"{what}: no faces meet at its hinge, so its joint is taken level")
-        return Joint(_inward(normal, sense), shaped(interface.shape, view), law, interface.model)
-    bed = bed_at(number, chain.hinges[number], definition, pieces, view, where=where)
+        return Joint(_inward(normal, sense), section_of_shape(interface.shape, view), law, interface.model)
+    bed = find_joint_plane(number, chain.hinges[number], definition, pieces, view, where=where)
     inward = _inward(bed.normal, sense)
     out = heading(bed.plane, -view.world(inward), axis=view.axis)
     found = polygon(bed.region, direction=out)
@@ -157,7 +157,7 @@ def at_top(chain: Chain, number: int) -> bool:
     return len(chain.blocks) == number == 2
 
 
-def shaped(shape: Shape, view: View) -> Section:
+def section_of_shape(shape: Shape, view: View) -> Section:
     """A contact of given sizes, seen in the direction of motion."""
     if shape.rectangle is not None:
         return rectangle(*shape.rectangle)
@@ -176,7 +176,7 @@ def _inward(normal: Vector, sense: float) -> Vector:
     return (-sense * normal[1] + 0.0, sense * normal[0] + 0.0)
 
 
-def sideways(mechanism: Mechanism) -> Iterator[str]:
+def eccentricity_warnings(mechanism: Mechanism) -> Iterator[str]:
     """Sentences on contacts that are not symmetric about the plane of motion."""
     for chain, mark in ((mechanism.positive, ""), (mechanism.negative, "'")):
         if chain is None:

@@ -11,7 +11,7 @@ from assess.geometry.contact import TOLERANCE
 from assess.geometry.outline import Outline, distance
 from assess.geometry.overlap import overlaps
 from assess.geometry.piece import Piece
-from assess.loads.body_loads import Brought, Meet, Surroundings, body_loads, meeting, told_of
+from assess.loads.body_loads import FoundLoads, Meet, Surroundings, body_loads, find_meeting, name_load
 from assess.loads.definitions import BodyLoad, ForceLoad, MassLoad, OverburdenLoad, TieLoad
 from assess.loads.load import Force, Load, PointMass, Tie
 from assess.loads.loaded_blocks import Blocks, loaded_blocks
@@ -30,8 +30,8 @@ def loads_of(
     pieces: Sequence[Piece],
     bodies: Bodies,
     *,
-    meet: Meet = meeting,
-) -> Brought:
+    meet: Meet = find_meeting,
+) -> FoundLoads:
     """The loads of the mechanism `name`; pieces: its blocks, or all of them in one; meet: finds contacts of bodies.
 
     Raises GeometryError for a body that touches nothing of its block.
@@ -56,17 +56,17 @@ def loads_of(
             follows.append(False)
             continue
         if isinstance(load, BodyLoad):
-            brought = of_body(load, blocks, definition, bodies, meet=meet)
+            found_loads = of_body(load, blocks, definition, bodies, meet=meet)
         else:
-            brought = Brought((load_of(number, load, definition.towards),), ())
-        loads += brought.loads
-        follows += [isinstance(load, BodyLoad) and load.block is None] * len(brought.loads)
-        doubts += (*brought.doubts, *in_the_air(brought.loads, blocks))
-        doubts += moving_anchors(brought.loads, [each.body.outline for each in pieces])
+            found_loads = FoundLoads((load_of(number, load, definition.towards),), ())
+        loads += found_loads.loads
+        follows += [isinstance(load, BodyLoad) and load.block is None] * len(found_loads.loads)
+        doubts += (*found_loads.doubts, *misplaced_load_warnings(found_loads.loads, blocks))
+        doubts += moving_anchor_warnings(found_loads.loads, [each.body.outline for each in pieces])
     carried = dict.fromkeys(load.body for load in definition.loads if isinstance(load, BodyLoad))
     known = [solid for body in carried if (solid := bodies[body].solid) is not None]
     doubts += (each.text for each in overlaps(known))
-    return Brought(tuple(loads), tuple(dict.fromkeys(doubts)), tuple(follows))
+    return FoundLoads(tuple(loads), tuple(dict.fromkeys(doubts)), tuple(follows))
 
 
 def blocks_of(name: str, definition: Chained, pieces: Sequence[Piece]) -> Blocks:
@@ -87,7 +87,7 @@ def of_body(
     bodies: Bodies,
     *,
     meet: Meet,
-) -> Brought:
+) -> FoundLoads:
     """What a body puts on each block that it loads; nothing where it rests below the cut.
 
     Raises GeometryError where it touches nothing of them, or it is not known which of them it loads.
@@ -95,7 +95,7 @@ def of_body(
     body = bodies[load.body].solid
     taken = {each.block for each in definition.loads if isinstance(each, BodyLoad) and each.body == load.body}
     found, doubts = loaded_blocks(load, body, among=blocks, taken=taken)
-    brought = [
+    found_loads = [
         body_loads(
             load,
             block=each.block,
@@ -106,8 +106,8 @@ def of_body(
         )
         for each in found
     ]
-    loads = tuple(one for each in brought for one in each.loads)
-    return Brought(loads, (*told_of(load, doubts), *(text for each in brought for text in each.doubts)))
+    loads = tuple(one for each in found_loads for one in each.loads)
+    return FoundLoads(loads, (*name_load(load, doubts), *(text for each in found_loads for text in each.doubts)))
 
 
 def surroundings(load: BodyLoad, blocks: Blocks, number: int, bodies: Bodies) -> Surroundings:
@@ -156,7 +156,7 @@ def load_of(
     return Force(name, force, at, load.block, until=load.until, evidence=load.evidence)
 
 
-def moving_anchors(loads: Sequence[Load], outlines: Sequence[Outline]) -> Iterator[str]:
+def moving_anchor_warnings(loads: Sequence[Load], outlines: Sequence[Outline]) -> Iterator[str]:
     """A sentence for each tie whose anchor lies on a block of the mechanism, seen in the plane of motion."""
     for load in loads:
         if not isinstance(load, Tie) or load.anchor is None:
@@ -169,7 +169,7 @@ def moving_anchors(loads: Sequence[Load], outlines: Sequence[Outline]) -> Iterat
                 )
 
 
-def in_the_air(loads: Sequence[Load], blocks: Blocks) -> Iterator[str]:
+def misplaced_load_warnings(loads: Sequence[Load], blocks: Blocks) -> Iterator[str]:
     """A sentence for each load that is not on or near its block, seen in the plane of motion; a crack parts nothing."""
     for load in loads:
         whole = blocks.pieces if blocks.parted else [blocks.pieces[min(load.block, len(blocks.pieces) - 1)]]

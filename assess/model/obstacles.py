@@ -45,7 +45,7 @@ def obstacles_of(definition: Chained, standing: Sequence[Solid], bodies: Bodies)
     return tuple(Obstacle(other.name, faces) for other, faces in found if float(faces.area.sum()) > SMALLEST)
 
 
-def stopping(obstacles: Sequence[Obstacle], way: Vector) -> tuple[str, ...]:
+def bodies_that_stop(obstacles: Sequence[Obstacle], way: Vector) -> tuple[str, ...]:
     """The bodies that stop a motion towards `way`."""
     return tuple(obstacle.body for obstacle in obstacles if obstacle.stops(way))
 

@@ -60,10 +60,10 @@ def whole(block: Sequence[str], direction: Sequence[float], bodies: Bodies) -> P
 def upper(name: str, block: Sequence[str], plane: Plane, direction: Sequence[float], bodies: Bodies) -> Piece:
     """What of a block lies above a cut."""
     parts = divide(solids_to_cut(name, block, bodies), plane, where=f'mechanism "{name}"')
-    return replace(standing_on(parts, direction), fixed=parts.below)
+    return replace(piece_above_cut(parts, direction), fixed=parts.below)
 
 
-def standing_on(parts: Division, direction: Sequence[float]) -> Piece:
+def piece_above_cut(parts: Division, direction: Sequence[float]) -> Piece:
     """The upper side of a cut as a block."""
     body = as_one([planar_body(solid, direction=direction) for solid in parts.above])
     body = replace(body, base=base_of_section(parts.foot, direction=direction))
@@ -121,7 +121,7 @@ def solids_to_cut(name: str, block: Sequence[str], bodies: Bodies) -> list[Solid
     return found
 
 
-def doubts_of(piece: Piece, direction: Sequence[float]) -> Iterator[str]:
+def hinge_warnings(piece: Piece, direction: Sequence[float]) -> Iterator[str]:
     """Sentences where a hinge taken from the geometry is a corner, so that a wall may stand askew, or not level."""
     if piece.foot is None:
         return
@@ -134,10 +134,10 @@ def doubts_of(piece: Piece, direction: Sequence[float]) -> Iterator[str]:
             "taken level at the middle of that line: turn `direction` to the slope of the crack"
         )
     if not piece.cut:
-        yield from uneven(piece.solids, direction)
+        yield from uneven_base_warnings(piece.solids, direction)
 
 
-def uneven(solids: Sequence[Solid], direction: Sequence[float]) -> Iterator[str]:
+def uneven_base_warnings(solids: Sequence[Solid], direction: Sequence[float]) -> Iterator[str]:
     """A sentence where the lowest face is much narrower than what lies hardly higher: a base that is not plane."""
     faces = (lowest_corners(solids), lowest_corners(solids, within=LEVEL))
     ends = [base_of_section(face, direction=direction) for face in faces]

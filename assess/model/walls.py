@@ -17,7 +17,7 @@ from assess.geometry.cut import Division, divide, level_plane
 from assess.geometry.piece import Piece
 from assess.geometry.planar import base_of_section, planar_body, top_edge
 from assess.geometry.solid import Solid
-from assess.loads.body_loads import Brought
+from assess.loads.body_loads import FoundLoads
 from assess.loads.definitions import LoadDefinition
 from assess.loads.load import Force, Load, PointMass
 from assess.loads.overburden import UPPER
@@ -31,7 +31,7 @@ from assess.mechanisms.virtual_work import virtual_work
 from assess.model.body import Bodies, Body, Material
 from assess.model.definitions import TwoBlock, Vector
 from assess.model.loading import loads_of
-from assess.model.pieces import as_one, pieces_of, standing_on
+from assess.model.pieces import as_one, piece_above_cut, pieces_of
 
 
 @dataclass(frozen=True)
@@ -109,7 +109,7 @@ def crack_of(
     definition: TwoBlock,
     whole: Piece,
     bodies: Bodies,
-    loads: Callable[[], Brought],
+    loads: Callable[[], FoundLoads],
     *,
     front: Hinges | None,
 ) -> Crack:
@@ -125,10 +125,10 @@ def crack_of(
     if isinstance(crack, float):
         return Crack(crack)
     find = by_formula if crack == "sorrentino" else by_search
-    brought = loads()
+    found_loads = loads()
     strength = material_of(definition.blocks[0], bodies).tensile_strength or 0.0
-    elevation, notice = find(definition, whole, brought, strength=strength)
-    return Crack(elevation, (notice,), over(brought, elevation))
+    elevation, notice = find(definition, whole, found_loads, strength=strength)
+    return Crack(elevation, (notice,), loads_above(found_loads, elevation))
 
 
 def blocks_at(elevation: float, name: str, definition: TwoBlock, whole: Piece) -> tuple[Piece, Piece]:
@@ -139,14 +139,14 @@ def blocks_at(elevation: float, name: str, definition: TwoBlock, whole: Piece) -
     parts = divide(whole.solids, level_plane(elevation), where=f'mechanism "{name}", crack')
     if not parts.below:
         raise CrackError(f"the crack at z = {elevation:.4g} m is at the foot of the wall; give one above it")
-    return below(parts, whole, definition.towards), standing_on(parts, definition.towards)
+    return below(parts, whole, definition.towards), piece_above_cut(parts, definition.towards)
 
 
-def over(brought: Brought, elevation: float) -> tuple[Load, ...]:
+def loads_above(found_loads: FoundLoads, elevation: float) -> tuple[Load, ...]:
     """The loads of a wall that cracks at an elevation [m]: what follows from its place is on the block there."""
     return tuple(
         replace(load, block=UPPER if load.at[1] >= elevation else 0) if follows else load
-        for load, follows in zip(brought.loads, brought.follows, strict=True)
+        for load, follows in zip(found_loads.loads, found_loads.follows, strict=True)
     )
 
 
@@ -191,7 +191,7 @@ def panel_of(definition: TwoBlock, whole: Piece, loads: Sequence[Load], *, stren
     )
 
 
-def by_formula(definition: TwoBlock, whole: Piece, brought: Brought, *, strength: float) -> tuple[float, str]:
+def by_formula(definition: TwoBlock, whole: Piece, found_loads: FoundLoads, *, strength: float) -> tuple[float, str]:
     """The crack by 3.27 with the loads that stand above it: elevation [m] and how it was found.
 
     The crack depends on what stands above it, and that on the crack: each set of loads is tried that a crack can leave
@@ -199,7 +199,7 @@ def by_formula(definition: TwoBlock, whole: Piece, brought: Brought, *, strength
 
     Raises CrackError where none does, or where one puts the crack at the very top.
     """
-    found = list(agreeing(definition, whole, brought, strength=strength))
+    found = list(consistent_cracks(definition, whole, found_loads, strength=strength))
     if not found:
         raise CrackError(
             'crack = "sorrentino": wherever the formula puts the crack, other loads stand above it than it was found '
@@ -209,16 +209,18 @@ def by_formula(definition: TwoBlock, whole: Piece, brought: Brought, *, strength
     return elevation, notice
 
 
-def agreeing(
-    definition: TwoBlock, whole: Piece, brought: Brought, *, strength: float
+def consistent_cracks(
+    definition: TwoBlock, whole: Piece, found_loads: FoundLoads, *, strength: float
 ) -> Iterator[tuple[float, float, str]]:
     """The cracks by 3.27 above which the loads stand that they are found with: uplift multiplier, elevation, and how.
 
     A load within MARGIN of the top stands on it.
     """
-    heights = sorted({load.at[1] for load, follows in zip(brought.loads, brought.follows, strict=True) if follows})
+    heights = sorted(
+        {load.at[1] for load, follows in zip(found_loads.loads, found_loads.follows, strict=True) if follows}
+    )
     for lowest, next_one in pairwise((-inf, *heights, inf)):
-        loads = over(brought, next_one)
+        loads = loads_above(found_loads, next_one)
         panel = panel_of(definition, whole, loads, strength=strength)
         on_top = panel.base + (1.0 - MARGIN) * panel.height
         if lowest > on_top:
@@ -258,18 +260,18 @@ def of_panel(panel: Panel, *, sides: str) -> tuple[float, str]:
     )
 
 
-def by_search(definition: TwoBlock, whole: Piece, brought: Brought, *, strength: float) -> tuple[float, str]:
+def by_search(definition: TwoBlock, whole: Piece, found_loads: FoundLoads, *, strength: float) -> tuple[float, str]:
     """The crack of least uplift multiplier: elevation [m] and how it was found.
 
     The multiplier jumps where the crack passes a load, from one block to the other; there it is looked for on both
     sides, out of reach of the contact.
     """
-    panel = panel_of(definition, whole, over(brought, -inf), strength=strength)
+    panel = panel_of(definition, whole, loads_above(found_loads, -inf), strength=strength)
 
     def multiplier(elevation: float) -> float:
-        return uplift(definition, whole, panel, over(brought, elevation), elevation)
+        return uplift(definition, whole, panel, loads_above(found_loads, elevation), elevation)
 
-    jumps = [load.at[1] for load, follows in zip(brought.loads, brought.follows, strict=True) if follows]
+    jumps = [load.at[1] for load, follows in zip(found_loads.loads, found_loads.follows, strict=True) if follows]
     elevation = find_least(
         multiplier, low=panel.base, high=panel.base + panel.height, jumps=jumps, apart=2.0 * TOLERANCE
     )

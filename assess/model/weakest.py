@@ -21,9 +21,9 @@ from assess.model.candidates import (
     OTHER_SIDE,
     Look,
     displacement_of,
-    evaluated,
+    evaluate_all,
     free_of,
-    looking,
+    look_around,
     near_least,
     rank,
     uplift,
@@ -33,58 +33,58 @@ from assess.model.candidates import (
     worth,
 )
 from assess.model.definitions import Chained, Definition, EquivalentBlock, FourHinge, SingleBlock, TwoBlock
-from assess.model.directions import S, facing, swept_directions
-from assess.model.obstacles import AHEAD, stopping
+from assess.model.directions import S, sweep_directions, turn_towards
+from assess.model.obstacles import AHEAD, bodies_that_stop
 
 CLEARLY = 0.95  # of a given direction's multiplier: a candidate below it is clearly weaker
 LISTED = 4
 
 
-def directed(name: str, definition: Definition, bodies: Bodies) -> Built:
+def mechanism_in_direction(name: str, definition: Definition, bodies: Bodies) -> Built:
     """The mechanism of one table [mechanisms.NAME], in its weakest direction where none is given."""
     if isinstance(definition, EquivalentBlock | FourHinge):
-        return swept_or_given(name, definition, bodies)
-    if definition.direction == "sweep" or not drawn(definition, bodies):
-        return swept_or_given(name, definition, bodies)
-    look = looking(name, definition, bodies)
+        return mechanism_as_given(name, definition, bodies)
+    if definition.direction == "sweep" or not has_geometry(definition, bodies):
+        return mechanism_as_given(name, definition, bodies)
+    look = look_around(name, definition, bodies)
     if definition.direction is None:
         return in_weakest(look)
     return in_given(look)
 
 
-def swept_or_given(name: str, definition: Definition, bodies: Bodies) -> Built:
+def mechanism_as_given(name: str, definition: Definition, bodies: Bodies) -> Built:
     """The mechanism where no candidates are compared; a body of direct values has one plane only, taken as +x."""
     if not isinstance(definition, EquivalentBlock) and definition.direction == "sweep":
-        return swept_directions(name, definition, bodies)
+        return sweep_directions(name, definition, bodies)
     return mechanism_of(name, definition, bodies)
 
 
-def drawn(definition: Chained, bodies: Bodies) -> bool:
+def has_geometry(definition: Chained, bodies: Bodies) -> bool:
     """Whether all its bodies have geometry."""
     return all(bodies[body].solid is not None for body in definition.bodies)
 
 
 def in_weakest(look: Look) -> Built:
     """The mechanism in its weakest direction; raises ProjectError with the candidates where one must be given."""
-    candidates = evaluated(look)
+    candidates = evaluate_all(look)
     known = [each for each in candidates if each.multiplier is not None]
     if not known:  # nor can it be built towards any: say why
-        return mechanism_of(look.name, facing(look.definition, candidates[0].way), look.bodies)
+        return mechanism_of(look.name, turn_towards(look.definition, candidates[0].way), look.bodies)
     reason = next(must_be_given(look.definition), "")
     if reason:
-        raise ProjectError(f"{look.where}.direction: missing; {reason}; the candidates are {listed(known)}")
+        raise ProjectError(f"{look.where}.direction: missing; {reason}; the candidates are {list_directions(known)}")
     pool, held = free_of(known)
     found = weakest_of([with_displacement(each, look) for each in near_least(pool)])
     candidates = tuple(found if each.angle == found.angle else each for each in candidates)
-    behind = () if held else stopping(look.obstacles, opposite(found.way))
-    definition = sided(facing(look.definition, found.way), behind)
+    behind = () if held else bodies_that_stop(look.obstacles, opposite(found.way))
+    definition = with_sides(turn_towards(look.definition, found.way), behind)
     built = mechanism_of(look.name, definition, look.bodies)
-    told = [*of_obstacles(candidates, found, held=held, where=look.where), *of_sides(behind, look)]
+    told = [*obstacle_messages(candidates, found, held=held, where=look.where), *sides_messages(behind, look)]
     told += [cannot_rock(each, look.where) for each in candidates if each.why not in ("", OTHER_SIDE)]
     return with_messages(built, candidates, told, look)
 
 
-def sided(definition: S, behind: Sequence[str]) -> S:
+def with_sides(definition: S, behind: Sequence[str]) -> S:
     """The same table with its sides: those given, else one where bodies stand behind."""
     return replace(definition, sides=definition.sides or ("one" if behind else "two"))
 
@@ -93,16 +93,16 @@ def must_be_given(definition: SingleBlock | TwoBlock) -> Iterator[str]:
     """Why a direction cannot be found for the user."""
     if definition.sides == "one":
         yield 'with sides = "one" it says which way the mechanism is free'
-    for key in definition.turning():
-        yield f"{dotted(key)} is measured along it"
+    for key in definition.keys_along():
+        yield f"{dotted_key(key)} is measured along it"
 
 
-def dotted(key: Sequence[str | int]) -> str:
+def dotted_key(key: Sequence[str | int]) -> str:
     """A key of a mechanism as the user writes it, entries of lists counted from 1."""
     return "".join(f"[{step + 1}]" if isinstance(step, int) else f".{step}" for step in key).lstrip(".")
 
 
-def listed(known: Sequence[Candidate]) -> str:
+def list_directions(known: Sequence[Candidate]) -> str:
     """Directions with their multipliers, the weakest first."""
     rising = sorted(known, key=rank)
     texts = [f"{vector_text(each.way)} with a multiplier of {each.multiplier:.4g}" for each in rising[:LISTED]]
@@ -117,18 +117,18 @@ def opposite(way: Vector) -> Vector:
 def in_given(look: Look) -> Built:
     """The mechanism in the direction that is given, with a warning where another is clearly weaker."""
     ahead = Candidate(angle_of(look.definition.towards)).way
-    into = stopping(look.obstacles, ahead)
-    behind = () if into else stopping(look.obstacles, opposite(ahead))
-    built = mechanism_of(look.name, sided(look.definition, behind), look.bodies)
-    told = [*of_direction(into, ahead, look), *of_sides(behind, look)]
-    if look.definition.hinges is not None or next(look.definition.turning(), None) is not None:
+    into = bodies_that_stop(look.obstacles, ahead)
+    behind = () if into else bodies_that_stop(look.obstacles, opposite(ahead))
+    built = mechanism_of(look.name, with_sides(look.definition, behind), look.bodies)
+    told = [*direction_warnings(into, ahead, look), *sides_messages(behind, look)]
+    if look.definition.hinges is not None or next(look.definition.keys_along(), None) is not None:
         return with_messages(built, (), told, look)
-    candidates = evaluated(look)
+    candidates = evaluate_all(look)
     told += weaker_than(built.mechanism, candidates, look)
     return with_messages(built, candidates, told, look)
 
 
-def of_direction(into: Sequence[str], ahead: Vector, look: Look) -> Iterator[Message]:
+def direction_warnings(into: Sequence[str], ahead: Vector, look: Look) -> Iterator[Message]:
     """That the direction given leads into a body."""
     if into:
         values = {"direction": vector_text(ahead), "bodies": ", ".join(into)}
@@ -162,7 +162,9 @@ def length_text(length: float | None) -> Value:
     return "none, as it never overturns," if length is None else Quantity(length, "length")
 
 
-def of_obstacles(candidates: Sequence[Candidate], found: Candidate, *, held: bool, where: str) -> Iterator[Message]:
+def obstacle_messages(
+    candidates: Sequence[Candidate], found: Candidate, *, held: bool, where: str
+) -> Iterator[Message]:
     """The senses that bodies beside the mechanism stop."""
     for each in candidates:
         if each.multiplier is None or not each.touching:
@@ -175,7 +177,7 @@ def of_obstacles(candidates: Sequence[Candidate], found: Candidate, *, held: boo
             yield message("direction-held", values, severity=Severity.WARNING, where=where)
 
 
-def of_sides(behind: Sequence[str], look: Look) -> Iterator[Message]:
+def sides_messages(behind: Sequence[str], look: Look) -> Iterator[Message]:
     """That it rocks to one side for what stands behind it."""
     if behind and look.definition.sides is None:
         yield message("sides-by-contact", {"bodies": ", ".join(behind)}, where=look.where)

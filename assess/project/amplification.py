@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 from assess.project import sections
-from assess.project.definitions import filled
+from assess.project.definitions import fill
 from assess.study.amplification import Amplifying, Structure
 
 
-def amplifying_of(section: sections.Mechanism) -> Amplifying | None:
+def amplification_method_of(section: sections.Mechanism) -> Amplifying | None:
     """Return the key `amplification` of a mechanism; None for the ground's motion as it is."""
     asked = section.amplification
-    return None if isinstance(asked, sections.NoAmplification) else filled(Amplifying, asked)
+    return None if isinstance(asked, sections.NoAmplification) else fill(Amplifying, asked)
 
 
 def structure_of(building: sections.Building | None) -> Structure:
     """Return what the table [building] says of the structure below a mechanism; its period only where it is given."""
     if building is None:
         return Structure()
-    return filled(Structure, building, period=building.period if building.given("period") else None)
+    return fill(Structure, building, period=building.period if building.given("period") else None)

@@ -72,7 +72,7 @@ def _silent(name: str, content: sections.Content) -> tuple[str, ...]:
     return () if set(states) & set(LIMIT_STATES[name]) else states
 
 
-def as_asked(resolved: Mapping[str, Resolved], content: sections.Content) -> dict[str, Resolved]:
+def with_asked_procedures(resolved: Mapping[str, Resolved], content: sections.Content) -> dict[str, Resolved]:
     """The values of the project with the procedures that are asked, and without default options of other codes."""
     names = procedures_of(content)
     codes = {key: key.split(".")[1] for key in resolved if key.startswith("procedures.")}

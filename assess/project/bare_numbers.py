@@ -8,7 +8,7 @@ from typing import Any
 from scipy.constants import g
 
 from assess.messages.message import Message, Quantity, warning
-from assess.project.messages import Key, look_up, written
+from assess.project.messages import Key, key_text, look_up
 from assess.project.usual_units import USUAL
 
 HUGE = 60.0  # m: a body larger than this, by a number alone, was rather meant in another unit
@@ -53,7 +53,7 @@ def _of_sizes(body: Key, raw: Mapping[str, Any]) -> Iterator[Message]:
     for key, (_, size) in sizes.items():
         if size > HUGE or units:
             likely = " or ".join(f'"{Quantity(size)} {unit}"' for unit in units or ("mm",))
-            yield warning("box-size", written((*body, *key)), given=Quantity(size, "length"), likely=likely)
+            yield warning("box-size", key_text((*body, *key)), given=Quantity(size, "length"), likely=likely)
 
 
 def _sizes(raw: Mapping[str, Any]) -> Iterator[tuple[Key, str, Any]]:
@@ -91,7 +91,7 @@ def _of_material(material: Key, raw: Mapping[str, Any]) -> Iterator[Message]:
         if unit:
             given = Quantity(value, dimension)
             yield warning(
-                "material-unit", written((*material, name)), given=given, likely=f'"{Quantity(value)} {unit}"'
+                "material-unit", key_text((*material, name)), given=given, likely=f'"{Quantity(value)} {unit}"'
             )
 
 
@@ -104,4 +104,4 @@ def _weak(raw: Mapping[str, Any]) -> Iterator[Message]:
         value = look_up(raw, key)[1]
         if isinstance(value, int | float) and value < WEAK:
             given, as_g = Quantity(value, "acceleration"), Quantity(value / g, "ground acceleration", 3)
-            yield warning("unit", written(key), given=given, as_g=as_g, number=Quantity(value))
+            yield warning("unit", key_text(key), given=given, as_g=as_g, number=Quantity(value))

@@ -16,28 +16,29 @@ from assess.errors import ProjectError, locate_errors
 from assess.geometry.models import Models
 from assess.geometry.solid import Solid
 from assess.messages.message import Message, warning
-from assess.model.weakest import directed
+from assess.model.weakest import mechanism_in_direction
 from assess.project import record_set, sections
-from assess.project.amplification import amplifying_of, structure_of
-from assess.project.asking import as_asked, free_periods_of, knowledge_of, options_of, procedures_of
+from assess.project.amplification import amplification_method_of, structure_of
+from assess.project.asking import free_periods_of, knowledge_of, options_of, procedures_of, with_asked_procedures
 from assess.project.bodies import bodies_of, models_of, solid_of
 from assess.project.components import horizontal, left_out
 from assess.project.deciding import facts_of, question_of
 from assess.project.definitions import definitions_of
 from assess.project.dependents import dependents
-from assess.project.grounding import base_elevation_of, ground_of, grounded
+from assess.project.grounding import base_elevation_of, ground_mechanism, ground_of
 from assess.project.messages import shown
 from assess.project.notices import notices_of
-from assess.project.record_set import RecordSet
-from assess.project.schema import Project, relative, resolved
+from assess.project.schema import Project, resolve
 from assess.project.site_spectrum import hazard_over_periods, site_in, spectrum_of
 from assess.project.survey import survey_of
 from assess.project.variables import variables_of
 from assess.project.variations import Variant, Variation
 from assess.results import Input
 from assess.study.amplification import Standing, amplify
+from assess.study.record_set import EVERYWHERE, RecordSet, record_messages
 from assess.study.study import Artificial, Case, Equation, Fitting, PulseGrid, Study, Sweep
 from assess.study.verdict import levels_with_site
+from records.paths import relative_path
 from records.pulses import shape as pulse_shape
 from records.record import Record
 from spectra.spectrum import Spectrum
@@ -74,7 +75,7 @@ def study_of(project: Project, *, executor: Executor | None = None) -> Study:
     named, notices = all_records(content.records, project.folder)
     study = part_of(content, Files(models, solids, spectrum, named), names=content.mechanisms)
     if content.records.select is not None and spectrum is not None:
-        named, notices = record_set.chosen(
+        named, notices = record_set.select_records(
             content.records,
             content.records.select,
             spectrum=spectrum,
@@ -88,7 +89,7 @@ def study_of(project: Project, *, executor: Executor | None = None) -> Study:
         records=named.records,
         fitting=named.fitting,
         inputs=tuple(inputs_of(project, named.records)),
-        resolved=as_asked(resolved(project), content),
+        resolved=with_asked_procedures(resolve(project), content),
         notices=(
             *project.doubts,
             *(warning("site-study", "site.spectrum", text=text) for text in (spectrum.warnings if spectrum else ())),
@@ -110,14 +111,14 @@ def part_of(content: sections.Content, files: Files, *, names: Iterable[str]) ->
     chosen = {name: content.mechanisms[name] for name in names}
     definitions, bodies = definitions_of(content), bodies_of(content, files.solids)
     ground = ground_of(building, definitions, files.solids)
-    built = {name: directed(name, definitions[name], bodies) for name in chosen}
+    built = {name: mechanism_in_direction(name, definitions[name], bodies) for name in chosen}
     structure = structure_of(content.building)
     own = files.spectrum
     question = question_of(content, site_pga=own.pga if own else 0.0, scale=own.factor if own else 1.0)
     return Study(
         spectrum=files.spectrum,
         vertical_ratio=0.0 if site is None else site.vertical_ratio,
-        building=building_of(building),
+        building=structure_below(building),
         records=files.named.records,
         fitting=files.named.fitting,
         artificial=None if synthetic is None else Artificial(synthetic.count, synthetic.seed, synthetic.duration),
@@ -126,7 +127,7 @@ def part_of(content: sections.Content, files: Files, *, names: Iterable[str]) ->
         levels=levels_of(content.analysis.levels, files.spectrum),
         question=question,
         facts=facts_of(content, question, tuple(chosen), files.spectrum),
-        grounded={name: grounded(section, built[name].mechanism, ground) for name, section in chosen.items()},
+        grounded={name: ground_mechanism(section, built[name].mechanism, ground) for name, section in chosen.items()},
         procedures=procedures_of(content),
         offered=content.offered,
         options=options_of(content),
@@ -134,7 +135,7 @@ def part_of(content: sections.Content, files: Files, *, names: Iterable[str]) ->
         scenes={each.mechanism.name: each.scene for each in built.values() if each.scene is not None},
         amplified={
             name: amplify(
-                amplifying_of(section),
+                amplification_method_of(section),
                 Standing(
                     name=name,
                     definition=definitions[name],
@@ -215,7 +216,7 @@ def levels_of(given: tuple[float, ...] | None, spectrum: Spectrum | None) -> tup
     return levels_with_site(tuple(sorted(given or ())), spectrum.pga)
 
 
-def building_of(section: sections.Building | None) -> Building | None:
+def structure_below(section: sections.Building | None) -> Building | None:
     """The structure below the mechanisms; None where its height is not given."""
     if section is None or section.height is None:
         return None
@@ -242,11 +243,11 @@ def grid_of(section: sections.Pulses) -> PulseGrid:
 def all_records(section: sections.Records, folder: Path) -> tuple[RecordSet, tuple[Message, ...]]:
     """Every horizontal record that is named, and what is left out; none yet where a suite is to be chosen."""
     if section.select is not None:
-        return RecordSet((), Fitting(record_set.EVERYWHERE)), ()
+        return RecordSet((), Fitting(EVERYWHERE)), ()
     found = record_set.all_of(section, folder)
     return replace(found, records=horizontal(found.records)), (
         *left_out(found.records),
-        *record_set.doubts_of(found.records),
+        *record_messages(found.records),
     )
 
 
@@ -261,4 +262,4 @@ def inputs_of(project: Project, records: Sequence[Record]) -> Iterator[Input]:
     used = [project.folder / record.path for record in records] if chosen else content.records.files
     beside = [path for path in (content.records.flatfile, content.records.response) if path is not None]
     for path in dict.fromkeys([*bodies, *tables, *used, *beside]):
-        yield Input(relative(path, project.folder), hashlib.sha256(path.read_bytes()).hexdigest())
+        yield Input(relative_path(path, project.folder), hashlib.sha256(path.read_bytes()).hexdigest())

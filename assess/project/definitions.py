@@ -47,9 +47,9 @@ def definition_of(section: Any, *, evidence: str = "") -> Any:
     evidence : where it is shown that its forces and ties last; empty where nobody shows it
     """
     if isinstance(section, sections.EquivalentBlock):
-        return filled(model.EquivalentBlock, section, restitution=restitution_of(section))
+        return fill(model.EquivalentBlock, section, restitution=restitution_of(section))
     kind = CHAINED[type(section)]
-    return filled(
+    return fill(
         kind,
         section,
         cut=cut_of(section.cut),
@@ -63,7 +63,7 @@ def definition_of(section: Any, *, evidence: str = "") -> Any:
     )
 
 
-def filled(kind: type[D], section: Section, **given: Any) -> D:
+def fill(kind: type[D], section: Section, **given: Any) -> D:
     """Return plain data of a kind with the values that a table has under the same names, and those given beside."""
     own = {field.name for field in fields(kind)} - set(given)  # type: ignore[arg-type]
     return kind(**{name: getattr(section, name) for name in own if hasattr(section, name)}, **given)
@@ -72,7 +72,7 @@ def filled(kind: type[D], section: Section, **given: Any) -> D:
 def load_of(load: Section, *, evidence: str = "") -> loads.LoadDefinition:
     """Return one entry of `loads`."""
     kind = LOADS[type(load)]
-    return filled(kind, load, **({"evidence": evidence} if kind in SHOWN else {}))
+    return fill(kind, load, **({"evidence": evidence} if kind in SHOWN else {}))
 
 
 def restitution_of(section: sections.Chained | sections.EquivalentBlock) -> model.Restitution:
@@ -83,7 +83,7 @@ def restitution_of(section: sections.Chained | sections.EquivalentBlock) -> mode
 def interface_of(interface: sections.Interface) -> Interface:
     """Return a table `interface`."""
     shape = interface.shape
-    return filled(Interface, interface, shape=shape if shape == "outline" else filled(Shape, shape))
+    return fill(Interface, interface, shape=shape if shape == "outline" else fill(Shape, shape))
 
 
 def cut_of(cut: float | sections.CutPlane | sections.CutAngle | None) -> float | model.CutPlane | model.CutAngle | None:

@@ -73,7 +73,7 @@ def _kinds(annotation: Any) -> Iterator[Kind]:
 
 def place_of(key: str, places: Mapping[str, Place], *, where: str) -> Place:
     """The place a sweep names, loads.0 or loads[1]; raises ProjectError where there is none, or no number."""
-    place = places.get(key) or places.get(counted_from_0(key))
+    place = places.get(key) or places.get(count_from_0(key))
     if place is not None and (place.is_number or isinstance(place.value, Section)):
         return place
     what = "unknown key" if place is None else "holds no number"
@@ -91,7 +91,7 @@ def _remedy(key: str, places: Mapping[str, Place]) -> str:
     return remedy + (" (loads.0 or loads[1] is the first of a list)" if ".loads" in key else "")
 
 
-def counted_from_0(key: str) -> str:
+def count_from_0(key: str) -> str:
     """A key whose items of lists are counted from 1 in brackets, as errors print them, with dots."""
     return re.sub(r"\[([1-9][0-9]{0,3})\]", lambda found: f".{int(found[1]) - 1}", key)
 

@@ -38,11 +38,11 @@ def one_line(error: ValidationError, *, raw: Mapping[str, Any]) -> str:
     by_key = {key: found for key, found in by_key.items() if not any(_below(other, key) for other in by_key)}
     key, first = next(iter(by_key.items()))
     known, value = look_up(raw, key)
-    parts = [written(key), *([shown(value)] if known else []), _sentence(first, known=known)]
+    parts = [key_text(key), *([shown(value)] if known else []), _sentence(first, known=known)]
     return ": ".join(parts) + (f" (and {len(by_key) - 1} more)" if len(by_key) > 1 else "")
 
 
-def written(key: Key) -> str:
+def key_text(key: Key) -> str:
     """A key as one writes it: `mechanisms.W1.hinges.A[2]`."""
     text = "".join(f"[{step + 1}]" if isinstance(step, int) else f".{printable(step)}" for step in key)
     return text.lstrip(".")

@@ -1,7 +1,7 @@
 """The project file: read, checked against its schema, every quantity in SI.
 
     load(path) -> Project      raises ProjectError with one line: file: key: value: what is wrong; remedy
-    resolved(project)          every key with its value and whether it was given or is a default
+    resolve(project)          every key with its value and whether it was given or is a default
     json_schema()              the schema itself, for editors
 
 The tables are the classes of `assess.project.sections`.
@@ -29,6 +29,7 @@ from assess.project.sections.content import Content
 from assess.project.variations import Variation, variations
 from assess.project.weight_densities import weight_densities
 from assess.results import Resolved
+from records.paths import relative_path
 
 FORMAT = 1
 FILE_NAME = "project.toml"
@@ -85,7 +86,7 @@ def _check_sources(project: Project) -> None:
     """Every key of [report.sources] is one of the file, or the beginning of one."""
     if not project.content.report.sources:
         return
-    keys = [key for key in resolved(project) if not key.startswith("report.sources.")]
+    keys = [key for key in resolve(project) if not key.startswith("report.sources.")]
     starts = {".".join(key.split(".")[: n + 1]) for key in keys for n in range(key.count(".") + 1)}
     for key in project.content.report.sources:
         if key not in starts:
@@ -172,7 +173,7 @@ def _upgraded(raw: dict[str, Any]) -> dict[str, Any]:
     return raw
 
 
-def resolved(project: Project) -> dict[str, Resolved]:
+def resolve(project: Project) -> dict[str, Resolved]:
     """Every key, written with dots, with its value in SI and whether it was given or is a default.
 
     Paths are written relative to the project file.
@@ -195,15 +196,10 @@ def _resolved(key: str, value: Any, given: bool, folder: Path) -> Iterator[tuple
 def _plain(value: Any, folder: Path) -> Any:
     """A value as JSON holds it."""
     if isinstance(value, Path):
-        return relative(value, folder)
+        return relative_path(value, folder)
     if isinstance(value, Section):
         return {key: _plain(item, folder) for key, item in value.entries().items()}
     return [_plain(item, folder) for item in value] if isinstance(value, tuple) else value
-
-
-def relative(path: Path, folder: Path) -> str:
-    """The path as the project file would write it."""
-    return path.relative_to(folder).as_posix() if path.is_relative_to(folder) else path.as_posix()
 
 
 def json_schema() -> dict[str, Any]:

@@ -21,7 +21,7 @@ def wrong(key: str | tuple[str | int, ...], reason: str) -> PydanticCustomError:
     )
 
 
-def listed(names: Mapping[str, Any] | tuple[str, ...]) -> str:
+def quote_names(names: Mapping[str, Any] | tuple[str, ...]) -> str:
     """Names in quotes, for a sentence."""
     return ", ".join(f'"{name}"' for name in names)
 

@@ -14,9 +14,9 @@ from assess.mechanisms.mechanism import Mechanism
 from assess.project import sections
 from assess.project.definitions import definition_of
 from assess.project.keys import Key, with_value
-from assess.project.messages import written
+from assess.project.messages import key_text
 from assess.project.schema import Project
-from assess.project.variables import Alone, Subject, at_key, facing, of_loads, thickness
+from assess.project.variables import Alone, Subject, at_key, of_loads, thickness, turn_towards
 from assess.study.study import Study, Variable
 from assess.study.survey import Survey
 
@@ -29,7 +29,7 @@ def survey_of(project: Project, study: Study, solids: Mapping[str, Solid | None]
 
     def variables(name: str) -> tuple[Variable, ...]:
         mechanism = mechanisms[name]
-        subject = Subject(mechanism, study.amplified[name], facing(project, mechanism), solids, alone)
+        subject = Subject(mechanism, study.amplified[name], turn_towards(project, mechanism), solids, alone)
         return tuple(_of(subject, mechanism, tolerance=project.content.verdict.survey_tolerance))
 
     return variables
@@ -54,7 +54,7 @@ def _hinges(subject: Subject, section: sections.Chained, tolerance: float) -> It
         for letter, place in given.entries().items():
             path: Key = ("mechanisms", subject.name, table, letter)
             move = partial(_moved, subject, path, place, definition_of(section).towards)
-            yield Variable(subject.name, "hinge", written(path), "m", 0.0, -tolerance, tolerance, move)
+            yield Variable(subject.name, "hinge", key_text(path), "m", 0.0, -tolerance, tolerance, move)
 
 
 def _moved(subject: Subject, path: Key, place: tuple[float, ...], direction: Sequence[float], shift: float) -> Study:

@@ -19,7 +19,7 @@ from assess.project.sections.site import Site
 NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d{1,3})?")
 
 
-def typed_site(options: Mapping[str, str], *, folder: Path) -> Site:
+def check_typed_site(options: Mapping[str, str], *, folder: Path) -> Site:
     """The site with [site.spectrum] of these `options`, key -> text, and `pga`; paths are relative to `folder`.
 
     Raises ProjectError, one line that names the option, for what a project file would be refused for.
@@ -31,7 +31,7 @@ def typed_site(options: Mapping[str, str], *, folder: Path) -> Site:
         raise ProjectError(_as_option(one_line(error, raw=raw))) from None
 
 
-def typed_doubts(options: Mapping[str, str]) -> tuple[Message, ...]:
+def typed_site_messages(options: Mapping[str, str]) -> tuple[Message, ...]:
     """Accelerations typed without a unit that look as if g had been meant."""
     found = bare_numbers({"site": _table(options)})
     return tuple(replace(each, where=_as_option(each.where.removeprefix("site."))) for each in found)

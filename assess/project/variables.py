@@ -23,7 +23,7 @@ from assess.project.bodies import bodies_of
 from assess.project.definitions import definition_of
 from assess.project.dependents import dependents
 from assess.project.keys import Key, value_at, with_value
-from assess.project.messages import written
+from assess.project.messages import key_text
 from assess.project.schema import Project
 from assess.project.variations import read_case
 from assess.study.study import Amplified, Study, Unvaried, Variable
@@ -83,12 +83,12 @@ def variables_of(project: Project, study: Study, solids: Solids, alone: Alone) -
         if mechanism.name in swept:
             found.append(Unvaried(mechanism.name, "", SWEPT))
         else:
-            faced = facing(project, mechanism)
+            faced = turn_towards(project, mechanism)
             found += of_mechanism(Subject(mechanism, study.amplified[mechanism.name], faced, solids, alone), asked)
     return tuple(found)
 
 
-def facing(project: Project, mechanism: Mechanism) -> Project:
+def turn_towards(project: Project, mechanism: Mechanism) -> Project:
     """The project with the direction and the sides of a mechanism given where they were sought: they are kept."""
     section = project.content.mechanisms[mechanism.name]
     if isinstance(section, sections.EquivalentBlock):
@@ -171,11 +171,11 @@ def of_loads(subject: Subject, section: sections.Chained) -> Iterator[Number]:
 def at_key(subject: Subject, number: Number, change: sections.Change) -> Variable | Unvaried:
     """A number varied at its key."""
     base = float(value_at(subject.project.content, number.path))
-    return between(
+    return vary_between(
         Variable(
             mechanism=subject.name,
             parameter=number.parameter,
-            key=written(number.path),
+            key=key_text(number.path),
             unit=number.unit,
             base=base,
             low=base,
@@ -190,11 +190,11 @@ def with_number(subject: Subject, path: Key, value: Any) -> Study:
     """The study of the mechanism with another value at a key of the project."""
     project = subject.project
     raw = with_value(project.raw, path, value, project.content)
-    content = read_case(raw, project.folder, path, value, name=written(path))
+    content = read_case(raw, project.folder, path, value, name=key_text(path))
     return subject.alone(subject.name, content, {})
 
 
-def between(at_base: Variable, change: sections.Change) -> Variable | Unvaried:
+def vary_between(at_base: Variable, change: sections.Change) -> Variable | Unvaried:
     """The variable from its base less the change to its base with it."""
     base = at_base.base
     by = change.by * (abs(base) if change.of == sections.SHARE else 1.0)
@@ -216,8 +216,8 @@ def restitution(subject: Subject, change: sections.Change) -> Variable | Unvarie
         both = {"positive": value, "negative": min(1.0, second * value / first)}
         return with_number(subject, path, both)
 
-    made = between(
-        Variable(subject.name, "restitution", written(path), "-", first, first, first, study_at),
+    made = vary_between(
+        Variable(subject.name, "restitution", key_text(path), "-", first, first, first, study_at),
         change,
     )
     if isinstance(made, Unvaried) or made.high <= 1.0:
@@ -236,9 +236,9 @@ def thickness(subject: Subject, section: sections.Chained, change: sections.Chan
     (low, _), (high, _) = foot
     if high <= low:
         return Unvaried(subject.name, "thickness", "it stands on an edge")
-    study_at = partial(thickened, subject, section, width=high - low, middle=(low + high) / 2.0)
+    study_at = partial(thicken, subject, section, width=high - low, middle=(low + high) / 2.0)
     key = f"thickness of {', '.join(name for block in section.blocks for name in block)}"
-    return between(Variable(subject.name, "thickness", key, "m", *(high - low,) * 3, study_at), change)
+    return vary_between(Variable(subject.name, "thickness", key, "m", *(high - low,) * 3, study_at), change)
 
 
 def stiff_geometry(subject: Subject, section: sections.Chained) -> str:
@@ -258,7 +258,7 @@ def stiff_geometry(subject: Subject, section: sections.Chained) -> str:
     return ""
 
 
-def thickened(subject: Subject, section: sections.Chained, value: float, *, width: float, middle: float) -> Study:
+def thicken(subject: Subject, section: sections.Chained, value: float, *, width: float, middle: float) -> Study:
     """The study of the mechanism with blocks as thick as `value` [m] at a base that is `width` wide."""
     bodies = {name: solid for block in section.blocks for name in block if (solid := subject.solids[name]) is not None}
     thick = {

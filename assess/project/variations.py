@@ -16,7 +16,7 @@ from pydantic import ValidationError
 
 from assess.errors import ProjectError
 from assess.project.keys import Given, Key, Place, one_number, place_of, places_of, value_at, with_value
-from assess.project.messages import one_line, shown, written
+from assess.project.messages import key_text, one_line, shown
 from assess.project.sections.content import Content
 from assess.project.sections.sweeps import Sweep
 from assess.project.typed_quantity import QuantityError, number_and_unit
@@ -116,7 +116,7 @@ def read_case(raw: Mapping[str, Any], folder: Path, path: Key, value: Any, *, na
     try:
         content = Content.model_validate(raw, context={"folder": folder})
     except ValidationError as error:
-        said = f"{written(path)}: {shown(value)}: "  # by the name of the case already
+        said = f"{key_text(path)}: {shown(value)}: "  # by the name of the case already
         raise ProjectError(f"{name}: {one_line(error, raw=raw).removeprefix(said)}") from None
     if not one_number(value_at(content, path)):
         raise ProjectError(f"{name}: not a number; only numbers can be swept")

@@ -7,7 +7,7 @@ from typing import Any
 
 from assess.messages.message import Message, Quantity, note
 from assess.project.keys import places_of
-from assess.project.messages import look_up, written
+from assess.project.messages import key_text, look_up
 from assess.project.sections.content import Content
 from assess.project.units import KINDS, is_weight
 
@@ -20,4 +20,4 @@ def weight_densities(content: Content, raw: Mapping[str, Any]) -> Iterator[Messa
         typed = look_up(raw, place.path)[1] if place.kind == DENSITY else None
         if isinstance(typed, str) and is_weight(typed, DENSITY):
             density = Quantity(place.value, "density", 6)
-            yield note("weight-density", written(place.path), given=typed, density=density)
+            yield note("weight-density", key_text(place.path), given=typed, density=density)

@@ -30,7 +30,7 @@ from assess.model.definitions import (
 )
 from assess.model.gaps import gaps_of
 from assess.model.overlaps import overlaps_of
-from assess.model.weakest import directed
+from assess.model.weakest import mechanism_in_direction
 from assess.oscillator import Oscillator
 from assess.results import OscillatorResult
 from assess.study.oscillator_results import oscillator_result, rigid_branches
@@ -326,7 +326,7 @@ def make_block(name: str, definition: Definition, bodies: Sequence[Body]) -> Blo
         twice = sorted({body.name for body in bodies if sum(body.name == other.name for other in bodies) > 1})
         raise MechanismError(f'mechanism "{name}": several bodies are called {", ".join(twice)}; give each its name')
     check_definition(name, definition, by_name)
-    built = directed(name, definition, by_name)
+    built = mechanism_in_direction(name, definition, by_name)
     return Block(name, definition, by_name, built.mechanism, built.scene)
 
 

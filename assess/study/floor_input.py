@@ -1,11 +1,10 @@
-"""The spectrum of the motion at the base of a mechanism above the ground, for the method that has no floor clause.
+"""The floor spectrum at a mechanism above the ground, for the method that has no clause on floor spectra.
 
-A suite carried up by the first mode gives the response spectra of its motions: their envelope, with the peaks widened
-by 15 % to both sides for what is not known of the building's period. The mean would be lower; the clause that allows it
-could not be read, and one record that lies low at the building's period would pull it down, so the envelope is taken.
-Without such a suite it is C7.2.5 of Circolare 7/2019, where the building's height and storeys are known, its period
-varied by 15 % too. Neither is taken below the spectrum of the ground: a suite is finite, and one mode leaves the
-others out.
+If the suite is filtered by the first mode, it is the envelope of the response spectra at the base, with peaks broadened
+by 15 % to both sides for the uncertainty of the building's period. The mean would be lower; the clause that allows it
+could not be read, and one record that is low at the building's period would reduce it, so the envelope is taken.
+Otherwise it is C7.2.5 of Circolare 7/2019, if the building's height and storeys are known, its period varied by 15 %
+too. Neither is taken below the spectrum of the ground: a suite is finite, and one mode neglects the others.
 """
 
 from __future__ import annotations
@@ -21,14 +20,14 @@ from assess.study.motions import ScaledRecord
 from records.record import Record, scale
 from records.response import response_spectrum
 from spectra.arrays import FloatArray
-from spectra.floor_spectrum import Mode, circolare2019, first_mode_factor
+from spectra.circolare2019 import Mode, circolare2019, first_mode_factor
 from spectra.spectrum import Spectrum
 
 LEAST_RECORDS = 5  # of the response-history method of the same standard
-WIDENED = 0.15  # of the period, to both sides
+BROADENING = 0.15  # of the period, to both sides
 SHORTEST, LONGEST, APART = 0.02, 15.0, 1.03  # s, s, and the ratio of two periods at which the motions are asked
 NEAR_MODE = np.linspace(0.85, 1.15, 61)  # of the building's period, where the peak is
-PERIODS = np.linspace(1.0 - WIDENED, 1.0 + WIDENED, 7)  # of the building, over its own
+PERIODS = np.linspace(1.0 - BROADENING, 1.0 + BROADENING, 7)  # of the building, over its own
 MOST_DAMPING = 0.99  # of an oscillator that still swings
 SUITE = "envelope of the response spectra of the suite at the mechanism's base, peaks widened by 15 %"
 CIRCULAR = "Circolare 7/2019, C7.2.5, first mode"
@@ -43,9 +42,25 @@ def floor_spectrum(
     motions: Sequence[ScaledRecord],
     building: Building | None,
 ) -> Spectrum | None:
-    """The spectrum at a `height` above the ground [m], at the PGA of `ground`; None where nothing gives one.
+    """Return the floor spectrum at a height, at the PGA of the ground's spectrum.
 
-    filtered : how the motions got to `base`, where it was through a mode and the suite holds
+    Parameters
+    ----------
+    ground : Spectrum
+        The spectrum of the ground.
+    height : float
+        Height above the ground [m].
+    filtered : ModalFilter, optional
+        The filter through which the motions reached the base, if they did and the suite meets the rules.
+    base, motions : sequence
+        The motions at the base, and their factors.
+    building : Building, optional
+        The building, with its height and storeys.
+
+    Returns
+    -------
+    Spectrum or None
+        None if neither the suite nor the building gives one.
     """
     if filtered is not None and len(motions) >= LEAST_RECORDS:
         records = [scale(at.record, motion.scaling.factor) for at, motion in zip(base, motions, strict=True)]
@@ -56,17 +71,20 @@ def floor_spectrum(
 
 
 def suite_spectrum(ground: Spectrum, records: Sequence[Record], *, mode: FirstMode) -> Spectrum:
-    """The envelope of the motions at the base, scaled to the site, with its peaks widened."""
+    """Return the envelope of the response spectra at the base, with its peaks broadened.
+
+    The response is computed once for each damping that a procedure uses.
+    """
     periods = np.unique(np.concatenate(([0.0], _sample_periods(), NEAR_MODE / mode.frequency)))
 
     @lru_cache(maxsize=8)
-    def widened(damping: float) -> FloatArray:
+    def broadened(damping: float) -> FloatArray:
         at = min(damping, MOST_DAMPING)
-        return widen(periods, np.max([response_spectrum(record, periods, damping=at) for record in records], axis=0))
+        return broaden(periods, np.max([response_spectrum(record, periods, damping=at) for record in records], axis=0))
 
     def ordinates(period: FloatArray, damping: float) -> FloatArray:
         T = np.asarray(period, dtype=np.float64)
-        return np.maximum(np.interp(T, periods, widened(damping)), ground.acceleration(T, damping=damping))
+        return np.maximum(np.interp(T, periods, broadened(damping)), ground.acceleration(T, damping=damping))
 
     rule = "response of the motions themselves at that damping"
     parameters = {"records": float(len(records)), "first mode": 1.0 / mode.frequency}
@@ -74,7 +92,7 @@ def suite_spectrum(ground: Spectrum, records: Sequence[Record], *, mode: FirstMo
 
 
 def circular_spectrum(ground: Spectrum, *, height: float, building: Building, storeys: int) -> Spectrum:
-    """C7.2.5 at a height [m], the first mode linear over the building's height, the largest over 15 % of its period."""
+    """Return the spectrum of C7.2.5 at a height [m]: first mode linear over the height, envelope within 15 % of T_1."""
     share = first_mode_factor(storeys) * height / building.height
     modes = [Mode(building.period * factor, building.damping, share) for factor in PERIODS]
 
@@ -91,10 +109,10 @@ def circular_spectrum(ground: Spectrum, *, height: float, building: Building, st
     )
 
 
-def widen(period: FloatArray, acceleration: FloatArray) -> FloatArray:
-    """The largest ordinate within 15 % of each period, to both sides [n]."""
-    low = np.searchsorted(period, period * (1.0 - WIDENED), side="left")
-    high = np.searchsorted(period, period / (1.0 - WIDENED), side="right")
+def broaden(period: FloatArray, acceleration: FloatArray) -> FloatArray:
+    """Return the largest ordinate within 15 % of each period, to both sides [n]."""
+    low = np.searchsorted(period, period * (1.0 - BROADENING), side="left")
+    high = np.searchsorted(period, period / (1.0 - BROADENING), side="right")
     return np.array([acceleration[a:b].max() for a, b in zip(low, high, strict=True)])
 
 

@@ -11,8 +11,8 @@ from scipy.constants import g
 from assess.results import EquivalentPeriods, GroundMotionResult, Remaining, RequirementResult, SelectionResult
 from assess.study.motions import ScaledRecord
 from assess.study.oscillator_results import floats
-from assess.study.outcome import display_periods
 from assess.study.periods import ABOVE, BELOW, equivalent_periods, extreme_periods
+from assess.study.site_results import display_periods
 from assess.study.study import Fitting, Study
 from assess.study.suite_rules import RULES
 from records.band import Band, truncate_band

@@ -12,11 +12,12 @@ from assess.codes.italian.history import required_pga
 from assess.codes.registry import history_rules
 from assess.mechanisms.mechanism import Mechanism
 from assess.results import MechanismResult
+from assess.study.amplification_results import amplification_result
 from assess.study.checks import checks_of
 from assess.study.context import context_of
 from assess.study.histories import run_histories, with_governing_trace
+from assess.study.mechanism_results import mechanism_result
 from assess.study.motions import ScaledRecord
-from assess.study.outcome import amplification_result, mechanism_result
 from assess.study.progress import Progress
 from assess.study.rocking_case import RockingCase, RockingHistories, vibrates
 from assess.study.study import Amplified, Study

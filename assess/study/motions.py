@@ -1,4 +1,4 @@
-"""The ground motions of a study: read or made, and scaled to its target."""
+"""The ground motions of a study, recorded or artificial, scaled to its target."""
 
 from __future__ import annotations
 
@@ -21,16 +21,31 @@ from spectra.spectrum import Spectrum
 
 @dataclass(frozen=True)
 class ScaledRecord:
-    """A record as read, the factor that brings it to the target, and the misfit left (mean squared log)."""
+    """A record as read, with the factor that scales it to the target, and the remaining misfit (mean squared log)."""
 
     record: Record
     scaling: Scaling
 
 
 def motions_of(study: Study, spectrum: Spectrum, *, jobs: int = 1) -> tuple[ScaledRecord, ...]:
-    """Every record of the study, files first, each with its scaling; `jobs` threads, 0 for all cores.
+    """Return every record of a study with its scaling, those of files first.
 
-    Artificial records alone are raised together where their mean falls short of the target, unless scaled otherwise.
+    A suite of artificial records only is raised as a whole if its mean falls short of the target, unless the study
+    scales records otherwise.
+
+    Parameters
+    ----------
+    study : Study
+        Its records, the artificial ones to be made, and how they are scaled.
+    spectrum : Spectrum
+        The target.
+    jobs : int
+        Number of threads; 0 for all cores.
+
+    Returns
+    -------
+    tuple of ScaledRecord
+        In the order of the study.
     """
     made = study.artificial
     if made is None:
@@ -44,16 +59,16 @@ def motions_of(study: Study, spectrum: Spectrum, *, jobs: int = 1) -> tuple[Scal
 
 
 def scale_records(study: Study, records: Sequence[Record], spectrum: Spectrum) -> tuple[ScaledRecord, ...]:
-    """The records as the study scales them."""
+    """Return the records as the study scales them."""
     return scale_together(records, spectrum, study.fitting, scale_to=study.scale_to)
 
 
 def raise_artificial(
     motions: tuple[ScaledRecord, ...], spectrum: Spectrum, band: tuple[float, float], *, fitting: Fitting
 ) -> tuple[ScaledRecord, ...]:
-    """Artificial motions, multiplied by the least factor with which their mean meets ASCE 43-05, 2.4 over the `band`.
+    """Multiply artificial motions by the least factor with which their mean meets ASCE 43-05, 2.4 over the `band` [s].
 
-    That asks more of the mean than the other codes do: no ordinate a tenth below the target, no ten running below it.
+    That clause requires more of the mean than other codes: no ordinate a tenth below the target, no ten in a row below.
     """
     suite = suite_of([each.record for each in motions], [each.scaling.factor for each in motions], spectrum)
     factor = factor_that_does(fit_of_mean(suite, band)) or 1.0
@@ -65,7 +80,7 @@ def raise_artificial(
 
 
 def multiply(motions: tuple[ScaledRecord, ...], spectrum: Spectrum, study: Study) -> tuple[ScaledRecord, ...]:
-    """Every motion with the further factor of the study."""
+    """Multiply every motion by the further factor of the study."""
     if study.record_factor == 1.0:
         return motions
     return _multiply_all(motions, study.record_factor, spectrum, study.fitting.band)
@@ -83,10 +98,26 @@ def _multiply_all(
 def scale_together(
     records: Sequence[Record], spectrum: Spectrum, given: Fitting, *, scale_to: ScaleTo
 ) -> tuple[ScaledRecord, ...]:
-    """Each record with its scaling; those that `given` keeps together share the geometric mean of their factors.
+    """Scale each record; those that are kept together share the geometric mean of their factors.
 
-    That is the factor of least misfit, or to the PGA, of the geometric mean of their spectra. Artificial ones are made
-    for the target and stay as they are.
+    That is the factor of least misfit, or to the PGA, of the geometric mean of their spectra. Artificial records are
+    made for the target and stay as they are.
+
+    Parameters
+    ----------
+    records : sequence of Record
+        The records.
+    spectrum : Spectrum
+        The target.
+    given : Fitting
+        Range of periods, and the records that are kept together.
+    scale_to : {"spectrum", "pga", "none"}
+        What the records are scaled to.
+
+    Returns
+    -------
+    tuple of ScaledRecord
+        In the order of `records`.
     """
     band = truncate_band(given.band, spectrum.longest_period)
     alone = {
@@ -104,17 +135,17 @@ def _scaling(record: Record, spectrum: Spectrum, band: Band, factor: float) -> S
 
 
 def to_spectrum(record: Record, spectrum: Spectrum, band: Band) -> Scaling:
-    """The record brought as near to the spectrum as it comes over the band."""
+    """Scale the record to the least misfit with the spectrum over the band."""
     return scale_to_spectrum(record, spectrum, **vars(band))
 
 
 def to_pga(record: Record, spectrum: Spectrum, band: Band) -> Scaling:
-    """The record brought to the spectrum's PGA."""
+    """Scale the record to the PGA of the spectrum."""
     return _scaling(record, spectrum, band, scale_to_pga(record, spectrum.pga))
 
 
 def unscaled(record: Record, spectrum: Spectrum, band: Band) -> Scaling:
-    """The record as it is."""
+    """Leave the record as it is."""
     return _scaling(record, spectrum, band, 1.0)
 
 

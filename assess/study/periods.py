@@ -1,7 +1,7 @@
-"""The equivalent period of a mechanism, which stands where codes speak of a structure's period.
+"""The equivalent period of a mechanism, used where codes refer to the period of a structure.
 
-A rocking body has no period of its own. Taken is that of the linear oscillator with the same work at the allowable
-rotation of histories, half the one that overturns: 1/f_e of ASCE 43-05 A.2 (the secant in energy).
+A rocking body has no period of its own. It is that of the linear oscillator with the same work at the allowable
+rotation of histories, half the overturning rotation: 1/f_e of ASCE 43-05 A.2 (the secant in energy).
 """
 
 from __future__ import annotations
@@ -22,12 +22,12 @@ BELOW, ABOVE = 0.2, 1.2  # of the least and the largest equivalent period: range
 
 
 def equivalent_period(branch: Branch) -> float:
-    """T [s] at the allowable rotation."""
+    """Return the equivalent period [s] of a branch at the allowable rotation."""
     return float(1.0 / effective_frequency(branch, np.array([HALF * branch.unstable]))[0])
 
 
 def equivalent_periods(mechanisms: Iterable[Mechanism]) -> dict[str, tuple[float, float]]:
-    """The shortest and the longest [s] of the branches of each mechanism, by name."""
+    """Return the shortest and the longest equivalent period [s] of the branches of each mechanism, by name."""
     found = {}
     for mechanism in mechanisms:
         periods = [equivalent_period(branch) for branch in mechanism.variants.deciding.branches]
@@ -36,7 +36,7 @@ def equivalent_periods(mechanisms: Iterable[Mechanism]) -> dict[str, tuple[float
 
 
 def limit_state_periods(mechanisms: Iterable[Mechanism], *, state: str) -> dict[str, tuple[float, float]]:
-    """T_SLV or T_SLC of NTC 2018 (C8.7.1.10, 11), the shortest and the longest [s] of each mechanism, by name."""
+    """Return the shortest and the longest T_SLV or T_SLC [s] of each mechanism (NTC 2018, C8.7.1.10, 11), by name."""
     found = {}
     for mechanism in mechanisms:
         alone = curves_of_all_actions(mechanism.variants.deciding)
@@ -46,7 +46,7 @@ def limit_state_periods(mechanisms: Iterable[Mechanism], *, state: str) -> dict[
 
 
 def extreme_periods(periods: dict[str, tuple[float, float]]) -> tuple[float, float]:
-    """The least and the largest of all [s]."""
+    """Return the least and the largest of all periods [s]; raise ProjectError if there are none."""
     if not periods:
         raise ProjectError("mechanisms: none to take periods from; add one, or give records.select periods")
     return min(low for low, _ in periods.values()), max(high for _, high in periods.values())

@@ -8,13 +8,13 @@ from math import ceil, floor
 
 from assess.codes.families import SUITE_CODES
 from assess.codes.verdict import methods_of
-from assess.messages.message import Message, Quantity, Severity, Value, count, message
+from assess.messages.message import Message, Quantity, Severity, Value, message, whole_number
 from assess.study.motions import ScaledRecord
 from assess.study.study import Artificial, Study
 from assess.study.suite_rules import HELD, RULES, spectrum_of_rules
 from records.compliance.requirement import Requirement, Rule, factor_that_does
 from records.compliance.suite import Suite, suite_of
-from records.synthetic import STATIONARY
+from records.spectral_fit import STATIONARY
 from spectra.spectrum import Spectrum
 
 DIGITS = 1000.0  # a factor is proposed to three decimals, rounded to the side that does
@@ -114,7 +114,7 @@ def _message(key: str, values: Mapping[str, Value], remedy: Remedy) -> Message:
 
 
 def _number(one: Requirement, value: float) -> Quantity:
-    return count(round(value)) if one.rule in WHOLE else Quantity(value, DIMENSIONS[one.unit], 3)
+    return whole_number(round(value)) if one.rule in WHOLE else Quantity(value, DIMENSIONS[one.unit], 3)
 
 
 def more_records(one: Requirement, judged: SuiteReview) -> Remedy:

@@ -19,14 +19,10 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Arc, FancyArrowPatch, FancyBboxPatch, Polygon
 from scipy.constants import g
 
-from assess.dynamics.history import trace
-from assess.geometry.planar import planar_direct
-from assess.mechanisms.chain import Block
-from assess.mechanisms.single_block import single_block
+import assess
+from assess import Block, Record
 from assess.oscillator import Oscillator
-from records.record import Record
 from records.synthetic import artificial
-from spectra.ec8 import elastic_spectrum
 
 THICKNESS, LENGTH, HEIGHT, DENSITY = 0.6, 4.0, 4.5, 2000.0  # m, kg/m3: the wall of README.md
 SCALES = (1.0, 1.4)  # of the record in the picture of the wall: the wall stays up, and overturns
@@ -65,25 +61,22 @@ def draw_wall() -> Figure:
     """Return the picture of README.md: the wall, its restoring moment, its rotation under one record at two scales."""
     figure = Figure(figsize=(8.6, 2.9), layout="constrained")
     wall, curve, history = figure.subplots(1, 3, width_ratios=(0.75, 1.0, 1.45))
-    oscillator_, alpha = wall_oscillator(), atan2(THICKNESS, HEIGHT)
+    block, alpha = wall_block(), atan2(THICKNESS, HEIGHT)
     _draw_rocking_wall(wall, rotation=0.6 * alpha)
-    _draw_restoring_moment(curve, oscillator_)
-    _draw_histories(history, oscillator_, ground())
+    _draw_restoring_moment(curve, block.rocking)
+    _draw_histories(history, block, ground())
     return figure
 
 
-def wall_oscillator() -> Oscillator:
-    """Return the oscillator of the wall of README.md, which rocks about the edges of its base."""
-    mass = DENSITY * THICKNESS * LENGTH * HEIGHT
-    block = Block(mass, (0.0, HEIGHT / 2), mass * (THICKNESS**2 + HEIGHT**2) / 12)
-    body = planar_direct(mass=block.mass, centroid=block.centroid, inertia=block.inertia, name="wall")
-    half = THICKNESS / 2
-    return single_block("wall", body, hinge=(half, 0.0), hinge_negative=(-half, 0.0)).oscillator
+def wall_block() -> Block:
+    """Return the wall of README.md as a block that rocks about the edges of its base."""
+    wall = assess.box(thickness=THICKNESS, length=LENGTH, height=HEIGHT, density=DENSITY)
+    return assess.single_block(wall, direction="weakest")
 
 
 def ground() -> Record:
     """Return an artificial record for the EN 1998-1 spectrum of README.md."""
-    return artificial(elastic_spectrum(a_g=0.25 * g, ground_type="C"), count=1, seed=1)[0]
+    return artificial(assess.spectrum("ec8", a_g=0.25 * g, ground_type="C"), count=1, seed=1)[0]
 
 
 def _draw_rocking_wall(axes: Axes, *, rotation: float) -> None:
@@ -119,16 +112,16 @@ def _draw_restoring_moment(axes: Axes, of: Oscillator) -> None:
     axes.set(xlim=(-1.25 * alpha, 1.25 * alpha), ylim=(-1.2 * top, 1.2 * top))
 
 
-def _draw_histories(axes: Axes, of: Oscillator, record: Record) -> None:
+def _draw_histories(axes: Axes, block: Block, record: Record) -> None:
     axes.set(title="… and stays up, or does not", xlabel="time [s]", ylabel=r"rotation $\varphi\,/\,\varphi_{ov}$ [–]")
     axes.axhspan(1.0, 2.0, color="#fbe9e7", lw=0)
     axes.axhspan(-2.0, -1.0, color="#fbe9e7", lw=0)
-    overturning = of.positive.overturning
+    overturning = block.oscillator.overturning
     for scale, colour in reversed(list(zip(SCALES, (GREEN, RED), strict=True))):
-        path = trace(of, record, scale=scale, equation="exact")
+        motion = assess.respond(block, record, scale=scale)
         peak = f"{scale * record.pga / g:.2f} g"
         axes.plot(
-            path.time, path.rotation / overturning, color=colour, lw=1.1, label=f"peak ground acceleration {peak}"
+            motion.time, motion.rotation / overturning, color=colour, lw=1.1, label=f"peak ground acceleration {peak}"
         )
     axes.set(ylim=(-1.35, 1.35), xlim=(0, record.time[-1]))
     axes.legend(loc="lower right", frameon=False, fontsize=7)

@@ -17,7 +17,7 @@ UNUSED = 30 * 86400.0  # s, after which the code of another version is deleted
 
 
 def find_folder(key: str, *, given: str, user: str) -> Path | None:
-    """The folder for the code of `key`, made where there is none; None where no place is private and can be written.
+    """Find the private folder for the code of `key`, made if there is none; None where no place is private.
 
     given : by NUMBA_CACHE_DIR, "" if not set; user : the user's folder for caches. Then the one for temporary files.
     """
@@ -35,7 +35,7 @@ def find_folder(key: str, *, given: str, user: str) -> Path | None:
 
 
 def is_private(folder: Path) -> bool:
-    """Whether `folder`, made if need be, is a folder of the user's that no one else can write to, and he can."""
+    """Return whether `folder`, made if need be, is a folder of the user's, writable by no one else."""
     try:
         folder.parent.mkdir(parents=True, exist_ok=True)
         folder.mkdir(mode=0o700, exist_ok=True)
@@ -55,7 +55,7 @@ def is_private(folder: Path) -> bool:
 def remove_unused(place: Path) -> None:
     """Delete code in `place` that no process has started with for a month.
 
-    Who runs with it all the same finds its files missing, compiles again, and cannot write: none of that is an error.
+    A process that still uses it finds its files missing, compiles again, and cannot write: none of that is an error.
     """
     try:
         for folder in place.iterdir():
@@ -72,11 +72,11 @@ def _places(given: str, user: str) -> Iterator[Path]:
         yield Path(user)
     try:
         yield Path(tempfile.gettempdir()) / (f"{NAME}-{os.getuid()}" if os.name == "posix" else NAME)
-    except OSError:  # there is none
+    except OSError:  # no folder for temporary files
         return
 
 
 def _mine(folder: Path) -> bool:
-    """Whether the nearest folder that exists is the user's: not so in the home of another, as under sudo."""
+    """Return whether the nearest folder that exists is the user's: not so in the home of another, as under sudo."""
     there = next(one for one in (folder, *folder.parents) if one.exists())
     return os.name != "posix" or there.stat().st_uid == os.getuid()

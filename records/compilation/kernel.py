@@ -37,7 +37,7 @@ DIGEST = 32  # bytes
 def cache_on_disk(function: F) -> F:
     """Have what numba compiles of `function` kept; without a place for it, each process compiles for itself."""
     found, dispatcher = _place(), cast(Any, function)
-    if found is not None and hasattr(function, "py_func"):  # else numba is told to leave functions as they are
+    if found is not None and hasattr(function, "py_func"):  # else numba's compilation is switched off
         dispatcher._cache = KernelCache(dispatcher.py_func, *found)
     return function
 

@@ -13,15 +13,15 @@ PACKAGES = ("assess", "records")
 
 
 def sources(root: Path = ROOT) -> list[Path]:
-    """Every file named kernel.py, or in a folder named kernel, of the packages beside each other in `root`; sorted.
+    """List every file named kernel.py or in a folder named kernel, of the packages below `root`, sorted.
 
-    A kernel has the constants and functions of others in it, so that a change of any may change them all.
+    A kernel contains the constants and functions of others, so that a change of any may change them all.
     """
     return sorted(path for package in PACKAGES for path in _kernels(root / package))
 
 
 def key(versions: tuple[str, ...], root: Path = ROOT) -> str | None:
-    """Hash of the sources, of Python and of the `versions` of what compiles; None where the sources cannot be read."""
+    """Hash the sources, Python's and the compilers' `versions`; None where the sources cannot be read."""
     digest = sha256(repr((sys.implementation.cache_tag, sys.version, versions)).encode())
     try:
         for path in (found := sources(root)):

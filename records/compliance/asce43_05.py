@@ -36,8 +36,11 @@ ARTIFICIAL = "seven with artificial records among them is this program's own rul
 
 
 def requirements(suite: Suite, *, shortest: float, longest: float) -> tuple[Requirement, ...]:
-    """Number and mean of the records, and of artificial ones step, duration and fit.
+    """Check the number and the mean of the records; of artificial ones also step, duration and fit.
 
+    Parameters
+    ----------
+    suite : scaled records beside their target
     shortest, longest : periods of the mechanisms at the allowable rotation [s]
     """
     if suite.artificial.any():
@@ -51,12 +54,18 @@ def requirements(suite: Suite, *, shortest: float, longest: float) -> tuple[Requ
 
 
 def fit_periods(*, longest: float) -> tuple[float, float]:
-    """Range of periods over which artificial records have to fit the target [s]."""
+    """Return the range of periods over which artificial records have to fit the target [s]."""
     return PERIODS[0], max(PERIODS[1], longest)
 
 
 def fit_of_mean(suite: Suite, periods: tuple[float, float]) -> tuple[Requirement, ...]:
-    """Require the mean within 10 % below and 30 % above the target, with no ten points running below it."""
+    """Require the mean within 10 % below and 30 % above the target, with no ten points running below it.
+
+    Parameters
+    ----------
+    suite : scaled records beside their target
+    periods : shortest and longest period of the range [s]
+    """
     return (
         mean_at_least(suite, CODE, CLAUSE, share=BELOW, periods=periods),
         mean_at_most(suite, CODE, CLAUSE, share=ABOVE, periods=periods),
@@ -88,7 +97,7 @@ def _running_below(suite: Suite, periods: tuple[float, float]) -> Requirement:
 
 
 def longest_run(below: np.ndarray) -> int:
-    """Return the largest number of points that are true side by side, of [k]."""
+    """Return the largest number of adjacent points that are true, of [k]."""
     longest, run = 0, 0
     for each in below.tolist():
         run = run + 1 if each else 0
@@ -97,7 +106,7 @@ def longest_run(below: np.ndarray) -> int:
 
 
 def factor_against_runs(ratio: FloatArray) -> float:
-    """Least factor on the mean with which of any ten points side by side one at least reaches the target [-].
+    """Find the least factor on the mean with which one at least of any ten adjacent points reaches the target [-].
 
     ratio [k] : mean over target.
     """

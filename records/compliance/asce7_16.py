@@ -15,9 +15,9 @@ REMARK = (
 
 
 def requirements(suite: Suite, *, shortest: float, longest: float) -> tuple[Requirement, ...]:
-    """Number of motions (16.2.2), and the mean over 0.2 to 2.0 times the period (16.2.3.1-2).
+    """Check the number of motions (16.2.2), and the mean over 0.2 to 2.0 times the period (16.2.3.1-2).
 
-    shortest, longest : equivalent periods that stand for those of the first modes [s].
+    shortest, longest : equivalent periods in place of those of the first modes [s].
     """
     periods = (0.2 * shortest, 2.0 * longest)
     return (

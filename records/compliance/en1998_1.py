@@ -13,7 +13,7 @@ BELOW = 0.90
 
 
 def requirements(suite: Suite, *, shortest: float, longest: float) -> tuple[Requirement, ...]:
-    """Number (a), mean peak at least a_g S (b), mean spectrum over 0.2 T_1 to 2 T_1 (c)."""
+    """Check the number (a), mean peak at least a_g S (b), mean spectrum over 0.2 T_1 to 2 T_1 (c)."""
     clause, periods = "3.2.3.1.2(4)", (0.2 * shortest, 2.0 * longest)
     seven = "from seven on the mean of the responses may be taken, else the largest (4.3.3.4.3(3))"
     peaks = float(np.mean(suite.pga)) / suite.target_pga

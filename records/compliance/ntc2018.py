@@ -17,9 +17,13 @@ ARTIFICIAL = "seven with artificial records among them is this program's own rul
 
 
 def requirements(suite: Suite, *, shortest: float, longest: float) -> tuple[Requirement, ...]:
-    """Number and mean of the records; of artificial ones also their duration.
+    """Check the number and the mean of the records; of artificial ones also their duration.
 
-    A suite of both has to meet what is asked of either.
+    A suite of recorded and artificial motions has to meet the requirements on both.
+
+    Parameters
+    ----------
+    suite : scaled records beside their target
     shortest, longest : periods of the mechanisms at the limit state [s]
     """
     made = suite.artificial
@@ -29,12 +33,12 @@ def requirements(suite: Suite, *, shortest: float, longest: float) -> tuple[Requ
 
 
 def fit_periods(*, longest: float) -> tuple[float, float]:
-    """Range of periods over which artificial records have to fit the target at ultimate limit states [s]."""
+    """Return the range of periods over which artificial records have to fit the target at ultimate limit states [s]."""
     return FITTED_FROM, max(FITTED_TO, 2.0 * longest)
 
 
 def _natural(suite: Suite, *, shortest: float, longest: float) -> tuple[Requirement, ...]:
-    """The mean from 10 % below to 30 % above over the range of interest, which the clause leaves to the engineer."""
+    """Require the mean from 10 % below to 30 % above over the range of interest, which the clause leaves open."""
     periods = (OF_INTEREST[0] * shortest, OF_INTEREST[1] * longest)
     return (
         mean_at_least(suite, CODE, CLAUSE, share=BELOW, periods=periods),
@@ -44,7 +48,7 @@ def _natural(suite: Suite, *, shortest: float, longest: float) -> tuple[Requirem
 
 
 def _artificial(suite: Suite, *, longest: float) -> tuple[Requirement, ...]:
-    """25 s, 10 s of them stationary, and the mean no more than 10 % below up to 2 s or twice the longest period."""
+    """Require 25 s, 10 s of them stationary, and a mean at most 10 % below up to 2 s or twice the longest period."""
     made, level = suite.artificial, "shortest stationary part"
     return (
         check_limit(

@@ -17,7 +17,7 @@ FAMILY = 1.3
 
 
 def requirements(suite: Suite, *, shortest: float, longest: float) -> tuple[Requirement, ...]:
-    """Number (5.5.1), record scale factors k_1 and fits D_1, family scale factor k_2 (5.5.2), over 0.4 to 1.3 T_1.
+    """Check number (5.5.1), scale factors k_1, fits D_1 and family factor k_2 (5.5.2), over 0.4 to 1.3 T_1.
 
     D_1 is the root of the mean square, over the period, of log10(k_1 SA / SA_target). k_2 is what brings the largest of
     the records up to the target at every period, at least 1.
@@ -53,6 +53,6 @@ def requirements(suite: Suite, *, shortest: float, longest: float) -> tuple[Requ
 
 
 def _fits(ratio: FloatArray, period: FloatArray) -> FloatArray:
-    """D_1 of each record [n] from its spectrum over the target [n, k]."""
+    """Return D_1 of each record [n] from its spectrum over the target [n, k]."""
     square = np.trapezoid(np.log10(ratio) ** 2, period, axis=1)
     return np.asarray(np.sqrt(square / (period[-1] - period[0])))

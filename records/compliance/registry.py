@@ -30,9 +30,13 @@ REQUIREMENTS: Mapping[str, Requirements] = {
 def all_requirements(
     suite: Suite, *, shortest: float, longest: float, own: Mapping[str, tuple[float, float]] = MappingProxyType({})
 ) -> tuple[Requirement, ...]:
-    """Return those of every code.
+    """Check the suite against every code.
 
-    shortest, longest : equivalent periods of the mechanisms [s]; own : those of codes that define their own, by code
+    Parameters
+    ----------
+    suite : scaled records beside their target
+    shortest, longest : equivalent periods of the mechanisms [s]
+    own : shortest and longest period [s] of the codes that define their own, by code
     """
     found: list[Requirement] = []
     for code, check in REQUIREMENTS.items():

@@ -39,10 +39,10 @@ class Rule(StrEnum):
 class Requirement:
     """One line of a code.
 
-    value, limit : in `unit`, None where not answered; sense : how the value has to stand to the limit
-    factors : on every record, the least and the largest with which it is met; (0, inf) where it hangs on none
+    value, limit : in `unit`, None where not answered; sense : how the value has to compare with the limit
+    factors : on every record, the least and the largest with which it is met; (0, inf) where no factor changes it
     periods : range that the value was taken over [s], None where it is not of a spectrum
-    remark : what the reader should know; caveat : what the clause could not be compared with
+    remark : a note for the reader; caveat : how far the clause is verified
     """
 
     code: str
@@ -73,7 +73,7 @@ def check_limit(
     periods: tuple[float, float] | None = None,
     remark: str = "",
 ) -> Requirement:
-    """Compare `value` with `limit`: the requirement that it stands in `sense` to it."""
+    """Compare `value` with `limit`: the requirement is met if the value is in `sense` of it."""
     met = value >= limit * (1 - 1e-12) if sense == ">=" else value <= limit * (1 + 1e-12)
     verdict: Verdict = "met" if met else "not met"
     return Requirement(code, clause, rule, what, float(value), sense, limit, unit, verdict, periods, remark)
@@ -89,7 +89,7 @@ def no_answer(
     periods: tuple[float, float],
     suite: Suite,
 ) -> Requirement:
-    """Return a requirement on a range of periods that the target or the records do not cover."""
+    """Return a requirement that cannot be checked, as the target or the records do not cover its range of periods."""
     low, high = suite.period_range
     remark = f"the target is known from {low:.3g} to {high:.4g} s only"
     return Requirement(code, clause, rule, what, None, sense, limit, "-", "not answered", periods, remark)
@@ -120,7 +120,7 @@ def mean_at_most(
 
 
 def usable_to(suite: Suite, code: str, clause: str, *, longest: float) -> tuple[Requirement, ...]:
-    """Require that every record is usable up to the longest period [s]; nothing where no source says how far it is."""
+    """Require that every record is usable up to the longest period [s]; none where no source states its limit."""
     what, least = "longest usable period of the records", float(suite.usable.min())
     return (check_limit(code, clause, Rule.USABLE, what, least, ">=", longest, unit="s"),) if least < inf else ()
 
@@ -151,7 +151,7 @@ def _with(one: Requirement, factor: float) -> str:
 
 
 def mean_ratio(suite: Suite, periods: tuple[float, float]) -> FloatArray | None:
-    """Mean spectrum over target at the periods of the range, ends included; None where it is not all covered."""
+    """Return mean spectrum over target at the periods of the range, ends included; None where it is not all covered."""
     low, high = suite.period_range
     if not low * (1 - 1e-9) <= periods[0] <= periods[1] <= high * (1 + 1e-9):
         return None

@@ -57,7 +57,14 @@ class Suite:
 
 
 def suite_of(records: Sequence[Record], factors: Sequence[float], spectrum: Spectrum) -> Suite:
-    """The suite of `records` as they are before scaling, each with its factor, beside `spectrum`."""
+    """Set the spectra of scaled records beside their target.
+
+    Parameters
+    ----------
+    records : before scaling [n]
+    factors : scale factor of each [n] [-]
+    spectrum : target, 5 % damping
+    """
     end = min(float(FINE[-1]), spectrum.longest_period)
     period = np.append(FINE[end > FINE], end)
     spectra = [f * response_spectrum(r, period, damping=DAMPING) for r, f in zip(records, factors, strict=True)]

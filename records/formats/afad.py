@@ -4,7 +4,7 @@
     SAMPLING INTERVAL (sec) : 0.01
     RAW PGA VALUES (gal)    : (N-S) 78.7235 (E-W) 87.939778 (U-D) 45.10789
 
-The unit stands with the peaks. AFAD's present portal gives DYNA files instead.
+The unit is printed with the peaks. AFAD's present portal gives DYNA files instead.
 """
 
 from __future__ import annotations
@@ -33,12 +33,12 @@ NEEDED = ("NUMBER OF DATA", "SAMPLING INTERVAL (sec)")
 
 
 def looks_like(head: bytes) -> bool:
-    """Whether a file that begins with `head` is of AFAD: its title."""
+    """Return whether a file that begins with `head` is of AFAD: its title."""
     return TITLE.match(head) is not None
 
 
 def read(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
-    """The three records in the file at `path`; its header says all that is needed.
+    """Return the three records in the file at `path`; its header says all that is needed.
 
     Raises RecordError, naming the file, for a key that is absent, rows that are not three numbers, a count or peak that
     the columns do not have.
@@ -53,21 +53,21 @@ def read(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
     dt = positive_number(text["SAMPLING INTERVAL (sec)"], name="SAMPLING INTERVAL", line=after, path=path)
     columns, uneven = _columns(lines, after, path=path)
     check_count(text["NUMBER OF DATA"], len(columns), path=path, name="NUMBER OF DATA")
-    told = [
+    texts = [
         (uneven, check_peak(peaks.get(name), column, unit=unit, digits=1e-6, path=path))
         for name, column in zip(names, columns.T, strict=True)
     ]
     factor = acceleration_factor(unit, line=after, path=path)
     return tuple(
         _record(text, name, factor * column, dt, unit, warnings, path=path)
-        for name, column, warnings in zip(names, columns.T, told, strict=True)
+        for name, column, warnings in zip(names, columns.T, texts, strict=True)
     )
 
 
 def _record(
     text: dict[str, str], name: str, samples: FloatArray, dt: float, unit: str, warnings: tuple[str, ...], *, path: Path
 ) -> Record:
-    """The component `name` of the header's station."""
+    """Return the component `name` of the header's station."""
     return make_record(
         f"{path.stem} {name}",
         samples,
@@ -85,7 +85,7 @@ def _record(
 
 
 def _columns_named(lines: list[str]) -> tuple[int, tuple[str, ...]]:
-    """Index of the first row, and the names above it; none where no line has them."""
+    """Return the index of the first row, and the names above it; none where no line has them."""
     for i, line in enumerate(lines[:LONGEST_HEADER]):
         names = COLUMNS.fullmatch(line)
         if names:
@@ -94,7 +94,7 @@ def _columns_named(lines: list[str]) -> tuple[int, tuple[str, ...]]:
 
 
 def _columns(lines: list[str], after: int, *, path: Path) -> tuple[FloatArray, str]:
-    """Every row of three numbers [n, 3], and a warning about how they stand."""
+    """Return every row of three numbers [n, 3], and a warning about their layout."""
     uneven = next((i for i, line in enumerate(lines[after:]) if line.strip() and len(line.split()) != 3), None)
     if uneven is not None:
         line = after + 1 + uneven
@@ -106,13 +106,13 @@ def _columns(lines: list[str], after: int, *, path: Path) -> tuple[FloatArray, s
 
 
 def _header(lines: list[str]) -> dict[str, str]:
-    """What stands behind each key."""
+    """Return the value of each key."""
     parts = (line.partition(":") for line in lines if ":" in line)
     return {key.strip(): value.strip() for key, _, value in parts}
 
 
 def _peaks(text: dict[str, str], *, path: Path) -> tuple[str, dict[str, float | None]]:
-    """The unit, and the peak of each component in it."""
+    """Return the unit, and the peak of each component in it."""
     for key, value in text.items():
         found = PEAKS.fullmatch(key)
         if found:
@@ -140,7 +140,7 @@ def _site(text: dict[str, str]) -> Site:
 
 
 def _degrees(text: str) -> tuple[float | None, float | None]:
-    """Latitude and longitude of "36.91980N-27.44350E"."""
+    """Return the latitude and longitude of "36.91980N-27.44350E"."""
     found = DEGREES.search(text)
     if found is None:
         return None, None

@@ -1,7 +1,7 @@
-"""What a file says twice: the header against itself and against the samples below it.
+"""Consistency of what a file says twice: the header with itself and with the samples below it.
 
-What contradicts the step, the count, the unit or the direction is refused, since nothing tells which of the two is
-right. What is merely odd is a warning: one line for the engineer, "" where there is none.
+Contradictions of step, count, unit or direction are refused, since nothing shows which of the two is right. What is
+merely odd is a warning: one line for the engineer, else "".
 """
 
 from __future__ import annotations
@@ -24,10 +24,10 @@ REMEDY = "one of them is damaged: get the file again, or correct it"
 
 def check_count(stated: str, held: int, *, path: Path, name: str = "NPTS") -> None:
     """Refuse samples that are not as many as the header, as printed, says; however long a number that is."""
-    said = stated.lstrip("0") or "0"
-    if said == str(held):
+    printed = stated.lstrip("0") or "0"
+    if printed == str(held):
         return
-    short = (len(said), said) > (len(str(held)), str(held))
+    short = (len(printed), printed) > (len(str(held)), str(held))
     remedy = "the file is cut short" if short else "the header or the data are wrong"
     raise RecordError(f"{path}: {name} says {stated[:20]} samples, the file holds {held}; {remedy}")
 

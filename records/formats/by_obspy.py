@@ -37,13 +37,13 @@ WATER_LEVEL = 60.0  # dB below the largest response; obspy's default
 
 
 def looks_like_miniseed(head: bytes) -> bool:
-    """Whether a file that begins with `head` is MiniSEED: six digits and a quality (SEED 2.4), or "MS" and 3."""
+    """Return whether a file that begins with `head` is MiniSEED: six digits and a quality (SEED 2.4), or "MS" and 3."""
     second = len(head) >= 48 and head[:6].isdigit() and head[6:7] in QUALITIES and head[7:8] in (b" ", b"\0")
     return second or head[:3] == b"MS\x03"
 
 
 def looks_like_sac(head: bytes) -> bool:
-    """Whether a file that begins with `head` is binary SAC of version 6 or 7, points evenly spaced in time."""
+    """Return whether a file that begins with `head` is binary SAC of version 6 or 7, points evenly spaced in time."""
     if len(head) < SAC_HEADER:
         return False
     for order in "<>":
@@ -56,7 +56,7 @@ def looks_like_sac(head: bytes) -> bool:
 
 
 def read_miniseed(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
-    """Every channel in the file at `path`, by the unit or response given.
+    """Return every channel in the file at `path`, by the unit or response given.
 
     Raises RecordError, naming the file, for neither of them, what obspy cannot read, and channels with gaps.
     """
@@ -64,7 +64,7 @@ def read_miniseed(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
 
 
 def read_sac(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
-    """The one record in the file at `path`, by the unit or response given.
+    """Return the one record in the file at `path`, by the unit or response given.
 
     Raises RecordError, naming the file, for neither of them, what obspy cannot read, and what is not acceleration.
     """
@@ -105,7 +105,7 @@ def _raised() -> Iterator[None]:
 
 
 def _check_damage(texts: list[str], *, path: Path) -> None:
-    """Refuses what libmseed only warns of: samples that do not end where their block says, bytes that are no block."""
+    """Refuse what libmseed only warns of: samples that do not end where their block says, bytes that are no block."""
     damage = next((text for text in texts if DAMAGE.search(text)), None)
     if damage is not None:
         text = " ".join(damage.replace("Warning:", "").split())
@@ -113,7 +113,7 @@ def _check_damage(texts: list[str], *, path: Path) -> None:
 
 
 def _check_ends(trace: Any, *, path: Path) -> None:
-    """Refuses a SAC file whose extremes, mean or end, where its header knows them, are not those of its samples."""
+    """Refuse a SAC file whose extremes, mean or end, where its header knows them, are not those of its samples."""
     span = (trace.stats.npts - 1) * float(trace.stats.delta)
     data = np.asarray(trace.data, dtype=np.float64)
     least, most = (float(data.min()), float(data.max())) if data.size else (0.0, 0.0)
@@ -133,7 +133,7 @@ def _check_ends(trace: Any, *, path: Path) -> None:
 
 
 def _check(traces: list[Any], *, path: Path) -> None:
-    """Refuses no samples, channels in several pieces, a file cut short, and velocities or displacements."""
+    """Refuse no samples, channels in several pieces, a file cut short, and velocities or displacements."""
     if not traces:
         raise RecordError(f"{path}: no samples in the file")
     names = [trace.id for trace in traces]
@@ -153,13 +153,13 @@ def _check(traces: list[Any], *, path: Path) -> None:
 
 
 def _record(trace: Any, overrides: HeaderOverrides, response: Any, *, name: str, path: Path) -> Record:
-    """One channel in m/s2."""
+    """Return one channel in m/s2."""
     if response is None:
         unit = str(overrides.unit)
         factor = acceleration_factor(unit, line=0, path=path)
-        samples, said = factor * np.asarray(trace.data, dtype=np.float64), f"unit {unit} as given"
+        samples, source = factor * np.asarray(trace.data, dtype=np.float64), f"unit {unit} as given"
     else:
-        samples, said = (
+        samples, source = (
             _without_response(trace, response, path=path),
             f"response of {Path(overrides.response or '').name}",
         )
@@ -172,7 +172,7 @@ def _record(trace: Any, overrides: HeaderOverrides, response: Any, *, name: str,
         event=_text(trace, "kevnm"),
         station=".".join(part for part in (trace.stats.network, trace.stats.station) if part),
         component=channel,
-        processing_history=(f"read from {name}, {said}", *(["mean taken off"] if response is not None else [])),
+        processing_history=(f"read from {name}, {source}", *(["mean taken off"] if response is not None else [])),
         azimuth=_azimuth(trace, channel),
         distance=None if (km := _number(trace, "dist")) is None else 1000.0 * km,
         earthquake=Earthquake(
@@ -183,7 +183,7 @@ def _record(trace: Any, overrides: HeaderOverrides, response: Any, *, name: str,
 
 
 def _response(obspy: Any, path: Path) -> Any:
-    """The inventory in a file of responses."""
+    """Return the inventory in a file of responses."""
     try:
         return obspy.read_inventory(str(path))
     except OSError as error:
@@ -193,7 +193,7 @@ def _response(obspy: Any, path: Path) -> Any:
 
 
 def _without_response(trace: Any, response: Any, *, path: Path) -> np.ndarray[tuple[int], np.dtype[np.float64]]:
-    """Accelerations [m/s2] of counts whose mean is taken off, divided by the response over all frequencies."""
+    """Return accelerations [m/s2]: counts less their mean, divided by the response over all frequencies."""
     plain = trace.copy().detrend("demean")
     try:
         plain.remove_response(inventory=response, output="ACC", water_level=WATER_LEVEL)
@@ -205,7 +205,7 @@ def _without_response(trace: Any, response: Any, *, path: Path) -> np.ndarray[tu
 
 
 def _azimuth(trace: Any, channel: str) -> float | None:
-    """SAC's azimuth of a component that lies level, else by the channel's name."""
+    """Return SAC's azimuth of a horizontal component, else that of the channel's name."""
     azimuth, incidence = _number(trace, "cmpaz"), _number(trace, "cmpinc")
     if azimuth is not None and incidence == 90.0:
         return radians(azimuth % 360.0)

@@ -40,7 +40,7 @@ KNOWN: Mapping[str, Callable[[Record], str | float | None]] = {
 
 
 def comments(record: Record) -> Iterator[str]:
-    """A line for each thing that is known of `record`."""
+    """Yield a line for each thing that is known of `record`."""
     for key, of in KNOWN.items():
         value = of(record)
         text = f"{value:.12g}" if isinstance(value, float | int) else value
@@ -49,14 +49,14 @@ def comments(record: Record) -> Iterator[str]:
 
 
 def parse_comments(lines: Sequence[str]) -> dict[str, str]:
-    """What the comments before the first row say, by key."""
+    """Parse the comments before the first row, by key."""
     above = takewhile(lambda line: not line.strip() or line.lstrip().startswith("#"), lines)
     found = (COMMENT.fullmatch(line) for line in above)
     return {match[1]: unmark_formulas(match[2])[:LONGEST] for match in found if match}
 
 
 def record_fields(text: Mapping[str, str]) -> dict[str, Any]:
-    """The same as `make_record` takes it; what is no number, or cannot be, is not known."""
+    """Return the fields of a record for `make_record`; a number that cannot be read or cannot be is unknown."""
     known = {key: number(text.get(key, "")) for key in KNOWN}
     component, azimuth = text.get("component", ""), known["azimuth [deg]"]
     return {
@@ -89,5 +89,5 @@ def _times(factor: float, value: float | None) -> float | None:
 
 
 def _on_one_line(text: str) -> str:
-    """`text` without line breaks and control characters, cut."""
+    """Return `text` without line breaks and control characters, cut."""
     return "".join(c if c.isprintable() else " " for c in text)[:LONGEST]

@@ -12,7 +12,7 @@ LOW_SHARE = 0.25  # of the power of displacements; 0.06 at most in the same
 
 
 def filter_warning(samples: FloatArray, dt: float, *, low: float | None, high: float | None) -> str:
-    """One line where a motion [n] at a step [s] goes on beyond the corners [Hz] of its filter; else "".
+    """Return one line where a motion [n] at a step [s] goes on beyond the corners [Hz] of its filter; else "".
 
     With another step a motion has other frequencies. None is a corner that is not known.
     """

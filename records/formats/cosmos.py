@@ -43,12 +43,12 @@ UNKNOWN = -999.0
 
 
 def looks_like(head: bytes) -> bool:
-    """Whether a file that begins with `head` is COSMOS: its first line states the version of the format."""
+    """Return whether a file that begins with `head` is COSMOS: its first line states the version of the format."""
     return FIRST.match(head.decode("latin-1").split("\n", 1)[0]) is not None
 
 
 def read(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
-    """Every acceleration record in the file at `path`; its headers say all that is needed.
+    """Return every acceleration record in the file at `path`; its headers say all that is needed.
 
     Raises RecordError, naming the file, for a header cut short, a step that is absent or does not fit the duration,
     a count or peak that the samples do not have, and a file without acceleration.
@@ -64,7 +64,7 @@ def read(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
 
 
 def _channel(lines: list[str], start: int, end: int, *, path: Path) -> Record | None:
-    """The record whose lines are from index `start` to `end`; None where it is not acceleration."""
+    """Return the record whose lines are from index `start` to `end`; None where it is not acceleration."""
     at = next((i for i in range(start, end) if SERIES.match(lines[i])), None)
     series = None if at is None else SERIES.match(lines[at])
     if at is None or series is None:
@@ -106,7 +106,7 @@ def _channel(lines: list[str], start: int, end: int, *, path: Path) -> Record | 
 
 
 def _block(lines: list[str], start: int, end: int, kind: str, *, path: Path) -> FloatArray:
-    """The header values of one `kind`, between two indices."""
+    """Return the header values of one `kind`, between two indices."""
     for i in range(start, end):
         found = BLOCK.match(lines[i])
         if found and found[1] == kind:
@@ -115,13 +115,13 @@ def _block(lines: list[str], start: int, end: int, kind: str, *, path: Path) -> 
 
 
 def _known(values: FloatArray, index: int) -> float | None:
-    """A header value, None where it is unknown."""
+    """Return a header value, None where it is unknown."""
     value = float(values[index]) if index < values.size else UNKNOWN
     return None if value == UNKNOWN or value != value else value
 
 
 def _step(reals: FloatArray, size: int, duration: float, *, path: Path) -> float:
-    """The step [s], held against the duration [s], which is printed in whole seconds."""
+    """Return the step [s], held against the duration [s], which is printed in whole seconds."""
     step = (_known(reals, STEP_MS) or 0.0) / 1000.0
     if not 0.0 < step < float("inf"):
         raise RecordError(f"{path}: real header value 62, the step in ms, is {1000.0 * step:.6g}; it must be positive")
@@ -134,7 +134,7 @@ def _step(reals: FloatArray, size: int, duration: float, *, path: Path) -> float
 
 
 def _names(header: list[str]) -> tuple[str, str]:
-    """Station and component: by network, station and channel where the file has them, else from its text."""
+    """Return station and component: by network, station and channel where the file has them, else from its text."""
     text = "\n".join(header)
     scnl, code, channel = SCNL.search(text), CODE.search(text), CHANNEL.search(text)
     if scnl:
@@ -166,6 +166,6 @@ def _earthquake(header: list[str], reals: FloatArray) -> Earthquake:
 
 
 def _time(origin: re.Match[str]) -> str:
-    """Dates are month/day/year, or year/month/day where the year stands first."""
+    """Return the time as ISO 8601; dates are month/day/year, or year/month/day where the year comes first."""
     one, two, three, *clock = origin.groups()
     return iso(one, two, three, *clock) if len(one) == 4 else iso(three, one, two, *clock)

@@ -69,9 +69,9 @@ def check_header(
     check_same(f"{where} peak", peak, "real value 64", _known(reals, PEAK), slack=0.002, path=path)
     check_same(f"{where} time of the peak", when, "real value 65", _known(reals, TIME), slack=0.006, path=path)
     azimuth = _known(integers, AZIMUTH)
-    told = number(channel[1]) if channel else None
-    if told is not None and azimuth is not None and 0.0 < azimuth <= 360.0:
-        check_same(f"{where} azimuth", told % 360.0, "integer value 54", azimuth % 360.0, slack=1.0, path=path)
+    printed = number(channel[1]) if channel else None
+    if printed is not None and azimuth is not None and 0.0 < azimuth <= 360.0:
+        check_same(f"{where} azimuth", printed % 360.0, "integer value 54", azimuth % 360.0, slack=1.0, path=path)
     passed = FILTER.search(words)
     return [
         *_places(words, reals),
@@ -85,21 +85,21 @@ def _known(values: FloatArray, index: int) -> float | None:
 
 
 def _places(words: str, reals: FloatArray) -> Iterator[str]:
-    """Warnings about where the site and the epicentre are, sign and all."""
+    """Yield warnings about where the site and the epicentre are, sign and all."""
     for *names, pattern, at in PLACES:
         found = pattern.search(words)
         for i, name in enumerate(names):
-            told = number(found[i + 1]) if found else None
-            yield disagreement(name, told, NUMBER, _known(reals, at + i), slack=1e-3)
+            printed = number(found[i + 1]) if found else None
+            yield disagreement(name, printed, NUMBER, _known(reals, at + i), slack=1e-3)
 
 
 def _start(words: str, integers: FloatArray, reals: FloatArray) -> str:
-    """A warning about when the recorder started, to the second."""
+    """Return a warning about when the recorder started, to the second."""
     found = RECORDER.search(words)
     seconds, numbers = _known(reals, SECONDS), [_known(integers, STARTED + i) for i in (0, 2, 3, 4, 5)]
     if found is None or seconds is None or None in numbers:
         return ""
     again = iso(*(f"{each:.0f}" for each in numbers), str(seconds))
     one, two, three, *clock = found.groups()
-    told = iso(one, two, three, *clock) if len(one) == 4 else iso(three, one, two, *clock)
-    return describe_disagreement("start", told, NUMBER, again) if told[:19] != again[:19] else ""
+    printed = iso(one, two, three, *clock) if len(one) == 4 else iso(three, one, two, *clock)
+    return describe_disagreement("start", printed, NUMBER, again) if printed[:19] != again[:19] else ""

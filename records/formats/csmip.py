@@ -56,14 +56,14 @@ STATION_1, CHANNEL_1 = 5, 6  # of volume 1
 
 
 def looks_like(head: bytes) -> bool:
-    """Whether a file that begins with `head` is CSMIP: its line of points, step and unit, or the title of volume 1."""
+    """Return whether the first bytes are CSMIP: its line of points, step and unit, or the title of volume 1."""
     lines = head.decode("latin-1").splitlines()
     titled = bool(lines) and UNCORRECTED.match(lines[0]) is not None
     return titled or any(VOLUME_1.match(line) or VOLUME_2.match(line) for line in lines)
 
 
 def read(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
-    """The acceleration of every channel in the file at `path`; its headers say all that is needed.
+    """Return the acceleration of every channel in the file at `path`; its headers say all that is needed.
 
     Raises RecordError, naming the file, for a header without its channel, a step or unit that is none, a count or peak
     that the samples do not have.
@@ -93,7 +93,7 @@ def read(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
 
 
 def _channel(header: list[str], found: re.Match[str], lines: list[str], at: int, *, path: Path) -> Record:
-    """The channel whose line of points is at index `at`."""
+    """Return the channel whose line of points is at index `at`."""
     first = found.re is VOLUME_1 or (bool(header) and UNCORRECTED.match(header[0]) is not None)
     parts = found.groupdict()
     unit = (parts["unit"] or parts.get("in") or "").strip().rstrip(".")
@@ -132,21 +132,21 @@ def _channel(header: list[str], found: re.Match[str], lines: list[str], at: int,
 
 
 def _velocity(lines: list[str], at: int, *, path: Path) -> FloatArray:
-    """The velocities [m/s] of the block that begins at index `at`; none where it is another."""
+    """Return the velocities [m/s] of the block that begins at index `at`; none where it is another."""
     if at >= len(lines) or not VELOCITY.match(lines[at]):
         return np.empty(0)
     return 0.01 * numbers(lines[at + 1 : numeric_end(lines, at + 1)], first=at + 2, path=path)
 
 
 def _step(parts: dict[str, str], *, line: int, path: Path) -> float:
-    """The step [s], from itself or from the rate."""
+    """Return the step [s], from itself or from the rate."""
     if "step" in parts:
         return positive_number(parts["step"], name="step", line=line, path=path)
     return float(f"{1.0 / positive_number(parts['rate'], name='rate', line=line, path=path):.10g}")
 
 
 def _named(header: list[str], at: int, *, path: Path, line: int) -> re.Match[str]:
-    """Number and direction of the channel."""
+    """Return the number and direction of the channel."""
     found = CHANNEL.fullmatch(header[at]) if at < len(header) else None
     if found is None:
         raise RecordError(f"{path}: line {line}: the header above has no line of its channel; it is damaged")
@@ -154,13 +154,13 @@ def _named(header: list[str], at: int, *, path: Path, line: int) -> re.Match[str
 
 
 def _station(header: list[str], at: int) -> str:
-    """Number and name; the agency follows on the same line."""
+    """Return the number and name; the agency follows on the same line."""
     number_of = next((found[1] for line in header if (found := STATION.match(line))), "")
     return f"{number_of} {_column(header, at)}".strip()
 
 
 def _column(header: list[str], at: int) -> str:
-    """What stands in a line before a wide gap."""
+    """Return the text of a line before a wide gap."""
     return re.split(r"\s{3,}", header[at].strip())[0] if at < len(header) else ""
 
 
@@ -178,7 +178,7 @@ def _earthquake(header: list[str]) -> Earthquake:
 
 
 def _time(month: str, day: str, year: str, *clock: str) -> str:
-    """Two digits are a year of 1933 to 2032: the first accelerograms are of 1933."""
+    """Return the time as ISO 8601; two digits are a year of 1933 to 2032, as the first accelerograms are of 1933."""
     full = year if len(year) == 4 else str(1900 + int(year) + (100 if int(year) < 33 else 0))
     return iso(full, month, day, *clock)
 

@@ -70,7 +70,7 @@ def _of(pattern: re.Pattern[str], text: str) -> float | None:
 
 
 def _block(header: Sequence[str], start: int, shape: tuple[int, int, int]) -> list[float | None]:
-    """The header's numbers from a line on, by columns; None for what is none or zero, which stands for unknown."""
+    """Return the header's numbers from a line on, by columns; None for a blank, or zero, which means unknown."""
     lines, each, width = shape
     rows = [line.ljust(each * width) for line in header[start : start + lines]]
     return [number(row[i * width : (i + 1) * width], unknown=(0.0, -999.0)) for row in rows for i in range(each)]
@@ -82,9 +82,11 @@ def _at(values: Sequence[float | None], index: int) -> float | None:
 
 def _check_azimuths(text: Sequence[str], name: str, again: float | None, *, path: Path) -> None:
     """Refuse a channel whose direction [deg] is another in a second line, or in the integers of the header."""
-    told = [float(found) for line in text for found in CHANNEL.findall(line)]
-    told += [again] if told and again is not None and again <= 360.0 else []
-    other = next((each for each in told if abs((each - told[0] + 180.0) % 360.0 - 180.0) > 1.5 or each > 360.0), None)
+    printed = [float(found) for line in text for found in CHANNEL.findall(line)]
+    printed += [again] if printed and again is not None and again <= 360.0 else []
+    other = next(
+        (each for each in printed if abs((each - printed[0] + 180.0) % 360.0 - 180.0) > 1.5 or each > 360.0), None
+    )
     if other is not None:
         raise RecordError(
             f'{path}: channel "{name}" points to {other:.0f} degrees elsewhere in the header; one of them is damaged: '

@@ -32,11 +32,11 @@ from spectra.columns import (
 )
 
 NAME = "CSV"
-UNIFORM = 0.05  # how far a printed time may stand from its place, in steps
+UNIFORM = 0.05  # largest distance of a printed time from its place, in steps
 
 
 def looks_like(head: bytes) -> bool:
-    """Whether a file that begins with `head` has two columns: two fields a line below at most one header line.
+    """Return whether a file that begins with `head` has two columns: two fields a line below at most one header line.
 
     The first of these lines must be two numbers; a header alone must state a unit. Later faults are for `read` to name.
     """
@@ -56,10 +56,10 @@ def looks_like(head: bytes) -> bool:
 
 
 def read(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
-    """The one record in the file at `path`; the unit given is that of the accelerations where the header has none.
+    """Return the one record in the file at `path`; the unit given is used where the header has none.
 
-    Raises RecordError, naming the file, for a missing unit, times that are not uniform to 5 % of a step, and for
-    what cannot be read.
+    Raises RecordError, naming the file, for a missing unit, times that are not uniform to 5 % of a step, and for what
+    cannot be read.
     """
     try:
         columns = read_columns(path)
@@ -88,7 +88,7 @@ def _refuse_cut(stated: str, found: int, *, path: Path) -> None:
 
 
 def _units(columns: Columns, unit: str | None, *, path: Path) -> tuple[float, float, str]:
-    """What times and accelerations are multiplied by, and that in words."""
+    """Return what times and accelerations are multiplied by, and that in words."""
     time, acceleration = columns.units
     stated = acceleration or unit
     if stated is None:
@@ -106,9 +106,9 @@ def _units(columns: Columns, unit: str | None, *, path: Path) -> tuple[float, fl
 
 
 def _step(time: FloatArray, *, path: Path) -> float:
-    """The step of uniform times [n] [s], to ten digits.
+    """Return the step of uniform times [n] [s], to ten digits.
 
-    A printed time is rounded, so the step is that of the whole length and each time may stand 5 % of it away.
+    A printed time is rounded, so the step is that of the whole length and each time may be off by 5 % of it.
     """
     bad = np.flatnonzero(~np.isfinite(time))
     if bad.size:

@@ -41,12 +41,12 @@ NAMED = re.compile(r"\w+\.\w+\.\w*\.([A-Z][A-Z][A-Z0-9])\.")
 
 
 def looks_like(head: bytes) -> bool:
-    """Whether a file that begins with `head` is DYNA: the first key, the step and the count."""
+    """Return whether a file that begins with `head` is DYNA: the first key, the step and the count."""
     return head.lstrip().startswith(b"EVENT_NAME:") and b"\nSAMPLING_INTERVAL_S:" in head and b"\nNDATA:" in head
 
 
 def read(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
-    """The one record in the file at `path`; its header says all that is needed.
+    """Return the one record in the file at `path`; its header says all that is needed.
 
     Raises RecordError, naming the file, for what is not acceleration, a key that is absent, a count or peak that the
     samples do not have.
@@ -96,7 +96,7 @@ def read(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
 
 
 def _header(lines: list[str]) -> tuple[dict[str, tuple[int, str]], int]:
-    """Line number and value of each key, and the index of the first line after them."""
+    """Return the line number and value of each key, and the index of the first line after them."""
     header: dict[str, tuple[int, str]] = {}
     for i, line in enumerate(lines):
         found = KEY.fullmatch(line)
@@ -116,19 +116,19 @@ def _check_header(header: dict[str, tuple[int, str]], *, path: Path) -> None:
 
 
 def _station(text: dict[str, str]) -> str:
-    """Network and code, with the name where there is one: `HI.ARS1 Town Hall, Argos`."""
+    """Return network and code, with the name where there is one: `HI.ARS1 Town Hall, Argos`."""
     code = ".".join(part for part in (text.get("NETWORK", ""), text.get("STATION_CODE", "")) if part)
     return f"{code} {text.get('STATION_NAME', '')}".strip()
 
 
 def _event(text: dict[str, str]) -> str:
-    """Name of the event, else its number in the archive; "" where both are bare digits, a time stamp."""
+    """Return the name of the event, else its number in the archive; "" where both are bare digits, a time stamp."""
     names = (text.get("EVENT_NAME", ""), text.get("EVENT_ID", ""))
     return next((name for name in names if re.search(r"[^\W\d_]", name)), "")
 
 
 def _processing(text: dict[str, str]) -> tuple[str, ...]:
-    """The filter that the source has applied, in words."""
+    """Return the filter that the source has applied, in words."""
     low, high = (number(text.get(f"{side}_CUT_FREQUENCY_HZ", "")) for side in ("LOW", "HIGH"))
     if low is None and high is None:
         return ()
@@ -136,7 +136,7 @@ def _processing(text: dict[str, str]) -> tuple[str, ...]:
 
 
 def _misnamed(text: dict[str, str], path: Path) -> str:
-    """A warning where the name of the file, network.station.location.stream.…, has another stream."""
+    """Return a warning where the name of the file, network.station.location.stream.…, has another stream."""
     stream, named = text.get("STREAM", ""), NAMED.match(path.name)
     if not stream or named is None or named[1] == stream:
         return ""

@@ -66,7 +66,7 @@ def check_header(
 
 
 def coordinates(line: str) -> tuple[float | None, float | None]:
-    """Latitude and longitude [deg] of "42 37 10S  173 03 13E"."""
+    """Return the latitude and longitude [deg] of "42 37 10S  173 03 13E"."""
     found = DEGREES.search(line)
     if found is None:
         return None, None
@@ -75,7 +75,7 @@ def coordinates(line: str) -> tuple[float | None, float | None]:
 
 
 def _number(header: Sequence[str], index: int) -> float | None:
-    """One of the numbers; None where there is none or zero, which stands for unknown."""
+    """Return one of the numbers; None for a blank or zero, which means unknown."""
     row, column = divmod(index, COLUMNS)
     return number(header[TEXT_LINES + row][8 * column : 8 * column + 8], unknown=(0.0,))
 
@@ -93,7 +93,7 @@ def _check_azimuth(name: str, again: float | None, *, path: Path, line: int) -> 
 
 
 def _places(line: str, numbers: Sequence[float | None]) -> Iterator[str]:
-    """Warnings about the site's latitude and longitude, which the numbers repeat without a sign."""
+    """Yield warnings about the site's latitude and longitude, which the numbers repeat without a sign."""
     for words, value, at in zip(("latitude", "longitude"), coordinates(line), (LATITUDE, LONGITUDE), strict=True):
         parts = [each or 0.0 for each in numbers[at : at + 3]]
         again = parts[0] + parts[1] / 60.0 + parts[2] / 3600.0

@@ -45,7 +45,7 @@ DATE = re.compile(r"\s*(\d{4})\s+([A-Z][a-z]+)\s+(\d+)\s+(\d+):(\d+):([\d.]+)\s+
 
 
 def looks_like(head: bytes) -> bool:
-    """Whether a file that begins with `head` is V2A, or V1A, which is refused: lines of the points and the interval."""
+    """Return whether the first bytes are V2A, or V1A, which is refused: lines of the points and the interval."""
     lines = head.decode("latin-1").splitlines()
     if len(lines) <= 10 or POINTS.match(lines[9]) is None:
         return False
@@ -53,7 +53,7 @@ def looks_like(head: bytes) -> bool:
 
 
 def read(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
-    """The records in the file at `path`; its headers say all that is needed.
+    """Return the records in the file at `path`; its headers say all that is needed.
 
     Raises RecordError, naming the file, for a header without points, interval, component or unit, and blocks or a peak
     that are not as the header says.
@@ -72,7 +72,7 @@ def read(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
 
 
 def _component(lines: list[str], start: int, *, path: Path) -> Record:
-    """The component whose header begins at index `start`."""
+    """Return the component whose header begins at index `start`."""
     interval = _found(INTERVAL, lines, start + 10, path=path)[1]
     name = _found(COMPONENT, lines, start + 12, path=path)[1]
     peak = _found(PEAK, lines, start + 13, path=path)
@@ -100,7 +100,7 @@ def _component(lines: list[str], start: int, *, path: Path) -> Record:
 
 
 def _samples(lines: list[str], start: int, *, path: Path) -> tuple[FloatArray, FloatArray, str]:
-    """Accelerations and velocities of the component at index `start`, as printed, and a warning; all must be whole."""
+    """Return accelerations and velocities of the component at index `start`, as printed and complete, and a warning."""
     points = _found(POINTS, lines, start + 9, path=path)[1]
     size = count(points, name="Number of points", line=start + 10, path=path)
     first = start + TEXT_LINES + NUMBER_LINES
@@ -118,7 +118,7 @@ def _samples(lines: list[str], start: int, *, path: Path) -> tuple[FloatArray, F
 
 
 def _found(pattern: re.Pattern[str], lines: list[str], at: int, *, path: Path) -> re.Match[str]:
-    """What stands in a line of the header."""
+    """Match a line of the header; refuse another."""
     found = pattern.match(lines[at]) if at < len(lines) else None
     if found is None:
         held = lines[at].strip()[:40] if at < len(lines) else "the end of the file"
@@ -128,17 +128,17 @@ def _found(pattern: re.Pattern[str], lines: list[str], at: int, *, path: Path) -
 
 
 def _station(line: str) -> str:
-    """The code behind "Site"."""
+    """Return the code behind "Site"."""
     return [*line.split(), "", ""][1]
 
 
 def _place(line: str) -> str:
-    """Where the epicentre is, in words: "5 km south-west of Waiau"; "" where the line is another."""
+    """Return where the epicentre is, in words: "5 km south-west of Waiau"; "" where the line is another."""
     return line.strip() if re.fullmatch(r"\s*\d+ km \S+ of \S.*", line) else ""
 
 
 def _kilometres(line: str, key: str) -> float | None:
-    """What stands behind `key` in kilometres, in metres."""
+    """Return the kilometres behind `key`, in metres."""
     found = re.search(rf"{key}\s+([\d.]+)\s*km", line)
     value = number(found[1]) if found else None
     return None if value is None else 1000.0 * value

@@ -36,12 +36,12 @@ NEEDED = ("Time Increment (s)", "Number of Data")
 
 
 def looks_like(head: bytes) -> bool:
-    """Whether a file that begins with `head` is a cor.acc: the line above the values, with the unit."""
+    """Return whether a file that begins with `head` is a cor.acc: the line above the values, with the unit."""
     return any(SERIES.fullmatch(line) for line in head.decode("latin-1").splitlines()[:LONGEST_HEADER])
 
 
 def read(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
-    """The one record in the file at `path`; its header says all that is needed.
+    """Return the one record in the file at `path`; its header says all that is needed.
 
     Raises RecordError, naming the file, for a key that is absent, a count or peak that the samples do not have.
     """
@@ -82,6 +82,6 @@ def read(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
 
 
 def _header(lines: list[str]) -> dict[str, str]:
-    """What stands behind each key."""
+    """Return the value of each key."""
     parts = (line.partition(" : ") for line in lines)
     return {key.strip(): value.strip() for key, _, value in parts}

@@ -36,12 +36,12 @@ SCALE = re.compile(r"([0-9.eE+-]+)\s*\(([^()]+)\)\s*/\s*([0-9.eE+-]+)")
 
 
 def looks_like(head: bytes) -> bool:
-    """Whether a file that begins with `head` is K-NET: its first line and the line of the scale factor."""
+    """Return whether a file that begins with `head` is K-NET: its first line and the line of the scale factor."""
     return head.startswith(b"Origin Time") and b"\nScale Factor" in head
 
 
 def read(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
-    """The one record in the file at `path`; its header says all that is needed.
+    """Return the one record in the file at `path`; its header says all that is needed.
 
     Raises RecordError, naming the file, for a header cut short, a step, scale or duration that is none, samples fewer
     than the duration says or of another peak than the header's.
@@ -78,7 +78,7 @@ def read(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
 
 
 def _header(lines: list[str], *, path: Path) -> dict[str, str]:
-    """What stands behind each key."""
+    """Return the value of each key."""
     header = {line[:KEY_WIDTH].strip(): line[KEY_WIDTH:].strip() for line in lines[:HEADER_LINES]}
     needed = ("Sampling Freq(Hz)", "Duration Time(s)", "Dir.", "Scale Factor", "Max. Acc. (gal)", "Station Code")
     absent = [key for key in needed if key not in header]
@@ -88,7 +88,7 @@ def _header(lines: list[str], *, path: Path) -> dict[str, str]:
 
 
 def _component(direction: str, *, path: Path) -> str:
-    """The component by the header, which must be that of the file's name where it ends as NIED's do."""
+    """Return the component by the header, which must be that of the file's name where it ends as NIED's do."""
     component = NUMBERED.get(direction, direction)
     if component not in (*NUMBERED.values(), *NAMED.values()):
         raise RecordError(f'{path}: line 13: Dir. = "{direction[:20]}"; it must be N-S, E-W, U-D or 1 to 6')
@@ -102,7 +102,7 @@ def _component(direction: str, *, path: Path) -> str:
 
 
 def _scale(text: str, *, path: Path) -> tuple[str, float]:
-    """The unit, and one count in it."""
+    """Return the unit, and one count in it."""
     found = SCALE.fullmatch(text)
     if found is None:
         raise RecordError(f'{path}: line 14: scale factor "{text[:30]}"; it must be like 3920(gal)/6182761')

@@ -1,7 +1,7 @@
 """How the numbers of a file are printed: alike in every line, unless characters were lost.
 
 Programs print accelerations with one format, so that every number has the same decimals and every line the same
-columns. A number that is printed otherwise has lost characters, and so has a line whose columns stand elsewhere.
+columns. A number that is printed otherwise has lost characters, and so has a line whose columns are elsewhere.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ class Form(NamedTuple):
 def check_layout(lines: Sequence[str], *, first: int, path: Path) -> str:
     """Refuse a number that is printed otherwise than all the others; return a warning about columns that are uneven.
 
-    Nothing is said of files that no one format printed, and a 0 may be printed as programs please, unless it is the
+    Files without one format get no warning, and a 0 may be printed in any way, unless it is the
     last number. `first` is the number of the first line in the file.
     """
     counts = Counter(_shapes(lines))
@@ -57,7 +57,7 @@ def check_layout(lines: Sequence[str], *, first: int, path: Path) -> str:
 
 
 def _shapes(lines: Sequence[str]) -> Iterator[str]:
-    """Each line with 0 for every digit and E for every mark of an exponent."""
+    """Yield each line with 0 for every digit and E for every mark of an exponent."""
     for i in range(0, len(lines), BATCH):
         yield from "\n".join(lines[i : i + BATCH]).translate(SHAPE).split("\n")
 
@@ -71,7 +71,7 @@ def _form(shape: str) -> Form:
 
 
 def _uneven(lines: Sequence[str], counts: Mapping[str, int], forms: Mapping[str, Form]) -> int | None:
-    """Index of the first line whose numbers end in other columns than the others'; the last may be shorter."""
+    """Return the index of the first line whose numbers end in other columns; the last line may be shorter."""
     held = sum(number for shape, number in counts.items() if forms[shape].ends)
     ends = _most(((forms[shape].ends, number) for shape, number in counts.items() if forms[shape].ends), of=held - 1)
     if ends is None:
@@ -84,12 +84,12 @@ def _uneven(lines: Sequence[str], counts: Mapping[str, int], forms: Mapping[str,
 
 
 def _line_of(lines: Sequence[str], shapes: set[str]) -> int | None:
-    """Index of the first line of one of the `shapes`."""
+    """Return the index of the first line of one of the `shapes`."""
     return next((i for i, shape in enumerate(_shapes(lines)) if shape in shapes), None) if shapes else None
 
 
 def _most(counted: Iterable[tuple[T, int]], *, of: int) -> T | None:
-    """What makes up nearly all `of` them, or all but one where they are few."""
+    """Return what makes up nearly all `of` them, or all but one where they are few."""
     sums: Counter[T] = Counter()
     for thing, number in counted:
         sums[thing] += number
@@ -97,7 +97,7 @@ def _most(counted: Iterable[tuple[T, int]], *, of: int) -> T | None:
 
 
 def _odd_fields(lines: Sequence[str], forms: Mapping[str, Form], usual: Printed) -> Iterator[tuple[int, str]]:
-    """The numbers that are not printed as usual, with the index of their line."""
+    """Yield the numbers that are not printed as usual, with the index of their line."""
     odd = {shape for shape, form in forms.items() if any(each != usual for each in form.printed)}
     for at, shape in enumerate(_shapes(lines) if odd else ()):
         if shape in odd:

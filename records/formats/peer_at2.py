@@ -5,7 +5,7 @@
     ACCELERATION TIME SERIES IN UNITS OF G
     NPTS=   5435, DT=   .0100 SEC,   0 POLE @    13.90000 HZ,  -5 POLE @      .10000
 
-Line 4 comes in several dresses: lower case, with or without SEC and the corner frequencies, or as bare numbers
+Line 4 comes in several forms: lower case, with or without SEC and the corner frequencies, or as bare numbers
 before their names (`4096    0.0100    NPTS, DT`). Line 2 is `Event, m/d/yyyy, Station, Component` in the NGA files
 and `EVENT mm/dd/yy hhmm, STATION, COMPONENT (AGENCY)` in the older ones.
 """
@@ -54,13 +54,13 @@ class Title:
 
 
 def looks_like(head: bytes) -> bool:
-    """Whether a file that begins with `head` is PEER AT2: its third line states acceleration and a unit."""
+    """Return whether a file that begins with `head` is PEER AT2: its third line states acceleration and a unit."""
     lines = head.decode("latin-1").splitlines()
     return len(lines) > 2 and UNITS.match(lines[2]) is not None
 
 
 def read(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
-    """The one record in the file at `path`; its header says all that is needed.
+    """Return the one record in the file at `path`; its header says all that is needed.
 
     Raises RecordError, naming the file, for a header without NPTS and DT, for more or fewer samples than NPTS says
     and for what is not a number.
@@ -95,7 +95,7 @@ def read(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
 
 
 def parse_title(line: str) -> Title:
-    """Event, date, station and component from line 2, of the older form or the newer."""
+    """Parse event, date, station and component from line 2, of the older form or the newer."""
     date = DATE.search(line)
     if date is None:
         event, _, rest = line.partition(",")
@@ -107,13 +107,13 @@ def parse_title(line: str) -> Title:
 
 
 def _corners(line: str) -> tuple[float | None, float | None]:
-    """Corners [Hz] of the filters in line 4: the low one has a negative number of poles; None where there is none."""
+    """Return the corners [Hz] of the filters in line 4, None where there is none; the low one has poles below 0."""
     corners = {poles.startswith("-"): number(corner, unknown=(0.0,)) for poles, corner in CORNERS.findall(line)}
     return corners.get(True), corners.get(False)
 
 
 def _misnamed(component: str, path: Path) -> str:
-    """A warning where the name of the file, as PEER gives it, has another direction than the header."""
+    """Return a warning where the name of the file, as PEER gives it, has another direction than the header."""
     named = NAMED.fullmatch(path.stem)
     if named is None or not component.isdigit() or int(component) % 360 == int(named[1]) % 360:
         return ""
@@ -134,13 +134,13 @@ def _check_beside(dt: float, *, path: Path) -> None:
 
 
 def _iso(date: str) -> str:
-    """mm/dd/yy or m/d/yyyy as ISO 8601; two digits are of the older database, which ends in 1999."""
+    """Convert mm/dd/yy or m/d/yyyy to ISO 8601; two digits are of the older database, which ends in 1999."""
     month, day, year = (*date.split("/"), "", "", "")[:3]
     return iso(year if len(year) == 4 else f"19{year}", month, day)
 
 
 def _steps(line: str, *, path: Path) -> tuple[str, float]:
-    """NPTS, as printed, and DT [s] from line 4."""
+    """Return NPTS, as printed, and DT [s] from line 4."""
     found = next((match for match in (pattern.search(line) for pattern in STEPS) if match), None)
     if found is None:
         raise RecordError(f'{path}: line 4: "{line[:60]}" does not state NPTS and DT, like: NPTS=  4000, DT= .0100 SEC')

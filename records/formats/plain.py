@@ -48,7 +48,7 @@ class Header:
 
 
 def looks_like(head: bytes) -> bool:
-    """Whether a file that begins with `head` is plain: a header as above or none, then numbers, not two to a line."""
+    """Return whether the first bytes are plain: a header as above or none, then numbers, not two to a line."""
     text = head.decode("latin-1")
     lines = text.split("\n")
     whole = lines[:-1] if len(lines) > 1 else lines  # the last may be cut
@@ -62,9 +62,9 @@ def looks_like(head: bytes) -> bool:
 
 
 def read(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
-    """The one record in the file at `path`, of the unit and step that it or the caller states.
+    """Return the one record in the file at `path`, of the unit and step that it or the caller states.
 
-    Raises RecordError, naming the file, for a unit or step that nobody states, a first column that is time, samples
+    Raises RecordError, naming the file, for a unit or step that neither states, a first column that is time, samples
     that are not as many as the header says, and what is not a number.
     """
     lines = text_lines(path)
@@ -81,28 +81,32 @@ def read(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
         _refuse_tables(body, samples, path=path)
     for line, found in enumerate(map(AGAIN.match, lines[: header.length]), start=1):
         if found and header.count:
-            told = (float(found[1]), number(found[2]))
-            check_same("the header's count", float(header.count), f"that of line {line}", told[0], slack=0.0, path=path)
-            check_same("the header's step", number(header.step), f"that of line {line}", told[1], slack=1e-6, path=path)
+            again = (float(found[1]), number(found[2]))
+            check_same(
+                "the header's count", float(header.count), f"that of line {line}", again[0], slack=0.0, path=path
+            )
+            check_same(
+                "the header's step", number(header.step), f"that of line {line}", again[1], slack=1e-6, path=path
+            )
     unit = header.unit or overrides.unit
     if unit is None:
         raise RecordError(f"{path}: the file does not state the unit of its accelerations; {GIVE_UNIT}")
     dt = _step(header, overrides, path=path)
-    said = f"unit {unit}" + ("" if header.unit else " as given, for the file does not say")
+    source = f"unit {unit}" + ("" if header.unit else " as given, for the file does not say")
     return (
         make_record(
             path.stem,
             acceleration_factor(unit, line=1, path=path) * samples,
             dt,
             path=str(path),
-            processing_history=(f"read from {NAME} numbers, {said}",),
+            processing_history=(f"read from {NAME} numbers, {source}",),
             warnings=(uneven,),
         ),
     )
 
 
 def _header(lines: Sequence[str]) -> Header | None:
-    """The header; None where the numbers do not begin within it."""
+    """Return the header; None where the numbers do not begin within it."""
     start = next((i for i, line in enumerate(lines[:LONGEST_HEADER]) if _is_row(line)), None)
     if start is None:
         return None
@@ -131,7 +135,7 @@ def _step(header: Header, overrides: HeaderOverrides, *, path: Path) -> float:
 
 
 def _refuse_tables(body: Sequence[str], samples: FloatArray, *, path: Path) -> None:
-    """Refuses what may be several records: three or four full columns, or a first one that rises as time does."""
+    """Refuse what may be several records: three or four full columns, or a first one that rises as time does."""
     width = len(body[0].split())
     if width < 3 or samples.size % width or any(len(line.split()) not in (0, width) for line in body):
         return

@@ -20,7 +20,7 @@ NUMERIC = re.compile(r"[\s0-9.eEdD+-]+")
 
 
 def text_lines(path: Path) -> list[str]:
-    """The lines of the file at `path`, Latin-1, without their ends; the marks by which DOS ends a text are left out.
+    """Return the lines of the file at `path`, Latin-1, without their ends and the mark by which DOS ends a text.
 
     Lines end with a line feed, or with carriage returns where there is none, as on old Macintoshes.
     """
@@ -29,9 +29,10 @@ def text_lines(path: Path) -> list[str]:
 
 
 def numbers(lines: Sequence[str], *, first: int, path: Path) -> FloatArray:
-    """All numbers in `lines` [n]; blanks separate them, and a sign ends the number before it.
+    """Return all numbers in `lines` [n]; blanks separate them, and a sign ends the number before it.
 
-    `first` is the number of the first of these lines in the file, from 1. RecordError names the line of what is none.
+    `first` is the number of the first of these lines in the file, from 1. RecordError names the line of a field that
+    is not a number.
     """
     parts = [_parsed("\n".join(lines[i : i + BATCH])) for i in range(0, len(lines), BATCH)]
     held = [part for part in parts if part is not None]
@@ -41,7 +42,7 @@ def numbers(lines: Sequence[str], *, first: int, path: Path) -> FloatArray:
 
 
 def _parsed(text: str) -> FloatArray | None:
-    """All numbers in a text; None where one is none."""
+    """Return all numbers in a text; None where a field is not a number."""
     for separated in (text.split(), TOUCHING.sub(" ", text).split()):
         try:
             return np.array(separated, dtype=np.float64)
@@ -51,18 +52,18 @@ def _parsed(text: str) -> FloatArray | None:
 
 
 def uniform_numbers(lines: Sequence[str], *, first: int, path: Path) -> tuple[FloatArray, str]:
-    """The same of numbers printed alike, and a warning about columns that are not; one printed otherwise is refused."""
+    """Return all numbers in `lines`, and a warning about uneven columns; refuse one printed otherwise."""
     values = numbers(lines, first=first, path=path)
     return values, check_layout(lines, first=first, path=path)
 
 
 def numeric_end(lines: Sequence[str], start: int) -> int:
-    """Index of the first line from `start` on that does not look like numbers alone, blank lines included."""
+    """Return the index of the first line from `start` on that does not look like numbers alone or blank."""
     return next((i for i in range(start, len(lines)) if not NUMERIC.fullmatch(lines[i])), len(lines))
 
 
 def count(text: str, *, name: str, line: int, path: Path) -> int:
-    """A count of samples of at most nine digits."""
+    """Return a count of samples of at most nine digits."""
     if not re.fullmatch(r"\d{1,9}", text.strip()):
         raise RecordError(
             f'{path}: line {line}: {name} = "{text.strip()[:20]}"; it must be a count of samples below 1e9'
@@ -71,7 +72,7 @@ def count(text: str, *, name: str, line: int, path: Path) -> int:
 
 
 def positive_number(text: str, *, name: str, line: int, path: Path) -> float:
-    """A finite number above zero."""
+    """Return a finite number above zero."""
     value = number(text)
     if value is None or value <= 0.0:
         raise RecordError(f'{path}: line {line}: {name} = "{text.strip()[:20]}"; it must be a number above zero')
@@ -79,7 +80,7 @@ def positive_number(text: str, *, name: str, line: int, path: Path) -> float:
 
 
 def number(text: str, *, unknown: Sequence[float] = ()) -> float | None:
-    """The finite number in `text`; None where there is none, or it is one of those that stand for `unknown`."""
+    """Return the finite number in `text`; None where it is not one, or one of those that mean `unknown`."""
     try:
         value = float(text)
     except ValueError:
@@ -88,7 +89,7 @@ def number(text: str, *, unknown: Sequence[float] = ()) -> float | None:
 
 
 def acceleration_factor(unit: str, *, line: int, path: Path) -> float:
-    """What accelerations in `unit` are multiplied by for m/s2."""
+    """Return what accelerations in `unit` are multiplied by for m/s2."""
     try:
         return factor_of(unit, known=ACCELERATION_UNITS)
     except ColumnError as error:
@@ -96,7 +97,7 @@ def acceleration_factor(unit: str, *, line: int, path: Path) -> float:
 
 
 def _first_bad(lines: Sequence[str], *, first: int) -> str:
-    """Where the first field that is not a number stands."""
+    """Say where the first field is that is not a number."""
     for at, line in enumerate(lines, start=first):
         for field in TOUCHING.sub(" ", line).split():
             try:

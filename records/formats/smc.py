@@ -1,6 +1,6 @@
 """SMC of the U.S. Geological Survey: 11 lines of text, 6 of integers, 10 of reals, comments, then eight columns of ten.
 
-Integer 16 counts the comments and 17 the samples; real 2 is the rate [1/s]; 1.7e38 and -32768 stand for unknown.
+Integer 16 counts the comments and 17 the samples; real 2 is the rate [1/s]; 1.7e38 and -32768 mean unknown.
 Columns touch: `1.5057E+0-2.2223E+0`. Accelerations are in cm/s2 by the definition of the format, which states no unit
 in the file. Source: Converse & Brady (1992), BAP: Basic strong-motion accelerogram processing software, USGS Open-File
 Report 92-296A; the format's page at https://escweb.wr.usgs.gov/nsmp-data/smcfmt.html.
@@ -28,7 +28,7 @@ UNIT, FACTOR = "cm/s2", 0.01
 TEXT_LINES, INTEGER_LINES, REAL_LINES = 11, 6, 10
 INTEGERS, REALS = 48, 50
 POINTS, YEAR, VERTICAL, AZIMUTH = 16, 1, 12, 13  # indices of integers of the header, from 0
-RATE, PEAKS, DISTANCE = 1, (29, 31), 16  # of reals; the time of each peak stands before it
+RATE, PEAKS, DISTANCE = 1, (29, 31), 16  # of reals; the time of each peak comes before it
 MAGNITUDES = {5: "Mw", 7: "ML", 6: "Ms"}
 UNKNOWN = (1.7e38, -32768.0)
 
@@ -39,13 +39,13 @@ EVENT = re.compile(r"\s*(\d{4})\s+(\d{1,2})\s+(\d{1,2})\s+(\d\d)(\d\d)\s+(.*?)\s
 
 
 def looks_like(head: bytes) -> bool:
-    """Whether a file that begins with `head` is SMC: its lines of station and distance."""
+    """Return whether a file that begins with `head` is SMC: its lines of station and distance."""
     lines = head.decode("latin-1").splitlines()
     return len(lines) > 6 and lines[5].startswith("station =") and lines[6].startswith("epicentral dist")
 
 
 def read(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
-    """The one record in the file at `path`; its header says all that is needed.
+    """Return the one record in the file at `path`; its header says all that is needed.
 
     Raises RecordError, naming the file, for what is not acceleration, a header cut short, a rate that is none, a count
     or peak that the samples do not have.
@@ -85,7 +85,7 @@ def read(path: Path, overrides: HeaderOverrides) -> tuple[Record, ...]:
 def _samples(
     lines: list[str], integers: FloatArray, reals: FloatArray, dt: float, *, path: Path
 ) -> tuple[FloatArray, tuple[str, ...]]:
-    """What stands below the comments, as printed, held against count, peaks and their times; and warnings."""
+    """Return the samples as printed, checked against count, peaks and their times; and warnings."""
     after = TEXT_LINES + INTEGER_LINES + REAL_LINES
     after = next((i for i in range(after, len(lines)) if not lines[i].startswith("|")), len(lines))
     samples, uneven = uniform_numbers(lines[after:], first=after + 1, path=path)
@@ -127,7 +127,7 @@ def _warnings(
 
 
 def _values(lines: list[str], start: int, height: int, size: int, *, path: Path) -> FloatArray:
-    """A block of `size` header values in `height` lines."""
+    """Return a block of `size` header values in `height` lines."""
     values = numbers(lines[start : start + height], first=start + 1, path=path)
     if values.size != size:
         raise RecordError(

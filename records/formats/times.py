@@ -10,9 +10,9 @@ NUMBERS = re.compile(r"\d+(?:\.\d+)?")
 
 
 def iso(year: str, month: str, day: str, *clock: str, ahead: float = 0.0) -> str:
-    """ "2018-01-24T10:51:00Z" from its parts as printed, `ahead` hours before UTC; the date alone without a clock.
+    """Return a date as ISO 8601 from its parts as printed, like "2018-01-24T10:51:00Z"; the date alone without a clock.
 
-    "" for what is no date.
+    ahead : hours before UTC. "" for what is no date.
     """
     try:
         at = datetime(int(year), int(month), int(day), tzinfo=UTC)
@@ -26,7 +26,7 @@ def iso(year: str, month: str, day: str, *clock: str, ahead: float = 0.0) -> str
 
 
 def iso_of(text: str, *, ahead: float = 0.0) -> str:
-    """The same from text in the order year, month, day, hour, minute, second, whatever stands between the numbers.
+    """Return the same from text in the order year, month, day, hour, minute, second, whatever separates the numbers.
 
     "20/07/2017 22:30:59", with the year in third place, has the day first.
     """

@@ -1,10 +1,11 @@
-"""What the assessment rests on: each value with its source, measured, taken from literature, assumed, or a default."""
+"""The assumptions: each value with its source, measured, taken from literature, assumed, or a default."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
+from assess.messages.plural import count_noun
 from assess.results import Resolved, Results
 from reports.chapters import tables
 from reports.document import Block, Cell, Column, Section, Table, Text, nonempty
@@ -13,7 +14,14 @@ from reports.language.numerals import entries
 
 SOURCES = "report.sources."
 LEFT_OUT = ("format", "title", "engineer", "checker", "reference", "client", "date", "notes", "report", "bodies")
-OWN = ("kind", "blocks", "label", "cut", "hinges", "hinges_negative")  # what a mechanism is, not what is assumed of it
+OWN = (
+    "kind",
+    "blocks",
+    "label",
+    "cut",
+    "hinges",
+    "hinges_negative",
+)  # the definition of a mechanism, not an assumption
 ASKED = ("analysis.levels", "analysis.procedures", "analysis.pulses", "analysis.sweep", "analysis.sensitivity")
 NOT_SAID = "given"
 SHORT, MANY = 24, 4  # characters of a name and names in a list
@@ -31,11 +39,11 @@ class _Row:
 
 
 def section(results: Results) -> Section:
-    """The list, and the procedures with what could not be compared."""
+    """Return the chapter: the values with their sources, the rules of the basis, and the procedures."""
     introduction = (
-        "Each value is measured, taken from literature or assumed as the project file states under report.sources; "
-        "given, which says no source; or a default of the program. A key with * holds for the mechanisms that are "
-        "named. Every other value of the project file stands in the annex."
+        "Each value is measured, taken from literature or assumed, as the project file states under "
+        "report.sources; given, without a source; or a default of the program. A key with * applies to "
+        "the mechanisms that are named. All other values of the project file are listed in the annex."
     )
     blocks: tuple[Block, ...] = (Text((introduction,)), table(results))
     procedures = tables.procedures(results)
@@ -43,14 +51,14 @@ def section(results: Results) -> Section:
 
 
 def rules(results: Results) -> Table:
-    """The rules of the basis that decides, with the clauses they come from."""
+    """Return the rules of the deciding basis, with their clauses, as a table."""
     columns = (Column("Rule"), Column("Clause"))
     rows = () if results.verdict is None else results.verdict.clauses
     return Table("basis-rules", "The rules of the basis, and the clauses they come from.", columns, rows)
 
 
 def table(results: Results) -> Table:
-    """Every value that a result rests on, those alike in several mechanisms in one line."""
+    """Tabulate every value that a result rests on; values shared by several mechanisms have one line."""
     columns = (
         Column("Key", kind="given"),
         Column("Value (SI)", kind="given"),
@@ -108,5 +116,5 @@ def _held(names: list[str], every: int) -> str:
         return ""
     if len(names) == every:
         return "every mechanism" if every > 1 else truncate(names[0], SHORT)
-    short = [truncate(name, SHORT) for name in names[:MANY]]
-    return ", ".join(short) + (f" and {len(names) - MANY} others" if len(names) > MANY else "")
+    short, more = [truncate(name, SHORT) for name in names[:MANY]], len(names) - MANY
+    return ", ".join(short) + (f" and {count_noun(more, 'other')}" if more > 0 else "")

@@ -1,4 +1,4 @@
-"""Tables that set procedures and mechanisms beside each other (as thesis Tables 8.6 and 8.10)."""
+"""Tables that compare procedures and mechanisms (as thesis Tables 8.6 and 8.10)."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from reports.mechanism_title import mechanism_title
 
 
 def side_by_side(results: Results) -> Table:
-    """Demand over capacity of every procedure beside each other, one line for each mechanism and level."""
+    """Tabulate demand over capacity, a column for each procedure, a line for each mechanism and level."""
     known = dict.fromkeys(row.procedure for row in results.comparison)
     names = {mechanism.name: mechanism_title(mechanism) for mechanism in results.mechanisms}
     lines: dict[tuple[str, float], dict[str, Cell]] = {}
@@ -22,8 +22,8 @@ def side_by_side(results: Results) -> Table:
         line[row.procedure] = _worse(line.get(row.procedure), answer)
     columns = (MECHANISM, LEVEL, *(Column(breakable_name(name), "-", "number") for name in known))
     caption = (
-        "Demand over capacity, procedure beside procedure; above 1 the check fails. Readings of the thesis never "
-        "decide. What each procedure takes as its input stands with the procedures."
+        "Demand over capacity of each procedure; above 1 the check fails. Readings of the thesis never "
+        "decide. The table of procedures gives the input of each."
     )
     rows = tuple(
         (names.get(mechanism, mechanism), level, *(line.get(name) for name in known))
@@ -42,12 +42,14 @@ def _worse(one: Cell, other: Cell) -> Cell:
 
 
 def capacities(results: Results) -> Table:
-    """PGA at capacity of every mechanism by every procedure (as thesis Table 8.6)."""
-    asked = {m.name: governing.capacities(m.checks) for m in results.mechanisms}
-    known = dict.fromkeys(name for found in asked.values() for name in found)
+    """Tabulate the PGA at capacity of every mechanism by every procedure (as thesis Table 8.6)."""
+    by_mechanism = {m.name: governing.capacities(m.checks) for m in results.mechanisms}
+    known = dict.fromkeys(name for found in by_mechanism.values() for name in found)
     columns = (MECHANISM, *(Column(breakable_name(name), "g", "number") for name in known))
     rows = tuple(
-        (mechanism_title(m), *(asked[m.name].get(name) for name in known)) for m in results.mechanisms if asked[m.name]
+        (mechanism_title(m), *(by_mechanism[m.name].get(name) for name in known))
+        for m in results.mechanisms
+        if by_mechanism[m.name]
     )
     caption = (
         "Peak ground acceleration at capacity of every mechanism by every procedure (as thesis Table 8.6), the least "
@@ -57,7 +59,7 @@ def capacities(results: Results) -> Table:
 
 
 def rotations(results: Results) -> Table:
-    """Largest rotation at each level beside the allowable, by every procedure (as thesis Table 8.10)."""
+    """Tabulate the largest rotation at each level and the allowable one, by procedure (as thesis Table 8.10)."""
     levels = governing.levels(tuple(check for mechanism in results.mechanisms for check in mechanism.checks))
     columns = (
         MECHANISM,
@@ -72,8 +74,8 @@ def rotations(results: Results) -> Table:
         if any(check.capacity_rotation_ratio is not None for check in checks)
     )
     caption = (
-        "Largest rotation φ/φₒᵥ at each peak ground acceleration beside the allowable (as thesis Table 8.10). What "
-        "each procedure takes as its input stands with the procedures."
+        "Largest rotation φ/φₒᵥ at each peak ground acceleration, and the allowable rotation (as thesis "
+        "Table 8.10). The table of procedures gives the input of each."
     )
     return Table("rotations", caption, columns, rows)
 
@@ -85,7 +87,7 @@ def _rotations(checks: tuple[Check, ...], levels: tuple[float, ...]) -> tuple[Ce
 
 
 def comparison(results: Results) -> Table:
-    """All mechanisms by all procedures."""
+    """Tabulate all mechanisms by all procedures."""
     columns = (
         MECHANISM,
         LEVEL,

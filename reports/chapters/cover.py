@@ -1,4 +1,4 @@
-"""The first page: the verdict, what it was asked by, the conditions under which it holds, and what is missing."""
+"""The first page: the verdict, its basis, its conditions, and what is missing."""
 
 from __future__ import annotations
 
@@ -22,21 +22,21 @@ from reports.language.lettering import truncate
 from reports.language.message_text import message_text
 
 MANY = 12  # points of a list
-LOCAL = "Local mechanisms only: the index of the building is at most the least of theirs."
-SAFE = "Were all this given, with the safe value where there is one, the verdict would be: "
+LOCAL = "Local mechanisms only: the index of the building is at most the smallest of theirs."
+SAFE = "With all of these given, at the safe value where there is one, the verdict would be: "
 
 
 def section(results: Results) -> Section:
-    """The verdict of the building and of each mechanism, with everything it rests on."""
+    """Return the page: the verdict of the building and of each mechanism, with its conditions and warnings."""
     found = results.verdict
     if found is None:
         return Section("Verdict", 0, (Text(("No verdict: nothing was assessed.",)),))
     blocks: list[Block] = [
         Banner(found.outcome.value, headline(found), found.at_the_limit and found.outcome != Decision.INCOMPLETE),
         basis_table(found),
-        *_bullet_list("The verdict holds on these conditions:", [message_text(each) for each in found.conditions]),
+        *_bullet_list("The verdict is subject to these conditions:", [message_text(each) for each in found.conditions]),
         *_missing(found, results),
-        *_bullet_list("Warnings that bear on it:", list(_relevant_warnings(results))),
+        *_bullet_list("Related warnings:", list(_relevant_warnings(results))),
         mechanism_verdicts.table(results),
         *nonempty(heights.table(results)),
     ]
@@ -44,7 +44,7 @@ def section(results: Results) -> Section:
 
 
 def headline(found: Verdict) -> str:
-    """What the verdict means, in one sentence."""
+    """Return the meaning of the verdict in one sentence."""
     every = count_noun(len(found.mechanisms), "mechanism")
     number = sum(one.outcome == found.outcome for one in found.mechanisms)
     at = f"at the site’s own action, PGA {found.action.pga_g:.3g} g"
@@ -53,12 +53,13 @@ def headline(found: Verdict) -> str:
     if found.outcome == Decision.FAIL:
         return f"{number} of {every} {'fails' if number == 1 else 'fail'} {at}."
     if not found.basis:
-        return "No basis is named that decides: what the procedures say stands for comparison only."
-    return f"{number} of {every} without an answer that decides, {at}: what is not answered is no pass."
+        return "No deciding basis is named: the results of the procedures are for comparison only."
+    have = "has" if number == 1 else "have"
+    return f"{number} of {every} {have} no deciding answer {at}; without one there is no pass."
 
 
 def basis_table(found: Verdict) -> Table:
-    """What was asked: the code, limit states, action, methods, and the target."""
+    """Tabulate the basis of the verdict: code, limit states, action, methods and target."""
     index = building_index_text(found).replace("zeta_E", "ζ_E")
     rows = (
         ("Basis", f"{found.basis}: {found.edition}" if found.basis else "none named"),
@@ -69,8 +70,8 @@ def basis_table(found: Verdict) -> Table:
         ("Target of the index", target_text(found)),
         ("Index of the building", index),
     )
-    columns = (Column("Asked"), Column("Here"))
-    return Table("verdict-asked", f"What decides. {LOCAL}", columns, tuple(row for row in rows if row[1]))
+    columns = (Column("Item"), Column("Value"))
+    return Table("verdict-asked", f"Basis of the verdict. {LOCAL}", columns, tuple(row for row in rows if row[1]))
 
 
 def _missing(found: Verdict, results: Results) -> list[Block]:
@@ -116,6 +117,6 @@ def _bullet_list(title: str, points: list[str]) -> list[Block]:
 
 
 def fingerprint(results: Results) -> str:
-    """One SHA-256 over those of all files read, and how many they are: which inputs this report is of."""
+    """Return the number of files read and one SHA-256 over theirs, which identifies the inputs of the report."""
     joined = "".join(each.sha256 for each in results.inputs).encode("ascii", "replace")
     return f"{count_noun(len(results.inputs), 'file')}, together SHA-256 {sha256(joined).hexdigest()}"

@@ -1,4 +1,4 @@
-"""How high over the ground each mechanism has its base, and where its input acts."""
+"""The height of each base above the ground, and of the point where the input acts."""
 
 from __future__ import annotations
 
@@ -9,20 +9,20 @@ from reports.mechanism_title import mechanism_title
 
 COLUMNS = (
     MECHANISM,
-    Column("Base over the ground", "m", "number"),
+    Column("Base above the ground", "m", "number"),
     Column("Input acts at", "m", "number"),
     Column("Counts as"),
-    Column("Histories carried up"),
-    Column("Ground known from"),
+    Column("Histories amplified by"),
+    Column("Ground level from"),
 )
 
 
 def table(results: Results) -> Table:
-    """One line for each mechanism whose elevation is known."""
+    """Tabulate the heights of the mechanisms whose elevation is known."""
     caption = (
-        "Every base over the ground. Above the ground the motion of the ground can fail a check and cannot pass it. "
-        "The input acts at the height of what holds the mechanism: its base, or the mean of base and top where both "
-        "hold it."
+        "Height of each base above the ground. For a mechanism above the ground, the ground motion can "
+        "make a check fail but cannot make it pass. The input acts at the height of the supports: the "
+        "base, or the mean of base and top where the mechanism is supported at both."
     )
     rows = tuple(_row(mechanism) for mechanism in results.mechanisms if mechanism.base_elevation_m is not None)
     return Table("heights", caption, COLUMNS, rows)

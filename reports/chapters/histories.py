@@ -8,7 +8,7 @@ from reports.document import Cell, Column, Table
 
 
 def suites(mechanism: MechanismResult, *, name: str) -> Table:
-    """The record suite at each level."""
+    """Tabulate the statistics of the suite of records at each level."""
     columns = (
         LEVEL,
         Column("Records", kind="number"),
@@ -16,12 +16,13 @@ def suites(mechanism: MechanismResult, *, name: str) -> Table:
         Column("Mean φ/φₒᵥ", "-", "number"),
         Column("Median", "-", "number"),
         Column("84 % of records", "-", "number"),
-        Column("Largest of those that stood", "-", "number"),
+        Column("Largest without overturning", "-", "number"),
     )
     rows = tuple(_statistics(suite) for suite in mechanism.suites)
     caption = (
-        "Time histories: the suite of records at each level, the worse polarity of each. Half of the records do not "
-        "exceed the median, 84 % not the next column; one that overturns counts as the largest."
+        "Time histories: the suite of records at each level, the worse polarity of each. Half of the "
+        "records do not exceed the median, and 84 % do not exceed the next column; a record that "
+        "overturns counts as the largest."
     )
     return Table(name, caption, columns, rows)
 
@@ -42,7 +43,7 @@ def _mean(mean_ratio: float | None, overturned: int) -> Cell:
 
 
 def histories(mechanism: MechanismResult, *, name: str) -> Table:
-    """The largest response to each record at each level."""
+    """Tabulate the largest response to each record at each level."""
     columns = (
         Column("Record"),
         LEVEL,

@@ -11,13 +11,13 @@ from reports.language.numerals import entries
 
 
 def inputs(results: Results) -> Table:
-    """The files that were read."""
+    """Tabulate the files that were read."""
     rows = tuple((each.path, each.sha256) for each in results.inputs)
     return Table("inputs", "Files read, and their SHA-256.", (Column("File"), Column("SHA-256")), rows)
 
 
 def values(results: Results, *, name: str = "values") -> Table:
-    """Every value of the project as it was used."""
+    """Tabulate every value of the project as it was used."""
     columns = (Column("Key", kind="given"), Column("Value (SI)", kind="given"), Column("Source"))
     rows = tuple(
         (entry, cell, "given" if each.given else "default")
@@ -30,13 +30,13 @@ def values(results: Results, *, name: str = "values") -> Table:
 
 
 def values_present(results: Results) -> Table:
-    """The same without what is absent: keys that were not given and have no default."""
+    """Tabulate the values of the project without keys that are not given and have no default."""
     project = {key: each for key, each in results.project.items() if each.given or each.value not in (None, "", [], {})}
     return values(replace(results, project=project), name="values-set")
 
 
 def warnings(results: Results) -> Table:
-    """What the engineer should know."""
+    """Tabulate the warnings and notes of the run."""
     rows = tuple((each.key, each.severity.value, each.where, message_text(each)) for each in results.warnings)
     columns = (Column("Code", kind="given"), Column("Severity"), Column("Where", kind="given"), Column("What"))
     return Table("warnings", "Warnings and notes of this run.", columns, rows)

@@ -1,4 +1,4 @@
-"""What the report says of the joints of a mechanism: table, figures, and what they carry in the governing record."""
+"""The joints of a mechanism: table, figures, and what they carry in the governing record."""
 
 from __future__ import annotations
 
@@ -16,24 +16,24 @@ from reports.language.numerals import numeral
 RIGID, UNLIMITED, NEVER = "rigid", "unlimited", "never"
 
 ASSUMED = (
-    "Joints: no tension, linear in compression up to the strength, then plastic. What was crushed is not remembered: "
-    "the moment depends on the present rotation alone, so that unloading gives back what crushing took. Normal forces "
-    "follow from static equilibrium at each rotation, without the vertical inertia of the motion; the tangential force "
-    "stays at the hinge’s edge of the contact. Model “flexible” takes the inertia about the instantaneous centre of "
-    "the faces, “flexible-thesis” about the resultant (thesis 6.50), “semi-flexible” about hinges fixed at a_SF. The "
-    "coefficient of restitution is that of hinges at a_SF, and acts at each passage through rest, however small the "
-    "rotation before it was."
+    "Joints: no tension, linear in compression up to the strength, then plastic. Crushing leaves no "
+    "memory: the moment depends on the current rotation alone, so that unloading recovers what crushing "
+    "took. Normal forces follow from static equilibrium at each rotation, without the vertical inertia of "
+    "the motion; the tangential force stays at the hinge’s edge of the contact. Model “flexible” takes "
+    "the inertia about the instantaneous centre of the faces, “flexible-thesis” about the resultant "
+    "(thesis 6.50), “semi-flexible” about hinges fixed at a_SF. The coefficient of restitution is that of "
+    "hinges at a_SF, and acts at each passage through rest, however small the rotation before it was."
 )
 
 
 def blocks(mechanism: MechanismResult, *, name: str) -> list[Block]:
-    """Table, figures and sentence on the joints of a mechanism; nothing where all are rigid."""
+    """Return table, figures and sentence on the joints of a mechanism; none where all are rigid."""
     if not joints.deformable_joints(mechanism):
         return []
     moment = (
-        "Restoring moment over rotation of the positive branch, of the largest with rigid joints: rigid, with hinges "
-        "fixed at a_SF, and with the joints of this mechanism (as thesis Fig. 8.8). Open circle: a joint begins to "
-        "open; filled: its edge begins to crush."
+        "Restoring moment of the positive branch over rotation, divided by the largest with rigid joints: "
+        "with rigid joints, with hinges fixed at a_SF, and with the joints of this mechanism (as thesis "
+        "Fig. 8.8). Open circle: a joint begins to open; filled: its edge begins to crush."
     )
     pressed = (
         "Each joint over the rotation of the mechanism, on a logarithmic axis: distance of the resultant from the "
@@ -49,7 +49,7 @@ def blocks(mechanism: MechanismResult, *, name: str) -> list[Block]:
 
 
 def table(mechanism: MechanismResult, *, name: str) -> Table:
-    """Every hinge of both branches: what it presses on."""
+    """Tabulate every hinge of both branches with the contact that it presses on."""
     columns = (
         Column("Hinge"),
         Column("Model"),
@@ -85,14 +85,14 @@ def _row(found: dict[str, Any]) -> tuple[Cell, ...]:
 
 
 def at_peak(mechanism: MechanismResult) -> str:
-    """What the joints carry at the largest rotation of the governing record, in one sentence."""
+    """Describe what the joints carry at the largest rotation of the governing record."""
     found = governing.history(mechanism)
     if found is None:
         return "No time history was run: the contact stress at the peak of a record is not known."
     one, _ = found
     record = f"governing record ({one.record}, PGA {one.level_pga_g:.3g} g)"
     if one.max_rotation_rad is None:
-        return f"The {record} overturns the mechanism: there is no peak at which to tell the contact stress."
+        return f"The {record} overturns the mechanism: there is no peak rotation at which to give the contact stress."
     if one.max_rotation_rad == 0.0:
         return f"The {record} does not move the mechanism."
     turned = joints.peak_rotation(mechanism, one)
@@ -120,6 +120,6 @@ def _percent(share: float) -> str:
 
 
 def limits(mechanisms: tuple[MechanismResult, ...]) -> Iterator[str]:
-    """What the model of the joints leaves out, where there are any."""
+    """Yield the limits of the model of the joints, where there are any."""
     if any(joints.deformable_joints(mechanism) for mechanism in mechanisms):
         yield ASSUMED

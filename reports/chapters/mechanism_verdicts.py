@@ -1,4 +1,4 @@
-"""The verdict of each mechanism: the answer that decides each limit state, by which procedure, and why."""
+"""The verdict of each mechanism: the deciding answer of each limit state, its procedure and reason."""
 
 from __future__ import annotations
 
@@ -25,10 +25,10 @@ COLUMNS = (
 
 
 def table(results: Results) -> Table:
-    """One line for each mechanism and limit state that decides; answers where one is not the mechanism's verdict."""
+    """Tabulate the verdict, a line for each mechanism and limit state that decides."""
     caption = (
-        "The verdict of each mechanism at the site’s own action: the one procedure that decides each limit state, its "
-        "index, and the peak ground acceleration up to which the mechanism holds."
+        "The verdict of each mechanism at the site’s own action: the procedure that decides each limit "
+        "state, its index, and the peak ground acceleration up to which the mechanism holds."
     )
     found = results.verdict
     assert found is not None  # the page has none without a verdict
@@ -59,7 +59,7 @@ def _rows(one: MechanismVerdict, found: Verdict, names: Mapping[str, str]) -> It
 
 
 def _why(answer: Answer, one: MechanismVerdict) -> str:
-    """Why it ends so, and which input is missing where that alone stands in the way of its answer."""
+    """The reason, and the missing inputs where they alone prevent an answer."""
     if answer.outcome == one.outcome or not one.missing:
         return message_text(answer.reason)
     return f"{message_text(answer.reason)}; missing: {', '.join(each.key for each in one.missing)}"

@@ -32,7 +32,7 @@ PARAMETERS: tuple[tuple[str, str, str], ...] = (
 
 
 def parameters(mechanism: MechanismResult, *, name: str) -> Table:
-    """The rocking parameters of both branches."""
+    """Tabulate the rocking parameters of both branches."""
     columns = (
         Column("Parameter"),
         Column("Unit"),
@@ -55,7 +55,7 @@ def _parameter(branch: OscillatorResult | None, key: str) -> Cell:
 
 
 def loads(mechanism: MechanismResult, *, name: str) -> Table:
-    """What each block carries or is pulled by, and how that was found."""
+    """Tabulate the loads of each block and their source."""
     columns = (
         Column("Load"),
         Column("x", "m", "number"),
@@ -78,14 +78,15 @@ def loads(mechanism: MechanismResult, *, name: str) -> Table:
         for load in mechanism.loads
     )
     caption = (
-        "Loads, at x along the direction of motion and elevation z; forces along the direction and up. A mass that is "
-        "not bearing has its weight carried elsewhere: only its horizontal inertia acts on the block."
+        "Loads, at x along the direction of motion and elevation z; forces along the direction and up. "
+        "The weight of a non-bearing mass is carried elsewhere: only its horizontal inertia acts on the "
+        "block."
     )
     return Table(name, caption, columns, rows)
 
 
 def hinge_forces(mechanism: MechanismResult, *, name: str) -> Table:
-    """What each hinge passes on when the mechanism starts to rock, and the friction that takes."""
+    """Tabulate the forces at each hinge when the mechanism starts to rock, and the friction that they need."""
     columns = (
         Column("Hinge"),
         Column("Rocks from", "g", "number"),
@@ -103,9 +104,10 @@ def hinge_forces(mechanism: MechanismResult, *, name: str) -> Table:
         for f in mechanism.hinge_forces
     )
     caption = (
-        "Forces at the hinges when it starts to rock, by equilibrium of its blocks: on the block that presses, H along "
-        "the branch’s own direction and V up, N square to its faces and T along them. It slides before it rocks where "
-        "|T| / N is more than the friction of the joint; then also the ground acceleration from which it slides."
+        "Forces at the hinges when rocking starts, from equilibrium of the blocks: on the block that "
+        "presses, H along the direction of the branch and V upwards, N normal to its faces and T along "
+        "them. The mechanism slides before it rocks where |T| / N exceeds the friction of the joint; the "
+        "ground acceleration at which it slides is then given too."
     )
     return Table(name, caption, columns, rows)
 
@@ -124,7 +126,7 @@ def _held(forces: HingeForceResult) -> str:
 
 
 def curves(results: Results) -> Table:
-    """The capacity curves of every mechanism, point by point."""
+    """Tabulate the capacity curves of every mechanism, point by point."""
     columns = (
         MECHANISM,
         Column("Branch"),

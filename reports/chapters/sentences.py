@@ -1,4 +1,4 @@
-"""What the report says in words: what the mechanisms are, and what the method cannot do."""
+"""Sentences on the mechanisms, captions of their figures, and the limits of the method."""
 
 from __future__ import annotations
 
@@ -24,15 +24,17 @@ _KINDS = {
 
 
 def description(mechanism: MechanismResult) -> str:
-    """One sentence on what the mechanism is and how it was analysed."""
-    sides = "rocks to both sides" if mechanism.sides == "two" else "rocks to one side only, what stands behind stops it"
+    """Describe in one sentence what the mechanism is and how it was analysed."""
+    sides = (
+        "rocks to both sides" if mechanism.sides == "two" else ("rocks to one side only, stopped by what is behind it")
+    )
     equation = {"exact": "exact", "linearised": "linearised (thesis 3.9)"}[mechanism.equation]
     name = "" if mechanism.label in ("", mechanism.name) else f" “{mechanism.label}”"
     kind = _KINDS.get(mechanism.kind, mechanism.kind)
     carried = (
         "the ground motion acts at its base"
         if mechanism.amplification.height_m is None
-        else "in the time histories the ground motion is carried up to its base"
+        else "in the time histories the ground motion is amplified up to its base"
     )
     return (
         f"Mechanism {mechanism.name}{name} is {kind}. It {sides}; {carried}; time histories solve the {equation} "
@@ -41,21 +43,21 @@ def description(mechanism: MechanismResult) -> str:
 
 
 def amplification(mechanism: MechanismResult) -> tuple[str, ...]:
-    """How the ground motion reaches the base of a mechanism that stands above the ground."""
+    """Describe how the ground motion reaches the base of a mechanism above the ground."""
     found = mechanism.amplification
     factors = [each.factor for each in found.factors]
     span = "" if not factors else f" Peak accelerations at the base are {_span(factors)} times those at the ground."
     height = measure(found.height_m or 0.0, "m", figures=3)
     return (
-        f"The time histories act at the base of the mechanism, {height} above the ground, not at the ground (method "
-        f"{found.method}).{span} The code procedures that ask for a spectrum have their own floor clause or floor "
-        "spectrum, so their input is another one.",
-        f"How it was found: {'; '.join(map(message_text, found.said))}.",
+        f"The time histories act at the base of the mechanism, {height} above the ground, not at the "
+        f"ground (method {found.method}).{span} The code procedures based on a spectrum use their own "
+        "floor clause or floor spectrum, so their input differs.",
+        f"Derivation: {'; '.join(map(message_text, found.said))}.",
     )
 
 
 def input_locations(mechanism: MechanismResult) -> str:
-    """Which procedures take their input where, if not all at one place; else empty."""
+    """State where each procedure takes its input; empty where all do at one place."""
     at = {
         place: dict.fromkeys(check.procedure for check in mechanism.checks if check.input_at == place)
         for place in ("ground", "mechanism base")
@@ -63,26 +65,26 @@ def input_locations(mechanism: MechanismResult) -> str:
     if not (at["ground"] and at["mechanism base"]):
         return ""
     return (
-        f"Not the same input: {join_names(at['mechanism base'])} by the motion at the base of the mechanism, "
-        f"{join_names(at['ground'])} by that at the ground. Peak accelerations (PGA) are the ground's throughout."
+        f"The inputs differ: {join_names(at['mechanism base'])} by the motion at the base of the "
+        f"mechanism, {join_names(at['ground'])} by that at the ground. Peak ground accelerations (PGA) "
+        "refer to the ground throughout."
     )
 
 
 def unequal_inputs(results: Results) -> tuple[str, ...]:
-    """Which mechanisms have histories with another input than that of the ground, for what stands side by side."""
+    """State which mechanisms have histories with another input than the ground's, for a comparison."""
     carried = [m for m in results.mechanisms if m.amplification.height_m is not None and m.histories]
     if not carried:
         return ()
     names = join_names(dict.fromkeys(truncate(mechanism_title(mechanism), 40) for mechanism in carried))
     return (
-        f"Not the same input: the time histories of {names} act at the base of the mechanism, amplified; those of the "
-        "others act at the ground. The table of procedures says where each takes "
-        "its input.",
+        f"The inputs differ: the time histories of {names} act at the base of the mechanism, amplified; "
+        "those of the others act at the ground. The table of procedures gives the input of each.",
     )
 
 
 def amplification_caption(mechanism: MechanismResult) -> str:
-    """The caption of a filtered motion beside the original."""
+    """Return the caption of a filtered motion and its original."""
     motion = mechanism.amplification.motion
     name = "" if motion is None else motion.record
     return (
@@ -97,7 +99,7 @@ def _span(factors: list[float]) -> str:
 
 
 def limits(results: Results) -> tuple[str, ...]:
-    """What the engineer must keep in mind before signing."""
+    """Return what the engineer must keep in mind before signing."""
     return (
         *_GENERAL,
         sliding_limit(results),
@@ -126,21 +128,22 @@ _GENERAL = (
 
 
 def sliding_limit(results: Results) -> str:
-    """Where friction was checked, and where it is only taken as sufficient."""
-    asked = {
+    """State where friction was checked, and where it is only assumed to be sufficient."""
+    is_checked = {
         mechanism.name: any(c.procedure == SLIDING and c.verdict != Outcome.NOT_APPLICABLE for c in mechanism.checks)
         for mechanism in results.mechanisms
     }
-    taken = "friction at the hinges is taken as sufficient"
-    tell = "the tables of forces at the hinges say how much of it rocking needs"
-    if not any(asked.values()):
-        return f"No sliding, no bouncing, no separation other than rocking: {taken}; {tell}."
-    silent = dict.fromkeys(truncate(mechanism_title(m), 40) for m in results.mechanisms if not asked[m.name])
-    others = f" For {join_names(silent)} it was not checked: {taken}." if silent else ""
+    assumed = "friction at the hinges is assumed to be sufficient"
+    forces = "the tables of forces at the hinges give the friction that rocking needs"
+    if not any(is_checked.values()):
+        return f"No sliding, no bouncing, no separation other than rocking: {assumed}; {forces}."
+    unchecked = dict.fromkeys(truncate(mechanism_title(m), 40) for m in results.mechanisms if not is_checked[m.name])
+    others = f" For {join_names(unchecked)} it was not checked: {assumed}." if unchecked else ""
     return (
-        "Sliding was checked by equilibrium, at every hinge up to the moment at which the mechanism starts to rock "
-        f"(procedure {SLIDING}; horizontal motion only).{others} While it rocks {taken}: no bouncing, no "
-        f"separation other than rocking; {tell}. The support at the top of a wall of two blocks is taken as held."
+        "Sliding was checked by equilibrium, at every hinge up to the moment at which the mechanism "
+        f"starts to rock (procedure {SLIDING}; horizontal motion only).{others} While it rocks {assumed}: no "
+        f"bouncing, no separation other than rocking; {forces}. The support at the top of a wall of two "
+        "blocks is assumed to hold."
     )
 
 
@@ -157,19 +160,19 @@ def _input_difference(results: Results) -> tuple[str, ...]:
     if len({check.input_at for check in _checks(results)}) < 2:
         return ()
     return (
-        "Some procedures take their input at the ground and others at the base of the mechanism; each table says "
-        "which. Their ratios are not to be compared line by line.",
+        "Some procedures take their input at the ground and others at the base of the mechanism; each "
+        "table says which. Do not compare their ratios line by line.",
     )
 
 
 def _unamplified(results: Results) -> tuple[str, ...]:
-    """Which procedures judge which mechanisms at height by the motion of the ground."""
+    """Procedures that check mechanisms at height by the motion of the ground."""
     every = [(m, check) for m in results.mechanisms for check in m.checks]
-    told = [(m, check) for m, check in every if GROUND_AT_HEIGHT in {remark.key for remark in check.remarks}]
-    if not told:
+    unamplified = [(m, check) for m, check in every if GROUND_AT_HEIGHT in {remark.key for remark in check.remarks}]
+    if not unamplified:
         return ()
-    procedures = dict.fromkeys(check.procedure for _, check in told)
-    names = dict.fromkeys(truncate(mechanism_title(mechanism), 40) for mechanism, _ in told)
+    procedures = dict.fromkeys(check.procedure for _, check in unamplified)
+    names = dict.fromkeys(truncate(mechanism_title(mechanism), 40) for mechanism, _ in unamplified)
     return (f"{join_names(procedures)}, for {join_names(names)}: {TEXTS[GROUND_AT_HEIGHT]}.",)
 
 
@@ -185,7 +188,7 @@ def _linearised(results: Results) -> tuple[str, ...]:
 
 
 def _unverified(results: Results) -> Iterator[str]:
-    """What could not be compared with the text of a standard, of the basis and of the procedures."""
+    """Clauses of the basis and procedures that could not be compared with the printed standard."""
     if results.verdict is not None and results.verdict.uncompared:
         yield f"Basis {results.verdict.basis}: {'; '.join(results.verdict.uncompared)}."
     names = dict.fromkeys(check.procedure for check in _checks(results) if check.caveat)
@@ -194,7 +197,7 @@ def _unverified(results: Results) -> Iterator[str]:
 
 
 def capacity_caption(mechanism: MechanismResult) -> str:
-    """The caption of the capacity curve, with the marks that it has."""
+    """Return the caption of the capacity curve, with its marks."""
     on_joints = mechanism.oscillator.overturning_flexible_rad is not None
     marks = (
         "Marks: overturning rotation of the positive branch, the dot with rigid joints, the square on its joints."
@@ -205,7 +208,7 @@ def capacity_caption(mechanism: MechanismResult) -> str:
 
 
 def sketch_caption(mechanism: MechanismResult) -> str:
-    """What the drawing of a mechanism shows."""
+    """Return the caption of the drawing of a mechanism."""
     drawing = mechanism.drawing
     back = drawing.displaced_negative
     turned = f"turned by φ = {drawing.displaced.rotation_rad:.2g} rad in its direction"
@@ -225,10 +228,10 @@ def sketch_caption(mechanism: MechanismResult) -> str:
 
 
 def view_caption(seen: View) -> str:
-    """What the picture of the bodies shows."""
+    """Return the caption of the picture of the bodies."""
     size = measures(seen.size, "m", figures=3, between=" × ")
     stays = " Grey masonry does not move." if -1 in seen.block_of else ""
-    cut = " Thin dashes: the section where it parts." if seen.sections else ""
+    cut = " Thin dashes: the section at which it separates." if seen.sections else ""
     light = "" if len(seen.triangles) == seen.given else f" Simplified for drawing from {seen.given} triangles."
     return (
         f"The bodies in space, {size} along x, y and z: axis of rotation (red), of the negative "
@@ -241,6 +244,6 @@ def _checks(results: Results) -> list[Check]:
 
 
 def join_names(names: Iterable[str]) -> str:
-    """Names with commas and an "and"."""
+    """Join names with commas and "and"."""
     every = list(names)
     return f"{', '.join(every[:-1])} and {every[-1]}" if len(every) > 1 else "".join(every)

@@ -9,7 +9,7 @@ from reports.language.numerals import as_given
 
 
 def site(results: Results) -> Table:
-    """What the site's spectrum was made from."""
+    """Tabulate the parameters of the site's spectrum."""
     spectrum = results.spectrum
     rows: tuple[tuple[Cell, ...], ...] = ()
     if spectrum is not None:
@@ -26,7 +26,7 @@ def site(results: Results) -> Table:
 
 
 def records(results: Results) -> Table:
-    """The records as scaled to the site's spectrum."""
+    """Tabulate the records as scaled to the site's spectrum."""
     columns = (
         Column("Record"),
         Column("Event"),
@@ -51,20 +51,20 @@ def records(results: Results) -> Table:
 
 
 def event_name(record: RecordResult) -> str:
-    """The earthquake with its year, where that is known and not part of its name."""
+    """Return the earthquake with its year, where that is known and not part of its name."""
     year = record.date[:4]
     return record.event if year in record.event else f"{record.event} {year}".strip()
 
 
 def processing_history(results: Results) -> Table:
-    """What was done to each record."""
+    """Tabulate the origin and the processing of each record."""
     columns = (Column("Record"), Column("Station"), Column("File"), Column("Processing, in order"))
     rows = tuple((record.id, record.station, record.path, "; ".join(record.trail)) for record in results.records)
     return Table("processing", "Origin and processing of the records.", columns, rows)
 
 
 def ordinates(results: Results) -> Table:
-    """The spectra of the target and the records, point by point."""
+    """Tabulate the spectra of the target and the records, point by point."""
     columns = (Column("Series"), Column("Period", "s", "number"), Column("Acceleration", "g", "number"))
     curves: list[tuple[str, SpectrumResult | RecordSpectrum]] = []
     curves += [("target", results.spectrum)] if results.spectrum is not None else []

@@ -1,4 +1,4 @@
-"""What the report says of the suite of records: how it was chosen, beside which limits, and how it is amplified."""
+"""The suite of records: its selection, its requirements, and its amplification."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ VERDICTS = {"met": "yes", "not met": "no", "not answered": "not answered"}
 
 
 def blocks(results: Results) -> list[Block]:
-    """The suite in the site chapter; nothing without records."""
+    """Return the suite's part of the site chapter; none without records."""
     motion = results.ground_motion
     if motion is None:
         return []
@@ -31,7 +31,7 @@ def blocks(results: Results) -> list[Block]:
 
 
 def sentences(motion: GroundMotionResult) -> tuple[str, ...]:
-    """Range of periods, and the rules of the selection."""
+    """Return the range of periods, and the rules of the selection."""
     over = (
         f"The records are compared with the target from {motion.from_s:.4g} s to {motion.to_s:.4g} s, both ends "
         f"included ({motion.source}). The mean squared difference of the logarithms of their mean and the target is "
@@ -51,21 +51,22 @@ def sentences(motion: GroundMotionResult) -> tuple[str, ...]:
 
 
 def periods(results: Results, motion: GroundMotionResult) -> Table:
-    """Equivalent periods of the mechanisms."""
+    """Tabulate the equivalent periods of the mechanisms."""
     columns = (Column("Mechanism"), Column("Shortest", "s", "number"), Column("Longest", "s", "number"))
     called = {mechanism.name: mechanism_title(mechanism) for mechanism in results.mechanisms}
     rows = tuple(
         (called.get(one.mechanism, one.mechanism), one.shortest_s, one.longest_s) for one in motion.equivalent_periods
     )
     caption = (
-        "Equivalent periods, which stand for T₁ in the clauses on records: a rocking body has no period of its own. "
-        "Taken is that of equal work at half the overturning rotation (1/fₑ of ASCE 43-05 A.2), over both branches."
+        "Equivalent periods, used as T₁ in the clauses on records because a rocking body has no natural "
+        "period: the period of equal work at half the overturning rotation (1/fₑ of ASCE 43-05 A.2), over "
+        "both branches."
     )
     return Table("equivalent-periods", caption, columns, rows)
 
 
 def selection_steps(motion: GroundMotionResult) -> Table:
-    """How many records were left after each step of the selection."""
+    """Tabulate the number of records left after each step of the selection."""
     steps = () if motion.selection is None else motion.selection.remaining
     columns = (Column("Records"), Column("Number", kind="number"))
     rows = tuple((one.step, one.number) for one in steps)
@@ -73,7 +74,7 @@ def selection_steps(motion: GroundMotionResult) -> Table:
 
 
 def amplification(results: Results) -> Table:
-    """The factor of each record for its way up to each mechanism, as thesis Table 8.9."""
+    """Tabulate the amplification factor of each record at each mechanism (as thesis Table 8.9)."""
     raised = [m for m in results.mechanisms if m.amplification.height_m is not None and m.amplification.factors]
     factors = [{one.record: one.factor for one in m.amplification.factors} for m in raised]
     rows = tuple((r.id, r.event, *(of.get(r.id) for of in factors)) for r in results.records) if raised else ()
@@ -86,7 +87,7 @@ def amplification(results: Results) -> Table:
 
 
 def requirements(motion: GroundMotionResult) -> Table:
-    """What each code asks of the suite."""
+    """Tabulate the requirements of each code on the suite."""
     columns = (
         Column("Code"),
         Column("Clause"),
@@ -99,9 +100,9 @@ def requirements(motion: GroundMotionResult) -> Table:
     )
     caveats = "; ".join(dict.fromkeys(one.caveat for one in motion.requirements if one.caveat))
     caption = (
-        "Requirements of codes on the suite. Histories by ASCE 43-05 and NTC 2018 are answered only where theirs are "
-        "met; the others are for information. T₁ is replaced by the least and "
-        f"the largest equivalent period. Clauses: {caveats}."
+        "Requirements of codes on the suite. Histories by ASCE 43-05 and NTC 2018 are evaluated only "
+        "where their requirements are met; the others are for information. T₁ is replaced by the smallest "
+        f"and the largest equivalent period. Clauses: {caveats}."
     )
     return Table("requirements", caption, columns, tuple(_row(one) for one in motion.requirements))
 

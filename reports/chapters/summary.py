@@ -1,4 +1,4 @@
-"""The summary: what the numbers say, and what every procedure answers for every mechanism at the site's own action."""
+"""The summary: conclusions, and the answer of every procedure for every mechanism at the site's own action."""
 
 from __future__ import annotations
 
@@ -13,16 +13,16 @@ REFERENCE = "SLV"  # the limit state whose PGA is the level's
 
 
 def section(results: Results) -> Section:
-    """The findings in words, and the answers of all procedures at the site's own action."""
+    """Return the chapter: conclusions in words, answers of all procedures at the site's own action, warnings."""
     found = conclusions.conclusions(results)
     warned: list[Block] = nonempty(inputs.warnings(results)) or [Text(("The run gave no warnings.",))]
-    answers = nonempty(governing_checks(results)) or [Text(("No code procedure gave an answer.",))]
+    answers = nonempty(governing_checks(results)) or [Text(("No code procedure gave a result.",))]
     blocks = (*((Items(found),) if found else ()), *answers, *own_pga_note(results), *warned)
     return Section("Summary", 0, blocks)
 
 
 def own_pga_note(results: Results) -> tuple[Text, ...]:
-    """Which limit states are not checked at the level in the table, where the site has a hazard of its own for them."""
+    """Name the limit states that have a PGA of their own, where the site has a hazard for them."""
     every = (check for mechanism in results.mechanisms for check in governing.code_checks(mechanism.checks))
     checks = [check for check in every if check.return_period_years is not None]
     states = dict.fromkeys(check.limit_state for check in checks if check.limit_state != REFERENCE)
@@ -37,7 +37,7 @@ def own_pga_note(results: Results) -> tuple[Text, ...]:
 
 
 def governing_checks(results: Results) -> Table:
-    """Every mechanism by every procedure at the site's own action: role, demand, allowable, ratio, PGA, outcome."""
+    """Tabulate every mechanism by every procedure at the site's own action."""
     columns = (
         tables.MECHANISM,
         tables.PROCEDURE,
@@ -53,8 +53,8 @@ def governing_checks(results: Results) -> Table:
         for check in governing.worst_per_procedure(governing.code_checks(governing.at_site(results, mechanism)))
     ]
     caption = (
-        "Every mechanism by every code procedure at the site’s own action. One procedure decides each limit state of a "
-        "mechanism; the others stand for comparison."
+        "Every mechanism by every code procedure at the site’s own action. One procedure decides each "
+        "limit state of a mechanism; the others are for comparison."
     )
     rows = tuple(_row(mechanism, check) for mechanism, check in pairs)
     return Table("governing-checks", caption, columns, rows)

@@ -15,23 +15,23 @@ from reports.language.lettering import truncate
 from reports.language.numerals import as_given, numeral
 
 RULE = (
-    "The controlling case has the worst answer that decides: a failing case stands before an incomplete one, and that "
-    "before one that passes; of equals the one that holds the least over the site’s own action controls, then the one "
-    "with the largest demand over capacity."
+    "The controlling case has the worst deciding answer: failing cases rank before incomplete ones, and "
+    "those before passing ones; among equals the case with the smallest margin over the site’s own action "
+    "controls, then the one with the largest demand over capacity."
 )
 JOINTS = (
-    " φₒᵥ is that of rigid joints; on joints it counts from rest, about which small motions have the elastic frequency."
+    " φₒᵥ is that of rigid joints; on joints it is measured from rest, about which small motions have the "
+    "elastic frequency."
 )
 
 
 def studies(sweeps: Sequence[SweepResult], *, name: str) -> Section:
-    """Every sweep of one mechanism; `name` begins the names of its tables and figures."""
+    """Return every sweep of one mechanism; `name` begins the names of its tables and figures."""
     blocks: list[Block] = [Text((RULE,))] if sweeps else []
     for place, sweep in enumerate(sweeps, start=1):
         stem = f"{name}-sweep-{place:02d}"
         caption = (
-            f"What changes with {swept_key(sweep)}; the ring marks the controlling case; "
-            "a case that overturns has no ratio."
+            f"Results over {swept_key(sweep)}; the ring marks the controlling case; a case that overturns has no ratio."
         )
         blocks += [Text((sentence(sweep),)), table(sweep, name=stem)]
         blocks.append(Figure(stem, caption, partial(sweep_figure.draw, sweep)))
@@ -39,29 +39,29 @@ def studies(sweeps: Sequence[SweepResult], *, name: str) -> Section:
 
 
 def sentence(sweep: SweepResult) -> str:
-    """What was swept, which case controls, and whether it stands for the mechanism."""
+    """State what was swept, which case controls, and whether it represents the mechanism."""
     standing = (
-        "This case stands for the mechanism in every other part of this report."
+        "This case represents the mechanism in the rest of this report."
         if sweep.governs
-        else "A case of another study stands for the mechanism in the other parts of this report."
+        else "In the rest of this report the mechanism is represented by a case of another study."
     )
     values = count_noun(len(sweep.value), "value")
     return f"{swept_key(sweep)} takes {values}; {controlling_case(sweep)} controls. {standing}"
 
 
 def swept_key(sweep: SweepResult) -> str:
-    """The key that is swept, for a sentence."""
+    """Return the swept key for use in a sentence."""
     return truncate(sweep.key, 100)
 
 
 def controlling_case(sweep: SweepResult) -> str:
-    """The controlling case in words."""
+    """Return the controlling case in words."""
     unit = "" if sweep.unit == "-" else f" {sweep.unit}"
     return f"{as_given(sweep.value[sweep.controlling])}{unit}"
 
 
 def table(sweep: SweepResult, *, name: str) -> Table:
-    """One line for each value, in the user's order."""
+    """Tabulate a sweep, a line for each value in the user's order."""
     columns = (
         Column("Value", sweep.unit, "number"),
         Column("p", "1/s", "number"),
@@ -82,7 +82,7 @@ def table(sweep: SweepResult, *, name: str) -> Table:
 
 
 def on_joints(sweep: SweepResult) -> list[tuple[Column, Sequence[float | None]]]:
-    """What joints that give way add to the table: columns with their values [n], where any are known."""
+    """Return the columns that deformable joints add to the table, with their values [n], where any are known."""
     columns: list[tuple[Column, Sequence[float | None]]] = [
         (Column("φₒᵥ on joints", "rad", "number"), sweep.overturning_flexible_rad),
         (Column("Elastic frequency", "Hz", "number"), sweep.elastic_frequency_hz),
@@ -108,15 +108,24 @@ def _row(sweep: SweepResult, place: int) -> tuple[Cell, ...]:
 
 
 def controlling_cases(sweeps: Sequence[SweepResult], names: dict[str, str]) -> list[Block]:
-    """Which cases stand in the comparison; `names`: mechanism -> what it is called."""
+    """State the cases that represent swept mechanisms in the comparison; `names`: mechanism -> title."""
     cases = [f"{names[s.mechanism]}, {swept_key(s)} = {controlling_case(s)}" for s in sweeps if s.governs]
     if not cases:
         return []
-    return [Text((f"Mechanisms with parametric studies stand here with their controlling case: {'; '.join(cases)}.",))]
+    return [
+        Text(
+            (
+                (
+                    "Mechanisms with parametric studies are represented here by their controlling case: "
+                    f"{'; '.join(cases)}."
+                ),
+            )
+        )
+    ]
 
 
 def weakest_direction(mechanism: MechanismResult, *, name: str) -> list[Block]:
-    """The direction in which the mechanism is weakest, where it was sought."""
+    """Return sentence and figure on the weakest direction, where it was searched for."""
     found = mechanism.direction_sweep
     if found is None:
         return []
@@ -126,9 +135,10 @@ def weakest_direction(mechanism: MechanismResult, *, name: str) -> list[Block]:
 
 
 def direction_sentence(found: DirectionSweep) -> str:
-    """The direction chosen, and how flat the minimum is."""
+    """State the direction chosen, and how flat the minimum is."""
     return (
-        f"The direction is the weakest of {len(found.angle_deg)}: {as_given(round(found.weakest_deg, 3))}° from +x "
-        f"towards +y. The load multiplier is within 1 % of its least over {as_given(found.flat_deg)}° of the circle; "
-        f"the least is {numeral(100 * found.variation, digits=3)} % below the largest."
+        f"The direction is the weakest of {len(found.angle_deg)}: {as_given(round(found.weakest_deg, 3))}° "
+        "from +x towards +y. The load multiplier is within 1 % of its minimum over "
+        f"{as_given(found.flat_deg)}° of the circle; the minimum is "
+        f"{numeral(100 * found.variation, digits=3)} % below the maximum."
     )

@@ -25,7 +25,7 @@ MOST_NAMES = 36
 
 
 def draw(one: EnvelopeResult, records: Sequence[RecordResult]) -> Figure:
-    """Outcome of pulses [g] over frequency [Hz]: white at rest, grey rocking, red overturned; dots: primary pulses."""
+    """Draw the outcome of pulses [g] over frequency [Hz]: white at rest, grey rocking, red overturned."""
     frequency, amplitude = np.array(one.frequency_hz), np.array(one.amplitude_g)
     with report_style():
         figure = sheet(3.1)
@@ -76,9 +76,9 @@ def _dots(axes: Axes, records: Sequence[RecordResult], frequency: FloatArray, am
 
 
 def bounds(mapped: Sequence[tuple[str, EnvelopeResult]], critical: CriticalResult) -> Figure:
-    """Least pulse [g] that overturns each mechanism over frequency [Hz]; below, a band coloured by the critical one.
+    """Draw the least pulse [g] that overturns each mechanism over frequency [Hz], and below it the critical one.
 
-    mapped: the name of each mechanism and its envelope.
+    mapped : the name of each mechanism and its envelope
     """
     frequency = np.array(critical.frequency_hz)
     pens = {name: (COLOURS[k % 9], DASHES[k // 9 % 4]) for k, (name, _) in enumerate(mapped[:MOST_NAMES])}

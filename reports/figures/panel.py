@@ -59,7 +59,7 @@ class _Ticks:
 
 @dataclass(frozen=True)
 class _Numbered:
-    """Where the ticks that are seen stand [n], their numbers [n], and the power of ten of these."""
+    """Values of the visible ticks [n], their numbers [n], and the power of ten of these."""
 
     values: FloatArray
     numbers: tuple[str, ...]
@@ -90,7 +90,7 @@ class _Scale(Axis):
     Attributes
     ----------
     along : place of its coordinate in a point: 0 for x, 1 for y
-    side : the edge at which it stands
+    side : the edge at which it is drawn
     setting : of a number at its tick: across, up
     """
 
@@ -100,17 +100,17 @@ class _Scale(Axis):
     setting: tuple[str, str]
 
     def reset_ticks(self) -> None:
-        """No artist is made of a tick before somebody asks for it."""
+        """Forget ticks; an artist is made of one only when asked for."""
         self.majorTicks: Any = []
         self.minorTicks: Any = []
         self._found: dict[tuple[object, ...], _Numbered] = {}
 
     def get_children(self) -> list[Artist]:
-        """Its label, and the power of ten of its numbers."""
+        """Return its label, and the power of ten of its numbers."""
         return [self.label, self.offsetText]
 
     def get_tightbbox(self, renderer: Any = None, *, for_layout_only: bool = False) -> Bbox | None:
-        """What its letters cover [px]; in the layout the label counts by its distance from the panel alone."""
+        """Return the box of its letters [px]; in the layout only the distance of the label from the panel counts."""
         if not self.get_visible():
             return None
         ruler = RULER if renderer is None or self._pixels == 1.0 else renderer
@@ -121,7 +121,7 @@ class _Scale(Axis):
         return Bbox.union([box for box in (numbers, power, label) if box is not None])
 
     def draw(self, renderer: RendererBase) -> None:
-        """Grid, ticks, numbers, label and power of ten."""
+        """Draw grid, ticks, numbers, label and power of ten."""
         if not self.get_visible():
             return
         ticks = self._ticks()
@@ -168,14 +168,14 @@ class _Scale(Axis):
         return self._found[known]
 
     def _is_seen(self, values: FloatArray) -> NDArray[np.bool_]:
-        """Which values lie within the panel [n]."""
+        """Whether each value is within the panel [n]."""
         transform = self.get_transform()
         first, last = sorted(transform.transform(np.asarray(self.get_view_interval(), dtype=np.float64)))
         at, room = transform.transform(values), _CLOSE * (last - first)
         return np.asarray((at >= first - room) & (at <= last + room))
 
     def _points(self, values: FloatArray) -> FloatArray:
-        """Where values lie along the scale [px]."""
+        """Positions of values along the scale [px]."""
         points = np.tile(np.asarray(self.axes.viewLim.min, dtype=np.float64), (values.size, 1))
         points[:, self.along] = values
         return np.asarray(self.axes.transData.transform(points))[:, self.along]
@@ -187,7 +187,7 @@ class _Scale(Axis):
 
     @property
     def _edge(self) -> float:
-        """Where the scale stands [px]."""
+        """Position of the scale across its direction [px]."""
         return float(self.axes.bbox.min[1 - self.along])
 
     def _point(self, along: float, away: float) -> Point:
@@ -224,7 +224,7 @@ class _Scale(Axis):
         pen.restore()
 
     def _places(self, ticks: _Ticks) -> list[tuple[Point, str]]:
-        """Numbers and where they stand."""
+        """Positions of the numbers [px], each with its number."""
         if not ticks.is_numbered:
             return []
         away = self._edge - ticks.length - ticks.pad
@@ -283,18 +283,18 @@ class Panel(Axes):
     name = "panel"
 
     def _init_axis(self) -> None:
-        """Where matplotlib's projections make their axes."""
+        """Make the scales, as matplotlib's projections make their axes."""
         self.xaxis: Any = _Across(self, clear=False)
         self.yaxis: Any = _Up(self, clear=False)
         for side, axis in (("bottom", self.xaxis), ("top", self.xaxis), ("left", self.yaxis), ("right", self.yaxis)):
             self.spines[side].register_axis(axis)
 
     def legend(self, *given: Any, **named: Any) -> Legend:
-        """A legend whose boxes are measured once."""
+        """Return a legend whose boxes are measured once."""
         return cache_extents(super().legend(*given, **named))
 
     def clear(self) -> None:
-        """Frames at the edges of the panel, which take no place beside their scales."""
+        """Put frames at the edges of the panel, which take no place beside their scales."""
         super().clear()
         for spine in self.spines.values():
             spine.set_position(("outward", 0.0))
@@ -311,7 +311,7 @@ def _lettered(text: str, size: Any, setting: tuple[str, str]) -> _Lettered:
 
 
 class _Catcher(Ruler):
-    """Keeps the lines that it is asked to draw."""
+    """A renderer that keeps the lines of text it is to draw."""
 
     def __init__(self) -> None:
         super().__init__()

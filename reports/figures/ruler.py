@@ -13,11 +13,11 @@ class Ruler(RendererBase):
     """A renderer that measures and draws nothing."""
 
     def flipy(self) -> bool:
-        """Heights grow upwards."""
+        """Return False: heights grow upwards."""
         return False
 
     def get_text_width_height_descent(self, s: str, prop: FontProperties, ismath: Any) -> tuple[float, float, float]:
-        """Width, height and depth below the line [pt]."""
+        """Return width, height and depth below the line [pt]."""
         return _measured(s, prop.copy())
 
     def _get_font_height_metrics(self, prop: FontProperties) -> tuple[float, float, float]:
@@ -32,7 +32,7 @@ class Canvas(FigureCanvasBase):
     """What a figure is laid out on; it is drawn as marks, not by what matplotlib saves."""
 
     def get_renderer(self) -> Ruler:
-        """What its letters are measured with."""
+        """Return the renderer that measures its letters."""
         return RULER
 
 

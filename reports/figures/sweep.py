@@ -1,4 +1,4 @@
-"""A parametric study: what changes with the number that is swept."""
+"""A parametric study: results over the swept number."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ Values = Sequence[float | None]
 
 
 def draw(sweep: SweepResult) -> Figure:
-    """What changes over the values, a panel for each quantity that is known of any case."""
+    """Draw the results over the values, a panel for each quantity that is known of any case."""
     shown = panels(sweep)
     with report_style():
         figure = sheet(2.3)
@@ -30,9 +30,9 @@ def draw(sweep: SweepResult) -> Figure:
 
 
 def panels(sweep: SweepResult) -> list[tuple[Values, str]]:
-    """The quantities of which any value is known, with their names.
+    """Return the quantities of which any value is known, with their names.
 
-    On joints without a threshold of uplift the overturning rotation stands in the place of the multiplier.
+    On joints without a threshold of uplift the overturning rotation replaces the multiplier.
     """
     threshold = (sweep.uplift_multiplier, "load multiplier at uplift λ [-]")
     overturning = (sweep.overturning_flexible_rad, "overturning on joints φₒᵥ [rad]")
@@ -45,7 +45,7 @@ def panels(sweep: SweepResult) -> list[tuple[Values, str]]:
 
 
 def known(values: Values) -> bool:
-    """Whether any case has a value."""
+    """Return whether any case has a value."""
     return any(value is not None for value in values)
 
 

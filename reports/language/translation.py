@@ -24,7 +24,7 @@ _STOP = re.compile(r"[.:]”? ")
 
 
 def translate_document(document: Document) -> Document:
-    """The document in its language; itself where that is English."""
+    """Return the document in its language; itself where that is English."""
     if document.language == ENGLISH:
         return document
     say = partial(_translate, document.language, document.verbatim)
@@ -42,7 +42,7 @@ def _closed(text: str) -> bool:
 
 
 def _translate(language: str, verbatim: frozenset[str], text: str) -> str:
-    """A text in the language; what says it need not travel with the figures, which other processes draw."""
+    """A text in the language; the translator need not be sent to the processes that draw figures."""
     return _translator(language, verbatim).translate(text)
 
 
@@ -62,7 +62,7 @@ class Translator:
         self.unknown: dict[str, None] = {}
 
     def translate(self, text: str) -> str:
-        """The text in the language, or in English where no entry fits."""
+        """Return the text in the language, or in English where no entry fits."""
         if text not in self.texts:
             own = text.strip() in self.verbatim
             self.texts[text] = text if own else self.masks.around(self._best, text)

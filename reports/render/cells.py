@@ -42,7 +42,7 @@ Piece = tuple[str, Look]
 
 @dataclass(frozen=True)
 class Word:
-    """Pieces that stand together, and their width [pt]; a line of text too."""
+    """Adjacent pieces and their width [pt]; also a line of text."""
 
     pieces: tuple[Piece, ...]
     width: float
@@ -60,35 +60,35 @@ class Cell:
 
     @property
     def height(self) -> float:
-        """Height of all lines."""
+        """Height of all lines [pt]."""
         return self.leading * len(self.lines)
 
     def place_lines(self, x: float, top: float) -> Iterator[tuple[Word, float, float]]:
-        """Each line, and where it begins if the cell's upper left corner stands at (x, top)."""
+        """Yield each line and where it begins, for a cell whose upper left corner is at (x, top)."""
         for place, line in enumerate(self.lines):
             indent = self.width - line.width if self.right else 0.0
             yield line, x + indent, top - self.size - place * self.leading
 
 
 def plain_cell(text: str, style: str, *, width: float) -> Cell:
-    """A cell of plain text in one of STYLES."""
+    """Return a cell of plain text in one of STYLES."""
     return cell([text_pieces(text, style)], style, width=width)
 
 
 def cell(paragraphs: Iterable[Sequence[Piece]], style: str, *, width: float) -> Cell:
-    """A cell of paragraphs; its lines stand and begin as in one of STYLES."""
+    """Return a cell of paragraphs, set as in one of STYLES."""
     of = STYLES[style]
     lines = tuple(line for pieces in paragraphs for line in _lines(pieces, width=width))
     return Cell(lines, width, of.fontSize, of.leading, of.alignment == TA_RIGHT)
 
 
 def text_pieces(text: str, style: str) -> list[Piece]:
-    """Plain text in one of STYLES."""
+    """Return plain text in one of STYLES."""
     return [(_spaced(text), _look(style))]
 
 
 def formula_pieces(text: str) -> list[Piece]:
-    """Plain text of which indices are lowered and powers raised."""
+    """Return plain text of which indices are lowered and powers raised."""
     base = _look("cell")
     index, power = (Look(base.font, _SIZE_OF_INDEX, base.colour, rise) for rise in (_LOWERED, _RAISED))
     looks = {"": base, "index": index, "power": power}

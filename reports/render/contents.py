@@ -51,6 +51,6 @@ class Entry(Flowable):
 
 
 def contents(headings: Sequence[Heading], numbers: Mapping[str, int]) -> list[Flowable]:
-    """The lines of all headings, or of the chapters alone."""
+    """Return the lines of all headings, or of the chapters alone."""
     every = len(headings) <= LONGEST
     return [Entry(each, numbers) for each in headings if every or each.level == 0]

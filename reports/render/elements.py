@@ -35,7 +35,7 @@ _LONG = 400  # characters
 
 
 def markup(text: str) -> str:
-    """Plain text as markup that shows it letter for letter, between tags and in attributes."""
+    """Return plain text as markup that shows it letter for letter, between tags and in attributes."""
     return escape(visible(text))
 
 
@@ -47,7 +47,7 @@ class Elements:
 
     @singledispatchmethod
     def of(self, block: Block) -> str:
-        """The element of a block."""
+        """Return the element of a block."""
         raise TypeError(f"{type(block).__name__}: not a block of a document")
 
     @of.register
@@ -103,7 +103,7 @@ class Elements:
 
 
 def anchor(title: str) -> str:
-    """The id of what is called so: figure-1."""
+    """Return the id of a title: figure-1."""
     return title.lower().replace(" ", "-")
 
 

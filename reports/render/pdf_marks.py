@@ -73,7 +73,7 @@ def _filling(ink: Rgba | None) -> tuple[tuple[str, object], ...]:
 
 
 def operators(codes: bytes, numbers: tuple[float, ...]) -> str:
-    """An outline in the operators of PDF."""
+    """Return an outline in the operators of PDF."""
     return _shape(codes) % numbers
 
 

@@ -56,7 +56,7 @@ def _stroke(mark: Stroke, renderer: RendererAgg) -> None:
 
 
 def _path(mark: Stroke) -> Path:
-    """The outline as matplotlib keeps it: what closes has a point too, which means nothing."""
+    """The outline as a path of matplotlib, in which closing has a point too, without meaning."""
     codes = np.frombuffer(mark.codes, dtype=np.uint8)
     points = np.zeros((codes.size, 2))
     points[codes != Path.CLOSEPOLY] = np.reshape(mark.numbers, (-1, 2))

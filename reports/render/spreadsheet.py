@@ -25,7 +25,7 @@ CONTENTS, SHEETS = "contents", "calculation sheets"
 _LONGEST_TEXT, _LONGEST_NAME, _LONGEST_PROPERTY = 32_000, 31, 255
 _RESERVED = "history"  # a name that Excel keeps for itself
 _NARROWEST, _WIDEST = 9, 60  # columns [characters]
-_LONG = 500  # rows; numbers of longer tables stand as they are, to be computed with
+_LONG = 500  # rows; numbers of longer tables have no format
 _CREATED = datetime.datetime(2000, 1, 1)  # fixed: the same results give the same workbook
 
 
@@ -51,7 +51,7 @@ class _Book:
     made: dict[tuple[tuple[str, str | int], ...], Format] = field(default_factory=dict)
 
     def format(self, look: Look) -> Format | None:
-        """The format of a look; None for that of every cell."""
+        """Return the format of a look; None for that of every cell."""
         if not look:
             return None
         key = tuple(look.items())
@@ -76,7 +76,7 @@ def write_xlsx(document: Document, path: Path) -> Path:
 
 
 def unique(names: list[str], *, taken: Iterable[str] = (CONTENTS, SHEETS)) -> list[str]:
-    """Valid worksheet names, no two alike nor `taken` without regard to case: at most 31 characters, no []:*?/\\."""
+    """Return valid worksheet names, no two alike nor `taken` in any case: at most 31 characters, no []:*?/\\."""
     used, made = {_RESERVED, *(name.lower() for name in taken)}, []
     for wanted in names:
         plain = _cut(re.sub(r"[\[\]:*?/\\']", "-", visible(wanted)), _LONGEST_NAME) or "table"
@@ -94,7 +94,7 @@ def _cut(name: str, length: int) -> str:
 
 
 def number_format(value: float) -> str:
-    """The format in which a spreadsheet shows a number as the report does: to four figures."""
+    """Return the format in which a spreadsheet shows a number as the report does: to four figures."""
     places = decimals(value, figures=FIGURES)
     if places is None:
         return f"0.{'0' * (FIGURES - 1)}E+00"

@@ -76,7 +76,7 @@ class FigureMarks:
 
 
 class _Recorder(Ruler):
-    """A matplotlib renderer that writes down what it is asked to draw; origin at the lower left, unit 1 pt."""
+    """A matplotlib renderer that records what it draws; origin at the lower left, unit 1 pt."""
 
     def __init__(self, width: float, height: float) -> None:
         super().__init__()
@@ -121,7 +121,7 @@ class _Recorder(Ruler):
         *rest: Any,
         **more: Any,
     ) -> None:
-        """Many paths where they are; those that are shifted or turned each by itself as matplotlib draws them."""
+        """Draw many paths where they are; those that are shifted or turned each by itself as matplotlib does."""
         looks = facecolors, edgecolors, linewidths, linestyles
         if len(all_transforms) or np.any(offset_trans.transform(offsets)):
             placed = paths, all_transforms, offsets, offset_trans
@@ -177,17 +177,17 @@ class Drawings(Mapping[str, FigureMarks]):
 
 
 def trace_figures(document: Document, *, pool: Pool) -> Drawings:
-    """Every figure of the document by its name, drawn once, by a `pool` that works on the document."""
+    """Trace every figure of the document once, by a `pool` that works on the document; by name."""
     return Drawings({figure.name: pool.submit(trace_at, place) for place, figure in enumerate(document.figures)})
 
 
 def trace_at(document: Document, place: int) -> FigureMarks:
-    """The figure at this place among those of the document as marks."""
+    """Return the figure at this place among those of the document as marks."""
     return trace_figure(document.figures[place].draw())
 
 
 def trace_figure(figure: Figure) -> FigureMarks:
-    """The figure as marks, in points."""
+    """Return the figure as marks, in points."""
     with report_style():
         figure.set_dpi(72)
         width, height = (float(72 * side) for side in figure.get_size_inches())

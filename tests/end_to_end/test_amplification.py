@@ -124,7 +124,7 @@ def test_histories_and_clauses_say_where_their_input_acts(found):
 
 def test_the_report_says_so(found, report):
     assert report.count("The time histories act at the base of the mechanism, 4.77 m above the ground") == 3
-    assert "Not the same input: the time histories of srss, <b>filter</b> & co and code act at the base" in report
+    assert "The inputs differ: the time histories of srss, <b>filter</b> & co and code act at the base" in report
     assert "G = 0.4 E" in report
     assert "motion, scaled to the site’s spectrum, at the ground and at the base of the mechanism" in report
     factor = found["srss"]["amplification"]["factors"][0]["factor"]

@@ -16,7 +16,8 @@ from assess.errors import AssessError
 from assess.project.build import build
 from assess.project.keys import Place, places_of, with_value
 from assess.project.schema import load
-from assess.study.run import parameters, run
+from assess.study.parameters import parameters
+from assess.study.run import run
 from spectra.spectrum import SpectrumError
 
 SITE = """

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from dataclasses import fields
 
 import numpy as np
 import pytest
@@ -87,7 +88,7 @@ def alike(found: Oscillator, wanted: Oscillator, *, rtol: float = 1e-9) -> None:
         assert isinstance(one, Branch)
         assert isinstance(other, Branch)
         assert one.overturning_flexible == other.overturning_flexible  # rigid: None
-        for name, column in vars(other).items():
+        for name, column in ((each.name, getattr(other, each.name)) for each in fields(other)):
             if name == "overturning_flexible":
                 continue
             size = float(np.max(np.abs(column)))

@@ -56,6 +56,11 @@ def project_toml(*more: str, **tables: Any) -> str:
     return "\n".join([*heads, *bodies, *more, ""])
 
 
+def lines(table: Mapping[str, Any], more: str = "") -> str:
+    """Return what is written in a table, followed by `more` TOML."""
+    return "\n".join([*(f"{_key(key)} = {toml(value)}" for key, value in table.items()), more])
+
+
 def study_of(folder: Path, text: str) -> Study:
     """Return the study of a project file, which is written into `folder`."""
     path = folder / "project.toml"
@@ -79,8 +84,7 @@ def _section(name: str, table: Mapping[str, Any] | str) -> Iterator[str]:
         return
     inner = {key: value for key, value in table.items() if "." not in name and _is_inner(name, key, value)}
     if name not in OF_TABLES and len(inner) < len(table):
-        yield f"[{name}]"
-        yield from (f"{_key(key)} = {toml(value)}" for key, value in table.items() if key not in inner)
+        yield from (f"[{name}]", lines({key: value for key, value in table.items() if key not in inner}))
     for key, value in inner.items():
         yield from _section(f"{name}.{_key(key)}", value)
 

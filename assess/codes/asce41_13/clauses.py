@@ -48,8 +48,8 @@ NEAR_ROOF = 0.5  # m: what stands free no lower than this under the top of the b
 class Options:
     """Options of the permissible h/t.
 
-    position : row of Table 11-5; None where the building tells
-    masonry : None where nobody says; seismicity : of the site, for parapets
+    position : row of Table 11-5; None where storeys and elevation decide
+    masonry : None where it is not given; seismicity : of the site, for parapets
     s_x1 : at the site's own PGA [g]; None for the ordinate of the spectrum at 1 s
     """
 
@@ -60,20 +60,51 @@ class Options:
 
 
 def permissible(position: Position, s_x1: float) -> float:
-    """Largest h/t [-] of a wall at this place, at S_X1 [g] (Table 11-5)."""
+    """Return the largest permissible h/t of a wall (Table 11-5).
+
+    Parameters
+    ----------
+    position : row of the table
+    s_x1 : S_X1 [g]
+
+    Returns
+    -------
+    float [-]
+    """
     return PERMISSIBLE[position][sum(s_x1 > bound for bound in BOUNDS)]
 
 
 def largest_s_x1(position: Position, slenderness: float) -> float | None:
-    """S_X1 [g] up to which a wall of h/t = `slenderness` is permitted; 0 where it never is, None where it always is."""
+    """Return the S_X1 up to which a wall is permitted (Table 11-5).
+
+    Parameters
+    ----------
+    position : row of the table
+    slenderness : h/t [-]
+
+    Returns
+    -------
+    float or None
+        S_X1 [g]; 0 where the wall never is, None where it always is.
+    """
     within = [slenderness <= most for most in PERMISSIBLE[position]]
     return None if all(within) else (0.0, *BOUNDS)[sum(within)]
 
 
 def position_of(wall: Wall, elevation: float, building: Building | None) -> Position | None:
-    """Where a wall that stands `elevation` [m] above the ground is in its building; None where nobody says.
+    """Return the row of Table 11-5 of a wall; None where the building's storeys are not known.
 
     A wall whose top is within half a storey of the building's is in the top storey, the stricter row.
+
+    Parameters
+    ----------
+    wall : its size
+    elevation : of its base above the ground [m]
+    building : the structure it belongs to
+
+    Returns
+    -------
+    Position or None
     """
     if building is None or building.storeys is None:
         return None
@@ -86,6 +117,6 @@ def position_of(wall: Wall, elevation: float, building: Building | None) -> Posi
 
 
 def is_parapet(context: Context) -> bool:
-    """Whether the masonry stands free on top of a building whose height is known."""
+    """Return whether the masonry stands free on top of a building whose height is known."""
     building = context.building
     return context.support == "free" and building is not None and context.elevation >= building.height - NEAR_ROOF

@@ -1,4 +1,4 @@
-"""The table of permissible h/t asked of a wall, or the limit of a parapet; one check for each level."""
+"""The h/t of a wall against Table 11-5, or of a parapet against its limit; one check for each level."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ PERIOD, DAMPING = 1.0, 0.05  # s, of S_X1
 
 
 def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tuple[Check, ...]:
-    """h/t of a wall that spans between supports against Table 11-5 at S_X1, of a parapet against its limit."""
+    """Check h/t of a wall that spans between supports against Table 11-5 at S_X1, of a parapet against its limit."""
 
     def one(branch: Branch, name: BranchName, level: float) -> Check:
         return _check(branch, name, context, options, level)
@@ -69,7 +69,7 @@ def _check(branch: Branch, name: BranchName, context: Context, options: Options,
 
 
 def _silence(context: Context, options: Options) -> tuple[Outcome, Message]:
-    """Why nothing can be said; a pass where something can."""
+    """Return why no check can be made; a pass where one can."""
     not_for = Outcome.NOT_APPLICABLE
     if context.support != "spanning" and not is_parapet(context):
         return not_for, reason_message(Reason.NOT_SPANNING, clause=CLAUSE)
@@ -95,7 +95,7 @@ def _of_parapet(check: Check, wall: Wall, options: Options) -> Check:
 
 
 def _of_wall(check: Check, wall: Wall, context: Context, options: Options) -> Check:
-    """By the row of the wall; where nobody says which that is a pass by the strictest row and a fail by all count."""
+    """Check the row of the wall; if it is not known, only a pass by the strictest row and a fail by all count."""
     known = options.position or position_of(wall, context.elevation, context.building)
     if known is not None:
         return _in_row(check, wall, context, options, known)
@@ -126,7 +126,7 @@ def _in_row(check: Check, wall: Wall, context: Context, options: Options, positi
 
 
 def s_x1_over_pga(context: Context, options: Options) -> float:
-    """S_X1 over the PGA of the same level [-]."""
+    """Return S_X1 over the PGA of the same level [-]."""
     pga = context.spectrum.pga
     if options.s_x1 is not None:
         return options.s_x1 * g / pga

@@ -1,4 +1,4 @@
-"""A mechanism above the ground whose check takes the ground's motion: the check says that nothing is amplified."""
+"""Checks of a mechanism above the ground that take the ground's motion: they say that nothing is amplified."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from assess.messages.message import Severity, message
 
 
 def warn_at_height(checks: tuple[Check, ...], *, context: Context) -> tuple[Check, ...]:
-    """Add to the checks of a mechanism at height that take the ground's motion a remark and a line of the sheet."""
+    """Add a warning and a line of the sheet to checks by the ground's motion of a mechanism above the ground."""
     return tuple(_with_height(check, context.support_height) for check in checks) if context.above_ground else checks
 
 

@@ -1,12 +1,12 @@
 """ASCE/SEI 43-05, Appendix A.2: rocking of an unanchored rigid body by an equivalent linear oscillator.
 
-Written for any rocking oscillator: E(phi) is the work stored, B0 and I0 excitation and inertia at rest. For a
-block of half-width b and centroid height h, a = b/h, these give the clause's own quantities:
-h = B0/M, C1 = I0/(M h^2), f1 = E/(M g h) = cos(theta) + a sin(theta) - 1.
+The formulas are written for any rocking oscillator: E(phi) is the work stored, B0 and I0 are excitation and inertia at
+rest. For a block of half-width b and centroid height h, a = b/h, these give the clause's own quantities: h = B0/M,
+C1 = I0/(M h^2), f1 = E/(M g h) = cos(theta) + a sin(theta) - 1.
 
-Not checked against the printed standard: the equations were seen in excerpts and re-derived from energy. The
-clause's limit of rotation (7.1) could not be read: one third of the rotation that overturns is allowed, and one half,
-the limit of the response-history method of the same standard, stands beside it. One function for each formula.
+Not checked against the printed standard: the equations were seen in excerpts and re-derived from energy. The clause's
+limit of rotation (7.1) could not be read: one third of the rotation that overturns is allowed, and one half, the limit
+of the response-history method of the same standard, is shown beside it. One function for each formula.
 """
 
 from __future__ import annotations
@@ -32,37 +32,88 @@ CAVEAT = "Appendix A.2 was not checked against the printed standard: its equatio
 class Options:
     """Options of ASCE 43-05.
 
-    allowable_sliding : of a rigid body on its base [m]; None: sliding is shown for information
+    allowable_sliding : of a rigid body on its base [m]; None: sliding is given for information
     """
 
     allowable_sliding: float | None = None
 
 
 def vertical_factor(a: float, ratio: float) -> float:
-    """F_V = sqrt(1 + (a S_aV/S_aH)^2): vertical motion combined probabilistically (Eq. A-5(b))."""
+    """Return F_V = sqrt(1 + (a S_aV/S_aH)^2), the probabilistic combination with vertical motion (Eq. A-5(b)).
+
+    Parameters
+    ----------
+    a : multiplier at uplift, tan(alpha) of a block [-]
+    ratio : S_aV / S_aH [-]
+
+    Returns
+    -------
+    float
+        F_V, at least 1 [-].
+    """
     return float(np.hypot(1.0, a * ratio))
 
 
 def stored_work(branch: Branch, rotation: FloatArray) -> FloatArray:
-    """f1(theta) = E(theta) / (g B0); for a block cos(theta) + a sin(theta) - 1 (Eq. A-5(a)) [-]."""
+    """Return f1(theta) = E(theta) / (g B0); cos(theta) + a sin(theta) - 1 of a block (Eq. A-5(a)).
+
+    Parameters
+    ----------
+    branch : the direction of rocking
+    rotation : theta [n] [rad]
+
+    Returns
+    -------
+    array [n] [-]
+    """
     return energy(branch, rotation) / float(g * branch.excitation[0])
 
 
 def capacity_acceleration(branch: Branch, rotation: FloatArray, *, f_v: float) -> FloatArray:
-    """SA_H,CAP = 2 g f1 / (F_V F_H theta) [m/s2] (Eq. A-5); F_H = 1, for B0 counts every mass that shakes."""
+    """Return SA_H,CAP = 2 g f1 / (F_V F_H theta) (Eq. A-5); F_H = 1, because B0 counts every mass that shakes.
+
+    Parameters
+    ----------
+    branch : the direction of rocking
+    rotation : theta > 0 [n] [rad]
+    f_v : factor of vertical motion [-]
+
+    Returns
+    -------
+    array [n] [m/s2]
+    """
     return 2 * g * stored_work(branch, rotation) / (f_v * rotation)
 
 
 def effective_frequency(branch: Branch, rotation: FloatArray) -> FloatArray:
-    """f_e [Hz] of the linear oscillator with the same work: omega_e^2 = 2 E / (I0 theta^2) (A.2, step 2)."""
+    """Return f_e of the linear oscillator that stores the same work: omega_e^2 = 2 E / (I0 theta^2) (A.2, step 2).
+
+    Parameters
+    ----------
+    branch : the direction of rocking
+    rotation : theta > 0 [n] [rad]
+
+    Returns
+    -------
+    array [n] [Hz]
+    """
     omega = np.sqrt(2 * energy(branch, rotation) / float(branch.inertia[0])) / rotation
     return np.asarray(omega / (2 * np.pi))
 
 
 def effective_damping(restitution: float) -> float:
-    """beta_e = gamma / sqrt(4 pi^2 + gamma^2) with gamma = -2 ln C_R, two impacts in a cycle (A.2, step 2) [-].
+    """Return beta_e = gamma / sqrt(4 pi^2 + gamma^2), gamma = -2 ln C_R, of two impacts in a cycle (A.2, step 2).
 
-    The impact onto a nearer hinge may leave more velocity, though never energy: then C_R >= 1 and nothing is damped.
+    An impact onto a nearer hinge may leave more velocity, though never more energy: C_R >= 1 then gives no damping.
+
+    Parameters
+    ----------
+    restitution : C_R, velocity after over velocity before an impact [-]
+
+    Returns
+    -------
+    float
+        beta_e, 1 without rebound [-].
     """
     if restitution == 0.0:
         return 1.0
@@ -71,7 +122,7 @@ def effective_damping(restitution: float) -> float:
 
 
 def thesis_limit_ratio(block: SingleBlock) -> float:
-    """theta_lim / alpha = k alpha / sin(2 alpha), k = I_O / (M R^2) = g / (p^2 R) [-].
+    """Return theta_lim / alpha = k alpha / sin(2 alpha) [-], the limit of rotation in the thesis (8.3.2).
 
     Empirical: no derivation is known; it fits the thesis' Table 8.5 within rounding for all eight walls.
     """
@@ -79,14 +130,24 @@ def thesis_limit_ratio(block: SingleBlock) -> float:
 
 
 def inertia_ratio(block: SingleBlock) -> float:
-    """k = I_O / (M R^2) [-]."""
+    """Return k = I_O / (M R^2) = g / (p^2 R) [-]."""
     return block.inertia / (block.mass * block.radius**2)
 
 
 def thesis_limit(branch: Branch, *, mass: float) -> float:
-    """theta_lim [rad] on a flexible joint: where it is the ratio above times alpha, both of the block at theta_lim.
+    """Return the limit of rotation theta_lim on a flexible joint.
 
-    phi_ov where it is at none: the ratio there is that of a plain block, above 1 for one out of the formula's range.
+    It is where theta equals the ratio of `thesis_limit_ratio` times alpha, both of the equivalent block at theta.
+
+    Parameters
+    ----------
+    branch : the direction of rocking
+    mass : total moved mass [kg]
+
+    Returns
+    -------
+    float
+        theta_lim [rad]; the overturning rotation where no such theta exists, because the formula is out of its range.
     """
 
     def excess(rotation: float) -> float:
@@ -100,9 +161,19 @@ def thesis_limit(branch: Branch, *, mass: float) -> float:
 def spectral_pga_rotation(
     branch: Branch, spectrum: Spectrum, *, damping: float, f_v: float, uplift: float
 ) -> PgaRotation:
-    """PGA(theta): where SA_H,CAP equals the spectrum's ordinate at f_e and `damping`, scaled with its PGA.
+    """Return PGA(theta), at which SA_H,CAP equals the spectrum's ordinate at f_e, the spectrum scaled with its PGA.
 
-    Nothing rocks below `uplift` [m/s2].
+    Parameters
+    ----------
+    branch : the direction of rocking
+    spectrum : of the ground
+    damping : of the demand [-]
+    f_v : factor of vertical motion [-]
+    uplift : PGA below which nothing rocks [m/s2]
+
+    Returns
+    -------
+    PgaRotation
     """
     return pga_rotation(
         _pga_of(branch, spectrum, damping=damping, f_v=f_v, pga=spectrum.pga),
@@ -116,9 +187,20 @@ def spectral_pga_rotation(
 def floor_spectral_pga_rotation(
     branch: Branch, floor: Spectrum, *, damping: float, f_v: float, uplift: float, pga: float
 ) -> PgaRotation:
-    """The same on the spectrum of a `floor` where the ground has the peak acceleration `pga` [m/s2]: PGA of the ground.
+    """Return PGA(theta) of the ground where the demand is the spectrum of a floor.
 
-    Nothing rocks before the floor's own peak acceleration reaches `uplift` [m/s2].
+    Parameters
+    ----------
+    branch : the direction of rocking
+    floor : spectrum of the floor
+    damping : of the demand [-]
+    f_v : factor of vertical motion [-]
+    uplift : peak acceleration of the floor below which nothing rocks [m/s2]
+    pga : peak acceleration of the ground that belongs to `floor` [m/s2]
+
+    Returns
+    -------
+    PgaRotation
     """
     return floor_pga_rotation(
         _pga_of(branch, floor, damping=damping, f_v=f_v, pga=pga),

@@ -1,8 +1,9 @@
 """ASCE/SEI 43-05, response-history method: the mean of the largest rotations of at least five records.
 
 The best estimate of the demand is the mean of the maxima; a factor of 2 on instability makes half the rotation that
-overturns the allowable (thesis 3.3.2 and 8.4.2, Table 8.10). Each maximum is measured by what really overturns the
-mechanism in the branch where it happened, joints included. A record that overturns the body fails the level.
+overturns the allowable one (thesis 3.3.2 and 8.4.2, Table 8.10). Each maximum is divided by the rotation that really
+overturns the mechanism in the branch where it happened, joints included. A record that overturns the body fails the
+level.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ from assess.codes.check import Check, Outcome, PgaCurve, Reason, Step, reason_me
 from assess.codes.context import Context, Suite
 from assess.codes.incremental import fails_below, pga_before_failure, pga_curve, uplift_multiplier
 from assess.codes.worst_branch import branch_of
-from assess.messages.message import Message, count
+from assess.messages.message import Message, whole_number
 from assess.oscillator import Branch, Oscillator
 
 CLAUSE = "ASCE 43-05, response-history method"
@@ -27,7 +28,7 @@ LEAST_RECORDS = 5
 
 @dataclass(frozen=True)
 class ScanResult:
-    """What suites at rising PGA tell: their curve, the PGA before the first failure and at uplift [g]."""
+    """What suites at rising PGA give: their curve, and the PGA before the first failure and at uplift [g]."""
 
     curve: PgaCurve
     at_collapse: float | None
@@ -35,7 +36,7 @@ class ScanResult:
 
 
 def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tuple[Check, ...]:
-    """One check for each level that has a suite of time histories."""
+    """Return one check for each level that has a suite of time histories."""
 
     def passes(suite: Suite) -> bool:
         share = mean_share(suite, oscillator)
@@ -53,7 +54,18 @@ def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tup
 
 
 def shares(suite: Suite, oscillator: Oscillator) -> tuple[float | None, ...]:
-    """Largest rotation of each record over what overturns the mechanism in its branch [-]; None where it overturned."""
+    """Return the largest rotation of each record over what overturns the mechanism in its branch [-].
+
+    Parameters
+    ----------
+    suite : the maxima of the records
+    oscillator : the mechanism
+
+    Returns
+    -------
+    tuple of float or None
+        None for a record that overturned the mechanism.
+    """
     names = suite.branches or (suite.branch,) * len(suite.ratio)
     branches = [branch_of(oscillator, name) for name in names]
     return tuple(
@@ -63,14 +75,14 @@ def shares(suite: Suite, oscillator: Oscillator) -> tuple[float | None, ...]:
 
 
 def mean_share(suite: Suite, oscillator: Oscillator) -> float | None:
-    """The mean of the shares [-]; None where a record overturned, or there is none."""
+    """Return the mean of the shares [-]; None where a record overturned, or where there is none."""
     found = shares(suite, oscillator)
     standing = [share for share in found if share is not None]
     return sum(standing) / len(standing) if len(standing) == len(found) > 0 else None
 
 
 def _check(oscillator: Oscillator, suite: Suite, context: Context, scanned: ScanResult) -> Check:
-    """Demand and capacity are rotations of the branch of the worst record, as if all had happened there."""
+    """Make the check; demand and capacity are rotations of the branch of the worst record."""
     branch, share = branch_of(oscillator, suite.branch), mean_share(suite, oscillator)
     verdict, reason = _verdict(suite, share)
     demand, capacity = None if share is None else share * branch.unstable, HALF * branch.unstable
@@ -103,10 +115,10 @@ def _check(oscillator: Oscillator, suite: Suite, context: Context, scanned: Scan
 def _verdict(suite: Suite, share: float | None) -> tuple[Outcome, Message]:
     n, fallen = len(suite.ratio), suite.overturned
     if n < LEAST_RECORDS:
-        few = {"n": count(n), "fallen": count(fallen), "least": count(LEAST_RECORDS)}
+        few = {"n": whole_number(n), "fallen": whole_number(fallen), "least": whole_number(LEAST_RECORDS)}
         return Outcome.NOT_ANSWERED, reason_message(Reason.TOO_FEW_RECORDS, clause="the method", **few)
     if share is None:
-        return Outcome.FAIL, reason_message(Reason.RECORDS_OVERTURN, fallen=count(fallen), n=count(n))
+        return Outcome.FAIL, reason_message(Reason.RECORDS_OVERTURN, fallen=whole_number(fallen), n=whole_number(n))
     if share == 0.0:
         return Outcome.PASS, reason_message(Reason.NO_ROCKING)
     if share <= HALF:
@@ -134,7 +146,7 @@ def _steps(suite: Suite, found: tuple[float | None, ...], share: float | None, b
 
 
 def _standing(found: tuple[float | None, ...]) -> dict[str, float]:
-    """The maxima of the records that left the body standing, by number."""
+    """Return the maxima of the records that left the body standing, by number."""
     return {f"r_{i}": ratio for i, ratio in enumerate(found, start=1) if ratio is not None}
 
 
@@ -146,7 +158,7 @@ def _largest_step(found: tuple[float | None, ...]) -> Step:
 
 
 def _mean_step(found: tuple[float | None, ...], share: float | None) -> Step:
-    """The mean of the maxima, from all of them."""
+    """Write the line of the mean, from the maxima of all records."""
     symbol, words, n = "φ/φ_u", "mean of the maxima, each by its branch", len(found)
     if share is None:
         return step(symbol, words, CLAUSE, "Σ max |φ(t)| / φ_u / n", None, remark="a record overturned")

@@ -1,4 +1,4 @@
-"""How A.2 is read, the clause or the thesis, each choice with its lines of the calculation sheet."""
+"""The two readings of A.2, the clause and the thesis: each choice with its lines of the calculation sheet."""
 
 from __future__ import annotations
 
@@ -31,27 +31,38 @@ A2, LIMIT, THESIS = "ASCE 43-05 A.2", "ASCE 43-05 A.2, limit of 7.1 not read", "
 class Reading:
     """How the clause is read for one branch.
 
-    damping : of the demand [-]; damped : where it comes from
+    damping : of the demand [-]; damping_steps : where it comes from
     spectrum : of the motion at the base, which has these ordinates at `pga` of the ground [m/s2]; input_at : where
-    curve : PGA over rotation; limit : the allowable rotation [rad]; limited : where it comes from
+    curve : PGA over rotation; limit : the allowable rotation [rad]; limit_steps : where it comes from
     in_range : whether the limit holds for such a body
     """
 
     procedure: str
     kind: Kind
     damping: float
-    damped: tuple[Step, ...]
+    damping_steps: tuple[Step, ...]
     spectrum: Spectrum
     pga: float
     input_at: InputAt
     curve: PgaRotation
     limit: float
-    limited: tuple[Step, ...]
+    limit_steps: tuple[Step, ...]
     in_range: bool = True
 
 
 def clause_interpretation(branch: Branch, context: Context, *, f_v: float) -> Reading:
-    """The clause: the demand at f_e and beta_e, from true uplift on, against one third of what overturns."""
+    """Read the clause to the letter: demand at f_e and beta_e from uplift on, a third of overturning allowed.
+
+    Parameters
+    ----------
+    branch : the direction of rocking
+    context : the site, and the floor's spectrum where the mechanism is above the ground
+    f_v : factor of vertical motion [-]
+
+    Returns
+    -------
+    Reading
+    """
     damping, uplift = effective_damping(branch.restitution), (threshold(branch) or 0.0) * g
     floor, pga = context.floor_spectrum if context.above_ground else None, context.spectrum.pga
     if floor is None:
@@ -62,18 +73,30 @@ def clause_interpretation(branch: Branch, context: Context, *, f_v: float) -> Re
         procedure="asce43-05-spectrum",
         kind="letter",
         damping=damping,
-        damped=_effective(branch.restitution, damping),
+        damping_steps=_effective(branch.restitution, damping),
         spectrum=floor or context.spectrum,
         pga=pga,
         input_at="ground" if floor is None else "mechanism base",
         curve=curve,
         limit=THIRD * branch.unstable,
-        limited=_third(branch, curve),
+        limit_steps=_third(branch, curve),
     )
 
 
 def thesis_interpretation(branch: Branch, context: Context, *, f_v: float, mass: float) -> Reading:
-    """The thesis' reading (8.3.2): 5 % damping, limit k alpha / sin 2 alpha, no threshold of uplift."""
+    """Read the clause as the thesis does (8.3.2): 5 % damping, limit k alpha / sin 2 alpha, no threshold of uplift.
+
+    Parameters
+    ----------
+    branch : the direction of rocking
+    context : the site
+    f_v : factor of vertical motion [-]
+    mass : total moved mass [kg]
+
+    Returns
+    -------
+    Reading
+    """
     block = equivalent_block(branch, mass=mass)
     ratio, k, alpha = thesis_limit_ratio(block), inertia_ratio(block), block.slenderness
     limit, words = ratio * branch.unstable, "empirical: fits the thesis' Table 8.5, no derivation known"
@@ -83,13 +106,13 @@ def thesis_interpretation(branch: Branch, context: Context, *, f_v: float, mass:
         procedure="asce43-05-spectrum-thesis",
         kind="thesis",
         damping=THESIS_DAMPING,
-        damped=(step("β_e", "damping of the demand", THESIS, "5 %", THESIS_DAMPING, remark="given"),),
+        damping_steps=(step("β_e", "damping of the demand", THESIS, "5 %", THESIS_DAMPING, remark="given"),),
         spectrum=context.spectrum,
         pga=context.spectrum.pga,
         input_at="ground",
         curve=spectral_pga_rotation(branch, context.spectrum, damping=THESIS_DAMPING, f_v=f_v, uplift=0.0),
         limit=limit,
-        limited=(
+        limit_steps=(
             step("k", "inertia ratio of the equivalent block", THESIS, "I_O / (M R²)", k, given=parts),
             step("θ_lim", words, THESIS, "φ_ov k α / sin(2 α)", limit, "rad", given=given),
         ),
@@ -108,7 +131,7 @@ def _effective(restitution: float, damping: float) -> tuple[Step, ...]:
 
 
 def _third(branch: Branch, curve: PgaRotation) -> tuple[Step, ...]:
-    """The allowable rotation, and beside it half of what overturns, with the PGA that takes the body there."""
+    """Write the allowable rotation and, beside it, half of what overturns, with the PGA that takes the body there."""
     overturns, half = {"φ_ov": (branch.unstable, "rad")}, HALF * branch.unstable
     third = "allowed: one third of the rotation that overturns"
     beside = "one half beside it, the limit of response histories"

@@ -1,24 +1,27 @@
 """ASCE/SEI 43-05, Appendix A.1: how far an unanchored rigid body slides, by an equivalent linear oscillator.
 
-    mu_e = mu (1 - 0.4 A_v / g)      c_s = 2 mu_e g      delta_s = c_s / (2 pi f_es)^2            (A-1, A-2, A-3)
-
-f_es is the lowest frequency at which the horizontal spectrum of 10 % damping reaches c_s. Not checked against the
-printed standard: A-3 is from memory. The clause combines two horizontal directions in a vector; here the motion is in
-one vertical plane, and its ordinate is that of the spectrum. Its body presses with all its weight: where masses move
-whose weight is carried elsewhere, mu N / (M g) stands for mu. Ties and given forces have no place in it.
+The clause combines two horizontal directions in a vector; here the motion is in one vertical plane, and its ordinate is
+that of the spectrum. Its body presses with all its weight: where masses move whose weight is carried elsewhere,
+mu N / (M g) takes the place of mu. Ties and applied forces are not covered.
 """
 
 from __future__ import annotations
 
 from dataclasses import replace
-from math import pi
 
-import numpy as np
 from scipy.constants import g
-from scipy.optimize import brentq
 
 from assess.codes.asce43_05.at_height import warn_at_height
 from assess.codes.asce43_05.clauses import EDITION, Options
+from assess.codes.asce43_05.sliding_clauses import (
+    DAMPING,
+    best_estimate,
+    effective_friction,
+    friction_of_all,
+    longest_period,
+    pga_at,
+    sliding_coefficient,
+)
 from assess.codes.check import Check, Outcome, Reason, Step, reason_message, step
 from assess.codes.context import Context
 from assess.codes.sliding import sliding_pga
@@ -30,81 +33,18 @@ from assess.oscillator import Oscillator, threshold
 PROCEDURE = "asce43-05-sliding"
 CLAUSE = "ASCE 43-05 A.1"
 CAVEAT = "Appendix A.1 was not checked against the printed standard: equation A-3 is from memory"
-DAMPING = 0.1
-SHORTEST, MOST = 0.01, 1e4  # s: periods between which the spectrum is looked at
-HIGHEST, HALVINGS = 100.0 * g, 60  # PGA [m/s2] up to which its capacity is looked for, and how finely
 LEVEL = 1e-6  # of a unit normal: faces less inclined are level
 
 
 def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tuple[Check, ...]:
-    """One check for each level, against `options.allowable_sliding`; without that for information only."""
+    """Return one check for each level, against `options.allowable_sliding`; without that, for information only."""
     lifts = least_known([threshold(branch) for branch in oscillator.branches])
     checks = tuple(_check(level, context, oscillator.mass, options.allowable_sliding) for level in context.levels)
     return tuple(replace(check, uplift_pga_g=lifts) for check in warn_at_height(checks, context=context))
 
 
-def effective_friction(mu: float, *, vertical: float) -> float:
-    """mu_e [-] with a peak vertical acceleration [m/s2], not below 0 (A-1)."""
-    return max(mu * (1.0 - 0.4 * vertical / g), 0.0)
-
-
-def friction_of_all(mu: float, *, normal: float, mass: float) -> float:
-    """mu N / (M g) [-]: N that presses on the base at rest [N], M all mass that slides [kg]."""
-    return mu * normal / (mass * g)
-
-
-def sliding_coefficient(friction: float) -> float:
-    """c_s [m/s2] of an effective friction [-] (A-2)."""
-    return 2.0 * friction * g
-
-
-def sliding_distance(coefficient: float, *, frequency: float) -> float:
-    """delta_s [m] (A-3)."""
-    return coefficient / (2.0 * pi * frequency) ** 2
-
-
-def longest_period(context: Context, level: float, coefficient: float) -> float | None:
-    """The longest period [s] at which the spectrum of a level [m/s2] reaches c_s [m/s2]; 0 where none does.
-
-    None where the spectrum ends before it falls below c_s.
-    """
-    spectrum, scale = context.spectrum, level / context.spectrum.pga
-
-    def excess(period: float) -> float:
-        return scale * float(spectrum.acceleration(period, damping=DAMPING)) - coefficient
-
-    periods = np.geomspace(SHORTEST, min(spectrum.longest_period, MOST), 400)
-    above = np.flatnonzero(scale * spectrum.acceleration(periods, damping=DAMPING) >= coefficient)
-    if not above.size:
-        return 0.0
-    last = int(above[-1])
-    return None if last == periods.size - 1 else float(brentq(excess, periods[last], periods[last + 1], xtol=1e-12))
-
-
-def best_estimate(context: Context, level: float, mu: float) -> float | None:
-    """delta_s [m] at a level [m/s2], 0 without sliding; None where the spectrum ends too early, or without friction."""
-    c_s = sliding_coefficient(effective_friction(mu, vertical=context.vertical_ratio * level))
-    period = longest_period(context, level, c_s) if c_s > 0.0 else None
-    if period is None:
-        return None
-    return sliding_distance(c_s, frequency=1.0 / period) if period > 0.0 else 0.0
-
-
-def pga_at(context: Context, mu: float, allowable: float) -> float | None:
-    """The largest PGA [m/s2] whose sliding stays within the allowable [m]; None where the spectrum does not tell.
-
-    More shaking never slides less, so halving finds it.
-    """
-    low, high = 0.0, HIGHEST
-    for _ in range(HALVINGS):
-        middle = (low + high) / 2.0
-        found = best_estimate(context, middle, mu)
-        low, high = (middle, high) if found is not None and found <= allowable else (low, middle)
-    return None if best_estimate(context, high, mu) is None else low
-
-
 def reason_unanswerable(context: Context) -> tuple[Outcome, Message] | None:
-    """Why A.1 says nothing of this mechanism, with the remedy; None where it does."""
+    """Return why A.1 does not cover this mechanism, with the remedy; None where it does."""
     if not context.hinges:
         return Outcome.NOT_ANSWERED, reason_message(Reason.NO_HINGE_FORCES)
     first = context.hinges[0]
@@ -151,7 +91,7 @@ def _check(level: float, context: Context, mass: float, allowable: float | None)
 
 
 def _verdict(found: float | None, allowable: float | None, at_capacity: float | None) -> tuple[Outcome, Message]:
-    """What the estimate means; where the spectrum does not tell it, a smaller PGA may tell that it is too much."""
+    """Return outcome and reason; where the estimate is not known, a smaller PGA may show that it is too much."""
     if found is None and at_capacity is None:
         return Outcome.NOT_ANSWERED, reason_message(Reason.SLIDING_UNBOUNDED)
     if found is None:

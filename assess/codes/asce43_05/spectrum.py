@@ -1,6 +1,6 @@
 """The spectrum method of A.2 in two readings: the clause's, and the thesis' that reproduces its Tables 8.5-8.6.
 
-Above the ground the clause's reading goes by the floor's own spectrum where there is one.
+Above the ground the clause's reading uses the floor's own spectrum where there is one.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ ReadingOf = Callable[[Branch, float], Reading]
 
 
 def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tuple[Check, ...]:
-    """A.2 with the demand at f_e and beta_e, from true uplift on; one check for each level, on the worse branch."""
+    """Return the checks of A.2 with the demand at f_e and beta_e from uplift on, one for each level."""
 
     def reading(branch: Branch, f_v: float) -> Reading:
         return clause_interpretation(branch, context, f_v=f_v)
@@ -45,7 +45,7 @@ def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tup
 
 
 def assess_thesis(oscillator: Oscillator, context: Context, *, options: Options) -> tuple[Check, ...]:
-    """The thesis' reading (8.3.2): 5 % damping, limit k alpha / sin 2 alpha, no threshold of uplift."""
+    """Return the checks of the thesis' reading (8.3.2): 5 % damping, limit k alpha / sin 2 alpha, no uplift."""
 
     def reading(branch: Branch, f_v: float) -> Reading:
         return thesis_interpretation(branch, context, f_v=f_v, mass=oscillator.mass)
@@ -55,7 +55,7 @@ def assess_thesis(oscillator: Oscillator, context: Context, *, options: Options)
 
 
 def _checks(oscillator: Oscillator, context: Context, reading_of: ReadingOf, *, own: Oscillator) -> tuple[Check, ...]:
-    """Of the oscillator as it is read; own: the mechanism's, which says where it lifts off."""
+    """Return the checks of an oscillator as it is read; `own` is the mechanism's, whose threshold of uplift counts."""
 
     def one(branch: Branch, name: BranchName, level: float) -> Check:
         lifts = threshold(branch_of(own, name))
@@ -119,12 +119,12 @@ def _steps(
     f_v: float,
     rotation: float | None,
 ) -> tuple[Step, ...]:
-    """The calculation sheet; the spectral values stand at the demand, or at the allowable where nothing rocks.
+    """Write the sheet, with spectral values at the demand, or at the allowable rotation where nothing rocks.
 
-    Where the spectrum ends before that, they stand where it ends; a sheet without a known ordinate ends with theta.
+    Where the spectrum ends before that, they are taken where it ends; a sheet without a known ordinate ends with theta.
     """
     body, curve = _body_steps(oscillator, branch, context, f_v=f_v), reading.curve
-    block = (*body, *reading.damped, *reading.limited)
+    block = (*body, *reading.damping_steps, *reading.limit_steps)
     if not curve.rotation.size:
         return block
     at = rotation if rotation else min(reading.limit, float(curve.rotation[-1]))
@@ -134,7 +134,7 @@ def _steps(
 
 
 def _body_steps(oscillator: Oscillator, branch: Branch, context: Context, *, f_v: float) -> tuple[Step, ...]:
-    """What the clause knows of the body."""
+    """Write what the clause asks of the body."""
     mass, I0, B0, a = oscillator.mass, float(branch.inertia[0]), float(branch.excitation[0]), resisted(branch)
     h = B0 / mass
     meant = "tan α, multiplier at rest; true uplift at a g" if a == multiplier(branch)[0] else "largest multiplier"
@@ -151,7 +151,7 @@ def _body_steps(oscillator: Oscillator, branch: Branch, context: Context, *, f_v
 
 
 def _resting_steps(curve: PgaRotation, level: float) -> tuple[Step, ...]:
-    """Why the demand is no rotation: less PGA than takes the body to any."""
+    """Write why the demand is no rotation: the PGA is less than takes the body to any."""
     words = "at the demand: none, the PGA is no more than the least that takes it to a lasting θ"
     remark = f"{level / g:.4g} g ≤ {float(curve.least[0]) / g:.4g} g"
     return (step("θ_dem", words, A2, "PGA ≤ least PGA(θ)", 0.0, "rad", remark=remark),)
@@ -160,7 +160,7 @@ def _resting_steps(curve: PgaRotation, level: float) -> tuple[Step, ...]:
 def _rotation_steps(
     oscillator: Oscillator, branch: Branch, reading: Reading, *, at: float, where: str, level: float, f_v: float
 ) -> tuple[Step, ...]:
-    """From a rotation to the PGA that takes the body there."""
+    """Write the way from a rotation to the PGA that takes the body there."""
     theta, B0 = np.array([at]), float(branch.excitation[0])
     f1, stored = float(stored_work(branch, theta)[0]), float(energy(branch, theta)[0])
     cap = float(capacity_acceleration(branch, theta, f_v=f_v)[0])

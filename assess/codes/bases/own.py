@@ -1,4 +1,4 @@
-"""A basis that the engineer states: the procedures listed, all or any of which must hold."""
+"""A basis that the engineer states: the procedures listed, all or any of which must pass."""
 
 from __future__ import annotations
 
@@ -8,7 +8,18 @@ from assess.codes.basis import Basis, IndexKind, LimitState, Method
 
 
 def own(procedures: Sequence[str], *, rule: str, statement: str) -> Basis:
-    """The basis of these procedures: with "all" they are equals, with "any" the first that is answered decides."""
+    """Return the basis of these procedures.
+
+    Parameters
+    ----------
+    procedures : names, the most refined first
+    rule : "all" makes them equals; with "any" the first that is answered decides
+    statement : the engineer's, for the report
+
+    Returns
+    -------
+    Basis
+    """
     methods = tuple(Method(name) for name in procedures)
     ranks = (methods,) if rule == "all" else tuple((method,) for method in methods)
     return Basis(

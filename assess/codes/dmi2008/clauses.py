@@ -1,7 +1,7 @@
 """Italian procedure of DM 14.01.2008 with Circolare 617/2009: kinematic analysis of local mechanisms (C8A.4).
 
 Clause and equation numbers of C8A.4 are from memory, not checked against the printed circular; formulas were
-re-derived. Linear: acceleration that starts the mechanism against the demand over q. Non-linear: ultimate
+re-derived. Linear: the acceleration that starts the mechanism against the demand over q. Non-linear: the ultimate
 displacement d_u* = 0.4 d_0*, or less where a floor loses its seat before, against the spectral displacement at the
 secant period T_s; a mechanism above ground must also pass the check on the floor's motion. One function for each
 formula; those that Circolare 7/2019 has too are in `assess.codes.italian`.
@@ -57,9 +57,19 @@ class Capacity:
 
 
 def capacity_of(curves: Curves, *, confidence_factor: float) -> Capacity:
-    """e*, a0*, d0*, du* = 0.4 d0* or a seat, ds* = 0.4 du*, as* on the model's own curve, Ts = 2 pi sqrt(ds*/as*).
+    """Return the capacity of one branch: e*, a0*, d0*, du*, ds*, as* and Ts (C8A.4.2.2).
 
-    Source: C8A.4.2.2.
+    du* = 0.4 d0*, or less where a seat is lost; ds* = 0.4 du*; as* is read on the model's own curve; Ts = 2 pi
+    sqrt(ds* / as*).
+
+    Parameters
+    ----------
+    curves : the branch by the actions in it
+    confidence_factor : FC [-]
+
+    Returns
+    -------
+    Capacity
     """
     mass, FC, threshold = curves.mass, confidence_factor, threshold_of(curves, RULE)
     ds = ULTIMATE * threshold.moved
@@ -70,26 +80,66 @@ def capacity_of(curves: Curves, *, confidence_factor: float) -> Capacity:
 
 
 def ground_displacement(context: Context, Ts: float) -> float:
-    """S_De(Ts) [m] at the site's own PGA: S_e(Ts) (Ts / 2 pi)^2, or what the code itself gives for long periods."""
+    """Return S_De(Ts) at the site's own PGA (C8A.4.2.3): S_e(Ts) (Ts / 2 pi)^2, or the code's own at long periods.
+
+    Parameters
+    ----------
+    context : its spectrum
+    Ts : secant period [s]
+
+    Returns
+    -------
+    float [m]
+    """
     return float(context.spectrum.displacement(Ts, damping=DAMPING))
 
 
 def floor_displacement(context: Context, floor: Floor, Ts: float) -> float:
-    """S_De(T1) psi gamma (Ts/T1)^2 / sqrt((1 - Ts/T1)^2 + 0.02 Ts/T1) [m] at the site's own PGA (C8A.4.2.3)."""
+    """Return S_De(T1) psi gamma (Ts/T1)^2 / sqrt((1 - Ts/T1)^2 + 0.02 Ts/T1) at the site's own PGA (C8A.4.2.3).
+
+    Parameters
+    ----------
+    context : its spectrum
+    floor : psi, gamma and T1 of the building
+    Ts : secant period [s]
+
+    Returns
+    -------
+    float [m]
+    """
     r = Ts / floor.T1
     at_first_mode = ground_displacement(context, floor.T1) * floor.psi * floor.gamma
     return float(at_first_mode * r**2 / np.sqrt((1 - r) ** 2 + 0.02 * r))
 
 
 def floor_acceleration(context: Context, floor: Floor) -> float:
-    """S_e(T1) psi gamma [m/s2] at the site's own PGA (C8A.4.2.3)."""
+    """Return S_e(T1) psi gamma at the site's own PGA (C8A.4.2.3).
+
+    Parameters
+    ----------
+    context : its spectrum
+    floor : psi, gamma and T1 of the building
+
+    Returns
+    -------
+    float [m/s2]
+    """
     return float(context.spectrum.acceleration(floor.T1, damping=DAMPING)) * floor.psi * floor.gamma
 
 
 def uplift(branch: Branch, context: Context, *, confidence_factor: float) -> float | None:
-    """PGA [m/s2] that lifts the mechanism off, less where the floor amplifies the ground.
+    """Return the PGA at uplift, less where the floor amplifies the ground.
 
-    None without a threshold, and where the spectrum ends before the period of the building.
+    Parameters
+    ----------
+    branch : with every action at rest
+    context : site and building
+    confidence_factor : FC [-]
+
+    Returns
+    -------
+    float or None
+        PGA [m/s2]; None without a threshold, and where the spectrum ends before the period of the building.
     """
     floor = floor_of(context)
     if floor is not None and context.spectrum.longest_period < floor.T1:

@@ -24,6 +24,6 @@ STATES = tuple(RULE.limits)
 
 
 def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tuple[Check, ...]:
-    """The suites of time histories against 0.4 d0*."""
+    """Return the checks of the suites of time histories against 0.4 d0*."""
     checks = history.assess(oscillator, context, rule=RULE, options=options)
     return tuple(add_safety_index(check, context) for check in checks)

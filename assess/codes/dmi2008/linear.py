@@ -9,8 +9,9 @@ from assess.codes.dmi2008.clauses import DAMPING, EDITION, floor_acceleration, u
 from assess.codes.italian.acceleration import acceleration_check, ratio_steps
 from assess.codes.italian.edition import Options
 from assess.codes.italian.floor import Demands, floor_of
-from assess.codes.italian.kinematic import activation, activation_steps
+from assess.codes.italian.kinematic import activation
 from assess.codes.italian.limit_state import Case, add_safety_index, check_each_limit_state
+from assess.codes.italian.sheet import activation_steps
 from assess.oscillator import Oscillator
 
 PROCEDURE = "dmi2008-linear"
@@ -19,7 +20,7 @@ STATES = ("SLD", "SLV")
 
 
 def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tuple[Check, ...]:
-    """C8A.4.2.1: a0* against the demand (over q at SLV), at the ground and, above it, at the floor."""
+    """Check a0* against the demand (over q at SLV), at the ground and, above it, at the floor (C8A.4.2.1)."""
     checks = check_each_limit_state(
         oscillator, context, EDITION, options, known=STATES, one=lambda case: _check(case, options)
     )
@@ -49,7 +50,19 @@ def _check(case: Case, options: Options) -> Check:
 
 
 def demands_of(context: Context, *, pga: float, q: float) -> Demands | None:
-    """Accelerations of ground and floor over q [m/s2] at a PGA; None where the spectrum ends before T1."""
+    """Return the accelerations that ground and floor demand, over q.
+
+    Parameters
+    ----------
+    context : site and building
+    pga : of the limit state [m/s2]
+    q : behaviour factor [-]
+
+    Returns
+    -------
+    Demands or None
+        Accelerations [m/s2]; None where the spectrum ends before T1.
+    """
     floor = floor_of(context)
     if floor is None:
         return Demands(pga / q, 0.0)

@@ -19,8 +19,8 @@ from assess.codes.dmi2008.clauses import (
 from assess.codes.italian.displacement import Answer, displacement_check, ground_step, ratio_step
 from assess.codes.italian.edition import Options
 from assess.codes.italian.floor import Demands, floor_of
-from assess.codes.italian.kinematic import activation_steps, curve_step
 from assess.codes.italian.limit_state import Case, add_safety_index, check_each_limit_state
+from assess.codes.italian.sheet import activation_steps, curve_step
 from assess.codes.italian.thresholds import break_conditions, seat_conditions, threshold_steps
 from assess.oscillator import Oscillator
 
@@ -30,7 +30,18 @@ STATES = ("SLV",)
 
 
 def demands(context: Context, Ts: float) -> Demands | None:
-    """S_De(Ts) and the floor's demand over PGA [s2]; None where the spectrum ends before Ts or T1."""
+    """Return S_De(Ts) of the ground and the floor's demand, both over PGA (C8A.4.2.3).
+
+    Parameters
+    ----------
+    context : site and building
+    Ts : secant period [s]
+
+    Returns
+    -------
+    Demands or None
+        Displacements for each m/s2 of PGA [s2]; None where the spectrum ends before Ts or T1.
+    """
     floor = floor_of(context)
     if max(Ts, floor.T1 if floor is not None else 0.0) > context.spectrum.longest_period:
         return None
@@ -39,7 +50,7 @@ def demands(context: Context, Ts: float) -> Demands | None:
 
 
 def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tuple[Check, ...]:
-    """C8A.4.2.2-2.3 to the letter: du* against S_De(Ts), and against the floor's displacement above ground."""
+    """Check du* against S_De(Ts) and, above the ground, against the floor's displacement (C8A.4.2.2-2.3)."""
     checks = check_each_limit_state(
         oscillator, context, EDITION, options, known=STATES, one=lambda case: _check(case.at_ultimate)
     )

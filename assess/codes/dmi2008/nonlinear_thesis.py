@@ -1,4 +1,4 @@
-"""The thesis' reading of the non-linear procedure (8.3.2): it reproduces Tables 8.6 and 8.7; informative.
+"""The thesis' reading of the non-linear procedure (8.3.2): it reproduces Tables 8.6 and 8.7; for comparison only.
 
 Its period has d_u under the root where the clause has d_s, on the linearised rigid curve.
 """
@@ -21,10 +21,20 @@ from spectra.arrays import FloatArray
 
 
 def thesis_pga_rotation(branch: Branch, context: Context, *, mass: float) -> PgaRotation:
-    """PGA(phi) of the thesis' reading: a_s = lambda g (1 - 0.4 x) at d_s = 0.4 d_u, T = 2 pi sqrt(d_u / a_s).
+    """Return PGA(phi) of the thesis' reading: a_s = lambda g (1 - 0.4 x) at d_s = 0.4 d_u, T = 2 pi sqrt(d_u / a_s).
 
-    x = phi / phi_ov, d_u = x d0, lambda and the curve linearised, rigid. The clause has d_s, not d_u, under the
+    x = phi / phi_ov, d_u = x d0; lambda and the curve are linearised and rigid. The clause has d_s, not d_u, under the
     root; with d_u the eight walls of Table 8.6 come out within rounding (the letter is higher by about 1.6).
+
+    Parameters
+    ----------
+    branch : the direction of rocking
+    context : its spectrum
+    mass : total moved mass [kg]
+
+    Returns
+    -------
+    PgaRotation
     """
     d0 = float(displacement(branch, np.array(branch.unstable), mass=mass))
     linear = branch.linearised
@@ -48,7 +58,7 @@ def thesis_pga_rotation(branch: Branch, context: Context, *, mass: float) -> Pga
 
 
 def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tuple[Check, ...]:
-    """The thesis' reading (8.3.2), at the ground, FC = 1, no threshold of uplift; informative."""
+    """Return the checks of the thesis' reading (8.3.2): at the ground, FC = 1, no threshold of uplift."""
     like = to_equivalent_blocks(oscillator, lambda branch: ULTIMATE * branch.unstable)
 
     def one(branch: Branch, name: BranchName, level: float) -> Check:

@@ -33,8 +33,9 @@ RESONANCE = 1.0  # T_a / T_1 where the building is not known: the worst
 
 @dataclass(frozen=True)
 class Options:
-    """behaviour_factor q_a [-], None for that of Table 4.4; importance_factor gamma_a [-] of the element.
+    """Options of EN 1998-1, 4.3.5.
 
+    behaviour_factor : q_a [-], None for that of Table 4.4; importance_factor : gamma_a [-] of the element
     alpha_s : alpha S at the site's own PGA [g]; None where the spectrum is of a code, and begins with it
     """
 
@@ -44,13 +45,13 @@ class Options:
 
 
 def element_period(branch: Branch) -> float:
-    """T_a [s]: 0 for what does not move before uplift, else of small motions on its joints."""
+    """Return T_a [s]: 0 for an element that does not move before uplift, else of small motions on its joints."""
     frequency = elastic_frequency(branch)
     return 1.0 / frequency if frequency else 0.0
 
 
 def period_ratio(branch: Branch, context: Context) -> float:
-    """T_a / T_1 [-]; 1, the worst, for an element that vibrates where the building is not known."""
+    """Return T_a / T_1 [-]; 1, the worst, for an element that vibrates where the building is not known."""
     T_a = element_period(branch)
     if T_a == 0.0 or context.building is None:
         return RESONANCE if T_a > 0.0 else 0.0
@@ -58,9 +59,9 @@ def period_ratio(branch: Branch, context: Context) -> float:
 
 
 def height_ratio(context: Context) -> float:
-    """z / H [-] of the supports; 0 where the building is not known, and at most 1: above a building it may only fail.
+    """Return z / H of the supports [-]: 0 where the building is not known, and at most 1.
 
-    At the ground H plays no part.
+    At the ground H plays no part; above the building the check may only fail.
     """
     if context.building is None:
         return 0.0
@@ -68,16 +69,48 @@ def height_ratio(context: Context) -> float:
 
 
 def amplification(ratio: float, context: Context) -> float:
-    """S_a / (alpha S) [-] at T_a / T_1 = `ratio` (4.25)."""
+    """Return S_a / (alpha S) = 3 (1 + z/H) / (1 + (1 - T_a/T_1)^2) - 0.5, at least 1 (4.25).
+
+    Parameters
+    ----------
+    ratio : T_a / T_1 [-]
+    context : height of the supports and of the building
+
+    Returns
+    -------
+    float [-]
+    """
     return ec8_floor_factor(height_ratio(context), building_height=1.0, period_ratio=ratio)
 
 
 def force_over_weight(S_a: float, *, behaviour_factor: float, importance_factor: float) -> float:
-    """F_a / W_a = S_a gamma_a / q_a [-] (4.24)."""
+    """Return F_a / W_a = S_a gamma_a / q_a (4.24).
+
+    Parameters
+    ----------
+    S_a : seismic coefficient [-]
+    behaviour_factor : q_a [-]
+    importance_factor : gamma_a [-]
+
+    Returns
+    -------
+    float [-]
+    """
     return S_a * importance_factor / behaviour_factor
 
 
 def uplift_pga(branch: Branch, amplified: float) -> float | None:
-    """PGA [m/s2] at which S_a, `amplified` times it, reaches the multiplier at rest; None without a threshold."""
+    """Return the PGA at which S_a reaches the multiplier at rest.
+
+    Parameters
+    ----------
+    branch : the direction of rocking
+    amplified : S_a over PGA [-]
+
+    Returns
+    -------
+    float or None
+        PGA [m/s2]; None without a threshold.
+    """
     at_rest = threshold(branch)
     return None if at_rest is None else at_rest * g / amplified

@@ -1,4 +1,4 @@
-"""4.3.5: the static force on an element against what its weight resists; one check for each level."""
+"""4.3.5: the static force on an element against the force that its weight resists; one check for each level."""
 
 from __future__ import annotations
 
@@ -32,7 +32,10 @@ CLAUSE, FORCE, TABLE = "EN 1998-1, 4.3.5.2 (4.25)", "EN 1998-1, 4.3.5.2 (4.24)",
 
 @dataclass(frozen=True)
 class Demand:
-    """alpha S [g], T_a / T_1, S_a / (alpha S), q_a, gamma_a, F_a / W_a, all [-]; surface: alpha S over PGA [-]."""
+    """The force of the clause: alpha S [g], T_a / T_1, S_a / (alpha S), q_a, gamma_a, F_a / W_a, all [-].
+
+    surface : alpha S over PGA [-]
+    """
 
     alpha_s: float
     surface: float
@@ -44,7 +47,7 @@ class Demand:
 
 
 def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tuple[Check, ...]:
-    """4.3.5: F_a / W_a against the multiplier that the mechanism resists, on the worse branch."""
+    """Check F_a / W_a against the multiplier that the mechanism resists, on the worse branch (4.3.5)."""
 
     def one(branch: Branch, name: BranchName, level: float) -> Check:
         check = _check(branch, name, context, options, level)
@@ -57,7 +60,19 @@ def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tup
 
 
 def demand_of(branch: Branch, context: Context, options: Options, level: float) -> Demand:
-    """The force of the clause on one branch at PGA `level` [m/s2]."""
+    """Return the force of the clause on one branch.
+
+    Parameters
+    ----------
+    branch : the direction of rocking
+    context : site and building
+    options : q_a, gamma_a and alpha S, where they are given
+    level : PGA [m/s2]
+
+    Returns
+    -------
+    Demand
+    """
     ratio = period_ratio(branch, context)
     amplified = amplification(ratio, context)
     q_a = BEHAVIOUR[context.support] if options.behaviour_factor is None else options.behaviour_factor

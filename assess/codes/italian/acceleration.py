@@ -24,9 +24,22 @@ def acceleration_check(
     damping: float,
     steps: tuple[Step, ...],
 ) -> Check:
-    """a0* = `capacity` [m/s2] against the larger of the `demands` [m/s2]; uplift: its PGA [m/s2].
+    """Make the check of a0* against the larger of the demands.
 
-    demands : None where the spectrum ends before a period that it `needs`
+    Parameters
+    ----------
+    case : branch, limit state and level
+    edition : how it is cited
+    procedure : its name
+    capacity : a0* [m/s2]
+    demands : [m/s2]; None where the spectrum ends before a period that it `needs`
+    uplift : PGA at uplift [m/s2]
+    damping : of the demand [-]
+    steps : the calculation sheet
+
+    Returns
+    -------
+    Check
     """
     demanded = None if demands is None else demands.largest
     verdict, reason = _verdict(case, demanded, capacity, needs=needs)
@@ -54,7 +67,7 @@ def acceleration_check(
 
 
 def _conditions(case: Case) -> tuple[Message, ...]:
-    """That the multiplier counts actions which resist at rest and nobody shows to last; empty where none does."""
+    """Return the condition of a pass where the multiplier counts actions that are not shown to last."""
     shown = case.curves.lasting
     if resisted(case.curves.starting) <= resisted(shown) * (1.0 + 1e-9):
         return ()
@@ -70,7 +83,7 @@ def _verdict(case: Case, demanded: float | None, capacity: float, *, needs: str)
 
 
 def ratio_steps(clause: str, demands: Demands | None, *, capacity: float) -> tuple[Step, ...]:
-    """The last line of the sheet."""
+    """Write the last line of the sheet."""
     if demands is None:
         return ()
     given = {"demand": (demands.largest, "m/s2"), "a0*": (capacity, "m/s2")}

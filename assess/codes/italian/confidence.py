@@ -27,9 +27,17 @@ class Confidence:
 
 
 def confidence_factors(options: Options, *, crushing: bool, level: str | None) -> tuple[Confidence, ...]:
-    """Find the factor that decides, then the one given where it is lower, which informs.
+    """Return the factor that decides, then the one given where it is lower, which is for comparison.
 
-    crushing : whether the mechanism models it; level : of knowledge, None where none is given
+    Parameters
+    ----------
+    options : the factor given, if any
+    crushing : whether the mechanism models crushing of the masonry
+    level : of knowledge, None where it is not given
+
+    Returns
+    -------
+    tuple of Confidence
     """
     deciding, given = _by_code(crushing, level), options.confidence_factor
     if given is None or given == deciding.factor:
@@ -48,13 +56,13 @@ def _by_code(crushing: bool, level: str | None) -> Confidence:
 
 
 def confidence_step(confidence: Confidence, edition: Edition) -> Step:
-    """FC as the calculation sheets print it."""
+    """Write FC."""
     words = "confidence factor, divides the acceleration once"
     return step("FC", words, edition.confidence, "of the level of knowledge", confidence.factor, remark=confidence.why)
 
 
 def mark_informative(check: Check, confidence: Confidence) -> Check:
-    """The check as it is, or marked as one that informs where its factor is below the code's."""
+    """Return the check as it is, or marked as one for comparison where its factor is below the code's."""
     if confidence.instead_of is None:
         return check
     values = {"given": Quantity(confidence.factor), "deciding": Quantity(confidence.instead_of)}

@@ -1,4 +1,4 @@
-"""One direction of a mechanism as the Italian clauses read it, once for each set of actions that they count."""
+"""The curves of one direction of a mechanism, one for each set of actions that the Italian clauses count."""
 
 from __future__ import annotations
 
@@ -31,17 +31,17 @@ class Curves:
 
     @property
     def at_ultimate(self) -> Curves:
-        """The same, at rest too with what is shown to last to collapse alone.
+        """Return the curves at an ultimate limit state, where at rest too only the actions shown to last count.
 
-        What an ultimate limit state is held by: no wall is kept from moving by a tie that is gone after a millimetre.
+        No wall is kept from moving by a tie that is gone after a millimetre.
         """
         return replace(self, starting=self.lasting)
 
 
 def curves_of(oscillator: Oscillator, context: Context) -> tuple[Curves, ...]:
-    """Return the curves of each branch; of one only where nothing tells both ways apart.
+    """Return the curves of each branch; of one only where both ways are alike.
 
-    Branches are paired by name: what is symmetric without its ties need not be so with them.
+    Branches are paired by name: a mechanism that is symmetric without its ties need not be so with them.
     """
     states = (oscillator, context.starting or oscillator, context.breaking or oscillator)
     alike = all(each.negative is None or each.symmetric for each in states) and not context.limits
@@ -50,13 +50,13 @@ def curves_of(oscillator: Oscillator, context: Context) -> tuple[Curves, ...]:
 
 
 def curves_of_all_actions(oscillator: Oscillator) -> tuple[Curves, ...]:
-    """Return the curves of each branch of an oscillator that stands for every set of actions."""
+    """Return the curves of each branch of an oscillator that is the same for every set of actions."""
     names = NAMES[:1] if oscillator.negative is None or oscillator.symmetric else NAMES
     return tuple(_of(name, (oscillator,) * 3, (), oscillator.mass) for name in names)
 
 
 def branch_curves(oscillator: Oscillator, context: Context, name: BranchName) -> Curves:
-    """Return the curves of one branch; those of the positive one where there is no other."""
+    """Return the curves of the branch of a name; those of the positive one where there is no other."""
     found = curves_of(oscillator, context)
     return next((each for each in found if each.name == name), found[0])
 

@@ -24,7 +24,7 @@ class Answer:
 
     ultimate : displacement capacity d* [m], written `symbol`; collapse : d0* [m]; e : e* [-]
     wanted : displacement for each m/s2 of PGA [s2]; None where the spectrum ends too early for it
-    needs : longest period that the demand asks of the spectrum, as a sentence names it
+    needs : longest period at which the spectrum is read, as a sentence names it
     conditions : what a pass rests on
     starts : PGA [m/s2] up to which the mechanism does not rock, and its displacement there for each m/s2 of PGA [s2]
     uplift : PGA at uplift [m/s2], None on joints without a threshold
@@ -47,7 +47,7 @@ class Answer:
         return self.starts * self.still
 
     def demand(self, pga: float) -> float | None:
-        """Displacement d* [m] at `pga` [m/s2], rocking no less than before; None where the spectrum says nothing."""
+        """Return d* [m] at `pga` [m/s2], rocking no less than before; None where the spectrum ends too early."""
         if self.wanted is None:
             return None
         return pga * self.still if pga <= self.starts else max(pga * self.wanted.largest, self.before)
@@ -56,7 +56,7 @@ class Answer:
 def displacement_check(
     case: Case, answer: Answer, edition: Edition, *, procedure: str, damping: float, rule: str, steps: tuple[Step, ...]
 ) -> Check:
-    """The check of one case; damping [-] of the demand, by the spectrum's `rule`."""
+    """Make the check of one case; damping [-] of the demand, by the spectrum's `rule`."""
     branch, mass, demanded = case.curves.lasting, case.curves.mass, answer.demand(case.pga)
     rotation = None
     if demanded is not None and demanded < answer.collapse:
@@ -92,7 +92,7 @@ def displacement_check(
 
 
 def ground_step(case: Case, clause: str, symbol: str, period: float, *, ordinate: float, moved: float) -> Step:
-    """S_De at a period [s] named `symbol` from S_e [m/s2], or from the displacements that the code gives beyond T_E."""
+    """Write S_De at a period [s] named `symbol`, from S_e [m/s2] or from the code's own displacements beyond T_E."""
     words, name, spectral = "demand at the ground", f"S_De({symbol})", f"S_e({symbol})"
     if isclose(moved, ordinate * (period / (2 * pi)) ** 2, rel_tol=1e-9):
         given = {spectral: (ordinate, "m/s2"), symbol: (period, "s")}
@@ -102,7 +102,7 @@ def ground_step(case: Case, clause: str, symbol: str, period: float, *, ordinate
 
 
 def ratio_step(answer: Answer, clause: str, *, demanded: float) -> Step:
-    """The last line of the sheet."""
+    """Write the last line of the sheet."""
     held = ", no less than as it begins to rock" if demanded == answer.before else ""
     note = f"ratio{held}" if demanded else "ratio; below uplift nothing moves"
     symbol, given = f"demand / {answer.symbol}", {"demand": (demanded, "m"), answer.symbol: (answer.ultimate, "m")}
@@ -110,7 +110,7 @@ def ratio_step(answer: Answer, clause: str, *, demanded: float) -> Step:
 
 
 def _curve(case: Case, answer: Answer) -> PgaCurve:
-    """PGA over rotation: the demand is proportional to PGA, for the period does not change with it."""
+    """Return PGA over rotation: the demand is proportional to PGA, as the period does not change with it."""
     wanted, branch = answer.wanted, case.curves.lasting
     if wanted is None:
         return PgaCurve((), ())

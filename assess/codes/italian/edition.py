@@ -1,4 +1,4 @@
-"""An edition of the Italian procedures: how it is cited, and what may be asked of it."""
+"""An edition of the Italian procedures: how it is cited, and its options."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ class Edition:
 
 @dataclass(frozen=True)
 class Options:
-    """What may be asked of an edition.
+    """Options of an edition.
 
     confidence_factor : FC [-] in place of that of the level of knowledge; one below it is shown and never decides
     limit_states : to check
@@ -32,5 +32,5 @@ class Options:
     behaviour_factor: float = 2.0
 
     def among(self, known: Container[str]) -> tuple[str, ...]:
-        """The limit states asked for that a procedure knows."""
+        """Return the limit states asked for that a procedure knows."""
         return tuple(state for state in self.limit_states if state in known)

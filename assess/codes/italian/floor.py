@@ -1,4 +1,4 @@
-"""A mechanism above the ground: what the clauses take of the building, and what cannot be answered without it."""
+"""The floor of a mechanism above the ground: what the clauses take of the building."""
 
 from __future__ import annotations
 
@@ -6,12 +6,12 @@ from dataclasses import dataclass
 
 from assess.codes.check import InputAt, Outcome
 from assess.codes.context import Context
-from spectra.floor_spectrum import first_mode_factor
+from spectra.circolare2019 import first_mode_factor
 
 
 @dataclass(frozen=True)
 class Floor:
-    """What the clauses need of the building: psi = Z/H, gamma = 3N/(2N+1), T1 [s], xi1 [-] of the first mode."""
+    """The building as the clauses see it: psi = Z/H, gamma = 3N/(2N+1), T1 [s] and xi1 [-] of the first mode."""
 
     psi: float
     gamma: float
@@ -21,18 +21,18 @@ class Floor:
 
 @dataclass(frozen=True)
 class Demands:
-    """What the motion of the ground and of the floor demand of a mechanism, one unit for both; floor: 0 at ground."""
+    """What the motions of ground and floor demand of a mechanism, in one unit; floor: 0 at the ground."""
 
     ground: float
     floor: float
 
     def scale(self, factor: float) -> Demands:
-        """Both multiplied by a factor."""
+        """Return both multiplied by a factor."""
         return Demands(self.ground * factor, self.floor * factor)
 
     @property
     def largest(self) -> float:
-        """The governing one: both must hold."""
+        """The governing one: both must be met."""
         return max(self.ground, self.floor)
 
     @property
@@ -42,10 +42,10 @@ class Demands:
 
 
 def floor_of(context: Context) -> Floor | None:
-    """psi, gamma, T1 of a mechanism above ground; None at the ground, or where the building is unknown.
+    """Return psi, gamma and T1 of a mechanism above the ground; None at the ground, or where the building is not known.
 
     Z is the height of what joins the mechanism to the rest of the building: of its base, or of a wall that spans the
-    mean of base and top. What stands on the ground is checked at the ground alone, a wall that spans included.
+    mean of base and top. A mechanism on the ground is checked at the ground alone, a wall that spans included.
     Source: Circolare 617/2009, C8A.4.2.3; 7/2019, C7.2.10.
     """
     building = context.building
@@ -56,5 +56,5 @@ def floor_of(context: Context) -> Floor | None:
 
 
 def outcome_of(ratio: float) -> Outcome:
-    """Pass or fail of a ratio of demand to capacity."""
+    """Return pass or fail of a ratio of demand to capacity."""
     return Outcome.FAIL if ratio > 1.0 else Outcome.PASS

@@ -1,10 +1,10 @@
 """Non-linear dynamic analysis by either edition: records on the mechanism, displacements against d0* and d_LS.
 
 The displacements of the maxima are those of kinematic analysis, d*. None may pass d0*, where a* falls to zero, even if
-the body comes back; their mean may not exceed d_SLV or d_SLC, the least of a share of d0*, of what breaks and of the
-seats. Under seven records the largest takes the place of the mean, under three nothing is claimed (NTC 7.3.5). FC is
-not in the equation of motion: the records are run at FC times the PGA instead. A restoring moment over FC would be the
-same but for records that last sqrt(FC) times less, which ask less.
+the body comes back; their mean may not exceed d_SLV or d_SLC, the least of a share of d0*, of breaks and of seats.
+With fewer than seven records the largest takes the place of the mean, with fewer than three the check is not answered
+(NTC 7.3.5). FC is not in the equation of motion: the records are run at FC times the PGA instead. A restoring moment
+over FC would be the same but for records that last sqrt(FC) times less, which demand less.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ from assess.codes.italian.kinematic import rotation_at
 from assess.codes.italian.limit_state import pga_ratio, pga_step
 from assess.codes.italian.thresholds import Rule as Limit
 from assess.codes.italian.thresholds import Threshold, seat_conditions, threshold_of, threshold_steps
-from assess.messages.message import Message, count
+from assess.messages.message import Message, whole_number
 from assess.oscillator import Oscillator, displacement, participation_ratio
 from spectra.spectrum import Spectrum
 
@@ -38,7 +38,7 @@ NUMBER_CLAUSE = "NTC 7.3.5"
 
 @dataclass(frozen=True)
 class Rule:
-    """What an edition asks: its procedure and clause, and what limits the displacement in each limit state."""
+    """The rule of an edition: its procedure and clause, and what limits the displacement in each limit state."""
 
     procedure: str
     edition: Edition
@@ -56,10 +56,9 @@ class DisplacementRatios:
 
 @dataclass(frozen=True)
 class Found:
-    """What the records found at one level of one limit state.
+    """The results of the records at one level of one limit state.
 
-    suite : run at FC times `pga`, the PGA of the limit state [m/s2]; displaced [n]: of each record
-    largest : whether the largest of them is judged, not the mean
+    suite : run at FC times `pga`, the PGA of the limit state [m/s2]; displacements [n]: of each record
     """
 
     suite: Suite
@@ -78,19 +77,19 @@ class Found:
 
     @property
     def uses_largest(self) -> bool:
-        """Whether the largest is judged: few records, or one that passes d0*."""
+        """Whether the largest is compared, not the mean: few records, or one that passes d0*."""
         return len(self.displacements) < FOR_THE_MEAN or (self.largest_collapse_ratio or 0.0) > 1.0
 
     @property
     def governing_ratio(self) -> float | None:
-        """d*/d_LS that is judged [-]; None where a record overturned."""
+        """The d*/d_LS that is compared with 1 [-]; None where a record overturned."""
         if len(self.limit_ratios) < len(self.displacements) or not self.limit_ratios:
             return None
         return max(self.limit_ratios) if self.uses_largest else sum(self.limit_ratios) / len(self.limit_ratios)
 
 
 def assess(oscillator: Oscillator, context: Context, *, rule: Rule, options: Options) -> tuple[Check, ...]:
-    """One check for each limit state and level that has a suite of time histories."""
+    """Return one check for each limit state and level that has a suite of time histories."""
     checks: list[Check] = []
     known = context.knowledge.get(rule.edition.code)
     for confidence in confidence_factors(options, crushing=context.crushing, level=known):
@@ -106,7 +105,7 @@ def assess(oscillator: Oscillator, context: Context, *, rule: Rule, options: Opt
 
 
 def suite_at(context: Context, pga: float) -> Suite | None:
-    """The suite that was run at a PGA [m/s2]; None where there is none."""
+    """Return the suite that was run at a PGA [m/s2]; None where there is none."""
     suites = (*context.suites, *context.extra_suites)
     return next((suite for suite in suites if isclose(suite.pga, pga, rel_tol=1e-9)), None)
 
@@ -120,7 +119,21 @@ def required_pga(
     options: Options,
     factors: Sequence[float],
 ) -> tuple[float, ...]:
-    """PGA [m/s2] at which `assess` wants suites, besides those of the `levels`, with confidence `factors` FC [-]."""
+    """Return the PGA at which `assess` needs suites besides those of the levels.
+
+    Parameters
+    ----------
+    levels : PGA of the levels [m/s2]
+    hazard : of the site over return periods; None where it has one spectrum
+    spectrum : the site's
+    rule : of the edition
+    options : the limit states asked for
+    factors : confidence factors FC [-]
+
+    Returns
+    -------
+    tuple of float [m/s2]
+    """
     states = options.among(rule.limits)
     shares = [pga_ratio(hazard, spectrum, state) * factor for factor in dict.fromkeys(factors) for state in states]
     wanted = [level * each for each in shares for level in levels]
@@ -128,7 +141,7 @@ def required_pga(
 
 
 def scan_suites(context: Context) -> tuple[Suite, ...]:
-    """All suites at rising PGA, those that limit states of their own asked for among them; none without a scan."""
+    """Return all suites at rising PGA, those at the PGA of limit states among them; none without a scan."""
     if not context.incremental:
         return ()
     return tuple(sorted((*context.incremental, *context.extra_suites), key=lambda suite: suite.pga))
@@ -137,7 +150,7 @@ def scan_suites(context: Context) -> tuple[Suite, ...]:
 def displacement_ratios(
     oscillator: Oscillator, context: Context, suite: Suite, limit: Limit
 ) -> tuple[DisplacementRatios, ...]:
-    """d*/d0* and d*/d_LS of each record [-], each by the branch of its maximum."""
+    """Return d*/d0* and d*/d_LS of each record [-], each by the branch of its maximum."""
     names = suite.branches or (suite.branch,) * len(suite.ratio)
     of_collapse, of_limit = np.zeros(len(names)), np.zeros(len(names))
     for name in dict.fromkeys(names):
@@ -154,7 +167,7 @@ def displacement_ratios(
 
 
 def passes(found: Found) -> bool:
-    """Whether all records leave the body standing short of d0* and what is judged stays within d_LS."""
+    """Return whether all records leave the body short of d0*, and the governing ratio is within 1."""
     return found.governing_ratio is not None and found.governing_ratio <= 1.0 and not _beyond_collapse(found)
 
 
@@ -213,12 +226,12 @@ def _check(
 
 
 def _over(curve: PgaCurve, FC: float) -> PgaCurve:
-    """The curve at the PGA that the records stand for."""
+    """Return the curve at the PGA that the records represent."""
     return PgaCurve(curve.rotation_ratio, tuple(pga / FC for pga in curve.pga_g))
 
 
 def _rotation(found: Found) -> float | None:
-    """The rotation ratio that goes with what is judged; None where a record overturned."""
+    """Return the rotation ratio that goes with the governing one; None where a record overturned."""
     standing = [ratio for ratio in found.suite.ratio if ratio is not None]
     if found.governing_ratio is None:
         return None
@@ -228,12 +241,14 @@ def _rotation(found: Found) -> float | None:
 def _verdict(found: Found, *, state: str) -> tuple[Outcome, Message]:
     n, fallen, passed = len(found.displacements), found.suite.overturned, _beyond_collapse(found)
     if n < LEAST_RECORDS:
-        few = {"n": count(n), "fallen": count(fallen), "least": count(LEAST_RECORDS)}
+        few = {"n": whole_number(n), "fallen": whole_number(fallen), "least": whole_number(LEAST_RECORDS)}
         return Outcome.NOT_ANSWERED, reason_message(Reason.TOO_FEW_RECORDS, clause=NUMBER_CLAUSE, **few)
     if fallen:
-        return Outcome.FAIL, reason_message(Reason.RECORDS_OVERTURN, fallen=count(fallen), n=count(n))
+        return Outcome.FAIL, reason_message(Reason.RECORDS_OVERTURN, fallen=whole_number(fallen), n=whole_number(n))
     if passed:
-        return Outcome.FAIL, reason_message(Reason.RECORDS_BEYOND_COLLAPSE, fallen=count(passed), n=count(n))
+        return Outcome.FAIL, reason_message(
+            Reason.RECORDS_BEYOND_COLLAPSE, fallen=whole_number(passed), n=whole_number(n)
+        )
     value = found.governing_ratio or 0.0
     if value == 0.0:
         return Outcome.PASS, reason_message(Reason.NO_ROCKING)
@@ -261,7 +276,7 @@ def _record_steps(found: Found, rule: Rule, *, FC: float) -> tuple[Step, ...]:
 
 
 def _ratio_steps(found: Found, rule: Rule, curves: Curves, threshold: Threshold, *, state: str) -> tuple[Step, ...]:
-    """The ratio that is judged: each record by the d_LS of its branch."""
+    """Write the governing ratio: each record by the d_LS of its branch."""
     every = ", ".join("overturned" if each.of_limit is None else f"{each.of_limit:.4g}" for each in found.displacements)
     mean = f"mean of d* / d_{state} of the records"
     words = f"largest of d* / d_{state} of the records" if found.uses_largest else mean

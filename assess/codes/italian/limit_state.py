@@ -1,4 +1,4 @@
-"""A limit state of the Italian codes: the spectrum it is checked on, its PGA, and what the capacity is worth there.
+"""A limit state of the Italian codes: the spectrum it is checked on, its PGA, and the safety index of its capacity.
 
 Where the site gives its hazard over return periods, each limit state has a spectrum and a PGA of its own, and a level
 multiplies them all alike: level / PGA of the site. Elsewhere every limit state is checked at the PGA of the level.
@@ -44,7 +44,7 @@ class Case:
 
     @property
     def at_ultimate(self) -> Case:
-        """The same, at rest too with what is shown to last to collapse alone."""
+        """Return the case with the curves of an ultimate limit state."""
         return replace(self, curves=self.curves.at_ultimate)
 
 
@@ -60,9 +60,9 @@ def check_each_limit_state(
     known: tuple[str, ...],
     one: OneCase,
 ) -> tuple[Check, ...]:
-    """For each limit state that is `known` and asked for, and each level, the worse branch by `one`.
+    """Return the check of the worse branch for each limit state that is known and asked for, and each level.
 
-    First with the confidence factor that decides, then with one that informs.
+    Checks with the confidence factor that decides come first, then those with one for comparison.
     """
     branches, states = curves_of(oscillator, context), options.among(known)
     checks: list[Check] = []
@@ -76,7 +76,7 @@ def check_each_limit_state(
 
 
 def case_of(curves: Curves, confidence: Confidence, context: Context, *, state: str, level: float) -> Case:
-    """The case on the spectrum of its limit state, or on that of the site at the level's PGA."""
+    """Return the case on the spectrum of its limit state, or on that of the site at the level's PGA."""
     own = own_spectrum(context.hazard, state)
     used = context if own is None else replace(context, spectrum=own)
     pga = level * pga_ratio(context.hazard, context.spectrum, state)
@@ -85,18 +85,18 @@ def case_of(curves: Curves, confidence: Confidence, context: Context, *, state: 
 
 
 def own_spectrum(hazard: Hazard | None, state: str) -> Spectrum | None:
-    """The spectrum of a limit state, None where the site does not give it."""
+    """Return the spectrum of a limit state; None where the site does not give it."""
     return None if hazard is None else hazard.spectra.get(state)
 
 
 def pga_ratio(hazard: Hazard | None, spectrum: Spectrum, state: str) -> float:
-    """PGA of a limit state over that of the site's `spectrum` [-]; 1 where the limit state has none of its own."""
+    """Return the PGA of a limit state over that of the site's `spectrum` [-]; 1 where it has none of its own."""
     own = own_spectrum(hazard, state)
     return 1.0 if own is None else own.pga / spectrum.pga
 
 
 def pga_step(context: Context, *, state: str, level: float, pga: float) -> Step:
-    """The PGA of a limit state at a level, as the calculation sheets print it."""
+    """Write the PGA of a limit state at a level."""
     own, symbol = own_spectrum(context.hazard, state), f"PGA_{state}"
     if own is None:
         said = "no hazard of this limit state: the level's" if context.hazard is not None else "the level's"
@@ -108,7 +108,7 @@ def pga_step(context: Context, *, state: str, level: float, pga: float) -> Step:
 
 
 def add_safety_index(check: Check, context: Context) -> Check:
-    """The check with its safety index zeta_E, capacity over demand as PGA, and the return period of its capacity."""
+    """Return the check with its safety index zeta_E, capacity over demand as PGA, and its return period."""
     capacity = check.capacity_pga_g
     if capacity is None:
         return check
@@ -133,10 +133,20 @@ def _with_years(check: Check, hazard: Hazard, capacity_g: float) -> Check:
 
 
 def return_period(hazard: Hazard, pga: float) -> tuple[float, Bound]:
-    """The least return period [years] at which the site reaches a PGA [m/s2], between rows linear in logarithms.
+    """Return the least return period at which the site reaches a PGA, linear in logarithms between rows.
 
-    Beyond the rows of the hazard it is that of the first or the last one, and a bound: "<=" or ">=". On soft soils
-    S a_g may fall while a_g rises, so the least is not the only one.
+    Beyond the rows it is that of the first or the last one, and a bound. On soft soils S a_g may fall while a_g
+    rises, so the least is not the only one.
+
+    Parameters
+    ----------
+    hazard : of the site
+    pga : [m/s2]
+
+    Returns
+    -------
+    tuple of float and Bound
+        Return period [years], and "<=" or ">=" where it is a bound, else "".
     """
     reached = np.maximum.accumulate(hazard.pga)
     above = int(np.searchsorted(reached, pga))

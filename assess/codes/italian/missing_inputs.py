@@ -15,7 +15,7 @@ ORDER = ("SLO", "SLD", "SLV", "SLC")  # by rising action
 
 @dataclass(frozen=True)
 class MissingInput:
-    """Why a check is not answered, and whether its numbers stand for the safe value of what is missing."""
+    """Why a check is not answered, and whether its numbers are those of the safe value of what is missing."""
 
     reason: Message
     safe: bool

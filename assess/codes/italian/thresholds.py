@@ -1,7 +1,7 @@
-"""Displacement capacities d_LS: a share of d0*, or less where a tie that breaks or a seat that is lost comes before.
+"""Displacement capacities d_LS: a share of d0*, or less where a tie breaks or a seat is lost before.
 
-A break limits where it takes more than half of the largest acceleration that the mechanism has; a smaller loss limits
-nothing, and the curve goes on without the element. Rotations of both become spectral displacements by C8.7.1.4.
+A break limits where it takes more than half of the largest acceleration that the mechanism has; after a smaller loss
+the curve goes on without the element. Rotations of both become spectral displacements by C8.7.1.4.
 Source: Circolare 7/2019, C8.7.1.2.1.6; 617/2009, C8A.4.2.2.
 """
 
@@ -13,13 +13,8 @@ from dataclasses import dataclass
 from assess.codes.check import Step, step
 from assess.codes.context import Context, LocalLimit
 from assess.codes.italian.curves import Curves
-from assess.codes.italian.kinematic import (
-    BEFORE,
-    collapse_step,
-    displacement_at,
-    displacement_at_collapse,
-    multiplier_at,
-)
+from assess.codes.italian.kinematic import BEFORE, displacement_at, displacement_at_collapse, multiplier_at
+from assess.codes.italian.sheet import collapse_step
 from assess.messages.message import Message, Quantity, Severity, Value, message
 from assess.oscillator import Branch, multiplier
 
@@ -37,7 +32,7 @@ class Rule:
 
 @dataclass(frozen=True)
 class Local:
-    """A limit that counts: its displacement [m], and for a break lambda just after and the largest lambda [-]."""
+    """A local limit that counts: its displacement [m], and for a break lambda just after and the largest lambda [-]."""
 
     limit: LocalLimit
     moved: float
@@ -55,7 +50,17 @@ class Threshold:
 
 
 def threshold_of(curves: Curves, rule: Rule) -> Threshold:
-    """Find the displacement capacity of one branch: the least of the share of d0*, the breaks that count, the seats."""
+    """Return the displacement capacity of one branch: the least of the share of d0*, the breaks and the seats.
+
+    Parameters
+    ----------
+    curves : the branch by the actions in it, with its local limits
+    rule : of the limit state
+
+    Returns
+    -------
+    Threshold
+    """
     collapse = displacement_at_collapse(curves.lasting, mass=curves.mass)
     found = tuple(_locals(curves, rule))
     return Threshold(min([rule.share * collapse, *(each.moved for each in found)]), collapse, found)
@@ -73,7 +78,7 @@ def _locals(curves: Curves, rule: Rule) -> Iterator[Local]:
 
 
 def _around(branch: Branch, rotation: float) -> tuple[float, float]:
-    """lambda just after a rotation [rad], and the largest of the curve [-]; 0 beyond the table, where it has fallen."""
+    """Return lambda just after a rotation [rad], 0 beyond the end of the table, and the largest of the curve [-]."""
     standing = branch.rotation <= branch.unstable
     beyond = rotation * (1.0 + BEFORE)
     after = 0.0 if beyond > branch.rotation[-1] else multiplier_at(branch, beyond)
@@ -81,7 +86,7 @@ def _around(branch: Branch, rotation: float) -> tuple[float, float]:
 
 
 def threshold_steps(curves: Curves, threshold: Threshold, rule: Rule, symbol: str, words: str) -> tuple[Step, ...]:
-    """d0*, the local limits that count, and d_LS named `symbol`, as the calculation sheets print them."""
+    """Write d0*, the local limits that count, and d_LS named `symbol`."""
     steps = [collapse_step(curves.lasting, rule.clause, mass=curves.mass)]
     terms, given = [f"{rule.share:g} · d0*"], {"d0*": (threshold.collapse, "m")}
     for number, each in enumerate(threshold.locals, 1):
@@ -107,13 +112,13 @@ def _local_steps(each: Local, name: str, clause: str) -> Iterator[Step]:
 
 
 def break_conditions(curves: Curves) -> tuple[Message, ...]:
-    """What a pass rests on where a tie or force is counted up to a displacement: that it is there with its force."""
+    """Return the condition of a pass where a tie or force is counted up to a displacement: that it lasts until then."""
     what = ", ".join(dict.fromkeys(each.what for each in curves.limits if each.kind == "break"))
     return (message("holds-to-its-end", {"what": what}, severity=Severity.WARNING),) if what else ()
 
 
 def seat_conditions(context: Context, state: str, moved: float) -> tuple[Message, ...]:
-    """What a pass rests on where floors or beams rest on the mechanism and nobody gave their seats."""
+    """Return the condition of a pass where floors or beams rest on the mechanism and their seats are not given."""
     if not context.seats_unknown:
         return ()
     values: dict[str, Value] = {

@@ -16,7 +16,7 @@ import numpy as np
 from assess.codes.context import Context
 from assess.codes.italian.floor import Floor, floor_of
 from spectra.arrays import FloatArray
-from spectra.floor_spectrum import PLATEAU, circolare2019_first_mode, first_mode_peak
+from spectra.circolare2019 import PLATEAU, circolare2019_first_mode, first_mode_peak
 
 SOFTENING = (1.5, 2.0)  # T_1' / T_1
 SOFTENED_DAMPING, SHOWN_DAMPING = 0.10, 0.20
@@ -32,7 +32,7 @@ class FirstModes:
     """First modes that the building may have.
 
     shortest, longest : period T_1' [s]; damping : xi_1 [-]; floor : psi, gamma, elastic T_1
-    reason : why the engineer states one; empty where the range of the code stands
+    reason : why the engineer states one; empty where the range of the code is used
     """
 
     shortest: float
@@ -47,7 +47,7 @@ class FirstModes:
         return self.floor.gamma * self.floor.psi
 
     def periods(self, period: float) -> FloatArray:
-        """T_1' to try for a mechanism of `period` T [s]: the ends, T/b and T/a where they lie between, and a scan."""
+        """Return the T_1' to try for a mechanism of `period` T [s]: the ends, T/b and T/a between them, and a scan."""
         peaks = [period / factor for factor in PLATEAU if self.shortest < period / factor < self.longest]
         scan = np.linspace(self.shortest, self.longest, GUARD if self.longest > self.shortest else 1)
         return np.concatenate(([self.shortest, self.longest], peaks, scan))
@@ -55,9 +55,9 @@ class FirstModes:
 
 @dataclass(frozen=True)
 class FloorDemand:
-    """What the floor asks at the PGA of the spectrum, under the first mode that asks most.
+    """The floor's displacement demand at the PGA of the spectrum, under the most demanding first mode.
 
-    first : T_1' [s]; period : T of the mechanism at which it is asked [s]
+    first : T_1' [s]; period : T of the mechanism at which it is largest [s]
     moved : d [m]; least : its lower bound beyond b T_1', 0 where there is none [m]
     """
 
@@ -73,13 +73,25 @@ class FloorDemand:
 
 
 def elastic_modes(context: Context) -> FirstModes | None:
-    """The elastic first mode, for accelerations; None at the ground, or where the building is unknown."""
+    """Return the elastic first mode, for accelerations; None at the ground, or where the building is not known."""
     floor = floor_of(context)
     return None if floor is None else FirstModes(floor.T1, floor.T1, min(floor.damping, ELASTIC_DAMPING), floor)
 
 
 def modes_at(context: Context, state: str, *, damping: float = SOFTENED_DAMPING) -> FirstModes | None:
-    """The first modes at an ultimate limit state; the one stated, else those of the range with `damping` [-]."""
+    """Return the first modes at an ultimate limit state (C8.7.1.2.1.4).
+
+    Parameters
+    ----------
+    context : building and height of the mechanism
+    state : "SLV" or "SLC"
+    damping : xi_1 of the softened building, where no first mode is stated [-]
+
+    Returns
+    -------
+    FirstModes or None
+        The mode that is stated, else 1.5 to 2.0 times the elastic period; None at the ground or without a building.
+    """
     floor, building = floor_of(context), context.building
     if floor is None or building is None:
         return None
@@ -90,24 +102,60 @@ def modes_at(context: Context, state: str, *, damping: float = SOFTENED_DAMPING)
 
 
 def peak_acceleration(context: Context, modes: FirstModes, first: float) -> float:
-    """a_Z [m/s2] of the floor at the PGA of the spectrum, T_1' = `first` [s] (C7.2.7, C7.2.8)."""
+    """Return a_Z of the floor at the PGA of the spectrum (C7.2.7, C7.2.8).
+
+    Parameters
+    ----------
+    context : its spectrum
+    modes : damping, gamma and psi of the first mode
+    first : T_1' [s]
+
+    Returns
+    -------
+    float [m/s2]
+    """
     found = first_mode_peak(first, spectrum=context.spectrum, mode_damping=modes.damping, share=modes.share)
     return float(found)
 
 
 def ordinates(context: Context, modes: FirstModes, first: FloatArray, T: FloatArray, *, damping: float) -> FloatArray:
-    """S_eZ(T, xi, z) [m/s2] at the PGA of the spectrum, by T_1' = `first` [s] and T [s] (C7.2.5, C7.2.6)."""
+    """Return S_eZ(T, xi, z) of the floor at the PGA of the spectrum (C7.2.5, C7.2.6).
+
+    Parameters
+    ----------
+    context : its spectrum
+    modes : damping, gamma and psi of the first mode
+    first : T_1', broadcast with T [s]
+    T : period of the mechanism [s]
+    damping : xi of the mechanism [-]
+
+    Returns
+    -------
+    array, as `first` and T broadcast [m/s2]
+    """
     own = {"mode_damping": modes.damping, "share": modes.share, "damping": damping}
     return circolare2019_first_mode(T, spectrum=context.spectrum, first=first, **own)
 
 
 def ordinate(context: Context, modes: FirstModes, first: float, T: float, *, damping: float) -> float:
-    """S_eZ(T, xi, z) [m/s2] under one first mode."""
+    """Return S_eZ(T, xi, z) [m/s2] under one first mode, as `ordinates` does."""
     return float(ordinates(context, modes, np.array(first), np.array(T), damping=damping))
 
 
 def floor_acceleration(context: Context, modes: FirstModes, T0: float) -> tuple[float, float]:
-    """T_1' [s] at which the floor's S_eZ(T_0) is largest, and that, at 5 % [m/s2]; a_Z for T_0 = 0 (C8.7.1.8, .9)."""
+    """Return the largest S_eZ(T_0) of the floor over the first modes, at 5 %; a_Z for T_0 = 0 (C8.7.1.8, C8.7.1.9).
+
+    Parameters
+    ----------
+    context : its spectrum
+    modes : first modes of the building
+    T0 : period of the mechanism before uplift [s]
+
+    Returns
+    -------
+    tuple of float
+        T_1' at which it is largest [s], and the acceleration [m/s2].
+    """
     first = modes.periods(T0)
     found = ordinates(context, modes, first, np.array(T0), damping=ELASTIC_DAMPING)
     place = int(np.argmax(found))
@@ -115,10 +163,21 @@ def floor_acceleration(context: Context, modes: FirstModes, T0: float) -> tuple[
 
 
 def floor_demand(context: Context, modes: FirstModes, *, T0: float, T: float, damping: float) -> FloorDemand:
-    """The largest displacement that the floor asks over the first modes (C8.7.1.12).
+    """Return the largest displacement that the floor demands over the first modes (C8.7.1.12).
 
     Spectra of codes are read at T. Of a table, whose displacements need not grow with the period, the largest from
     T_0 to T counts (C8.7.1.2.1.8).
+
+    Parameters
+    ----------
+    context : its spectrum
+    modes : first modes of the building
+    T0, T : period before uplift and secant period [s]
+    damping : of the mechanism [-]
+
+    Returns
+    -------
+    FloorDemand
     """
     at_T = _at(context, modes, T, damping=damping)
     if context.spectrum.code != TABLE:
@@ -128,7 +187,7 @@ def floor_demand(context: Context, modes: FirstModes, *, T0: float, T: float, da
 
 
 def _worst_period(context: Context, modes: FirstModes, *, T0: float, T: float, damping: float) -> float:
-    """Period from T_0 to T at which the floor moves most, under whatever first mode; the longest of equals [s]."""
+    """Return the period from T_0 to T at which the floor moves most under any mode; the longest of equals [s]."""
     period, first = np.linspace(T, min(T0, T), OF_TABLE)[:-1, None], modes.periods(T)[None, :]
     moved = ordinates(context, modes, first, period, damping=damping) * (period / (2 * np.pi)) ** 2
     return float(period[np.argmax(moved.max(axis=1)), 0])
@@ -145,9 +204,20 @@ def _at(context: Context, modes: FirstModes, T: float, *, damping: float) -> Flo
 
 
 def ground_period(context: Context, *, T0: float, T: float, damping: float) -> float:
-    """Period from T_0 to T of the largest displacement of the ground, the longest of equals [s] (C8.7.1.2.1.8).
+    """Return the period from T_0 to T of the largest displacement of the ground (C8.7.1.2.1.8).
 
     With spectra of codes it is T, unless the displacement falls beyond T_F.
+
+    Parameters
+    ----------
+    context : its spectrum
+    T0, T : period before uplift and secant period [s]
+    damping : of the mechanism [-]
+
+    Returns
+    -------
+    float
+        The longest of equals [s].
     """
     period = np.linspace(T, min(T0, T), SAMPLES)
     moved = context.spectrum.displacement(period, damping=damping)
@@ -155,5 +225,5 @@ def ground_period(context: Context, *, T0: float, T: float, damping: float) -> f
 
 
 def longest_period_used(modes: FirstModes | None, T: float) -> float:
-    """Longest period at which the spectrum is asked [s]: T, and above the ground b times the building's."""
+    """Return the longest period at which the spectrum is read [s]: T, and above the ground b times the building's."""
     return T if modes is None else max(T, PLATEAU[1] * modes.longest)

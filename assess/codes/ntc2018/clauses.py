@@ -2,9 +2,9 @@
 
 Formulas and numbers are those of a public transcription of the circular. Linear: the acceleration of activation a0*
 against that of ground and floor, over q at SLV. Non-linear: displacement capacities d_SLV and d_SLC against the
-displacement spectrum at T_SLV or T_SLC, with 8 % or 10 % damping. Above the ground the motion of the floor by C7.2.5
-to C7.2.8, with the first mode of the building, must be stood, and beside it that of the ground, which the circular
-does not ask for and which is on the safe side.
+displacement spectrum at T_SLV or T_SLC, with 8 % or 10 % damping. Above the ground a mechanism must stand the motion
+of the floor by C7.2.5 to C7.2.8, with the first mode of the building, and besides it that of the ground, which the
+circular does not ask for and which is on the safe side.
 
 An element that vibrates before it lifts off (a parapet, a pinnacle, a mechanism on flexible joints) has a period T0 and
 feels the spectrum at T0 where others feel the peak acceleration. One function for each formula.
@@ -86,10 +86,22 @@ class Capacity:
 
 
 def capacity_of(curves: Curves, *, state: str, confidence_factor: float, T0: float = 0.0) -> Capacity:
-    """d_LS, a(d_LS) on the model's own curve or its elastic branch, T = 1.68 or 1.56 pi sqrt(d / a(d)).
+    """Return the capacity of one branch in a limit state: d_LS, a(d_LS), T = 1.68 or 1.56 pi sqrt(d / a(d)).
 
-    d0* is that of the actions shown to last, a0* counts every action at rest, a(d) those that have not ended at d.
+    d0* is that of the actions shown to last, a0* counts every action at rest, a(d) those that have not ended at d;
+    a(d) is read on the model's own curve, or on its elastic branch where that is lower.
     Source: C8.7.1.2.1.6 with C8.7.1.6, C8.7.1.10, C8.7.1.11.
+
+    Parameters
+    ----------
+    curves : the branch by the actions in it
+    state : "SLV" or "SLC"
+    confidence_factor : FC [-]
+    T0 : period before uplift [s]; 0 for a rigid element
+
+    Returns
+    -------
+    Capacity
     """
     ultimate, mass, FC = ULTIMATE[state], curves.mass, confidence_factor
     threshold = threshold_of(curves, ultimate.rule)
@@ -107,17 +119,35 @@ def capacity_of(curves: Curves, *, state: str, confidence_factor: float, T0: flo
 
 
 def elastic_branch(moved: float, *, T0: float) -> float:
-    """a = 4 pi^2 d / T0^2 [m/s2] of a free element before it lifts off (C8.7.1.6)."""
+    """Return a = 4 pi^2 d / T0^2 of a free element before it lifts off (C8.7.1.6).
+
+    Parameters
+    ----------
+    moved : displacement d [m]
+    T0 : period before uplift [s]
+
+    Returns
+    -------
+    float [m/s2]
+    """
     return 4 * np.pi**2 * moved / T0**2
 
 
 def free_period(
     *, length: float, thickness: float, young_modulus: float, density: float, support: str = "cantilever"
 ) -> FreePeriod:
-    """T0 = kappa (L/t) L sqrt(W / (E g)) [s] of a wall that vibrates between its supports (C8.7.1.7).
+    """Return T0 = kappa (L/t) L sqrt(W / (E g)) of a wall that vibrates between its supports (C8.7.1.7).
 
-    length L and thickness t [m], young_modulus E, reduced for cracks [Pa], density W / g [kg/m3]; support: "cantilever"
-    or "supported" at both ends.
+    Parameters
+    ----------
+    length, thickness : L and t [m]
+    young_modulus : E, reduced for cracks [Pa]
+    density : W / g [kg/m3]
+    support : "cantilever" (kappa = 6.2), or "supported" at both ends (2.2)
+
+    Returns
+    -------
+    FreePeriod
     """
     kappa = SUPPORTS[support]
     numbers = f"{kappa:g} · {length:.5g}² / {thickness:.5g} · √({density:.5g} / {young_modulus:.5g})"
@@ -126,7 +156,7 @@ def free_period(
 
 
 def period_of(branch: Branch, context: Context) -> float:
-    """T0 [s]: given, or of small motions on flexible joints; 0 for mechanisms that are rigid until they lift off."""
+    """Return T0 [s]: given, or of small motions on flexible joints; 0 for mechanisms that are rigid until uplift."""
     if context.free_period is not None:
         return context.free_period.value
     frequency = elastic_frequency(branch)
@@ -134,11 +164,20 @@ def period_of(branch: Branch, context: Context) -> float:
 
 
 def acceleration_demands(context: Context, modes: FirstModes | None, *, T0: float) -> Demands | None:
-    """Over PGA [-]: S_e(T0) of the ground, S_eZ(T0) of the floor, 5 % damping; at T0 = 0 the PGA and a_Z.
+    """Return the demands over PGA at 5 % damping: S_e(T0) of the ground, S_eZ(T0) of the floor; at T0 = 0 PGA and a_Z.
 
-    None where the spectrum ends too early.
-    modes : of the building, of which the one that asks most counts; None at the ground
     Source: C8.7.1.8, C8.7.1.9 with C7.2.5 to C7.2.8.
+
+    Parameters
+    ----------
+    context : its spectrum
+    modes : first modes of the building, of which the most demanding counts; None at the ground
+    T0 : period before uplift [s]
+
+    Returns
+    -------
+    Demands or None
+        Accelerations over PGA [-]; None where the spectrum ends too early.
     """
     spectrum = context.spectrum
     if max(T0, 0.0 if modes is None else modes.longest) > spectrum.longest_period:
@@ -151,11 +190,24 @@ def acceleration_demands(context: Context, modes: FirstModes | None, *, T0: floa
 def displacement_demands(
     context: Context, modes: FirstModes | None, *, T0: float, T: float, damping: float
 ) -> Demands | None:
-    """Displacement for each m/s2 of PGA [s2]: of the ground and of the floor; None where the spectrum ends too early.
+    """Return the displacements that ground and floor demand for each m/s2 of PGA.
 
     The ground's is the largest S_De between T0 and T: with spectra of codes that at T, which grows with the period.
     The floor's is S_eZ(T) (T / 2 pi)^2, for T > b T1 at least S_eZ(T1) (b T1 / 2 pi)^2, under the worst of the `modes`.
     Source: C8.7.1.2.1.8, C8.7.1.12.
+
+    Parameters
+    ----------
+    context : its spectrum
+    modes : first modes of the building; None at the ground
+    T0 : period before uplift [s]
+    T : secant period T_SLV or T_SLC [s]
+    damping : of the mechanism [-]
+
+    Returns
+    -------
+    Demands or None
+        [s2]; None where the spectrum ends too early.
     """
     spectrum = context.spectrum
     if longest_period_used(modes, T) > spectrum.longest_period:
@@ -166,9 +218,18 @@ def displacement_demands(
 
 
 def uplift(branch: Branch, context: Context, *, confidence_factor: float) -> float | None:
-    """PGA [m/s2] that lifts the mechanism off, less where the floor amplifies the ground.
+    """Return the PGA at uplift, less where the floor amplifies the ground.
 
-    None without a threshold, and where the spectrum ends before the period of the building.
+    Parameters
+    ----------
+    branch : with every action at rest
+    context : site and building
+    confidence_factor : FC [-]
+
+    Returns
+    -------
+    float or None
+        PGA [m/s2]; None without a threshold, and where the spectrum ends before the period of the building.
     """
     modes = elastic_modes(context)
     if modes is not None and modes.longest > context.spectrum.longest_period:
@@ -178,5 +239,15 @@ def uplift(branch: Branch, context: Context, *, confidence_factor: float) -> flo
 
 
 def activation_pga(capacity: float, demands: Demands) -> float:
-    """a_g,SLD [m/s2]: PGA at which the `demands` over PGA [-] reach a0* = `capacity` [m/s2] (C8.7.1.8, C8.7.1.9)."""
+    """Return a_g,SLD S, the PGA at which the demands reach the acceleration of activation (C8.7.1.8, C8.7.1.9).
+
+    Parameters
+    ----------
+    capacity : a0* [m/s2]
+    demands : over PGA [-]
+
+    Returns
+    -------
+    float [m/s2]
+    """
     return capacity / demands.largest

@@ -20,6 +20,6 @@ STATES = tuple(RULE.limits)
 
 
 def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tuple[Check, ...]:
-    """The suites of time histories against d0* and d_SLV or d_SLC."""
+    """Return the checks of the suites of time histories against d0* and d_SLV or d_SLC."""
     checks = history.assess(oscillator, context, rule=RULE, options=options)
     return tuple(add_safety_index(check, context) for check in checks)

@@ -8,8 +8,9 @@ from assess.codes.context import Context
 from assess.codes.italian.acceleration import acceleration_check, ratio_steps
 from assess.codes.italian.edition import Options
 from assess.codes.italian.floor import Demands
-from assess.codes.italian.kinematic import activation, activation_steps
+from assess.codes.italian.kinematic import activation
 from assess.codes.italian.limit_state import Case, add_safety_index, check_each_limit_state
+from assess.codes.italian.sheet import activation_steps
 from assess.codes.ntc2018.building import ELASTIC_DAMPING, FirstModes, elastic_modes, floor_acceleration
 from assess.codes.ntc2018.clauses import EDITION, acceleration_demands, activation_pga, period_of, uplift
 from assess.codes.ntc2018.sheet import (
@@ -28,7 +29,7 @@ STATES = tuple(CLAUSES)
 
 
 def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tuple[Check, ...]:
-    """a0* against the peak acceleration of ground and floor (S_eZ(T0) of free elements); a_g,SLV = q a_g,SLD."""
+    """Check a0* against the accelerations of ground and floor, S_eZ(T0) of free elements; a_g,SLV = q a_g,SLD."""
     checks = check_each_limit_state(
         oscillator, context, EDITION, options, known=STATES, one=lambda case: _check(case, options)
     )
@@ -65,9 +66,9 @@ def _check(case: Case, options: Options) -> Check:
 def demand_steps(
     case: Case, modes: FirstModes | None, over_pga: Demands | None, *, T0: float, a0: float, symbol: str = "T1"
 ) -> tuple[Step, ...]:
-    """Accelerations of ground and floor, and the PGA a_g,SLD S at which the larger one reaches a0*.
+    """Write the accelerations of ground and floor, and the PGA a_g,SLD S at which the larger one reaches a0*.
 
-    symbol : of the first mode that asks most
+    symbol : of the most demanding first mode
     """
     if over_pga is None:
         return ()
@@ -89,7 +90,7 @@ def demand_steps(
 
 
 def floor_steps(case: Case, modes: FirstModes, *, T0: float, symbol: str) -> tuple[Step, ...]:
-    """The floor's acceleration under the first mode that asks most."""
+    """Write the floor's acceleration under the most demanding first mode."""
     first, _ = floor_acceleration(case.context, modes, T0)
     why = "that of the largest acceleration"
     at = ordinate_steps(case, modes, (symbol, first), ("T0", T0), damping=ELASTIC_DAMPING) if T0 > 0.0 else ()

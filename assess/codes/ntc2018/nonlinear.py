@@ -12,8 +12,8 @@ from assess.codes.context import Context
 from assess.codes.italian.displacement import Answer, displacement_check, ground_step, ratio_step
 from assess.codes.italian.edition import Options
 from assess.codes.italian.floor import Demands
-from assess.codes.italian.kinematic import activation_steps, curve_step
 from assess.codes.italian.limit_state import Case, add_safety_index, check_each_limit_state
+from assess.codes.italian.sheet import activation_steps, curve_step
 from assess.codes.italian.thresholds import break_conditions, seat_conditions, threshold_steps
 from assess.codes.ntc2018.building import (
     SHOWN_DAMPING,
@@ -39,7 +39,7 @@ from assess.codes.ntc2018.clauses import (
 from assess.codes.ntc2018.linear import demand_steps
 from assess.codes.ntc2018.sheet import first_mode_steps, ordinate_steps, peak_steps, period_steps, share_steps
 from assess.oscillator import Oscillator
-from spectra.floor_spectrum import PLATEAU
+from spectra.circolare2019 import PLATEAU
 
 PROCEDURE = "ntc2018-nonlinear"
 CLAUSE = "C8.7.1.2.1.8"
@@ -58,7 +58,7 @@ class Worked:
 
 
 def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tuple[Check, ...]:
-    """d_SLV and d_SLC against the displacements of ground and floor; at least a_g,SLD is stood."""
+    """Check d_SLV and d_SLC against the displacements of ground and floor; the capacity is at least a_g,SLD."""
     checks = check_each_limit_state(
         oscillator, context, EDITION, options, known=STATES, one=lambda case: _check(case.at_ultimate)
     )
@@ -89,7 +89,7 @@ def _worked(case: Case) -> Worked:
 
 
 def _answer(case: Case, worked: Worked) -> Answer:
-    """Below a_g,SLD the element does not rock: it moves elastically with T0, or, rigid, not at all."""
+    """Make the answer: below a_g,SLD the element moves elastically with T0, or, if rigid, not at all."""
     cap, over_pga = worked.capacity, worked.over_pga
     if over_pga is None:
         activated = elastic = 0.0
@@ -149,7 +149,7 @@ def _displacement_steps(case: Case, worked: Worked, answer: Answer) -> tuple[Ste
 
 
 def _floor_steps(case: Case, worked: Worked, symbol: str, *, damping: float) -> tuple[Step, ...]:
-    """The demand of the floor under the worst first mode, with its lower bound, and at 20 %; none at the ground."""
+    """Write the floor's demand under the worst first mode, with its lower bound, and at 20 %; nothing at the ground."""
     modes, cap = worked.modes, worked.capacity
     if modes is None:
         return ()
@@ -182,7 +182,7 @@ def _demand_steps(
 
 
 def _shown_steps(case: Case, worked: Worked, *, damping: float) -> tuple[Step, ...]:
-    """The demand of the floor with 20 % of damping of the building, for comparison."""
+    """Write the floor's demand with 20 % of damping of the building, for comparison."""
     modes, cap = modes_at(case.context, case.state, damping=SHOWN_DAMPING), worked.capacity
     if modes is None or modes.reason:
         return ()

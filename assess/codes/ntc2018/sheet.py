@@ -8,12 +8,12 @@ from assess.codes.calculation_step import Given
 from assess.codes.check import Step, step
 from assess.codes.italian.limit_state import Case
 from assess.codes.ntc2018.building import FirstModes, ordinate, peak_acceleration
+from spectra.circolare2019 import PLATEAU
 from spectra.damping import ec8_eta
-from spectra.floor_spectrum import PLATEAU
 
 
 def period_steps(case: Case, *, T0: float) -> tuple[Step, ...]:
-    """T0 of an element that vibrates before it lifts off."""
+    """Write T0 of an element that vibrates before it lifts off."""
     if T0 == 0.0:
         return ()
     given, words = case.context.free_period, "period before uplift"
@@ -23,7 +23,7 @@ def period_steps(case: Case, *, T0: float) -> tuple[Step, ...]:
 
 
 def share_steps(case: Case, modes: FirstModes | None) -> tuple[Step, ...]:
-    """gamma psi of the floor and the elastic first mode; none at the ground."""
+    """Write gamma psi of the floor and the elastic first mode; nothing at the ground."""
     building = case.context.building
     if modes is None or building is None:
         return ()
@@ -38,7 +38,7 @@ def share_steps(case: Case, modes: FirstModes | None) -> tuple[Step, ...]:
 
 
 def first_mode_steps(modes: FirstModes, first: float, symbol: str, T: tuple[str, float], why: str) -> tuple[Step, ...]:
-    """T_1' [s] named `symbol` that asks most of a mechanism of period T, (symbol, value) [s], and how it was found."""
+    """Write the most demanding T_1' [s], named `symbol`, for a mechanism of period T, (symbol, value) [s]."""
     if modes.reason:
         stated = "first mode at this limit state"
         return (step(symbol, stated, "C8.7.1.2.1.4", "as stated", first, "s", remark=modes.reason),)
@@ -54,7 +54,7 @@ def first_mode_steps(modes: FirstModes, first: float, symbol: str, T: tuple[str,
 
 
 def peak_steps(case: Case, modes: FirstModes, first: float, symbol: str) -> tuple[Step, ...]:
-    """S_e(T1, xi1) and a_Z of the floor under the first mode of period `first` [s], named `symbol`."""
+    """Write S_e(T1, xi1) and a_Z of the floor under the first mode of period `first` [s], named `symbol`."""
     spectrum = case.context.spectrum
     scale, xi = case.pga / spectrum.pga, modes.damping
     spectral = float(spectrum.acceleration(first, damping=xi)) * scale
@@ -71,14 +71,14 @@ def peak_steps(case: Case, modes: FirstModes, first: float, symbol: str) -> tupl
 
 
 def peak_symbol(first: str) -> str:
-    """Symbol of a_Z under the first mode named `first`."""
+    """Return the symbol of a_Z under the first mode named `first`."""
     return f"a_Z({first})"
 
 
 def ordinate_steps(
     case: Case, modes: FirstModes, first: tuple[str, float], T: tuple[str, float], *, damping: float
 ) -> tuple[Step, ...]:
-    """A and the ordinate of the floor spectrum at T under T_1', both (symbol, value) [s]."""
+    """Write A and the ordinate of the floor spectrum at T under T_1', both (symbol, value) [s]."""
     spectrum, (symbol, period), (name, building) = case.context.spectrum, T, first
     scale, eta = case.pga / spectrum.pga, ec8_eta(damping)
     peak = peak_acceleration(case.context, modes, building) * scale
@@ -97,7 +97,7 @@ def ordinate_steps(
 
 
 def _stretch(symbol: str, period: float, name: str, first: float) -> tuple[str, dict[str, float | tuple[float, str]]]:
-    """Formula of C7.2.6 on the stretch where a period lies, and its inputs besides A and a_Z."""
+    """Return the formula of C7.2.6 on the stretch where a period lies, and its inputs besides A and a_Z."""
     (a, b), peak = PLATEAU, peak_symbol(name)
     given: dict[str, float | tuple[float, str]] = {symbol: (period, "s"), name: (first, "s")}
     if period < a * first:

@@ -84,18 +84,28 @@ class Part:
 
 
 def thickness_factor(overburden_ratio: float) -> float:
-    """t_eff / t = 0.975 - 0.025 P/W [-]; 0 where P is 39 W, which leaves nothing of the wall."""
+    """Return k = t_eff / t = 0.975 - 0.025 P/W [-]; 0 from P = 39 W on, where no effective thickness is left."""
     whole, taken = THICKNESS
     return max(whole - taken * max(overburden_ratio, 0.0), 0.0)
 
 
 def nominal(branch: Branch) -> Part:
-    """The branch with the thickness that it has."""
+    """Return the branch with its own thickness."""
     return Part(straight_line(branch), float(branch.inertia[0]), float(branch.excitation[0]))
 
 
 def with_effective_thickness(part: Part, gravity: Gravity) -> Part:
-    """The same with t_eff (derived above)."""
+    """Return the wall with its effective thickness, by the formulas at the top of this file.
+
+    Parameters
+    ----------
+    part : the wall with its own thickness
+    gravity : what its own weight and the overburden give to it
+
+    Returns
+    -------
+    Part
+    """
     k = thickness_factor(gravity.overburden_ratio)
     b = part.line.b - (1.0 - k**2) * gravity.own_moment - (1.0 - k) * gravity.moment
     a = part.line.a - (1.0 - k) * gravity.own_slope
@@ -104,9 +114,9 @@ def with_effective_thickness(part: Part, gravity: Gravity) -> Part:
 
 
 def straight_line(branch: Branch) -> Line:
-    """The line from the restoring moment at rest to phi_i.
+    """Return the line from the restoring moment at rest down to phi_i.
 
-    On joints that give way, the moment at rest is none: there the line has the same work up to phi_i as the curve.
+    On flexible joints the moment at rest is zero: there the line does the same work up to phi_i as the curve.
     """
     phi_i = branch.unstable
     if branch.overturning_flexible is None:
@@ -117,20 +127,30 @@ def straight_line(branch: Branch) -> Line:
 
 
 def period_factor(support: Support) -> float:
-    """4 arcosh(1 / (1 - r)) [-]: 4.07 for a wall that spans, 3.10 for one that stands free."""
+    """Return 4 arcosh(1 / (1 - r)) [-]: 4.07 for a wall that spans, 3.10 for one that stands free."""
     r = USABLE[support] * LET_GO[support]
     return float(4.0 * np.arccosh(1.0 / (1.0 - r)))
 
 
 def period(part: Part, *, support: Support) -> float:
-    """T_p = factor sqrt(J / a) [s]."""
+    """Return T_p = factor sqrt(J / a).
+
+    Parameters
+    ----------
+    part : the wall
+    support : how it is held
+
+    Returns
+    -------
+    float [s]
+    """
     return period_factor(support) * float(np.sqrt(part.J / part.line.a))
 
 
 def floor_factor(context: Context) -> float:
-    """C_Hi [-] at the height of the supports (NZS 1170.5, 8.3); without a building the largest that height can have.
+    """Return C_Hi at the height of the supports [-] (NZS 1170.5, 8.3).
 
-    Supports above the building count as at its top.
+    Without a building it is the largest that this height can have; supports above the building count as at its top.
     """
     height = context.support_height
     if height <= 0.0:
@@ -141,19 +161,51 @@ def floor_factor(context: Context) -> float:
 
 
 def part_coefficient(Tp: float, *, floor: float) -> float:
-    """C_p(T_p) / C(0) = C_Hi C_i(T_p) [-] (NZS 1170.5, 8.2)."""
+    """Return C_p(T_p) / C(0) = C_Hi C_i(T_p) (NZS 1170.5, 8.2).
+
+    Parameters
+    ----------
+    Tp : period of the part [s]
+    floor : C_Hi [-]
+
+    Returns
+    -------
+    float [-]
+    """
     return floor * float(part_shape(Tp))
 
 
 def demand_per_pga(part: Part, Tp: float, *, floor: float, risk_factor: float) -> float:
-    """phi_D over C(0) g [rad s2/m]: (B / J) (T_p / 2 pi)^2 C_Hi C_i(T_p) R_p."""
+    """Return phi_D over C(0) g: (B / J) (T_p / 2 pi)^2 C_Hi C_i(T_p) R_p.
+
+    Parameters
+    ----------
+    part : the wall
+    Tp : its period [s]
+    floor : C_Hi [-]
+    risk_factor : R_p [-]
+
+    Returns
+    -------
+    float [rad s2/m]
+    """
     return part.B / part.J * (Tp / (2.0 * np.pi)) ** 2 * part_coefficient(Tp, floor=floor) * risk_factor
 
 
 def uplift_pga(multiplier: float | None, *, floor: float, risk_factor: float) -> float | None:
-    """PGA [m/s2] at which the part coefficient of a rigid body, C_p(0) R_p, reaches the multiplier at rest [-].
+    """Return the PGA at which the part coefficient of a rigid body, C_p(0) R_p, reaches the multiplier at rest.
 
-    C_i(0) = 2 stands for parts stiffer than 0.75 s, so this is half of what lifts a rigid wall off a rigid floor. None
-    on joints without a threshold.
+    C_i(0) = 2 is that of parts stiffer than 0.75 s, so this is half of what lifts a rigid wall off a rigid floor.
+
+    Parameters
+    ----------
+    multiplier : at rest [-]; None on joints without a threshold
+    floor : C_Hi [-]
+    risk_factor : R_p [-]
+
+    Returns
+    -------
+    float or None
+        PGA [m/s2]; None without a threshold.
     """
     return None if multiplier is None else multiplier * g / (part_coefficient(0.0, floor=floor) * risk_factor)

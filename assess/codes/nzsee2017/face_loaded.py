@@ -23,9 +23,10 @@ DAMPING = 0.05
 
 
 def assess(oscillator: Oscillator, context: Context, *, options: Options) -> tuple[Check, ...]:
-    """C8.8.5: phi_m against phi_D at C(0) = the level; one check for each level, on the worse branch, with its %NBS.
+    """Check phi_m against phi_D at C(0) = the level, on the worse branch of each level, with its %NBS (C8.8.5).
 
-    A usable rotation beyond the Guidelines' is shown after the answer by theirs, and never decides.
+    Where a larger usable rotation than the Guidelines' is given, the checks by theirs come first, and those by the
+    given one are for comparison.
     """
     most = USABLE.get(context.support)
     if most is None or options.usable is None or options.usable <= most:
@@ -106,7 +107,7 @@ def _curve(branch: Branch, found: Response) -> PgaCurve:
 
 
 def _scored(check: Check) -> Check:
-    """The check with its %NBS: PGA at capacity over PGA of the level, which below uplift is no ratio of rotations."""
+    """Return the check with its %NBS: PGA at capacity over the PGA of the level, no ratio of rotations below uplift."""
     if check.capacity_pga_g is None:
         return check
     score = 100.0 * check.capacity_pga_g / check.level_pga_g

@@ -1,4 +1,4 @@
-"""A face-loaded wall of one branch: with its effective thickness, its period, and the demand on it."""
+"""The response of one branch of a face-loaded wall: effective thickness, period and demand."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ class Response:
     Tp : period [s]; usable : phi_m / phi_i [-]; floor : C_Hi [-]; risk_factor : R_p [-]
     surface : C(0) over the PGA of the spectrum [-]
     per_pga : phi_D over PGA [rad s2/m]; multiplier : at rest [-], uplift : PGA below which nothing rocks [m/s2]; both
-    None on yielding joints
+    None on joints without a threshold
     """
 
     whole: Part
@@ -68,7 +68,18 @@ class Response:
 
 
 def response(branch: Branch, name: BranchName, context: Context, options: Options) -> Response:
-    """Line, period and demand of one branch."""
+    """Return line, period and demand of one branch.
+
+    Parameters
+    ----------
+    branch, name : the direction of rocking
+    context : site, building and size of the wall
+    options : usable rotation, R_p and C(0), where they are given
+
+    Returns
+    -------
+    Response
+    """
     whole, floor = nominal(branch), floor_factor(context)
     gravity = gravity_of(whole, name, context)
     part = whole if gravity is None else with_effective_thickness(whole, gravity)
@@ -91,13 +102,16 @@ def response(branch: Branch, name: BranchName, context: Context, options: Option
 
 
 def is_overloaded(name: BranchName, context: Context) -> bool:
-    """Whether what presses on the wall leaves it no effective thickness."""
+    """Return whether the load on the wall leaves it no effective thickness."""
     gravity = {} if context.wall is None else context.wall.gravity
     return name in gravity and thickness_factor(gravity[name].overburden_ratio) == 0.0
 
 
 def gravity_of(whole: Part, name: BranchName, context: Context) -> Gravity | None:
-    """What the effective thickness acts on; all the wall's own where nobody says. None for a wall that stands free."""
+    """Return what the effective thickness acts on; None for a wall that stands free.
+
+    Where the wall's weight and load are not known apart, all of it counts as the wall's own.
+    """
     if context.support != "spanning":
         return None
     known = {} if context.wall is None else context.wall.gravity

@@ -15,7 +15,7 @@ CLAUSE, PARTS = "NZSEE 2017 C8.8.5", "NZS 1170.5, 8.2-8.4"
 
 
 def sheet(branch: Branch, context: Context, found: Response, *, level: float) -> tuple[Step, ...]:
-    """All lines but the score; level: PGA [m/s2]."""
+    """Write all lines of the sheet but the score; level: PGA [m/s2]."""
     return (
         *_wall_steps(branch, found),
         *_thickness_steps(found),
@@ -27,7 +27,7 @@ def sheet(branch: Branch, context: Context, found: Response, *, level: float) ->
 
 
 def _wall_steps(branch: Branch, found: Response) -> tuple[Step, ...]:
-    """The wall with the thickness that it has."""
+    """Write the wall with its own thickness."""
     line, at_rest = found.whole.line, branch.overturning_flexible is None
     b_formula = "restoring moment at rest" if at_rest else "2 E(φ_i) / φ_i: the line with the work of the curve"
     phi_i, mark = line.instability, "" if found.gravity is None else "0"
@@ -43,7 +43,7 @@ def _wall_steps(branch: Branch, found: Response) -> tuple[Step, ...]:
 
 
 def _thickness_steps(found: Response) -> tuple[Step, ...]:
-    """What the effective thickness makes of it."""
+    """Write the wall with its effective thickness."""
     if found.gravity is None:
         return ()
     gravity, whole, part, k = found.gravity, found.whole, found.part, found.thickness
@@ -100,7 +100,7 @@ def _part_steps(context: Context, found: Response, level: float) -> tuple[Step, 
 
 
 def _floor_step(context: Context, floor: float) -> Step:
-    """C_Hi: the least of what applies at the height of the supports."""
+    """Write C_Hi: the least of the rules that apply at the height of the supports."""
     symbol, words = "C_Hi", "floor height coefficient, mean of the supports"
     h_n = None if context.building is None else context.building.height
     h = context.support_height if h_n is None else min(context.support_height, h_n)
@@ -115,7 +115,7 @@ def _floor_step(context: Context, floor: float) -> Step:
 
 
 def _displacement_steps(context: Context, found: Response, phi_d: float) -> tuple[Step, ...]:
-    """The displacements that the Guidelines print: at mid-height of a wall that spans, at the top of a free one."""
+    """Write the displacements of the Guidelines: at mid-height of a wall that spans, at the top of a free one."""
     if context.wall is None:
         return ()
     h, spanning = context.wall.height, context.support == "spanning"

@@ -1,14 +1,14 @@
 """The verdict: one deciding answer for each mechanism and limit state, by the basis that the project names.
 
-verdict(question, mechanisms) -> Verdict      a pure function; what stands here knows nothing of formulas
+verdict(question, mechanisms) -> Verdict      a pure function that knows no formulas
 
-question.py   what the project asks of its basis, and what it says of the site's action
-methods.py    which limit states decide, and by which methods
-target.py     what the index is compared with
-answer.py     the deciding answer of one limit state of one mechanism
-remedies.py   the keys that would answer a check which is not answered
-decision.py   mechanisms and the building; the types of what is decided
-roles.py      the checks that decide, marked as such
+question.py          what the project asks of its basis, and what it states about the site's action
+methods.py           which limit states decide, and by which methods
+target.py            what the index is compared with
+answer.py            the deciding answer of one limit state of one mechanism
+missing_keys.py      the keys that would answer a check which is not answered
+decision.py          mechanisms and the building; the types of what is decided
+deciding_checks.py   the checks that decide, marked as such
 """
 
 from assess.codes.verdict.answer import Answer, Index, grade

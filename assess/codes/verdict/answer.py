@@ -23,7 +23,7 @@ GRADES = ((80.0, "A"), (67.0, "B"), (34.0, "C"), (20.0, "D"), (0.0, "E"))
 
 @dataclass(frozen=True, repr=False)
 class Index(ShortRepr):
-    """What the code counts the answer in: its name, its value (%NBS in per cent), and its grade if there are grades."""
+    """The measure of an answer: its name, its value (%NBS in per cent), and its grade if there are grades."""
 
     name: str
     value: float
@@ -32,7 +32,7 @@ class Index(ShortRepr):
 
 @dataclass(frozen=True, repr=False)
 class Answer(ShortRepr):
-    """The deciding answer of one limit state; `procedure` is empty where no method was asked or applies.
+    """The deciding answer of one limit state; `procedure` is empty where no method was requested or applies.
 
     provisional : of an incomplete one, what it would be with the safe value of what is missing; None where none exists
     """
@@ -61,7 +61,19 @@ def find_answer(
 ) -> Found:
     """Find the answer of the most refined method that may decide and was answered.
 
-    Methods of one rank must all hold: one that fails decides, one that is missing lets the next rank answer.
+    Methods of one rank must all pass: one that fails decides, one that is missing lets the next rank answer.
+
+    Parameters
+    ----------
+    one : the checks of the mechanism
+    state : the limit state
+    question : what the project asks
+    basis : the rules of the code
+    target : of the index; None where it is not known
+
+    Returns
+    -------
+    Found
     """
     ranks = requested_ranks(state, question.procedures)
     lacking = missing_action(state, question.action)
@@ -77,12 +89,12 @@ def find_answer(
 
 
 def _every_method(checks: Sequence[Check], one: MechanismChecks, rank: Rank, state: LimitState) -> bool:
-    """Whether each method of a rank gave a check; one that gives several does not stand for another."""
+    """Return whether each method of a rank gave a check; one that gives several does not count for another."""
     return {check.procedure for check in checks}.issuperset(_applying(one, rank, state))
 
 
 def _applying(one: MechanismChecks, rank: Rank, state: LimitState) -> list[str]:
-    """The methods of a rank that are for such a mechanism."""
+    """Return the methods of a rank that cover such a mechanism."""
     no = {check.procedure for check in one.checks if check.verdict == Outcome.NOT_APPLICABLE and _is_of(check, state)}
     return [method.procedure for method in rank if method.procedure not in no]
 
@@ -105,12 +117,23 @@ def _of_method(one: MechanismChecks, procedure: str, state: LimitState, action: 
 
 
 def at_action(check: Check, action: Action) -> bool:
-    """Whether a check is at the site's own action."""
+    """Return whether a check is at the site's own action."""
     return isclose(check.level_pga_g, action.pga_g, rel_tol=1e-9)
 
 
 def decide(check: Check, basis: Basis, target: float | None) -> Decision | None:
-    """Compare a check with the target; None where it says nothing."""
+    """Compare a check with the target; None where it decides nothing.
+
+    Parameters
+    ----------
+    check : to be compared
+    basis : the rules of the code
+    target : of the index; None where it is not known
+
+    Returns
+    -------
+    Decision or None
+    """
     if target is None or check.verdict == Outcome.NOT_ANSWERED:
         return None
     index, full = index_of(check, basis), whole(basis)
@@ -128,7 +151,17 @@ def decide(check: Check, basis: Basis, target: float | None) -> Decision | None:
 
 
 def index_of(check: Check, basis: Basis) -> Index | None:
-    """Return what the code counts the check in; None where it is not known."""
+    """Return the measure of a check; None where it is not known.
+
+    Parameters
+    ----------
+    check : of any procedure
+    basis : which measure it uses
+
+    Returns
+    -------
+    Index or None
+    """
     if basis.index == IndexKind.ZETA_E:
         return None if check.safety_index is None else Index(basis.index, check.safety_index)
     if basis.index == IndexKind.NBS:
@@ -151,7 +184,7 @@ def _answered(
     basis: Basis,
     target: float | None,
 ) -> Found:
-    """The answer by the check that tells: of those that say so the one with the largest ratio."""
+    """Return the answer by the governing check: of those with this outcome the one with the largest ratio."""
     telling = [check for check, each in zip(checks, said, strict=True) if each == outcome]
     check = max(telling, key=lambda each: inf if each.ratio is None else each.ratio)
     index = index_of(check, basis)
@@ -161,7 +194,7 @@ def _answered(
 
 
 def is_near(check: Check, index: Index | None, target: float | None, tolerance: float) -> bool:
-    """Whether an answer lies within the width of the threshold: 5 %, or what the survey's tolerance changes."""
+    """Return whether an answer is at the limit, within 5 % or within what the survey's tolerance changes."""
     width = max(LEAST_WIDTH, tolerance)
     if index is not None and index.name != IndexKind.DEMAND_CAPACITY and target is not None:
         return abs(index.value / target - 1.0) <= width
@@ -169,7 +202,7 @@ def is_near(check: Check, index: Index | None, target: float | None, tolerance: 
 
 
 def _declared(found: Found, lacking: Missing | None) -> Found:
-    """The answer where the site's action is declared; where not, what it would be if it were."""
+    """Return the answer where the site's action is declared; where not, what it would be if it were."""
     if lacking is None:
         return found
     reason = message("missing-key", {"key": lacking.key, "text": lacking.text}, where=lacking.key)
@@ -180,7 +213,7 @@ def _declared(found: Found, lacking: Missing | None) -> Found:
 
 
 def _provisional(check: Check, basis: Basis, target: float | None) -> Decision | None:
-    """What a check would say with the safe value of what is missing; the safe target is the whole one."""
+    """Return the outcome of a check with the safe value of what is missing; the safe target is the whole one."""
     wanted = whole(basis) if target is None else target
     if check.verdict != Outcome.NOT_ANSWERED:
         return decide(check, basis, wanted) if target is None else None
@@ -190,14 +223,14 @@ def _provisional(check: Check, basis: Basis, target: float | None) -> Decision |
 
 
 def _of_rank(check: Check, silent: Sequence[Check], ranks: Sequence[Rank]) -> list[Check]:
-    """The checks that say nothing of the methods of the rank that `check` is of."""
+    """Return the unanswered checks of the methods of the rank that `check` is of."""
     rank = next(each for each in ranks if any(method.procedure == check.procedure for method in each))
     procedures = {method.procedure for method in rank}
     return [each for each in silent if each.procedure in procedures]
 
 
 def _together(said: Iterable[Decision | None]) -> Decision | None:
-    """What methods that must all hold would say: fail where one fails, pass where none is left open."""
+    """Return the outcome of methods that must all pass: fail where one fails, pass where none is left open."""
     found = list(said)
     if Decision.FAIL in found:
         return Decision.FAIL
@@ -213,7 +246,7 @@ def _unanswered(
     target: float | None,
     lacking: Missing | None,
 ) -> Found:
-    """No method was answered: the most refined one says why, with the keys that would do."""
+    """Return the answer where no method was answered: the most refined one gives the reason and the missing keys."""
     missing = (*missing_keys(one.name, silent), *(() if lacking is None else (lacking,)))
     if not silent:
         names = ", ".join(method.procedure for rank in ranks for method in rank) or "none"

@@ -15,7 +15,19 @@ from assess.codes.verdict.question import Action
 def mark_deciding(
     checks: Sequence[Check], found: MechanismVerdict, basis: Basis | None, action: Action
 ) -> tuple[Check, ...]:
-    """Mark the checks that decide; all others are for comparison."""
+    """Return the checks with the role of those that decide; all others are for comparison.
+
+    Parameters
+    ----------
+    checks : of one mechanism
+    found : its verdict
+    basis : the rules of the code; None where none is named
+    action : of the site
+
+    Returns
+    -------
+    tuple of Check
+    """
     return tuple(
         replace(check, role="deciding")
         if any(_is_behind(check, each, basis, action) for each in found.answers)
@@ -25,7 +37,19 @@ def mark_deciding(
 
 
 def find_deciding_check(checks: Sequence[Check], answer: Answer, basis: Basis | None, action: Action) -> Check | None:
-    """Return the check behind an answer; None where nothing decided."""
+    """Return the check behind an answer; None where nothing decided.
+
+    Parameters
+    ----------
+    checks : of one mechanism
+    answer : of one limit state
+    basis : the rules of the code; None where none is named
+    action : of the site
+
+    Returns
+    -------
+    Check or None
+    """
     return next((check for check in checks if _is_behind(check, answer, basis, action)), None)
 
 

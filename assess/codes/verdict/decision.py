@@ -42,8 +42,9 @@ class MechanismVerdict(ShortRepr):
 class Verdict(ShortRepr):
     """The verdict of the building at the site's own action.
 
-    limit_states, methods : that decide; index : "at most" the least of the mechanisms', as they are local ones only;
-    of a ratio of demand to capacity the largest. None where one is not known
+    limit_states, methods : that decide
+    index : "at most" the least of the mechanisms', as they are local ones only; of a ratio of demand to capacity the
+        largest; None where one is not known
     clauses : rule and clause of the basis; uncompared : what could not be compared with any text of the standard
     """
 
@@ -66,7 +67,7 @@ class Verdict(ShortRepr):
 
 @dataclass(frozen=True)
 class _Measure:
-    """What every mechanism is measured by."""
+    """What every mechanism is compared with."""
 
     question: Question
     basis: Basis
@@ -76,7 +77,17 @@ class _Measure:
 
 
 def verdict(question: Question, mechanisms: Sequence[MechanismChecks]) -> Verdict:
-    """Decide the building and each of its mechanisms."""
+    """Return the verdict of the building and of each of its mechanisms.
+
+    Parameters
+    ----------
+    question : what the project asks of its basis
+    mechanisms : with their checks
+
+    Returns
+    -------
+    Verdict
+    """
     basis = question.basis
     if basis is None:
         return _without_basis(question, mechanisms)
@@ -105,12 +116,12 @@ def verdict(question: Question, mechanisms: Sequence[MechanismChecks]) -> Verdic
 
 
 def _near_limit(outcome: Decision, those: Sequence[bool]) -> bool:
-    """One that passes at the limit is enough to say so; of those that fail all must be at the limit."""
+    """Return whether the verdict is at the limit: one pass at the limit is enough, but all failures must be."""
     return all(those) if outcome == Decision.FAIL else any(those)
 
 
 def _of_mechanism(one: MechanismChecks, measure: _Measure) -> MechanismVerdict:
-    """Decide one mechanism: what is missing cannot be made up for by numbers that pass."""
+    """Decide one mechanism; numbers that pass do not make up for an input that is missing."""
     asked = [find_answer(one, state, measure.question, measure.basis, measure.target) for state in measure.states]
     found = _by_class(asked, measure)
     missing = once((*(each for it in found for each in it.missing), *one.missing))
@@ -131,14 +142,14 @@ def _of_mechanism(one: MechanismChecks, measure: _Measure) -> MechanismVerdict:
 
 
 def _provisional(found: Sequence[Found], measure: _Measure) -> Decision | None:
-    """What it would be; None where the project lacks what has no safe value."""
+    """Return the provisional outcome; None where the project lacks an input without a safe value."""
     return None if measure.question.missing else worst(it.answer.provisional or it.answer.outcome for it in found)
 
 
 def _by_class(found: Sequence[Found], measure: _Measure) -> tuple[Found, ...]:
-    """Where the class of use is not given, a limit state besides the chosen one counts only where it fails.
+    """Return the answers that count where the class of use is not given: the chosen limit state's, and failures.
 
-    It then makes the mechanism incomplete, for want of the class.
+    A failure of another limit state then makes the mechanism incomplete, for want of the class.
     """
     if measure.question.use_class is not None:
         return tuple(found)
@@ -156,7 +167,7 @@ def _by_class(found: Sequence[Found], measure: _Measure) -> tuple[Found, ...]:
 
 
 def _of_class(asked: Sequence[Found], measure: _Measure) -> tuple[Message, ...]:
-    """The condition of a pass where the class of use is not given, and what decides besides in one was not answered."""
+    """Return the condition of a pass where the class of use is not given and a limit state was not answered."""
     if measure.question.use_class is not None:
         return ()
     besides = {state.name for state in measure.states if state.role == Role.BESIDES}
@@ -170,7 +181,7 @@ def _conditions(one: MechanismChecks, found: Sequence[Found]) -> tuple[Message, 
 
 
 def _margin(checks: Sequence[Check]) -> float | None:
-    """The least PGA at capacity of the checks that decide, over the action's; None where one is not known."""
+    """Return the least PGA at capacity of the checks that decide, over the action's; None where one is not known."""
     margins = [_margin_of(check) for check in checks]
     known = [margin for margin in margins if margin is not None]
     return min(known) if known and len(known) == len(margins) else None
@@ -183,7 +194,7 @@ def _margin_of(check: Check) -> float | None:
 
 
 def _index(found: Sequence[MechanismVerdict]) -> Index | None:
-    """The index of the building: the worst of its mechanisms'."""
+    """Return the index of the building: the worst of its mechanisms'."""
     indices = [answer.index for one in found for answer in one.answers]
     known = [index for index in indices if index is not None]
     if not known or len(known) < len(indices):
@@ -200,7 +211,7 @@ def _unique(messages: Iterable[Message]) -> tuple[Message, ...]:
 
 
 def _without_basis(question: Question, mechanisms: Sequence[MechanismChecks]) -> Verdict:
-    """Nothing decides: no basis is named, and none follows from the site's spectrum."""
+    """Return a verdict that is incomplete: no basis is named, and the site's spectrum has no default."""
     missing = Missing("verdict.basis", "which code decides; the site's spectrum does not tell", 'basis = "asce43-05"')
     reason = message("missing-key", {"key": missing.key, "text": missing.text}, where=missing.key)
     answer = Answer("", Decision.INCOMPLETE, "", None, None, reason)

@@ -13,7 +13,7 @@ def find_limit_states(question: Question) -> tuple[tuple[LimitState, ...], tuple
     """Find the limit states that decide, and what is missing to know them.
 
     One is chosen for the building; others decide besides it in some classes of use. Where the class is not given, those
-    others are asked too, and one that fails makes the verdict incomplete.
+    others are checked too, and one that fails makes the verdict incomplete.
     """
     basis = question.basis
     if basis is None:
@@ -28,7 +28,7 @@ def find_limit_states(question: Question) -> tuple[tuple[LimitState, ...], tuple
 
 
 def _declared(basis: Basis, action: Action) -> str:
-    """The limit state that the site's own action belongs to; empty where nobody says."""
+    """Return the limit state that the site's own action belongs to; empty where none is declared."""
     return next((state.name for state in basis.chosen if action.limit_state in state.actions), "")
 
 
@@ -52,6 +52,15 @@ def requested_ranks(state: LimitState, named: tuple[str, ...] | None) -> tuple[R
     """Return the methods of each rank that the project asks for; where it names none, those accepted without a name.
 
     A limit state that decides besides the chosen one keeps its own methods where the project names none of them.
+
+    Parameters
+    ----------
+    state : of the basis
+    named : procedures of `[verdict]`; None where it names none
+
+    Returns
+    -------
+    tuple of ranks
     """
     every = [method for rank in state.ranks for method in rank]
     names = set(named or ()) & {method.procedure for method in every}
@@ -65,6 +74,15 @@ def missing_action(state: LimitState, action: Action) -> Missing | None:
     """Return what is missing where a single spectrum is not declared for a limit state, which then it cannot decide.
 
     A hazard over return periods has the spectra of the Italian limit states, and of no other code's.
+
+    Parameters
+    ----------
+    state : of the basis
+    action : of the site
+
+    Returns
+    -------
+    Missing or None
     """
     if not state.actions or action.limit_state in state.actions:
         return None

@@ -43,9 +43,18 @@ REMEDIES: Mapping[Reason, tuple[Line, ...]] = {
 
 
 def missing_keys(mechanism: str, checks: Sequence[Check]) -> tuple[Missing, ...]:
-    """Return what would answer these checks of a mechanism; the reason itself where no key is known.
+    """Return the keys that would answer these checks of a mechanism; its own table where no key is known.
 
-    A reason that names its key says so in `where`.
+    A reason that names its key has it in `where`.
+
+    Parameters
+    ----------
+    mechanism : its name
+    checks : those that are not answered
+
+    Returns
+    -------
+    tuple of Missing
     """
     return tuple(missing for check in checks for missing in _of(mechanism, check))
 
@@ -66,9 +75,9 @@ def _by_reason(mechanism: str, check: Check, reason: Message) -> tuple[Missing, 
 
 
 def _reasons(check: Check) -> tuple[Message, ...]:
-    """Why a check is not answered, or why one that fails cannot pass at a lower target; none of one that is answered.
+    """Return why a check is not answered, or why one that fails cannot pass at a lower target; nothing of one that is.
 
-    Further reasons whose key is known stand among the remarks.
+    Further reasons whose key is known are among the remarks.
     """
     if check.verdict == Outcome.NOT_ANSWERED:
         return (check.reason, *(each for each in check.remarks if each.where or _known(each)))

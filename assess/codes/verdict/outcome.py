@@ -7,7 +7,7 @@ from enum import StrEnum
 
 
 class Decision(StrEnum):
-    """What a verdict says of a limit state, of a mechanism and of the building."""
+    """The outcome of a limit state, of a mechanism and of the building."""
 
     PASS = "pass"
     FAIL = "fail"

@@ -1,4 +1,4 @@
-"""What the project asks of its basis, and what it says of the site's action and of each mechanism."""
+"""What the project asks of its basis, and what it states about the site's action and about each mechanism."""
 
 from __future__ import annotations
 
@@ -31,10 +31,10 @@ class Missing(ShortRepr):
 
 @dataclass(frozen=True, repr=False)
 class Action(ShortRepr):
-    """What the site's own spectrum stands for.
+    """The action of the site's own spectrum.
 
     pga_g : its peak ground acceleration [g]
-    limit_state : that of a single spectrum, None where nobody says
+    limit_state : that of a single spectrum, None where it is not declared
     over_periods : whether the site gives its hazard over return periods, so that each limit state has its own spectrum
     """
 
@@ -72,7 +72,7 @@ class Question:
 class MechanismChecks:
     """One mechanism as the verdict sees it.
 
-    missing : what a pass needs and nobody gave; conditions : what a pass rests on
+    missing : what a pass needs and is not given; conditions : what a pass depends on
     tolerance : the relative change of the index when the survey's tolerance goes the bad way [-]
     """
 
@@ -104,6 +104,6 @@ def _once(reasons: Iterable[Message]) -> tuple[Message, ...]:
 
 
 def _line_of(group: Sequence[Missing]) -> str:
-    """The line of a key; of the sources, which are many under one key, the lines of all."""
+    """Return the line of a key; of the sources, which are many under one key, the lines of all."""
     lines = list(dict.fromkeys(each.toml for each in group))
     return "\n".join(lines) if group[0].key == SOURCES else lines[0]

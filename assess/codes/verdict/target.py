@@ -1,4 +1,4 @@
-"""What the index is compared with: one, the share of a standard, or the threshold of the kind of work."""
+"""The target of the index: one, the share of a standard, or the threshold of the kind of work."""
 
 from __future__ import annotations
 
@@ -13,7 +13,18 @@ UPGRADED, FULL = 0.80, 1.0  # NTC 8.4.3: cases c and e, and all others
 
 
 def target_of(question: Question, basis: Basis) -> Target:
-    """Find the target, and what is missing to know it (NTC 8.4.1-8.4.3; NZSEE 2017)."""
+    """Return the target, and what is missing to know it (NTC 8.4.1-8.4.3; NZSEE 2017).
+
+    Parameters
+    ----------
+    question : what the project asks
+    basis : the rules of the code
+
+    Returns
+    -------
+    tuple
+        Target, None where it is not known, and the missing inputs.
+    """
     if basis.index == IndexKind.NBS:
         return _share_of_standard(question)
     if basis.index == IndexKind.DEMAND_CAPACITY:
@@ -22,7 +33,7 @@ def target_of(question: Question, basis: Basis) -> Target:
 
 
 def whole(basis: Basis) -> float:
-    """Return the target that asks for all that the code asks of a new building, in the unit of the index."""
+    """Return the target of a new building, in the unit of the index."""
     return 100.0 if basis.index == IndexKind.NBS else FULL
 
 

@@ -7,7 +7,7 @@ from typing import Annotated, Any, Literal
 from pydantic import Discriminator, Tag
 
 from assess.project.quantities import NotNegativeLength, PositiveFrequency, PositiveLength, PositiveRatio
-from assess.project.section import Section, listed
+from assess.project.section import Section, quote_names
 
 METHODS = ("none", "srss", "srss-relative", "modal-filter", "ec8", "ec8-resonance", "ec8-printed", "nzs1170.5")
 
@@ -78,6 +78,6 @@ AmplificationSection = Annotated[
         _tag,
         custom_error_type="choice",
         custom_error_message="write one of {names}",
-        custom_error_context={"key": ("method",), "names": listed(METHODS)},
+        custom_error_context={"key": ("method",), "names": quote_names(METHODS)},
     ),
 ]

@@ -21,7 +21,7 @@ from assess.project.quantities import (
     Share,
     unique,
 )
-from assess.project.section import Section, listed, wrong
+from assess.project.section import Section, quote_names, wrong
 from assess.project.sections.italian import Dmi2008, Ntc2018
 from assess.project.sections.procedure_names import Procedure
 from assess.project.sections.pulses import Pulses
@@ -35,7 +35,7 @@ SOURCES = ("measured", "literature", "assumed")
 def _begins_with_its_kind(text: str) -> str:
     if text.partition(":")[0].strip() not in SOURCES:
         raise PydanticCustomError(
-            "project", "{reason}", {"reason": f"begin with {listed(SOURCES)}, then a colon and the source"}
+            "project", "{reason}", {"reason": f"begin with {quote_names(SOURCES)}, then a colon and the source"}
         )
     return text
 

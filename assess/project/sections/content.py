@@ -10,7 +10,7 @@ from pydantic import BeforeValidator, Field, StrictInt, StrictStr, model_validat
 
 from assess.codes.families import procedures_of_site
 from assess.project.quantities import Name
-from assess.project.section import Section, listed, wrong
+from assess.project.section import Section, quote_names, wrong
 from assess.project.sections.analysis import Analysis, Procedures, Records, Report
 from assess.project.sections.bodies import BodySection, DirectBody, Material
 from assess.project.sections.loads import BodyLoad, OverburdenLoad
@@ -83,7 +83,9 @@ class Content(Section):
                 raise wrong(("mechanisms", name, "blocks"), f"no such body; {_known('bodies', self.bodies)}")
             twice = sorted({body for body in used if used.count(body) > 1})
             if twice:
-                raise wrong(("mechanisms", name, "blocks"), f"{listed(tuple(twice))} named twice; a body moves once")
+                raise wrong(
+                    ("mechanisms", name, "blocks"), f"{quote_names(tuple(twice))} named twice; a body moves once"
+                )
             if isinstance(mechanism, Chained):
                 self._bodies_are_loads(name, mechanism, set(used))
         return self
@@ -109,4 +111,4 @@ class Content(Section):
 
 
 def _known(table: str, names: Mapping[str, Any]) -> str:
-    return f"known: {listed(names)}" if names else f"add a table [{table}.NAME]"
+    return f"known: {quote_names(names)}" if names else f"add a table [{table}.NAME]"

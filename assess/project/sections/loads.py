@@ -19,7 +19,7 @@ from assess.project.quantities import (
     PositiveRatio,
     Share,
 )
-from assess.project.section import Section, listed, wrong
+from assess.project.section import Section, quote_names, wrong
 from assess.project.units import KINDS, key_value
 
 BlockIndex = Annotated[StrictInt, Field(ge=0, le=2)]
@@ -249,6 +249,6 @@ LoadSection = Annotated[
         _load_tag,
         custom_error_type="project",
         custom_error_message="{reason}",
-        custom_error_context={"key": ("kind",), "reason": f"not a supported load; write one of {listed(LOADS)}"},
+        custom_error_context={"key": ("kind",), "reason": f"not a supported load; write one of {quote_names(LOADS)}"},
     ),
 ]

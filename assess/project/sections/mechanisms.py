@@ -35,7 +35,7 @@ from assess.project.quantities import (
     Uplift,
     unique,
 )
-from assess.project.section import Section, listed, wrong
+from assess.project.section import Section, quote_names, wrong
 from assess.project.sections.amplification import AmplificationSection, NoAmplification
 from assess.project.sections.interfaces import Interface, Letter
 from assess.project.sections.loads import LoadSection, OverburdenLoad
@@ -51,7 +51,7 @@ RESTITUTIONS = ("thesis", "housner", "sorrentino", "momentum")
 def _restitution(value: Any) -> float | str:
     if isinstance(value, str):
         if value not in RESTITUTIONS:
-            raise ValueError(f"not a known restitution; write a number in [0, 1] or one of {listed(RESTITUTIONS)}")
+            raise ValueError(f"not a known restitution; write a number in [0, 1] or one of {quote_names(RESTITUTIONS)}")
         return value
     number = key_value(value, KINDS["ratio"])
     if not 0.0 <= number <= 1.0:
@@ -147,7 +147,7 @@ def _crack(value: Any) -> float | str:
     if isinstance(value, str) and value in CRACKS:
         return value
     if isinstance(value, str) and not any(letter.isdigit() for letter in value):
-        raise ValueError(f"not a crack; write an elevation, or one of {listed(CRACKS)}")
+        raise ValueError(f"not a crack; write an elevation, or one of {quote_names(CRACKS)}")
     return key_value(value, KINDS["length"])
 
 
@@ -248,7 +248,7 @@ class Chained(Section):
             return self
         from assess.project.definitions import definition_of
 
-        for key in definition_of(self).turning():
+        for key in definition_of(self).keys_along():
             of = "an eccentricity depends" if key[-1] == "eccentricity" else "two numbers depend"
             raise wrong(key, f'{of} on the direction, which is "sweep"; give three numbers, or the direction')
         return self
@@ -396,6 +396,6 @@ MechanismSection = Annotated[
         _mechanism_tag,
         custom_error_type="choice",
         custom_error_message="write one of {names}",
-        custom_error_context={"key": ("kind",), "names": listed(MECHANISMS)},
+        custom_error_context={"key": ("kind",), "names": quote_names(MECHANISMS)},
     ),
 ]

@@ -16,7 +16,7 @@ from assess.project.quantities import (
     PositiveLength,
     PositiveTime,
 )
-from assess.project.section import Section, listed, wrong
+from assess.project.section import Section, quote_names, wrong
 from assess.project.sections.spectra import LIMIT_STATES, NtcHazardSpectrum, SpectrumSection
 
 
@@ -39,7 +39,7 @@ class Site(Section):
             raise wrong("limit_state", f'site.spectrum.limit_state, its old spelling, is "{old}"; give one')
         if isinstance(self.spectrum, NtcHazardSpectrum) and self.limit_state not in (None, *LIMIT_STATES):
             raise wrong(
-                "limit_state", f"not one of the hazard over return periods; write one of {listed(LIMIT_STATES)}"
+                "limit_state", f"not one of the hazard over return periods; write one of {quote_names(LIMIT_STATES)}"
             )
         return self
 

@@ -17,7 +17,7 @@ from assess.project.quantities import (
     PositiveYears,
     RatioToOne,
 )
-from assess.project.section import Section, listed, wrong
+from assess.project.section import Section, quote_names, wrong
 
 ASCE7 = ("asce7-05", "ibc2009", "asce7-10", "asce7-16")
 NTC = ("ntc2008", "ntc2018")
@@ -214,6 +214,6 @@ SpectrumSection = Annotated[
         _tag,
         custom_error_type="choice",
         custom_error_message="write one of {names}",
-        custom_error_context={"key": ("code",), "names": listed(SPECTRA)},
+        custom_error_context={"key": ("code",), "names": quote_names(SPECTRA)},
     ),
 ]

@@ -8,7 +8,7 @@ from pydantic import AfterValidator, Field, StrictStr, model_validator
 
 from assess.codes.bases import BASES
 from assess.project.quantities import NotNegativeLength, PositiveRatio, unique
-from assess.project.section import Section, listed, wrong
+from assess.project.section import Section, quote_names, wrong
 from assess.project.sections.procedure_names import READINGS, Procedure
 
 BasisName = Literal["ntc2018", "dmi2008", "nzsee2017", "asce41-13", "asce43-05", "ec8", "own"]
@@ -53,10 +53,12 @@ class VerdictSection(Section):
             if name in READINGS:
                 raise wrong("procedures", f'"{name}" is a reading of the thesis, which never decides; remove it')
             if self.basis is not None and name not in BASES[self.basis].methods:
-                known = listed(BASES[self.basis].methods)
+                known = quote_names(BASES[self.basis].methods)
                 raise wrong("procedures", f'"{name}" is not accepted by {self.basis}; write of {known}')
         if self.basis is not None and self.limit_state is not None:
             states = tuple(state.name for state in BASES[self.basis].chosen)
             if self.limit_state not in states:
-                raise wrong("limit_state", f"not one that may be chosen in {self.basis}; write one of {listed(states)}")
+                raise wrong(
+                    "limit_state", f"not one that may be chosen in {self.basis}; write one of {quote_names(states)}"
+                )
         return self

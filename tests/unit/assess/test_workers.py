@@ -15,11 +15,11 @@ pytestmark = pytest.mark.skipif(not Path("/proc/self/stat").exists(), reason="pr
 
 SPAWNED = """
 import os, sys, time
-from assess.outputs.signals import Terminated, orderly
-from assess.cli.processes import processes
+from assess.outputs.signals import Terminated, raise_on_signals
+from assess.workers import process_pool
 if __name__ == "__main__":
     try:
-        with orderly(), processes(2) as pool:
+        with raise_on_signals(), process_pool(2) as pool:
             list(pool.map(print, ["ready", "ready"])); sys.stdout.flush()
             list(pool.map(time.sleep, [60.0] * 9))
     except Terminated as ended:
@@ -27,12 +27,12 @@ if __name__ == "__main__":
 """
 COPIED = """
 import sys, time
-from assess.outputs.signals import Terminated, orderly
+from assess.outputs.signals import Terminated, raise_on_signals
 from reports.render.processes import processes
 def rest(_, seconds):
     time.sleep(seconds)
 try:
-    with orderly(), processes(2, None) as pool:
+    with raise_on_signals(), processes(2, None) as pool:
         made = [pool.submit(rest, seconds) for seconds in (0.0, *[60.0] * 9)]
         made[0].result()
         print("ready", flush=True)
@@ -43,11 +43,11 @@ except Terminated as ended:
 WRITER = """
 import sys, time
 import reports.writing
-from assess.cli.writer import writer
-from assess.outputs.signals import Terminated, orderly
+from reports.report_process import report_writer
+from assess.outputs.signals import Terminated, raise_on_signals
 reports.writing.write_all = lambda *_, **__: time.sleep(60.0)
 try:
-    with orderly(), writer(2) as begin:
+    with raise_on_signals(), report_writer(2) as begin:
         wait = begin("walls", None, print)
         print("ready", flush=True)
         wait()

@@ -13,9 +13,9 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from records import indexing
+from records import description, indexing
 from records.candidates import PERIODS, Candidate, candidate_table
-from records.catalogue import NAME, candidates, inside, open_catalogue, take
+from records.catalogue import NAME, candidates, open_catalogue, path_inside, store_flatfile
 from records.errors import RecordError
 from records.flatfile import read_flatfile
 from records.formats.header_overrides import HeaderOverrides
@@ -152,7 +152,7 @@ def test_a_process_that_is_killed_loses_its_last_batch_at_most(folder: Path) -> 
 
 
 def test_processes_find_what_one_finds(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(indexing, "FEW", 1)
+    monkeypatch.setattr(description, "FEW", 1)
     with open_catalogue(None) as alone, open_catalogue(None) as shared:
         index(folder, alone)
         with ProcessPoolExecutor(2, mp_context=get_context("spawn")) as executor:
@@ -168,7 +168,7 @@ def test_a_flatfile_goes_before_what_files_say(folder: Path, tmp_path: Path) -> 
     at2(folder / "TWICE.AT2", seed=5)
     with open_catalogue(None) as catalogue:
         index(folder, catalogue)
-        take(catalogue, read_flatfile(table).recordings)
+        store_flatfile(catalogue, read_flatfile(table).recordings)
         found = {one.path: one for one in candidates(catalogue)}
         of = found["RSN57_X_0.AT2"]
         assert (of.event, of.station, of.magnitude, of.vs30) == ('San Fernando, "main"', "Castaic", 6.61, 450.3)
@@ -235,8 +235,8 @@ def test_no_path_leaves_the_folder(folder: Path, tmp_path: Path) -> None:
         assert not any("secret" in one.path or "link" in one.path for one in candidates(catalogue))
     for path in ("../outside/secret.AT2", str(outside), "link.AT2", "away/secret.AT2"):
         with pytest.raises(RecordError, match="leads out"):
-            inside(folder, path)
-    assert inside(folder, "old/A-BCS000.AT2").is_file()
+            path_inside(folder, path)
+    assert path_inside(folder, "old/A-BCS000.AT2").is_file()
 
 
 def test_what_is_not_a_catalogue_is_left_alone(tmp_path: Path) -> None:
@@ -287,7 +287,7 @@ def test_an_older_version_is_read_again_and_keeps_what_it_was_told(folder: Path)
     table = folder.parent / "flat.csv"
     table.write_text(FLATFILE, encoding="utf-8")
     with open_catalogue(folder / NAME) as catalogue:
-        take(catalogue, read_flatfile(table).recordings)
+        store_flatfile(catalogue, read_flatfile(table).recordings)
         index(folder, catalogue, overrides=HeaderOverrides("g", None, None))
         before = candidates(catalogue)
         catalogue.execute("PRAGMA user_version = 2")
@@ -427,7 +427,7 @@ def test_a_row_of_another_number_than_the_file_s_name_does_not_describe_it(folde
     table.write_text(f"RSN,Earthquake Name,YEAR,Magnitude,File Name (Horizontal 1)\n{rows}")
     with open_catalogue(None) as catalogue:
         index(folder, catalogue)
-        take(catalogue, read_flatfile(table).recordings)
+        store_flatfile(catalogue, read_flatfile(table).recordings)
         found = {one.path: one for one in candidates(catalogue)}
     assert (found["RSN57_X_0.AT2"].nga, found["RSN57_X_0.AT2"].magnitude) == (57, None)
     assert (found["RSN58_X_1.AT2"].nga, found["RSN58_X_1.AT2"].magnitude) == (58, 5.5)

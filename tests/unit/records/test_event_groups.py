@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from records.candidates import PERIODS, Candidate
+from records.description import read_candidates
 from records.event_groups import event_groups, same_motion
 from records.formats.header_overrides import HeaderOverrides
-from records.indexing import candidates_of
 
 RECORDS = Path(__file__).parents[4] / "shared" / "records"
 
@@ -64,6 +64,6 @@ def test_none_and_many() -> None:
 def test_rio_dell_in_two_formats() -> None:
     """PEER AT2, and the same as FEMA P-695 has it, with a sample more; beside another record of the earthquake."""
     files = ["plain/SortedEQFile_(121321).txt", "peer_at2/RIO270.AT2", "peer_at2/CPM000.AT2", "peer_at2/Rinaldi228.AT2"]
-    found = candidates_of([RECORDS / file for file in files], overrides=HeaderOverrides("g"))
+    found = read_candidates([RECORDS / file for file in files], overrides=HeaderOverrides("g"))
     assert event_groups([(one,) for one in found], one_per_event=True).tolist() == [0, 0, 0, 1]
     assert event_groups([(one,) for one in found], one_per_event=False).tolist() == [0, 0, 1, 2]

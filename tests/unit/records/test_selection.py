@@ -10,7 +10,8 @@ import pytest
 from records.band import band, truncate_band
 from records.candidates import PERIODS, Candidate, sequence_number
 from records.errors import RecordError
-from records.selection import Criteria, Filters, Pool, best_suite, exchanged, exhaustive, greedy, passes, select
+from records.selection import Criteria, Filters, passes, select
+from records.suites import Pool, best_suite, exchange, exhaustive, greedy
 from spectra.asce7 import design_spectrum
 from spectra.table import table_spectrum
 
@@ -72,7 +73,7 @@ def test_a_small_catalogue_gives_the_best_of_all_suites(seed: int) -> None:
 def test_exchanges_never_make_a_greedy_suite_worse_and_mostly_reach_the_best(seed: int) -> None:
     of = pool(seed, 14, 14)
     first = greedy(of, 4)
-    misfit = [float(of.misfit(of.ratio[suite].mean(axis=0))) for suite in (first, exchanged(of, first))]
+    misfit = [float(of.misfit(of.ratio[suite].mean(axis=0))) for suite in (first, exchange(of, first))]
     assert misfit[1] <= misfit[0]
     assert misfit[1] <= 2.5 * least(of, 4)  # one exchange at a time may stop at a local optimum
 

@@ -10,7 +10,8 @@ from scipy.integrate import solve_ivp
 from records.errors import RecordError
 from records.record import Record
 from records.response import response_spectrum
-from records.synthetic import artificial, end_weights, envelope, with_peak
+from records.spectral_fit import end_weights, envelope, with_peak
+from records.synthetic import artificial
 from spectra.asce7 import design_spectrum
 from spectra.table import table_spectrum
 

@@ -13,7 +13,7 @@ from scipy.constants import g
 from assess.codes.bases import BASES
 from assess.codes.check import Check, Outcome, PgaCurve, Reason, Step, reason_message
 from assess.codes.verdict import Action, Decision, MechanismChecks, Question, mark_deciding, verdict
-from assess.messages.message import Message, Severity, count
+from assess.messages.message import Message, Severity, whole_number
 from assess.results import (
     SCHEMA_VERSION,
     AmplificationResult,
@@ -178,7 +178,13 @@ def check(
 
 def reason_of(verdict: str, ratio: float | None) -> Message:
     if verdict == "not-answered":
-        return reason_message(Reason.TOO_FEW_RECORDS, n=count(4), fallen=count(0), clause="ASCE 43-05", least=count(5))
+        return reason_message(
+            Reason.TOO_FEW_RECORDS,
+            n=whole_number(4),
+            fallen=whole_number(0),
+            clause="ASCE 43-05",
+            least=whole_number(5),
+        )
     if verdict == "fail" and ratio is None:
         return reason_message(Reason.OVERTURNS)
     return reason_message(Reason.WITHIN if verdict == "pass" else Reason.BEYOND, capacity="the allowable")

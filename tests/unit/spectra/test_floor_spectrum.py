@@ -4,22 +4,18 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from spectra.ec8 import elastic_spectrum
-from spectra.errors import SpectrumError
-from spectra.floor_spectrum import (
+from spectra.circolare2019 import (
     Mode,
     circolare2019,
     circolare2019_frame,
     circolare2019_modal,
     circolare2019_peak,
-    ec8,
     first_mode_factor,
-    nzs1170_5,
-    part_action,
     part_amplification,
-    part_response_factor,
-    part_shape,
 )
+from spectra.ec8 import elastic_spectrum
+from spectra.errors import SpectrumError
+from spectra.floor_spectrum import ec8, nzs1170_5, part_action, part_response_factor, part_shape
 from spectra.nzs1170_5 import site_spectrum
 from spectra.table import table_spectrum
 

@@ -16,7 +16,7 @@ from scipy.constants import g
 from assess.project.build import build
 from assess.project.schema import load
 from assess.results import MechanismResult
-from assess.study.run import case_parameters
+from assess.study.parameters import case_parameters
 
 RADIUS, HEIGHT, SIDES = 2.0, 9.0, 32
 PROJECT = """

@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 from scipy.constants import g
 
-from assess.cli.summary import summary
+from assess.cli.tables.summary import summary
 from assess.codes.bases import BASES
 from assess.codes.check import Check, Outcome, Reason, reason_message
 from assess.codes.verdict import Action, MechanismChecks, Missing, Question, verdict
@@ -21,7 +21,7 @@ from assess.project.build import build
 from assess.project.schema import load
 from assess.results import Program, Resolved, Results
 from assess.results.json import dumps
-from assess.study import run as running
+from assess.study.parameters import parameters
 from tests.support.command import ended
 from tests.support.projects import block, project_toml, published
 
@@ -56,7 +56,7 @@ def check(procedure: str, verdict: str, ratio: float | None, *, level: float = 0
 
 def results_of(path: Path, *checks: Check, missing: tuple[Missing, ...] = ()) -> Results:
     """The first mechanism of the project with these checks, judged by ASCE 43-05 at 0.1 g."""
-    mechanisms = running.parameters(build(load(path)))
+    mechanisms = parameters(build(load(path)))
     first = replace(mechanisms[0], checks=checks)
     warnings = (
         Message("fc", Severity.WARNING, "procedures.dmi2008", "FC is 1.00"),
@@ -251,7 +251,7 @@ def test_summary_tells_the_verdict_and_what_it_rests_on(project: Path) -> None:
     assert [line.split() for line in summary(results).splitlines()] == [
         ["mechanism", "verdict", "state", "decided", "by", "index", "holds", "up", "to"],
         ["=wall,", "1", "FAIL", "DBE", "asce43-05-spectrum", "D/C", "1.25", "0.0800", "g", "=", "0.800", "x"],
-        ["=wall,", "1:", "the", "demand", "is", "beyond", "the", "allowable"],
+        ["=wall,", "1:", "the", "demand", "exceeds", "the", "allowable"],
         ["note:", "bodies.wall:", "one", "hole", "filled"],
         [],
         ["verdict:", "FAIL"],

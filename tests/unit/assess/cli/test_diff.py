@@ -10,14 +10,14 @@ from pathlib import Path
 
 import pytest
 
-from assess.cli.diff_table import changes_text
+from assess.cli.tables.diff import changes_text
 from assess.messages.message import Message, Severity
 from assess.project.build import build
 from assess.project.schema import load
 from assess.results import SCHEMA_VERSION, Input, Program, Resolved, Results
 from assess.results.diff import Change
 from assess.results.json import dumps
-from assess.study.run import parameters
+from assess.study.parameters import parameters
 from tests.support.command import ended
 from tests.support.projects import project_toml, published
 

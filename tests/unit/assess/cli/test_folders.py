@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from assess.cli.processes import cores
 from assess.outputs.lock import hold_lock
+from assess.workers import available_cores
 from tests.support.command import ended
 from tests.support.projects import project_toml
 
@@ -61,5 +61,5 @@ def test_a_number_of_processes_that_is_none_is_refused(
 
 def test_no_more_processes_are_begun_than_there_are_cores(tmp_path: Path) -> None:
     (tmp_path / "wall.toml").write_text(project_toml(analysis={"procedures": ["asce43-05-spectrum"]}))
-    assert cores() >= 1
+    assert available_cores() >= 1
     assert ended("run", tmp_path / "wall.toml", "--no-report", "--jobs", "99999999999") in (0, 1, 3)

@@ -133,7 +133,7 @@ def test_hostile_names_are_text_on_one_line(tmp_path: Path, capsys: pytest.Captu
         (["list", "bare.txt", "--unit", "g", "--step", "nan"], "time step nan"),
         (["convert", "n.AT2"], "Missing option"),
         (["convert", "n.AT2", "-o", "out.txt"], "choose one of .csv, .at2"),
-        (["convert", "n.AT2", "-o", "n.AT2"], "a file that is read"),
+        (["convert", "n.AT2", "-o", "n.AT2"], "an input file"),
         (["convert", "n.AT2", "-o", "absent/out.csv"], "no folder absent"),
         (["convert", "n.AT2", "e.at2", "-o", "out.csv"], 'choose with --component: "0" of n, "90" of e'),
         (["convert", "n.AT2", "--azimuth", "30", "-o", "out.csv"], "two horizontal components are turned"),

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from records import indexing
+from records import description
 from records.catalogue import NAME
 from records.reading import read_records
 from records.record import make_record
@@ -162,8 +162,8 @@ def test_scaled_records_meet_the_ordinate_and_the_peak(folder: Path, capsys: pyt
         (("scale", "{folder}", "--target", "{target}"), "motions: is a folder; give the files in it"),
         (("select", "{folder}", "--target", "{target}", "--pga", "nan", "1"), "--pga nan 1: not a number"),
         (("select", "{folder}", "--target", "{folder}/RSN100_Q.AT2"), "RSN100_Q.AT2: a target is a project"),
-        (("select", "{folder}", "--target", "{target}", "-o", "{none}/f.svg"), "f.svg: there is no folder"),
-        (("spectra", "{folder}", "-o", "{none}/f.svg"), "f.svg: there is no folder"),
+        (("select", "{folder}", "--target", "{target}", "-o", "{none}/f.svg"), "none does not exist; create it first"),
+        (("spectra", "{folder}", "-o", "{none}/f.svg"), "none does not exist; create it first"),
         (("index", "{folder}", "--catalogue", "{target}"), "target.csv: the catalogue cannot be used"),
         (("spectra", "{folder}", "--damping", "0.1"), "holds spectra of 5 % damping"),
         (("spectra", "{folder}/RSN100_Q.AT2", "--damping", "7"), "damping"),
@@ -235,7 +235,7 @@ def test_an_index_tells_what_became_of_a_flatfile(folder: Path, capsys: pytest.C
         (5, "Record Sequence Number", "last"),
     ]
     assert select(folder, "--count", 2, "--flatfile", flat) == 0
-    assert "warning: records.flatfile: 3 cells passed over: row 4," in capsys.readouterr().out
+    assert "warning: records.flatfile: 3 cells ignored: row 4," in capsys.readouterr().out
 
 
 @pytest.mark.parametrize(
@@ -279,8 +279,8 @@ def test_many_files_are_read_by_processes(
             return super().map(*arguments, **options)
 
     monkeypatch.setattr("assess.workers.SpawnedPool", Executor)
-    monkeypatch.setattr("assess.cli.arguments.cores", lambda: 8)
-    monkeypatch.setattr(indexing, "FEW", 1)
+    monkeypatch.setattr("assess.workers.available_cores", lambda: 8)
+    monkeypatch.setattr(description, "FEW", 1)
     (folder.parent / "project.toml").write_text(
         project_toml(
             site={"spectrum": {"code": "table", "file": "target.csv"}},

@@ -3,7 +3,7 @@
 import pytest
 
 from assess.cli.app import app
-from assess.cli.usage import WRONG_USAGE, usage
+from assess.cli.usage import WRONG_USAGE, usage_error
 
 
 @pytest.mark.parametrize(
@@ -27,4 +27,4 @@ from assess.cli.usage import WRONG_USAGE, usage
 def test_a_wrong_command_is_told_in_plain_words(typed: str, told: str) -> None:
     with pytest.raises(WRONG_USAGE) as caught:
         app(typed.split(" "), standalone_mode=False, prog_name="assess")
-    assert str(usage(caught.value)).startswith(told)
+    assert str(usage_error(caught.value)).startswith(told)

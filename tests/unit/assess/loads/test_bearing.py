@@ -10,7 +10,7 @@ from scipy.optimize import minimize
 from assess.errors import GeometryError
 from assess.geometry.contact import Contact
 from assess.geometry.solid import Solid, box, join
-from assess.loads.bearing import carrying, overburden, share_of, shares, support
+from assess.loads.bearing import bearing_contacts, overburden, share_of, shares, support
 
 
 def cuboid(low, high, name, density=1000.0) -> Solid:
@@ -67,7 +67,7 @@ def test_faces_it_only_pushes_against_carry_nothing():
     rear = cuboid((6, 0, 0), (7, 5, 8), "rear")
     found = support(floor, block=[FRONT], others=[rear])
     assert not found.others["rear"].bearing
-    assert carrying(found).others == {}
+    assert bearing_contacts(found).others == {}
 
 
 def test_overburden_of_two_floors_is_what_a_beam_and_a_free_body_bring():

@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 from scipy.constants import g
 
-from assess.cli.description import description
+from assess.cli.tables.project import description
 from assess.errors import GeometryError, MechanismError, ProjectError
 from assess.project.build import build
 from assess.project.schema import load
-from assess.study.run import parameters
+from assess.study.parameters import parameters
 from tests.support import projects
 from tests.support.projects import block, project_toml, wall
 

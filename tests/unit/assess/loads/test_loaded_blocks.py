@@ -8,7 +8,8 @@ from math import sqrt
 import pytest
 
 from assess.errors import GeometryError, MechanismError, ProjectError
-from assess.study.run import parameters, run
+from assess.study.parameters import parameters
+from assess.study.run import run
 from tests.support import projects
 from tests.support.projects import block, project_toml, wall
 

@@ -13,7 +13,7 @@ from assess.mechanisms.directions import Directions
 from assess.mechanisms.mechanism import Mechanism
 from assess.project.build import build
 from assess.project.schema import load
-from assess.study.run import parameters
+from assess.study.parameters import parameters
 from tests.support.projects import block, project_toml, study_of
 
 HEIGHT = 10.0

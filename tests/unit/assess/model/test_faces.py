@@ -11,7 +11,7 @@ from assess.mechanisms.face import Face
 from assess.mechanisms.mechanism import Mechanism
 from assess.project.build import build
 from assess.project.schema import load
-from assess.study.run import parameters
+from assess.study.parameters import parameters
 from assess.study.study import Study
 
 HEAD = """

@@ -6,7 +6,7 @@ import pytest
 
 from assess.geometry.boolean import shortest_distance
 from assess.geometry.solid import Solid, box, polyhedron
-from assess.model.gaps import loose, parted
+from assess.model.gaps import gaps_at_hinge, gaps_in_block
 from tests.support.projects import project_toml, study_of, wall
 
 
@@ -45,9 +45,9 @@ def test_blocks_that_do_not_meet_at_their_hinge_are_told(tmp_path):
 
 def test_a_block_need_only_hang_together() -> None:
     row = [cube(x, name=f"{x}") for x in (0.0, 1.0, 2.0, 3.0)]
-    assert list(loose([row[0], row[3], row[1], row[2]])) == []
+    assert list(gaps_in_block([row[0], row[3], row[1], row[2]])) == []
     apart = [cube(x, name=f"{x}") for x in (0.0, 7.0, 1.0, 3.5)]
-    assert [(each["one"], each["other"], str(each["distance"])) for each in loose(apart)] == [
+    assert [(each["one"], each["other"], str(each["distance"])) for each in gaps_in_block(apart)] == [
         ("1.0", "3.5", "1.5 m"),
         ("7.0", "3.5", "2.5 m"),
     ]
@@ -55,9 +55,9 @@ def test_a_block_need_only_hang_together() -> None:
 
 def test_a_beam_above_its_posts_is_told() -> None:
     beam = box(thickness=5.0, length=1.0, height=0.5, base=[2.0, 0.0, 2.0], density=1.0, name="beam")
-    (said,) = parted([cube(0.0, name="post")], [beam])
+    (said,) = gaps_at_hinge([cube(0.0, name="post")], [beam])
     assert (said["one"], said["other"], str(said["distance"])) == ("post", "beam", "1 m")
-    assert list(parted([cube(0.0), cube(0.0, z=1.0)], [beam])) == []
+    assert list(gaps_at_hinge([cube(0.0), cube(0.0, z=1.0)], [beam])) == []
 
 
 @pytest.mark.parametrize(

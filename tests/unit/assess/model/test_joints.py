@@ -14,7 +14,7 @@ from assess.errors import AssessError
 from assess.oscillator import elastic_frequency
 from assess.project.build import build
 from assess.project.schema import load
-from assess.study.run import parameters
+from assess.study.parameters import parameters
 
 STONE = """
 [materials.stone]

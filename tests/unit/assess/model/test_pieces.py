@@ -12,8 +12,9 @@ from assess.errors import GeometryError, ProjectError
 from assess.geometry.solid import Solid, box, join, profile
 from assess.messages.message import Message
 from assess.project.build import build
-from assess.project.schema import load, resolved
-from assess.study.run import parameters, run
+from assess.project.schema import load, resolve
+from assess.study.parameters import parameters
+from assess.study.run import run
 from assess.study.study import Study
 
 HEAD = """
@@ -95,7 +96,7 @@ def test_unit_up_and_element_of_a_mesh(tmp_path: Path) -> None:
     (tmp_path / "wall.obj").write_text(obj(upright))
     made = study(tmp_path, body("w", 'mesh = "wall.obj"\nmesh_unit = "mm"\nmesh_up = "y"'))
     assert parameters(made)[0].oscillator.mass_kg == pytest.approx(2400 * 0.6 * 4 * 4.5, rel=1e-12)
-    stated = resolved(load(tmp_path))
+    stated = resolve(load(tmp_path))
     assert [stated[f"bodies.w.{key}"].value for key in ("mesh_unit", "mesh_up", "element")] == [0.001, "y", None]
     with pytest.raises(GeometryError, match=r'body "w": mesh wall.obj: it has no element "tower"'):
         study(tmp_path, body("w", 'mesh = "wall.obj"\nelement = "tower"'))

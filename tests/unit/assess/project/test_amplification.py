@@ -13,47 +13,14 @@ from assess.amplification.floor_motion import FirstMode, FloorFactor, ModalFilte
 from assess.amplification.natural_frequency import rayleigh_mode, slice_cantilever
 from assess.errors import ProjectError
 from assess.geometry.solid import box
-from assess.project.build import build
-from assess.project.schema import load
-from assess.study.run import envelope, run
+from assess.study.envelope_run import envelope
+from assess.study.run import run
 from assess.study.study import Study
 from records.floor_motion import floor_motion
+from tests.support import projects
+from tests.support.projects import project_toml, wall
 
 WALL = box(thickness=0.6, length=4.0, height=8.0, base=[0, 0, 0], density=2000.0, name="w")
-PROJECT = """
-[site.spectrum]
-code = "asce7-16"
-s_ds = "0.5 g"
-s_d1 = "0.2 g"
-t_l = 6
-{building}
-[materials.m]
-density = 2000
-young_modulus = "3 GPa"
-[materials.soft]
-density = 2000
-[bodies.w]
-material = "m"
-box = {{ thickness = 0.6, length = 4.0, height = 8.0 }}
-[bodies.high]
-material = "m"
-box = {{ thickness = 0.6, length = 4.0, height = 3.0, base = [0, 0, 5] }}
-[bodies.soft]
-material = "soft"
-box = {{ thickness = 0.6, length = 4.0, height = 8.0 }}
-[bodies.direct]
-mass = 1000
-centroid = [0, 1]
-inertia = 500
-[mechanisms.m]
-{mechanism}
-[records]
-files = ["a.csv"]
-[analysis]
-levels = ["0.3 g"]
-procedures = ["asce43-05-history", "asce43-05-spectrum"]
-{analysis}
-"""
 METHODS = {"srss": Srss, "modal-filter": ModalFilter}
 CUT = 'kind = "single-block"\nblocks = ["w"]\ncut = "5 m"\n'
 BLOCK = 'kind = "equivalent-block"\np = 2.26\nuplift = 0.21\nradius = 1.46\nelevation = 5\n'
@@ -65,9 +32,21 @@ def study_of(folder: Path, mechanism: str, *, building: str = "", analysis: str 
     noise = np.convolve(np.random.default_rng(3).normal(size=t.size), np.hanning(15), mode="same")
     rows = "\n".join(f"{x:.2f},{y:.6f}" for x, y in zip(t, noise * np.sin(np.pi * t / 6.0), strict=True))
     (folder / "a.csv").write_text(f"time [s],acceleration [m/s2]\n{rows}\n")
-    text = PROJECT.format(mechanism=mechanism, building=building, analysis=analysis)
-    (folder / "project.toml").write_text(text)
-    return build(load(folder))
+    text = project_toml(
+        analysis,
+        building,
+        materials={"m": {"density": 2000, "young_modulus": "3 GPa"}, "soft": {"density": 2000}},
+        bodies={
+            "w": wall(0.6, 4.0, 8.0, material="m"),
+            "high": wall(0.6, 4.0, 3.0, material="m", base=[0, 0, 5]),
+            "soft": wall(0.6, 4.0, 8.0, material="soft"),
+            "direct": {"mass": 1000, "centroid": [0, 1], "inertia": 500},
+        },
+        mechanisms={"m": mechanism},
+        records={"files": ["a.csv"]},
+        analysis={"levels": ["0.3 g"], "procedures": ["asce43-05-history", "asce43-05-spectrum"]},
+    )
+    return projects.study_of(folder, text)
 
 
 def amplification(method: str, **keys: str) -> str:

@@ -13,6 +13,8 @@ from assess.project.schema import load
 from assess.study.motions import motions_of
 from assess.study.run import run
 from assess.study.sensitivity import check_case
+from tests.support import projects
+from tests.support.projects import block, project_toml, wall
 
 ROWS = """hazard = [
     { return_period = 30, a_g = "0.08 g", f_0 = 2.4, t_c_star = 0.27 },
@@ -22,22 +24,6 @@ ROWS = """hazard = [
 nominal_life = 50
 use_class = "II"
 """
-HEAD = """
-[site.spectrum]
-code = "{code}"
-{spectrum}
-[materials.m]
-density = 2000
-[bodies.w]
-material = "m"
-box = {{ thickness = 0.6, length = 4.0, height = 4.5 }}
-[mechanisms.w]
-kind = "single-block"
-blocks = ["w"]
-[records]
-synthetic = {{ count = {count}, duration = "10 s" }}
-{tail}
-"""
 NTC = 'soil = "B"\na_g = "0.26 g"\nf_0 = 2.4\nt_c_star = 0.35'
 ASCE = "s_ds = 5\ns_d1 = 2\nt_l = 6"
 ASCE43 = {"asce43-05-spectrum", "asce43-05-spectrum-thesis", "asce43-05-history"}
@@ -45,10 +31,19 @@ DMI2008 = {"dmi2008-linear", "dmi2008-nonlinear", "dmi2008-nonlinear-thesis"}
 NTC2018 = {"ntc2018-linear", "ntc2018-nonlinear", "ntc2018-history"}
 
 
+def project(*, code="ntc2018", spectrum=NTC, tail="", count=1, **mechanism):
+    return project_toml(
+        tail,
+        site={"spectrum": f'code = "{code}"\n{spectrum}'},
+        materials={"m": {"density": 2000}},
+        bodies={"w": wall(0.6, 4.0, 4.5, material="m")},
+        mechanisms={"w": block("w", **mechanism)},
+        records={"synthetic": {"count": count, "duration": "10 s"}},
+    )
+
+
 def study_of(folder: Path, *, code="ntc2018", spectrum=NTC, tail="", count=1):
-    text = HEAD.format(code=code, spectrum=spectrum, tail=tail, count=count)
-    (folder / "project.toml").write_text(text)
-    return build(load(folder))
+    return projects.study_of(folder, project(code=code, spectrum=spectrum, tail=tail, count=count))
 
 
 @pytest.mark.parametrize(
@@ -104,9 +99,7 @@ def test_without_crushing_the_factor_of_lc1_decides_and_a_lower_one_informs(tmp_
 
 
 def test_crushing_without_a_knowledge_level_is_not_answered_and_names_the_key(tmp_path):
-    text = HEAD.format(code="ntc2018", spectrum=NTC, tail="", count=1)
-    text = text.replace('blocks = ["w"]', 'blocks = ["w"]\ninterface = { strength = "2 MPa" }')
-    (tmp_path / "project.toml").write_text(text)
+    (tmp_path / "project.toml").write_text(project(interface={"strength": "2 MPa"}))
     study = build(load(tmp_path))
     verdict = run(study).verdict
     assert "procedures.ntc2018.knowledge_level" in [each.key for each in verdict.missing]

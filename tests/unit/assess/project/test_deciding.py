@@ -15,48 +15,32 @@ from assess.project.deciding import facts_of, of_pga, question_of
 from assess.project.schema import load
 from assess.project.site_spectrum import site_in, spectrum_of
 from assess.study.run import run
+from tests.support.projects import NTC, block, lines, project_toml, published, wall
 
-SITE = """
-[site]
-limit_state = "SLV"
-[site.spectrum]
-code = "ntc2018"
-a_g = "0.15 g"
-f_0 = 2.4
-t_c_star = "0.3 s"
-soil = "A"
-[materials.m]
-density = 1800
-{material}
-[bodies.wall]
-material = "m"
-box = {{ thickness = 0.6, length = 3.0, height = 6.0 }}
-[bodies.roof]
-mass = "1000 kg"
-centroid = [0.0, 6.1]
-inertia = "10 kg*m^2"
-{direct}
-[mechanisms.wall]
-kind = "single-block"
-blocks = ["{block}"]
-direction = [1, 0, 0]
-{more}
-[mechanisms.tabled]
-kind = "equivalent-block"
-p = "1.6 1/s"
-uplift = 0.14
-radius = "2.84 m"
-{tabled}
-[report.sources]
-{sources}
-"""
+SITE = {"limit_state": "SLV", "spectrum": NTC}
 EXCLUDED = 'disintegration = "excluded"'
-NONE = {"material": "", "direct": "", "block": "wall", "more": "", "tabled": "", "sources": ""}
+
+
+def site(*, material="", direct="", of="wall", more="", tabled="", sources="") -> str:
+    """A project at a site in Italy, with what a test adds to its tables."""
+    return project_toml(
+        f"[report.sources]\n{sources}",
+        site=SITE,
+        materials={"m": f"density = 1800\n{material}"},
+        bodies={
+            "wall": wall(0.6, 3.0, 6.0, material="m"),
+            "roof": f'mass = "1000 kg"\ncentroid = [0.0, 6.1]\ninertia = "10 kg*m^2"\n{direct}',
+        },
+        mechanisms={
+            "wall": lines(block(of, direction=[1, 0, 0]), more),
+            "tabled": lines(published(), tabled),
+        },
+    )
 
 
 def content(tmp_path, top="", **given):
     file = tmp_path / "project.toml"
-    file.write_text(top + SITE.format(**{**NONE, **given}), encoding="utf-8")
+    file.write_text(top + site(**given), encoding="utf-8")
     return load(file).content
 
 
@@ -86,7 +70,7 @@ def test_an_italian_pass_needs_sound_masonry_shown(tmp_path, material, sources, 
 
 def test_masonry_without_a_material_says_it_in_its_own_table(tmp_path):
     assert keys(facts(tmp_path, "tabled")) == ["mechanisms.tabled.disintegration", "report.sources"]
-    assert keys(facts(tmp_path, block="roof")) == ["bodies.roof.disintegration", "report.sources"]
+    assert keys(facts(tmp_path, of="roof")) == ["bodies.roof.disintegration", "report.sources"]
     shown = '"mechanisms.tabled" = "literature: a table"'
     assert keys(facts(tmp_path, "tabled", tabled=EXCLUDED, sources=shown)) == []
 
@@ -105,7 +89,7 @@ def test_the_methods_that_may_decide_run_whatever_the_analysis_lists(tmp_path):
 @pytest.mark.parametrize(("pga", "lowers"), [("", False), ('pga = "0.05 g"', True), ('pga = "0.4 g"', False)])
 def test_a_pga_below_that_of_a_single_spectrum_is_a_condition_of_a_pass(tmp_path, pga, lowers):
     file = tmp_path / "project.toml"
-    file.write_text(SITE.format(**NONE).replace("[site]\n", f"[site]\n{pga}\n"), encoding="utf-8")
+    file.write_text(site().replace("[site]\n", f"[site]\n{pga}\n"), encoding="utf-8")
     of = load(file).content
     assert [each.key for each in of_pga(of, spectrum_of(site_in(of)))] == (["pga-lowered"] if lowers else [])
 
@@ -129,8 +113,8 @@ def test_a_table_that_may_have_no_heading_of_its_own_is_marked_so():
 def test_a_linear_pass_says_that_it_counts_ties_nobody_shows_to_last(tmp_path, tied, conditions):
     tie = 'sides = "one"\nloads = [{ kind = "tie", at = [-0.2, 5.8], anchor = [-6.0, 5.8], force = "20 kN" }]'
     file = tmp_path / "project.toml"
-    given = {**NONE, "more": tie if tied else ""}
-    file.write_text('[verdict]\nprocedures = ["ntc2018-linear"]\n' + SITE.format(**given), encoding="utf-8")
+    given = {"more": tie if tied else ""}
+    file.write_text('[verdict]\nprocedures = ["ntc2018-linear"]\n' + site(**given), encoding="utf-8")
     study = build(load(file))
     spectrum = replace(study.spectrum, factor=0.1 * study.spectrum.factor)
     results = run(replace(study, spectrum=spectrum, levels=(spectrum.pga,)), jobs=1)
@@ -143,7 +127,7 @@ def test_all_that_is_missing_is_listed_at_once(tmp_path):
     file = tmp_path / "project.toml"
     top = '[verdict]\nprocedures = ["ntc2018-history"]\n[building]\nground_elevation = -6.0\nuse_class = "II"\n'
     top += '[records]\nsynthetic = { count = 3, seed = 1, duration = "25 s" }\n'
-    file.write_text(top + SITE.format(**NONE), encoding="utf-8")
+    file.write_text(top + site(), encoding="utf-8")
     found = run(build(load(file)), jobs=1).verdict
     missing = {each.key for one in found.mechanisms if one.mechanism == "wall" for each in one.missing}
     assert {"mechanisms.wall.amplification", "records.synthetic", "materials.m.disintegration"} <= missing

@@ -6,23 +6,16 @@ from pathlib import Path
 
 import pytest
 
-from assess.cli.description import description
+from assess.cli.tables.project import description
 from assess.codes.check import Outcome, Reason
-from assess.project.build import build
 from assess.project.schema import load
 from assess.study.grounding import BY_BODIES, BY_BUILDING, BY_MECHANISM, BY_TABLE, UNKNOWN, Grounded
-from assess.study.run import parameters, run
+from assess.study.parameters import parameters
+from assess.study.run import run
 from assess.study.study import Study
+from tests.support.projects import project_toml, study_of
 
-HEAD = """
-[site.spectrum]
-code = "asce7-16"
-s_ds = "0.5 g"
-s_d1 = "0.2 g"
-t_l = 6
-[materials.m]
-density = 2000
-"""
+HEAD = project_toml(materials={"m": {"density": 2000}}, bodies=None, mechanisms=None)
 BUILDING = '[building]\nheight = "9 m"\n'
 TABLE = '[mechanisms.t]\nkind = "equivalent-block"\np = 1.6\nuplift = 0.14\nradius = 2.84\n'
 
@@ -37,8 +30,7 @@ def mechanism(more: str = "", *, kind: str = "single-block", name: str = "m") ->
 
 
 def study(folder: Path, *tables: str) -> Study:
-    (folder / "project.toml").write_text(HEAD + "".join(tables))
-    return build(load(folder))
+    return study_of(folder, HEAD + "".join(tables))
 
 
 def of(folder: Path, *tables: str, name: str = "m") -> Grounded:

@@ -20,29 +20,8 @@ from records.record import make_record
 from records.response import response_spectrum
 from records.writing import at2_text
 from reports.assessment import assessment
+from tests.support.projects import project_toml, published, study_of
 
-PROJECT = """
-[site.spectrum]
-code = "asce7-16"
-s_ds = "0.5 g"
-s_d1 = "0.2 g"
-t_l = "6 s"
-[mechanisms.slow]
-kind = "equivalent-block"
-p = "1.6 1/s"
-uplift = 0.14
-radius = "2.84 m"
-[mechanisms.quick]
-kind = "equivalent-block"
-p = "3.36 1/s"
-uplift = 0.34
-radius = "0.62 m"
-[records]
-{records}
-[analysis]
-levels = ["0.1 g"]
-procedures = ["asce43-05-spectrum"]
-"""
 SELECT = 'files = ["motions"]\nselect = { count = 3, scale_limits = [0.01, 100.0] }'
 
 
@@ -69,9 +48,18 @@ def write(place: Path, number: int, component: str, acceleration: np.ndarray) ->
     (place / "motions" / f"RSN{100 + number}_Q_{component}.AT2").write_text(at2_text(record))
 
 
+def project(records: str = SELECT) -> str:
+    return project_toml(
+        materials=None,
+        bodies=None,
+        mechanisms={"slow": published(), "quick": published(3.36, 0.34, 0.62)},
+        records=records,
+        analysis={"levels": ["0.1 g"], "procedures": ["asce43-05-spectrum"]},
+    )
+
+
 def study(folder: Path, records: str = SELECT) -> Study:
-    (folder / "project.toml").write_text(PROJECT.format(records=records))
-    return build(load(folder))
+    return study_of(folder, project(records))
 
 
 @pytest.fixture(scope="module")
@@ -192,7 +180,7 @@ def test_bad_input_is_one_line_that_names_the_key(
 
 def test_a_sweep_cannot_vary_the_selection(folder: Path) -> None:
     (folder / "project.toml").write_text(
-        PROJECT.format(records=SELECT) + '[analysis.sweep]\nkey = "records.select.count"\nvalues = [2, 3]\n'
+        project() + '[analysis.sweep]\nkey = "records.select.count"\nvalues = [2, 3]\n'
     )
     with pytest.raises(AssessError, match="sweep"):
         build(load(folder))

@@ -10,7 +10,7 @@ from scipy.constants import g
 
 from assess.codes.registry import PROCEDURES as REGISTERED
 from assess.errors import ProjectError
-from assess.project.schema import json_schema, load, resolved
+from assess.project.schema import json_schema, load, resolve
 from assess.project.sections import PROCEDURES, BoxBody, DirectBody, EquivalentBlock, MeshBody, ProfileBody, SingleBlock
 
 PROJECT = """
@@ -132,17 +132,17 @@ def test_byte_order_mark_is_accepted(tmp_path: Path) -> None:
 
 
 def test_a_cut_is_an_elevation_or_a_plane(tmp_path: Path) -> None:
-    assert resolved(load(written(tmp_path, PROJECT)))["mechanisms.wall.cut"].value is None
-    at = resolved(load(written(tmp_path, changed("restitution = 0.9", 'cut = "477 cm"'))))
+    assert resolve(load(written(tmp_path, PROJECT)))["mechanisms.wall.cut"].value is None
+    at = resolve(load(written(tmp_path, changed("restitution = 0.9", 'cut = "477 cm"'))))
     assert (at["mechanisms.wall.cut"].value, at["mechanisms.wall.cut"].given) == (4.77, True)
     plane = changed("restitution = 0.9", 'cut = { point = [0, 0, "1 ft"], normal = [0.3, 0, 1] }')
-    values = resolved(load(written(tmp_path, plane)))
+    values = resolve(load(written(tmp_path, plane)))
     assert values["mechanisms.wall.cut.point"].value == [0.0, 0.0, 0.3048]
     assert values["mechanisms.wall.cut.normal"].value == [0.3, 0.0, 1.0]
 
 
 def test_resolved_tells_given_from_default(tmp_path: Path) -> None:
-    values = resolved(load(written(tmp_path, PROJECT)))
+    values = resolve(load(written(tmp_path, PROJECT)))
     pairs = {key: (value.value, value.given) for key, value in values.items()}
     assert pairs["bodies.wall.box.thickness"] == (0.6, True)
     assert pairs["bodies.wall.box.base"] == ([0.0, 0.0, 0.0], False)

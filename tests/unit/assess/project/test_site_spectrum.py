@@ -8,18 +8,12 @@ from scipy.constants import g
 from assess.codes.context import FirstMode
 from assess.errors import ProjectError
 from assess.project.build import build
-from assess.project.schema import load, resolved
+from assess.project.schema import load, resolve
 from assess.project.site_spectrum import site_in, spectrum_of, vertical_of
-from assess.study.outcome import spectrum_result
+from assess.study.site_results import spectrum_result
 from spectra.errors import SpectrumError
+from tests.support.projects import project_toml, published
 
-WALL = """
-[mechanisms.wall]
-kind = "equivalent-block"
-p = "1.60 1/s"
-uplift = 0.14
-radius = "2.84 m"
-"""
 ROWS = """hazard = [
   { return_period = 30, a_g = "0.05 g", f_0 = 2.4, t_c_star = "0.28 s" },
   { return_period = 475, a_g = "0.16 g", f_0 = 2.45, t_c_star = "0.33 s" },
@@ -37,7 +31,8 @@ PGA = {"asce7-16": 0.4, "ec8": 0.30, "nzs1170.5": 0.532, "ntc2018": 0.3010, "haz
 
 def loaded(folder: Path, table: str, *, site: str = "", rest: str = ""):
     path = folder / "project.toml"
-    path.write_text(f"[site]\n{site}\n[site.spectrum]\n{table}\n{WALL}{rest}", encoding="utf-8")
+    wall = project_toml(site=None, materials=None, bodies=None, mechanisms={"wall": published()})
+    path.write_text(f"[site]\n{site}\n[site.spectrum]\n{table}\n{wall}{rest}", encoding="utf-8")
     return load(path)
 
 
@@ -207,7 +202,7 @@ def test_a_parameter_can_be_swept(tmp_path: Path) -> None:
 
 
 def test_defaults_are_told_apart(tmp_path: Path) -> None:
-    found = resolved(loaded(tmp_path, CODES["ec8"]))
+    found = resolve(loaded(tmp_path, CODES["ec8"]))
     assert (found["site.spectrum.type"].value, found["site.spectrum.type"].given) == (1, False)
     assert found["site.spectrum.a_g"].given
 

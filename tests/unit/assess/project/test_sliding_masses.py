@@ -7,33 +7,9 @@ from math import pi
 import pytest
 from scipy.constants import g
 
-from assess.project.build import build
-from assess.project.schema import load
 from assess.study.run import run
+from tests.support.projects import block, lines, project_toml, study_of, wall
 
-PROJECT = """
-[site.spectrum]
-code = "table"
-file = "s.csv"
-[site]
-limit_state = "SLV"
-vertical_ratio = {vertical}
-[materials.m]
-density = 2000
-friction = 0.3
-[bodies.w]
-material = "m"
-box = {{ thickness = 2, length = 1, height = 2 }}
-[mechanisms.m]
-kind = "single-block"
-blocks = ["w"]
-direction = [1, 0, 0]
-loads = [{loads}]
-[analysis]
-procedures = ["sliding", "asce43-05-sliding"]
-[procedures.asce43-05]
-allowable_sliding = "0.5 m"
-"""
 BLOCK = 2000 * 2 * 1 * 2
 TABLE = "period [s],acceleration [g]\n0,0.4\n0.1,1\n0.5,1\n4,0.125\n"
 ETA = (10.0 / 15.0) ** 0.5  # of tables, for 10 % damping: EN 1998-1, 3.2.2.2
@@ -41,8 +17,15 @@ ETA = (10.0 / 15.0) ** 0.5  # of tables, for 10 % damping: EN 1998-1, 3.2.2.2
 
 def checks(folder, loads="", vertical=0.0):
     (folder / "s.csv").write_text(TABLE)
-    (folder / "project.toml").write_text(PROJECT.format(loads=loads, vertical=vertical))
-    (result,) = run(build(load(folder))).mechanisms
+    text = project_toml(
+        site={"limit_state": "SLV", "vertical_ratio": vertical, "spectrum": {"code": "table", "file": "s.csv"}},
+        materials={"m": {"density": 2000, "friction": 0.3}},
+        bodies={"w": wall(2, 1, 2, material="m")},
+        mechanisms={"m": lines(block("w", direction=[1, 0, 0]), f"loads = [{loads}]")},
+        analysis={"procedures": ["sliding", "asce43-05-sliding"]},
+        procedures={"asce43-05": {"allowable_sliding": "0.5 m"}},
+    )
+    (result,) = run(study_of(folder, text)).mechanisms
     return {check.procedure: check for check in result.checks}
 
 

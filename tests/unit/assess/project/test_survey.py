@@ -7,45 +7,22 @@ from pathlib import Path
 import pytest
 
 from assess.codes.verdict import MechanismChecks, verdict
-from assess.project.build import build
-from assess.project.schema import load
 from assess.study.run import run
 from assess.study.survey import tolerances
-
-PROJECT = """
-[site]
-limit_state = "SLV"
-pga = "{pga} g"
-[site.spectrum]
-code = "ntc2018"
-a_g = "0.15 g"
-f_0 = 2.4
-t_c_star = "0.3 s"
-soil = "A"
-[verdict]
-survey_tolerance = "{tolerance} mm"
-[building]
-use_class = "II"
-[materials.m]
-density = 1800
-disintegration = "excluded"
-[report.sources]
-"materials.m.disintegration" = "measured: survey"
-[bodies.wall]
-material = "m"
-box = {{ thickness = 0.6, length = 3.0, height = 6.0 }}
-[mechanisms.wall]
-kind = "single-block"
-blocks = ["wall"]
-direction = [1, 0, 0]
-{more}
-"""
+from tests.support.projects import NTC, block, lines, project_toml, study_of, wall
 
 
 def study(tmp_path: Path, *, pga: float, tolerance: float, more: str = ""):
-    file = tmp_path / "project.toml"
-    file.write_text(PROJECT.format(pga=pga, tolerance=tolerance, more=more))
-    return build(load(file))
+    text = project_toml(
+        site={"limit_state": "SLV", "pga": f"{pga} g", "spectrum": NTC},
+        verdict={"survey_tolerance": f"{tolerance} mm"},
+        building={"use_class": "II"},
+        materials={"m": {"density": 1800, "disintegration": "excluded"}},
+        report={"sources": {"materials.m.disintegration": "measured: survey"}},
+        bodies={"wall": wall(0.6, 3.0, 6.0, material="m")},
+        mechanisms={"wall": lines(block(direction=[1, 0, 0]), more)},
+    )
+    return study_of(tmp_path, text)
 
 
 def found(tmp_path: Path, **given):

@@ -8,40 +8,19 @@ import pytest
 from assess.errors import AssessError, ProjectError
 from assess.project.build import build
 from assess.project.dependents import dependents
-from assess.project.schema import json_schema, load, resolved
+from assess.project.schema import json_schema, load, resolve
 from assess.project.variations import Variation
+from tests.support.projects import block, project_toml, published, wall
 
-PROJECT = """
-[site.spectrum]
-code = "asce7-16"
-s_ds = "0.5 g"
-s_d1 = "0.2 g"
-t_l = 6
-[materials.stone]
-density = "2000 kg/m^3"
-[materials.brick]
-density = "1800 kg/m^3"
-[bodies.wall]
-material = "stone"
-box = { thickness = 0.6, length = 4.0, height = "4.5 m" }
-[bodies."tower no. 1"]
-material = "brick"
-box = { thickness = 3, length = 3, height = 12 }
-[mechanisms.wall]
-kind = "single-block"
-blocks = ["wall"]
-restitution = 0.9
-loads = [{ kind = "mass", mass = 100, at = [0, 0, 4] }]
-[mechanisms.spire]
-kind = "single-block"
-blocks = ["tower no. 1"]
-cut = { point = [0, 0, 6], angle = "10 deg" }
-[mechanisms.published]
-kind = "equivalent-block"
-p = 1.6
-uplift = 0.14
-radius = 2.84
-"""
+PROJECT = project_toml(
+    materials={"stone": {"density": "2000 kg/m^3"}, "brick": {"density": "1800 kg/m^3"}},
+    bodies={"wall": wall(length=4.0, height="4.5 m", material="stone"), "tower no. 1": wall(3, 3, 12)},
+    mechanisms={
+        "wall": block(restitution=0.9, loads=[{"kind": "mass", "mass": 100, "at": [0, 0, 4]}]),
+        "spire": block("tower no. 1", cut={"point": [0, 0, 6], "angle": "10 deg"}),
+        "published": published(),
+    },
+)
 
 
 def swept(folder: Path, sweep: str) -> tuple[Variation, ...]:
@@ -238,12 +217,12 @@ def test_a_key_that_no_mechanism_uses_is_refused(tmp_path: Path) -> None:
 
 def test_the_sweep_is_resolved_as_it_was_written(tmp_path: Path) -> None:
     one(tmp_path, "bodies.wall.box.height", "from = 3\nto = 4\ncount = 2")
-    found = resolved(load(tmp_path))
+    found = resolve(load(tmp_path))
     assert found["analysis.sweep.from"].value == 3
     assert found["analysis.sweep.from"].given
     assert not found["analysis.sweep.values"].given
     swept(tmp_path, '[[analysis.sweep]]\nkey = "bodies.wall.box.height"\nvalues = [3]\n')
-    assert resolved(load(tmp_path))["analysis.sweep"].value[0]["key"] == "bodies.wall.box.height"
+    assert resolve(load(tmp_path))["analysis.sweep"].value[0]["key"] == "bodies.wall.box.height"
 
 
 def test_the_schema_for_editors_knows_the_keys() -> None:

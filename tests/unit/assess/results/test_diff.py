@@ -14,7 +14,8 @@ from assess.project.build import build
 from assess.project.schema import load
 from assess.results import Resolved, Results, SensitivityResult, SweepResult
 from assess.results.diff import KINDS, Change, changes, same
-from assess.study.run import envelope, run
+from assess.study.envelope_run import envelope
+from assess.study.run import run
 
 PROJECT = """
 [verdict]

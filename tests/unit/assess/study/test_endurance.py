@@ -7,48 +7,19 @@ from math import asin
 
 import pytest
 
-from assess.cli.description import lasting_text
+from assess.cli.tables.project import duration_text
 from assess.codes.check import Family, Outcome
 from assess.codes.families import FAMILIES
 from assess.errors import AssessError
-from assess.project.build import build
-from assess.project.schema import load
 from assess.study.context import context_of
+from assess.study.envelope_run import envelope
+from assess.study.parameters import parameters
 from assess.study.rocking_case import RockingHistories
-from assess.study.run import envelope, parameters, run
+from assess.study.run import run
 from assess.study.sensitivity import check_case
+from tests.support import projects
+from tests.support.projects import NTC, block, lines, project_toml, wall
 
-PROJECT = """
-{top}
-[site]
-limit_state = "SLV"
-[site.spectrum]
-code = "ntc2018"
-a_g = "0.1 g"
-f_0 = 2.4
-t_c_star = "0.3 s"
-soil = "B"
-topography = "T1"
-[building]
-ground_elevation = 0
-height = "9 m"
-storeys = 3
-[materials.m]
-density = 1900
-[bodies.wall]
-material = "m"
-box = {{ thickness = 0.8, length = 2.0, height = 5.0 }}
-[mechanisms.wall]
-kind = "single-block"
-blocks = ["wall"]
-direction = [1, 0, 0]
-sides = "{sides}"
-loads = [{loads}]
-[records]
-synthetic = {{ count = 3, seed = 1, duration = "10 s" }}
-[analysis]
-procedures = ["ntc2018-linear", "ntc2018-nonlinear", "ntc2018-history", "asce43-05-spectrum", "asce43-05-history"]
-"""
 TIE = '{{ kind = "tie", force = "{force}", at = [0.4, 0, 4.5], direction = [-1, 0, 0]{more} }}'
 PROOF = ', until = "collapse", strength = "30 kN", length = "8 m", fracture_strain = 0.2'
 SOURCE = '[report.sources]\n"mechanisms.wall.loads" = "measured: pull-out tests"'
@@ -60,8 +31,18 @@ def tie(more="", *, force="20 kN"):
 
 
 def study_of(folder, *loads, top="", sides="two"):
-    (folder / "project.toml").write_text(PROJECT.format(top=top, sides=sides, loads=", ".join(loads)))
-    return build(load(folder))
+    mechanism = block(direction=[1, 0, 0], sides=sides)
+    text = project_toml(
+        site={"limit_state": "SLV", "spectrum": NTC | {"a_g": "0.1 g", "soil": "B", "topography": "T1"}},
+        building={"ground_elevation": 0, "height": "9 m", "storeys": 3},
+        materials={"m": {"density": 1900}},
+        bodies={"wall": wall(0.8, 2.0, 5.0, material="m")},
+        mechanisms={"wall": lines(mechanism, f"loads = [{', '.join(loads)}]")},
+        records={"synthetic": {"count": 3, "seed": 1, "duration": "10 s"}},
+        analysis={"procedures": [f"ntc2018-{each}" for each in ("linear", "nonlinear", "history")]
+                  + ["asce43-05-spectrum", "asce43-05-history"]},
+    )  # fmt: skip
+    return projects.study_of(folder, f"{top}\n{text}")
 
 
 def loads_of(study):
@@ -73,7 +54,7 @@ def test_a_tie_with_all_its_proofs_lasts_and_holds_the_wall_at_its_height(tmp_pa
     (found,) = loads_of(study)
     assert (found.lasting, found.missing) == ("to collapse", ())
     assert found.end_rad == pytest.approx(asin(0.2 * 8.0 / 4.5), rel=1e-12)  # by its fracture strain, beyond collapse
-    assert "lasts to collapse" in lasting_text(found)
+    assert "lasts to collapse" in duration_text(found)
     assert not any(notice.key == "not-lasting" for notice in study.notices)
     context = context_of(study, study.spectrum, study.mechanisms[0], RockingHistories((), ()), (), ())
     assert context.rise == 4.5
@@ -99,7 +80,7 @@ def test_what_a_tie_lacks_is_told(tmp_path, more, top, missing):
     assert (found.lasting, found.missing) == ("not shown", missing)
     (told,) = [notice for notice in study.notices if notice.key == "not-lasting"]
     assert f"give {', '.join(missing)} (" in told.text
-    assert all(key in lasting_text(found) for key in missing)
+    assert all(key in duration_text(found) for key in missing)
     context = context_of(study, study.spectrum, study.mechanisms[0], RockingHistories((), ()), (), ())
     assert context.rise == 0.0
 
@@ -126,7 +107,7 @@ def test_seats_are_local_limits_and_printed(tmp_path):
     first = context.limits[0]
     assert (first.kind, first.what, first.branch) == ("seat", "mass 1", "positive")
     assert first.rotation == pytest.approx(asin(0.12 / 4.0), rel=1e-12)
-    assert [lasting_text(each) for each in loads_of(study)] == ["; seat 0.12 m", "; seat not given"]
+    assert [duration_text(each) for each in loads_of(study)] == ["; seat 0.12 m", "; seat not given"]
 
 
 @pytest.mark.parametrize(

@@ -10,7 +10,7 @@ from scipy.constants import g
 
 from assess.amplification.floor_motion import FirstMode, ModalFilter, base_motion
 from assess.codes.context import Building
-from assess.study.floor_input import floor_spectrum, widen
+from assess.study.floor_input import broaden, floor_spectrum
 from assess.study.motions import ScaledRecord
 from records.record import scale
 from records.response import response_spectrum
@@ -54,10 +54,10 @@ def test_the_peak_is_as_wide_as_what_is_not_known_of_the_building(motions) -> No
         assert float(floor.acceleration(share * T_1, damping=0.05)) >= 0.999 * peak
 
 
-def test_peaks_widened_by_hand() -> None:
+def test_peaks_broadened_by_hand() -> None:
     """A peak of one period covers all from 0.85 of it to it over 0.85."""
     period = np.array([0.5, 0.84, 0.86, 1.0, 1.17, 1.18])
-    assert widen(period, np.array([1.0, 1.0, 1.0, 5.0, 2.0, 1.0])).tolist() == [1.0, 1.0, 5.0, 5.0, 5.0, 2.0]
+    assert broaden(period, np.array([1.0, 1.0, 1.0, 5.0, 2.0, 1.0])).tolist() == [1.0, 1.0, 5.0, 5.0, 5.0, 2.0]
 
 
 def test_where_no_suite_holds_it_is_the_circulars(motions) -> None:

@@ -17,28 +17,15 @@ from assess.results import Resolved, Results, SensitivityResult
 from assess.results.json import dumps, loads
 from assess.study.run import run
 from assess.study.study import Study, Unvaried, Variable
+from tests.support.projects import project_toml, wall
 
-PROJECT = """
-[site.spectrum]
-code = "asce7-16"
-s_ds = "0.5 g"
-s_d1 = "0.2 g"
-t_l = 6
-[materials.stone]
-density = 2000
-[bodies.wall]
-material = "stone"
-box = { thickness = 0.6, length = 4.0, height = 4.5 }
-[mechanisms.wall]
-kind = "single-block"
-direction = [1, 0, 0]
-blocks = ["wall"]
-[records]
-files = ["a.csv"]
-[analysis]
-levels = ["0.1 g", "0.25 g"]
-procedures = ["asce43-05-spectrum", "dmi2008-linear"]
-"""
+PROJECT = project_toml(
+    materials={"stone": {"density": 2000}},
+    bodies={"wall": wall(length=4.0, height=4.5, material="stone")},
+    mechanisms={"wall": {"kind": "single-block", "direction": [1, 0, 0], "blocks": ["wall"]}},
+    records={"files": ["a.csv"]},
+    analysis={"levels": ["0.1 g", "0.25 g"], "procedures": ["asce43-05-spectrum", "dmi2008-linear"]},
+)
 RATIO, CAPACITY = "demand_capacity", "capacity_pga_g"
 
 

@@ -16,29 +16,14 @@ from assess.project.build import build
 from assess.project.schema import load
 from assess.study.history_scan import scan_levels
 from assess.study.motions import motions_of
+from assess.study.parameters import parameters
 from assess.study.rocking_case import RockingCase
-from assess.study.run import parameters, run
+from assess.study.run import run
 from assess.study.study import Study
 from records.response import response_spectrum
+from tests.support import projects
+from tests.support.projects import block, lines, project_toml, wall
 
-HEAD = """
-[site.spectrum]
-{spectrum}
-[materials.m]
-density = 2000
-[bodies.w]
-material = "m"
-box = {{ thickness = 0.6, length = 4.0, height = 4.5 }}
-[mechanisms.m]
-kind = "single-block"
-direction = [1, 0, 0]
-blocks = ["w"]
-{mechanism}
-[records]
-{records}
-[analysis]
-{analysis}
-"""
 ASCE = 'code = "asce7-16"\ns_ds = "0.5 g"\ns_d1 = "0.2 g"\nt_l = 6'
 QUIET = 'files = ["a.csv", "b.csv"]'
 
@@ -59,9 +44,15 @@ def as_they_are(motions):
 def study_of(folder: Path, *, spectrum=ASCE, mechanism="", records=QUIET, analysis="", amplitude=1.0, tail="") -> Study:
     for seed, name in enumerate(("a.csv", "b.csv")):
         record(folder / name, seed=seed, amplitude=amplitude)
-    text = HEAD.format(spectrum=spectrum, mechanism=mechanism, records=records, analysis=analysis)
-    (folder / "project.toml").write_text(facing(mechanism, text) + tail)
-    return build(load(folder))
+    text = project_toml(
+        site={"spectrum": spectrum},
+        materials={"m": {"density": 2000}},
+        bodies={"w": wall(0.6, 4.0, 4.5, material="m")},
+        mechanisms={"m": lines(block("w", direction=[1, 0, 0]), mechanism)},
+        records=records,
+        analysis=analysis,
+    )
+    return projects.study_of(folder, facing(mechanism, text) + tail)
 
 
 def facing(mechanism: str, text: str) -> str:

@@ -23,28 +23,9 @@ from records.record import Record
 from records.scaling import Scaling
 from records.synthetic import artificial
 from spectra.asce7 import design_spectrum
+from tests.support import projects
+from tests.support.projects import block, project_toml, wall
 
-PROJECT = """
-[site]
-limit_state = "{state}"
-[site.spectrum]
-{spectrum}
-[building]
-ground_elevation = 0
-{building}
-[verdict]
-{verdict}
-[materials.m]
-density = 2000
-[bodies.w]
-material = "m"
-box = {{ thickness = 0.6, length = 4.0, height = {height}, base = [0, 0, {base}] }}
-[mechanisms.w]
-kind = "single-block"
-blocks = ["w"]
-[records]
-{records}
-"""
 ASCE = 'code = "asce7-16"\ns_ds = "0.5 g"\ns_d1 = "0.2 g"\nt_l = "8 s"'
 NTC = 'code = "ntc2018"\nsoil = "B"\na_g = "0.26 g"\nf_0 = 2.4\nt_c_star = 0.35'
 ASCE43 = 'basis = "asce43-05"\nprocedures = ["asce43-05-history"]'
@@ -62,17 +43,17 @@ def study_of(
     building: str = "",
 ) -> Study:
     named = ASCE43 if code == "asce43-05" else NTC2018
-    text = PROJECT.format(
-        state="DBE" if code == "asce43-05" else "SLV",
-        spectrum=ASCE if code == "asce43-05" else NTC,
+    american = code == "asce43-05"
+    text = project_toml(
+        site={"limit_state": "DBE" if american else "SLV", "spectrum": ASCE if american else NTC},
+        building=f"ground_elevation = 0\n{building}",
         verdict=named if verdict is None else verdict,
+        materials={"m": {"density": 2000}},
+        bodies={"w": wall(0.6, 4.0, height, material="m", base=[0, 0, base])},
+        mechanisms={"w": block("w")},
         records=records,
-        height=height,
-        base=base,
-        building=building,
     )
-    (folder / "project.toml").write_text(text)
-    return build(load(folder))
+    return projects.study_of(folder, text)
 
 
 @cache

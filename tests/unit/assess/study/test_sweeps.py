@@ -18,43 +18,25 @@ from assess.project.build import build
 from assess.project.schema import load
 from assess.results import MechanismResult
 from assess.results.json import dumps
-from assess.study.run import case_parameters, parameters, run
+from assess.study.case_severity import controlling_index
+from assess.study.parameters import case_parameters, parameters
+from assess.study.run import run
 from assess.study.study import Study
-from assess.study.sweeps import CaseResult, controlling_index
+from assess.study.sweep_cases import CaseResult
+from tests.support.projects import ASCE7, block, project_toml, wall
 
-PROJECT = """
-[verdict]
-basis = "asce43-05"
-procedures = ["asce43-05-spectrum"]
-[site]
-limit_state = "DBE"
-[site.spectrum]
-code = "asce7-16"
-s_ds = "0.5 g"
-s_d1 = "0.2 g"
-t_l = 6
-[materials.stone]
-density = 2000
-[materials.brick]
-density = 1800
-[bodies.wall]
-material = "stone"
-box = { thickness = 0.6, length = 4.0, height = 4.5 }
-[bodies.cap]
-material = "brick"
-box = { thickness = 0.6, length = 4.0, height = 1.5, base = [0, 0, 4.5] }
-[mechanisms.capped]
-kind = "single-block"
-blocks = [["wall", "cap"]]
-[mechanisms.wall]
-kind = "single-block"
-blocks = ["wall"]
-[records]
-files = ["a.csv"]
-[analysis]
-levels = ["0.1 g", "0.25 g"]
-procedures = ["asce43-05-spectrum", "dmi2008-linear"]
-"""
+PROJECT = project_toml(
+    verdict={"basis": "asce43-05", "procedures": ["asce43-05-spectrum"]},
+    site={"limit_state": "DBE", "spectrum": ASCE7},
+    materials={"stone": {"density": 2000}, "brick": {"density": 1800}},
+    bodies={
+        "wall": wall(length=4.0, height=4.5, material="stone"),
+        "cap": wall(length=4.0, height=1.5, base=[0, 0, 4.5]),
+    },
+    mechanisms={"capped": block(["wall", "cap"]), "wall": block()},
+    records={"files": ["a.csv"]},
+    analysis={"levels": ["0.1 g", "0.25 g"], "procedures": ["asce43-05-spectrum", "dmi2008-linear"]},
+)
 HEIGHT = '[analysis.sweep]\nkey = "bodies.cap.box.height"\nvalues = ["1.0 m", "2.0 m", "1.5 m"]\n'
 
 

@@ -17,58 +17,34 @@ from assess.geometry.solid import box, polyhedron
 from assess.mechanisms.single_block import single_block
 from assess.project.build import build
 from assess.project.schema import load
-from assess.study import run as running
+from assess.study.parameters import parameters
 from assess.study.view import LIMIT, view
+from tests.support.projects import block, project_toml, published, wall
 
-PROJECT = """
-[materials.brick]
-density = 1800
-[bodies.wall]
-material = "brick"
-box = { thickness = 0.6, length = 3.0, height = 4.0, base = [100.0, 50.0, 0.0] }
-[bodies.vault]
-material = "brick"
-profile = PROFILE
-length = 2.0
-[bodies.numbers]
-mass = 1000.0
-centroid = [0.0, 2.0]
-inertia = 2000.0
-[mechanisms.whole]
-kind = "single-block"
-blocks = ["wall"]
-[mechanisms.upper]
-kind = "single-block"
-blocks = ["wall"]
-direction = [0, -1, 0]
-cut = 1.5
-[mechanisms.cracked]
-kind = "two-block"
-blocks = ["wall"]
-crack = 2.5
-[mechanisms.arch]
-kind = "four-hinge"
-blocks = ["vault"]
-hinges = "minimum"
-joints = { centre = [0, 0], first = "160 deg", last = "20 deg", count = 9 }
-[mechanisms.numbers]
-kind = "single-block"
-blocks = ["numbers"]
-hinges = { A = [0.3, 0.0] }
-sides = "one"
-[mechanisms.published]
-kind = "equivalent-block"
-p = 1.6
-uplift = 0.14
-radius = 2.84
-"""
+PROJECT = project_toml(
+    site=None,
+    bodies={
+        "wall": wall(base=[100.0, 50.0, 0.0]),
+        "vault": 'material = "brick"\nprofile = PROFILE\nlength = 2.0',
+        "numbers": {"mass": 1000.0, "centroid": [0.0, 2.0], "inertia": 2000.0},
+    },
+    mechanisms={
+        "whole": block(),
+        "upper": block(direction=[0, -1, 0], cut=1.5),
+        "cracked": block(kind="two-block", crack=2.5),
+        "arch": block("vault", kind="four-hinge", hinges="minimum")
+        | {"joints": {"centre": [0, 0], "first": "160 deg", "last": "20 deg", "count": 9}},
+        "numbers": block("numbers", hinges={"A": [0.3, 0.0]}, sides="one"),
+        "published": published(),
+    },
+)
 
 
 @pytest.fixture(scope="module")
 def results(tmp_path_factory):
     path: Path = tmp_path_factory.mktemp("view") / "project.toml"
     path.write_text(PROJECT.replace("PROFILE", str([*ring(3.4), *ring(2.6)[::-1]])))
-    return {each.name: each for each in running.parameters(build(load(path)))}
+    return {each.name: each for each in parameters(build(load(path)))}
 
 
 def ring(radius):
@@ -142,9 +118,9 @@ def test_each_direction_of_an_arch_turns_its_own_voussoirs(results):
     assert sorted(set(back.block_of) - {-1}) == [0, 1, 2]
     assert back.block_of == drawing.block_of[::-1]  # a symmetric arch; A' is at the far springing
     for side in (drawing.displaced, back):
-        for ring_then, ring_now, block in zip(drawing.blocks, side.blocks, side.block_of, strict=True):
+        for ring_then, ring_now, owner in zip(drawing.blocks, side.blocks, side.block_of, strict=True):
             assert Polygon(ring_now).area == pytest.approx(Polygon(ring_then).area, rel=1e-9)
-            assert (ring_now == ring_then) == (block == -1)
+            assert (ring_now == ring_then) == (owner == -1)
 
 
 def test_a_scan_is_simplified_for_the_results_only():

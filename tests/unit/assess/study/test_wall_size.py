@@ -11,56 +11,37 @@ from assess.project.build import build
 from assess.project.schema import load as load_project
 from assess.study.run import run
 from assess.study.wall_size import carries_floors, wall_of
+from tests.support.projects import block, project_toml, published, wall
 
 AMERICA = 'code = "asce7-16"\ns_ds = "1 g"\ns_d1 = "0.45 g"\nt_l = "6 s"'
 ZEALAND = 'code = "nzs1170.5"\nsubsoil = "C"\nz = 0.3\nr = 1.0'
 EUROPE = 'code = "ec8"\na_g = "0.2 g"\nground_type = "B"'
-PROJECT = """
-[site.spectrum]
-{site}
-[building]
-height = 8
-storeys = 2
-[materials.stone]
-density = 2000
-[bodies.wall]
-material = "stone"
-box = {{ thickness = 0.4, length = 2.0, height = 4.0, base = [0, 0, 0] }}
-[bodies.values]
-mass = 1000
-centroid = [0.0, 1.0]
-inertia = 400
-[mechanisms.spanning]
-kind = "two-block"
-direction = [1, 0, 0]
-blocks = ["wall"]
-crack = 2.5
-sides = "{sides}"
-[mechanisms.free]
-kind = "single-block"
-direction = [1, 0, 0]
-blocks = ["wall"]
-cut = 1.0
-sides = "{sides}"
-[mechanisms.values]
-kind = "single-block"
-blocks = ["values"]
-hinges = {{ A = [0.2, 0.0] }}
-sides = "one"
-[mechanisms.block]
-kind = "equivalent-block"
-p = 1.6
-uplift = 0.14
-radius = 2.84
-[records]
-synthetic = {{ count = 1, duration = 8 }}
-{rest}
-"""
+
+
+def text_of(site: str, *, sides: str = "two", rest: str = "") -> str:
+    """A wall that spans, the wall above a cut, one by its numbers and a table."""
+    return project_toml(
+        rest,
+        site={"spectrum": site},
+        building={"height": 8, "storeys": 2},
+        materials={"stone": {"density": 2000}},
+        bodies={
+            "wall": wall(0.4, 2.0, 4.0, material="stone", base=[0, 0, 0]),
+            "values": {"mass": 1000, "centroid": [0.0, 1.0], "inertia": 400},
+        },
+        mechanisms={
+            "spanning": block(kind="two-block", direction=[1, 0, 0], crack=2.5, sides=sides),
+            "free": block(direction=[1, 0, 0], cut=1.0, sides=sides),
+            "values": block("values", hinges={"A": [0.2, 0.0]}, sides="one"),
+            "block": published(),
+        },
+        records={"synthetic": {"count": 1, "duration": 8}},
+    )
 
 
 def project(folder: Path, site: str, *, sides: str = "two", rest: str = ""):
     path = folder / "project.toml"
-    path.write_text(PROJECT.format(site=site, sides=sides, rest=rest), encoding="utf-8")
+    path.write_text(text_of(site, sides=sides, rest=rest), encoding="utf-8")
     return load_project(path)
 
 
@@ -146,7 +127,7 @@ def test_options_reach_the_clause(tmp_path: Path) -> None:
 def test_what_presses_on_a_wall(tmp_path: Path, load: str, carries: bool, ratio: float) -> None:
     """The wall is of 6400 kg; a floor that only pushes is a floor, and does not press."""
     load = load.replace("-3200 g*kg", f"{-3200.0 * g} N")
-    text = PROJECT.format(site=AMERICA, sides="one", rest="").replace("crack = 2.5", f"crack = 2.5\n{load}")
+    text = text_of(AMERICA, sides="one").replace("crack = 2.5", f"crack = 2.5\n{load}")
     (tmp_path / "project.toml").write_text(text, encoding="utf-8")
     wall = next(m for m in build(load_project(tmp_path / "project.toml")).mechanisms if m.name == "spanning")
     assert carries_floors(wall) is carries

@@ -24,7 +24,7 @@ def test_the_critical_mechanism_holds_the_least_by_what_decides(results: Results
     first, second = results.mechanisms
     said = conclusions.conclusions(with_margins(results, 3.0, 2.0))[0]
     assert said.startswith(
-        f"Critical is {conclusions.short_title(second)}: it holds up to 0.134 g = 2.00 x the site's, "
+        f"The critical mechanism is {conclusions.short_title(second)}: it holds up to 0.134 g = 2.00 x the site's, "
     )
     assert "by asce43-05-history; next is" in said
     assert f"next is {conclusions.short_title(first)} with 0.201 g = 3.00 x the site's, by asce43-05-spectrum" in said
@@ -41,7 +41,7 @@ def test_disagreement_names_who_fails_and_who_passes(results: Results) -> None:
     assert "For comparison: at PGA 0.45 g the procedures disagree on" in said
     assert "dmi2008-linear fails" in said
     assert "asce43-05-spectrum and dmi2008-nonlinear pass all of these" in said
-    assert "dmi2008-linear judges the acceleration that starts the motion" in said
+    assert "dmi2008-linear checks the acceleration that starts the motion" in said
     assert "dmi2008-nonlinear compares the displacement" in said
 
 

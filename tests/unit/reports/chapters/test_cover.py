@@ -74,7 +74,9 @@ def test_an_incomplete_verdict_gives_the_lines_to_paste(results: Results) -> Non
     section = cover.section(replace(results, verdict=open_ended))
     (code,) = (block for block in section.blocks if isinstance(block, Code))
     assert code.lines == ('[materials."old stone"]', 'disintegration = "excluded"')
-    assert "Were all this given, with the safe value where there is one, the verdict would be: fail." in words(section)
+    assert "With all of these given, at the safe value where there is one, the verdict would be: fail." in words(
+        section
+    )
     assert "materials.old stone.disintegration: whether it may disintegrate." in words(section)
     banner = section.blocks[0]
     assert isinstance(banner, Banner)
@@ -121,7 +123,7 @@ def test_a_run_without_a_basis_says_so_and_how_to_name_one(results: Results) -> 
     section = cover.section(replace(results, verdict=silent))
     banner = section.blocks[0]
     assert isinstance(banner, Banner)
-    assert banner.headline.startswith("No basis is named that decides")
+    assert banner.headline.startswith("No deciding basis is named")
     (code,) = (block for block in section.blocks if isinstance(block, Code))
     assert code.lines[0] == "[verdict]"
     assert cover.section(replace(results, verdict=None)).blocks == (Text(("No verdict: nothing was assessed.",)),)

@@ -81,14 +81,15 @@ def test_the_sentences_say_what_turns_and_what_does_not(results: Results, found:
     assert "dmi2008-linear at 0.200 g with thickness at 0.63 m (FAIL → pass)" in said
     assert "asce43-05-history at 0.200 g with restitution at 0.945 (pass → FAIL)" in said
     assert (
-        "The thickness moves the PGA at capacity (dmi2008-linear) most: 0.170 g at 0.57 m and 0.205 g at 0.63 m" in said
+        "The thickness affects the PGA at capacity (dmi2008-linear) most: 0.170 g at 0.57 m and 0.205 g at 0.63 m"
+        in said
     )
-    assert "it hardly moves with restitution, density of caliche" in said
-    assert "overturned at 0.945, beside 0.500 as assessed" in said
+    assert "it hardly changes with restitution, density of caliche" in said
+    assert "overturned at 0.945, against 0.500 as assessed" in said
     still = tuple(row for row in found if row.parameter == "density")
     said = "\n".join(chapter(results, still)[0].paragraphs)
     assert "The verdict of Wall 6 does not change within these ranges: some check fails throughout." in said
-    assert "None of them moves the PGA at capacity (dmi2008-linear), which is 0.180 g." in said
+    assert "None of them affects the PGA at capacity (dmi2008-linear), which is 0.180 g." in said
 
 
 def test_the_table_holds_the_numbers_as_they_stand(results: Results, found: tuple[SensitivityResult, ...]) -> None:

@@ -36,7 +36,7 @@ def test_limits_name_what_is_uncompared_of_the_thesis_and_linearised(results: Re
 
 
 def test_limits_say_where_sliding_was_checked_and_where_not(results: Results) -> None:
-    assert "friction at the hinges is taken as sufficient" in " ".join(sentences.limits(results))
+    assert "friction at the hinges is assumed to be sufficient" in " ".join(sentences.limits(results))
     first, second = results.mechanisms
     asked = replace(first.checks[0], procedure="sliding", verdict=Outcome.PASS)
     silent = replace(asked, verdict=Outcome.NOT_APPLICABLE)

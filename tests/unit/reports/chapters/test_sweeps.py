@@ -22,9 +22,9 @@ def test_the_controlling_case_is_marked_and_overturning_said(results: Results) -
 
 
 def test_the_report_says_what_stands_for_the_mechanism(results: Results) -> None:
-    assert "0.09 controls. This case stands" in sweeps.sentence(results.sweeps[0])
+    assert "0.09 controls. This case represents" in sweeps.sentence(results.sweeps[0])
     other = replace(results.sweeps[0], governs=False, unit="deg")
-    assert "0.09 deg controls. A case of another study stands" in sweeps.sentence(other)
+    assert "0.09 deg controls. In the rest of this report" in sweeps.sentence(other)
     assert sweeps.controlling_cases([other], {"parapet": "Parapet"}) == []
     (text,) = sweeps.controlling_cases(results.sweeps, {"parapet": "Parapet"})
     assert isinstance(text, Text)

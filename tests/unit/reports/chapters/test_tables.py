@@ -89,7 +89,7 @@ def test_joints_without_a_threshold_have_no_pga_at_uplift(results: Results) -> N
         table = tables.demands(mechanism, name="d")
         column = [each.label for each in table.columns].index("PGA at uplift")
         assert [row[column] for row in table.rows] == expected
-        assert ("joints answer to any motion" in table.caption) == (mechanism is soft)
+        assert ("joints respond to any motion" in table.caption) == (mechanism is soft)
 
 
 def test_safety_index_and_return_period_stand_only_where_some_check_has_them(results: Results) -> None:

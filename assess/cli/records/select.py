@@ -1,0 +1,105 @@
+"""`assess records select`: the suite of records that best fits a target spectrum."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from assess.cli.options import FigurePath, Jobs, refuse_both, refuse_figure
+from assess.cli.records.options import Catalogue, Flatfile, Response, Step, Target, Unit
+
+OWN = ("places", "jobs", "as_json", "as_csv", "output", "target")
+Span = tuple[float, float] | None
+
+
+def _span(words: str) -> typer.models.OptionInfo:
+    option: typer.models.OptionInfo = typer.Option(metavar="FROM TO", help=words, show_default=False)
+    return option
+
+
+def select(
+    context: typer.Context,
+    places: Annotated[
+        list[Path],
+        typer.Argument(
+            metavar="PROJECT|FOLDERS…", help="A project with [records] select; or, with --target, folders and files."
+        ),
+    ],
+    target: Target | None = None,
+    count: Annotated[int, typer.Option(min=1, max=200, help="Number of records.")] = 7,
+    periods: Annotated[tuple[float, float], typer.Option(metavar="FROM TO", help="Periods over which to fit [s].")] = (
+        0.1,
+        2.0,
+    ),
+    scale_limits: Annotated[
+        tuple[float, float], typer.Option(metavar="FROM TO", help="Smallest and largest scale factor.")
+    ] = (0.25, 4.0),
+    fit: Annotated[str, typer.Option(help="Fit the mean of the suite, or each record: suite, record.")] = "suite",
+    components: Annotated[
+        str, typer.Option(help="Use components separately (single), or those of a recording together.")
+    ] = "single",
+    scale_to: Annotated[str, typer.Option(help="Scale each record to: spectrum, pga or none.")] = "spectrum",
+    several_per_event: Annotated[
+        bool, typer.Option("--several-per-event", help="Allow several records of one earthquake.")
+    ] = False,
+    magnitude: Annotated[Span, _span("Magnitude.")] = None,
+    distance: Annotated[Span, _span("Distance [km].")] = None,
+    vs30: Annotated[Span, _span("Vs30 [m/s].")] = None,
+    pga: Annotated[Span, _span("Peak ground acceleration before scaling [g].")] = None,
+    duration: Annotated[Span, _span("Duration D5-95 [s].")] = None,
+    event: Annotated[
+        list[str] | None, typer.Option(metavar="TEXT", help="Part of an earthquake's name; may be repeated.")
+    ] = None,
+    flatfile: Flatfile = None,
+    catalogue: Catalogue = None,
+    unit: Unit = None,
+    step: Step = None,
+    response: Response = None,
+    jobs: Jobs = None,
+    as_json: Annotated[
+        bool, typer.Option("--json", help="Print records and ground_motion as in results.json.")
+    ] = False,
+    as_csv: Annotated[bool, typer.Option("--csv", help="Print the records as CSV at full precision.")] = False,
+    output: FigurePath = None,
+) -> None:
+    """Select the records that best fit a target spectrum, scale them, and check the suite against code rules.
+
+    A project uses its own [records] select. Folders are indexed first; only new and changed files are read.
+    """
+    refuse_both(as_json=as_json, as_csv=as_csv)
+    refuse_figure(output)
+    given = [name for name in context.params if name not in OWN and _typed(context, name)]
+    if target is None and (given or len(places) != 1):
+        what = f"--{given[0].replace('_', '-')}" if given else "several places"
+        raise typer.BadParameter(f"{what} needs --target; a PROJECT has its own [records] select")
+    from assess.cli.tables.messages import messages_text
+    from assess.cli.tables.suite import csv_text, draw, json_text, table_text
+    from assess.project.suites import Wanted, of_project, of_target
+    from assess.workers import process_pool
+    from records.formats.header_overrides import HeaderOverrides
+
+    if target is None:
+        with process_pool(jobs) as executor:
+            found = of_project(places[0], executor=executor)
+    else:
+        spans = {"magnitude": magnitude, "distance": distance, "vs30": vs30, "pga": pga, "duration": duration}
+        one_per_event, events = not several_per_event, tuple(event or ())
+        wanted = Wanted(count, periods, scale_limits, fit, components, scale_to, one_per_event, spans, events)
+        overrides = HeaderOverrides(unit, step, response)
+        with process_pool(jobs) as executor:
+            found = of_target(
+                target, places, wanted, overrides=overrides, flatfile=flatfile, kept=catalogue, executor=executor
+            )
+    if output is not None:
+        draw(found, output)
+    if as_json or as_csv:  # the table ends with them
+        print(messages_text(found.notices), end="", file=sys.stderr)
+    print((json_text if as_json else csv_text if as_csv else table_text)(found), end="")
+
+
+def _typed(context: typer.Context, name: str) -> bool:
+    source = context.get_parameter_source(name)
+    return source is not None and source.name == "COMMANDLINE"

@@ -1,0 +1,79 @@
+"""A design spectrum for the terminal, as CSV, as JSON and as a figure."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+from scipy.constants import g
+
+from assess.cli.tables.messages import messages_text
+from assess.cli.tables.text_table import text_table
+from assess.messages.message import Message, warning
+from assess.results.json import dumps_spectrum
+from assess.results.stamp import origin
+from assess.study.site_results import spectrum_result
+from reports.language.spectrum_parameters import ACCELERATION, corners, parameter_rows
+from reports.render.csv import csv_lines
+from spectra.spectrum import Spectrum
+
+ROUND = (0.0, 0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.8, 1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0)  # s
+
+
+def table_text(spectrum: Spectrum) -> str:
+    """The clause, the parameters, and the ordinates at round and corner periods, for reading."""
+    scale = "" if spectrum.factor == 1.0 else f", ordinates scaled by {spectrum.factor:.4g}"
+    peak = f"PGA {spectrum.pga / g:.4g} g{scale}"
+    heading = f"{spectrum.code}: {spectrum.clause}; damping {spectrum.damping:g}, {peak}\n"
+    parameters = [[words, *_shown(value, unit)] for words, unit, value in parameter_rows(spectrum.parameters)]
+    period = periods_of(spectrum)
+    columns = zip(period, spectrum.acceleration(period) / g, spectrum.displacement(period), strict=True)
+    ordinates = [[f"{T:.4g}", f"{S_a:.4f}", f"{1e3 * S_d:.2f}"] for T, S_a, S_d in columns]
+    return "\n".join(
+        (
+            heading,
+            text_table(["parameter", "value", "unit"], parameters),
+            text_table(["T [s]", "S_a [g]", "S_d [mm]"], ordinates),
+        )
+    )
+
+
+def periods_of(spectrum: Spectrum) -> list[float]:
+    """Round periods and the spectrum's corners [s], rising, as far as the spectrum reaches."""
+    wanted = {*ROUND, *corners(spectrum.parameters)}
+    return sorted(period for period in wanted if period <= min(spectrum.longest_period, max(ROUND)))
+
+
+def csv_text(spectrum: Spectrum) -> str:
+    """Period and acceleration at full precision, as a table spectrum is read."""
+    result = spectrum_result(spectrum)
+    rows = zip(result.period_s, result.acceleration_g, strict=True)
+    return csv_lines([("period [s]", "acceleration [g]"), *rows])
+
+
+def json_text(spectrum: Spectrum) -> str:
+    """The block `spectrum` of results.json."""
+    return dumps_spectrum(spectrum_result(spectrum))
+
+
+def print_spectrum_warnings(spectrum: Spectrum, *, messages: tuple[Message, ...] = ()) -> None:
+    """Print on stderr what to consider before using the spectrum; messages: on the options given."""
+    found = tuple(warning("site-study", "site.spectrum", text=text) for text in spectrum.warnings)
+    print(messages_text((*messages, *found)), end="", file=sys.stderr)
+
+
+def draw(spectrum: Spectrum, path: Path) -> Path:
+    """The figure of the spectrum at `path`."""
+    from reports.figures import design_spectrum
+    from reports.render.figure_file import write_figure
+
+    return write_figure(
+        design_spectrum.draw(spectrum_result(spectrum)), path, creator=origin("spectrum", json_text(spectrum))
+    )
+
+
+def _shown(value: float | str, unit: str) -> tuple[str, str]:
+    """A value and its unit."""
+    if not isinstance(value, float):
+        return str(value), unit
+    return f"{value:.4g}" if unit == ACCELERATION else f"{value:.5g}", unit

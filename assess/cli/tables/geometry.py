@@ -1,0 +1,128 @@
+"""The parts of models as a table for the terminal, as CSV and as JSON."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from math import atan2, degrees
+from pathlib import Path
+from typing import Any
+
+from assess.cli.tables.text_table import text_table
+from assess.geometry.formats.element_selection import list_names, one_line
+from assess.geometry.formats.mesh_file import Element
+from assess.geometry.inventory import Entry
+from assess.project.messages import printable
+from reports.render.csv import csv_lines
+
+Listed = Sequence[tuple[Path, Sequence[Entry] | Exception]]
+_SHORT = ("part", "class", "storey", "GlobalId", "t x l x h [m]", "V [m3]", "at x, y, z [m]", "closed", "thin [deg]")
+
+
+def table_text(listed: Listed) -> str:
+    """A line for each part, rounded for reading; below it what there is to say of some of them."""
+    return "\n".join(_of_file(file, each) for file, each in listed)
+
+
+def csv_text(listed: Listed) -> str:
+    """Everything at full precision, under its names of the JSON; vectors in columns of their own."""
+    rows = [_flat(row) for row in _rows(listed)]
+    return csv_lines([list(rows[0]), *(list(row.values()) for row in rows)])
+
+
+def json_text(listed: Listed) -> str:
+    """A list of the parts; a file that cannot be read has one entry with the reason."""
+    return json.dumps(_rows(listed), ensure_ascii=False, allow_nan=False, indent=1) + "\n"
+
+
+def _of_file(file: Path, found: Sequence[Entry] | Exception) -> str:
+    if isinstance(found, Exception):
+        return f"{printable(str(found))}\n"
+    rows = [_short(each) for each in found]
+    kept = [i for i, head in enumerate(_SHORT) if any(row[i] for row in rows) or head == "part"]
+    table = text_table([_SHORT[i] for i in kept], [[row[i] for i in kept] for row in rows])
+    return f"{printable(str(file))}\n{table}{_said(found)}"
+
+
+def _said(found: Sequence[Entry]) -> str:
+    """A line for each remark, with the parts that it is of."""
+    parts: dict[str, list[str]] = {}
+    for each in found:
+        for text in (each.why_not,) if each.why_not else each.warnings:
+            parts.setdefault(text, []).append(each.element.shown)
+    return "".join(f"{_whose(names)}: {printable(text)}\n" for text, names in parts.items())
+
+
+def _whose(names: Sequence[str]) -> str:
+    return one_line(names[0]) if len(names) == 1 else f"{len(names)} parts ({list_names(names)})"
+
+
+def _short(entry: Entry) -> list[str]:
+    one = entry.element
+    return [
+        one.shown,
+        _first(one.kinds),
+        one.storey,
+        one.identifier,
+        "" if entry.size is None else " x ".join(f"{each:.4g}" for each in entry.size),
+        "" if entry.volume is None else f"{entry.volume:.4g}",
+        "" if entry.place is None else ", ".join(f"{round(each, 3) + 0.0:.7g}" for each in entry.place),
+        "yes" if entry.closed else "no",
+        "" if entry.thin is None else f"{_angle(entry.thin):.4g}",
+    ]
+
+
+def _rows(listed: Listed) -> list[dict[str, Any]]:
+    return [row for file, found in listed for row in _known(file, found)]
+
+
+def _known(file: Path, found: Sequence[Entry] | Exception) -> list[dict[str, Any]]:
+    """What there is to say of the parts of a file, units in the names."""
+    if isinstance(found, Exception):
+        return [_row(file, Entry(file.name, Element(), why_not=str(found)))]
+    return [_row(file, each) for each in found]
+
+
+def _row(file: Path, entry: Entry) -> dict[str, Any]:
+    one = entry.element
+    return {
+        "file": str(file),
+        "name": one.shown if one.names or one.within else None,
+        "class": _first(one.kinds) or None,
+        "storey": one.storey or None,
+        "global_id": one.identifier or None,
+        "triangles": entry.triangles,
+        "size_m": entry.size and list(entry.size),
+        "volume_m3": entry.volume,
+        "place_m": entry.place and list(entry.place),
+        "closed": entry.closed,
+        "why_not": entry.why_not or None,
+        "remarks": list(entry.warnings),
+        "thin_direction": entry.thin and [*entry.thin, 0.0],
+        "thin_direction_deg": None if entry.thin is None else _angle(entry.thin),
+    }
+
+
+def _flat(row: dict[str, Any]) -> dict[str, Any]:
+    """Vectors as columns: size, place and direction have three numbers each."""
+    names = {
+        "size_m": ("thickness_m", "length_m", "height_m"),
+        "place_m": ("x_m", "y_m", "z_m"),
+        "thin_direction": ("thin_x", "thin_y", "thin_z"),
+    }
+    flat: dict[str, Any] = {}
+    for key, value in row.items():
+        if key in names:
+            flat |= dict(zip(names[key], value or (None, None, None), strict=True))
+        else:
+            flat[key] = "; ".join(value) if key == "remarks" else value
+    return flat
+
+
+def _first(words: tuple[str, ...]) -> str:
+    return words[0] if words else ""
+
+
+def _angle(thin: tuple[float, float]) -> float:
+    """From +x towards +y [deg]."""
+    return degrees(atan2(thin[1], thin[0]))

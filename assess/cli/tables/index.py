@@ -1,0 +1,52 @@
+"""What an index of a folder did, for the terminal and as JSON."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import asdict
+from pathlib import Path
+
+from assess.project.messages import printable
+from assess.study.record_set import cell_text
+from records.flatfile_match import FlatfileMatch
+from records.indexing import IndexSummary
+
+MAX_CELLS = 20  # bad cells of a flatfile
+
+
+def table_text(found: IndexSummary, place: Path, *, described: int, merged: FlatfileMatch | None) -> str:
+    """Counts, what became of a flatfile, each file that could not be read with the reason, and the catalogue's path."""
+    counts = f"{found.read} files read, {found.unchanged} unchanged, {found.gone} gone"
+    lines = [
+        f"{counts}; {found.records} records, {described} of known magnitude; {len(found.problems)} files not readable",
+        *(["the catalogue was of an older version: every file was read again"] if found.older else []),
+        *(f"{path}: its rows in the catalogue were damaged; it was read again" for path in found.damaged),
+        *([] if merged is None else _flatfile(merged)),
+        *(f"{path}: {why}" for path, why in found.problems),
+        str(place),
+    ]
+    return "".join(f"{printable(line)}\n" for line in lines)
+
+
+def json_text(found: IndexSummary, place: Path, *, described: int, merged: FlatfileMatch | None) -> str:
+    """The same as JSON."""
+    problems = [{"path": path, "reason": why} for path, why in found.problems]
+    told = {**asdict(found), "problems": problems, "with_magnitude": described, "catalogue": str(place)}
+    return json.dumps({**told, "flatfile": _as_json(merged)}, ensure_ascii=False, indent=1) + "\n"
+
+
+def _flatfile(merged: FlatfileMatch) -> list[str]:
+    counts = f"{merged.matched} rows matched, {merged.unmatched} unmatched, {len(merged.bad)} bad cells"
+    bad = [f"flatfile, {cell_text(cell)}: no value that can be; passed over" for cell in merged.bad[:MAX_CELLS]]
+    more = (
+        [f"flatfile: and {len(merged.bad) - MAX_CELLS} more; --json lists all"] if len(merged.bad) > MAX_CELLS else []
+    )
+    return [f"flatfile: {counts}; {merged.records} records described", *bad, *more]
+
+
+def _as_json(merged: FlatfileMatch | None) -> dict[str, object] | None:
+    if merged is None:
+        return None
+    bad = [asdict(cell) for cell in merged.bad]
+    counts = {"matched": merged.matched, "unmatched": merged.unmatched, "records": merged.records}
+    return {**counts, "bad_cells": bad, "warning": merged.warning or None}

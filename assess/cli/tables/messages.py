@@ -1,0 +1,13 @@
+"""Warnings and notes as lines for the terminal."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from assess.messages.message import Message
+from assess.project.messages import printable
+
+
+def messages_text(messages: Sequence[Message]) -> str:
+    """Write a line for each warning and note."""
+    return "".join(f"{each.severity}: {printable(each.where)}: {printable(each.text)}\n" for each in messages)

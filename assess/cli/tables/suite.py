@@ -1,0 +1,74 @@
+"""A suite of records for the terminal, as CSV, as JSON and as a figure."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from assess.cli.tables.messages import messages_text
+from assess.cli.tables.text_table import text_table
+from assess.project.suites import Suite
+from assess.results import RecordResult
+from assess.results.json import dumps_suite
+from assess.results.stamp import origin
+from reports.chapters.site import event_name
+from reports.chapters.suite import requirements, sentences
+from reports.figures import record_spectra
+from reports.render.csv import csv_lines
+from reports.render.figure_file import write_figure
+
+_COLUMNS = ("record", "event", "NGA", "M", "comp.", "misfit", "factor", "PGA [g]")
+
+
+def table_text(suite: Suite) -> str:
+    """The records as thesis Table 8.8, how they were chosen, and what codes ask of the suite."""
+    motion = suite.motion
+    steps = () if motion.selection is None else motion.selection.remaining
+    left = "; ".join(f"{one.number} {one.step}" for one in steps)
+    told = "\n".join([*sentences(motion), *([f"Candidates: {left}."] if left else [])])
+    asked = [[str(cell) if cell is not None else "-" for cell in _short(row)] for row in requirements(motion).rows]
+    columns = ("requirement", "clause", "code", "found", "limit", "periods [s]", "met")
+    return (
+        "\n".join(
+            (
+                text_table(_COLUMNS, [_row(record) for record in suite.records]),
+                f"{told}\n",
+                text_table(columns, asked),
+                messages_text(suite.notices),
+            )
+        ).rstrip("\n")
+        + "\n"
+    )
+
+
+def csv_text(suite: Suite) -> str:
+    """The records at full precision, under their names of results.json."""
+    names = (
+        "id", "path", "event", "date", "station", "component", "nga", "magnitude", "distance_km", "vs30_m_per_s",
+        "dt_s", "npts", "mse", "scale_factor", "pga_g",
+    )  # fmt: skip
+    return csv_lines([names, *([getattr(record, name) for name in names] for record in suite.records)])
+
+
+def json_text(suite: Suite) -> str:
+    """`records` and `ground_motion` of results.json."""
+    return dumps_suite(suite.records, suite.motion)
+
+
+def draw(suite: Suite, path: Path) -> None:
+    """Target, records, means and limits in the file at `path`."""
+    write_figure(
+        record_spectra.beside_target(suite.motion, suite.records),
+        path,
+        creator=origin("records select", json_text(suite)),
+    )
+
+
+def _row(record: RecordResult) -> list[str]:
+    known = ["-" if each is None else f"{each:g}" for each in (record.nga, record.magnitude)]
+    numbers = [f"{record.mse:.4f}", f"{record.scale_factor:.4g}", f"{record.pga_g:.4g}"]
+    return [record.id, event_name(record), *known, record.component, *numbers]
+
+
+def _short(row: tuple[object, ...]) -> list[object]:
+    code, clause, what, found, limit, periods, met, _ = row
+    return [what, clause, code, f"{found:.4g}" if isinstance(found, float) else found, limit, periods, met]

@@ -1,0 +1,177 @@
+"""Suites for the command line: of a project, of folders beside a target, of files that are only scaled."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from concurrent.futures import Executor
+from dataclasses import dataclass, replace
+from math import isnan
+from pathlib import Path
+from typing import Any, get_args
+
+from scipy.constants import g
+
+from assess.errors import AssessError
+from assess.messages.message import Message
+from assess.project.build import build
+from assess.project.components import horizontal
+from assess.project.schema import load
+from assess.project.site_spectrum import site_of, spectrum_of
+from assess.results import GroundMotionResult, RecordResult
+from assess.study import record_set
+from assess.study.ground_motion import ground_motion, ground_motion_result
+from assess.study.motions import ScaledRecord, motions_of, scale_together
+from assess.study.run import require_spectrum
+from assess.study.site_results import record_result
+from assess.study.study import Fitting
+from records.band import band, truncate_band
+from records.candidates import PERIODS
+from records.formats.header_overrides import HeaderOverrides
+from records.reading import read_with
+from records.scaling import Scaling, misfit, scale_to_ordinate
+from records.selection import Components, Criteria, Filters, Range, ScaleTo, select
+from records.suites import Fit
+from spectra.spectrum import Spectrum
+from spectra.table import read_table
+
+UNITS: Mapping[str, float] = {"magnitude": 1.0, "distance": 1000.0, "vs30": 1.0, "pga": g, "duration": 1.0}
+"""SI of what the command line takes: km, m/s, g, s."""
+
+
+@dataclass(frozen=True)
+class Suite:
+    """Records as scaled, the suite beside its target, and what to know of it."""
+
+    records: tuple[RecordResult, ...]
+    motion: GroundMotionResult
+    notices: tuple[Message, ...] = ()
+
+
+@dataclass(frozen=True)
+class Wanted:
+    """What the command line asks of a suite, in its units; spans: of the filters by name."""
+
+    count: int
+    periods: Range
+    scale_limits: Range
+    fit: str
+    components: str
+    scale_to: str
+    one_per_event: bool
+    spans: Mapping[str, Range | None]
+    events: tuple[str, ...]
+
+
+def of_project(path: Path, *, executor: Executor | None = None) -> Suite:
+    """The records of a project as it selects and scales them, without artificial ones."""
+    study = build(load(path), executor=executor)
+    spectrum = require_spectrum(study)
+    if not study.records:
+        raise AssessError(f"{path}: records.files: missing; add the files or the folder to select from")
+    motions = motions_of(replace(study, artificial=None), spectrum)
+    found = ground_motion(study, spectrum, motions)
+    assert found is not None  # there are records
+    notices = tuple(notice for notice in study.notices if notice.where.startswith("records"))
+    return Suite(results_of(motions, spectrum, study.fitting), found, notices)
+
+
+def of_target(
+    target: Path,
+    places: Sequence[Path],
+    wanted: Wanted,
+    *,
+    overrides: HeaderOverrides,
+    flatfile: Path | None,
+    kept: Path | None,
+    executor: Executor | None = None,
+) -> Suite:
+    """The suite out of files and the catalogues of folders that fits the spectrum of `target`."""
+    spectrum, criteria = spectrum_at(target), criteria_of(wanted)
+    if kept is not None and sum(place.is_dir() for place in places) > 1:
+        raise AssessError(f"--catalogue {kept}: one catalogue is of one folder; give one folder")
+    offer = record_set.candidate_records(places, overrides=overrides, flatfile=flatfile, kept=kept, executor=executor)
+    found = select(offer.candidates, spectrum, criteria)
+    chosen = record_set.record_set(found, criteria.band, folder=Path.cwd())
+    motions = scale_together(chosen.records, spectrum, chosen.fitting, scale_to=criteria.scale_to)
+    motion = ground_motion_result(motions, spectrum, chosen.fitting, source="given", equivalent={})
+    return Suite(
+        results_of(motions, spectrum, chosen.fitting),
+        motion,
+        (*record_set.offer_messages(offer), *record_set.record_messages(chosen.records)),
+    )
+
+
+def criteria_of(wanted: Wanted) -> Criteria:
+    """In SI; AssessError for a word that is not known or a range that falls."""
+    spans = {**wanted.spans, "scale-limits": wanted.scale_limits}
+    for name, span in spans.items():
+        if span is not None and (isnan(span[0]) or isnan(span[1])):
+            raise AssessError(f"--{name} {span[0]:g} {span[1]:g}: not a number; give two numbers, the lesser first")
+        if span is not None and span[0] > span[1]:
+            raise AssessError(f"--{name} {span[0]:g} {span[1]:g}: the first is larger than the second")
+    si = {
+        name: None if span is None else (span[0] * UNITS[name], span[1] * UNITS[name])
+        for name, span in wanted.spans.items()
+    }
+    return Criteria(
+        count=wanted.count,
+        band=band(*wanted.periods),
+        filters=Filters(**si, events=wanted.events),
+        scale_limits=wanted.scale_limits,
+        one_per_event=wanted.one_per_event,
+        fit=_one_of("fit", wanted.fit, Fit),
+        components=_one_of("components", wanted.components, Components),
+        scale_to=_one_of("scale-to", wanted.scale_to, ScaleTo),
+    )
+
+
+def write_scaled_files(
+    target: Path, files: Sequence[Path], *, to: str, at: float | None, periods: Range, overrides: HeaderOverrides
+) -> tuple[tuple[ScaledRecord, ...], Suite]:
+    """Every record of `files` scaled to the spectrum of `target`: as `to` says, or to its ordinate `at` a period."""
+    _check_period(at)
+    spectrum, fitting = spectrum_at(target), Fitting(band(*periods))
+    found = record_set.with_unique_names([record for file in files for record in read_with(file, overrides)])
+    records = horizontal(found)
+    if at is None:
+        motions = scale_together(records, spectrum, fitting, scale_to=_one_of("to", to, ScaleTo))
+    else:
+        factors = [scale_to_ordinate(record, spectrum, period=at) for record in records]
+        over = vars(truncate_band(fitting.band, spectrum.longest_period))
+        scalings = [Scaling(f, misfit(r, spectrum, factor=f, **over)) for r, f in zip(records, factors, strict=True)]
+        motions = tuple(ScaledRecord(record, scaling) for record, scaling in zip(records, scalings, strict=True))
+    motion = ground_motion_result(motions, spectrum, fitting, source="given", equivalent={})
+    return motions, Suite(results_of(motions, spectrum, fitting), motion, tuple(record_set.record_messages(records)))
+
+
+def _check_period(at: float | None) -> None:
+    """Refuse a period at which spectra of records mean nothing; 0 is that of the peak."""
+    if at is not None and at != 0.0 and not PERIODS[0] <= at <= PERIODS[-1]:
+        raise AssessError(
+            f"--at {at:g}: records are scaled at 0 s, their peak, or from {PERIODS[0]:g} s to {PERIODS[-1]:g} s"
+        )
+
+
+def spectrum_at(target: Path) -> Spectrum:
+    """The spectrum of a project's site, or of a table in a file that ends in .csv or .txt."""
+    if target.suffix.lower() in (".csv", ".txt") and target.is_file():
+        return read_table(target)
+    if target.is_file() and target.suffix.lower() != ".toml":
+        raise AssessError(
+            f"--target {target}: a target is a project (a folder, or a file in .toml), or a table of period and "
+            "acceleration in .csv or .txt; this is neither"
+        )
+    return spectrum_of(site_of(target))
+
+
+def results_of(motions: Sequence[ScaledRecord], spectrum: Spectrum, fitting: Fitting) -> tuple[RecordResult, ...]:
+    """The records as results.json has them."""
+    numbers = dict(fitting.nga)
+    return tuple(record_result(motion, spectrum, nga=numbers.get(motion.record.id)) for motion in motions)
+
+
+def _one_of(option: str, word: str, known: Any) -> Any:
+    words = get_args(known)
+    if word not in words:
+        raise AssessError(f'--{option} "{word}": not known; choose one of {", ".join(words)}')
+    return word

@@ -1,0 +1,85 @@
+"""Records whose step is too coarse for a mechanism are told by name."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy.constants import g
+
+from assess.oscillator import Oscillator, SingleBlock, elastic_frequency, plain_branch
+from assess.project.build import build
+from assess.project.schema import load
+from assess.results import Results
+from assess.study.coarse_records import coarse_record_messages, longest_step
+from assess.study.envelopes import EnvelopeCase
+from assess.study.motions import ScaledRecord
+from assess.study.run import run
+from records.record import make_record
+from records.scaling import Scaling
+from tests.support.projects import ASCE7, block, project_toml, wall
+
+PROJECT = project_toml(
+    site={"spectrum": ASCE7 | {"s_ds": "0.3 g", "s_d1": "0.1 g"}},
+    materials={"m": {"density": 2000}},
+    bodies={"w": wall(0.6, 4.0, 4.5, material="m")},
+    mechanisms={
+        "on joints": block("w", interface={"model": "flexible", "stiffness": "10 GPa/m", "strength": "2 MPa"}),
+        "rigid": block("w"),
+    },
+    records={"files": ["motion.csv"], "scale_to": "none"},
+    analysis={"procedures": ["asce43-05-spectrum"]},
+)
+
+
+def block(p: float) -> Oscillator:
+    side = plain_branch(SingleBlock(1.0, 1.0, 0.2, g / p**2), restitution=0.9)
+    return Oscillator(side, side, 1.0)
+
+
+def motions(*steps: float) -> list[ScaledRecord]:
+    return [ScaledRecord(make_record(f"r{k}", [0.0, 1.0, 0.0], dt), Scaling(1.0, 0.0)) for k, dt in enumerate(steps)]
+
+
+def notices(p: float, *steps: float) -> list[str]:
+    rocker = EnvelopeCase("tower", block(p), "exact", np.ones_like)
+    return [f"{n.key} {n.where} {n.text}" for n in coarse_record_messages([rocker], motions(*steps))]
+
+
+def test_ten_samples_within_1_over_p() -> None:
+    assert longest_step(block(2.5), equation="exact")[0] == pytest.approx(0.04, rel=1e-6)
+    assert notices(2.0, 0.005, 0.02, 0.0499) == []
+    (text,) = notices(2.0, 0.005, 0.06, 0.02)
+    assert text.startswith("coarse-record mechanisms.tower ")
+    for words in ("r1 (0.06 s)", "p = 2 1/s", "0.05 s or less"):
+        assert words in text
+    assert "r0" not in text
+    assert "r2" not in text
+
+
+def test_many_are_counted() -> None:
+    (text,) = notices(2.0, *[0.1] * 9)
+    assert "r0 (0.1 s), r1 (0.1 s), r2 (0.1 s) and 6 more is too coarse" in text
+
+
+def results(folder: Path, *, dt: float) -> Results:
+    time = np.arange(0.0, 6.0, dt)
+    rows = "\n".join(f"{t:.6f},{a:.6f}" for t, a in zip(time, np.sin(4.0 * time), strict=True))
+    (folder / "motion.csv").write_text(f"time [s],acceleration [m/s2]\n{rows}\n")
+    (folder / "project.toml").write_text(PROJECT)
+    return run(build(load(folder)))
+
+
+def test_a_run_tells_which_mechanism_record_and_step(tmp_path: Path) -> None:
+    """Six samples in a period of the wall on its joints, which the rigid wall does not need."""
+    found = results(tmp_path, dt=0.025)
+    coarse = [notice for notice in found.warnings if notice.key == "coarse-record"]
+    assert [notice.where for notice in coarse] == ["mechanisms.on joints"]
+    assert "motion (0.025 s)" in coarse[0].text
+    assert "elastic vibration" in coarse[0].text
+
+
+def test_a_fine_record_is_no_matter(tmp_path: Path) -> None:
+    assert [n for n in results(tmp_path, dt=0.005).warnings if n.key == "coarse-record"] == []
+    assert elastic_frequency(block(2.0).positive) is None

@@ -39,7 +39,7 @@ class Built:
 
 
 def mechanism_of(name: str, definition: Definition, bodies: Bodies) -> Built:
-    """The mechanism of one table [mechanisms.NAME]."""
+    """Build the mechanism of a definition."""
     if isinstance(definition, EquivalentBlock):
         return Built(of_parameters(name, definition), None)
     rigid, members = on_rigid_hinges(name, definition, bodies)
@@ -64,7 +64,7 @@ def of_parameters(name: str, definition: EquivalentBlock) -> Mechanism:
 
 
 def on_rigid_hinges(name: str, definition: Chained, bodies: Bodies) -> MechanismPieces:
-    """The mechanism of one table before it is put on its joints."""
+    """Build the mechanism on rigid hinges, before it is placed on its joints."""
     try:
         pieces, told = cut_into_blocks(name, definition, bodies)
         found_loads = loads_of(name, definition, pieces, bodies)
@@ -77,7 +77,7 @@ def on_rigid_hinges(name: str, definition: Chained, bodies: Bodies) -> Mechanism
 
 
 def cut_into_blocks(name: str, definition: Chained, bodies: Bodies) -> tuple[Sequence[Piece], Crack | None]:
-    """The blocks of one table, and the crack of a wall of one body, which parts it in two."""
+    """Cut the bodies into blocks; a wall of one body is cut at its crack, which is returned too."""
     pieces = pieces_of(name, definition, bodies)
     if not isinstance(definition, TwoBlock) or len(pieces) == 2:
         return pieces, None
@@ -94,7 +94,7 @@ def of_one_block(
     *,
     loads: tuple[Load, ...],
 ) -> MechanismPieces:
-    """A single block about the edges of its base."""
+    """Build a single block that rocks about the edges of its base."""
     front, back = hinges_of(definition.given_hinges, definition), hinges_of(definition.hinges_negative, definition)
     mechanism = single_block(
         name,
@@ -116,7 +116,7 @@ def of_two_blocks(
     *,
     loads: tuple[Load, ...],
 ) -> MechanismPieces:
-    """A wall held at base and top, of two bodies or of one that is cracked."""
+    """Build a wall held at its base and its top, of two bodies or of one that cracks."""
     front, back = hinges_of(definition.given_hinges, definition), hinges_of(definition.hinges_negative, definition)
     lower, upper = pieces
     doubts = () if front else tuple(text for piece in pieces for text in hinge_warnings(piece, definition.towards))
@@ -141,7 +141,7 @@ def of_four_hinges(
     *,
     loads: tuple[Load, ...],
 ) -> MechanismPieces:
-    """Three blocks between four hinges that are given, or an arch whose hinges are looked for."""
+    """Build three blocks between given hinges, or an arch whose hinges are searched for."""
     if definition.hinges == "minimum":
         return arch_mechanism(name, definition, pieces[0], **common(definition))
     mechanism = four_hinge(
@@ -163,7 +163,7 @@ BUILDERS: dict[type[Chained], Callable[..., MechanismPieces]] = {
 
 
 def common(definition: Chained) -> dict[str, Any]:
-    """What every kind of chain takes as it is."""
+    """Return what every kind of chain takes unchanged."""
     return {
         "label": definition.label,
         "sides": "two" if definition.two_sided else "one",
@@ -172,12 +172,12 @@ def common(definition: Chained) -> dict[str, Any]:
 
 
 def restitution_of(definition: Chained | EquivalentBlock) -> tuple[Any, Any]:
-    """The choices for the impacts that end the positive and the negative branch."""
+    """Return the choices for the impacts that end the positive and the negative branch."""
     return (definition.restitution.positive, definition.restitution.negative)
 
 
 def hinges_of(hinges: Sequence[Place] | None, definition: Chained) -> Any:
-    """Hinges A, B, ... as (distance along `direction` from the origin, elevation) [m]; None where not given."""
+    """Return hinges A, B, … as (distance along the direction from the origin, elevation) [m]; None if not given."""
     if hinges is None:
         return None
     points: tuple[Point, ...] = tuple(point_in_plane(at, definition.towards) for at in hinges)

@@ -41,7 +41,7 @@ TIE = 1e-9  # multipliers this near the least are as weak
 
 
 def sweep_directions(name: str, definition: Sought, bodies: Bodies) -> Built:
-    """The mechanism of one table [mechanisms.NAME] in the weakest of many directions."""
+    """Build the mechanism in the weakest of directions all around."""
     standing = solids_of_blocks(name, definition, bodies)
     told: tuple[str, ...] = ()
     if isinstance(definition, SingleBlock) and not isinstance(definition.cut, CutAngle):
@@ -60,7 +60,7 @@ def sweep_directions(name: str, definition: Sought, bodies: Bodies) -> Built:
 
 
 def solids_of_blocks(name: str, definition: Chained, bodies: Bodies) -> tuple[Solid, ...]:
-    """The solids of all blocks; raises MechanismError for a body of direct values, which has one plane only."""
+    """Return the solids of all blocks; raise MechanismError for a body without geometry, which has one plane only."""
     found = []
     for body in (body for block in definition.blocks for body in block):
         solid = bodies[body].solid
@@ -74,7 +74,7 @@ def solids_of_blocks(name: str, definition: Chained, bodies: Bodies) -> tuple[So
 
 
 def angles(normals: FloatArray) -> tuple[float, ...]:
-    """Directions [deg] to look at: even steps, and those given [k], that the edges of what the body stands on face.
+    """Return the directions [deg] to evaluate: even steps, and the normals [k] of the edges of the base.
 
     Where the multiplier of a block has a minimum, the hinge passes from one corner to the next: over an edge, or
     in every direction of a round base.
@@ -85,12 +85,12 @@ def angles(normals: FloatArray) -> tuple[float, ...]:
 
 
 def is_sloping(foot: FloatArray) -> bool:
-    """Whether the corners [k, 3] of what a body stands on lie at different elevations."""
+    """Return whether the corners [k, 3] of a base lie at different elevations."""
     return float(np.ptp(foot[:, 2])) > LEVEL
 
 
 def normals_of(foot: FloatArray) -> FloatArray:
-    """What the edges between the corners [k, 3] face [deg]; on a slope also just beside, where one end is the hinge.
+    """Return the normals of the edges between corners [k, 3] [deg]; on a slope also just beside.
 
     There the lower end has the larger height to the centroid over it, and so the least multiplier.
     """
@@ -101,7 +101,7 @@ def normals_of(foot: FloatArray) -> FloatArray:
 
 @dataclass(frozen=True)
 class Standing:
-    """A block as cut, before it is seen from a direction.
+    """A block above its cut, before a direction is chosen.
 
     solids : what it is made of; foot : corners it stands on [k, 3] [m]; fixed : what lies below the cut and stays
     """
@@ -112,7 +112,7 @@ class Standing:
 
 
 def block_above_cut(name: str, definition: SingleBlock, solids: tuple[Solid, ...]) -> Standing:
-    """The block above its cut, which is the same in every direction."""
+    """Return the block above its cut, which is the same in every direction."""
     plane = cut_of(definition, where=f'mechanism "{name}"')
     if plane is None:
         return Standing(solids, lowest_corners(solids))
@@ -123,7 +123,7 @@ def block_above_cut(name: str, definition: SingleBlock, solids: tuple[Solid, ...
 def block_by_direction(
     name: str, definition: SingleBlock, standing: Standing, bodies: Bodies
 ) -> Callable[[Vector], Mechanism]:
-    """The single block towards any direction; cut once, met by its loads once, and not drawn."""
+    """Return a function of the direction that builds the single block; it is cut once and its loads are found once."""
     known: dict[str, Meeting] = {}
 
     def meet(load: BodyLoad, body: Solid | None, around: Surroundings) -> Meeting:
@@ -143,12 +143,12 @@ def block_by_direction(
 
 
 def turn_towards(definition: S, direction: Vector) -> S:
-    """The same table with its direction given."""
+    """Return the definition with a direction."""
     return replace(definition, direction=direction)
 
 
 def directions(mechanism_towards: Callable[[Vector], Mechanism], around: Sequence[float]) -> Directions:
-    """The mechanism's resistance to positive rotation towards each of the angles `around` [n] [deg], rising.
+    """Find the resistance to positive rotation towards each of the angles `around` [n] [deg], rising.
 
     The smallest angle of the least multiplier is the weakest; opposite angles are the two signs of one plane.
 

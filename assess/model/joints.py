@@ -41,7 +41,7 @@ def place_on_joints(
     *,
     restitution: tuple[RestitutionChoice, RestitutionChoice],
 ) -> Mechanism:
-    """The mechanism on the interfaces of its table; as it is where all of them are rigid and without limit of strength.
+    """Place a mechanism on its interfaces; it is returned unchanged if all are rigid and of unlimited strength.
 
     Raises GeometryError where a contact is not found, MechanismError or InterfaceError where one cannot carry its load.
     """
@@ -70,7 +70,7 @@ def place_on_joints(
 
 
 def contact_offset_warnings(mechanism: Mechanism, joints: Sequence[Sequence[Joint | None]]) -> Iterator[str]:
-    """A sentence where the contacts at the base do not lie in one place for both directions."""
+    """Warn if the contacts at the base lie in different places for the two directions."""
     if mechanism.negative is None or mechanism.kind == "four-hinge":
         return
     front, back = joints[0][0], joints[1][0]
@@ -97,7 +97,7 @@ def joint_at(
     sign: float,
     doubts: list[str],
 ) -> Joint | None:
-    """The joint under one hinge of a chain in its own sign; None where it is rigid or carries nothing.
+    """Return the joint under one hinge of a chain in its own sign; None if it is rigid or carries nothing.
 
     sign : -1 for the branch that is mirrored; doubts : sentences are added to it
     """
@@ -132,7 +132,7 @@ def joint_at(
 
 
 def law_of(interface: Interface, material: Material | None, *, where: str) -> JointLaw | None:
-    """Stiffness and strength, None for a rigid joint without limit of strength."""
+    """Return stiffness and strength; None for a rigid joint of unlimited strength."""
     strength = interface.strength
     if interface.model == "rigid":
         return None if strength in (None, inf) else JointLaw(strength=strength or inf)
@@ -148,17 +148,17 @@ def law_of(interface: Interface, material: Material | None, *, where: str) -> Jo
 
 
 def material_of(definition: Chained, bodies: Bodies) -> Material | None:
-    """That of the first body of a mechanism that has one."""
+    """Return the material of the first body of a mechanism that has one."""
     return next((material for name in definition.bodies if (material := bodies[name].material) is not None), None)
 
 
 def at_top(chain: Chain, number: int) -> bool:
-    """Whether a hinge is the support at the top of a wall."""
+    """Return whether a hinge is the support at the top of a wall."""
     return len(chain.blocks) == number == 2
 
 
 def section_of_shape(shape: Shape, view: View) -> Section:
-    """A contact of given sizes, seen in the direction of motion."""
+    """Return a contact of given sizes, seen in the direction of motion."""
     if shape.rectangle is not None:
         return rectangle(*shape.rectangle)
     if shape.hollow_rectangle is not None:
@@ -177,7 +177,7 @@ def _inward(normal: Vector, sense: float) -> Vector:
 
 
 def eccentricity_warnings(mechanism: Mechanism) -> Iterator[str]:
-    """Sentences on contacts that are not symmetric about the plane of motion."""
+    """Warn of contacts that are not symmetric about the plane of motion."""
     for chain, mark in ((mechanism.positive, ""), (mechanism.negative, "'")):
         if chain is None:
             continue

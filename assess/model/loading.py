@@ -32,7 +32,7 @@ def loads_of(
     *,
     meet: Meet = find_meeting,
 ) -> FoundLoads:
-    """The loads of the mechanism `name`; pieces: its blocks, or all of them in one; meet: finds contacts of bodies.
+    """Find the loads of a mechanism; pieces: its blocks, or all in one; meet: finds contacts of bodies.
 
     Raises GeometryError for a body that touches nothing of its block.
     """
@@ -70,7 +70,7 @@ def loads_of(
 
 
 def blocks_of(name: str, definition: Chained, pieces: Sequence[Piece]) -> Blocks:
-    """The blocks of the mechanism `name` as its loads meet them; of two direct values they part at hinge B."""
+    """Return the blocks as loads meet them; two blocks without geometry part at hinge B."""
     parted = len(definition.blocks) == 1 and len(pieces) == 2
     foot, crack = pieces[-1].foot, None
     if parted and foot is not None:
@@ -88,7 +88,7 @@ def of_body(
     *,
     meet: Meet,
 ) -> FoundLoads:
-    """What a body puts on each block that it loads; nothing where it rests below the cut.
+    """Find what a body puts on each block that it loads; nothing if it rests below the cut.
 
     Raises GeometryError where it touches nothing of them, or it is not known which of them it loads.
     """
@@ -111,7 +111,7 @@ def of_body(
 
 
 def surroundings(load: BodyLoad, blocks: Blocks, number: int, bodies: Bodies) -> Surroundings:
-    """What stands around a body that loads a block: bodies as they are, those of the mechanism as cut."""
+    """Return what stands around a body that loads a block; bodies of the mechanism as they are cut."""
     pieces = blocks.pieces
     moving = {solid.name for piece in pieces for solid in piece.solids} | {load.body}
     others = [each.solid for key, each in bodies.items() if each.solid is not None and key not in moving]
@@ -157,7 +157,7 @@ def load_of(
 
 
 def moving_anchor_warnings(loads: Sequence[Load], outlines: Sequence[Outline]) -> Iterator[str]:
-    """A sentence for each tie whose anchor lies on a block of the mechanism, seen in the plane of motion."""
+    """Warn of each tie whose anchor lies on a block of the mechanism, seen in the plane of motion."""
     for load in loads:
         if not isinstance(load, Tie) or load.anchor is None:
             continue
@@ -170,7 +170,7 @@ def moving_anchor_warnings(loads: Sequence[Load], outlines: Sequence[Outline]) -
 
 
 def misplaced_load_warnings(loads: Sequence[Load], blocks: Blocks) -> Iterator[str]:
-    """A sentence for each load that is not on or near its block, seen in the plane of motion; a crack parts nothing."""
+    """Warn of each load that is not on or near its block, seen in the plane of motion, ignoring the crack."""
     for load in loads:
         whole = blocks.pieces if blocks.parted else [blocks.pieces[min(load.block, len(blocks.pieces) - 1)]]
         outline = tuple(ring for piece in whole for ring in piece.body.outline)

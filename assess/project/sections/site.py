@@ -45,7 +45,7 @@ class Site(Section):
         return self
 
     @property
-    def declared(self) -> str | None:
+    def own_limit_state(self) -> str | None:
         """What the site's own action stands for, in either spelling; None where nobody says."""
         old = self.spectrum.limit_state if isinstance(self.spectrum, NtcHazardSpectrum) else None
         return self.limit_state or old

@@ -61,7 +61,7 @@ def _of_amplification(
         bears = warning if by_motion(question) else note
         yield bears("not-amplified", "mechanisms", mechanisms=", ".join(without))
     for name, one in amplified.items():
-        for text in one.assumed:
+        for text in one.assumptions:
             yield warning("amplification", f"mechanisms.{name}", text=text)
 
 

@@ -33,7 +33,7 @@ def amplification_result(
         method=amplified.method,
         factors=tuple(Factor(each.record.id, each.factor) for each in base),
         height_m=amplified.height,
-        said=(*amplified.said, *amplified.assumed),
+        said=(*amplified.description, *amplified.assumptions),
         motion=carried_motion_result(motions[most], base[most].record) if filtered else None,
     )
 

@@ -20,33 +20,24 @@ from assess.study.response import respond
 from assess.study.run import run
 from records.errors import RecordError
 from records.record import make_record
+from tests.support.projects import EC8, block, project_toml, wall
 
-PROJECT = """
-[site.spectrum]
-code = "ec8"
-a_g = "0.25 g"
-ground_type = "B"
-[materials.stone]
-density = 2000
-disintegration = "excluded"
-[bodies.wall]
-material = "stone"
-box = { thickness = 0.6, length = 4.0, height = 4.5 }
-[mechanisms.wall]
-kind = "single-block"
-blocks = ["wall"]
-sides = "one"
-direction = [1, 0, 0]
-[records]
-synthetic = { count = 2, duration = 12 }
-[analysis]
-levels = ["0.2 g", "0.4 g", "1.2 g"]
-procedures = ["asce43-05-history"]
-[analysis.pulses]
-shape = "sine"
-frequency = { from = "1 Hz", to = "4 Hz", count = 3 }
-amplitude = { from = "0 g", to = "2 g", count = 4 }
-"""
+PROJECT = project_toml(
+    site={"spectrum": EC8},
+    materials={"stone": {"density": 2000, "disintegration": "excluded"}},
+    bodies={"wall": wall(length=4.0, height=4.5, material="stone")},
+    mechanisms={"wall": block(sides="one", direction=[1, 0, 0])},
+    records={"synthetic": {"count": 2, "duration": 12}},
+    analysis={
+        "levels": ["0.2 g", "0.4 g", "1.2 g"],
+        "procedures": ["asce43-05-history"],
+        "pulses": {
+            "shape": "sine",
+            "frequency": {"from": "1 Hz", "to": "4 Hz", "count": 3},
+            "amplitude": {"from": "0 g", "to": "2 g", "count": 4},
+        },
+    },
+)
 BRANCH = plain_branch(SingleBlock(1.0, 2.0, 0.2, 16.0 / 3.0), restitution=0.9)
 BLOCK = Oscillator(BRANCH, BRANCH, 1.0)
 

@@ -126,18 +126,18 @@ def upward(load: Load) -> float:
     return (load.force if isinstance(load, Force) else pull_at_rest(load))[1]
 
 
-def mirrored(load: Load) -> Load:
+def mirror_load(load: Load) -> Load:
     """Return the load as the negative branch sees it."""
-    at = _mirrored(load.at)
+    at = _mirror(load.at)
     if isinstance(load, PointMass):
         return replace(load, at=at)
     if isinstance(load, Force):
-        return replace(load, at=at, force=_mirrored(load.force))
+        return replace(load, at=at, force=_mirror(load.force))
     return replace(
         load,
         at=at,
-        direction=None if load.direction is None else _mirrored(load.direction),
-        anchor=None if load.anchor is None else _mirrored(load.anchor),
+        direction=None if load.direction is None else _mirror(load.direction),
+        anchor=None if load.anchor is None else _mirror(load.anchor),
     )
 
 
@@ -145,5 +145,5 @@ def _absent(shown: dict[str, object]) -> tuple[str, ...]:
     return tuple(key for key, value in shown.items() if value is None or value == "")
 
 
-def _mirrored(vector: Point) -> Point:
+def _mirror(vector: Point) -> Point:
     return (-vector[0], vector[1])

@@ -43,7 +43,7 @@ class Loaded:
     contact: int
 
 
-Found = tuple[tuple[Loaded, ...], tuple[str, ...]]  # and sentences on what is doubtful
+Found = tuple[tuple[Loaded, ...], tuple[str, ...]]  # and warnings
 
 
 def loaded_blocks(load: BodyLoad, body: Solid | None, *, among: Blocks, taken: Collection[int | None] = ()) -> Found:
@@ -66,7 +66,7 @@ def loaded_blocks(load: BodyLoad, body: Solid | None, *, among: Blocks, taken: C
         return as_given(load, load.block, contacts, [*bears, *contacts][0], left_out, among=among)
     found = bears if bears and load.bearing is not False else list(contacts)
     if len(found) > 1:
-        refuse_doubtful(load, found, contacts, bears, among=among)
+        refuse_ambiguous(load, found, contacts, bears, among=among)
     return tuple(Loaded(number, number) for number in found), ()
 
 
@@ -110,7 +110,7 @@ def _left_out(number: int) -> str:
     )
 
 
-def refuse_doubtful(
+def refuse_ambiguous(
     load: BodyLoad,
     found: Sequence[int],
     contacts: Mapping[int, Contact],

@@ -42,7 +42,7 @@ def overburden_of(
     if load.force is not None:
         at = (middle + (load.eccentricity or 0.0), elevation)
         return Force(name, (0.0, -load.force), at, UPPER, until="collapse", evidence=WEIGHT)
-    carried = [pressing_solid(body, solids, where=f"{where}: {name}") for body in load.bodies]
+    carried = [require_solid(body, solids, where=f"{where}: {name}") for body in load.bodies]
     beside = [solid for key, solid in solids.items() if solid is not None and key not in (*moving, *load.bodies)]
     states = [solid.name for solid in beside if shared_with(piece.solids, solid)[0] > SAME_PLACE]
     others = [solid for solid in beside if solid.name not in states]
@@ -65,7 +65,7 @@ def require_on_top(load: OverburdenLoad, *, thickness: float, where: str) -> Non
         )
 
 
-def pressing_solid(body: str, solids: Mapping[str, Solid | None], *, where: str) -> Solid:
+def require_solid(body: str, solids: Mapping[str, Solid | None], *, where: str) -> Solid:
     """Return the solid of a body that presses; raise GeometryError for one without geometry."""
     solid = solids[body]
     if solid is None:

@@ -8,8 +8,7 @@ from itertools import pairwise
 from math import hypot
 
 from assess.errors import MechanismError
-from assess.loads.load import Load, PointMass
-from assess.loads.load import mirrored as mirrored_load
+from assess.loads.load import Load, PointMass, mirror_load
 from assess.mechanisms.joint import Joint
 
 Point = tuple[float, float]
@@ -101,7 +100,7 @@ def mirror_chain(
     return Chain(
         tuple(Block(block.mass, mirror_point(block.centroid), block.inertia) for block in blocks),
         tuple(mirror_point(hinge) for hinge in hinges),
-        tuple(mirrored_load(load) for load in loads),
+        tuple(mirror_load(load) for load in loads),
         joints=tuple(joint and replace(joint, inward=mirror_point(joint.inward)) for joint in joints),
     )
 

@@ -25,8 +25,8 @@ from spectra.arrays import FloatArray
 Line = tuple[Point, Point]
 
 APART = 1e-6  # of the longest joint: points this near are one
-BEYOND = 0.1  # of the arch: more than this beyond its end joints is told
-SKEW = 0.35  # rad: a joint farther off square to the arch is told
+BEYOND = 0.1  # of the arch: more than this beyond its end joints gets a warning
+SKEW = 0.35  # rad: a joint farther off square to the arch gets a warning
 
 
 def arch_mechanism(
@@ -40,13 +40,13 @@ def arch_mechanism(
     Raises MechanismError or GeometryError where a joint misses the body, or no four joints make a mechanism.
     """
     pieces, joints = voussoirs_of(piece, lines_of(definition), definition.towards, where=f'mechanism "{name}"')
-    doubts = tuple(joint_warnings(pieces, joints))
+    warnings = tuple(joint_warnings(pieces, joints))
     try:
         made = arch_at_weakest_hinges(name, [each.body for each in pieces], joints, sides=sides, **common)
     except MechanismError as error:
         start = f'mechanism "{name}": '
-        raise MechanismError(start + "; ".join((*doubts, str(error).removeprefix(start)))) from None
-    return replace(made, notices=(*doubts, *made.notices)), pieces
+        raise MechanismError(start + "; ".join((*warnings, str(error).removeprefix(start)))) from None
+    return replace(made, notices=(*warnings, *made.notices)), pieces
 
 
 def arch_at_weakest_hinges(

@@ -44,7 +44,7 @@ def solids_of_block(block: Sequence[str], bodies: Bodies) -> list[Solid]:
 def gaps_in_block(block: Sequence[Solid]) -> Iterator[Gap]:
     """Find each gap that would have to be closed for the bodies of a block to touch one another."""
     pairs = list(combinations(range(len(block)), 2))
-    joined = [(i, j) for i, j in pairs if are_touching(block[i], block[j])]
+    joined = [(i, j) for i, j in pairs if in_contact(block[i], block[j])]
     while len(block) > 1:
         group = connected_groups(np.array(joined, dtype=np.int64).reshape(-1, 2), count=len(block))
         across = [(shortest_distance(block[i], block[j]), (i, j)) for i, j in pairs if group[i] != group[j]]
@@ -58,13 +58,13 @@ def gaps_in_block(block: Sequence[Solid]) -> Iterator[Gap]:
 def gaps_at_hinge(one: Sequence[Solid], other: Sequence[Solid]) -> Iterator[Gap]:
     """Find the gap between two blocks with a hinge between them that touch nowhere."""
     pairs = list(product(one, other))
-    if not pairs or any(are_touching(*pair) for pair in pairs):
+    if not pairs or any(in_contact(*pair) for pair in pairs):
         return
     distances = [shortest_distance(*pair) for pair in pairs]
     yield gap_values(*pairs[int(np.argmin(distances))], min(distances))
 
 
-def are_touching(one: Solid, other: Solid) -> bool:
+def in_contact(one: Solid, other: Solid) -> bool:
     """Return whether two bodies are closer than the thickness of a joint."""
     return shortest_distance(one, other, limit=TOLERANCE) < TOLERANCE
 

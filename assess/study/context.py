@@ -12,7 +12,7 @@ from assess.mechanisms.hinge_forces import hinge_forces
 from assess.mechanisms.limits import height_of_support, limits
 from assess.mechanisms.mechanism import Mechanism
 from assess.messages.message import Message, Quantity
-from assess.study.endurance import unheld_messages
+from assess.study.endurance import unsupported_messages
 from assess.study.floor_input import floor_spectrum
 from assess.study.motions import ScaledRecord
 from assess.study.rocking_case import RockingHistories
@@ -97,7 +97,7 @@ def _without_floor_spectrum(
         knowledge=study.knowledge.get(mechanism.name, {}),
         limit_state=study.limit_state if study.hazard is None else None,
         impossible=grounded.unknown,
-        not_lasting=unheld_messages(mechanism),
+        not_lasting=unsupported_messages(mechanism),
         suite_faults=study.suite_faults,
         impossible_by_histories=reasons_against_histories(mechanism),
         amplification=max((each.factor for each in base), default=1.0),

@@ -75,10 +75,10 @@ def load_messages(mechanism: Mechanism) -> Iterator[Message]:
         if load.lasting == "not shown" and load.name not in thrusts:
             values = {"load": load.name, "missing": ", ".join(load.missing)}
             yield message("not-lasting", values, severity=Severity.WARNING, where=where)
-    yield from unheld_messages(mechanism, where=where)
+    yield from unsupported_messages(mechanism, where=where)
 
 
-def unheld_messages(mechanism: Mechanism, *, where: str = "") -> tuple[Message, ...]:
+def unsupported_messages(mechanism: Mechanism, *, where: str = "") -> tuple[Message, ...]:
     """Return why no displacement can be assessed: the mechanism stands only by loads that are not shown to last."""
     loads = mechanism.variants.standing_by
     if not loads:

@@ -12,8 +12,7 @@ from scipy.integrate import quad
 
 from assess.dynamics.history import free_rocking
 from assess.geometry.planar import join_planar, planar_body_from_values
-from assess.loads.load import Force, PointMass, Tie, pull_at_rest
-from assess.loads.load import mirrored as mirrored_load
+from assess.loads.load import Force, PointMass, Tie, mirror_load, pull_at_rest
 from assess.mechanisms.arch import divide_arch, weakest_hinges
 from assess.mechanisms.chain import Block, Chain, mirror_chain, mirror_point
 from assess.mechanisms.face import Face
@@ -213,7 +212,7 @@ def image(case):
         tuple(Block(b.mass, mirror_point(b.centroid), b.inertia) for b in case.blocks),
         tuple(mirror_point(each) for each in case.back),
         tuple(mirror_point(each) for each in case.front),
-        tuple(mirrored_load(each) for each in case.loads),
+        tuple(mirror_load(each) for each in case.loads),
     )
 
 

@@ -96,7 +96,7 @@ def select(
     if output is not None:
         draw(found, output)
     if as_json or as_csv:  # the table ends with them
-        print(messages_text(found.notices), end="", file=sys.stderr)
+        print(messages_text(found.messages), end="", file=sys.stderr)
     print((json_text if as_json else csv_text if as_csv else table_text)(found), end="")
 
 

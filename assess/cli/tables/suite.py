@@ -33,7 +33,7 @@ def table_text(suite: Suite) -> str:
                 text_table(_COLUMNS, [_row(record) for record in suite.records]),
                 f"{told}\n",
                 text_table(columns, asked),
-                messages_text(suite.notices),
+                messages_text(suite.messages),
             )
         ).rstrip("\n")
         + "\n"

@@ -15,8 +15,7 @@ from assess.errors import MechanismError
 from assess.geometry.planar import planar_body_from_values
 from assess.interfaces.law import JointLaw
 from assess.interfaces.shapes import rectangle
-from assess.loads.load import Force, PointMass
-from assess.loads.load import mirrored as mirrored_load
+from assess.loads.load import Force, PointMass, mirror_load
 from assess.mechanisms.assembly import add_joints
 from assess.mechanisms.chain import Block
 from assess.mechanisms.flexible import FlexibleChain
@@ -332,7 +331,7 @@ def of_weight(chain, phi):
 def test_mirrored_loads_change_the_branches():
     ours, theirs = (
         LEANING.oscillator,
-        wall(loads=tuple(mirrored_load(load) for load in LEANING.positive.loads)).oscillator,
+        wall(loads=tuple(mirror_load(load) for load in LEANING.positive.loads)).oscillator,
     )
     assert theirs.equilibrium == -ours.equilibrium
     assert (theirs.equilibrium_negative, ours.equilibrium_negative) == (-theirs.equilibrium, -ours.equilibrium)

@@ -17,7 +17,7 @@ from assess.geometry.planar import planar_body
 from assess.geometry.solid import box
 from assess.interfaces.law import JointLaw
 from assess.interfaces.shapes import rectangle
-from assess.loads.load import Force, PointMass, Tie, lasts, mirrored
+from assess.loads.load import Force, PointMass, Tie, lasts, mirror_load
 from assess.mechanisms.assembly import add_joints
 from assess.mechanisms.joint import Joint
 from assess.mechanisms.limits import held_above, limits
@@ -195,14 +195,14 @@ CASES = [
 
 @pytest.mark.parametrize("loads", CASES)
 def test_the_mirror_image_has_the_branches_of_the_other_side(loads):
-    one, two = found(*loads), found(*(mirrored(load) for load in loads))
+    one, two = found(*loads), found(*(mirror_load(load) for load in loads))
     for name in ("starting", "breaking", "collapse"):
         a, b = getattr(one, name), getattr(two, name)
         for here, there in ((a.positive, b.negative), (a.negative, b.positive)):
             np.testing.assert_allclose(here.rotation, there.rotation, rtol=1e-12)
             np.testing.assert_allclose(here.restoring, there.restoring, rtol=0.0, atol=1e-9 * M * g)
     ends = {(each.what, each.branch): each.rotation for each in limits(wall(*loads))}
-    other = {(each.what, each.branch): each.rotation for each in limits(wall(*(mirrored(load) for load in loads)))}
+    other = {(each.what, each.branch): each.rotation for each in limits(wall(*(mirror_load(load) for load in loads)))}
     assert {(what, {"positive": "negative", "negative": "positive"}[branch]) for what, branch in ends} == set(other)
 
 
